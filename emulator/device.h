@@ -1,0 +1,94 @@
+// A sonar as its driver sees it: a pure state machine of bytes, echoes and time. It never sleeps, holds no clock,
+// opens no socket and draws no random numbers of its own. One Session joins it to the world.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/echogram.h"
+
+namespace echoloop {
+
+/// Time since the start of the run, on the session's clock.
+using Time = std::chrono::nanoseconds;
+using Bytes = std::vector<std::uint8_t>;
+using ByteView = std::span<const std::uint8_t>;
+
+inline Time from_seconds(double s) { return Time(static_cast<std::int64_t>(s * 1e9)); }
+inline double to_seconds(Time t) { return static_cast<double>(t.count()) * 1e-9; }
+
+/// An IPv4 address and port in host byte order; zero for a byte stream, which has one other end only.
+struct Address {
+    std::uint32_t ip = 0;
+    std::uint16_t port = 0;
+    friend auto operator<=>(const Address&, const Address&) = default;
+};
+
+/// Bytes to send on port `port` of ports(); a datagram is one element. `to` is for datagram ports.
+struct Send {
+    std::size_t port = 0;
+    Bytes bytes;
+    Address to;
+    Time not_before{};  ///< paces the datagrams of one big frame; the past means now
+};
+
+/// A ping to render. The Session hands the echogram back through heard() at `due`, never earlier:
+/// transmit + 2R/c + motor + processing. If rendering takes longer the ping is late, and is counted so.
+struct Ping {
+    Shot shot;
+    Time due{};
+};
+
+struct Actions {
+    std::vector<Send> send;
+    std::optional<Ping> ping;
+    std::optional<Time> wake;  ///< replaces the pending wake-up; nullopt leaves it as it is
+};
+
+/// What arrived on a port, and from whom.
+struct Received {
+    std::size_t port = 0;
+    ByteView bytes;
+    Address from;
+};
+
+/// One place where the device meets the wire.
+struct Port {
+    enum class Kind { stream, datagram };
+    std::string name;                 ///< e.g. "line", "commands", "discovery"
+    Kind kind = Kind::stream;
+    Address bind;                     ///< datagram: where the device listens; port 0 lets the system choose
+    bool shared = false;              ///< datagram: several programs may listen there (discovery broadcasts)
+};
+
+/// Figures of what went wrong on the wire, printed at the end of a run.
+struct DeviceCounters {
+    std::uint64_t messages = 0;  ///< understood
+    std::uint64_t rejected = 0;  ///< framed but not understood, or refused
+    std::uint64_t skipped_bytes = 0;
+    std::uint64_t pings = 0;
+};
+
+class Device {
+  public:
+    virtual ~Device() = default;
+    Device() = default;
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    virtual std::vector<Port> ports() const = 0;
+    /// Power on; the first actions (a first alive, a first status).
+    virtual Actions started(Time now) = 0;
+    virtual Actions received(const Received& data, Time now) = 0;
+    virtual Actions heard(const Echogram& echogram, Time now) = 0;
+    virtual Actions woken(Time now) = 0;
+    virtual DeviceCounters counters() const = 0;
+};
+
+}  // namespace echoloop

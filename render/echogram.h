@@ -1,0 +1,74 @@
+// What a device asks of the water (Shot) and what it hears (Echogram). Standard library only, so that a device
+// links no GL. Never normalised by its own content: levels are absolute.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "render/pose.h"
+
+namespace echoloop {
+
+/// How a rendered sample becomes echo strength.
+enum class EchoRule {
+    radiometric,    ///< received power in uPa^2: spreading, absorption, Lambert scattering (default)
+    cerqueira2016,  ///< equation 1 of Cerqueira et al. 2016: mean sigmoid of cos(incidence), 0..1
+};
+
+/// One ping as a device asks for it.
+///
+/// Sonar frame: x along the acoustic axis, y to port, z up (FLU). A bearing is clockwise positive seen from above
+/// (starboard positive), an elevation is positive upwards:
+///     direction = (cos e cos b, -cos e sin b, sin e), b = pan + bearing, e relative to the tilted fan plane.
+/// `pan` turns the head about z first, `tilt` then raises the fan about the panned y axis (negative looks down).
+struct Shot {
+    std::uint64_t ping = 0;        ///< ping number of the device, keys the random numbers
+    double pan = 0;                ///< rad, bearing of the fan's centre
+    double tilt = 0;               ///< rad, elevation of the fan's centre plane
+    std::vector<double> bearings;  ///< rad, beam centres relative to pan, strictly ascending, within +-pi
+    double beam_width = 0;         ///< rad, horizontal width of one beam (two-way, -3 dB)
+    double fan_height = 0;         ///< rad, vertical aperture of the fan (-3 dB)
+    double first_bin_time = 0;     ///< s, two-way time of the leading edge of bin 0 (t0)
+    double bin_interval = 0;       ///< s, two-way time per bin (dt)
+    std::size_t bins = 0;          ///< range bins per beam
+    double frequency = 0;          ///< Hz, centre frequency
+    double pulse_length = 0;       ///< s
+    double bandwidth = 0;          ///< Hz of a chirp; 0 for CW
+    double source_level = 0;       ///< dB re 1 uPa at 1 m
+
+    friend bool operator==(const Shot&, const Shot&) = default;
+};
+
+/// What is really there, beside the levels of one beam.
+struct BeamTruth {
+    float axis_range = std::numeric_limits<float>::quiet_NaN();     ///< m, first surface on the beam axis; NaN: none
+    float nearest_range = std::numeric_limits<float>::quiet_NaN();  ///< m, nearest surface in the beam; NaN: none
+};
+
+/// beams x bins of received level, beam-major (all bins of beam 0 first).
+struct Echogram {
+    Shot shot;
+    Pose world_from_sonar;
+    EchoRule rule = EchoRule::radiometric;
+    double sound_speed = 0;       ///< m/s, the true one of the water
+    std::vector<float> values;    ///< uPa^2 (radiometric) or 0..1 (cerqueira2016); size beams() * shot.bins
+    std::vector<BeamTruth> truth; ///< one per beam
+
+    std::size_t beams() const { return shot.bearings.size(); }
+    std::span<const float> beam(std::size_t index) const {
+        return std::span(values).subspan(index * shot.bins, shot.bins);
+    }
+    /// Slant range in m of the middle of a bin: c t / 2.
+    double bin_range(std::size_t bin) const {
+        return sound_speed / 2 * (shot.first_bin_time + (static_cast<double>(bin) + 0.5) * shot.bin_interval);
+    }
+};
+
+/// dB re 1 uPa of a power in uPa^2; -inf for silence.
+inline float level_db(float power) { return 10.0F * std::log10(power); }
+
+}  // namespace echoloop
