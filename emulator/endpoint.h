@@ -1,0 +1,46 @@
+// The URI of one place where a device meets the world. Parses and prints; opens nothing, looks no host name
+// up.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace echoloop {
+
+/// A parsed endpoint:
+///     pty:/tmp/echoloop/micron            a pseudo-terminal with a link of that name
+///     serial:///dev/ttyUSB0:115200        a real serial port; without a rate: the device's own
+///     tcp-listen://127.0.0.1:9090         tcp://127.0.0.1:9090
+///     udp-listen://127.0.0.1:65500        udp://127.0.0.1:65400?local_port=65502
+struct Endpoint {
+    enum class Scheme { pty, serial, tcp_listen, tcp, udp_listen, udp };
+
+    Scheme scheme = Scheme::pty;
+    std::string path;        ///< pty, serial: absolute
+    std::string host;        ///< others: dotted IPv4; "localhost" has become 127.0.0.1
+    std::uint32_t ip = 0;    ///< the same in host byte order
+    std::uint16_t port = 0;  ///< 0 (listening only): the system chooses
+    std::uint32_t baud = 0;  ///< serial: bit/s; 0: the device's own rate
+    std::map<std::string, std::string, std::less<>> query;
+
+    /// The port a sender binds (`?local_port=`); 0: the system chooses.
+    std::uint16_t local_port() const;
+    bool listens() const { return scheme == Scheme::tcp_listen || scheme == Scheme::udp_listen; }
+    friend bool operator==(const Endpoint&, const Endpoint&) = default;
+};
+
+/// Throws std::invalid_argument with a sentence for the user: what is wrong and what would be right.
+Endpoint parse_endpoint(std::string_view uri);
+
+/// "pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp".
+std::string_view scheme_name(Endpoint::Scheme scheme);
+
+/// The canonical form; parse_endpoint(to_string(e)) == e.
+std::string to_string(const Endpoint& endpoint);
+
+/// True if both would claim the same link, serial port or listening port of this machine.
+bool clash(const Endpoint& a, const Endpoint& b);
+
+}  // namespace echoloop
