@@ -1,0 +1,71 @@
+// Turns a scene, a shot and a pose into an echogram of absolute levels. Owns a GL context and therefore
+// belongs to the thread that made it; never normalises, adds no noise and keeps no clock.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/echogram.h"
+#include "render/scene/scene.h"
+#include "render/water.h"
+
+namespace echoloop {
+
+struct RendererOptions {
+    EchoRule rule = EchoRule::radiometric;
+    double columns_per_beam = 3;  ///< rendered bearings across one beam, 1..64
+    double pixel_density = 1;     ///< factor on the number of pixels, 0.1..64
+    bool jitter = true;  ///< move the sample inside its pixel from ping to ping (by Shot::ping), so that the
+                         ///< mean over pings has no error from the pixel grid
+    std::string context = "auto";  ///< GL context: "auto" or "osmesa"
+};
+
+/// The image of Cerqueira et al. 2016 before it becomes an echogram: row-major, the highest elevation first,
+/// bearings ascending from left to right. Columns have equal widths in tan(bearing) within one view, not
+/// equal angles.
+struct ChannelImage {
+    std::size_t width = 0, height = 0;
+    std::vector<float> intensity;  ///< cos(incidence), 0..1; 0 where there is nothing
+    std::vector<float> range;      ///< m, Euclidean; NaN where there is nothing
+    std::vector<float> bearing;    ///< rad, relative to Shot::pan, clockwise positive
+};
+
+class Renderer {
+  public:
+    /// Creates the GL context and uploads the scene. Throws std::invalid_argument for bad water or options
+    /// and std::runtime_error, with the package to install, when no GL can be had.
+    Renderer(std::shared_ptr<const Scene> scene, Water water, RendererOptions options = {});
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    /// One ping. Throws std::invalid_argument, naming the member, for a shot or pose that is not finite, not
+    /// ordered or too large (see validate(const Shot&)), and std::logic_error on a thread other than the
+    /// constructor's.
+    Echogram render(const Shot& shot, const Pose& world_from_sonar);
+
+    /// The three channels behind the same ping. Throws as render().
+    ChannelImage render_channels(const Shot& shot, const Pose& world_from_sonar);
+
+    const Scene& scene() const;
+    const Water& water() const;
+    double sound_speed() const;  ///< m/s, of the water
+    std::string context_description()
+        const;  ///< for example "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe"
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Throws std::invalid_argument naming the member and its limits unless: 1..4096 bearings, strictly ascending
+/// within
+/// +-pi; beam_width 0.01..120 deg; bearings and beam_width span at most 360 deg; fan_height 0.01..120 deg;
+/// |pan| <= 2 pi and |tilt| <= pi/2; 1..65536 bins and at most 16 Mi values in all; first_bin_time 0..60 s,
+/// bin_interval 100 ns..10 s, a window that ends within 60 s; frequency 1 kHz..10 MHz; source_level within
+/// +-300 dB; pulse_length and bandwidth not negative.
+void validate(const Shot& shot);
+
+}  // namespace echoloop

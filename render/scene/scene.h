@@ -1,0 +1,96 @@
+// A scene as the sonar meets it: triangles in world coordinates (ENU, metres, z up) with acoustic materials,
+// cut into chunks for culling. Immutable; reads nothing outside the scene file's folder and knows no GL.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "render/pose.h"
+
+namespace echoloop {
+
+/// A scene file that cannot be used. what() names the file, the place in it, the reason and the remedy.
+class SceneError : public std::runtime_error {
+  public:
+    /// `place` is a JSON path such as "meshes[2].primitives[0].attributes.POSITION"; empty for the file as a
+    /// whole.
+    SceneError(std::string file, std::string place, std::string reason, std::string remedy);
+
+    const std::string& file() const { return file_; }
+    const std::string& place() const { return place_; }
+    const std::string& reason() const { return reason_; }
+    const std::string& remedy() const { return remedy_; }
+
+  private:
+    std::string file_, place_, reason_, remedy_;
+};
+
+/// How a surface scatters.
+struct Material {
+    std::string name;
+    double mu_db = -27;         ///< 10 log10 of Lambert's constant; -4.97 (1/pi) is the ceiling
+    bool double_sided = false;  ///< false: only the side that its winding faces is there at all, as glTF says
+
+    friend bool operator==(const Material&, const Material&) = default;
+};
+
+/// Axis-aligned bounds in m.
+struct Bounds {
+    std::array<float, 3> min{}, max{};
+};
+
+/// Triangles given by a caller instead of a file. Counter-clockwise seen from the side that scatters.
+struct Mesh {
+    std::string object;  ///< identity of the thing, for ground truth
+    Material material;
+    std::vector<Vec3> positions;         ///< m, ENU
+    std::vector<Vec3> normals;           ///< one per position, or empty: one per triangle is computed
+    std::vector<std::uint32_t> indices;  ///< three per triangle
+};
+
+struct SceneVertex {
+    std::array<float, 3> position;  ///< m, ENU
+    std::array<float, 3> normal;    ///< unit
+};
+
+/// At most 2000 neighbouring triangles of one object and one material.
+struct SceneChunk {
+    std::uint32_t first_vertex = 0, vertices = 0;  ///< in Scene::vertices()
+    std::uint32_t first_index = 0, indices = 0;    ///< in Scene::indices(), which count from first_vertex
+    std::uint32_t object = 0, material = 0;        ///< in Scene::objects() and Scene::materials()
+    Bounds bounds;
+};
+
+class Scene {
+  public:
+    /// Reads a .gltf (with .bin or data: buffers) or .glb. Throws SceneError.
+    static std::shared_ptr<const Scene> load(const std::filesystem::path& file);
+    /// Throws SceneError (file "meshes") for the same faults as load().
+    static std::shared_ptr<const Scene> from_meshes(std::span<const Mesh> meshes);
+
+    std::span<const SceneVertex> vertices() const { return vertices_; }
+    std::span<const std::uint16_t> indices() const { return indices_; }
+    std::span<const SceneChunk> chunks() const { return chunks_; }
+    std::span<const std::string> objects() const { return objects_; }
+    std::span<const Material> materials() const { return materials_; }
+    const Bounds& bounds() const { return bounds_; }
+    std::size_t triangles() const { return indices_.size() / 3; }
+
+  private:
+    friend class SceneBuilder;
+    Scene() = default;
+    std::vector<SceneVertex> vertices_;
+    std::vector<std::uint16_t> indices_;
+    std::vector<SceneChunk> chunks_;
+    std::vector<std::string> objects_;
+    std::vector<Material> materials_;
+    Bounds bounds_;
+};
+
+}  // namespace echoloop
