@@ -1,0 +1,211 @@
+#include "emulator/scenario/device_section.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "emulator/endpoint.h"
+
+namespace echoloop::scenario {
+namespace {
+
+constexpr std::size_t most_devices = 64;
+constexpr std::size_t longest_name = 64;
+
+/// An endpoint of a device, where it was written, and what to call it.
+struct Claim {
+    Endpoint endpoint;
+    Place place;
+    std::string path;
+};
+
+bool is_name(std::string_view text) {
+    const auto letter = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-';
+    };
+    return !text.empty() && text.size() <= longest_name && std::ranges::all_of(text, letter);
+}
+
+/// Keyed by name, so that a device keeps its random numbers when others are added before it (FNV-1a).
+std::uint64_t device_seed(std::uint64_t seed, std::string_view name) {
+    std::uint64_t hash = 0xcbf29ce484222325ULL ^ seed;
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    return hash;
+}
+
+class DeviceReader {
+  public:
+    DeviceReader(const Scenario& scenario, std::span<const Model> models, Problems& problems)
+        : scenario_(scenario), models_(models), problems_(problems) {}
+
+    void read(const Value& value, std::size_t index);
+    std::vector<ScenarioDevice> take() { return std::move(devices_); }
+
+  private:
+    std::string read_name(const Section& section, std::size_t index);
+    const Model* read_model(const Section& section);
+    std::vector<std::string> read_endpoints(const Section& section, const Model& model);
+    std::optional<Endpoint> parse(const std::string& uri, const Claim& at, const Model& model, bool first);
+    void claim(Claim claim);
+    void try_make(const ScenarioDevice& device, const Place& place);
+
+    const Scenario& scenario_;
+    std::span<const Model> models_;
+    Problems& problems_;
+    std::vector<ScenarioDevice> devices_;
+    std::vector<std::string> names_;
+    std::vector<Claim> claims_;
+};
+
+std::string DeviceReader::read_name(const Section& section, std::size_t index) {
+    const Value* value = section.get("name");
+    if (value == nullptr) {
+        problems_.add(section.place(),
+                      "device " + std::to_string(index) + " has no name; add e.g. name: micron");
+        return {};
+    }
+    std::string name = section.text("name", "");
+    if (!is_name(name)) {
+        problems_.add(value->place, section.path_of("name") + ": " + in_quotes(name) +
+                                        " is not a name of 1 to 64 letters, digits, '_' and '-'");
+    } else if (std::ranges::find(names_, name) != names_.end()) {
+        problems_.add(value->place,
+                      "a device named " + in_quotes(name) + " exists already; give each its own name");
+    }
+    names_.push_back(name);
+    return name;
+}
+
+const Model* DeviceReader::read_model(const Section& section) {
+    const Value* value = section.get("model");
+    if (value == nullptr) {
+        problems_.add(section.place(),
+                      section.path_of("model") + " is missing; `echoloop list` shows the models");
+        return nullptr;
+    }
+    std::string name;
+    if (!Checker(problems_).text(*value, section.path_of("model"), name)) return nullptr;
+    const auto found = std::ranges::find(models_, name, &Model::name);
+    if (found != models_.end()) return &*found;
+    std::vector<std::string_view> known;
+    for (const auto& model : models_) known.push_back(model.name);
+    problems_.add(value->place,
+                  section.path_of("model") + ": unknown model " + in_quotes(name) + suggestion(name, known));
+    return nullptr;
+}
+
+std::optional<Endpoint> DeviceReader::parse(const std::string& uri, const Claim& at, const Model& model,
+                                            bool first) {
+    try {
+        Endpoint parsed = parse_endpoint(uri);
+        const auto scheme = scheme_name(parsed.scheme);
+        const std::vector<std::string_view> accepted(model.endpoint_schemes.begin(),
+                                                     model.endpoint_schemes.end());
+        if (!first || accepted.empty() || std::ranges::find(accepted, scheme) != accepted.end())
+            return parsed;
+        problems_.add(at.place, at.path + ": " + model.name + " does not speak over " + in_quotes(scheme) +
+                                    suggestion("", accepted));
+    } catch (const std::invalid_argument& error) {
+        problems_.add(at.place, at.path + ": " + error.what());
+    }
+    return {};
+}
+
+void DeviceReader::claim(Claim claim) {
+    for (const auto& other : claims_)
+        if (clash(other.endpoint, claim.endpoint)) {
+            problems_.add(claim.place, claim.path + ": " + to_string(claim.endpoint) +
+                                           " is already taken by " + other.path +
+                                           "; give each device endpoints of its own");
+            break;
+        }
+    claims_.push_back(std::move(claim));
+}
+
+std::vector<std::string> DeviceReader::read_endpoints(const Section& section, const Model& model) {
+    const auto path = section.path_of("endpoints");
+    auto uris = model.default_endpoints;
+    const Value* list = section.get("endpoints");
+    if (list != nullptr &&
+        (!list->is_sequence() || list->items.empty() || list->items.size() > uris.size())) {
+        const auto example = uris.empty() ? std::string() : ", as in [\"" + uris.front() + "\"]";
+        problems_.add(list->place, path + ": expected a list of 1 to " + std::to_string(uris.size()) +
+                                       " endpoints" + example);
+        return uris;
+    }
+    for (std::size_t i = 0; i < uris.size(); ++i) {
+        const Value* given = list != nullptr && i < list->items.size() ? &list->items[i] : nullptr;
+        Claim at{{}, given != nullptr ? given->place : section.place(), path + "." + std::to_string(i)};
+        if (given != nullptr && !Checker(problems_).text(*given, at.path, uris[i])) continue;
+        const auto parsed = parse(uris[i], at, model, i == 0);
+        if (!parsed) continue;
+        uris[i] = to_string(*parsed);
+        at.endpoint = *parsed;
+        claim(std::move(at));
+    }
+    return uris;
+}
+
+void DeviceReader::try_make(const ScenarioDevice& device, const Place& place) {
+    if (device.model->make == nullptr) return;
+    try {
+        device.model->make(device.config);
+    } catch (const std::invalid_argument& error) {
+        problems_.add(place, "devices." + device.name + ": " + error.what());
+    }
+}
+
+void DeviceReader::read(const Value& value, std::size_t index) {
+    const std::size_t before = problems_.count();
+    const Value* name = value.find("name");
+    const bool named = name != nullptr && name->is_scalar() && is_name(name->text);
+    const Section section(&value, "devices." + (named ? name->text : std::to_string(index)),
+                          {"name", "model", "mount", "endpoints", "options"}, problems_);
+    if (!value.is_map()) {
+        if (value.kind == Value::Kind::null) problems_.add(value.place, "a device is a name and a model");
+        return;
+    }
+    ScenarioDevice device;
+    device.name = read_name(section, index);
+    device.model = read_model(section);
+    device.body_from_sonar = read_pose(section.get("mount"), section.path_of("mount"), problems_);
+    device.line = value.place.line;
+    device.column = value.place.column;
+    if (device.model == nullptr) return;
+    device.config.name = device.name;
+    device.config.endpoints = read_endpoints(section, *device.model);
+    device.config.options =
+        read_options(section.get("options"), section.path_of("options"), *device.model, problems_);
+    device.config.sound_speed = sound_speed(scenario_.water);
+    device.config.seed = device_seed(scenario_.seed, device.name);
+    if (problems_.count() == before) try_make(device, value.place);
+    devices_.push_back(std::move(device));
+}
+
+}  // namespace
+
+Pose read_pose(const Value* value, const std::string& path, Problems& problems) {
+    const Section section(value, path, {"position", "rpy_deg"}, problems);
+    const Vec3 position = section.triple("position", {-1e6, 1e6, "m"});
+    const Vec3 rpy = section.triple("rpy_deg", {-360, 360, "deg"});
+    return {position, from_rpy(deg_to_rad(rpy.x), deg_to_rad(rpy.y), deg_to_rad(rpy.z))};
+}
+
+std::vector<ScenarioDevice> read_devices(const Value* value, const Place& place, const Scenario& scenario,
+                                         std::span<const Model> models, Problems& problems) {
+    if (value == nullptr || value->kind == Value::Kind::null ||
+        (value->is_sequence() && value->items.empty())) {
+        problems.add(value == nullptr ? place : value->key_place,
+                     "the scenario has no devices; add devices: [{name: micron, model: tritech-micron}]");
+        return {};
+    }
+    if (!value->is_sequence() || value->items.size() > most_devices) {
+        problems.add(value->place, "devices: expected a list of 1 to 64 devices, each a name and a model");
+        return {};
+    }
+    DeviceReader reader(scenario, models, problems);
+    for (std::size_t i = 0; i < value->items.size(); ++i) reader.read(value->items[i], i);
+    return reader.take();
+}
+
+}  // namespace echoloop::scenario

@@ -1,0 +1,54 @@
+#include "emulator/scenario/device_section.h"
+
+namespace echoloop::scenario {
+namespace {
+
+struct ReadOption {
+    const Option& option;
+    const Value& value;
+    const std::string& path;
+    Checker& checker;
+
+    Range range() const { return {option.minimum, option.maximum, option.unit}; }
+
+    OptionValue operator()(bool fallback) const {
+        checker.truth(value, path, fallback);
+        return fallback;
+    }
+    OptionValue operator()(std::int64_t fallback) const {
+        checker.whole(value, path, range(), fallback);
+        return fallback;
+    }
+    OptionValue operator()(double fallback) const {
+        checker.number(value, path, range(), fallback);
+        return fallback;
+    }
+    OptionValue operator()(std::string fallback) const {
+        if (option.choices.empty()) {
+            checker.text(value, path, fallback);
+        } else {
+            checker.word(value, path, {option.choices.begin(), option.choices.end()}, fallback);
+        }
+        return fallback;
+    }
+};
+
+}  // namespace
+
+Options read_options(const Value* value, const std::string& path, const Model& model, Problems& problems) {
+    std::vector<std::string_view> known;
+    for (const auto& option : model.options) known.push_back(option.name);
+    const Section section(value, path, known, problems);
+    Checker checker(problems);
+    Options options;
+    for (const auto& option : model.options) {
+        const Value* given = section.get(option.name);
+        const auto name = section.path_of(option.name);
+        options[option.name] =
+            given == nullptr ? option.default_value
+                             : std::visit(ReadOption{option, *given, name, checker}, option.default_value);
+    }
+    return options;
+}
+
+}  // namespace echoloop::scenario

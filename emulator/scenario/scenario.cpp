@@ -1,0 +1,132 @@
+#include "emulator/scenario/scenario.h"
+
+#include <algorithm>
+
+#include "emulator/scenario/device_section.h"
+#include "emulator/scenario/file.h"
+#include "emulator/scenario/number.h"
+#include "emulator/scenario/override.h"
+#include "emulator/scenario/section.h"
+#include "emulator/scenario/yaml.h"
+
+namespace echoloop {
+namespace {
+
+using namespace scenario;
+
+Value parse_tree(const std::string& text, Problems& problems) {
+    try {
+        return parse_yaml(text);
+    } catch (const YamlError& error) {
+        problems.add(error.place, error.message);
+        problems.throw_if_any();
+        throw;  // not reached
+    }
+}
+
+std::filesystem::path read_scene(const Section& top, const std::filesystem::path& file, Problems& problems) {
+    const Value* value = top.get("scene");
+    if (value == nullptr) {
+        problems.add(top.place(), "the scenario has no scene; add e.g. scene: scenes/tank.glb");
+        return {};
+    }
+    const std::filesystem::path given = top.text("scene", "");
+    const auto scene = file.parent_path() / given;
+    if (given.empty()) {
+        if (value->is_scalar()) problems.add(value->place, "scene: expected the name of a glTF file");
+    } else if (const auto fault = file_fault(scene)) {
+        problems.add(value->place, "scene: " + fault->message, fault->kind);
+    }
+    return scene;
+}
+
+std::uint64_t read_seed(const Section& top, Problems& problems) {
+    const Value* value = top.get("seed");
+    if (value == nullptr) return 1;
+    const auto seed =
+        value->is_scalar() && !value->quoted ? parse_as<std::uint64_t>(value->text) : std::nullopt;
+    if (!seed)
+        problems.add(value->place,
+                     "seed: expected a whole number, 0 to 18446744073709551615, got " + describe(*value));
+    return seed.value_or(1);
+}
+
+Pose read_vehicle(const Section& top, Problems& problems) {
+    const Section vehicle(top.get("vehicle"), "vehicle", {"pose", "trajectory", "input"}, problems);
+    for (const auto* key : {"trajectory", "input"})
+        if (const Value* value = vehicle.get(key))
+            problems.add(value->key_place,
+                         vehicle.path_of(key) +
+                             " is not in this version: the vehicle stands still; remove the key "
+                             "and set vehicle.pose");
+    return read_pose(vehicle.get("pose"), "vehicle.pose", problems);
+}
+
+Water read_water(const Section& top, double vehicle_z, Problems& problems) {
+    const Section section(top.get("water"), "water",
+                          {"temperature", "salinity", "ph", "depth", "sound_speed"}, problems);
+    Water water;
+    water.temperature = section.number("temperature", water.temperature, {-4, 40, "degC"});
+    water.salinity = section.number("salinity", water.salinity, {0, 45, "g/kg"});
+    water.ph = section.number("ph", water.ph, {5, 10, ""});
+    water.depth = section.number("depth", std::clamp(-vehicle_z, 0.0, 12000.0), {0, 12000, "m"});
+    if (section.get("sound_speed") != nullptr)
+        water.sound_speed = section.number("sound_speed", 1500, {1300, 1700, "m/s"});
+    return water;
+}
+
+void read_clock(const Section& top, Scenario& scenario, Problems& problems) {
+    const Section clock(top.get("clock"), "clock", {"mode", "rate"}, problems);
+    const auto mode = clock.word("mode", "real", {"real", "scaled", "stepped"});
+    const Value* rate = clock.get("rate");
+    scenario.clock = mode == "scaled" ? ClockMode::scaled : ClockMode::real;
+    scenario.clock_rate = clock.number("rate", 1, {0.001, 1000, ""});
+    if (mode == "stepped")
+        problems.add(clock.get("mode")->place,
+                     "clock.mode: 'stepped' is not in this version; use 'real', or 'scaled' with a rate");
+    if (mode == "scaled" && rate == nullptr)
+        problems.add(clock.get("mode")->place, "clock.mode: 'scaled' needs a rate; add e.g. rate: 5");
+    if (mode == "real" && rate != nullptr)
+        problems.add(rate->key_place,
+                     "clock.rate has no meaning in mode 'real'; add mode: scaled, or remove rate");
+}
+
+RendererOptions read_render(const Section& top, Problems& problems) {
+    const Section section(top.get("render"), "render", {"rule", "context", "pixels"}, problems);
+    RendererOptions options;
+    const auto rule = section.word("rule", "radiometric", {"radiometric", "cerqueira2016"});
+    options.rule = rule == "radiometric" ? EchoRule::radiometric : EchoRule::cerqueira2016;
+    options.context = section.word("context", options.context, {"auto", "osmesa"});
+    options.pixel_density =
+        section.number("pixels", options.pixel_density, {0.1, 64, "times the usual number"});
+    return options;
+}
+
+}  // namespace
+
+Scenario parse_scenario(const std::string& text, const std::filesystem::path& file,
+                        const std::vector<std::string>& set_arguments, std::span<const Model> models) {
+    Problems problems(file.string(), set_arguments);
+    Value root = parse_tree(text, problems);
+    apply_overrides(root, set_arguments, problems);
+    const Section top(&root, "", {"scene", "seed", "water", "vehicle", "clock", "render", "devices"},
+                      problems);
+    Scenario scenario;
+    scenario.file = file;
+    scenario.scene = read_scene(top, file, problems);
+    scenario.seed = read_seed(top, problems);
+    scenario.world_from_body = read_vehicle(top, problems);
+    scenario.water = read_water(top, scenario.world_from_body.position.z, problems);
+    read_clock(top, scenario, problems);
+    scenario.render = read_render(top, problems);
+    scenario.devices = read_devices(top.get("devices"), top.place(), scenario, models, problems);
+    problems.throw_if_any();
+    return scenario;
+}
+
+Scenario load_scenario(const std::filesystem::path& file, const std::vector<std::string>& set_arguments,
+                       std::span<const Model> models) {
+    return parse_scenario(read_scenario_file(file), file, set_arguments, models);
+}
+
+}  // namespace echoloop

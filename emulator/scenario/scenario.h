@@ -1,0 +1,56 @@
+// What a scenario file says, checked and complete. Loading reads the file and nothing else: no scene, no
+// port.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "emulator/model.h"
+#include "emulator/scenario/problems.h"
+#include "render/pose.h"
+#include "render/renderer.h"
+#include "render/water.h"
+
+namespace echoloop {
+
+struct ScenarioDevice {
+    std::string name;
+    const Model* model = nullptr;
+    Pose body_from_sonar;  ///< where the sonar is mounted
+    DeviceConfig config;   ///< options and endpoints complete; what the file leaves out has its default
+    int line = 0;          ///< where the device begins in the file; 0: from --set
+    int column = 0;
+};
+
+enum class ClockMode {
+    real,
+    scaled  ///< Scenario::clock_rate seconds of the run pass in one real second
+};
+
+struct Scenario {
+    std::filesystem::path file;   ///< as given
+    std::filesystem::path scene;  ///< absolute, or relative to the working directory as `file` is
+    std::uint64_t seed = 1;
+    Water water;  ///< depth defaults to the vehicle's depth below z = 0
+    Pose world_from_body;
+    ClockMode clock = ClockMode::real;
+    double clock_rate = 1;
+    RendererOptions render;  ///< rule, context and pixel density from `render: {rule, context, pixels}`
+    std::vector<ScenarioDevice> devices;
+};
+
+/// Reads a scenario file after applying `set_arguments` ("devices.micron.options.gain=50", "seed=7") to it.
+/// Throws ScenarioError with every problem that can be found: YAML faults, unknown and repeated keys, wrong
+/// types, numbers out of range, unknown models and options, endpoints that are malformed or claimed twice, a
+/// scene file that is not there. Files over 1 MiB are refused.
+Scenario load_scenario(const std::filesystem::path& file, const std::vector<std::string>& set_arguments,
+                       std::span<const Model> models);
+
+/// The same from text that stands for the content of `file`.
+Scenario parse_scenario(const std::string& text, const std::filesystem::path& file,
+                        const std::vector<std::string>& set_arguments, std::span<const Model> models);
+
+}  // namespace echoloop
