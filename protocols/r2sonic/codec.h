@@ -1,0 +1,24 @@
+// R2Sonic datagrams to structs and back, by the tables of layouts.h. Knows no state, time or device.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "protocols/r2sonic/messages.h"
+#include "protocols/wire/bytes.h"
+#include "protocols/wire/result.h"
+
+namespace echoloop::r2sonic {
+
+/// The packet in a datagram, told by its first characters. Sections stand in the order that readers walk;
+/// their sizes, their padding and the PacketSize must be right.
+wire::Result<Packet> parse(wire::ByteView datagram);
+
+/// The whole datagram. H0.points, PacketSize and all section sizes are written from the arrays' sizes. An
+/// array whose size does not fit the others (say I1 shorter than R0) is cut or filled with zeros.
+wire::Bytes serialise(const Packet& packet);
+
+/// "BTH0", "AID0", ...
+std::string_view name_of(const Packet& packet);
+
+}  // namespace echoloop::r2sonic
