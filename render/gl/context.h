@@ -1,0 +1,34 @@
+// An off-screen OpenGL 4.5 core context behind a small interface. Belongs to the thread that makes it
+// current; never opens a window and is never linked, only loaded at run time.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace echoloop::gl {
+
+using Proc = void (*)();
+
+class Context {
+  public:
+    Context() = default;
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+    virtual ~Context() = default;
+
+    /// Binds the context to the calling thread. Throws std::runtime_error when the library refuses.
+    virtual void make_current() = 0;
+    /// Address of a GL entry point, or null.
+    virtual Proc proc_address(const char* name) const = 0;
+    /// Name of the kind of context, for example "OSMesa".
+    virtual std::string_view kind() const = 0;
+};
+
+/// Makes a context of the named kind ("osmesa") or the first that works ("auto"). Throws
+/// std::invalid_argument for an unknown name, and std::runtime_error naming the package to install when none
+/// can be made.
+std::unique_ptr<Context> make_context(std::string_view name);
+
+}  // namespace echoloop::gl

@@ -1,0 +1,77 @@
+// The GL entry points that the renderer calls, resolved once per context. Knows no window system.
+#pragma once
+
+#include <GL/glcorearb.h>
+
+#include <string>
+
+#include "render/gl/context.h"
+
+namespace echoloop::gl {
+
+// X(type, name): one member `name` of type `type`, resolved from "gl" #name.
+#define ECHOLOOP_GL_FUNCTIONS(X)                                         \
+    X(PFNGLATTACHSHADERPROC, AttachShader)                               \
+    X(PFNGLBINDBUFFERPROC, BindBuffer)                                   \
+    X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                         \
+    X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                       \
+    X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                         \
+    X(PFNGLBUFFERDATAPROC, BufferData)                                   \
+    X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)           \
+    X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv)                             \
+    X(PFNGLCLIPCONTROLPROC, ClipControl)                                 \
+    X(PFNGLCOMPILESHADERPROC, CompileShader)                             \
+    X(PFNGLCREATEPROGRAMPROC, CreateProgram)                             \
+    X(PFNGLCREATESHADERPROC, CreateShader)                               \
+    X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                             \
+    X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                   \
+    X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                             \
+    X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)                 \
+    X(PFNGLDELETESHADERPROC, DeleteShader)                               \
+    X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                   \
+    X(PFNGLDEPTHFUNCPROC, DepthFunc)                                     \
+    X(PFNGLDISABLEPROC, Disable)                                         \
+    X(PFNGLENABLEPROC, Enable)                                           \
+    X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)         \
+    X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)         \
+    X(PFNGLGENBUFFERSPROC, GenBuffers)                                   \
+    X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                         \
+    X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                       \
+    X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                         \
+    X(PFNGLGETERRORPROC, GetError)                                       \
+    X(PFNGLGETINTEGERVPROC, GetIntegerv)                                 \
+    X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                     \
+    X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                               \
+    X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                       \
+    X(PFNGLGETSHADERIVPROC, GetShaderiv)                                 \
+    X(PFNGLGETSTRINGPROC, GetString)                                     \
+    X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                   \
+    X(PFNGLLINKPROGRAMPROC, LinkProgram)                                 \
+    X(PFNGLMULTIDRAWELEMENTSBASEVERTEXPROC, MultiDrawElementsBaseVertex) \
+    X(PFNGLREADPIXELSPROC, ReadPixels)                                   \
+    X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                 \
+    X(PFNGLSHADERSOURCEPROC, ShaderSource)                               \
+    X(PFNGLUNIFORM2FPROC, Uniform2f)                                     \
+    X(PFNGLUNIFORM3FPROC, Uniform3f)                                     \
+    X(PFNGLUNIFORM4FPROC, Uniform4f)                                     \
+    X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv)                       \
+    X(PFNGLUSEPROGRAMPROC, UseProgram)                                   \
+    X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                 \
+    X(PFNGLVIEWPORTPROC, Viewport)
+
+struct Functions {
+#define ECHOLOOP_GL_MEMBER(type, name) type name = nullptr;
+    ECHOLOOP_GL_FUNCTIONS(ECHOLOOP_GL_MEMBER)
+#undef ECHOLOOP_GL_MEMBER
+
+    /// The context must be current. Throws std::runtime_error naming the first entry point that is missing.
+    explicit Functions(const Context& context);
+
+    /// Version and renderer, for example "4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)".
+    std::string description() const;
+    /// Throws std::runtime_error if GL has recorded an error since the last call; `where` goes into the
+    /// message.
+    void check(const char* where) const;
+};
+
+}  // namespace echoloop::gl

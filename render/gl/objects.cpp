@@ -1,0 +1,74 @@
+#include "render/gl/objects.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace echoloop::gl {
+namespace {
+
+GLuint compile(const Functions& gl, GLenum kind, const char* source) {
+    const GLuint shader = gl.CreateShader(kind);
+    gl.ShaderSource(shader, 1, &source, nullptr);
+    gl.CompileShader(shader);
+    GLint good = 0;
+    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &good);
+    if (good) return shader;
+    std::string log(4096, '\0');
+    GLsizei length = 0;
+    gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+    gl.DeleteShader(shader);
+    log.resize(static_cast<std::size_t>(length));
+    throw std::runtime_error("shader does not compile: " + log);
+}
+
+}  // namespace
+
+Program::Program(const Functions& gl, const char* vertex_source, const char* fragment_source) : gl_(gl) {
+    const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_source);
+    const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_source);
+    id_ = gl.CreateProgram();
+    for (const GLuint shader : {vertex, fragment}) {
+        gl.AttachShader(id_, shader);
+        gl.DeleteShader(shader);  // lives on while attached
+    }
+    gl.LinkProgram(id_);
+    GLint good = 0;
+    gl.GetProgramiv(id_, GL_LINK_STATUS, &good);
+    if (good) return;
+    std::string log(4096, '\0');
+    GLsizei length = 0;
+    gl.GetProgramInfoLog(id_, static_cast<GLsizei>(log.size()), &length, log.data());
+    gl.DeleteProgram(id_);
+    log.resize(static_cast<std::size_t>(length));
+    throw std::runtime_error("shader does not link: " + log);
+}
+
+Buffer::Buffer(const Functions& gl, GLenum target, const void* data, std::size_t bytes) : gl_(gl) {
+    gl.GenBuffers(1, &id_);
+    gl.BindBuffer(target, id_);
+    gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+}
+
+FloatTarget::FloatTarget(const Functions& gl, int width, int height)
+    : gl_(gl), width_(width), height_(height) {
+    gl.GenFramebuffers(1, &framebuffer_);
+    gl.GenRenderbuffers(2, renderbuffers_);
+    bind();
+    const GLenum formats[2] = {GL_RGBA32F, GL_DEPTH_COMPONENT32F};
+    const GLenum attachments[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+    for (int i = 0; i < 2; ++i) {
+        gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffers_[i]);
+        gl.RenderbufferStorage(GL_RENDERBUFFER, formats[i], width, height);
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, renderbuffers_[i]);
+    }
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw std::runtime_error("OpenGL refuses a float target of " + std::to_string(width) + " x " +
+                                 std::to_string(height) + " pixels");
+}
+
+FloatTarget::~FloatTarget() {
+    gl_.DeleteFramebuffers(1, &framebuffer_);
+    gl_.DeleteRenderbuffers(2, renderbuffers_);
+}
+
+}  // namespace echoloop::gl

@@ -1,0 +1,78 @@
+// Owners of GL objects: each deletes what it made. The context must be current whenever they are made, used
+// or die.
+#pragma once
+
+#include <cstddef>
+
+#include "render/gl/functions.h"
+
+namespace echoloop::gl {
+
+/// A linked vertex and fragment shader.
+class Program {
+  public:
+    /// Throws std::runtime_error with the compiler's log.
+    Program(const Functions& gl, const char* vertex_source, const char* fragment_source);
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+    ~Program() { gl_.DeleteProgram(id_); }
+
+    void use() const { gl_.UseProgram(id_); }
+    GLint uniform(const char* name) const { return gl_.GetUniformLocation(id_, name); }
+
+  private:
+    const Functions& gl_;
+    GLuint id_;
+};
+
+/// An immutable buffer of vertices or indices.
+class Buffer {
+  public:
+    Buffer(const Functions& gl, GLenum target, const void* data, std::size_t bytes);
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+    ~Buffer() { gl_.DeleteBuffers(1, &id_); }
+
+  private:
+    const Functions& gl_;
+    GLuint id_ = 0;
+};
+
+class VertexArray {
+  public:
+    explicit VertexArray(const Functions& gl) : gl_(gl) {
+        gl_.GenVertexArrays(1, &id_);
+        bind();
+    }
+    VertexArray(const VertexArray&) = delete;
+    VertexArray& operator=(const VertexArray&) = delete;
+    ~VertexArray() { gl_.DeleteVertexArrays(1, &id_); }
+
+    void bind() const { gl_.BindVertexArray(id_); }
+
+  private:
+    const Functions& gl_;
+    GLuint id_ = 0;
+};
+
+/// An off-screen target of four 32-bit floats per pixel and 32-bit float depth.
+class FloatTarget {
+  public:
+    /// Throws std::runtime_error when GL refuses the size.
+    FloatTarget(const Functions& gl, int width, int height);
+    FloatTarget(const FloatTarget&) = delete;
+    FloatTarget& operator=(const FloatTarget&) = delete;
+    ~FloatTarget();
+
+    void bind() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+  private:
+    const Functions& gl_;
+    int width_, height_;
+    GLuint framebuffer_ = 0;
+    GLuint renderbuffers_[2]{};
+};
+
+}  // namespace echoloop::gl
