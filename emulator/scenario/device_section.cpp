@@ -128,9 +128,10 @@ std::vector<std::string> DeviceReader::read_endpoints(const Section& section, co
     const Value* list = section.get("endpoints");
     if (list != nullptr &&
         (!list->is_sequence() || list->items.empty() || list->items.size() > uris.size())) {
+        const auto count = std::to_string(uris.size()) + (uris.size() == 1 ? " endpoint" : " endpoints");
         const auto example = uris.empty() ? std::string() : ", as in [\"" + uris.front() + "\"]";
-        problems_.add(list->place, path + ": expected a list of 1 to " + std::to_string(uris.size()) +
-                                       " endpoints" + example);
+        problems_.add(list->place,
+                      path + ": expected a list of " + (uris.size() > 1 ? "1 to " : "") + count + example);
         return uris;
     }
     for (std::size_t i = 0; i < uris.size(); ++i) {

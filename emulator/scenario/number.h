@@ -4,25 +4,29 @@
 
 #include <charconv>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 
 namespace echoloop::scenario {
 
+/// The number that the whole text is, with an optional sign.
 template <typename Number>
 std::optional<Number> parse_as(std::string_view text) {
     if (text.starts_with('+')) text.remove_prefix(1);
     if (text.starts_with('+') || text.empty()) return {};
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return {};
-    return value;
+    if (end != text.data() + text.size()) return {};
+    if (error == std::errc::result_out_of_range && std::numeric_limits<Number>::has_infinity)
+        return std::numeric_limits<Number>::infinity();
+    return error == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
-/// Accepts "inf" and "nan", and YAML's spelling of them, so that the caller can name the real fault.
+/// Accepts "inf" and "nan", YAML's spelling of them, and numbers beyond all bounds (as infinity), so that the
+/// caller can name the real fault.
 inline std::optional<double> parse_number(std::string_view text) {
-    const bool negative = text.starts_with('-');
-    const auto bare = text.substr(negative || text.starts_with('+') ? 1 : 0);
+    const auto bare = text.substr(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
     if (bare.starts_with('.') && bare.size() > 1 && (bare[1] < '0' || bare[1] > '9')) text = bare.substr(1);
     return parse_as<double>(text);
 }

@@ -39,7 +39,8 @@ Value* element(Value& list, std::string_view wanted, const std::string& path, co
     }
     if (const auto index = parse_as<std::size_t>(wanted)) {
         if (*index < list.items.size()) return &list.items[*index];
-        problems.add(place, path + " has " + std::to_string(list.items.size()) + " elements, counted from 0");
+        problems.add(place, path + " has no element " + std::string(wanted) + "; it has " +
+                                std::to_string(list.items.size()) + ", counted from 0");
         return nullptr;
     }
     problems.add(place, path + " has no element named " + in_quotes(wanted) + suggestion(wanted, names));

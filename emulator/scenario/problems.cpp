@@ -60,7 +60,7 @@ void Problems::add(const Place& place, std::string message, Problem::Kind kind) 
 
 std::string Problems::where(const Place& place) const {
     if (place.set_argument >= 0)
-        return "--set " + set_arguments_.at(static_cast<std::size_t>(place.set_argument));
+        return "--set " + printable(set_arguments_.at(static_cast<std::size_t>(place.set_argument)));
     if (place.line == 0) return file_;
     return file_ + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }

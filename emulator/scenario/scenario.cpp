@@ -35,7 +35,9 @@ std::filesystem::path read_scene(const Section& top, const std::filesystem::path
     if (given.empty()) {
         if (value->is_scalar()) problems.add(value->place, "scene: expected the name of a glTF file");
     } else if (const auto fault = file_fault(scene)) {
-        problems.add(value->place, "scene: " + fault->message, fault->kind);
+        problems.add(value->place,
+                     "scene: " + fault->message + "; a relative name begins at the scenario's folder",
+                     fault->kind);
     }
     return scene;
 }
@@ -111,6 +113,7 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     apply_overrides(root, set_arguments, problems);
     const Section top(&root, "", {"scene", "seed", "water", "vehicle", "clock", "render", "devices"},
                       problems);
+    if (!root.is_map() && root.kind != Value::Kind::null) problems.throw_if_any();
     Scenario scenario;
     scenario.file = file;
     scenario.scene = read_scene(top, file, problems);

@@ -90,7 +90,7 @@ bool Checker::word(const Value& value, const std::string& path, const std::vecto
     std::string given;
     if (!text(value, path, given)) return false;
     if (std::ranges::find(words, given) == words.end())
-        return fail(value, path, in_quotes(given) + " is not one of its words" + suggestion(given, words));
+        return fail(value, path, "unknown value " + in_quotes(given) + suggestion(given, words));
     result = given;
     return true;
 }

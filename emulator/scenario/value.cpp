@@ -20,7 +20,7 @@ std::string describe(const Value& value) {
         case Value::Kind::null:
             return "nothing";
         case Value::Kind::sequence:
-            return "a list";
+            return "a list of " + std::to_string(value.items.size());
         case Value::Kind::map:
             return "a map of keys";
         case Value::Kind::scalar:
@@ -31,12 +31,14 @@ std::string describe(const Value& value) {
     return (parse_number(value.text) ? "the number " : "text ") + in_quotes(value.text);
 }
 
-std::string in_quotes(std::string_view text) {
+std::string printable(std::string_view text) {
     constexpr std::size_t longest = 60;
-    std::string shown = "'";
+    std::string shown;
     for (const char c : text.substr(0, longest))
         shown += static_cast<unsigned char>(c) < ' ' || c == 127 ? '?' : c;
-    return shown + (text.size() > longest ? "...'" : "'");
+    return shown + (text.size() > longest ? "..." : "");
 }
+
+std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }
 
 }  // namespace echoloop::scenario

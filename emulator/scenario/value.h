@@ -37,7 +37,9 @@ struct Value {
 /// "a list", "a map of keys", "text 'abc'", "a number 5", "nothing".
 std::string describe(const Value& value);
 
-/// Text of the file made safe to print: at most 60 characters, without control characters, in single quotes.
+/// Text from outside made safe to print: at most 60 bytes, control characters replaced.
+std::string printable(std::string_view text);
+/// The same in single quotes.
 std::string in_quotes(std::string_view text);
 
 }  // namespace echoloop::scenario

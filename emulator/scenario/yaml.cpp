@@ -84,8 +84,6 @@ class Builder : public YAML::EventHandler {
 
     void open(Value value, const std::string& tag, const YAML::Mark& mark, YAML::anchor_t anchor) {
         refuse_tag(mark, tag);
-        if (!open_.empty() && open_.back().value.is_map() && !open_.back().has_key)
-            throw YamlError{place_of(mark), "a key must be a word, not " + describe(value)};
         charge(value, open_.size(), value.place);
         open_.push_back({std::move(value), anchor, {}, {}, false});
     }

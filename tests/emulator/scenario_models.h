@@ -1,0 +1,41 @@
+// A small table of models for the tests of the loader: two that resemble real ones, and one that refuses.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "emulator/model.h"
+
+namespace echoloop::test {
+
+inline std::vector<Option> scanner_options() {
+    return {{"gain", "%", 50.0, "receiver gain", "", {}, 0, 100},
+            {"bins", "", std::int64_t{400}, "range bins", "", {}, 1, 1500},
+            {"inverted", "", false, "head mounted upside down", "", {}},
+            {"profile", "", std::string("dst"), "which head", "", {"dst", "miniking"}},
+            {"serial_number", "", std::string("100"), "any text", "", {}}};
+}
+
+inline const std::vector<Model>& test_models() {
+    static const std::vector<Model> table = [] {
+        Model fan{"r2sonic-2024", "a fan", "UDP", {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400"},
+                  {"udp-listen"}, 0,       {}};
+        Model picky{"picky", "a device that refuses", "none", {"pty:/tmp/echoloop/picky"}, {}, 0, {}};
+        picky.make = [](const DeviceConfig&) -> std::unique_ptr<Device> {
+            throw std::invalid_argument("its endpoints do not fit each other");
+        };
+        Model scanner{"tritech-micron",
+                      "a scanner",
+                      "SeaNet",
+                      {"pty:/tmp/echoloop/micron"},
+                      {"pty", "serial", "tcp-listen"},
+                      0,
+                      scanner_options()};
+        return std::vector<Model>{picky, fan, scanner};
+    }();
+    return table;
+}
+
+}  // namespace echoloop::test
