@@ -47,14 +47,14 @@ class ByteLine:
         return data
 
     def write(self, data):
-        """Writes all of `data`, or raises LineStalled after WRITE_SECONDS, LineClosed when the end is gone."""
+        """Writes all of `data`; LineStalled after WRITE_SECONDS, LineClosed when the end is gone."""
         end = self.now() + self.WRITE_SECONDS
         while data:
             _, ready, _ = select.select([], [self._fd], [], max(0.0, end - self.now()))
             if not ready:
                 raise LineStalled(f"{len(data)} bytes not taken in {self.WRITE_SECONDS} s")
             try:
-                data = data[os.write(self._fd, data):]
+                data = data[os.write(self._fd, data) :]
             except BlockingIOError:
                 continue
             except OSError as error:
@@ -97,13 +97,13 @@ def open_tty(path, baud=115200):
 def open_line(uri, baud=115200, seconds=5.0):
     """Opens /path, serial:///path[:baud] or tcp://host:port. OSError or ValueError when it cannot."""
     if uri.startswith("tcp://"):
-        host, _, port = uri[len("tcp://"):].rpartition(":")
+        host, _, port = uri[len("tcp://") :].rpartition(":")
         connection = socket.create_connection((host, int(port)), timeout=seconds)
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         connection.setblocking(False)
         return ByteLine(connection.fileno(), owner=connection)
     if uri.startswith("serial://"):
-        uri = uri[len("serial://"):]
+        uri = uri[len("serial://") :]
         path, _, tail = uri.rpartition(":")
         if path and tail.isdigit():
             return open_tty(path, int(tail))

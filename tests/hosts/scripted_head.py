@@ -1,4 +1,4 @@
-"""A minimal SeaNet head in virtual time that the hosts are tried against; it renders nothing and is no emulator.
+"""A minimal SeaNet head in virtual time to try the hosts against; it renders nothing and is no emulator.
 
 It holds one echo, at `wall` metres on every bearing, so that a test knows which bin must be strongest.
 """
@@ -14,9 +14,21 @@ ALIVE_SECONDS, LINE_SECONDS, CENTRING_ALIVES = 1.0, 0.04, 3
 def frame(message, payload, count_byte=None):
     """A frame from the head to the host."""
     count = len(payload) + 8
-    return (b"@%04X" % count + struct.pack("<HBBBBBB", count, 2, 0xFF,
-                                          (count - 5) & 0xFF if count_byte is None else count_byte, message,
-                                          0x80, 2) + payload + b"\n")
+    return (
+        b"@%04X" % count
+        + struct.pack(
+            "<HBBBBBB",
+            count,
+            2,
+            0xFF,
+            (count - 5) & 0xFF if count_byte is None else count_byte,
+            message,
+            0x80,
+            2,
+        )
+        + payload
+        + b"\n"
+    )
 
 
 class ScriptedHead:
@@ -28,7 +40,13 @@ class ScriptedHead:
         self._boot(0.0)
 
     def _boot(self, now):
-        self.command, self.bearing, self.clockwise, self.pending, self.busy_until = None, 3200, True, False, 0.0
+        self.command, self.bearing, self.clockwise, self.pending, self.busy_until = (
+            None,
+            3200,
+            True,
+            False,
+            0.0,
+        )
         self.sent_cfg, self.alives, self.next_alive = False, 0, now + ALIVE_SECONDS
         self.outbox = [item for item in self.outbox if item[0] <= now]
 
@@ -36,8 +54,13 @@ class ScriptedHead:
         self._framer.feed(data)
         while (got := self._framer.next()) is not None:
             self.heard.append(got)
-            handler = {wire.REBOOT: self._reboot, wire.SEND_VERSION: self._version, wire.SEND_BB_USER: self._bb,
-                       wire.HEAD_COMMAND: self._configure, wire.SEND_DATA: self._data}.get(got.message)
+            handler = {
+                wire.REBOOT: self._reboot,
+                wire.SEND_VERSION: self._version,
+                wire.SEND_BB_USER: self._bb,
+                wire.HEAD_COMMAND: self._configure,
+                wire.SEND_DATA: self._data,
+            }.get(got.message)
             if handler:
                 handler(got, now)
 
@@ -61,7 +84,9 @@ class ScriptedHead:
         self._boot(now)
 
     def _version(self, _got, now):
-        self.outbox.append((now, frame(wire.VERSION_DATA, struct.pack("<BBHIHB", 5, 1, 777, 0x8000, 0xBEEF, 2))))
+        self.outbox.append(
+            (now, frame(wire.VERSION_DATA, struct.pack("<BBHIHB", 5, 1, 777, 0x8000, 0xBEEF, 2)))
+        )
 
     def _bb(self, _got, now):
         self.sent_cfg = True
@@ -106,15 +131,29 @@ class ScriptedHead:
             levels += [0] * (bins % 2)
             levels = [levels[i] << 4 | levels[i + 1] for i in range(0, len(levels), 2)]
         self.bearing = (self.bearing + (step if self.clockwise else -step)) % 6400
-        body = (struct.pack("<HBBB", len(levels) + 31, 0x11 if self.dst else raw[16],
-                            0x10 if control & wire.ADC8ON else 0, 0)
-                + raw[14:16] + raw[35:37] + raw[17:21] + raw[43:44] + raw[45:47] + raw[41:43] + bytes(2)
-                + raw[51:53] + struct.pack("<HHBHH", left, right, step, self.bearing, len(levels)))
+        body = (
+            struct.pack(
+                "<HBBB",
+                len(levels) + 31,
+                0x11 if self.dst else raw[16],
+                0x10 if control & wire.ADC8ON else 0,
+                0,
+            )
+            + raw[14:16]
+            + raw[35:37]
+            + raw[17:21]
+            + raw[43:44]
+            + raw[45:47]
+            + raw[41:43]
+            + bytes(2)
+            + raw[51:53]
+            + struct.pack("<HHBHH", left, right, step, self.bearing, len(levels))
+        )
         return frame(wire.HEAD_DATA, body + bytes(levels), count_byte=0)
 
 
 class ScriptedLine:
-    """Joins a host to a ScriptedHead. Time passes only while the host waits. `spoil(data)` may alter replies."""
+    """Joins a host to a ScriptedHead. Time passes only while the host waits. `spoil` may alter replies."""
 
     def __init__(self, head, spoil=lambda data: data, lifetime=1e9):
         self.head, self._spoil, self._now, self._end = head, spoil, 0.0, lifetime

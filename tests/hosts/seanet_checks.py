@@ -8,11 +8,18 @@ SWEEP_CODES = (0, 1, 2, 5)
 def frame_faults(frame):
     """Faults of the 13-byte header and of the sizes that the message id fixes."""
     raw = frame.raw
-    expected = {7: ("sender", wire.IMAGING_NODE), 8: ("receiver", wire.HOST_NODE), 11: ("sequence", 0x80),
-                12: ("node copy", wire.IMAGING_NODE),
-                9: ("byte count", 0 if frame.message == wire.HEAD_DATA else (len(raw) - 11) & 0xFF)}
-    faults = [f"{name} at {at} is {raw[at]:#04x}, not {value:#04x}"
-              for at, (name, value) in expected.items() if raw[at] != value]
+    expected = {
+        7: ("sender", wire.IMAGING_NODE),
+        8: ("receiver", wire.HOST_NODE),
+        11: ("sequence", 0x80),
+        12: ("node copy", wire.IMAGING_NODE),
+        9: ("byte count", 0 if frame.message == wire.HEAD_DATA else (len(raw) - 11) & 0xFF),
+    }
+    faults = [
+        f"{name} at {at} is {raw[at]:#04x}, not {value:#04x}"
+        for at, (name, value) in expected.items()
+        if raw[at] != value
+    ]
     size = wire.FIXED_SIZES.get(frame.message)
     if size is not None and len(raw) != size:
         faults.append(f"{frame.name} has {len(raw)} bytes, not {size}")
@@ -36,12 +43,23 @@ def alive_faults(alive):
 def line_faults(line, command, device_type=0x11):
     """Faults of one HeadData against the HeadCommand in force: every echoed field, status and sizes."""
     same = ("control", "range_scale", "ad_span", "ad_low", "ad_interval", "left", "right", "step")
-    faults = [f"{name} is {getattr(line, name)}, sent {getattr(command, name)}"
-              for name in same if getattr(line, name) != getattr(command, name)]
-    wanted = {"tx_number": command.tx_number[0], "gain": command.gain[0], "data_bytes": command.data_bytes(),
-              "heading_offset": 0, "device_type": device_type}
-    faults += [f"{name} is {getattr(line, name)}, not {value}"
-               for name, value in wanted.items() if getattr(line, name) != value]
+    faults = [
+        f"{name} is {getattr(line, name)}, sent {getattr(command, name)}"
+        for name in same
+        if getattr(line, name) != getattr(command, name)
+    ]
+    wanted = {
+        "tx_number": command.tx_number[0],
+        "gain": command.gain[0],
+        "data_bytes": command.data_bytes(),
+        "heading_offset": 0,
+        "device_type": device_type,
+    }
+    faults += [
+        f"{name} is {getattr(line, name)}, not {value}"
+        for name, value in wanted.items()
+        if getattr(line, name) != value
+    ]
     if line.head_status != (0x10 if command.control & wire.ADC8ON else 0):
         faults.append(f"head status {line.head_status:#04x}")
     if line.sweep not in SWEEP_CODES:

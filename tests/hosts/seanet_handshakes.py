@@ -7,7 +7,7 @@ BOOT_SECONDS = 30.0
 
 
 def rock(session):
-    """Version and BB user block (3 s each), then HeadCommand and any willing mtAlive within 10 s; no reboot."""
+    """Version and BB user block (3 s each), HeadCommand, any willing mtAlive within 10 s; no reboot."""
     session.send(wire.build(wire.SEND_VERSION))
     session.wait(3.0, wire.VERSION_DATA)
     session.send(wire.build(wire.SEND_BB_USER))
@@ -22,11 +22,13 @@ def rock_main(session):
 
 def rock_configure(session, seconds=1.0):
     session.configure()
-    session.wait_alive(seconds, lambda a: a.has(wire.CENTRED) or a.lacks(wire.NO_PARAMS) or a.has(wire.SENT_CFG))
+    session.wait_alive(
+        seconds, lambda a: a.has(wire.CENTRED) or a.lacks(wire.NO_PARAMS) or a.has(wire.SENT_CFG)
+    )
 
 
 def mcgill(session):
-    """Reboots, configures while the head re-centres, and needs two alives with HeadInf bit 0 set, bit 1 clear.
+    """Reboots, configures while the head re-centres, needs two alives with HeadInf bit 0 set and bit 1 clear.
 
     It reads HeadInf in the opposite bit order; bit 0 is its "has configuration", bit 1 its "no parameters".
     """
@@ -77,8 +79,9 @@ def host_b(session):
     session.wait_alive(BOOT_SECONDS)
     session.send(wire.build(wire.REBOOT))
     session.pass_time(1.0)
-    session.wait_alive(BOOT_SECONDS, lambda a: a.has(wire.CENTRED) and a.lacks(wire.MOTORING, wire.SENT_CFG),
-                       gap=1.5)
+    session.wait_alive(
+        BOOT_SECONDS, lambda a: a.has(wire.CENTRED) and a.lacks(wire.MOTORING, wire.SENT_CFG), gap=1.5
+    )
     session.send(wire.build(wire.SEND_VERSION))
     session.wait(4.0, wire.VERSION_DATA)
     session.send(wire.build(wire.SEND_BB_USER))
@@ -127,5 +130,12 @@ def delphin(session):
     raise HostTimeout("no Alive to 10 HeadCommands")
 
 
-HANDSHAKES = {"rock": rock, "rock-main": rock_main, "mcgill": mcgill, "hostA": host_a, "hostB": host_b,
-              "hostC": host_c, "delphin": delphin}
+HANDSHAKES = {
+    "rock": rock,
+    "rock-main": rock_main,
+    "mcgill": mcgill,
+    "hostA": host_a,
+    "hostB": host_b,
+    "hostC": host_c,
+    "delphin": delphin,
+}

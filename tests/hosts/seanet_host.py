@@ -31,9 +31,15 @@ class Pace:
     sends_time: bool = False
 
 
-PACES = {"rock": Pace(1.5), "rock-main": Pace(1.0), "hostB": Pace(4.0),
-         "mcgill": Pace(1.0, misses=20, configure_after=5, sends_time=True), "hostA": Pace(1.6, misses=10),
-         "hostC": Pace(10.0, lines=2, sends_time=True), "delphin": Pace(2.0, misses=5)}
+PACES = {
+    "rock": Pace(1.5),
+    "rock-main": Pace(1.0),
+    "hostB": Pace(4.0),
+    "mcgill": Pace(1.0, misses=20, configure_after=5, sends_time=True),
+    "hostA": Pace(1.6, misses=10),
+    "hostC": Pace(10.0, lines=2, sends_time=True),
+    "delphin": Pace(2.0, misses=5),
+}
 
 
 def request(session):
@@ -43,7 +49,7 @@ def request(session):
 
 
 def read_requested(session):
-    """Requests and yields what one request gives (two lines for hostC). HostTimeout when the style gives up."""
+    """Yields what one request gives (two lines for hostC). HostTimeout when the style gives up."""
     pace = PACES[session.style]
     for missed in range(pace.misses + 1):
         request(session)
@@ -73,7 +79,7 @@ def scan(session, count, actions=(), report=None):
 
 
 def perform(session, text):
-    """One action: reverse, reboot, stop-alives, pause=S, noise=HEX, level=SPAN,LOW,GAIN, or settings k=v,k=v."""
+    """reverse, reboot, stop-alives, pause=S, noise=HEX, level=SPAN,LOW,GAIN, or settings k=v,k=v"""
     session.tell("action", text=text)
     name, _, value = text.partition("=")
     if name == "reverse":
@@ -115,7 +121,10 @@ class Report:
         self.last_time = self.last_bearing = None
 
     def __call__(self, number, line, faults, jumped):
-        now, metres = self.session.line.now(), line.ad_interval * 640e-9 * self.session.settings.sound_speed / 2
+        now, metres = (
+            self.session.line.now(),
+            line.ad_interval * 640e-9 * self.session.settings.sound_speed / 2,
+        )
         first = min(int(self.skip / metres) if metres else 0, max(0, len(line.levels) - 1))
         best = max(range(first, len(line.levels)), key=line.levels.__getitem__, default=0)
         waited = None if self.last_time is None else round((now - self.last_time) * 1e3, 2)
@@ -126,24 +135,47 @@ class Report:
         self.last_time, self.last_bearing = now, line.bearing
         self.jumps, self.lines = self.jumps + jumped, self.lines + 1
         extra = {"levels": line.levels} if self.print_bins else {}
-        self.session.tell("line", i=number, dt_ms=waited, bearing=line.bearing, sweep=line.sweep,
-                          bins=len(line.levels), bin_m=round(metres, 6), strongest_bin=best,
-                          strongest_m=round((best + 0.5) * metres, 4), level=max(line.levels[first:], default=0),
-                          mean=round(sum(line.levels) / max(1, len(line.levels)), 3), jump=jumped,
-                          faults=faults, **extra)
+        self.session.tell(
+            "line",
+            i=number,
+            dt_ms=waited,
+            bearing=line.bearing,
+            sweep=line.sweep,
+            bins=len(line.levels),
+            bin_m=round(metres, 6),
+            strongest_bin=best,
+            strongest_m=round((best + 0.5) * metres, 4),
+            level=max(line.levels[first:], default=0),
+            mean=round(sum(line.levels) / max(1, len(line.levels)), 3),
+            jump=jumped,
+            faults=faults,
+            **extra,
+        )
 
     def summary(self, error):
         ordered = sorted(self.times)
-        self.session.tell("summary", lines=self.lines, faults=self.session.faults, jumps=self.jumps,
-                          skipped_bytes=self.session.framer.skipped, counts=self.session.counts,
-                          median_ms=ordered[len(ordered) // 2] if ordered else None,
-                          least_ms=ordered[0] if ordered else None, most_ms=ordered[-1] if ordered else None,
-                          clockwise=self.directions[1], anticlockwise=self.directions[-1], error=error)
+        self.session.tell(
+            "summary",
+            lines=self.lines,
+            faults=self.session.faults,
+            jumps=self.jumps,
+            skipped_bytes=self.session.framer.skipped,
+            counts=self.session.counts,
+            median_ms=ordered[len(ordered) // 2] if ordered else None,
+            least_ms=ordered[0] if ordered else None,
+            most_ms=ordered[-1] if ordered else None,
+            clockwise=self.directions[1],
+            anticlockwise=self.directions[-1],
+            error=error,
+        )
 
 
 def options():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0], epilog=__doc__.split("\n\n", 1)[1],
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__.split("\n\n")[0],
+        epilog=__doc__.split("\n\n", 1)[1],
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("uri", help="/path/of/pty, serial:///dev/ttyUSB0:115200 or tcp://host:port")
     parser.add_argument("--style", choices=sorted(HANDSHAKES), default="rock")
     parser.add_argument("--profile", choices=("dst", "miniking"), default="dst")
@@ -170,8 +202,14 @@ def main(arguments=None):
     except (OSError, ValueError) as error:
         print(f"seanet_host: {error}", file=sys.stderr)
         return 66 if isinstance(error, OSError) else 64
-    session = Session(line, args.style, settings, args.profile, args.nibble == "high",
-                      lambda event: print(json.dumps(event), flush=True))
+    session = Session(
+        line,
+        args.style,
+        settings,
+        args.profile,
+        args.nibble == "high",
+        lambda event: print(json.dumps(event), flush=True),
+    )
     report, error = Report(session, args.skip, args.print_bins), None
     try:
         HANDSHAKES[args.style](session)

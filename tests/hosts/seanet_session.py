@@ -39,8 +39,13 @@ class Session:
         self.expect(HEAD_COMMANDS[self.style](self.settings))
         self.previous = None
         self.send(self.command.encode())
-        self.tell("configured", interval=self.command.ad_interval, bins=self.command.bins,
-                  control=self.command.control, hex=self.command.encode().hex())
+        self.tell(
+            "configured",
+            interval=self.command.ad_interval,
+            bins=self.command.bins,
+            control=self.command.control,
+            hex=self.command.encode().hex(),
+        )
 
     def expect(self, command):
         """Holds replies against `command` from now on; a few lines already under way may show the old one."""
@@ -95,8 +100,14 @@ class Session:
         if frame.message == wire.ALIVE and (alive := wire.read_alive(frame)) is not None:
             self.alive = alive
             faults += checks.alive_faults(alive)
-            self.tell("alive", head_inf=f"{alive.head_inf:02X}", params=f"{alive.params_byte:02X}",
-                      position=alive.position, head_ms=alive.head_ms, faults=faults)
+            self.tell(
+                "alive",
+                head_inf=f"{alive.head_inf:02X}",
+                params=f"{alive.params_byte:02X}",
+                position=alive.position,
+                head_ms=alive.head_ms,
+                faults=faults,
+            )
         elif frame.message != wire.HEAD_DATA:
             self.tell(frame.name, bytes=len(frame.raw), hex=frame.payload[:16].hex(), faults=faults)
         elif faults:

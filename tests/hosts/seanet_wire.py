@@ -11,9 +11,21 @@ from typing import List, NamedTuple, Tuple
 VERSION_DATA, HEAD_DATA, ALIVE, BB_USER_DATA, AUX_DATA = 1, 2, 4, 6, 8
 REBOOT, HEAD_COMMAND, SEND_VERSION, SEND_BB_USER, SEND_DATA = 16, 19, 23, 24, 25
 FPGA_VERSION_DATA, FPGA_CAL_DATA, STOP_ALIVES = 57, 63, 66
-NAMES = {1: "VersionData", 2: "HeadData", 4: "Alive", 6: "BBUserData", 8: "AuxData", 16: "ReBoot",
-         19: "HeadCommand", 23: "SendVersion", 24: "SendBBUser", 25: "SendData", 57: "FpgaVersionData",
-         63: "FpgaCalData", 66: "StopAlives"}
+NAMES = {
+    1: "VersionData",
+    2: "HeadData",
+    4: "Alive",
+    6: "BBUserData",
+    8: "AuxData",
+    16: "ReBoot",
+    19: "HeadCommand",
+    23: "SendVersion",
+    24: "SendBBUser",
+    25: "SendData",
+    57: "FpgaVersionData",
+    63: "FpgaCalData",
+    66: "StopAlives",
+}
 FIXED_SIZES = {ALIVE: 22, VERSION_DATA: 25, BB_USER_DATA: 264, FPGA_CAL_DATA: 80, FPGA_VERSION_DATA: 28}
 HOST_NODE, IMAGING_NODE = 0xFF, 0x02
 ADC8ON, CONTINUOUS, SCAN_RIGHT, INVERT, CHAN2 = 0x01, 0x02, 0x04, 0x08, 0x80
@@ -43,8 +55,9 @@ class Frame(NamedTuple):
 def build(message, payload=b"", node=IMAGING_NODE, copy=None):
     """A frame from the host to `node`; `copy` overrides the node copy at offset 12."""
     count = len(payload) + 8
-    head = struct.pack("<HBBBBBB", count, HOST_NODE, node, (count - 5) & 0xFF, message, 0x80,
-                       node if copy is None else copy)
+    head = struct.pack(
+        "<HBBBBBB", count, HOST_NODE, node, (count - 5) & 0xFF, message, 0x80, node if copy is None else copy
+    )
     return b"@%04X" % count + head + payload + b"\n"
 
 
@@ -116,11 +129,32 @@ class HeadCommand:
 
     def encode(self):
         """The whole frame. struct.error when a value does not fit its field."""
-        body = struct.pack("<BHB4IHHHHBBBBHHBBHHHHHBBH", 0x1D if self.v3b else 0x01, self.control,
-                           self.head_type, *self.tx_number, *self.rx_number, self.pulse_us, self.range_scale,
-                           self.left, self.right, self.ad_span, self.ad_low, *self.gain, *self.slope,
-                           self.motor_time, self.step, self.ad_interval, self.bins, self.max_ad_buffer,
-                           self.lockout_us, 1600, 1, 0, 0)
+        body = struct.pack(
+            "<BHB4IHHHHBBBBHHBBHHHHHBBH",
+            0x1D if self.v3b else 0x01,
+            self.control,
+            self.head_type,
+            *self.tx_number,
+            *self.rx_number,
+            self.pulse_us,
+            self.range_scale,
+            self.left,
+            self.right,
+            self.ad_span,
+            self.ad_low,
+            *self.gain,
+            *self.slope,
+            self.motor_time,
+            self.step,
+            self.ad_interval,
+            self.bins,
+            self.max_ad_buffer,
+            self.lockout_us,
+            1600,
+            1,
+            0,
+            0,
+        )
         return build(HEAD_COMMAND, body + self.v3b, copy=self.node_copy)
 
     def bin_metres(self, sound_speed=1500.0):
@@ -139,8 +173,10 @@ def reverse_scan():
 
 def gain_block(ad_span, ad_low, gain):
     """mtHeadCommand of type 0x1E: the V3B layout, both channels alike."""
-    return build(HEAD_COMMAND, struct.pack("<B8B4H", 0x1E, ad_span, ad_span, ad_low, ad_low, gain, gain,
-                                           0, 0, 100, 100, 0, 0))
+    return build(
+        HEAD_COMMAND,
+        struct.pack("<B8B4H", 0x1E, ad_span, ad_span, ad_low, ad_low, gain, gain, 0, 0, 100, 100, 0, 0),
+    )
 
 
 def send_data(milliseconds_of_day=0):
