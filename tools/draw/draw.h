@@ -1,0 +1,45 @@
+// Pictures and tables of echograms on disk. Draws what it is given: renders nothing, and never changes a
+// level other than by the display gain that the colour bar names.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "render/echogram.h"
+#include "tools/draw/image.h"
+
+namespace echoloop::draw {
+
+/// How a picture looks. Levels are dB re 1 uPa for EchoRule::radiometric; EchoRule::cerqueira2016 is drawn
+/// linear from 0 to 1 and ignores the level members.
+struct Style {
+    std::string title;  ///< first line, usually the device; a second line gives range, frequency, beams
+    int width = 1000;   ///< px, 400..4000; the height follows from the sector
+    std::optional<double> top;  ///< dB of the brightest colour, display gain included; unset: the level that
+                                ///< one value in a thousand exceeds, rounded up to 5 dB
+    double span = 50;           ///< dB from the brightest to the darkest colour
+    double spreading = 30;      ///< display gain, dB per decade of slant range; 0 shows received levels
+    double absorption = 0;      ///< display gain, dB/m one way
+};
+
+/// Draws pings in polar form: the sonar at the centre, bearing 0 up, starboard to the right, slant range
+/// outwards. One echogram is a fan; many are a scan of the head, a later ping replaces an earlier one at the
+/// same bearing. Throws std::invalid_argument if there is no value to draw, the pings differ in EchoRule, an
+/// echogram's sizes do not fit together, or a member of `style` is out of bounds.
+Image polar_picture(std::span<const Echogram> pings, const Style& style);
+
+/// Writes an 8-bit RGB PNG. The writers throw std::runtime_error with the path and the reason.
+void write_png(const std::filesystem::path& path, const Image& image);
+
+/// Writes values as text: a header row "bearing_deg" and the slant ranges of the bins in m, then one row per
+/// beam, in the order of the pings, with its bearing in degrees (pan + bearing, starboard positive) and its
+/// values as they are in the echogram (uPa^2, or 0..1). All pings have the ranges of the first, or
+/// std::invalid_argument is thrown.
+void write_csv(const std::filesystem::path& path, std::span<const Echogram> pings);
+
+/// Writes the same values as a NumPy array (.npy version 1.0): float32, little endian, shape beams x bins.
+void write_npy(const std::filesystem::path& path, std::span<const Echogram> pings);
+
+}  // namespace echoloop::draw
