@@ -1,0 +1,161 @@
+#include "render/scene/builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include "render/scene/chunks.h"
+#include "render/scene/fault.h"
+#include "render/scene/limits.h"
+
+namespace echoloop {
+namespace {
+
+std::array<float, 3> floats(Vec3 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+bool within_extent(Vec3 p) {
+    constexpr double most = scene_limits::extent;
+    return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;  // false for NaN
+}
+
+Bounds empty_bounds() {
+    constexpr float far = std::numeric_limits<float>::infinity();
+    return {{far, far, far}, {-far, -far, -far}};
+}
+
+void grow(Bounds& bounds, const std::array<float, 3>& point) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        bounds.min[axis] = std::min(bounds.min[axis], point[axis]);
+        bounds.max[axis] = std::max(bounds.max[axis], point[axis]);
+    }
+}
+
+void check_mesh(const Mesh& mesh, const std::string& place) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        if (!within_extent(mesh.positions[i]))
+            scene_fault(place,
+                        "vertex " + std::to_string(i) + " is not finite or beyond 100 km from the origin",
+                        "move the scene to its origin, or scale it to metres");
+    if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
+        scene_fault(place,
+                    "has " + std::to_string(mesh.normals.size()) + " normals for " +
+                        std::to_string(mesh.positions.size()) + " positions",
+                    "export the mesh again");
+    if (mesh.indices.size() % 3 != 0)
+        scene_fault(place, "the number of indices is not a multiple of three",
+                    "export the mesh as triangles");
+    for (const std::uint32_t index : mesh.indices)
+        if (index >= mesh.positions.size())
+            scene_fault(place, "index " + std::to_string(index) + " is out of range", "repair the mesh");
+    if (!std::isfinite(mesh.material.mu_db)) scene_fault(place, "mu_db is not finite", "give mu_db in dB");
+}
+
+Vec3 face_normal(const Mesh& mesh, const std::uint32_t* corner) {
+    const Vec3 a = mesh.positions[corner[0]], b = mesh.positions[corner[1]], c = mesh.positions[corner[2]];
+    const Vec3 n = cross(b - a, c - a);
+    const double length = norm(n);
+    return length > 0 ? (1 / length) * n : Vec3{};
+}
+
+/// Triangles with no area have no side and would only disturb culling.
+std::vector<std::uint32_t> without_slivers(const Mesh& mesh) {
+    std::vector<std::uint32_t> out;
+    out.reserve(mesh.indices.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        if (face_normal(mesh, &mesh.indices[i]) != Vec3{})
+            out.insert(out.end(), &mesh.indices[i], &mesh.indices[i] + 3);
+    return out;
+}
+
+/// The vertices and chunk-local indices of one chunk while it grows.
+class ChunkWriter {
+  public:
+    ChunkWriter(const Mesh& mesh, std::vector<SceneVertex>& vertices, std::vector<std::uint16_t>& indices)
+        : mesh_(mesh), vertices_(vertices), indices_(indices) {
+        chunk_.first_vertex = static_cast<std::uint32_t>(vertices.size());
+        chunk_.first_index = static_cast<std::uint32_t>(indices.size());
+        chunk_.bounds = empty_bounds();
+    }
+
+    void triangle(const std::uint32_t* corners) {
+        const Vec3 face = face_normal(mesh_, corners);
+        for (int i = 0; i < 3; ++i) indices_.push_back(corner(corners[i], face));
+    }
+
+    SceneChunk finish() {
+        chunk_.vertices = static_cast<std::uint32_t>(vertices_.size()) - chunk_.first_vertex;
+        chunk_.indices = static_cast<std::uint32_t>(indices_.size()) - chunk_.first_index;
+        return chunk_;
+    }
+
+  private:
+    std::uint16_t corner(std::uint32_t index, Vec3 face) {
+        const Vec3 given = mesh_.normals.empty() ? Vec3{} : mesh_.normals[index];
+        const double length = norm(given);
+        const bool smooth = length > 1e-6 && std::isfinite(length);
+        if (smooth)
+            if (const auto known = known_.find(index); known != known_.end()) return known->second;
+        const auto local = static_cast<std::uint16_t>(vertices_.size() - chunk_.first_vertex);
+        vertices_.push_back({floats(mesh_.positions[index]), floats(smooth ? (1 / length) * given : face)});
+        grow(chunk_.bounds, vertices_.back().position);
+        if (smooth) known_.emplace(index, local);
+        return local;
+    }
+
+    const Mesh& mesh_;
+    std::vector<SceneVertex>& vertices_;
+    std::vector<std::uint16_t>& indices_;
+    std::unordered_map<std::uint32_t, std::uint16_t> known_;
+    SceneChunk chunk_;
+};
+
+}  // namespace
+
+SceneBuilder::SceneBuilder() : scene_(new Scene) { scene_->bounds_ = empty_bounds(); }
+
+std::uint32_t SceneBuilder::object_index(const std::string& name) {
+    auto& all = scene_->objects_;
+    if (all.empty() || all.back() != name) all.push_back(name);
+    return static_cast<std::uint32_t>(all.size() - 1);
+}
+
+std::uint32_t SceneBuilder::material_index(const Material& material) {
+    auto& all = scene_->materials_;
+    const auto found = std::find(all.begin(), all.end(), material);
+    if (found != all.end()) return static_cast<std::uint32_t>(found - all.begin());
+    all.push_back(material);
+    return static_cast<std::uint32_t>(all.size() - 1);
+}
+
+void SceneBuilder::add(const Mesh& mesh, const std::string& place) {
+    check_mesh(mesh, place);
+    const auto indices = without_slivers(mesh);
+    if (scene_->triangles() + indices.size() / 3 > scene_limits::triangles)
+        scene_fault(place,
+                    "the scene has more than " + std::to_string(scene_limits::triangles) + " triangles",
+                    "simplify its meshes");
+    if (indices.empty()) return;
+    const std::uint32_t object = object_index(mesh.object), material = material_index(mesh.material);
+    for (const auto& triangles : cut_into_chunks(mesh.positions, indices)) {
+        ChunkWriter writer(mesh, scene_->vertices_, scene_->indices_);
+        for (const std::uint32_t t : triangles) writer.triangle(&indices[std::size_t{3} * t]);
+        SceneChunk chunk = writer.finish();
+        chunk.object = object;
+        chunk.material = material;
+        grow(scene_->bounds_, chunk.bounds.min);
+        grow(scene_->bounds_, chunk.bounds.max);
+        scene_->chunks_.push_back(chunk);
+    }
+}
+
+std::shared_ptr<const Scene> SceneBuilder::finish() {
+    if (scene_->chunks_.empty())
+        scene_fault("meshes", "there is no triangle in the scene",
+                    "export meshes, not only empties, points or lines");
+    return std::shared_ptr<const Scene>(scene_.release());
+}
+
+}  // namespace echoloop

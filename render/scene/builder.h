@@ -1,0 +1,28 @@
+// Collects triangles into a Scene: checks them, gives them normals where they have none, and cuts them into
+// compact chunks. Knows no file.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render/scene/scene.h"
+
+namespace echoloop {
+
+class SceneBuilder {
+  public:
+    SceneBuilder();
+
+    /// Copies the mesh. `place` names it in complaints. Throws SceneFault.
+    void add(const Mesh& mesh, const std::string& place);
+    /// Throws SceneFault when there is no triangle.
+    std::shared_ptr<const Scene> finish();
+
+  private:
+    std::uint32_t object_index(const std::string& name);
+    std::uint32_t material_index(const Material& material);
+
+    std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace echoloop

@@ -1,0 +1,163 @@
+#include "render/scene/document_parts.h"
+
+#include <algorithm>
+
+#include "render/scene/fault.h"
+#include "render/scene/limits.h"
+#include "render/scene/materials.h"
+
+namespace echoloop {
+namespace {
+
+using Json = nlohmann::json;
+using scene_limits::buffer_bytes;
+using scene_limits::elements;
+
+JsonView need(const JsonView& part, const char* key) {
+    auto member = part.find(key);
+    if (!member) scene_fault(part.place() + "." + key, "is missing", "export the scene again as glTF 2.0");
+    return *member;
+}
+
+void copy_index(const JsonView& part, const char* key, std::size_t count, const char* what, Json& out) {
+    if (const auto member = part.find(key)) out[key] = member->index(count, what);
+}
+
+void copy_integer(const JsonView& part, const char* key, std::uint64_t most, Json& out) {
+    if (const auto member = part.find(key)) out[key] = member->integer(0, most);
+}
+
+void copy_name(const JsonView& part, Json& out) {
+    if (const auto name = part.find("name")) out["name"] = name->text().substr(0, 256);
+}
+
+void copy_numbers(const JsonView& part, const char* key, std::size_t count, Json& out) {
+    if (const auto member = part.find(key)) out[key] = member->numbers(count);
+}
+
+Json indices(const JsonView& part, const char* key, std::size_t count, const char* what) {
+    Json out = Json::array();
+    for (const auto& element : part.elements_of(key, elements)) out.push_back(element.index(count, what));
+    return out;
+}
+
+Json check_primitive(const JsonView& primitive, const DocumentCounts& counts) {
+    Json attributes = Json::object();
+    const JsonView given = need(primitive, "attributes");
+    copy_index(given, "POSITION", counts.accessors, "accessors", attributes);
+    copy_index(given, "NORMAL", counts.accessors, "accessors", attributes);
+    if (!attributes.contains("POSITION"))
+        scene_fault(given.place() + ".POSITION", "is missing", "export the mesh with positions");
+    Json out = {{"attributes", attributes}};
+    copy_index(primitive, "indices", counts.accessors, "accessors", out);
+    copy_index(primitive, "material", counts.materials, "materials", out);
+    copy_integer(primitive, "mode", 6, out);
+    return out;
+}
+
+double read_mu_db(const JsonView& value) {
+    const double mu_db = value.number();
+    if (mu_db < -120 || mu_db > ceiling_mu_db + 0.002)
+        scene_fault(value.place(), "must be within -120..-4.97 dB",
+                    "a Lambert surface cannot scatter more than 1/pi");
+    return mu_db;
+}
+
+double read_named_mu_db(const JsonView& value) {
+    if (const auto mu_db = mu_db_by_name(value.text())) return *mu_db;
+    std::string names;
+    for (const auto& name : known_materials()) names += (names.empty() ? "" : ", ") + name;
+    scene_fault(value.place(), "\"" + value.text().substr(0, 64) + "\" is not a known material",
+                "use one of " + names + ", or give mu_db");
+}
+
+double read_sonar(const JsonView& sonar, double fallback) {
+    static const std::vector<std::string> known{"mu_db", "material"};
+    if (!sonar.value().is_object())
+        scene_fault(sonar.place(), "must be an object", "write for example {\"mu_db\": -27}");
+    for (const auto& [key, value] : sonar.value().items()) {
+        if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+        const std::string near = nearest_of(key, known);
+        scene_fault(sonar.place() + "." + key.substr(0, 64), "is not a known key",
+                    near.empty() ? "known keys are mu_db, material" : "did you mean " + near + "?");
+    }
+    if (const auto mu_db = sonar.find("mu_db")) return read_mu_db(*mu_db);
+    if (const auto material = sonar.find("material")) return read_named_mu_db(*material);
+    return fallback;
+}
+
+}  // namespace
+
+Json check_each(const JsonView& root, const char* key, const DocumentCounts& counts, DocumentCheck check) {
+    Json out = Json::array();
+    for (const auto& part : root.elements_of(key, elements)) out.push_back(check(part, counts));
+    return out;
+}
+
+Json check_buffer_view(const JsonView& view, const DocumentCounts& counts) {
+    Json out = {{"buffer", need(view, "buffer").index(counts.buffers, "buffers")},
+                {"byteLength", need(view, "byteLength").integer(1, buffer_bytes)}};
+    copy_integer(view, "byteOffset", buffer_bytes, out);
+    if (const auto stride = view.find("byteStride")) {
+        out["byteStride"] = stride->integer(4, 252);
+        if (stride->integer(4, 252) % 4 != 0)
+            scene_fault(stride->place(), "must be a multiple of 4", "export the scene again as glTF 2.0");
+    }
+    return out;
+}
+
+Json check_accessor(const JsonView& accessor, const DocumentCounts& counts) {
+    Json out = {{"componentType", need(accessor, "componentType").integer(5120, 5126)},
+                {"count", need(accessor, "count").integer(1, buffer_bytes)},
+                {"type", need(accessor, "type").text().substr(0, 16)}};
+    static const std::vector<std::string> types{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+    if (std::find(types.begin(), types.end(), out["type"]) == types.end())
+        scene_fault(accessor.place() + ".type", "is not a glTF type", "export the scene again as glTF 2.0");
+    copy_index(accessor, "bufferView", counts.views, "bufferViews", out);
+    copy_integer(accessor, "byteOffset", buffer_bytes, out);
+    if (const auto normalized = accessor.find("normalized")) out["normalized"] = normalized->boolean();
+    return out;
+}
+
+Json check_material(const JsonView& material, const DocumentCounts&) {
+    Json out = Json::object();
+    copy_name(material, out);
+    return out;
+}
+
+Json check_mesh(const JsonView& mesh, const DocumentCounts& counts) {
+    Json out = {{"primitives", Json::array()}};
+    copy_name(mesh, out);
+    for (const auto& primitive : need(mesh, "primitives").elements(elements))
+        out["primitives"].push_back(check_primitive(primitive, counts));
+    return out;
+}
+
+Json check_node(const JsonView& node, const DocumentCounts& counts) {
+    Json out = Json::object();
+    copy_name(node, out);
+    copy_index(node, "mesh", counts.meshes, "meshes", out);
+    if (node.find("children")) out["children"] = indices(node, "children", counts.nodes, "nodes");
+    copy_numbers(node, "matrix", 16, out);
+    copy_numbers(node, "translation", 3, out);
+    copy_numbers(node, "rotation", 4, out);
+    copy_numbers(node, "scale", 3, out);
+    return out;
+}
+
+Json check_scene(const JsonView& scene, const DocumentCounts& counts) {
+    return {{"nodes", indices(scene, "nodes", counts.nodes, "nodes")}};
+}
+
+Material read_material(const JsonView& material) {
+    Material out;
+    if (const auto name = material.find("name")) out.name = name->text().substr(0, 256);
+    if (const auto sided = material.find("doubleSided")) out.double_sided = sided->boolean();
+    out.mu_db = mu_db_by_name(out.name).value_or(default_mu_db);
+    const auto extras = material.find("extras");
+    if (!extras || !extras->value().is_object()) return out;
+    if (const auto sonar = extras->find("sonar")) out.mu_db = read_sonar(*sonar, out.mu_db);
+    return out;
+}
+
+}  // namespace echoloop

@@ -1,0 +1,19 @@
+// What is wrong with a scene, before it is known which file it came from. Thrown inside render/scene only;
+// Scene::load and Scene::from_meshes turn it into a SceneError.
+#pragma once
+
+#include <string>
+
+namespace echoloop {
+
+struct SceneFault {
+    std::string place;   ///< JSON path, empty for the whole file
+    std::string reason;  ///< what is wrong
+    std::string remedy;  ///< what to do
+};
+
+[[noreturn]] inline void scene_fault(std::string place, std::string reason, std::string remedy) {
+    throw SceneFault{std::move(place), std::move(reason), std::move(remedy)};
+}
+
+}  // namespace echoloop
