@@ -1,5 +1,5 @@
-// A sonar as its driver sees it: a pure state machine of bytes, echoes and time. It never sleeps, holds no clock,
-// opens no socket and draws no random numbers of its own. One Session joins it to the world.
+// A sonar as its driver sees it: a pure state machine of bytes, echoes and time. It never sleeps, holds no
+// clock, opens no socket and draws no random numbers of its own. One Session joins it to the world.
 #pragma once
 
 #include <chrono>
@@ -61,10 +61,10 @@ struct Received {
 /// One place where the device meets the wire.
 struct Port {
     enum class Kind { stream, datagram };
-    std::string name;                 ///< e.g. "line", "commands", "discovery"
+    std::string name;  ///< e.g. "line", "commands", "discovery"
     Kind kind = Kind::stream;
-    Address bind;                     ///< datagram: where the device listens; port 0 lets the system choose
-    bool shared = false;              ///< datagram: several programs may listen there (discovery broadcasts)
+    Address bind;         ///< datagram: where the device listens; port 0 lets the system choose
+    bool shared = false;  ///< datagram: several programs may listen there (discovery broadcasts)
 };
 
 /// Figures of what went wrong on the wire, printed at the end of a run.
@@ -88,6 +88,8 @@ class Device {
     virtual Actions received(const Received& data, Time now) = 0;
     virtual Actions heard(const Echogram& echogram, Time now) = 0;
     virtual Actions woken(Time now) = 0;
+    /// Another driver is at the other end of a stream port: half a frame of the last one is worthless.
+    virtual void reconnected(std::size_t port) = 0;
     virtual DeviceCounters counters() const = 0;
 };
 

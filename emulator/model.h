@@ -19,8 +19,8 @@ using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 /// One option of a model, as `echoloop list --json` shows it and as the scenario loader checks it.
 struct Option {
     std::string name;
-    std::string unit;                  ///< "" if none
-    OptionValue default_value;         ///< its alternative is the option's type
+    std::string unit;           ///< "" if none
+    OptionValue default_value;  ///< its alternative is the option's type
     std::string help;
     std::string source;                ///< where the default comes from
     std::vector<std::string> choices;  ///< text options: the legal words; empty: any text
@@ -37,6 +37,7 @@ struct DeviceConfig {
     Options options;
     double sound_speed = 1500;  ///< m/s, the true one
     std::uint64_t seed = 0;
+    double unix_start = 0;  ///< s, Unix time at the start of the run, for devices that send wall-clock time
 };
 
 struct Model {
@@ -44,13 +45,15 @@ struct Model {
     std::string title;     ///< "Tritech Micron DST scanning sonar"
     std::string protocol;  ///< "SeaNet, serial 115200 8N1"
     std::vector<std::string> default_endpoints;
-    std::vector<std::string> endpoint_schemes;  ///< accepted for the first endpoint: "pty", "serial", "tcp-listen", ...
-    double head_turn = 0;                       ///< rad a scanning head covers in `echoloop render`; 0: one fan
+    std::vector<std::string>
+        endpoint_schemes;  ///< accepted for the first endpoint: "pty", "serial", "tcp-listen", ...
+    double head_turn = 0;  ///< rad a scanning head covers in `echoloop render`; 0: one fan
     std::vector<Option> options;
     /// Throws std::invalid_argument with a sentence for the user if an endpoint or option does not fit.
     std::unique_ptr<Device> (*make)(const DeviceConfig&) = nullptr;
-    /// The ping that the device sends with its start-up settings; `step` counts the pings of a turn.
-    Shot (*default_shot)(const DeviceConfig&, std::size_t step) = nullptr;
+    /// The ping that the device sends by itself or after a plain start: `step` counts the pings of a turn,
+    /// `range` is in m, 0 for the default.
+    Shot (*default_shot)(const DeviceConfig&, std::size_t step, double range) = nullptr;
     std::size_t turn_steps = 1;  ///< pings of a full turn; 1: one fan
 };
 

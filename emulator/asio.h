@@ -1,0 +1,32 @@
+// The one door to Boost.Asio: include order and switches that its 1.74 release needs with coroutines, and the
+// few names the emulator uses. Include it in runtime code only, never from a device.
+#pragma once
+
+#include <utility>  // before asio/awaitable.hpp, which uses std::exchange without including it
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/asio/write.hpp>
+
+namespace echoloop {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+
+template <class T>
+using Task = asio::awaitable<T>;
+
+/// Completion token: the coroutine resumes and `ec` holds the outcome instead of an exception.
+inline auto into(error_code& ec) { return asio::redirect_error(asio::use_awaitable, ec); }
+
+}  // namespace echoloop

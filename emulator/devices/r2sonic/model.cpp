@@ -1,0 +1,61 @@
+#include <stdexcept>
+
+#include "emulator/devices/r2sonic/r2sonic.h"
+#include "emulator/endpoint.h"
+
+namespace echoloop::r2sonic_device {
+namespace {
+
+constexpr std::uint16_t highest_offset = 7;  // base ports are followed by up to this many more
+
+Address base_address(const std::string& uri, Endpoint::Scheme scheme, const char* what) {
+    const Endpoint endpoint = parse_endpoint(uri);
+    if (endpoint.scheme != scheme)
+        throw std::invalid_argument(uri + ": " + what + " must be " + std::string(scheme_name(scheme)) +
+                                    "://ADDRESS:BASE_PORT");
+    if (endpoint.port == 0 || endpoint.port > 65535 - highest_offset)
+        throw std::invalid_argument(uri +
+                                    ": the base port must lie within 1..65528, since R2Sonic counts from it");
+    return {endpoint.ip, endpoint.port};
+}
+
+Wiring read_wiring(const std::vector<std::string>& endpoints) {
+    if (endpoints.size() < 2 || endpoints.size() > 3)
+        throw std::invalid_argument(
+            "an r2sonic head needs two endpoints, its own and the host's base port, e.g. "
+            "[\"udp-listen://127.0.0.1:65500\", \"udp://127.0.0.1:65400\"]; a third, udp-listen, adds a SIM");
+    Wiring wiring;
+    wiring.head = base_address(endpoints[0], Endpoint::Scheme::udp_listen, "the head's own endpoint");
+    wiring.gui = base_address(endpoints[1], Endpoint::Scheme::udp, "the host's endpoint");
+    if (endpoints.size() == 3)
+        wiring.sim = base_address(endpoints[2], Endpoint::Scheme::udp_listen, "the SIM's endpoint");
+    return wiring;
+}
+
+std::unique_ptr<Device> make(const DeviceConfig& config) {
+    return std::make_unique<R2Sonic>(read_settings(config), read_wiring(config.endpoints));
+}
+
+Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
+    Settings settings = read_settings(config);
+    if (range > 0) settings.start.range = range;
+    const auto number = static_cast<std::uint32_t>(step + 1);
+    return make_shot(settings.start, settings, beam_angles(settings.start), number);
+}
+
+}  // namespace
+
+Model model() {
+    Model m;
+    m.name = "r2sonic-2024";
+    m.title = "R2Sonic Sonic 2024 multibeam echosounder";
+    m.protocol = "R2Sonic UDP: BTH0, AID0, status, commands, discovery";
+    m.default_endpoints = {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400"};
+    m.endpoint_schemes = {"udp-listen"};
+    m.options = option_table();
+    m.make = make;
+    m.default_shot = default_shot;
+    return m;
+}
+
+}  // namespace echoloop::r2sonic_device

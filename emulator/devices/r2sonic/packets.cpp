@@ -1,0 +1,75 @@
+#include "emulator/devices/r2sonic/packets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocols/r2sonic/beams.h"
+
+namespace echoloop::r2sonic_device {
+namespace {
+
+const float time_step = static_cast<float>(1 / (4 * sample_rate));  // R0's scale in all real pings
+
+/// Amplitudes in uPa with the smallest scale that holds the largest.
+r2sonic::I1 make_intensities(const std::vector<Detection>& detections) {
+    float largest = 0;
+    for (const Detection& d : detections) largest = std::max(largest, std::sqrt(d.power));
+    r2sonic::I1 section;
+    section.scale = std::max(1.0F, largest / 65535.0F);
+    for (const Detection& d : detections)
+        section.intensity.push_back(
+            static_cast<std::uint16_t>(std::min(65535.0F, std::sqrt(d.power) / section.scale)));
+    return section;
+}
+
+}  // namespace
+
+r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings) {
+    const Controls& c = ping.controls;
+    const auto f = [](double value) { return static_cast<float>(value); };
+    r2sonic::H0 h;
+    h.model = settings.model;
+    h.serial = settings.serial;
+    h.ping_seconds = static_cast<std::uint32_t>(ping.time);
+    h.ping_nanoseconds = static_cast<std::uint32_t>((ping.time - std::floor(ping.time)) * 1e9);
+    h.ping_number = ping.number;
+    h.ping_period = f(ping.period);
+    h.sound_speed = f(working_sound_speed(c, settings));
+    h.frequency = f(c.frequency);
+    h.tx_power = f(c.power);
+    h.tx_pulse_width = f(c.pulse);
+    h.tx_beam_width_vertical = f(transmit_beam_width(c));
+    h.tx_beam_width_horizontal = f(receive_beam_width(c));
+    h.rx_bandwidth = 30e3F;  // of real pings
+    h.rx_sample_rate = f(sample_rate);
+    h.rx_range = f(c.range);
+    h.rx_gain = f(c.gain);
+    h.rx_spreading = f(c.spreading);
+    h.rx_absorption = f(c.absorption);
+    h.rx_mount_tilt = f(c.receiver_tilt);
+    h.reserved108 = 3;
+    return h;
+}
+
+r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
+                        const std::vector<Detection>& detections, TimeGate gate) {
+    r2sonic::Bth0 packet;
+    packet.h0 = make_h0(ping, settings);
+    packet.angles = ping.beams.section;
+    std::vector<double> times;
+    std::vector<std::uint8_t> nibbles;
+    for (const Detection& d : detections) {
+        times.push_back(d.time);
+        nibbles.push_back(d.quality);
+    }
+    // A window longer than 65535 steps needs a coarser scale.
+    const double longest = *std::max_element(times.begin(), times.end());
+    packet.r0 = r2sonic::pack_times(times, std::max(time_step, static_cast<float>(longest / 65535.0)));
+    if (ping.controls.intensity) packet.i1 = make_intensities(detections);
+    packet.g0 = {static_cast<float>(gate.min), static_cast<float>(gate.max),
+                 static_cast<float>(ping.controls.gate_mode == 1 ? ping.controls.gate_slope : 0.0)};
+    packet.q0 = r2sonic::pack_quality(nibbles);
+    return packet;
+}
+
+}  // namespace echoloop::r2sonic_device

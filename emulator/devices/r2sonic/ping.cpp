@@ -1,0 +1,91 @@
+#include "emulator/devices/r2sonic/ping.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocols/r2sonic/beams.h"
+
+namespace echoloop::r2sonic_device {
+namespace {
+
+constexpr double free_running_pause = 10e-3;  // s beyond the range time, measured on a real 2026
+constexpr std::size_t most_bins = 4096;
+
+r2sonic::More more_of(const Controls& controls) {
+    return {0, static_cast<float>(controls.projector_z), 0, 0, 0, 0};
+}
+
+/// First and last angle of the sector, kept within +-80 deg.
+std::pair<double, double> sector(const Controls& controls) {
+    const double edge = deg_to_rad(80);
+    const double first = std::max(controls.sector_rotation - controls.sector_width / 2, -edge);
+    const double last = std::min(controls.sector_rotation + controls.sector_width / 2, edge);
+    return {first, last};
+}
+
+Beams equi_angle(const Controls& controls) {
+    const auto [first, last] = sector(controls);
+    r2sonic::A0 section{static_cast<float>(first), static_cast<float>(last), more_of(controls)};
+    return {section, r2sonic::angles(section, beams)};
+}
+
+/// Equal distances on a flat bottom: angles equally spaced in tan.
+Beams equi_distant(const Controls& controls) {
+    const auto [first, last] = sector(controls);
+    const double left = std::tan(first), spacing = (std::tan(last) - left) / (beams - 1);
+    std::vector<double> ideal(beams);
+    for (std::size_t n = 0; n < beams; ++n) ideal[n] = std::atan(left + spacing * static_cast<double>(n));
+    r2sonic::A2 section = r2sonic::pack_angles(ideal);
+    section.more = more_of(controls);
+    auto angles = r2sonic::angles(section);
+    return {std::move(section), std::move(angles)};
+}
+
+}  // namespace
+
+double working_sound_speed(const Controls& controls, const Settings& settings) {
+    return controls.use_sound_speed ? controls.sound_speed : settings.sound_speed;
+}
+
+double range_time(const Controls& controls, const Settings& settings) {
+    return 2 * controls.range / working_sound_speed(controls, settings);
+}
+
+double ping_period(const Controls& controls, const Settings& settings) {
+    const double free = range_time(controls, settings) + free_running_pause;
+    return controls.limit_ping_rate ? std::max(free, 1 / controls.ping_rate) : free;
+}
+
+std::size_t samples(const Controls& controls, const Settings& settings) {
+    return static_cast<std::size_t>(std::ceil(range_time(controls, settings) * sample_rate * 1.01)) + 8;
+}
+
+std::size_t samples_per_bin(std::size_t samples) { return (samples + most_bins - 1) / most_bins; }
+
+double receive_beam_width(const Controls& controls) { return deg_to_rad(0.5) * 400e3 / controls.frequency; }
+
+double transmit_beam_width(const Controls& controls) {
+    return deg_to_rad(controls.projector == 2 ? 20.0 : 1.0) * 400e3 / controls.frequency;
+}
+
+Beams beam_angles(const Controls& controls) {
+    return controls.equi_distant ? equi_distant(controls) : equi_angle(controls);
+}
+
+Shot make_shot(const Controls& controls, const Settings& settings, const Beams& fan, std::uint32_t ping) {
+    const std::size_t total = samples(controls, settings), per_bin = samples_per_bin(total);
+    Shot shot;
+    shot.ping = ping;
+    shot.bearings = fan.angles;
+    shot.tilt = controls.receiver_tilt;
+    shot.beam_width = receive_beam_width(controls);
+    shot.fan_height = transmit_beam_width(controls);
+    shot.bins = (total + per_bin - 1) / per_bin;
+    shot.bin_interval = static_cast<double>(per_bin) / sample_rate;
+    shot.frequency = controls.frequency;
+    shot.pulse_length = controls.pulse;
+    shot.source_level = controls.power > 0 ? controls.power : -300;
+    return shot;
+}
+
+}  // namespace echoloop::r2sonic_device

@@ -1,0 +1,106 @@
+#include "emulator/devices/r2sonic/settings.h"
+
+#include "emulator/options.h"
+
+namespace echoloop::r2sonic_device {
+namespace {
+
+const char* const manual = "operation manual, control commands";
+const char* const example = "operation manual, example start values";
+
+Option yes_no(std::string name, bool value, std::string help, std::string source) {
+    return {std::move(name), "", value, std::move(help), std::move(source), {}};
+}
+Option real(std::string name, std::string unit, double value, double low, double high, std::string help,
+            std::string source) {
+    return {std::move(name), std::move(unit), value, std::move(help), std::move(source), {}, low, high};
+}
+Option words(std::string name, std::vector<std::string> choices, std::string help, std::string source) {
+    std::string first = choices.empty() ? "" : choices.front();
+    return {std::move(name), "", std::move(first), std::move(help), std::move(source), std::move(choices)};
+}
+Option free_text(std::string name, std::string value, std::string help, std::string source) {
+    return {std::move(name), "", std::move(value), std::move(help), std::move(source), {}};
+}
+
+Option whole(std::string name, std::string unit, std::int64_t value, double low, double high,
+             std::string help, std::string source) {
+    return {std::move(name), std::move(unit), value, std::move(help), std::move(source), {}, low, high};
+}
+
+wire::Text<12> serial_number(const std::string& text) {
+    if (text.size() > 12)
+        throw std::invalid_argument("serial number '" + text + "' is longer than 12 characters");
+    return std::string_view(text);
+}
+
+}  // namespace
+
+std::vector<Option> option_table() {
+    return {
+        words("trigger", {"free", "external", "command"}, "TRG0 at power-up", example),
+        real("range", "m", 20, 2, 1200, "RNG0 at power-up", example),
+        real("frequency", "Hz", 400e3, 90e3, 700e3, "FRQ0 at power-up", example),
+        real("power", "dB re 1 uPa at 1 m", 191, 0, 221, "TXP0 at power-up; 0 transmits nothing", example),
+        real("pulse", "s", 20e-6, 10e-6, 1115e-6, "TXL0 at power-up", example),
+        real("gain", "half dB", 13, 1, 45, "GAN0 at power-up; times 2 is dB", example),
+        real("spreading", "dB per decade of range", 30, 0, 60, "SPR0 at power-up", example),
+        real("absorption", "dB/km", 80, 0, 200, "ABS0 at power-up", example),
+        real("ping_rate", "Hz", 0, 0, 60, "upper limit of the ping rate at power-up; 0: none (PRU0 = 0)",
+             example),
+        real("sector_width", "deg", 120, 10, 160, "SEW0 at power-up", example),
+        real("sector_rotation", "deg", 0, -70, 70, "SER0 at power-up, positive to starboard", example),
+        words("bottom_mode", {"equi-angle", "equi-distant"}, "BOS0 at power-up", example),
+        yes_no("intensity", false, "BIE0 at power-up: BTH0 carries intensities", example),
+        whole("image_height", "bins", 0, 0, 4096,
+              "AIH0 at power-up: upper limit of range bins in AID0; 0: no image", example),
+        real("image_brightness", "dB", 6, 0, 60, "AIB0 at power-up", example),
+        words("projector", {"narrow", "wide"},
+              "PROJ at power-up: narrow 1 deg, wide 20 deg (forward looking)", example),
+        free_text("serial", "100017", "serial number of the head, at most 12 characters", "manual's example"),
+        free_text("sim_serial", "100117", "serial number of the SIM, at most 12 characters",
+                  "manual's example"),
+        real("image_reference", "dB re 1 uPa", 170, 0, 300,
+             "level after gain that reads 255 at 0 dB brightness", "own choice"),
+        real("detection_threshold", "dB re 1 uPa", 60, -100, 250, "weaker echoes are no bottom",
+             "thermal noise at 400 kHz in 30 kHz, less 20 dB of directivity"),
+        real("datagram_gap", "s", 0.3e-3, 0, 0.1, "pause between the datagrams of one image",
+             "receivers with default buffers lose faster bursts"),
+        words("discovery_reply", {"sender", "gui", "none"}, "where R2DI goes", manual),
+    };
+}
+
+Settings read_settings(const DeviceConfig& config) {
+    const Options& o = config.options;
+    Settings s;
+    s.serial = serial_number(text(o, "serial"));
+    s.sim_serial = serial_number(text(o, "sim_serial"));
+    Controls& c = s.start;
+    c.trigger = text(o, "trigger") == "free" ? 0 : text(o, "trigger") == "external" ? 1 : 2;
+    c.range = number(o, "range");
+    c.frequency = number(o, "frequency");
+    c.power = number(o, "power");
+    c.pulse = number(o, "pulse");
+    c.gain = number(o, "gain");
+    c.spreading = number(o, "spreading");
+    c.absorption = number(o, "absorption");
+    c.limit_ping_rate = number(o, "ping_rate") > 0;
+    if (c.limit_ping_rate) c.ping_rate = number(o, "ping_rate");
+    c.sector_width = deg_to_rad(number(o, "sector_width"));
+    c.sector_rotation = deg_to_rad(number(o, "sector_rotation"));
+    c.equi_distant = text(o, "bottom_mode") == "equi-distant";
+    c.intensity = flag(o, "intensity");
+    c.image_height = static_cast<std::uint32_t>(integer(o, "image_height"));
+    c.image_brightness = number(o, "image_brightness");
+    c.projector = text(o, "projector") == "wide" ? 2 : 1;
+    s.image_reference = number(o, "image_reference");
+    s.detection_threshold = number(o, "detection_threshold");
+    s.datagram_gap = number(o, "datagram_gap");
+    s.answer_discovery = text(o, "discovery_reply") != "none";
+    s.discovery_to_sender = text(o, "discovery_reply") == "sender";
+    s.sound_speed = config.sound_speed;
+    s.unix_start = config.unix_start;
+    return s;
+}
+
+}  // namespace echoloop::r2sonic_device

@@ -1,0 +1,63 @@
+#include <cmath>
+
+#include "emulator/devices/r2sonic/packets.h"
+
+namespace echoloop::r2sonic_device {
+namespace {
+
+using namespace r2sonic;
+
+/// GPS time runs ahead of UTC and counts from 6 January 1980; the leap seconds are those since 2017.
+std::pair<std::uint32_t, std::uint32_t> gps_time(double unix_time) {
+    constexpr double epoch = 315964800, leap_seconds = 18;
+    const double gps = std::max(0.0, unix_time - epoch + leap_seconds);
+    const double whole = std::floor(gps);
+    return {static_cast<std::uint32_t>(whole), static_cast<std::uint32_t>((gps - whole) * 4294967296.0)};
+}
+
+const char* const firmware = "19-Dec-2011-17:19:29";  // the manual's example
+
+}  // namespace
+
+Sth0 head_status(const Settings& settings, double unix_time) {
+    const auto [seconds, fraction] = gps_time(unix_time);
+    SenA sensors;
+    sensors.gps_seconds = seconds;
+    sensors.gps_fraction = fraction;
+    sensors.sound_speed = static_cast<float>(settings.sound_speed);
+    sensors.fpga_temperature = 35;
+    Sth0 status;
+    status.sections = {Ser3{settings.serial},
+                       Prt3{"15000001"},
+                       Mdl3{settings.model},
+                       Fwv6{firmware},
+                       Fwt6{firmware},
+                       Prj9{settings.serial, "15000002", settings.model},
+                       Opt1{option_bits::forward_looking},
+                       sensors,
+                       Adc3{48, 0.8F, 60},
+                       Eth6{1000, 0, 0, 0, {0, 0, 0x02, 0, 0, 0, 0, 0x01}},
+                       Tim2{0.0001F, 0}};
+    return status;
+}
+
+Sts0 sim_status(const Settings& settings, double unix_time) {
+    const auto [seconds, fraction] = gps_time(unix_time);
+    Sen7 sensors;
+    sensors.gps_seconds = seconds;
+    sensors.gps_fraction = fraction;
+    sensors.sound_speed = static_cast<float>(settings.sound_speed);
+    constexpr std::uint32_t head_on_good = 3U << 22;
+    Sts0 status;
+    status.sections = {Ser3{settings.sim_serial},
+                       Prt3{"15000003"},
+                       Mdl3{"SIM"},
+                       Fwv6{firmware},
+                       sensors,
+                       Adc2{48, 0.5F},
+                       Eth6{1000, 0, 0, 0, {0, 0, 0x02, 0, 0, 0, 0, 0x02}},
+                       Led1{head_on_good}};
+    return status;
+}
+
+}  // namespace echoloop::r2sonic_device

@@ -1,0 +1,74 @@
+#include "emulator/devices/tritech-micron/boot.h"
+
+#include <algorithm>
+
+namespace echoloop::micron {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr Time beat_time = 1s;
+
+}  // namespace
+
+Time Boot::first_alive() const { return start_ + from_seconds(settings_.first_alive); }
+
+void Boot::restart(Time now) {
+    start_ = now;
+    next_alive_ = first_alive();
+    // Half a beat before the first alive that says Centred, so that a late timer changes nothing.
+    centred_at_ = settings_.recentring_alives == 0
+                      ? now
+                      : first_alive() + settings_.recentring_alives * beat_time - beat_time / 2;
+    clock_offset_ = -now;
+    has_parameters_ = acknowledging_ = sent_cfg_ = stopped_ = false;
+}
+
+void Boot::head_command() {
+    if (!has_parameters_) acknowledging_ = true;
+    has_parameters_ = true;
+    if (settings_.sent_cfg_by != "bb-user") sent_cfg_ = true;
+}
+
+void Boot::bb_user_sent() {
+    if (settings_.sent_cfg_by != "head-command") sent_cfg_ = true;
+}
+
+void Boot::set_clock(std::uint32_t milliseconds, Time now) {
+    if (milliseconds != 0) clock_offset_ = std::chrono::milliseconds(milliseconds) - now;
+}
+
+void Boot::line_served(Time now) {
+    if (!settings_.alives_while_scanning) next_alive_ = now + beat_time;
+}
+
+void Boot::beat(Time now) {
+    next_alive_ += beat_time;
+    if (next_alive_ <= now) next_alive_ = now + beat_time;  // a stalled run does not catch up with a burst
+}
+
+std::uint8_t Boot::head_inf(Time now) const {
+    namespace bits = seanet::head_inf;
+    std::uint8_t inf = bits::motor_on;
+    if (centred(now)) {
+        inf |= bits::centred;
+    } else {
+        inf |= bits::in_centre | bits::motoring;
+        if (now < first_alive() + beat_time / 2) inf |= bits::dir;
+    }
+    if (no_params(now)) inf |= bits::no_params;
+    if (sent_cfg_) inf |= bits::sent_cfg;
+    return inf;
+}
+
+seanet::Alive Boot::alive(Time now, std::uint16_t position) {
+    seanet::Alive alive;
+    alive.will_send = no_params(now) ? 0x80 : 0x00;
+    const auto head_time = std::chrono::duration_cast<std::chrono::milliseconds>(now + clock_offset_);
+    alive.time_ms = static_cast<std::uint32_t>(head_time.count());
+    alive.motor_position = position;
+    alive.head_inf = head_inf(now);
+    if (centred(now)) acknowledging_ = false;
+    return alive;
+}
+
+}  // namespace echoloop::micron

@@ -1,0 +1,157 @@
+#include "emulator/devices/tritech-micron/settings.h"
+
+#include <algorithm>
+
+#include "emulator/options.h"
+
+namespace echoloop::micron {
+namespace {
+
+const char* const spec = "SeaNet specification notes";
+
+Option yes_no(std::string name, bool value, std::string help) {
+    return {std::move(name), "", value, std::move(help), spec, {}};
+}
+Option whole(std::string name, std::string unit, std::int64_t value, double low, double high,
+             std::string help, std::string source = spec) {
+    return {std::move(name), std::move(unit), value, std::move(help), std::move(source), {}, low, high};
+}
+Option real(std::string name, std::string unit, double value, double low, double high, std::string help,
+            std::string source = spec) {
+    return {std::move(name), std::move(unit), value, std::move(help), std::move(source), {}, low, high};
+}
+Option word(std::string name, std::vector<std::string> choices, std::string help) {
+    std::string first = choices.front();
+    return {std::move(name), "", std::move(first), std::move(help), spec, std::move(choices)};
+}
+
+std::vector<Option> start_up_options() {
+    return {
+        word("profile", {"dst", "miniking"}, "family: dst sends the FPGA messages after mtBBUserData"),
+        whole("node", "", 2, 1, 254, "SeaNet node number of the head"),
+        real("first_alive", "s", 1.0, 0.1, 30, "first mtAlive after power-up or mtReBoot"),
+        whole("recentring_alives", "", 3, 0, 60,
+              "mtAlives sent while re-centring; one public driver needs 2"),
+        yes_no("alives_while_scanning", false, "keep sending mtAlive while lines are requested"),
+        word("sent_cfg_by", {"both", "head-command", "bb-user"}, "which message sets the SentCfg bit"),
+        word("early_request", {"ignore", "answer-later"}, "mtSendData without parameters or while centring"),
+        word("short_commands", {"drop", "by-id"}, "commands that claim more bytes than they have"),
+        yes_no("refuse_while_centring", false, "drop mtHeadCommand that comes while re-centring"),
+        whole("software_version", "", 2, 0, 255, "first byte of mtVersionData", "free choice"),
+        whole("serial_number", "", 1234, 0, 65535, "in mtVersionData", "free choice"),
+    };
+}
+
+std::vector<Option> scan_options() {
+    return {
+        whole("replies", "", 2, 1, 2, "mtHeadData per mtSendData"),
+        word("surplus_requests", {"merge", "queue"}, "mtSendData that comes while lines are under way"),
+        yes_no("force_right", false, "continuous scans turn clockwise even without the scanright bit"),
+        yes_no("limits_twice", false, "ping each sector limit twice per pass"),
+        yes_no("whole_steps", false, "never cut the last step at a sector limit"),
+        word("sector_start", {"left-limit", "position"}, "where a new sector begins"),
+        yes_no("obey_invert", true, "the invert bit turns the rotation round (head mounted boot down)"),
+        word("period_law", {"A", "B", "fixed"},
+             "A: 2R/c + step * MoTime + line time; B: twice 2R/c + step * MoTime, line time included"),
+        real("period_scale", "", 1, 0.01, 100, "factor on the period of law A or B"),
+        real("fixed_period", "s", 0.05, 0.001, 60, "period of a line under law fixed"),
+    };
+}
+
+std::vector<Option> data_options() {
+    return {
+        word("nibble_order", {"high-first", "low-first"},
+             "4-bit bins: which half of a byte is the nearer bin"),
+        word("ad_span_scale", {"255", "15"}, "4-bit bins: scale of ADSpan and ADLow"),
+        whole("device_type", "", 0x11, 0, 255, "byte 15 of mtHeadData"),
+        word("head_data_byte9", {"zero", "low-byte"},
+             "byte 9 of mtHeadData: one public driver takes only zero"),
+        whole("hd_ctrl_set", "", 0, 0, 65535, "bits forced to 1 in the HdCtrl of replies"),
+        whole("hd_ctrl_clear", "", 0, 0, 65535, "bits forced to 0 in the HdCtrl of replies"),
+        real("baud", "bit/s", 115200, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced"),
+        real("source_level", "dB re 1 uPa at 1 m", 206, 100, 240, "transmitter",
+             "own estimate, no public figure"),
+        real("reference_level", "dB re 1 uPa", 152, 0, 300, "level after TVG that reads 0 dB at zero gain",
+             "own choice: a tank's walls read about 40 dB at half gain"),
+        real("tvg_spreading", "dB per decade of range", 30, 0, 60, "time-varied gain", "own choice"),
+        real("tvg_absorption", "dB/m", 0.2, 0, 2, "time-varied gain, one way",
+             "Francois-Garrison at 700 kHz"),
+    };
+}
+
+void append(std::vector<Option>& all, std::vector<Option> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+}  // namespace
+
+std::vector<Option> option_table() {
+    std::vector<Option> all = start_up_options();
+    append(all, scan_options());
+    append(all, data_options());
+    return all;
+}
+
+Settings read_settings(const Options& o) {
+    Settings s;
+    s.node = static_cast<std::uint8_t>(integer(o, "node"));
+    s.dst = text(o, "profile") == "dst";
+    s.first_alive = number(o, "first_alive");
+    s.recentring_alives = static_cast<int>(integer(o, "recentring_alives"));
+    s.alives_while_scanning = flag(o, "alives_while_scanning");
+    s.sent_cfg_by = text(o, "sent_cfg_by");
+    s.replies = static_cast<int>(integer(o, "replies"));
+    s.queue_requests = text(o, "surplus_requests") == "queue";
+    s.early_request = text(o, "early_request");
+    s.refuse_while_centring = flag(o, "refuse_while_centring");
+    s.scan = {flag(o, "force_right"), flag(o, "limits_twice"), flag(o, "whole_steps"),
+              text(o, "sector_start") == "position"};
+    s.obey_invert = flag(o, "obey_invert");
+    s.period_law = text(o, "period_law");
+    s.period_scale = number(o, "period_scale");
+    s.fixed_period = number(o, "fixed_period");
+    s.high_nibble_first = text(o, "nibble_order") == "high-first";
+    s.ad_span_15 = text(o, "ad_span_scale") == "15";
+    s.device_type = static_cast<std::uint8_t>(integer(o, "device_type"));
+    if (text(o, "short_commands") == "by-id") s.frame_lengths = seanet::Framer::Lengths::by_id;
+    if (text(o, "head_data_byte9") == "low-byte") s.head_data_remaining = seanet::HeadDataRemaining::low_byte;
+    s.hd_ctrl_set = static_cast<std::uint16_t>(integer(o, "hd_ctrl_set"));
+    s.hd_ctrl_clear = static_cast<std::uint16_t>(integer(o, "hd_ctrl_clear"));
+    s.software_version = static_cast<std::uint8_t>(integer(o, "software_version"));
+    s.serial_number = static_cast<std::uint16_t>(integer(o, "serial_number"));
+    s.baud = number(o, "baud");
+    s.source_level = number(o, "source_level");
+    s.reference_level = number(o, "reference_level");
+    s.tvg_spreading = number(o, "tvg_spreading");
+    s.tvg_absorption = number(o, "tvg_absorption");
+    return s;
+}
+
+bool usable(const seanet::HeadParameters& p) { return p.bins > 0 && p.ad_interval > 0; }
+
+std::size_t effective_bins(const seanet::HeadParameters& p, const Settings& settings) {
+    return std::min<std::size_t>(p.bins, static_cast<std::size_t>(settings.bin_limit()));
+}
+
+Shot shot_from(const seanet::HeadParameters& p, const Settings& settings, std::uint16_t bearing) {
+    // Data sheet of the Micron DST: 650-750 kHz chirp, beam 3 x 35 deg.
+    constexpr double unit = 2 * std::numbers::pi / seanet::angle_units;
+    constexpr double longest = 10.0;  // s; a window of 7.5 km, far beyond what the head can hear
+    const bool mirrored = settings.obey_invert && (p.hd_ctrl & seanet::hd_ctrl::invert) != 0;
+    Shot shot;
+    shot.pan = (static_cast<double>(bearing) - 3200) * unit * (mirrored ? -1 : 1);
+    shot.bearings = {0.0};
+    shot.beam_width = deg_to_rad(3);
+    shot.fan_height = deg_to_rad(35);
+    shot.bins = effective_bins(p, settings);
+    shot.bin_interval = std::max<int>(p.ad_interval, 5) * ad_interval_unit;
+    shot.bin_interval = std::min(shot.bin_interval, longest / static_cast<double>(shot.bins));
+    shot.frequency = 700e3;
+    shot.bandwidth = 100e3;
+    shot.pulse_length = std::max<int>(p.tx_pulse, 37) * 1e-6;
+    const bool silent = (p.hd_ctrl & seanet::hd_ctrl::txoff) != 0;
+    shot.source_level = silent ? -300 : settings.source_level;
+    return shot;
+}
+
+}  // namespace echoloop::micron

@@ -1,0 +1,32 @@
+#include <algorithm>
+
+#include "emulator/devices/r2sonic/r2sonic.h"
+#include "emulator/devices/tritech-micron/micron.h"
+#include "emulator/model.h"
+
+namespace echoloop {
+namespace {
+
+// An explicit table: a self-registering object in a static library would silently be dropped by the linker.
+std::vector<Model> make_models() {
+    std::vector<Model> all;
+    all.push_back(micron::model());
+    all.push_back(r2sonic_device::model());
+    std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });
+    return all;
+}
+
+}  // namespace
+
+std::span<const Model> models() {
+    static const std::vector<Model> all = make_models();
+    return all;
+}
+
+const Model* find_model(std::string_view name) {
+    for (const Model& model : models())
+        if (model.name == name) return &model;
+    return nullptr;
+}
+
+}  // namespace echoloop

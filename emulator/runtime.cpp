@@ -1,0 +1,113 @@
+#include "emulator/runtime.h"
+
+#include <chrono>
+
+#include "emulator/error.h"
+#include "emulator/transport/make.h"
+#include "render/renderer.h"
+
+namespace echoloop {
+namespace {
+
+double unix_now() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+class Runtime::Impl {
+  public:
+    explicit Impl(const Scenario& scenario)
+        : scene_(Scene::load(scenario.scene)),
+          signals_(io_),
+          end_(io_),
+          clock_(scenario.clock_rate),
+          render_thread_([this, &scenario] {
+              auto renderer = std::make_unique<Renderer>(scene_, scenario.water, scenario.render);
+              renderer_description_ = renderer->context_description();
+              return renderer;
+          }) {
+        for (const ScenarioDevice& device : scenario.devices) add(scenario, device);
+    }
+
+    ~Impl() {
+        for (auto& session : sessions_) session->close();
+    }
+
+    std::vector<RunningDevice> devices() const {
+        std::vector<RunningDevice> running = running_;
+        for (std::size_t i = 0; i < running.size(); ++i)
+            for (const auto& transport : sessions_[i]->transports())
+                running[i].places.push_back(transport->describe());
+        return running;
+    }
+
+    void run(std::optional<double> duration) {
+        signals_.add(SIGINT);
+        signals_.add(SIGTERM);
+        signals_.add(SIGHUP);
+        signals_.async_wait([this](error_code ec, int) {
+            if (!ec) stop();
+        });
+        if (duration) {
+            end_.expires_after(std::chrono::duration_cast<Clock::Steady::duration>(
+                std::chrono::duration<double>(*duration)));
+            end_.async_wait([this](error_code ec) {
+                if (!ec) stop();
+            });
+        }
+        clock_ = Clock(clock_.rate());
+        for (auto& session : sessions_) session->start();
+        io_.run();
+    }
+
+    std::vector<SessionSummary> summary() const {
+        std::vector<SessionSummary> all;
+        for (const auto& session : sessions_) all.push_back(session->summary());
+        return all;
+    }
+
+    std::size_t triangles() const { return scene_->triangles(); }
+    const std::string& renderer_description() const { return renderer_description_; }
+
+  private:
+    void add(const Scenario& scenario, const ScenarioDevice& entry) {
+        DeviceConfig config = entry.config;
+        config.unix_start = unix_now();
+        auto device = entry.model->make(config);
+        auto transports = make_transports(io_, device->ports(), config);
+        const Pose world_from_sonar = scenario.world_from_body * entry.body_from_sonar;
+        sessions_.push_back(std::make_unique<Session>(io_, clock_, render_thread_, entry.name,
+                                                      std::move(device), std::move(transports),
+                                                      [world_from_sonar](Time) { return world_from_sonar; }));
+        running_.push_back({entry.name, entry.model, {}});
+    }
+
+    void stop() {
+        for (auto& session : sessions_) session->close();
+        error_code ignored;
+        signals_.cancel(ignored);
+        end_.cancel(ignored);
+        io_.stop();
+    }
+
+    std::shared_ptr<const Scene> scene_;
+    std::string renderer_description_;
+    asio::io_context io_;
+    asio::signal_set signals_;
+    asio::steady_timer end_;
+    Clock clock_;
+    std::vector<std::unique_ptr<Session>> sessions_;
+    std::vector<RunningDevice> running_;
+    RenderThread render_thread_;  // last: joined first, so that no ping comes back to a session that is gone
+};
+
+Runtime::Runtime(const Scenario& scenario) : impl_(std::make_unique<Impl>(scenario)) {}
+Runtime::~Runtime() = default;
+std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
+std::size_t Runtime::triangles() const { return impl_->triangles(); }
+std::string Runtime::renderer() const { return impl_->renderer_description(); }
+void Runtime::run(std::optional<double> duration) { impl_->run(duration); }
+std::vector<SessionSummary> Runtime::summary() const { return impl_->summary(); }
+
+}  // namespace echoloop

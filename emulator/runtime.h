@@ -1,0 +1,42 @@
+// A scenario come to life: scene, renderer, one session per device, until a signal or the end of the time.
+// Prints nothing; the command line does.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emulator/scenario/scenario.h"
+#include "emulator/session.h"
+
+namespace echoloop {
+
+/// A device that is up, and where.
+struct RunningDevice {
+    std::string name;
+    const Model* model = nullptr;
+    std::vector<std::string> places;  ///< what its transports call themselves
+};
+
+class Runtime {
+  public:
+    /// Loads the scene, makes the renderer and opens every endpoint; nothing is said on any of them yet.
+    /// Throws SceneError, StartError or std::runtime_error, and then has left nothing behind.
+    explicit Runtime(const Scenario& scenario);
+    ~Runtime();
+
+    std::vector<RunningDevice> devices() const;
+    std::size_t triangles() const;
+    std::string renderer() const;  ///< e.g. "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe"
+
+    /// Powers the devices up and serves them until SIGINT, SIGTERM or `duration` seconds of real time.
+    void run(std::optional<double> duration = {});
+    std::vector<SessionSummary> summary() const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace echoloop

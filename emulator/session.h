@@ -1,0 +1,74 @@
+// The only place where a device, its transports, the clock and the renderer meet: one reader per port, one
+// outbox with one writer. It understands no message.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "emulator/asio.h"
+#include "emulator/clock.h"
+#include "emulator/device.h"
+#include "emulator/render_thread.h"
+#include "emulator/transport/transport.h"
+
+namespace echoloop {
+
+/// What a session did, for the end of a run.
+struct SessionSummary {
+    std::string name;
+    DeviceCounters device;
+    std::uint64_t pings = 0;       ///< echograms delivered
+    std::uint64_t late_pings = 0;  ///< delivered more than a millisecond after they were due
+    Time worst_lateness{};
+    std::uint64_t dropped = 0;  ///< messages that did not fit the outbox
+    std::uint64_t bytes_in = 0, bytes_out = 0;
+};
+
+class Session {
+  public:
+    /// Pose of the sonar in the world at a time of the run.
+    using PoseAt = std::function<Pose(Time)>;
+
+    /// `transports`: one per port of the device, in the order of ports().
+    Session(asio::io_context& io, const Clock& clock, RenderThread& renderer, std::string name,
+            std::unique_ptr<Device> device, std::vector<std::unique_ptr<Transport>> transports,
+            PoseAt pose_at);
+    ~Session();
+
+    void start();
+    void close();
+    const std::string& name() const { return name_; }
+    const std::vector<std::unique_ptr<Transport>>& transports() const { return transports_; }
+    SessionSummary summary() const;
+
+  private:
+    void apply(Actions actions);
+    void transmit(Ping ping);
+    Task<void> deliver(std::shared_ptr<Echogram> echogram, Time due);
+    Task<void> keep_waking();
+    Task<void> keep_writing();
+    void post_mail(Send send);
+    Task<void> wait_until(asio::steady_timer& timer, Time when);
+
+    asio::io_context& io_;
+    const Clock& clock_;
+    RenderThread& renderer_;
+    std::string name_;
+    std::unique_ptr<Device> device_;
+    std::vector<std::unique_ptr<Transport>> transports_;
+    PoseAt pose_at_;
+
+    std::multimap<Time, Send> outbox_;  ///< by not_before; equal times keep their order
+    std::size_t outbox_bytes_ = 0;
+    asio::steady_timer mail_;   ///< rings when the outbox has a new first element
+    asio::steady_timer alarm_;  ///< rings at wake_
+    Time wake_ = Time::max();
+    bool closed_ = false;
+    SessionSummary summary_;
+    std::shared_ptr<bool> alive_;  ///< false once this session is gone; read by late renders on the io thread
+};
+
+}  // namespace echoloop

@@ -1,0 +1,156 @@
+#include "emulator/transport/pty.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/inotify.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "emulator/error.h"
+
+namespace echoloop {
+namespace {
+
+[[noreturn]] void fail(const std::string& what, int error) {
+    throw StartError(Exit::unavailable, "pseudo-terminal: " + what + ": " + std::strerror(error));
+}
+
+/// The master side of a new pseudo-terminal, non-blocking.
+int open_master() {
+    const int fd = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (fd < 0) fail("cannot be opened (are /dev/ptmx and /dev/pts mounted?)", errno);
+    if (::grantpt(fd) != 0 || ::unlockpt(fd) != 0) {
+        const int error = errno;
+        ::close(fd);
+        fail("cannot be unlocked", error);
+    }
+    return fd;
+}
+
+std::string slave_name(int master) {
+    std::array<char, 128> name{};
+    if (::ptsname_r(master, name.data(), name.size()) != 0) fail("has no name", errno);
+    return name.data();
+}
+
+/// Raw, 8 bits, no echo: a driver that sets nothing still gets its bytes unchanged.
+int open_raw_slave(const std::string& path) {
+    const int fd = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (fd < 0) fail(path + " cannot be opened", errno);
+    termios settings{};
+    ::tcgetattr(fd, &settings);
+    ::cfmakeraw(&settings);
+    ::cfsetspeed(&settings, B115200);
+    ::tcsetattr(fd, TCSANOW, &settings);
+    return fd;
+}
+
+int open_watch(const std::string& path) {
+    const int fd = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+    if (fd < 0) fail("inotify cannot be opened (raise fs.inotify.max_user_instances)", errno);
+    if (::inotify_add_watch(fd, path.c_str(), IN_OPEN | IN_CLOSE) < 0) {
+        const int error = errno;
+        ::close(fd);
+        fail(path + " cannot be watched (raise fs.inotify.max_user_watches)", error);
+    }
+    return fd;
+}
+
+}  // namespace
+
+Pty::Pty(asio::io_context& io, const std::filesystem::path& link) : master_(io), watch_(io) {
+    const int master = open_master();
+    master_.assign(master);
+    slave_path_ = slave_name(master);
+    slave_ = open_raw_slave(slave_path_);
+    watch_.assign(open_watch(slave_path_));
+    if (!link.empty()) link_.emplace(link, slave_path_);
+}
+
+Pty::~Pty() { close(); }
+
+void Pty::close() {
+    error_code ignored;
+    watch_.close(ignored);
+    master_.close(ignored);
+    if (slave_ >= 0) ::close(slave_);
+    slave_ = -1;
+    link_.reset();
+}
+
+void Pty::start(Events events) {
+    events_ = std::move(events);
+    asio::co_spawn(master_.get_executor(), read_line(), asio::detached);
+    asio::co_spawn(watch_.get_executor(), watch_openers(), asio::detached);
+}
+
+Task<void> Pty::read_line() {
+    std::array<std::uint8_t, 4096> buffer;
+    error_code ec;
+    while (master_.is_open()) {
+        const std::size_t n = co_await master_.async_read_some(asio::buffer(buffer), into(ec));
+        if (ec) co_return;
+        count_in(n);
+        events_.received(ByteView(buffer).first(n), {});
+    }
+}
+
+Task<void> Pty::watch_openers() {
+    alignas(inotify_event) std::array<std::uint8_t, 4096> buffer;
+    error_code ec;
+    while (watch_.is_open()) {
+        const std::size_t n = co_await watch_.async_read_some(asio::buffer(buffer), into(ec));
+        if (ec) co_return;
+        handle_watch(ByteView(buffer).first(n));
+    }
+}
+
+void Pty::handle_watch(ByteView events) {
+    while (events.size() >= sizeof(inotify_event)) {
+        inotify_event event;
+        std::memcpy(&event, events.data(), sizeof event);
+        events = events.subspan(std::min(events.size(), sizeof event + event.len));
+        if (event.mask & IN_OPEN) ++openers_;
+        if (event.mask & IN_CLOSE) openers_ = std::max(0, openers_ - 1);
+        if ((event.mask & IN_CLOSE) && openers_ == 0) {
+            drop_buffers();
+            events_.reconnected();
+        }
+    }
+}
+
+/// What a driver left unread, or left unsaid, must not reach the next one.
+void Pty::drop_buffers() {
+    ::tcflush(slave_, TCIOFLUSH);
+    ::ioctl(master_.native_handle(), TCFLSH, TCIOFLUSH);
+}
+
+Task<void> Pty::write(ByteView bytes, Address) {
+    // The kernel buffers some 13 kB. A driver that has not read for this long loses bytes, as with a UART's
+    // overrun.
+    constexpr std::chrono::milliseconds patience(200), pause(2);
+    const auto give_up = std::chrono::steady_clock::now() + patience;
+    while (!bytes.empty() && opened() && master_.is_open()) {
+        const ssize_t n = ::write(master_.native_handle(), bytes.data(), bytes.size());
+        if (n > 0) {
+            count_out(static_cast<std::size_t>(n));
+            bytes = bytes.subspan(static_cast<std::size_t>(n));
+            continue;
+        }
+        if (errno != EAGAIN || std::chrono::steady_clock::now() > give_up) co_return;
+        asio::steady_timer timer(master_.get_executor(), pause);
+        error_code ec;
+        co_await timer.async_wait(into(ec));
+    }
+}
+
+std::string Pty::describe() const {
+    return link_ ? "pty:" + link_->path().string() + " -> " + slave_path_ : "pty " + slave_path_;
+}
+
+}  // namespace echoloop

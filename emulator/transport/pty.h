@@ -1,0 +1,56 @@
+// A pseudo-terminal that a driver opens like a serial port, behind a stable symbolic link. Never replaces a
+// file that is not a link of its own; says nothing to a line that no driver has opened.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+
+#include "emulator/transport/transport.h"
+
+namespace echoloop {
+
+/// The symbolic link to a pty slave: made by the constructor, removed by the destructor if it is still ours.
+class PtyLink {
+  public:
+    /// Makes missing directories. Replaces a dangling link or one to a pty that nobody holds. Throws
+    /// StartError.
+    PtyLink(std::filesystem::path link, std::filesystem::path slave);
+    ~PtyLink();
+    PtyLink(const PtyLink&) = delete;
+    PtyLink& operator=(const PtyLink&) = delete;
+    const std::filesystem::path& path() const { return link_; }
+
+  private:
+    std::filesystem::path link_, slave_;
+};
+
+class Pty final : public CountingTransport {
+  public:
+    /// Throws StartError if the pty or the link cannot be made.
+    Pty(asio::io_context& io, const std::filesystem::path& link);
+    ~Pty() override;
+
+    void start(Events events) override;
+    Task<void> write(ByteView bytes, Address to) override;
+    void close() override;
+    std::string describe() const override;
+    /// True while a driver has the slave open.
+    bool opened() const { return openers_ > 0; }
+
+  private:
+    Task<void> read_line();
+    Task<void> watch_openers();
+    void handle_watch(ByteView events);
+    void drop_buffers();
+
+    asio::posix::stream_descriptor master_;
+    asio::posix::stream_descriptor watch_;  ///< inotify on the slave: open and close of drivers
+    int slave_ = -1;                        ///< kept open, so that the master never reads EIO
+    std::string slave_path_;
+    std::optional<PtyLink> link_;
+    Events events_;
+    int openers_ = 0;
+};
+
+}  // namespace echoloop

@@ -1,0 +1,64 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "emulator/error.h"
+#include "emulator/transport/pty.h"
+
+namespace echoloop {
+namespace fs = std::filesystem;
+namespace {
+
+/// A link to a pty slave whose emulator is gone: the slave is missing, has no master, or was given to us
+/// meanwhile.
+bool is_stale_pty_link(const fs::path& link, const fs::path& our_slave) {
+    std::error_code ec;
+    if (!fs::is_symlink(link, ec)) return false;
+    const fs::path target = fs::read_symlink(link, ec);
+    if (ec || target.string().rfind("/dev/pts/", 0) != 0) return false;
+    if (target == our_slave || !fs::exists(target, ec)) return true;
+    const int fd = ::open(target.c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (fd >= 0) ::close(fd);
+    return fd < 0 && (errno == EIO || errno == ENXIO || errno == ENOENT);
+}
+
+void make_directories(const fs::path& link) {
+    if (link.parent_path().empty()) return;
+    std::error_code ec;
+    fs::create_directories(link.parent_path(), ec);
+    if (!ec) return;
+    const bool denied = ec == std::errc::permission_denied || ec == std::errc::read_only_file_system;
+    throw StartError(
+        denied ? Exit::no_permission : Exit::cannot_create,
+        link.parent_path().string() + ": directory for the pty link cannot be made: " + ec.message() +
+            "; name a directory that you may write in the endpoint, e.g. pty:/tmp/echoloop/micron");
+}
+
+}  // namespace
+
+PtyLink::PtyLink(fs::path link, fs::path slave) : link_(std::move(link)), slave_(std::move(slave)) {
+    make_directories(link_);
+    std::error_code ec;
+    if (is_stale_pty_link(link_, slave_)) fs::remove(link_, ec);
+    fs::create_symlink(slave_, link_, ec);
+    if (!ec) return;
+    if (ec == std::errc::file_exists)
+        throw StartError(Exit::cannot_create,
+                         link_.string() +
+                             ": exists already and is not a left-over of an emulator that ended; "
+                             "another run may be using it. Remove it or name another link in the endpoint");
+    const bool denied = ec == std::errc::permission_denied || ec == std::errc::read_only_file_system;
+    throw StartError(denied ? Exit::no_permission : Exit::cannot_create,
+                     link_.string() + ": pty link cannot be made: " + ec.message() +
+                         "; name a place that you may write in the endpoint, e.g. pty:/tmp/echoloop/micron");
+}
+
+PtyLink::~PtyLink() {
+    std::error_code ec;
+    if (fs::read_symlink(link_, ec) == slave_ && !ec) fs::remove(link_, ec);
+}
+
+}  // namespace echoloop

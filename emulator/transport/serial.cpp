@@ -1,0 +1,101 @@
+#include "emulator/transport/serial.h"
+
+#include <libserialport.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+
+#include "emulator/error.h"
+
+namespace echoloop {
+namespace {
+
+struct FreePort {
+    void operator()(sp_port* port) const { sp_free_port(port); }
+};
+using PortHandle = std::unique_ptr<sp_port, FreePort>;
+
+std::string last_reason() {
+    const std::unique_ptr<char, void (*)(char*)> text(sp_last_error_message(), sp_free_error_message);
+    return text ? text.get() : "unknown error";
+}
+
+[[noreturn]] void fail(const std::string& path, const std::string& what) {
+    const bool denied = errno == EACCES || errno == EPERM;
+    const std::string remedy = denied
+                                   ? "; join the group that owns the device (often dialout)"
+                                   : "; `ls /dev/serial/by-id` shows the ports there are. For a line without "
+                                     "hardware use a pty: endpoint";
+    throw StartError(denied ? Exit::no_permission : Exit::unavailable,
+                     "serial port " + path + ": " + what + ": " + last_reason() + remedy);
+}
+
+PortHandle find_port(const std::string& path) {
+    sp_port* raw = nullptr;
+    if (sp_get_port_by_name(path.c_str(), &raw) != SP_OK) fail(path, "cannot be found");
+    return PortHandle(raw);
+}
+
+void set_up(sp_port* port, const std::string& path, int baud) {
+    if (sp_set_baudrate(port, baud) != SP_OK) fail(path, std::to_string(baud) + " baud cannot be set");
+    if (sp_set_bits(port, 8) != SP_OK || sp_set_parity(port, SP_PARITY_NONE) != SP_OK ||
+        sp_set_stopbits(port, 1) != SP_OK || sp_set_flowcontrol(port, SP_FLOWCONTROL_NONE) != SP_OK)
+        fail(path, "8N1 without flow control cannot be set");
+    sp_flush(port, SP_BUF_BOTH);
+}
+
+/// Opens the port and returns a descriptor of our own: libserialport configures, asio reads and writes.
+int open_descriptor(const std::string& path, int baud) {
+    const PortHandle port = find_port(path);
+    if (sp_open(port.get(), SP_MODE_READ_WRITE) != SP_OK) fail(path, "cannot be opened");
+    set_up(port.get(), path, baud);
+    int fd = -1;
+    if (sp_get_port_handle(port.get(), &fd) != SP_OK) fail(path, "has no descriptor");
+    const int own = ::dup(fd);
+    sp_close(port.get());
+    return own;
+}
+
+}  // namespace
+
+SerialPort::SerialPort(asio::io_context& io, const std::string& path, int baud)
+    : line_(io, open_descriptor(path, baud)), path_(path), baud_(baud) {}
+
+void SerialPort::start(Events events) {
+    events_ = std::move(events);
+    asio::co_spawn(line_.get_executor(), read_line(), asio::detached);
+}
+
+Task<void> SerialPort::read_line() {
+    std::array<std::uint8_t, 4096> buffer;
+    error_code ec;
+    while (line_.is_open()) {
+        const std::size_t n = co_await line_.async_read_some(asio::buffer(buffer), into(ec));
+        if (ec == asio::error::operation_aborted) co_return;
+        if (ec) {
+            spdlog::error("serial port {}: {}; this device is now silent", path_, ec.message());
+            co_return;
+        }
+        count_in(n);
+        events_.received(ByteView(buffer).first(n), {});
+    }
+}
+
+Task<void> SerialPort::write(ByteView bytes, Address) {
+    error_code ec;
+    if (!line_.is_open()) co_return;
+    count_out(co_await asio::async_write(line_, asio::buffer(bytes.data(), bytes.size()), into(ec)));
+}
+
+void SerialPort::close() {
+    error_code ignored;
+    line_.close(ignored);
+}
+
+std::string SerialPort::describe() const { return "serial://" + path_ + ":" + std::to_string(baud_); }
+
+}  // namespace echoloop

@@ -1,0 +1,155 @@
+#include "emulator/transport/tcp.h"
+
+#include <spdlog/spdlog.h>
+
+#include <array>
+
+#include "emulator/transport/address.h"
+
+namespace echoloop {
+namespace {
+
+using Tcp = asio::ip::tcp;
+
+Tcp::acceptor bind_acceptor(asio::io_context& io, Address bind) {
+    Tcp::acceptor acceptor(io, Tcp::v4());
+    acceptor.set_option(Tcp::acceptor::reuse_address(true));
+    error_code ec;
+    acceptor.bind(to_endpoint<Tcp::endpoint>(bind), ec);
+    if (!ec) acceptor.listen(Tcp::acceptor::max_listen_connections, ec);
+    if (ec) throw bind_error("tcp-listen://" + to_text(bind), ec);
+    return acceptor;
+}
+
+/// Writes of a driver that does not read must not hold up the emulator: what does not fit the socket buffer
+/// is lost.
+Task<std::size_t> write_or_lose(Tcp::socket& socket, ByteView bytes) {
+    constexpr std::chrono::milliseconds patience(2000), pause(2);
+    const auto give_up = std::chrono::steady_clock::now() + patience;
+    std::size_t sent = 0;
+    while (sent < bytes.size() && socket.is_open()) {
+        error_code ec;
+        sent += socket.write_some(asio::buffer(bytes.data() + sent, bytes.size() - sent), ec);
+        if (!ec) continue;
+        if (ec != asio::error::would_block || std::chrono::steady_clock::now() > give_up) break;
+        asio::steady_timer timer(socket.get_executor(), pause);
+        co_await timer.async_wait(into(ec));
+    }
+    co_return sent;
+}
+
+void prepare(Tcp::socket& socket) {
+    error_code ignored;
+    socket.set_option(Tcp::no_delay(true), ignored);
+    socket.non_blocking(true, ignored);
+}
+
+}  // namespace
+
+TcpListener::TcpListener(asio::io_context& io, Address bind) : acceptor_(bind_acceptor(io, bind)) {}
+
+void TcpListener::start(Events events) {
+    events_ = std::move(events);
+    asio::co_spawn(acceptor_.get_executor(), accept_drivers(), asio::detached);
+}
+
+Task<void> TcpListener::accept_drivers() {
+    error_code ec;
+    while (acceptor_.is_open()) {
+        Tcp::socket socket = co_await acceptor_.async_accept(into(ec));
+        if (ec == asio::error::operation_aborted || !acceptor_.is_open()) co_return;
+        if (ec) {
+            asio::steady_timer breath(acceptor_.get_executor(), std::chrono::milliseconds(100));
+            co_await breath.async_wait(into(ec));
+            continue;
+        }
+        if (driver_) {
+            spdlog::warn("{}: a second driver was turned away; one is connected already", describe());
+            continue;
+        }
+        prepare(socket);
+        driver_ = std::move(socket);
+        events_.reconnected();
+        asio::co_spawn(acceptor_.get_executor(), serve(), asio::detached);
+    }
+}
+
+Task<void> TcpListener::serve() {
+    std::array<std::uint8_t, 4096> buffer;
+    error_code ec;
+    while (driver_ && driver_->is_open()) {
+        const std::size_t n = co_await driver_->async_read_some(asio::buffer(buffer), into(ec));
+        if (ec) break;
+        count_in(n);
+        events_.received(ByteView(buffer).first(n), {});
+    }
+    driver_.reset();
+}
+
+Task<void> TcpListener::write(ByteView bytes, Address) {
+    if (driver_) count_out(co_await write_or_lose(*driver_, bytes));
+}
+
+void TcpListener::close() {
+    error_code ignored;
+    acceptor_.close(ignored);
+    if (driver_) driver_->close(ignored);
+}
+
+std::string TcpListener::describe() const {
+    error_code ec;
+    return "tcp-listen://" + to_text(to_address(acceptor_.local_endpoint(ec)));
+}
+
+TcpClient::TcpClient(asio::io_context& io, std::string host, std::uint16_t port)
+    : socket_(io), retry_(io), host_(std::move(host)), port_(port) {}
+
+void TcpClient::start(Events events) {
+    events_ = std::move(events);
+    asio::co_spawn(socket_.get_executor(), keep_connected(), asio::detached);
+}
+
+Task<void> TcpClient::keep_connected() {
+    error_code ec;
+    while (!closing_) {
+        Tcp::resolver resolver(socket_.get_executor());
+        const auto found = co_await resolver.async_resolve(Tcp::v4(), host_, std::to_string(port_), into(ec));
+        if (!ec) co_await socket_.async_connect(*found.begin(), into(ec));
+        if (!ec && !closing_) co_await read_stream();
+        if (closing_) co_return;
+        socket_.close(ec);
+        retry_.expires_after(std::chrono::seconds(1));
+        co_await retry_.async_wait(into(ec));
+    }
+}
+
+Task<void> TcpClient::read_stream() {
+    prepare(socket_);
+    connected_ = true;
+    events_.reconnected();
+    std::array<std::uint8_t, 4096> buffer;
+    error_code ec;
+    while (!ec) {
+        const std::size_t n = co_await socket_.async_read_some(asio::buffer(buffer), into(ec));
+        if (!ec) {
+            count_in(n);
+            events_.received(ByteView(buffer).first(n), {});
+        }
+    }
+    connected_ = false;
+}
+
+Task<void> TcpClient::write(ByteView bytes, Address) {
+    if (connected_) count_out(co_await write_or_lose(socket_, bytes));
+}
+
+void TcpClient::close() {
+    closing_ = true;
+    error_code ignored;
+    retry_.cancel(ignored);
+    socket_.close(ignored);
+}
+
+std::string TcpClient::describe() const { return "tcp://" + host_ + ":" + std::to_string(port_); }
+
+}  // namespace echoloop

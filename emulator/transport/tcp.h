@@ -1,0 +1,54 @@
+// A byte stream over TCP: a listener that serves one driver at a time (as a serial bridge does), or a client
+// that keeps trying to reach one.
+#pragma once
+
+#include <optional>
+
+#include "emulator/transport/transport.h"
+
+namespace echoloop {
+
+class TcpListener final : public CountingTransport {
+  public:
+    /// Throws StartError if the address cannot be bound.
+    TcpListener(asio::io_context& io, Address bind);
+    ~TcpListener() override { close(); }
+
+    void start(Events events) override;
+    Task<void> write(ByteView bytes, Address to) override;
+    void close() override;
+    std::string describe() const override;
+
+  private:
+    Task<void> accept_drivers();
+    Task<void> serve();
+
+    asio::ip::tcp::acceptor acceptor_;
+    std::optional<asio::ip::tcp::socket> driver_;
+    Events events_;
+};
+
+class TcpClient final : public CountingTransport {
+  public:
+    TcpClient(asio::io_context& io, std::string host, std::uint16_t port);
+    ~TcpClient() override { close(); }
+
+    void start(Events events) override;
+    Task<void> write(ByteView bytes, Address to) override;
+    void close() override;
+    std::string describe() const override;
+
+  private:
+    Task<void> keep_connected();
+    Task<void> read_stream();
+
+    asio::ip::tcp::socket socket_;
+    asio::steady_timer retry_;
+    std::string host_;
+    std::uint16_t port_;
+    bool closing_ = false;
+    bool connected_ = false;
+    Events events_;
+};
+
+}  // namespace echoloop

@@ -1,0 +1,52 @@
+// One end of a wire: bytes in, bytes out. It knows no protocol and no device.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "emulator/asio.h"
+#include "emulator/device.h"
+
+namespace echoloop {
+
+class Transport {
+  public:
+    /// What a transport tells its session.
+    struct Events {
+        std::function<void(ByteView, Address from)> received;
+        std::function<void()>
+            reconnected;  ///< another driver is at the other end: half a frame is worthless now
+    };
+
+    Transport() = default;
+    virtual ~Transport() = default;
+    Transport(const Transport&) = delete;
+    Transport& operator=(const Transport&) = delete;
+
+    /// Begin to read; `events` are called on the io_context until close().
+    virtual void start(Events events) = 0;
+    /// Send all of `bytes`. With nobody at the other end they are lost, as on a wire. Never throws for that.
+    virtual Task<void> write(ByteView bytes, Address to) = 0;
+    virtual void close() = 0;
+    /// What a person calls this place, e.g. "pty:/tmp/echoloop/micron -> /dev/pts/3".
+    virtual std::string describe() const = 0;
+    virtual std::uint64_t bytes_in() const = 0;
+    virtual std::uint64_t bytes_out() const = 0;
+};
+
+/// Counts for all transports.
+class CountingTransport : public Transport {
+  public:
+    std::uint64_t bytes_in() const final { return in_; }
+    std::uint64_t bytes_out() const final { return out_; }
+
+  protected:
+    void count_in(std::size_t n) { in_ += n; }
+    void count_out(std::size_t n) { out_ += n; }
+
+  private:
+    std::uint64_t in_ = 0, out_ = 0;
+};
+
+}  // namespace echoloop

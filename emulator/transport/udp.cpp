@@ -1,0 +1,73 @@
+#include "emulator/transport/udp.h"
+
+#include <spdlog/spdlog.h>
+
+#include <vector>
+
+#include "emulator/transport/address.h"
+
+namespace echoloop {
+namespace {
+
+asio::ip::udp::socket bind_socket(asio::io_context& io, Address bind, bool shared) {
+    using SocketBase = asio::socket_base;
+    asio::ip::udp::socket socket(io, asio::ip::udp::v4());
+    socket.set_option(SocketBase::reuse_address(shared));
+    socket.set_option(SocketBase::broadcast(true));
+    error_code ec;
+    socket.set_option(SocketBase::send_buffer_size(1 << 20), ec);
+    socket.bind(to_endpoint<asio::ip::udp::endpoint>(bind), ec);
+    if (ec) throw bind_error("udp-listen://" + to_text(bind), ec);
+    socket.non_blocking(true);
+    return socket;
+}
+
+}  // namespace
+
+Udp::Udp(asio::io_context& io, Address bind, bool shared, Address reply_to)
+    : socket_(bind_socket(io, bind, shared)), reply_to_(reply_to) {}
+
+void Udp::start(Events events) {
+    events_ = std::move(events);
+    asio::co_spawn(socket_.get_executor(), read_datagrams(), asio::detached);
+}
+
+Task<void> Udp::read_datagrams() {
+    std::vector<std::uint8_t> buffer(65536);
+    error_code ec;
+    while (socket_.is_open()) {
+        asio::ip::udp::endpoint from;
+        const std::size_t n = co_await socket_.async_receive_from(asio::buffer(buffer), from, into(ec));
+        if (ec == asio::error::operation_aborted || !socket_.is_open()) co_return;
+        if (ec) continue;  // an unreachable peer of an earlier datagram
+        count_in(n);
+        reply_to_ = to_address(from);
+        events_.received(ByteView(buffer).first(n), reply_to_);
+    }
+}
+
+Task<void> Udp::write(ByteView bytes, Address to) {
+    if (to.port == 0) to = reply_to_;
+    if (to.port == 0 || !socket_.is_open()) co_return;
+    error_code ec;
+    const auto where = to_endpoint<asio::ip::udp::endpoint>(to);
+    std::size_t n = socket_.send_to(asio::buffer(bytes.data(), bytes.size()), where, 0, ec);
+    if (ec == asio::error::would_block)
+        n = co_await socket_.async_send_to(asio::buffer(bytes.data(), bytes.size()), where, into(ec));
+    if (ec)
+        spdlog::debug("udp to {}: {}", to_text(to), ec.message());
+    else
+        count_out(n);
+}
+
+void Udp::close() {
+    error_code ignored;
+    socket_.close(ignored);
+}
+
+std::string Udp::describe() const {
+    error_code ec;
+    return "udp-listen://" + to_text(to_address(socket_.local_endpoint(ec)));
+}
+
+}  // namespace echoloop
