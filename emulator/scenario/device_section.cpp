@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t most_devices = 64;
 constexpr std::size_t longest_name = 64;
+constexpr std::size_t most_endpoints = 8;
 
 /// An endpoint of a device, where it was written, and what to call it.
 struct Claim {
@@ -127,13 +128,12 @@ std::vector<std::string> DeviceReader::read_endpoints(const Section& section, co
     auto uris = model.default_endpoints;
     const Value* list = section.get("endpoints");
     if (list != nullptr &&
-        (!list->is_sequence() || list->items.empty() || list->items.size() > uris.size())) {
-        const auto count = std::to_string(uris.size()) + (uris.size() == 1 ? " endpoint" : " endpoints");
+        (!list->is_sequence() || list->items.empty() || list->items.size() > most_endpoints)) {
         const auto example = uris.empty() ? std::string() : ", as in [\"" + uris.front() + "\"]";
-        problems_.add(list->place,
-                      path + ": expected a list of " + (uris.size() > 1 ? "1 to " : "") + count + example);
+        problems_.add(list->place, path + ": expected a list of 1 to 8 endpoints" + example);
         return uris;
     }
+    if (list != nullptr) uris.resize(std::max(uris.size(), list->items.size()));
     for (std::size_t i = 0; i < uris.size(); ++i) {
         const Value* given = list != nullptr && i < list->items.size() ? &list->items[i] : nullptr;
         Claim at{{}, given != nullptr ? given->place : section.place(), path + "." + std::to_string(i)};

@@ -108,6 +108,11 @@ TEST(Scenario, fills_endpoints_that_are_left_out_from_the_models_defaults) {
                 ElementsAre("udp-listen://127.0.0.1:4000", "udp://127.0.0.1:65400"));
 }
 
+TEST(Scenario, takes_more_endpoints_than_the_default_for_the_device_to_judge) {
+    const auto scenario = parse(smallest, {"devices.micron.endpoints=[pty:/tmp/a, pty:/tmp/b]"});
+    EXPECT_THAT(scenario.devices[0].config.endpoints, ElementsAre("pty:/tmp/a", "pty:/tmp/b"));
+}
+
 TEST(Scenario, takes_the_depth_and_the_sound_speed_from_where_the_vehicle_is) {
     const auto scenario = parse(smallest, {"vehicle.pose.position=[0, 0, -100]"});
     EXPECT_EQ(scenario.water.depth, 100);
