@@ -16,7 +16,7 @@ from dataclasses import dataclass, fields, replace
 import seanet_wire as wire
 from byte_line import LineClosed, LineStalled, open_line
 from seanet_handshakes import HANDSHAKES
-from seanet_session import HostConfused, HostTimeout, Session
+from seanet_session import HostConfused, HostTimeout, OutOfTime, Session
 from seanet_styles import Settings
 
 
@@ -189,6 +189,7 @@ def options():
     parser.add_argument("--nibble", choices=("high", "low"), default="high", help="nibble of the nearer bin")
     parser.add_argument("--do", action="append", default=[], metavar="N:ACTION", help=perform.__doc__)
     parser.add_argument("--skip", type=float, default=0.75, help="metres left out of the search for an echo")
+    parser.add_argument("--limit", type=float, default=120.0, help="seconds for everything")
     parser.add_argument("--print-bins", action="store_true")
     return parser
 
@@ -209,6 +210,7 @@ def main(arguments=None):
         args.profile,
         args.nibble == "high",
         lambda event: print(json.dumps(event), flush=True),
+        args.limit,
     )
     report, error = Report(session, args.skip, args.print_bins), None
     try:
@@ -217,7 +219,7 @@ def main(arguments=None):
         scan(session, args.lines, actions, report)
         if args.style == "mcgill":
             session.send(wire.build(wire.REBOOT))
-    except (HostTimeout, HostConfused, LineClosed, LineStalled, ValueError) as reason:
+    except (HostTimeout, HostConfused, OutOfTime, LineClosed, LineStalled, ValueError) as reason:
         error = f"{type(reason).__name__}: {reason}"
     report.summary(error)
     line.close()

@@ -18,15 +18,28 @@ class HostConfused(Exception):
     """The head said something that this host cannot live with."""
 
 
-class Session:
-    """The state that all styles share. `style` picks the HeadCommand, `profile` is dst or miniking."""
+class OutOfTime(Exception):
+    """The whole conversation took longer than its limit. No retry catches this one."""
 
-    def __init__(self, line, style, settings, profile="dst", high_nibble_first=True, emit=lambda event: None):
+
+class Session:
+    """The state that all styles share. `style` picks the HeadCommand, `profile` is dst or miniking, `limit` in seconds."""
+
+    def __init__(
+        self,
+        line,
+        style,
+        settings,
+        profile="dst",
+        high_nibble_first=True,
+        emit=lambda event: None,
+        limit=300.0,
+    ):
         self.line, self.style, self.settings, self.profile, self.emit = line, style, settings, profile, emit
         self.high_nibble_first = high_nibble_first
         self.framer, self.alive, self.faults = wire.Framer(), None, 0
         self.command, self.previous, self.started = None, None, line.now()
-        self.outdated, self.late_lines = None, 0
+        self.outdated, self.late_lines, self.deadline = None, 0, self.started + limit
         self.counts = {}
 
     def send(self, data):
@@ -63,7 +76,7 @@ class Session:
 
     def wait(self, seconds, *messages, where=lambda frame: True):
         """The next frame of one of `messages` for which `where` holds. HostTimeout after `seconds`."""
-        end = self.line.now() + seconds
+        end = min(self.line.now() + seconds, self.deadline)
         while True:
             frame = self.framer.next()
             if frame is not None:
@@ -72,6 +85,8 @@ class Session:
                     return frame
             elif (left := end - self.line.now()) > 0:
                 self.framer.feed(self.line.read(left))
+            elif end == self.deadline:
+                raise OutOfTime(f"the limit of {self.deadline - self.started:g} s is over")
             else:
                 raise HostTimeout(f"no {' or '.join(wire.NAMES[m] for m in messages)} within {seconds} s")
 

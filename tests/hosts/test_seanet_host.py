@@ -16,7 +16,7 @@ import seanet_styles as styles
 import seanet_wire as wire
 from scripted_head import ScriptedHead, ScriptedLine
 from seanet_handshakes import HANDSHAKES
-from seanet_session import HostConfused, HostTimeout, Session
+from seanet_session import HostConfused, HostTimeout, OutOfTime, Session
 from seanet_styles import Settings
 from shared_data import needs_data
 
@@ -290,6 +290,10 @@ class Conversations(unittest.TestCase):
         for style in HANDSHAKES:
             with self.subTest(style), self.assertRaises(HostTimeout):
                 self.talk(style, spoil=lambda data: b"", warm=False)
+
+    def test_the_overall_limit_ends_even_what_would_be_retried(self):
+        with self.assertRaises(OutOfTime):
+            self.talk("mcgill", spoil=lambda data: b"", warm=False, limit=3.0)
 
     def test_unknown_action_is_refused(self):
         with self.assertRaises(ValueError):
