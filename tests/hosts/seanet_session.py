@@ -23,7 +23,7 @@ class OutOfTime(Exception):
 
 
 class Session:
-    """The state that all styles share. `style` picks the HeadCommand, `profile` is dst or miniking, `limit` in seconds."""
+    """The state that all styles share. `style` picks the HeadCommand, `profile` is dst or miniking."""
 
     def __init__(
         self,
