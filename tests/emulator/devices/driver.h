@@ -1,0 +1,124 @@
+// What device tests share: a device on a bench, driven by literal bytes and times, with echoes made up by the
+// test.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emulator/device.h"
+#include "emulator/model.h"
+#include "emulator/options.h"
+
+namespace echoloop::test {
+
+inline Bytes from_hex(const std::string& text) {
+    Bytes bytes;
+    std::string digits;
+    for (char c : text)
+        if (c != ' ') digits += c;
+    for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+        bytes.push_back(static_cast<std::uint8_t>(std::stoi(digits.substr(i, 2), nullptr, 16)));
+    return bytes;
+}
+
+inline std::string to_hex(ByteView bytes) {
+    std::string text;
+    char digits[3];
+    for (std::uint8_t byte : bytes) {
+        std::snprintf(digits, sizeof digits, "%02x", byte);
+        text += digits;
+    }
+    return text;
+}
+
+/// An echogram for a shot: silence with one echo of `power` in bin `bin` of every beam.
+inline Echogram echo_of(const Shot& shot, std::size_t bin, float power) {
+    Echogram echogram;
+    echogram.shot = shot;
+    echogram.sound_speed = 1500;
+    echogram.values.assign(shot.bearings.size() * shot.bins, 0.0F);
+    echogram.truth.resize(shot.bearings.size());
+    if (bin < shot.bins)
+        for (std::size_t beam = 0; beam < shot.bearings.size(); ++beam)
+            echogram.values[beam * shot.bins + bin] = power;
+    return echogram;
+}
+
+/// A model's device with default options, some of them changed.
+inline std::unique_ptr<Device> make_device(const std::string& model, std::vector<std::string> endpoints = {},
+                                           const Options& changes = {}) {
+    const Model& row = *find_model(model);
+    DeviceConfig config;
+    config.name = "under test";
+    config.endpoints = endpoints.empty() ? row.default_endpoints : std::move(endpoints);
+    config.options = default_options(row);
+    for (const auto& [name, value] : changes) config.options.at(name) = value;
+    return row.make(config);
+}
+
+/// Plays the session: keeps the time, the pending wake-up and ping, and everything the device has sent.
+class Bench {
+  public:
+    explicit Bench(std::unique_ptr<Device> device) : device_(std::move(device)) {
+        take(device_->started(now));
+    }
+
+    void say(ByteView bytes, std::size_t port = 0, Address from = {}) {
+        take(device_->received({port, bytes, from}, now));
+    }
+    void say(const std::string& hex, std::size_t port = 0, Address from = {}) {
+        say(from_hex(hex), port, from);
+    }
+
+    /// Lets time pass to `end`; wake-ups and echoes come when they are due. Echoes are silence unless `echo`
+    /// says so.
+    void run_to(Time end) {
+        while (true) {
+            const Time ping_due = ping ? ping->due : Time::max();
+            const Time next = std::min(wake, ping_due);
+            if (next > end) break;
+            now = next;
+            if (ping_due <= wake)
+                hear();
+            else {
+                wake = Time::max();
+                take(device_->woken(now));
+            }
+        }
+        now = end;
+    }
+
+    /// Delivers the echogram of the pending ping at its time.
+    void hear() {
+        const Ping done = *ping;
+        ping.reset();
+        now = std::max(now, done.due);
+        shots.push_back(done.shot);
+        take(device_->heard(echo_of(done.shot, echo_bin, echo_power), now));
+    }
+
+    Device& device() { return *device_; }
+    /// Everything sent since the last call.
+    std::vector<Send> sent() { return std::exchange(sent_, {}); }
+
+    Time now{}, wake = Time::max();
+    std::optional<Ping> ping;
+    std::vector<Shot> shots;  ///< of the pings heard so far
+    std::size_t echo_bin = static_cast<std::size_t>(-1);
+    float echo_power = 0;
+
+  private:
+    void take(Actions actions) {
+        for (Send& send : actions.send) sent_.push_back(std::move(send));
+        if (actions.wake) wake = *actions.wake;
+        if (actions.ping) ping = std::move(actions.ping);
+    }
+
+    std::unique_ptr<Device> device_;
+    std::vector<Send> sent_;
+};
+
+}  // namespace echoloop::test

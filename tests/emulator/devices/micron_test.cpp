@@ -1,0 +1,408 @@
+// The Micron as its drivers see it: literal bytes in, literal bytes out, at given times. Offsets are those of
+// the SeaNet notes, read here without the project's own codec.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/emulator/devices/driver.h"
+
+namespace echoloop::test {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+
+const std::string send_data = "40303030430c00ff0207198002000000000a";
+const std::string reboot = "40303030380800ff02031080020a";
+const std::string send_version = "40303030380800ff02031780020a";
+const std::string send_bb_user = "40303030380800ff02031880020a";
+const std::string stop_alives = "40303030380800ff02034280020a";
+const std::string reverse = "40303030390900ff02041380020f0a";
+// 50 % gain, low 10 dB, span 30 dB
+const std::string gain_block = "40303031391900ff02141380021e5f5f1f1f6969000064006400000000000a";
+// A public driver's own bytes: 0x1D, 10 m, 200 bins, ADInterval 104, step 31, MoTime 25, continuous, 8 bit
+const std::string continuous =
+    "40303034434c00ff02471380021d8323020000000000000000000000000000000000006400000000005108545400000000191f68"
+    "00c800"
+    "e8031534400601000000000000000000000000000000000000000a";
+const std::string four_bit =
+    "40303034434c00ff02471380021d8223020000000000000000000000000000000000006400000000005108545400000000191f68"
+    "00c800"
+    "e8031534400601000000000000000000000000000000000000000a";
+// The same in a sector from 2399 to 3999 (+45 to -45 deg)
+const std::string sector =
+    "40303034434c00ff02471380021d81230200000000000000000000000000000000000064005f099f0f5108545400000000191f68"
+    "00c800"
+    "e8031534400601000000000000000000000000000000000000000a";
+// Another driver's 0x01: 10 m, 400 bins, step 32, clockwise
+const std::string clockwise =
+    "40303033433c00ff023713800201072311000000000000000000000000000000000000640060099f0fff00696900000000192035"
+    "009001"
+    "f40164004006010000000a";
+const std::string profiler_command =
+    "40303034434c00ff14471380141d822305cccccc0499999909d7a37008a3703d0d3e0096005f099f0f32146b64720096001958cb"
+    "000000"
+    "00004c05400601000000323201146b6b64646e009600000000000a";
+
+int u16(const Bytes& bytes, std::size_t at) { return bytes[at] | bytes[at + 1] << 8; }
+
+struct Alive {
+    int parameters, head_inf;
+    bool operator==(const Alive&) const = default;
+};
+void PrintTo(const Alive& a, std::ostream* out) { *out << std::hex << a.head_inf << "/" << a.parameters; }
+
+std::vector<Alive> alives(const std::vector<Send>& sent) {
+    std::vector<Alive> found;
+    for (const Send& s : sent)
+        if (s.bytes.at(10) == 4) found.push_back({s.bytes.at(13), s.bytes.at(20)});
+    return found;
+}
+
+std::vector<Bytes> lines(const std::vector<Send>& sent) {
+    std::vector<Bytes> found;
+    for (const Send& s : sent)
+        if (s.bytes.at(10) == 2) found.push_back(s.bytes);
+    return found;
+}
+
+std::vector<int> bearings(const std::vector<Send>& sent) {
+    std::vector<int> found;
+    for (const Bytes& line : lines(sent)) found.push_back(u16(line, 40));
+    return found;
+}
+
+Bench powered_up(const Options& changes = {}) { return Bench(make_device("tritech-micron", {}, changes)); }
+
+/// Centred, with parameters, nothing pending.
+Bench scanning(const std::string& command, const Options& changes = {}) {
+    Bench bench = powered_up(changes);
+    bench.run_to(4s);
+    bench.say(command);
+    bench.sent();
+    return bench;
+}
+
+TEST(MicronBoot, FirstAliveComesAfterASecondAndIsExact) {
+    Bench bench = powered_up();
+    bench.run_to(999ms);
+    EXPECT_TRUE(bench.sent().empty());
+    bench.run_to(1s);
+    const auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 1u);
+    EXPECT_EQ(to_hex(sent[0].bytes), "4030303130100002ff0b04800280e8030000800c5d0a");
+}
+
+TEST(MicronBoot, AlivesFollowTheVendorsSequence) {
+    Bench bench = powered_up();
+    bench.run_to(5s);
+    EXPECT_THAT(alives(bench.sent()), ElementsAre(Alive{0x80, 0x5D}, Alive{0x80, 0x4D}, Alive{0x80, 0x4D},
+                                                  Alive{0x80, 0x4A}, Alive{0x80, 0x4A}));
+}
+
+TEST(MicronBoot, ParametersAreAcknowledgedAtOnceAndThenInForce) {
+    Bench bench = powered_up();
+    bench.run_to(4500ms);
+    bench.sent();
+    bench.say(continuous);
+    EXPECT_THAT(alives(bench.sent()), ElementsAre(Alive{0x80, 0xCA}));
+    bench.run_to(5s);
+    EXPECT_THAT(alives(bench.sent()), ElementsAre(Alive{0x00, 0x8A}));
+    bench.say(continuous);  // a driver that repeats its parameters until they are in force
+    EXPECT_THAT(alives(bench.sent()), ElementsAre(Alive{0x00, 0x8A}));
+}
+
+TEST(MicronBoot, ParametersAreTakenWhileRecentring) {
+    Bench bench = powered_up();
+    bench.run_to(1200ms);
+    bench.sent();
+    bench.say(clockwise);
+    EXPECT_THAT(alives(bench.sent()), ElementsAre(Alive{0x80, 0xDD}));
+    bench.run_to(4s);
+    EXPECT_THAT(alives(bench.sent()), ElementsAre(Alive{0x80, 0xCD}, Alive{0x80, 0xCD}, Alive{0x80, 0xCA}));
+    bench.run_to(5s);
+    EXPECT_THAT(alives(bench.sent()), ElementsAre(Alive{0x00, 0x8A}));
+}
+
+TEST(MicronBoot, RebootForgetsParametersAndBeginsAgain) {
+    Bench bench = scanning(clockwise);
+    bench.say(send_data);
+    bench.say(reboot);
+    bench.sent();
+    bench.run_to(bench.now + 2s);
+    const auto sent = bench.sent();
+    EXPECT_THAT(alives(sent), ElementsAre(Alive{0x80, 0x5D}, Alive{0x80, 0x4D}));
+    EXPECT_TRUE(lines(sent).empty()) << "the ping under way at the reboot must not be answered";
+}
+
+TEST(MicronBoot, StopAlivesLastsUntilReboot) {
+    Bench bench = powered_up();
+    bench.say(stop_alives);
+    bench.run_to(10s);
+    EXPECT_TRUE(bench.sent().empty());
+    bench.say(reboot);
+    bench.run_to(11s);
+    EXPECT_THAT(alives(bench.sent()), ElementsAre(Alive{0x80, 0x5D}));
+}
+
+TEST(MicronBoot, UserBlockIsFollowedByFpgaMessagesOnDstOnly) {
+    Bench dst = powered_up();
+    dst.run_to(4s);
+    dst.sent();
+    dst.say(send_bb_user);
+    const auto sent = dst.sent();
+    ASSERT_EQ(sent.size(), 3u);
+    EXPECT_EQ(sent[0].bytes.size(), 264u);
+    EXPECT_EQ(sent[0].bytes[10], 6);
+    EXPECT_EQ(sent[0].bytes[19], 0x0F);
+    EXPECT_EQ(sent[0].bytes[146], 0) << "full duplex";
+    EXPECT_EQ(sent[1].bytes.size(), 80u);
+    EXPECT_EQ(sent[1].bytes[10], 63);
+    EXPECT_EQ(sent[2].bytes.size(), 28u);
+    EXPECT_EQ(sent[2].bytes[10], 57);
+    dst.run_to(5s);
+    EXPECT_THAT(alives(dst.sent()), ElementsAre(Alive{0x80, 0xCA})) << "NoParams and SentCfg";
+
+    Bench miniking = powered_up({{"profile", std::string("miniking")}});
+    miniking.run_to(4s);
+    miniking.sent();
+    miniking.say(send_bb_user);
+    const auto other = miniking.sent();
+    ASSERT_EQ(other.size(), 1u);
+    EXPECT_NE(other[0].bytes[19], 0x0F);
+}
+
+TEST(MicronBoot, VersionIsAnswered) {
+    Bench bench = powered_up();
+    bench.say(send_version);
+    const auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 1u);
+    EXPECT_EQ(sent[0].bytes.size(), 25u);
+    EXPECT_EQ(sent[0].bytes[10], 1);
+    EXPECT_EQ(u16(sent[0].bytes, 15), 1234);
+}
+
+TEST(MicronLine, PingFollowsTheParameters) {
+    Bench bench = scanning(continuous);
+    bench.say(send_data);
+    ASSERT_TRUE(bench.ping);
+    const Shot& shot = bench.ping->shot;
+    EXPECT_EQ(shot.bins, 200u);
+    EXPECT_DOUBLE_EQ(shot.bin_interval, 104 * 640e-9);
+    EXPECT_NEAR(shot.beam_width, deg_to_rad(3), 1e-12);
+    EXPECT_NEAR(shot.fan_height, deg_to_rad(35), 1e-12);
+    // 2R/c = 200 * 104 * 640 ns = 13.312 ms, motor 31 * 250 us = 7.75 ms
+    EXPECT_NEAR(to_seconds(bench.ping->due - bench.now), 0.021062, 1e-6);
+}
+
+TEST(MicronLine, ReplyEchoesTheCommandAndCarriesTheLevels) {
+    Bench bench = scanning(continuous);
+    bench.echo_bin = 120;
+    bench.echo_power = 1e13F;  // 130 dB re 1 uPa
+    bench.say(send_data);
+    bench.hear();
+    const auto found = lines(bench.sent());
+    ASSERT_EQ(found.size(), 1u);
+    const Bytes& line = found[0];
+    ASSERT_EQ(line.size(), 245u);
+    EXPECT_EQ(to_hex(ByteView(line).first(20)), "4030304546ef0002ff00028002e7001110008323");
+    EXPECT_EQ(line[9], 0) << "byte 9";
+    EXPECT_EQ(u16(line, 13), 200 + 31);
+    EXPECT_EQ(line[15], 0x11);
+    EXPECT_EQ(line[16], 0x10) << "8-bit data";
+    EXPECT_EQ(u16(line, 18), 0x2383);
+    EXPECT_EQ(u16(line, 20), 100) << "RangeScale echo";
+    EXPECT_EQ(line[26], 0x54) << "gain";
+    EXPECT_EQ(line[29], 0x51) << "ADSpan";
+    EXPECT_EQ(line[30], 0x08) << "ADLow";
+    EXPECT_EQ(u16(line, 33), 104);
+    EXPECT_EQ(line[39], 31);
+    EXPECT_EQ(u16(line, 40), 3200);
+    EXPECT_EQ(u16(line, 42), 200);
+    // R = 120.5 * 104 * 640 ns * 1500 / 2 = 6.015 m; 130 + 30 log R + 0.4 R + 80 * 84/210 - 152 = 35.78 dB of
+    // 80
+    EXPECT_EQ(line[44 + 120], std::lround(255 * 35.784 / 80));
+    EXPECT_EQ(line[44 + 119], 0);
+    EXPECT_EQ(line.back(), 0x0A);
+}
+
+TEST(MicronLine, TwoLinesPerRequestAndNoMore) {
+    Bench bench = scanning(clockwise);
+    bench.say(send_data);
+    bench.run_to(bench.now + 900ms);
+    EXPECT_THAT(bearings(bench.sent()), ElementsAre(3200, 3232));
+    bench.say(send_data);
+    bench.run_to(bench.now + 900ms);
+    EXPECT_THAT(bearings(bench.sent()), ElementsAre(3264, 3296));
+}
+
+TEST(MicronLine, SecondLineWaitsForTheSerialPort) {
+    Bench bench = scanning(clockwise);
+    bench.say(send_data);
+    const Time first = bench.ping->due;
+    bench.hear();
+    EXPECT_FALSE(bench.ping);
+    // 445 bytes at 115200 8N1
+    EXPECT_NEAR(to_seconds(bench.wake - first), 445 * 10 / 115200.0, 1e-6);
+}
+
+TEST(MicronLine, SurplusRequestsMergeOrQueue) {
+    Bench merging = scanning(clockwise);
+    for (int i = 0; i < 5; ++i) merging.say(send_data);
+    merging.run_to(merging.now + 5s);
+    EXPECT_EQ(lines(merging.sent()).size(), 4u) << "one pair at hand, one pending";
+
+    Bench queueing =
+        scanning(clockwise, {{"surplus_requests", std::string("queue")}, {"replies", std::int64_t{1}}});
+    for (int i = 0; i < 5; ++i) queueing.say(send_data);
+    queueing.run_to(queueing.now + 5s);
+    EXPECT_EQ(lines(queueing.sent()).size(), 5u);
+}
+
+TEST(MicronLine, RequestsBeforeTheHeadIsReadyAreIgnored) {
+    Bench bench = powered_up();
+    bench.run_to(4s);
+    bench.say(send_data);
+    EXPECT_FALSE(bench.ping);
+    Bench centring = powered_up();
+    centring.run_to(1s);
+    centring.say(clockwise);
+    centring.say(send_data);
+    centring.sent();
+    centring.run_to(8s);
+    EXPECT_TRUE(lines(centring.sent()).empty());
+    Bench later = powered_up({{"early_request", std::string("answer-later")}});
+    later.run_to(1s);
+    later.say(clockwise);
+    later.say(send_data);
+    later.run_to(8s);
+    EXPECT_EQ(lines(later.sent()).size(), 2u);
+}
+
+TEST(MicronLine, AlivesPauseWhileLinesAreServed) {
+    Bench bench = scanning(clockwise);
+    for (int i = 0; i < 40; ++i) {
+        bench.say(send_data);
+        bench.run_to(bench.now + 150ms);
+    }
+    EXPECT_TRUE(alives(bench.sent()).empty());
+    bench.run_to(bench.now + 1500ms);
+    EXPECT_EQ(alives(bench.sent()).size(), 1u);
+}
+
+TEST(MicronLine, FourBitBinsArePackedHighHalfFirst) {
+    Bench bench = scanning(four_bit);
+    bench.echo_bin = 120;
+    bench.echo_power = 1e30F;
+    bench.say(send_data);
+    bench.hear();
+    const auto found = lines(bench.sent());
+    ASSERT_EQ(found[0].size(), 145u);
+    EXPECT_EQ(u16(found[0], 42), 100);
+    EXPECT_EQ(found[0][16], 0);
+    EXPECT_EQ(found[0][44 + 60], 0xF0);
+    Bench low = scanning(four_bit, {{"nibble_order", std::string("low-first")}});
+    low.echo_bin = 120;
+    low.echo_power = 1e30F;
+    low.say(send_data);
+    low.hear();
+    EXPECT_EQ(lines(low.sent())[0][44 + 60], 0x0F);
+}
+
+TEST(MicronLine, NewParametersEndTheLineUnderWay) {
+    Bench bench = scanning(clockwise);
+    bench.say(send_data);
+    bench.say(continuous);
+    bench.sent();
+    bench.run_to(bench.now + 900ms);
+    EXPECT_TRUE(lines(bench.sent()).empty()) << "a driver would reject a line with the old settings";
+}
+
+TEST(MicronLine, GainBlockCountsFromTheNextLineOn) {
+    Bench bench = scanning(clockwise);
+    bench.say(gain_block);
+    bench.say(send_data);
+    bench.hear();
+    const Bytes line = lines(bench.sent()).at(0);
+    EXPECT_EQ(line[29], 0x5F);
+    EXPECT_EQ(line[30], 0x1F);
+    EXPECT_EQ(line[26], 0x69);
+}
+
+TEST(MicronScan, AnticlockwiseWithoutScanright) {
+    Bench bench = scanning(continuous);
+    bench.say(send_data);
+    bench.run_to(bench.now + 500ms);
+    EXPECT_THAT(bearings(bench.sent()), ElementsAre(3200, 3169));
+    EXPECT_NEAR(bench.shots[0].pan, 0, 1e-12);
+    EXPECT_NEAR(bench.shots[1].pan, -31 * deg_to_rad(0.05625), 1e-9) << "to port";
+}
+
+TEST(MicronScan, ReverseTurnsAtOnceAndShowsInHdCtrl) {
+    Bench bench = scanning(clockwise);
+    bench.say(send_data);
+    bench.run_to(bench.now + 500ms);
+    bench.say(reverse);
+    bench.say(send_data);
+    bench.run_to(bench.now + 500ms);
+    const auto sent = bench.sent();
+    EXPECT_THAT(bearings(sent), ElementsAre(3200, 3232, 3264, 3232));
+    EXPECT_EQ(u16(lines(sent)[0], 18), 0x2307);
+    EXPECT_EQ(u16(lines(sent)[2], 18), 0x2303);
+}
+
+TEST(MicronScan, SectorStartsLeftPingsEachLimitOnceAndCutsTheLastStep) {
+    Bench bench = scanning(sector);
+    for (int i = 0; i < 55; ++i) {
+        bench.say(send_data);
+        bench.run_to(bench.now + 200ms);
+    }
+    const auto found = lines(bench.sent());
+    ASSERT_EQ(found.size(), 110u);
+    EXPECT_EQ(u16(found[0], 40), 2399);
+    EXPECT_EQ(found[0][17], 1) << "sweep code at the left limit";
+    EXPECT_EQ(u16(found[51], 40), 2399 + 51 * 31);
+    EXPECT_EQ(u16(found[52], 40), 3999) << "1600 is no multiple of 31";
+    EXPECT_EQ(found[52][17], 2) << "sweep code at the right limit";
+    EXPECT_EQ(u16(found[53], 40), 3968);
+    EXPECT_EQ(found[53][17], 0);
+    EXPECT_EQ(u16(found[104], 40), 2399);
+    EXPECT_EQ(u16(found[105], 40), 2430);
+    EXPECT_EQ(u16(found[0], 35), 2399) << "limits are echoed raw";
+    EXPECT_EQ(u16(found[0], 37), 3999);
+}
+
+TEST(MicronNoise, GarbageTruncationAndOthersCommandsAreNotAnswered) {
+    Bench bench = scanning(clockwise);
+    bench.say("ffffffff40404030303030");
+    bench.say(profiler_command);
+    bench.say("403030304104000002000a0a");
+    std::string cut = clockwise.substr(0, clockwise.size() - 20);
+    bench.say(cut);
+    EXPECT_TRUE(bench.sent().empty());
+    EXPECT_FALSE(bench.ping);
+    EXPECT_GT(bench.device().counters().rejected, 0u);
+    bench.device().reconnected(0);  // the driver died in mid-frame; the next one finds a clean line
+    bench.say(send_version);
+    EXPECT_EQ(bench.sent().size(), 1u);
+    EXPECT_GT(bench.device().counters().skipped_bytes, 0u);
+}
+
+TEST(MicronNoise, UnusableParametersAreDropped) {
+    Bench bench = powered_up();
+    bench.run_to(4s);
+    bench.sent();
+    std::string no_bins = clockwise;
+    no_bins.replace(2 * 53, 4, "0000");
+    bench.say(no_bins);
+    EXPECT_TRUE(bench.sent().empty());
+    std::string all_ones = clockwise;
+    all_ones.replace(2 * 14, 2 * 51, std::string(2 * 51, 'f'));
+    bench.say(all_ones);
+    bench.say(send_data);
+    ASSERT_TRUE(bench.ping) << "the largest values of every field still make a ping";
+    EXPECT_EQ(bench.ping->shot.bins, 1500u);
+    EXPECT_LE(bench.ping->shot.bins * bench.ping->shot.bin_interval, 10.0 + 1e-9);
+}
+
+}  // namespace
+}  // namespace echoloop::test
