@@ -42,7 +42,13 @@ class Framer {
     void clear();
 
   private:
-    std::optional<Frame> at_begin();
+    /// What the '@' at begin_ turned out to be: a frame of so many bytes, nothing, or not to be told yet.
+    struct Step {
+        std::optional<Frame> frame{};
+        std::size_t bytes = 0;
+        bool wait = false;
+    };
+    Step at_begin() const;
     void skip(std::size_t count);
 
     Lengths lengths_;

@@ -1,0 +1,5 @@
+// All field tables of SeaNet. Includes only.
+#pragma once
+
+#include "protocols/seanet/command_layouts.h"  // IWYU pragma: export
+#include "protocols/seanet/reply_layouts.h"    // IWYU pragma: export
