@@ -1,0 +1,111 @@
+"""Reads the includes of a source tree and names those that break its module graph. Compiles nothing.
+
+    tools ----> emulator ----> protocols        protocols   standard library only
+      |            '---------> render           render      knows no protocol and no emulator
+      '--> protocols, render                    emulator    devices see no GL, asio, clock or scenario
+
+A rule says which of the project's files and which libraries a file may include; the first rule that fits counts.
+"""
+import pathlib
+import re
+from dataclasses import dataclass
+
+MODULES = ("protocols", "render", "emulator", "tools", "tests")
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
+
+PURE = r"emulator/(device|model|options|endpoint)\.h|render/(echogram|pose)\.h"
+STANDARD = r"[a-z0-9_]+"  # <vector>; any other library has a slash or a suffix
+GRAPHICS = r"(GL|EGL|glm|embree\d?)/.*|tiny_gltf\.h"
+NETWORK = r"boost/.*|libserialport\.h|pcap.*"
+USER_INTERFACE = r"CLI/.*|yaml-cpp/.*|png\.h"
+
+
+@dataclass
+class Rule:
+    files: str                 # pattern of the including file
+    allowed: str               # pattern of the project's files that it may include
+    libraries: str = ".*"      # pattern of other headers that it may include
+    forbidden: str = r"(?!)"   # pattern of any header that it must not include all the same
+
+
+RULES = [
+    Rule(r"protocols/.*", r"protocols/.*", STANDARD),
+    Rule(r"render/(echogram|pose)\.h", r"render/pose\.h", STANDARD),
+    Rule(r"render/.*", r"render/.*", forbidden=f"{NETWORK}|{USER_INTERFACE}"),
+    Rule(r"emulator/(device|model|options|endpoint)\.h", PURE, STANDARD),
+    Rule(r"emulator/devices/([^/]+)/.*", rf"{PURE}|protocols/.*|emulator/devices/\1/.*", STANDARD),
+    Rule(r"emulator/models\.cpp", rf"{PURE}|emulator/devices/.*", STANDARD),
+    Rule(r"emulator/transport/.*", r"emulator/.*", forbidden=rf"emulator/(devices|scenario)/.*|{GRAPHICS}"),
+    Rule(r"emulator/scenario/.*", r"(emulator|render)/.*", forbidden=rf"emulator/(devices|transport)/.*|{GRAPHICS}"),
+    Rule(r"emulator/.*", r"(emulator|render|protocols)/.*", forbidden=rf"emulator/devices/.*|{GRAPHICS}"),
+    Rule(r"tools/.*", r"(tools|emulator|render|protocols)/.*"),
+    Rule(r"tests/.*", r".*"),
+]
+
+
+def sources(root):
+    """Paths of all headers and sources of the modules, relative to the root."""
+    return sorted(path.relative_to(root).as_posix() for module in MODULES for path in (root / module).rglob("*")
+                  if path.suffix in (".h", ".hpp", ".cpp", ".cc", ".inc"))
+
+
+def without_comments(text):
+    return re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.DOTALL)
+
+
+def includes(root, name):
+    """(header, whether it belongs to the project) for each include of a file."""
+    for quote, header in INCLUDE.findall(without_comments((root / name).read_text(errors="replace"))):
+        yield header, quote == '"' or header.split("/")[0] in MODULES
+
+
+def rule_faults(name, header, own):
+    for rule in RULES:
+        match = re.fullmatch(rule.files, name)
+        if match:
+            allowed = match.expand(rule.allowed) if match.groups() and r"\1" in rule.allowed else rule.allowed
+            good = re.fullmatch(allowed if own else rule.libraries, header)
+            if not good or re.fullmatch(rule.forbidden, header):
+                yield f"{name} must not include {header} (rule for {rule.files})"
+            return
+    yield f"{name}: no rule for its folder"
+
+
+def cycle(graph):
+    """One cycle of headers as a list of names, or an empty list."""
+    done, path = set(), []
+
+    def visit(name):
+        if name in path:
+            return path[path.index(name):] + [name]
+        if name in done:
+            return []
+        path.append(name)
+        for header in graph.get(name, ()):
+            found = visit(header)
+            if found:
+                return found
+        path.pop()
+        done.add(name)
+        return []
+
+    for name in sorted(graph):
+        found = visit(name)
+        if found:
+            return found
+    return []
+
+
+def faults(root):
+    """One sentence for each include that the module graph does not allow, in order of files."""
+    root, result, graph = pathlib.Path(root), [], {}
+    for name in sources(root):
+        graph[name] = []
+        for header, own in includes(root, name):
+            result += rule_faults(name, header, own)
+            if own and not (root / header).is_file():
+                result.append(f"{name} includes {header}, which does not exist (paths start at the root)")
+            elif own:
+                graph[name].append(header)
+    ring = cycle(graph)
+    return result + ([f"headers include each other: {' -> '.join(ring)}"] if ring else [])
