@@ -1,0 +1,86 @@
+#include "render/fan/binning.h"
+
+#include <cmath>
+
+#include "render/fan/line_bins.h"
+
+namespace echoloop {
+namespace {
+
+/// The pixels of one line with their weights.
+struct Line {
+    std::span<const Pixel> pixels;
+    std::span<const float> weights;
+};
+
+Line line_of(const BinningInput& in, std::size_t line, const std::vector<float>& weights) {
+    const std::size_t first = line * in.plan.samples;
+    return {in.pixels.subspan(first, in.plan.samples), std::span(weights).subspan(first, in.plan.samples)};
+}
+
+/// Deposits amount(pixel, weight) for every pixel of the line that shows a surface within the fan.
+template <typename Amount>
+void bin_line(const BinningInput& in, const Line& line, LineBins& bins, const Amount& amount) {
+    const auto per_metre = static_cast<float>(1 / in.bin_length);
+    const auto start = static_cast<float>(in.first_range / in.bin_length);
+    for (std::size_t i = 0; i < line.pixels.size(); ++i) {
+        const Pixel& pixel = line.pixels[i];
+        if (pixel.surface == 0 || line.weights[i] == 0) continue;
+        const float centre = pixel.range * per_metre - start, half = 0.5F * pixel.footprint * per_metre;
+        bins.deposit(centre - half, centre + half, amount(pixel, line.weights[i]));
+    }
+}
+
+/// Runs `fill(line, bins)` for every line and adds its bins to the beams that it belongs to, in the order of
+/// lines.
+template <typename Fill>
+void gather(const BinningInput& in, std::vector<float>& values, const Fill& fill) {
+    LineBins bins(in.bins);
+    for (std::size_t line = 0; line < in.plan.lines; ++line) {
+        const std::uint32_t first = in.plan.first_share[line], last = in.plan.first_share[line + 1];
+        if (first == last) continue;
+        bins.clear();
+        fill(line, bins);
+        for (std::uint32_t i = first; i < last; ++i)
+            bins.add_to(&values[in.plan.shares[i].beam * in.bins], in.plan.shares[i].weight);
+    }
+}
+
+void bin_radiometric(const BinningInput& in, std::vector<float>& values) {
+    std::vector<float> strength;  // per surface: SL mu
+    for (const float mu : in.mu) strength.push_back(static_cast<float>(in.source_power * mu));
+    const auto decay = static_cast<float>(-4 * in.absorption);
+    const auto power = [&](const Pixel& pixel, float solid_angle) {
+        const float spreading = std::exp(decay * pixel.range) / (pixel.range * pixel.range);
+        return strength[static_cast<std::size_t>(pixel.surface) - 1] * pixel.cosine * solid_angle * spreading;
+    };
+    gather(in, values, [&](std::size_t line, LineBins& bins) {
+        bin_line(in, line_of(in, line, in.plan.solid_angle), bins, power);
+    });
+}
+
+void bin_cerqueira(const BinningInput& in, std::vector<float>& values) {
+    std::vector<float> pixels(values.size());
+    const auto share = [](const Pixel&, float coverage) { return coverage; };
+    const auto echo = [](const Pixel& pixel, float coverage) {
+        return coverage * cerqueira_sigmoid(pixel.cosine);
+    };
+    gather(in, pixels, [&](std::size_t line, LineBins& bins) {
+        bin_line(in, line_of(in, line, in.plan.coverage), bins, share);
+    });
+    gather(in, values, [&](std::size_t line, LineBins& bins) {
+        bin_line(in, line_of(in, line, in.plan.coverage), bins, echo);
+    });
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = pixels[i] > 0 ? values[i] / pixels[i] : 0;
+}
+
+}  // namespace
+
+void bin_pixels(const BinningInput& input, std::vector<float>& values) {
+    values.assign(input.beams * input.bins, 0.0F);
+    input.rule == EchoRule::radiometric ? bin_radiometric(input, values) : bin_cerqueira(input, values);
+}
+
+float cerqueira_sigmoid(float cosine) { return 1 / (1 + std::exp(-18 * (cosine - 2.0F / 3))); }
+
+}  // namespace echoloop

@@ -1,0 +1,59 @@
+#include "render/fan/culling.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace echoloop {
+namespace {
+
+double at(const std::array<float, 3>& v, std::size_t axis) { return static_cast<double>(v[axis]); }
+
+double distance_to(const Bounds& box, Vec3 p) {
+    const double coordinates[3] = {p.x, p.y, p.z};
+    double squares = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double outside =
+            std::max({at(box.min, axis) - coordinates[axis], coordinates[axis] - at(box.max, axis), 0.0});
+        squares += outside * outside;
+    }
+    return std::sqrt(squares);
+}
+
+/// True when the box lies wholly on the negative side of the plane through `eye`.
+bool behind(const Bounds& box, Vec3 eye, Vec3 normal) {
+    const Vec3 farthest{normal.x > 0 ? at(box.max, 0) : at(box.min, 0),
+                        normal.y > 0 ? at(box.max, 1) : at(box.min, 1),
+                        normal.z > 0 ? at(box.max, 2) : at(box.min, 2)};
+    return dot(farthest - eye, normal) < 0;
+}
+
+/// Inward normals of the four sides of the view's pyramid, in the world.
+std::array<Vec3, 4> side_planes(const View& view, const Pose& world_from_fan, double margin) {
+    const Quat q = world_from_fan.orientation * view.fan_from_view();
+    const Vec3 forward = rotate(q, {1, 0, 0}), starboard = rotate(q, {0, -1, 0}), up = rotate(q, {0, 0, 1});
+    return {starboard - (view.left - margin) * forward, (view.right + margin) * forward - starboard,
+            up - (view.bottom - margin) * forward, (view.top + margin) * forward - up};
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> visible_chunks(const Scene& scene, const View& view, const Pose& world_from_fan,
+                                          double end_range, double margin) {
+    const auto planes = side_planes(view, world_from_fan, margin);
+    const Vec3 eye = world_from_fan.position;
+    std::vector<std::pair<double, std::uint32_t>> found;
+    for (std::uint32_t i = 0; i < scene.chunks().size(); ++i) {
+        const Bounds& box = scene.chunks()[i].bounds;
+        const double distance = distance_to(box, eye);
+        if (distance > end_range) continue;
+        if (std::none_of(planes.begin(), planes.end(), [&](Vec3 normal) { return behind(box, eye, normal); }))
+            found.emplace_back(distance, i);
+    }
+    std::sort(found.begin(), found.end());  // nearest first, so that depth tests save shading
+    std::vector<std::uint32_t> out;
+    for (const auto& [distance, chunk] : found) out.push_back(chunk);
+    return out;
+}
+
+}  // namespace echoloop

@@ -1,0 +1,81 @@
+#include "render/fan/truth.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace echoloop {
+namespace {
+
+constexpr float nothing = std::numeric_limits<float>::infinity();
+
+/// Nearest range per line among the pixels within the fan's height.
+std::vector<float> nearest_of_lines(const FanPlan& plan, std::span<const Pixel> pixels) {
+    std::vector<float> nearest(plan.lines, nothing);
+    for (std::size_t line = 0; line < plan.lines; ++line)
+        for (std::size_t i = line * plan.samples; i < (line + 1) * plan.samples; ++i)
+            if (pixels[i].surface != 0 && plan.coverage[i] > 0)
+                nearest[line] = std::min(nearest[line], pixels[i].range);
+    return nearest;
+}
+
+/// A position between pixel centres along one axis of the image: lower neighbour and the share of the upper
+/// one.
+struct Between {
+    std::size_t lower;
+    float share;
+};
+
+Between between(double position, std::size_t count) {
+    const double at = std::clamp(position - 0.5, 0.0, static_cast<double>(count - 1));
+    const auto lower = std::min(static_cast<std::size_t>(at), count - 2);
+    return {lower, static_cast<float>(at - static_cast<double>(lower))};
+}
+
+/// Range between four pixels of one surface; at an edge that of the nearest pixel.
+float range_between(std::span<const Pixel> pixels, std::size_t samples, Between line, Between sample) {
+    const Pixel* upper = &pixels[line.lower * samples + sample.lower];
+    const Pixel corner[2][2] = {{upper[0], upper[1]}, {upper[samples], upper[samples + 1]}};
+    const Pixel& nearest = corner[line.share > 0.5F][sample.share > 0.5F];
+    for (const auto& row : corner)
+        for (const Pixel& pixel : row) {
+            const float step = 2 * (pixel.footprint + nearest.footprint) + 1e-3F;
+            if (pixel.surface != nearest.surface || std::abs(pixel.range - nearest.range) > step)
+                return nearest.surface != 0 ? nearest.range : BeamTruth{}.axis_range;
+        }
+    if (nearest.surface == 0) return BeamTruth{}.axis_range;
+    const float left = std::lerp(corner[0][0].range, corner[0][1].range, sample.share);
+    const float right = std::lerp(corner[1][0].range, corner[1][1].range, sample.share);
+    return std::lerp(left, right, line.share);
+}
+
+float axis_range(const FanPlan& plan, std::span<const Pixel> pixels, double bearing, PixelOffset offset) {
+    const double first = plan.views.front().bearing + std::atan(plan.views.front().left);
+    const double width = 2 * std::atan(plan.views.front().right);
+    const double turn =
+        std::clamp((bearing - first) / width, 0.0, static_cast<double>(plan.views.size()) - 0.5);
+    const View& view = plan.views[static_cast<std::size_t>(turn)];
+    const double line = (std::tan(bearing - view.bearing) - view.left) / view.line_width() - offset.line;
+    const double sample = view.top / view.sample_height() - offset.sample;
+    Between lines = between(line, view.lines);
+    lines.lower += view.first_line;
+    return range_between(pixels, plan.samples, lines, between(sample, plan.samples));
+}
+
+}  // namespace
+
+std::vector<BeamTruth> find_truth(const FanPlan& plan, std::span<const Pixel> pixels,
+                                  std::span<const double> bearings, PixelOffset offset) {
+    std::vector<BeamTruth> truth(bearings.size());
+    std::vector<float> nearest(bearings.size(), nothing);
+    const auto lines = nearest_of_lines(plan, pixels);
+    for (std::size_t line = 0; line < plan.lines; ++line)
+        for (std::uint32_t i = plan.first_share[line]; i < plan.first_share[line + 1]; ++i)
+            nearest[plan.shares[i].beam] = std::min(nearest[plan.shares[i].beam], lines[line]);
+    for (std::size_t beam = 0; beam < bearings.size(); ++beam) {
+        truth[beam].axis_range = axis_range(plan, pixels, bearings[beam], offset);
+        if (nearest[beam] < nothing) truth[beam].nearest_range = nearest[beam];
+    }
+    return truth;
+}
+
+}  // namespace echoloop

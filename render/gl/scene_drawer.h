@@ -1,0 +1,48 @@
+// Keeps a scene's triangles on the GL side and draws views of it into a float image. Knows nothing of beams
+// or levels.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "render/fan/binning.h"
+#include "render/gl/objects.h"
+#include "render/scene/scene.h"
+
+namespace echoloop::gl {
+
+class SceneDrawer {
+  public:
+    /// Makes the context current on this thread and uploads the scene. Throws std::runtime_error.
+    SceneDrawer(std::unique_ptr<Context> context, std::shared_ptr<const Scene> scene);
+    ~SceneDrawer();
+    SceneDrawer(const SceneDrawer&) = delete;
+    SceneDrawer& operator=(const SceneDrawer&) = delete;
+
+    /// Draws all views of the plan and reads the image back: plan.lines x plan.samples pixels. Surfaces
+    /// beyond `end_range` may be missing. `offset` moves the sample point within every pixel.
+    void draw(const FanPlan& plan, const Pose& world_from_fan, double end_range, PixelOffset offset,
+              std::vector<Pixel>& pixels);
+
+    /// The chunk attributes behind Pixel::surface - 1: index into this.
+    const std::vector<std::uint32_t>& material_of_surface() const { return material_of_surface_; }
+    const Scene& scene() const { return *scene_; }
+    std::string description() const;
+
+  private:
+    void upload();
+    void set_view(const View& view, const Pose& world_from_fan, PixelOffset offset) const;
+    void draw_chunks(const std::vector<std::uint32_t>& chunks, bool double_sided) const;
+
+    std::unique_ptr<Context> context_;
+    std::shared_ptr<const Scene> scene_;
+    Functions gl_;
+    std::unique_ptr<Program> program_;
+    std::unique_ptr<VertexArray> array_;
+    std::unique_ptr<Buffer> vertices_, indices_;
+    std::unique_ptr<FloatTarget> target_;
+    std::vector<std::uint32_t> material_of_surface_, surface_of_chunk_;
+};
+
+}  // namespace echoloop::gl

@@ -1,0 +1,133 @@
+#include "render/renderer.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "render/fan/binning.h"
+#include "render/fan/truth.h"
+#include "render/gl/scene_drawer.h"
+
+namespace echoloop {
+namespace {
+
+void validate(const RendererOptions& options) {
+    if (!(options.columns_per_beam >= 1 && options.columns_per_beam <= 64))
+        throw std::invalid_argument("renderer: columns_per_beam must be within 1..64");
+    if (!(options.pixel_density >= 0.1 && options.pixel_density <= 64))
+        throw std::invalid_argument("renderer: pixel_density must be within 0.1..64");
+}
+
+void validate(const Pose& pose) {
+    const Vec3 p = pose.position;
+    const Quat q = pose.orientation;
+    const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    if (!(norm(p) < 1e7)) throw std::invalid_argument("pose: position must be finite and within 1e7 m");
+    if (!(std::abs(length - 1) < 1e-3))
+        throw std::invalid_argument("pose: orientation must be a unit quaternion");
+}
+
+Pose world_from_fan(const Shot& shot, const Pose& world_from_sonar) {
+    return world_from_sonar * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)};
+}
+
+}  // namespace
+
+class Renderer::Impl {
+  public:
+    Impl(std::shared_ptr<const Scene> scene, Water water, RendererOptions options)
+        : water_(water), options_(std::move(options)), drawer_(checked_context(), std::move(scene)) {
+        for (const std::uint32_t material : drawer_.material_of_surface())
+            mu_.push_back(static_cast<float>(db_to_power(drawer_.scene().materials()[material].mu_db)));
+    }
+
+    Echogram render(const Shot& shot, const Pose& pose) {
+        draw(shot, pose);
+        Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, {}};
+        bin_pixels(
+            {plan_, pixels_, mu_, options_.rule, out.sound_speed / 2 * shot.first_bin_time,
+             out.sound_speed / 2 * shot.bin_interval, shot.bearings.size(), shot.bins,
+             db_to_power(shot.source_level), db_to_neper(absorption_db_per_km(water_, shot.frequency) / 1e3)},
+            out.values);
+        out.truth = find_truth(plan_, pixels_, shot.bearings, offset_of(shot));
+        return out;
+    }
+
+    ChannelImage render_channels(const Shot& shot, const Pose& pose) {
+        draw(shot, pose);
+        ChannelImage image{plan_.lines, plan_.samples, {}, {}, {}};
+        for (std::size_t sample = 0; sample < plan_.samples; ++sample)
+            for (std::size_t line = 0; line < plan_.lines; ++line) add_channels(image, line, sample);
+        return image;
+    }
+
+    const Scene& scene() const { return drawer_.scene(); }
+    const Water& water() const { return water_; }
+    std::string description() const { return drawer_.description(); }
+
+  private:
+    std::unique_ptr<gl::Context> checked_context() const {
+        echoloop::validate(water_);
+        validate(options_);
+        return gl::make_context(options_.context);
+    }
+
+    PixelOffset offset_of(const Shot& shot) const {
+        return options_.jitter ? jitter_of(shot.ping) : PixelOffset{};
+    }
+
+    void draw(const Shot& shot, const Pose& pose) {
+        if (std::this_thread::get_id() != thread_)
+            throw std::logic_error("a Renderer works only on the thread that made it");
+        echoloop::validate(shot);
+        validate(pose);
+        if (const FanGeometry geometry = geometry_of(shot); geometry != geometry_) {
+            plan_ = plan_fan(geometry, {options_.columns_per_beam, options_.pixel_density});
+            geometry_ = geometry;
+        }
+        const double end = echoloop::sound_speed(water_) / 2 *
+                           (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
+        drawer_.draw(plan_, world_from_fan(shot, pose), end, offset_of(shot), pixels_);
+    }
+
+    void add_channels(ChannelImage& image, std::size_t line, std::size_t sample) const {
+        const std::size_t at = line * plan_.samples + sample;
+        const bool seen = pixels_[at].surface != 0 && plan_.coverage[at] > 0;
+        const View& view = plan_.view_of(line);
+        image.intensity.push_back(seen ? pixels_[at].cosine : 0);
+        image.range.push_back(seen ? pixels_[at].range : std::numeric_limits<float>::quiet_NaN());
+        image.bearing.push_back(
+            static_cast<float>(view.bearing_at(static_cast<double>(line - view.first_line) + 0.5)));
+    }
+
+    Water water_;
+    RendererOptions options_;
+    std::thread::id thread_ = std::this_thread::get_id();
+    gl::SceneDrawer drawer_;
+    std::vector<float> mu_;
+    FanGeometry geometry_;
+    FanPlan plan_;
+    std::vector<Pixel> pixels_;
+};
+
+Renderer::Renderer(std::shared_ptr<const Scene> scene, Water water, RendererOptions options) {
+    if (!scene) throw std::invalid_argument("renderer: there is no scene");
+    impl_ = std::make_unique<Impl>(std::move(scene), water, std::move(options));
+}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+Echogram Renderer::render(const Shot& shot, const Pose& world_from_sonar) {
+    return impl_->render(shot, world_from_sonar);
+}
+ChannelImage Renderer::render_channels(const Shot& shot, const Pose& world_from_sonar) {
+    return impl_->render_channels(shot, world_from_sonar);
+}
+const Scene& Renderer::scene() const { return impl_->scene(); }
+const Water& Renderer::water() const { return impl_->water(); }
+double Renderer::sound_speed() const { return echoloop::sound_speed(impl_->water()); }
+std::string Renderer::context_description() const { return impl_->description(); }
+
+}  // namespace echoloop

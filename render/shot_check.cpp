@@ -1,0 +1,53 @@
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "render/renderer.h"
+
+namespace echoloop {
+namespace {
+
+void require(bool good, const char* member, const std::string& limits) {
+    if (!good) throw std::invalid_argument("shot: " + std::string(member) + " must be " + limits);
+}
+
+/// False for NaN.
+bool within(double value, double low, double high) { return value >= low && value <= high; }
+
+void check_bearings(const Shot& shot) {
+    require(within(static_cast<double>(shot.bearings.size()), 1, 4096), "bearings", "1..4096 beams");
+    for (std::size_t i = 0; i < shot.bearings.size(); ++i) {
+        require(within(shot.bearings[i], -std::numbers::pi, std::numbers::pi), "bearings", "within +-pi");
+        require(i == 0 || shot.bearings[i] > shot.bearings[i - 1], "bearings", "strictly ascending");
+    }
+    require(within(shot.beam_width, deg_to_rad(0.01), deg_to_rad(120)), "beam_width", "within 0.01..120 deg");
+    require(shot.bearings.back() - shot.bearings.front() + shot.beam_width <= 2 * std::numbers::pi + 1e-9,
+            "bearings", "at most 360 deg wide, beam_width included");
+    require(within(shot.fan_height, deg_to_rad(0.01), deg_to_rad(120)), "fan_height", "within 0.01..120 deg");
+    require(within(shot.pan, -2 * std::numbers::pi, 2 * std::numbers::pi), "pan", "within +-2 pi");
+    require(within(shot.tilt, -std::numbers::pi / 2, std::numbers::pi / 2), "tilt", "within +-pi/2");
+}
+
+void check_window(const Shot& shot) {
+    require(within(static_cast<double>(shot.bins), 1, 65536), "bins", "within 1..65536");
+    require(shot.bins * shot.bearings.size() <= std::size_t{16} << 20, "bins",
+            "at most 16 Mi for all beams together");
+    require(within(shot.first_bin_time, 0, 60), "first_bin_time", "within 0..60 s");
+    require(within(shot.bin_interval, 1e-7, 10), "bin_interval", "within 100 ns..10 s");
+    require(shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval <= 60, "bins",
+            "so few that the window ends within 60 s");
+}
+
+}  // namespace
+
+void validate(const Shot& shot) {
+    check_bearings(shot);
+    check_window(shot);
+    require(within(shot.frequency, 1e3, 1e7), "frequency", "within 1 kHz..10 MHz");
+    require(within(shot.pulse_length, 0, 10), "pulse_length", "within 0..10 s");
+    require(within(shot.bandwidth, 0, 1e7), "bandwidth", "within 0..10 MHz");
+    require(within(shot.source_level, -300, 300), "source_level", "within +-300 dB");
+}
+
+}  // namespace echoloop
