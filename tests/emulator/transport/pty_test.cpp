@@ -1,0 +1,167 @@
+// Real pseudo-terminals: what a driver finds when it opens, leaves and comes back.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "emulator/error.h"
+#include "emulator/transport/paced.h"
+#include "emulator/transport/pty.h"
+
+namespace echoloop::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+/// A folder of its own for each test.
+class PtyTest : public testing::Test {
+  protected:
+    PtyTest() {
+        std::string name = (fs::temp_directory_path() / "echoloop-pty-XXXXXX").string();
+        folder_ = ::mkdtemp(name.data());
+    }
+    ~PtyTest() override { fs::remove_all(folder_); }
+
+    int open_link(const fs::path& link) { return ::open(link.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK); }
+
+    /// Runs the loop until `done` or for two seconds.
+    template <class Done>
+    bool run_until(Done done) {
+        const auto end = std::chrono::steady_clock::now() + 2s;
+        while (!done() && std::chrono::steady_clock::now() < end) {
+            io_.restart();
+            io_.run_for(1ms);
+        }
+        return done();
+    }
+
+    void start(Transport& transport) {
+        transport.start(
+            {[this](ByteView bytes, Address) { heard_.insert(heard_.end(), bytes.begin(), bytes.end()); },
+             [this] { ++reconnected_; }});
+    }
+
+    void write(Transport& transport, const Bytes& bytes) {
+        bool done = false;
+        asio::co_spawn(
+            io_, [&]() -> Task<void> { co_await transport.write(bytes, {}); },
+            [&done](std::exception_ptr) { done = true; });
+        run_until([&] { return done; });
+    }
+
+    static Bytes read_all(int fd) {
+        Bytes bytes(65536);
+        const ssize_t n = ::read(fd, bytes.data(), bytes.size());
+        bytes.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
+        return bytes;
+    }
+
+    fs::path folder_;
+    asio::io_context io_;
+    Bytes heard_;
+    int reconnected_ = 0;
+};
+
+TEST_F(PtyTest, LinkLeadsToARawTerminalAndGoesAtTheEnd) {
+    const fs::path link = folder_ / "deep" / "er" / "sonar";
+    {
+        Pty pty(io_, link);
+        ASSERT_TRUE(fs::is_symlink(link));
+        const int fd = open_link(link);
+        ASSERT_GE(fd, 0);
+        termios settings{};
+        ASSERT_EQ(::tcgetattr(fd, &settings), 0);
+        EXPECT_EQ(settings.c_lflag & (ECHO | ICANON), 0u);
+        EXPECT_EQ(settings.c_iflag & (ICRNL | IXON), 0u);
+        ::close(fd);
+    }
+    EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
+}
+
+TEST_F(PtyTest, BytesGoBothWaysUnchanged) {
+    Pty pty(io_, folder_ / "sonar");
+    start(pty);
+    const int fd = open_link(folder_ / "sonar");
+    ASSERT_TRUE(run_until([&] { return pty.opened(); }));
+    Bytes all(256);
+    for (int i = 0; i < 256; ++i) all[i] = static_cast<std::uint8_t>(i);
+    write(pty, all);
+    EXPECT_EQ(read_all(fd), all);
+    ASSERT_EQ(::write(fd, all.data(), all.size()), 256);
+    run_until([&] { return heard_.size() == 256; });
+    EXPECT_EQ(heard_, all);
+    ::close(fd);
+}
+
+TEST_F(PtyTest, NothingIsKeptForADriverThatIsNotThere) {
+    Pty pty(io_, folder_ / "sonar");
+    start(pty);
+    write(pty, Bytes(100, 0x55));
+    int fd = open_link(folder_ / "sonar");
+    ASSERT_TRUE(run_until([&] { return pty.opened(); }));
+    EXPECT_TRUE(read_all(fd).empty());
+    write(pty, Bytes(100, 0x66));  // left unread
+    ::close(fd);
+    ASSERT_TRUE(run_until([&] { return !pty.opened(); }));
+    EXPECT_EQ(reconnected_, 1);
+    fd = open_link(folder_ / "sonar");
+    ASSERT_TRUE(run_until([&] { return pty.opened(); }));
+    EXPECT_TRUE(read_all(fd).empty()) << "the next driver finds a clean line";
+    write(pty, Bytes{1, 2, 3});
+    EXPECT_EQ(read_all(fd), (Bytes{1, 2, 3}));
+    ::close(fd);
+}
+
+TEST_F(PtyTest, ForeignFilesAreNeverReplaced) {
+    const fs::path file = folder_ / "sonar";
+    std::ofstream(file) << "precious";
+    try {
+        Pty pty(io_, file);
+        FAIL() << "replaced a file";
+    } catch (const StartError& error) {
+        EXPECT_EQ(error.exit(), Exit::cannot_create);
+        EXPECT_NE(std::string(error.what()).find(file.string()), std::string::npos);
+    }
+    std::string text;
+    std::ifstream(file) >> text;
+    EXPECT_EQ(text, "precious");
+    Pty other(io_, folder_ / "taken");
+    EXPECT_THROW(Pty(io_, folder_ / "taken"), StartError) << "a link in use";
+    fs::create_symlink("/dev/null", folder_ / "null");
+    EXPECT_THROW(Pty(io_, folder_ / "null"), StartError) << "a link to something else";
+}
+
+TEST_F(PtyTest, LeftOverLinkIsReplaced) {
+    fs::create_symlink("/dev/pts/99999", folder_ / "sonar");
+    Pty pty(io_, folder_ / "sonar");
+    EXPECT_NE(fs::read_symlink(folder_ / "sonar"), "/dev/pts/99999");
+}
+
+TEST_F(PtyTest, ImpossibleDirectoryIsAStartError) {
+    EXPECT_THROW(Pty(io_, "/proc/echoloop/sonar"), StartError);
+    std::ofstream(folder_ / "file") << "x";
+    EXPECT_THROW(Pty(io_, folder_ / "file" / "sonar"), StartError);
+}
+
+TEST_F(PtyTest, PacedLineIsNeverFasterThanItsRate) {
+    auto pty = std::make_unique<Pty>(io_, folder_ / "sonar");
+    Pty& line = *pty;
+    Paced paced(io_, std::move(pty), 115200);
+    start(paced);
+    const int fd = open_link(folder_ / "sonar");
+    ASSERT_TRUE(run_until([&] { return line.opened(); }));
+    const auto begin = std::chrono::steady_clock::now();
+    write(paced, Bytes(1200, 0x40));
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    EXPECT_GE(took.count(), 12000 / 115200.0 - 1e-4);
+    EXPECT_EQ(read_all(fd).size(), 1200u);
+    ::close(fd);
+}
+
+}  // namespace
+}  // namespace echoloop::test
