@@ -1,0 +1,76 @@
+// echoloop check: would this scenario run? Loads scenario and scene, opens no port and draws nothing.
+#include <cstdio>
+
+#include "tools/echoloop/common.h"
+#include "tools/echoloop/json_output.h"
+
+namespace echoloop::cli {
+namespace {
+
+std::string extent(const Bounds& b) {
+    static constexpr const char* axes[] = {"x ", ", y ", ", z "};
+    std::string text;
+    for (std::size_t i = 0; i < 3; ++i) text += axes[i] + plain(b.min[i], 1) + " to " + plain(b.max[i], 1);
+    return text + " m";
+}
+
+std::string water_line(const Water& w) {
+    return plain(w.temperature, 1) + " degC, salinity " + plain(w.salinity, 1) + " g/kg, pH " +
+           plain(w.ph, 1) + ", depth " + plain(w.depth, 1) + " m, sound speed " + plain(sound_speed(w), 1) +
+           " m/s" + (w.sound_speed ? "" : " (Mackenzie 1981)");
+}
+
+void print_scene(const Scenario& scenario, const Scene& scene) {
+    std::printf("%s%s\n", padded("scene", 12).c_str(), scenario.scene.c_str());
+    std::printf("%s%zu triangles, %zu objects, %s\n", padded("", 12).c_str(), scene.triangles(),
+                scene.objects().size(), extent(scene.bounds()).c_str());
+    for (const auto& material : scene.materials())
+        std::printf("%s%s %s dB%s\n", padded("material", 12).c_str(), padded(material.name, 20).c_str(),
+                    plain(material.mu_db, 2).c_str(), material.double_sided ? ", both sides" : "");
+}
+
+void print_devices(const Scenario& scenario) {
+    for (const auto& device : scenario.devices) {
+        std::string endpoints;
+        for (const auto& endpoint : device.config.endpoints) endpoints += "  " + endpoint;
+        std::printf("%s%s%s%s\n", padded("device", 12).c_str(), padded(device.name, 16).c_str(),
+                    padded(device.model->name, 18).c_str(), endpoints.c_str());
+    }
+}
+
+int run(const Arguments& arguments) {
+    try {
+        const Scenario scenario = scenario_from(arguments);
+        const auto scene = scene_of(scenario);
+        if (arguments.has("--json")) {
+            std::printf("%s\n", check_json(scenario, *scene).c_str());
+            return 0;
+        }
+        std::printf("%s%s: good\n", padded("scenario", 12).c_str(), scenario.file.c_str());
+        print_scene(scenario, *scene);
+        std::printf("%s%s\n", padded("water", 12).c_str(), water_line(scenario.water).c_str());
+        print_devices(scenario);
+    } catch (const ScenarioError& error) {
+        if (arguments.has("--json")) std::printf("%s\n", problems_json(error.problems()).c_str());
+        throw;
+    } catch (const StartError& error) {
+        if (arguments.has("--json"))
+            std::printf("%s\n", problems_json({{Problem::Kind::invalid, "", 0, 0, error.what()}}).c_str());
+        throw;
+    }
+    return 0;
+}
+
+}  // namespace
+
+Verb check_verb() {
+    return {"check",
+            "say whether a scenario would run, and what is in it",
+            {scenario_argument(), set_argument(), json_argument()},
+            "  echoloop check config/demo.yaml\n"
+            "  echoloop check config/demo.yaml --set water.temperature=4\n"
+            "  echoloop check config/demo.yaml --json | jq .scene.triangles",
+            run};
+}
+
+}  // namespace echoloop::cli

@@ -1,0 +1,34 @@
+#include "tools/echoloop/common.h"
+
+#include <cstdio>
+
+namespace echoloop::cli {
+
+Scenario scenario_from(const Arguments& arguments) {
+    return load_scenario(arguments.text("FILE"), arguments.all("--set"), models());
+}
+
+std::shared_ptr<const Scene> scene_of(const Scenario& scenario) {
+    try {
+        return Scene::load(scenario.scene);
+    } catch (const SceneError& error) {
+        throw StartError(Exit::data, error.what());
+    }
+}
+
+std::string plain(double number, int decimals) {
+    char buffer[64];
+    std::snprintf(buffer, sizeof buffer, "%.*f", decimals, number);
+    std::string text(buffer);
+    if (text.find('.') == std::string::npos) return text;
+    while (text.ends_with('0')) text.pop_back();
+    if (text.ends_with('.')) text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size() + 1), ' ');
+    return text;
+}
+
+}  // namespace echoloop::cli

@@ -1,0 +1,24 @@
+// What several verbs do first: load the scenario and its scene, with errors as the program reports them.
+#pragma once
+
+#include <memory>
+
+#include "emulator/scenario/scenario.h"
+#include "render/scene/scene.h"
+#include "tools/echoloop/verb.h"
+
+namespace echoloop::cli {
+
+/// The scenario of the FILE and --set arguments against the table of models. Throws ScenarioError.
+Scenario scenario_from(const Arguments& arguments);
+
+/// Throws StartError with the scene's own message.
+std::shared_ptr<const Scene> scene_of(const Scenario& scenario);
+
+/// "12.5", never in scientific notation, without trailing zeros.
+std::string plain(double number, int decimals);
+
+/// `text` with spaces up to `width`, and at least one.
+std::string padded(std::string text, std::size_t width);
+
+}  // namespace echoloop::cli

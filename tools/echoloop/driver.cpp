@@ -1,0 +1,75 @@
+#include "tools/echoloop/driver.h"
+
+#include "emulator/endpoint.h"
+#include "tools/echoloop/driver_seanet.h"
+
+namespace echoloop::cli {
+namespace {
+
+constexpr std::uint16_t status_offset = 2;  // R2Sonic: what is sent where, counted from the host's base port
+constexpr std::uint16_t image_offset = 3;
+
+std::string address_text(const std::string& host, int port) { return host + ":" + std::to_string(port); }
+
+std::string address_text(const Address& address) {
+    std::string text;
+    for (int shift = 24; shift >= 0; shift -= 8)
+        text += std::to_string(address.ip >> shift & 0xFF) + (shift > 0 ? "." : "");
+    return address_text(address.ip == 0 ? "any address" : text, address.port);
+}
+
+bool is_r2sonic(const ScenarioDevice& device) { return device.model->name.starts_with("r2sonic-"); }
+bool is_seanet(const ScenarioDevice& device) { return device.model->name.starts_with("tritech-"); }
+
+DriverHint r2sonic_ros2(const ScenarioDevice& device) {
+    const auto head = parse_endpoint(device.config.endpoints.at(0));
+    const auto host = parse_endpoint(device.config.endpoints.at(1));
+    return {"USF-COMIT ros2sonic",
+            {"ros2 run r2sonic r2sonic_node --ros-args -p interface_ip:=" + host.host +
+             " -p ports/bathy:=" + std::to_string(host.port) + " -p ports/acoustic_image:=" +
+             std::to_string(host.port + image_offset) + " -p sonar_ip:=" + head.host},
+            "it only listens: settings come from the scenario, or from a program that sends CMD0"};
+}
+
+DriverHint no_driver(const ScenarioDevice& device, const std::string& format) {
+    return {"",
+            {},
+            "no driver for " + device.model->name + " is known for " + format +
+                "; without --format the plain addresses are printed"};
+}
+
+}  // namespace
+
+const std::vector<std::string>& driver_formats() {
+    static const std::vector<std::string> formats{"ros1", "ros2", "moos", "rock", "dune", "sitl"};
+    return formats;
+}
+
+std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
+    std::vector<WirePlace> places;
+    for (const Port& port : device.model->make(device.config)->ports()) {
+        if (port.kind == Port::Kind::datagram) {
+            places.push_back({port.name + " go to", address_text(port.bind)});
+        } else {
+            const auto end = parse_endpoint(device.config.endpoints.at(places.size()));
+            places.push_back({port.name, stream_address(end)});
+        }
+    }
+    if (!is_r2sonic(device)) return places;
+    const auto host = parse_endpoint(device.config.endpoints.at(1));
+    places.push_back({"bathymetry comes to", address_text(host.host, host.port)});
+    places.push_back({"status comes to", address_text(host.host, host.port + status_offset)});
+    places.push_back({"image comes to", address_text(host.host, host.port + image_offset)});
+    return places;
+}
+
+DriverHint driver_hint(const ScenarioDevice& device, const std::string& format) {
+    if (is_seanet(device)) {
+        auto hint = seanet_driver_hint(device, format);
+        return hint.driver.empty() && hint.note.empty() ? no_driver(device, format) : hint;
+    }
+    if (is_r2sonic(device) && format == "ros2") return r2sonic_ros2(device);
+    return no_driver(device, format);
+}
+
+}  // namespace echoloop::cli

@@ -1,0 +1,32 @@
+// What to write into the configuration of a driver so that it finds an emulated sonar. A table of known
+// drivers; opens nothing. Names of parameters are those of the drivers' public sources.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emulator/scenario/scenario.h"
+
+namespace echoloop::cli {
+
+/// One place on the wire: "commands" at "127.0.0.1:65502".
+struct WirePlace {
+    std::string what;
+    std::string address;
+};
+
+/// Where a device can be reached and where it sends to.
+std::vector<WirePlace> wire_places(const ScenarioDevice& device);
+
+struct DriverHint {
+    std::string driver;              ///< project; empty if none is known
+    std::vector<std::string> paste;  ///< lines for its configuration or a shell
+    std::string note;
+};
+
+/// `format`: "ros1", "ros2", "moos", "rock", "dune", "sitl".
+DriverHint driver_hint(const ScenarioDevice& device, const std::string& format);
+
+const std::vector<std::string>& driver_formats();
+
+}  // namespace echoloop::cli

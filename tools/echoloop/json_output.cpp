@@ -1,0 +1,144 @@
+#include "tools/echoloop/json_output.h"
+
+#include <nlohmann/json.hpp>
+
+namespace echoloop::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Text from files may hold bytes that are no UTF-8; they are replaced, never an error.
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+
+Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+Json pose(const Pose& p) {
+    return {{"position", triple(p.position)},
+            {"orientation_wxyz",
+             Json::array({p.orientation.w, p.orientation.x, p.orientation.y, p.orientation.z})}};
+}
+
+Json option_value(const OptionValue& value) {
+    return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+Json option(const Option& o) {
+    static constexpr const char* types[] = {"boolean", "integer", "number", "text"};
+    Json json{{"name", o.name}, {"type", types[o.default_value.index()]},
+              {"unit", o.unit}, {"default", option_value(o.default_value)},
+              {"help", o.help}, {"source", o.source}};
+    if (!o.choices.empty()) json["choices"] = o.choices;
+    if (o.minimum > -1e300) json["minimum"] = o.minimum;
+    if (o.maximum < 1e300) json["maximum"] = o.maximum;
+    return json;
+}
+
+Json model(const Model& m) {
+    Json options = Json::array();
+    for (const auto& o : m.options) options.push_back(option(o));
+    return {{"name", m.name},
+            {"title", m.title},
+            {"protocol", m.protocol},
+            {"default_endpoints", m.default_endpoints},
+            {"endpoint_schemes", m.endpoint_schemes},
+            {"turn_steps", m.turn_steps},
+            {"options", options}};
+}
+
+Json device(const ScenarioDevice& d) {
+    Json options = Json::object();
+    for (const auto& [name, value] : d.config.options) options[name] = option_value(value);
+    return {{"name", d.name},
+            {"model", d.model->name},
+            {"mount", pose(d.body_from_sonar)},
+            {"endpoints", d.config.endpoints},
+            {"options", options}};
+}
+
+Json scene_json(const std::string& file, const Scene& scene) {
+    Json materials = Json::array();
+    for (const auto& m : scene.materials())
+        materials.push_back({{"name", m.name}, {"mu_db", m.mu_db}, {"double_sided", m.double_sided}});
+    return {{"file", file},
+            {"triangles", scene.triangles()},
+            {"objects", std::vector<std::string>(scene.objects().begin(), scene.objects().end())},
+            {"materials", materials},
+            {"bounds", {{"min", scene.bounds().min}, {"max", scene.bounds().max}}}};
+}
+
+}  // namespace
+
+std::string problems_json(const std::vector<Problem>& problems) {
+    Json list = Json::array();
+    for (const auto& p : problems)
+        list.push_back({{"where", p.where}, {"line", p.line}, {"column", p.column}, {"message", p.message}});
+    return text_of({{"ok", false}, {"problems", list}});
+}
+
+std::string check_json(const Scenario& s, const Scene& scene) {
+    Json devices = Json::array();
+    for (const auto& d : s.devices) devices.push_back(device(d));
+    const Json water{{"temperature", s.water.temperature},
+                     {"salinity", s.water.salinity},
+                     {"ph", s.water.ph},
+                     {"depth", s.water.depth},
+                     {"sound_speed", sound_speed(s.water)}};
+    return text_of({{"ok", true},
+                    {"file", s.file.string()},
+                    {"scene", scene_json(s.scene.string(), scene)},
+                    {"seed", s.seed},
+                    {"water", water},
+                    {"vehicle", pose(s.world_from_body)},
+                    {"clock_rate", s.clock_rate},
+                    {"devices", devices}});
+}
+
+std::string list_json(std::span<const Model> models) {
+    Json list = Json::array();
+    for (const auto& m : models) list.push_back(model(m));
+    return text_of({{"models", list}});
+}
+
+std::string endpoints_json(const std::string& format, const std::vector<DeviceEndpoints>& devices) {
+    Json list = Json::array();
+    for (const auto& [device, places, hint] : devices) {
+        Json json{{"name", device->name},
+                  {"model", device->model->name},
+                  {"endpoints", device->config.endpoints},
+                  {"places", Json::array()}};
+        for (const auto& place : places)
+            json["places"].push_back({{"what", place.what}, {"address", place.address}});
+        if (!format.empty())
+            json.update({{"driver", hint.driver}, {"paste", hint.paste}, {"note", hint.note}});
+        list.push_back(json);
+    }
+    Json document{{"devices", list}};
+    if (!format.empty()) document["format"] = format;
+    return text_of(document);
+}
+
+std::string render_json(const RenderReport& report) {
+    Json json{{"out", report.out},
+              {"device", report.device},
+              {"model", report.model},
+              {"renderer", report.renderer},
+              {"pings", report.pings.size()}};
+    if (report.pings.empty()) return text_of(json);
+    const auto& first = report.pings.front();
+    float strongest = 0;
+    for (const auto& ping : report.pings)
+        for (const float value : ping.values) strongest = std::max(strongest, value);
+    const bool radiometric = first.rule == EchoRule::radiometric;
+    json.update(
+        {{"beams", first.beams()},
+         {"bins", first.shot.bins},
+         {"first_bin_m", first.bin_range(0)},
+         {"last_bin_m", first.bin_range(first.shot.bins - 1)},
+         {"frequency_hz", first.shot.frequency},
+         {"sound_speed", first.sound_speed},
+         {"rule", radiometric ? "radiometric" : "cerqueira2016"},
+         {radiometric ? "strongest_db" : "strongest", radiometric ? level_db(strongest) : strongest}});
+    return text_of(json);
+}
+
+}  // namespace echoloop::cli

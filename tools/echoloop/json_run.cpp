@@ -1,0 +1,44 @@
+#include "tools/echoloop/json_run.h"
+
+#include <nlohmann/json.hpp>
+
+#include "tools/echoloop/driver.h"
+
+namespace echoloop::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
+
+std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
+    Json devices = Json::array();
+    for (const auto& running : runtime.devices())
+        devices.push_back(
+            {{"name", running.name}, {"model", running.model->name}, {"places", running.places}});
+    return line_of({{"event", "started"},
+                    {"scene", scenario.scene.string()},
+                    {"triangles", runtime.triangles()},
+                    {"renderer", runtime.renderer()},
+                    {"devices", devices}});
+}
+
+std::string run_summary_json(const std::vector<SessionSummary>& sessions) {
+    Json devices = Json::array();
+    for (const auto& s : sessions)
+        devices.push_back({{"name", s.name},
+                           {"pings", s.pings},
+                           {"late_pings", s.late_pings},
+                           {"worst_lateness_s", to_seconds(s.worst_lateness)},
+                           {"messages", s.device.messages},
+                           {"rejected", s.device.rejected},
+                           {"skipped_bytes", s.device.skipped_bytes},
+                           {"dropped", s.dropped},
+                           {"bytes_in", s.bytes_in},
+                           {"bytes_out", s.bytes_out}});
+    return line_of({{"event", "ended"}, {"devices", devices}});
+}
+
+}  // namespace echoloop::cli

@@ -1,0 +1,39 @@
+// The program: runs the command line and turns every error into one message and an exit status of sysexits.
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "emulator/error.h"
+#include "tools/echoloop/command_line.h"
+#include "tools/echoloop/terminal.h"
+
+namespace {
+
+int status(echoloop::Exit exit) { return static_cast<int>(exit); }
+
+int run(int argc, char** argv) {
+    using echoloop::cli::print_error;
+    try {
+        return echoloop::cli::run_command_line(argc, argv);
+    } catch (const echoloop::StartError& error) {
+        print_error(error.what());
+        return status(error.exit());
+    } catch (const std::bad_alloc&) {
+        print_error("out of memory");
+        return status(echoloop::Exit::unavailable);
+    } catch (const std::exception& error) {
+        print_error(std::string("internal: ") + error.what());
+        return status(echoloop::Exit::software);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int result = run(argc, argv);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        echoloop::cli::print_error("cannot write to standard output");
+        return status(echoloop::Exit::io);
+    }
+    return result;
+}

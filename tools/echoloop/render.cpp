@@ -1,0 +1,169 @@
+// echoloop render: one picture or table of what a device hears with its start-up settings.
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+#include "emulator/scenario/problems.h"
+#include "render/renderer.h"
+#include "tools/draw/draw.h"
+#include "tools/echoloop/channels.h"
+#include "tools/echoloop/common.h"
+#include "tools/echoloop/json_output.h"
+#include "tools/echoloop/output_file.h"
+#include "tools/echoloop/terminal.h"
+
+namespace echoloop::cli {
+namespace {
+
+const ScenarioDevice& device_of(const Scenario& scenario, const Arguments& arguments) {
+    if (!arguments.has("--device") && scenario.devices.size() == 1) return scenario.devices.front();
+    const auto name = arguments.text("--device");
+    std::vector<std::string_view> known;
+    for (const auto& device : scenario.devices) {
+        if (device.name == name) return device;
+        known.push_back(device.name);
+    }
+    if (name.empty()) throw StartError(Exit::usage, "--device is missing" + scenario::suggestion("", known));
+    throw StartError(Exit::usage, "the scenario has no device " + scenario::in_quotes(name) +
+                                      scenario::suggestion(name, known));
+}
+
+/// The steps of the turn to render: [first, last).
+std::pair<std::size_t, std::size_t> steps_of(const Model& model, const Arguments& arguments) {
+    const auto steps = std::max<std::size_t>(1, model.turn_steps);
+    if (!arguments.has("--step")) return {0, steps};
+    const auto step = arguments.number("--step", 0, 0, static_cast<double>(steps) - 1);
+    if (step != std::floor(step)) throw StartError(Exit::usage, "--step: expected a whole number");
+    return {static_cast<std::size_t>(step), static_cast<std::size_t>(step) + 1};
+}
+
+std::string extension_of(const Arguments& arguments) {
+    const auto extension = std::filesystem::path(arguments.text("--out")).extension().string();
+    const bool channels = arguments.has("--channels");
+    if (channels && extension != ".npy")
+        throw StartError(Exit::usage, "--channels writes a NumPy array: end the name of --out with .npy");
+    if (extension == ".png" || extension == ".csv" || extension == ".npy") return extension;
+    throw StartError(Exit::usage, "--out: the name must end with .png, .csv or .npy");
+}
+
+class Job {
+  public:
+    explicit Job(const Arguments& arguments)
+        : arguments_(arguments),
+          extension_(extension_of(arguments)),
+          out_(arguments.text("--out")),
+          scenario_(scenario_from(arguments)),
+          device_(device_of(scenario_, arguments)),
+          steps_(steps_of(*device_.model, arguments)),
+          range_(arguments.number("--range", 0, 0.1, 10'000)) {
+        require_creatable(out_);
+        if (arguments.has("--rule"))
+            scenario_.render.rule =
+                arguments.text("--rule") == "radiometric" ? EchoRule::radiometric : EchoRule::cerqueira2016;
+    }
+
+    RenderReport run() {
+        const auto scene = scene_of(scenario_);
+        Renderer renderer(scene, scenario_.water, scenario_.render);
+        RenderReport report{
+            out_.string(), device_.name, device_.model->name, renderer.context_description(), {}};
+        if (arguments_.has("--channels")) {
+            write_whole(out_, [&, image = renderer.render_channels(shot(steps_.first), pose())](
+                                  const auto& file) { write_channels_npy(file, image); });
+            return report;
+        }
+        report.pings = render(renderer);
+        write_whole(out_, [&](const auto& file) { write(file, report.pings); });
+        return report;
+    }
+
+  private:
+    Shot shot(std::size_t step) const { return device_.model->default_shot(device_.config, step, range_); }
+    Pose pose() const { return scenario_.world_from_body * device_.body_from_sonar; }
+
+    std::vector<Echogram> render(Renderer& renderer) const {
+        std::vector<Echogram> pings;
+        Progress progress("rendering", steps_.second - steps_.first);
+        for (auto step = steps_.first; step < steps_.second; ++step) {
+            pings.push_back(renderer.render(shot(step), pose()));
+            progress.done(pings.size());
+        }
+        return pings;
+    }
+
+    void write(const std::filesystem::path& file, const std::vector<Echogram>& pings) const {
+        if (extension_ == ".csv") return draw::write_csv(file, pings);
+        if (extension_ == ".npy") return draw::write_npy(file, pings);
+        draw::Style style;
+        style.title = device_.name + " (" + device_.model->name + "), " + scenario_.scene.filename().string();
+        style.width = static_cast<int>(arguments_.number("--width", style.width, 400, 4000));
+        style.span = arguments_.number("--span", style.span, 1, 200);
+        style.absorption = absorption_db_per_km(scenario_.water, pings.front().shot.frequency) / 1e3;
+        draw::write_png(file, draw::polar_picture(pings, style));
+    }
+
+    const Arguments& arguments_;
+    std::string extension_;
+    std::filesystem::path out_;
+    Scenario scenario_;
+    const ScenarioDevice& device_;
+    std::pair<std::size_t, std::size_t> steps_;
+    double range_;
+};
+
+void print_report(const RenderReport& report) {
+    std::printf("%s: %s (%s)", report.out.c_str(), report.device.c_str(), report.model.c_str());
+    if (!report.pings.empty()) {
+        const auto& first = report.pings.front();
+        std::printf(", %zu pings, %zu beams, %zu bins, %s to %s m", report.pings.size(), first.beams(),
+                    first.shot.bins, plain(first.bin_range(0), 3).c_str(),
+                    plain(first.bin_range(first.shot.bins - 1), 2).c_str());
+    }
+    std::printf("\n");
+}
+
+int run(const Arguments& arguments) {
+    try {
+        const auto report = Job(arguments).run();
+        if (arguments.has("--json")) {
+            std::printf("%s\n", render_json(report).c_str());
+        } else {
+            print_report(report);
+        }
+    } catch (const StartError&) {
+        throw;
+    } catch (const std::invalid_argument& error) {
+        throw StartError(Exit::config, error.what());
+    } catch (const std::runtime_error& error) {
+        throw StartError(Exit::unavailable, error.what());
+    }
+    return 0;
+}
+
+}  // namespace
+
+Verb render_verb() {
+    using Kind = Argument::Kind;
+    return {
+        "render",
+        "draw what a device hears, without running the emulator",
+        {scenario_argument(),
+         {Kind::value, "--device", "NAME", "device of the scenario; may be left out if there is only one"},
+         {Kind::value, "--out", "OUT", "OUT.png: picture; OUT.csv, OUT.npy: beams x bins", {}, true},
+         {Kind::value, "--step", "N", "a scanning head: this step of the turn only"},
+         {Kind::value, "--range", "METRES", "range instead of the device's own"},
+         {Kind::value, "--rule", "RULE", "how samples become echoes", {"radiometric", "cerqueira2016"}},
+         {Kind::flag, "--channels", "", "write intensity, range and bearing of the image instead (.npy)"},
+         {Kind::value, "--width", "PIXELS", "width of the picture, 400 to 4000"},
+         {Kind::value, "--span", "DB", "dynamic range of the picture"},
+         set_argument(),
+         json_argument()},
+        "  echoloop render config/demo.yaml --device micron --out turn.png\n"
+        "  echoloop render config/demo.yaml --device sonar --out fan.npy --range 30\n"
+        "  echoloop render config/demo.yaml --device sonar --rule cerqueira2016 --channels --out "
+        "channels.npy",
+        run};
+}
+
+}  // namespace echoloop::cli

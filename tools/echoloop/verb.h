@@ -1,0 +1,68 @@
+// One verb of the program as a row of a table: its words for the help, its arguments, its function.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace echoloop::cli {
+
+struct Argument {
+    enum class Kind {
+        positional,  ///< must be given
+        optional,    ///< positional that may be left out
+        flag,
+        value,     ///< --name VALUE, at most once
+        repeated,  ///< --name VALUE, any number of times
+    };
+
+    Kind kind;
+    std::string name;  ///< "FILE", or "--set"
+    std::string what;  ///< word for its value in the help
+    std::string help;
+    std::vector<std::string> choices{};
+    bool required = false;
+};
+
+/// What was given on the command line.
+class Arguments {
+  public:
+    explicit Arguments(std::map<std::string, std::vector<std::string>, std::less<>> given)
+        : given_(std::move(given)) {}
+
+    bool has(std::string_view name) const { return given_.contains(name); }
+    std::string text(std::string_view name, std::string fallback = {}) const;
+    std::vector<std::string> all(std::string_view name) const;
+    /// Throws StartError (usage) unless it is a finite number within the bounds.
+    double number(std::string_view name, double fallback, double minimum, double maximum) const;
+
+  private:
+    std::map<std::string, std::vector<std::string>, std::less<>> given_;
+};
+
+struct Verb {
+    std::string name;
+    std::string summary;
+    std::vector<Argument> arguments;
+    std::string examples;
+    int (*run)(const Arguments&);  ///< returns the exit status; throws StartError
+};
+
+/// All verbs in the order of the help.
+std::span<const Verb> verbs();
+
+Verb check_verb();
+Verb endpoints_verb();
+Verb inspect_verb();
+Verb list_verb();
+Verb render_verb();
+Verb run_verb();
+
+/// The arguments that many verbs share.
+Argument scenario_argument();
+Argument set_argument();
+Argument json_argument();
+
+}  // namespace echoloop::cli
