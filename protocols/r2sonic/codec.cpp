@@ -31,12 +31,19 @@ constexpr Row rows[] = {{"BTH0", "", parse_as<Bth0>},     {"AID0", "H0", parse_a
                         {"R2DD", "", parse_as<R2dd>},     {"R2DI", "", parse_as<R2di>},
                         {"R2DC", "", parse_as<R2dc>},     {"CMD0", "", parse_as<Cmd0>}};
 
+bool is_of(const Row& row, ByteView datagram) {
+    return has_text(datagram, 0, row.name) && has_text(datagram, 12, row.section);
+}
+
 }  // namespace
+
+bool recognise(wire::ByteView bytes) {
+    return std::any_of(std::begin(rows), std::end(rows), [&](const Row& row) { return is_of(row, bytes); });
+}
 
 wire::Result<Packet> parse(wire::ByteView datagram) {
     for (const Row& row : rows) {
-        if (has_text(datagram, 0, row.name) && has_text(datagram, 12, row.section))
-            return row.parse(datagram);
+        if (is_of(row, datagram)) return row.parse(datagram);
     }
     return wire::Error{"R2Sonic", "name", 0,
                        datagram.size() < 4 ? wire::Reason::truncated : wire::Reason::unknown_message};

@@ -14,6 +14,9 @@ namespace echoloop::r2sonic {
 /// their sizes, their padding and the PacketSize must be right.
 wire::Result<Packet> parse(wire::ByteView datagram);
 
+/// True if the datagram starts with the name of a packet that has a layout.
+bool recognise(wire::ByteView bytes);
+
 /// The whole datagram. H0.points, PacketSize and all section sizes are written from the arrays' sizes. An
 /// array whose size does not fit the others (say I1 shorter than R0) is cut or filled with zeros.
 wire::Bytes serialise(const Packet& packet);

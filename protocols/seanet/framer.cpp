@@ -47,6 +47,7 @@ std::optional<Frame> short_command(ByteView bytes) {
 }  // namespace
 
 void Framer::feed(wire::ByteView bytes) {
+    finished_ = false;
     buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
     begin_ = 0;
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
@@ -66,7 +67,7 @@ std::optional<Frame> Framer::next() {
         skip(static_cast<std::size_t>(start - buffer_.begin()) - begin_);
         if (pending_bytes() == 0) break;
         const Step step = at_begin();
-        if (step.wait) break;
+        if (step.wait && !finished_) break;
         if (!step.frame) {
             skip(1);
             continue;

@@ -29,6 +29,9 @@ class Framer {
     /// Appends received bytes. Beyond 64 KiB that next() has not taken, the oldest are dropped and counted as
     /// skipped.
     void feed(wire::ByteView bytes);
+    /// No more bytes will come: what waits for the rest of a frame is searched for other frames, then
+    /// skipped.
+    void finish() { finished_ = true; }
     /// The next complete frame, or nothing until more bytes come.
     std::optional<Frame> next();
 
@@ -52,6 +55,7 @@ class Framer {
     void skip(std::size_t count);
 
     Lengths lengths_;
+    bool finished_ = false;
     wire::Bytes buffer_;
     std::size_t begin_ = 0;       ///< first byte of buffer_ that is still pending
     std::uint64_t position_ = 0;  ///< stream position of begin_

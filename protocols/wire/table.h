@@ -30,26 +30,25 @@ struct Row {
     Kind kind = Kind::value;
     Meta meta{};
     std::string type{};  ///< of one element: "u16", "f32", "char[12]", or the name of a table
-    std::optional<std::size_t>
-        offset;                     ///< as the specification counts; nothing behind a field of unknown size
-    FixedSize size{};               ///< bytes in all; nothing if the content decides
-    std::size_t elements = 1;       ///< of an array of fixed length
-    CountRef count{""};             ///< kind counted: where the number of elements comes from
-    std::string_view key{};         ///< kind count: what it counts
-    std::int64_t bias = 0;          ///< kind count: raw value - elements
-    std::uint64_t constant = 0;     ///< kind constant
-    std::string_view characters{};  ///< kind magic
-    std::vector<std::string> tables{};  ///< the tables that may stand here
-    bool optional = false;              ///< kind section
+    std::optional<std::size_t> offset{};  ///< nothing behind a field of unknown size
+    FixedSize size{};                     ///< bytes in all; nothing if the content decides
+    std::size_t elements = 1;             ///< of an array of fixed length
+    CountRef count{""};                   ///< kind counted: where the number of elements comes from
+    std::string_view key{};               ///< kind count: what it counts
+    std::int64_t bias = 0;                ///< kind count: raw value - elements
+    std::uint64_t constant = 0;           ///< kind constant
+    std::string_view characters{};        ///< kind magic
+    std::vector<std::string> tables{};    ///< the tables that may stand here
+    bool optional = false;                ///< kind section
 };
 
 struct Table {
-    std::string name;
-    std::string tag;  ///< of a section
-    std::string help;
+    std::string name{};
+    std::string tag{};  ///< of a section
+    std::string help{};
     ByteOrder order = ByteOrder::little;
     std::size_t base = 0;
-    std::vector<Row> rows;
+    std::vector<Row> rows{};
 };
 
 /// "u8" .. "u64", "i8" .. "i64", "f32", "f64", "char[n]", or the name of a struct's table.

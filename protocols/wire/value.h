@@ -17,14 +17,14 @@ namespace echoloop::wire {
 using Value = std::variant<std::uint64_t, std::int64_t, double, std::string, std::vector<double>>;
 
 struct FieldView {
-    std::string name;  ///< with the names around it: "h0.points"
-    std::string_view unit;
-    std::string_view help;
+    std::string name{};  ///< with the names around it: "h0.points"
+    std::string_view unit{};
+    std::string_view help{};
     std::size_t offset = 0;  ///< as the layout of the outermost message counts
     std::size_t size = 0;    ///< bytes on the wire
     Format format = Format::plain;
     std::span<const NamedValue> names{};
-    Value value;
+    Value value{};
 };
 
 /// The value for people: enumerators and bits by name, long arrays cut, characters that could harm a terminal

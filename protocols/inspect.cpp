@@ -1,0 +1,61 @@
+#include "protocols/inspect.h"
+
+#include <algorithm>
+#include <array>
+
+#include "protocols/r2sonic/inspect.h"
+#include "protocols/seanet/inspect.h"
+
+namespace echoloop::inspect {
+
+namespace {
+
+/// The explicit table of families. Datagram families first: their names at byte 0 are the surer sign.
+constexpr std::array table = {
+    Family{"r2sonic", "R2Sonic 20xx, UDP", Framing::datagram, r2sonic::decode, r2sonic::recognise,
+           r2sonic::tables},
+    Family{"seanet", "Tritech SeaNet, serial", Framing::stream, seanet::decode, seanet::recognise,
+           seanet::tables},
+};
+
+std::optional<double> number_of(const wire::Value& value) {
+    if (const auto* u = std::get_if<std::uint64_t>(&value)) return static_cast<double>(*u);
+    if (const auto* i = std::get_if<std::int64_t>(&value)) return static_cast<double>(*i);
+    if (const auto* d = std::get_if<double>(&value)) return *d;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::span<const Family> families() { return table; }
+
+const Family* find_family(std::string_view name) {
+    const auto* row =
+        std::find_if(table.begin(), table.end(), [&](const Family& f) { return f.name == name; });
+    return row == table.end() ? nullptr : row;
+}
+
+const Family* guess_family(wire::ByteView bytes) {
+    const auto* row =
+        std::find_if(table.begin(), table.end(), [&](const Family& f) { return f.recognise(bytes); });
+    return row == table.end() ? nullptr : row;
+}
+
+std::string markdown_tables(const Family& family) {
+    std::string out = "## " + std::string(family.title) + "\n";
+    for (const wire::Table& one : family.tables()) out += '\n' + markdown(one);
+    return out;
+}
+
+Field to_field(const wire::FieldView& view, std::size_t start) {
+    const auto* numbers = std::get_if<std::vector<double>>(&view.value);
+    return {.name = view.name,
+            .text = value_text(view),
+            .unit = std::string(view.unit),
+            .offset = start + view.offset,
+            .size = view.size,
+            .number = number_of(view.value),
+            .numbers = numbers != nullptr ? *numbers : std::vector<double>{}};
+}
+
+}  // namespace echoloop::inspect

@@ -1,0 +1,13 @@
+// SeaNet's row in the table of families. Never used by devices.
+#pragma once
+
+#include "protocols/inspect.h"
+
+namespace echoloop::seanet {
+
+/// Frames of both directions, with noise between them.
+std::vector<inspect::Message> decode(wire::ByteView bytes);
+bool recognise(wire::ByteView bytes);
+std::vector<wire::Table> tables();
+
+}  // namespace echoloop::seanet
