@@ -401,7 +401,7 @@ TEST(MicronNoise, UnusableParametersAreDropped) {
     bench.say(send_data);
     ASSERT_TRUE(bench.ping) << "the largest values of every field still make a ping";
     EXPECT_EQ(bench.ping->shot.bins, 1500u);
-    EXPECT_LE(bench.ping->shot.bins * bench.ping->shot.bin_interval, 10.0 + 1e-9);
+    EXPECT_LE(static_cast<double>(bench.ping->shot.bins) * bench.ping->shot.bin_interval, 10.0 + 1e-9);
 }
 
 }  // namespace
