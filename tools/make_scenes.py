@@ -20,9 +20,9 @@ SCENES = pathlib.Path(__file__).resolve().parent.parent / "config" / "scenes"
 
 
 def manifold_scene():
-    """Seabed about z = -10 m, the manifold at the origin, an AUV in mid water to the north-east of it."""
+    """Seabed about z = -10 m, the manifold at the origin, an AUV in mid water to the south of it."""
     ground = min(seabed.height(x, y) for x in (-3, 0, 3) for y in (-2, 0, 2))
-    vehicle = Node("auv", [("aluminium", auv.auv())], position=(1.0, 6.2, -7.6), yaw=-2.0, pitch=0.08)
+    vehicle = Node("auv", [("aluminium", auv.auv())], position=(0.5, -6.5, -7.9), yaw=1.1, pitch=0.08)
     return seabed.nodes() + manifold.nodes((0.0, 0.0, ground), yaw=0.5) + [vehicle]
 
 

@@ -25,15 +25,15 @@ def walls():
             slab("floor", (0, 0, -DEPTH - THICKNESS / 2), (long_side, WIDTH + 2 * THICKNESS, THICKNESS))]
 
 
-def lattice(width=3.2, height=3.2, pitch=0.4, radius=0.03):
-    """Bars in the plane x = 0, the lower edge at z = 0, `pitch` apart both ways."""
+def lattice(columns=6, rows=4, across=0.6, up=0.8, radius=0.04):
+    """Bars in the plane x = 0 that make columns x rows openings of `across` x `up`, the lower edge at z = 0."""
     mesh = Mesh()
-    columns, rows = round(width / pitch), round(height / pitch)
+    width, height = columns * across, rows * up
     for c in range(columns + 1):
-        y = c * pitch - width / 2
+        y = c * across - width / 2
         mesh.tube([(0, y, 0), (0, y, height)], radius, sides=8)
     for r in range(rows + 1):
-        mesh.tube([(0, -width / 2, r * pitch), (0, width / 2, r * pitch)], radius, sides=8)
+        mesh.tube([(0, -width / 2, r * up), (0, width / 2, r * up)], radius, sides=8)
     return mesh
 
 
