@@ -1,21 +1,44 @@
 #include "render/fan/binning.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/fan/line_bins.h"
 
 namespace echoloop {
 namespace {
 
-/// The pixels of one line with their weights.
+/// The pixels of one line with their weights and the lines on both sides (at a view's edge the line itself).
 struct Line {
-    std::span<const Pixel> pixels;
-    std::span<const float> weights;
+    std::size_t samples;
+    const Pixel *pixels, *before, *after;
+    const float* weights;
 };
 
 Line line_of(const BinningInput& in, std::size_t line, const std::vector<float>& weights) {
-    const std::size_t first = line * in.plan.samples;
-    return {in.pixels.subspan(first, in.plan.samples), std::span(weights).subspan(first, in.plan.samples)};
+    const std::size_t samples = in.plan.samples, in_view = line % in.plan.views.front().lines;
+    const Pixel* pixels = &in.pixels[line * samples];
+    return {samples, pixels, in_view == 0 ? pixels : pixels - samples,
+            in_view + 1 == in.plan.views.front().lines ? pixels : pixels + samples, &weights[line * samples]};
+}
+
+/// Distance in range to a neighbour; none when the neighbour shows nothing or is the pixel itself.
+float step_to(const Pixel& pixel, const Pixel& neighbour) {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    return neighbour.surface == 0 || &neighbour == &pixel ? none : std::abs(neighbour.range - pixel.range);
+}
+
+/// The plane of a facet may reach much farther than the facet, as on the crest of a ripple. So a footprint
+/// goes at most half as far again as the nearer of the two neighbours; on a smooth surface that never binds.
+float footprint_of(const Line& line, std::size_t i) {
+    const Pixel& pixel = line.pixels[i];
+    if (pixel.footprint < 0)
+        return std::min(-pixel.footprint,
+                        1.5F * std::min(step_to(pixel, line.before[i]), step_to(pixel, line.after[i])));
+    const Pixel& upper = line.pixels[i > 0 ? i - 1 : i];
+    const Pixel& lower = line.pixels[i + 1 < line.samples ? i + 1 : i];
+    return std::min(pixel.footprint, 1.5F * std::min(step_to(pixel, upper), step_to(pixel, lower)));
 }
 
 /// Deposits amount(pixel, weight) for every pixel of the line that shows a surface within the fan.
@@ -23,10 +46,10 @@ template <typename Amount>
 void bin_line(const BinningInput& in, const Line& line, LineBins& bins, const Amount& amount) {
     const auto per_metre = static_cast<float>(1 / in.bin_length);
     const auto start = static_cast<float>(in.first_range / in.bin_length);
-    for (std::size_t i = 0; i < line.pixels.size(); ++i) {
+    for (std::size_t i = 0; i < line.samples; ++i) {
         const Pixel& pixel = line.pixels[i];
         if (pixel.surface == 0 || line.weights[i] == 0) continue;
-        const float centre = pixel.range * per_metre - start, half = 0.5F * pixel.footprint * per_metre;
+        const float centre = pixel.range * per_metre - start, half = 0.5F * footprint_of(line, i) * per_metre;
         bins.deposit(centre - half, centre + half, amount(pixel, line.weights[i]));
     }
 }

@@ -13,10 +13,11 @@ namespace echoloop {
 
 /// What the renderer writes for one pixel.
 struct Pixel {
-    float range;      ///< m, Euclidean, at the sample point
-    float cosine;     ///< of the angle of incidence, 0..1
-    float footprint;  ///< m, how much range the pixel covers on its surface
-    float surface;    ///< 0: nothing; else 1 + index of its object and material
+    float range;   ///< m, Euclidean, at the sample point
+    float cosine;  ///< of the angle of incidence, 0..1
+    float
+        footprint;  ///< m, range that the pixel covers on its surface's plane; negative: mostly along bearing
+    float surface;  ///< 0: nothing; else 1 + index of its object and material
 };
 
 struct BinningInput {

@@ -38,7 +38,7 @@ float range_between(std::span<const Pixel> pixels, std::size_t samples, Between 
     const Pixel& nearest = corner[line.share > 0.5F][sample.share > 0.5F];
     for (const auto& row : corner)
         for (const Pixel& pixel : row) {
-            const float step = 2 * (pixel.footprint + nearest.footprint) + 1e-3F;
+            const float step = 2 * (std::abs(pixel.footprint) + std::abs(nearest.footprint)) + 1e-3F;
             if (pixel.surface != nearest.surface || std::abs(pixel.range - nearest.range) > step)
                 return nearest.surface != 0 ? nearest.range : BeamTruth{}.axis_range;
         }

@@ -43,8 +43,8 @@ void main() {
     float z = seen.z;
     float along_bearing = seen.x * z / range * pixel.x - range * z * dFdy(gl_FragCoord.w);
     float along_elevation = -seen.y * z / range * pixel.y - range * z * dFdx(gl_FragCoord.w);
-    float footprint = min(max(abs(along_bearing), abs(along_elevation)), 0.5 * range);
-    sample_out = vec4(range, cosine, footprint, seen_surface);
+    float footprint = abs(along_elevation) >= abs(along_bearing) ? abs(along_elevation) : -abs(along_bearing);
+    sample_out = vec4(range, cosine, clamp(footprint, -0.5 * range, 0.5 * range), seen_surface);
 }
 )";
 
