@@ -151,7 +151,8 @@ void draw_grid(Image& image, const Chart& chart, const PolarScan& scan) {
 }
 
 void draw_legend(Image& image, const Chart& chart, const Legend& legend) {
-    draw_text(image, 24, 26, legend.title, ink, 3);
+    const bool fits = text_width(legend.title, 3) <= chart.width - 48;
+    draw_text(image, 24, 26, legend.title, ink, fits ? 3 : 2);
     draw_text(image, 24, 58, legend.subtitle, faint_ink);
     const int left = chart.width - 82, top = margin_top,
               length = std::min(320, chart.height - margin_top - 40);

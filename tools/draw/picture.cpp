@@ -95,7 +95,7 @@ Legend legend(std::span<const Echogram> pings, const PolarScan& scan, const Leve
                   levels.top,  round_step(levels.span, 6), "dB re 1 \u00B5Pa"};
     if (levels.rule == EchoRule::cerqueira2016) return {style.title, result.subtitle, 0, 1, 0.2, "0..1"};
     if (levels.spreading > 0) result.unit += text(" + %g log r", levels.spreading);
-    if (levels.absorption > 0) result.unit += text(" + %g r", 2 * levels.absorption);
+    if (levels.absorption > 0) result.unit += text(" + %.2g r", 2 * levels.absorption);
     return result;
 }
 

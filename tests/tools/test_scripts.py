@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""tools/install and tools/demo, run with made-up system commands: what they install, and how they refuse."""
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+FAKES = {
+    # Everything is installed but what stands in the file "missing".
+    "dpkg-query": 'name=${!#}; if grep -qx "$name" "$STATE/missing"; then exit 1; fi; printf installed',
+    "apt-get": 'echo "apt-get $*" >>"$STATE/log"\n'
+               'case "$*" in *install*) n=$(cat "$STATE/failures"); echo $((n - 1)) >"$STATE/failures"\n'
+               '[ "$n" -le 0 ] ;; esac',
+    "apt-cache": '[ ! -e "$STATE/stale" ]',
+    "sudo": 'echo "sudo $*" >>"$STATE/log"; [ ! -e "$STATE/no_sudo" ] || exit 1\n'
+            'while [ "${1#-}" != "$1" ]; do shift; done; exec "$@"',
+    "id": 'cat "$STATE/uid"',
+}
+REAL = ("bash", "sed", "tr", "env", "grep", "cat", "dirname", "readlink", "true")
+
+
+class Script(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.state = pathlib.Path(folder.name)
+        self.bin = self.state / "bin"
+        self.bin.mkdir()
+        for name in REAL:
+            (self.bin / name).symlink_to(shutil.which(name))
+        for name, text in FAKES.items():
+            (self.bin / name).write_text(f"#!{shutil.which('bash')}\n{text}\n")
+            (self.bin / name).chmod(0o755)
+        self.put("missing", "libpng-dev\nlibgtest-dev\n")
+        self.put("failures", "0")
+        self.put("uid", "0")
+        self.put("log", "")
+
+    def put(self, name, text=""):
+        (self.state / name).write_text(text)
+
+    def run_script(self, *command):
+        result = subprocess.run([ROOT / "tools" / command[0], *command[1:]], capture_output=True, text=True,
+                                stdin=subprocess.DEVNULL, cwd="/", env={"PATH": str(self.bin), "STATE": str(self.state)})
+        self.output = result.stdout + result.stderr
+        self.log = (self.state / "log").read_text().splitlines()
+        return result.returncode
+
+    def installs(self):
+        return [line.split("--no-install-recommends ")[1] for line in self.log
+                if line.startswith("apt-get") and " install " in line]
+
+    def updates(self):
+        return [line for line in self.log if line.startswith("apt-get") and " update" in line]
+
+
+class Install(Script):
+    def test_installs_only_what_is_missing_and_says_why(self):
+        self.assertEqual(self.run_script("install", "build"), 0, self.output)
+        self.assertEqual(self.installs(), ["libpng-dev"])
+        self.assertEqual(self.updates(), [])
+        self.assertRegex(self.output, r"libpng-dev +pictures")
+        self.assertNotIn("libgtest-dev", self.output)
+
+    def test_adds_what_the_tests_need(self):
+        self.assertEqual(self.run_script("install", "test"), 0, self.output)
+        self.assertEqual(self.installs(), ["libpng-dev libgtest-dev"])
+
+    def test_says_and_does_nothing_when_all_is_there(self):
+        self.put("missing")
+        self.assertEqual(self.run_script("install", "test"), 0)
+        self.assertEqual((self.output, self.log), ("", []))
+
+    def test_updates_the_lists_only_when_they_do_not_know_a_package(self):
+        self.put("stale")
+        self.assertEqual(self.run_script("install", "build"), 0)
+        self.assertEqual([" update" in line for line in self.log], [True, False])
+
+    def test_tries_again_with_new_lists_then_gives_up(self):
+        self.put("failures", "1")
+        self.assertEqual(self.run_script("install", "build"), 0)
+        self.assertEqual((len(self.installs()), len(self.updates())), (2, 1))
+        self.put("failures", "9")
+        self.assertEqual(self.run_script("install", "build"), 69)
+        self.assertIn("could not install: libpng-dev", self.output)
+
+    def test_without_permission_names_the_command_for_an_administrator(self):
+        self.put("uid", "1000")
+        self.put("no_sudo")
+        self.assertEqual(self.run_script("install", "build"), 77)
+        self.assertIn("apt-get install -y libpng-dev", self.output)
+        self.assertEqual(self.installs(), [])
+
+    def test_without_sudo_names_it_too(self):
+        self.put("uid", "1000")
+        (self.bin / "sudo").unlink()
+        self.assertEqual(self.run_script("install", "build"), 77)
+        self.assertIn("apt-get install -y libpng-dev", self.output)
+
+    def test_as_a_user_goes_through_sudo(self):
+        self.put("uid", "1000")
+        self.assertEqual(self.run_script("install", "build"), 0, self.output)
+        self.assertTrue(any(line.startswith("sudo ") and "install" in line for line in self.log))
+        self.assertEqual(self.installs(), ["libpng-dev"])
+
+    def test_elsewhere_than_on_debian_lists_the_packages(self):
+        (self.bin / "dpkg-query").unlink()
+        self.assertEqual(self.run_script("install", "build"), 69)
+        self.assertIn("libosmesa6-dev", self.output)
+        self.assertIn("cmake --preset release", self.output)
+
+    def test_wants_to_know_what_for(self):
+        for arguments in ((), ("all",)):
+            self.assertEqual(self.run_script("install", *arguments), 64)
+        self.assertEqual(self.log, [])
+
+
+class Demo(Script):
+    def test_refuses_a_wrong_argument_before_it_installs_anything(self):
+        for arguments in (("--duration",), ("--duration", "long"), ("--nonsense",)):
+            self.assertEqual(self.run_script("demo", *arguments), 64, arguments)
+            self.assertIn("tools/demo [--duration SECONDS]", self.output)
+        self.assertEqual(self.log, [])
+
+    def test_explains_itself(self):
+        self.assertEqual(self.run_script("demo", "--help"), 0)
+        self.assertIn("until Ctrl-C", self.output)
+
+
+if __name__ == "__main__":
+    unittest.main()
