@@ -6,7 +6,7 @@ namespace echoloop::micron {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr Time beat_time = 1s;
+constexpr Time beat_time = 1s, least_gap = 200ms;
 
 }  // namespace
 
@@ -14,6 +14,7 @@ Time Boot::first_alive() const { return start_ + from_seconds(settings_.first_al
 
 void Boot::restart(Time now) {
     start_ = now;
+    last_alive_ = now - beat_time;
     next_alive_ = first_alive();
     // Half a beat before the first alive that says Centred, so that a late timer changes nothing.
     centred_at_ = settings_.recentring_alives == 0
@@ -41,9 +42,8 @@ void Boot::line_served(Time now) {
     if (!settings_.alives_while_scanning) next_alive_ = now + beat_time;
 }
 
-void Boot::beat(Time now) {
-    next_alive_ += beat_time;
-    if (next_alive_ <= now) next_alive_ = now + beat_time;  // a stalled run does not catch up with a burst
+void Boot::hasten_alive(Time now) {
+    if (booted(now)) next_alive_ = std::min(next_alive_, std::max(now, last_alive_ + least_gap));
 }
 
 std::uint8_t Boot::head_inf(Time now) const {
@@ -68,6 +68,8 @@ seanet::Alive Boot::alive(Time now, std::uint16_t position) {
     alive.motor_position = position;
     alive.head_inf = head_inf(now);
     if (centred(now)) acknowledging_ = false;
+    last_alive_ = now;
+    next_alive_ = std::max(next_alive_ + beat_time, now + beat_time / 2);  // a stalled run does not catch up
     return alive;
 }
 

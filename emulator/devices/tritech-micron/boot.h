@@ -26,12 +26,11 @@ class Boot {
 
     /// When the next alive is due; Time::max() if never.
     Time next_alive() const { return stopped_ ? Time::max() : next_alive_; }
-    /// True if alives are sent at all and the head has come up.
-    bool may_speak(Time now) const { return !stopped_ && booted(now); }
-    /// The alive of this moment. Counts as sent.
+    /// Parameters came: the next alive comes at once, but not in bursts, since one host repeats its
+    /// parameters on every alive that is not to its liking.
+    void hasten_alive(Time now);
+    /// The alive of this moment; the next is due a second later.
     seanet::Alive alive(Time now, std::uint16_t position);
-    /// The one-second beat went by.
-    void beat(Time now);
 
   private:
     Time first_alive() const;
@@ -39,7 +38,7 @@ class Boot {
     bool no_params(Time now) const { return !has_parameters_ || acknowledging_ || !centred(now); }
 
     const Settings& settings_;
-    Time start_{}, centred_at_{}, next_alive_{};
+    Time start_{}, centred_at_{}, next_alive_{}, last_alive_{};
     Time clock_offset_{};  ///< head time minus run time
     bool has_parameters_ = false;
     bool acknowledging_ =

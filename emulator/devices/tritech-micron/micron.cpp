@@ -30,10 +30,7 @@ Actions Micron::received(const Received& data, Time now) {
 }
 
 Actions Micron::woken(Time now) {
-    if (now >= boot_.next_alive()) {
-        send_alive(now);
-        boot_.beat(now);
-    }
+    if (now >= boot_.next_alive()) send_alive(now);
     if (now >= next_line_) begin_line(now);
     return take_actions();
 }
@@ -128,7 +125,8 @@ void Micron::configure(const seanet::HeadParameters& parameters, Time now) {
                      parameters.left_limit, parameters.right_limit, parameters.step_size});
     boot_.head_command();
     // Some drivers wait only a second for the alive that acknowledges their parameters.
-    if (boot_.may_speak(now)) send_alive(now);
+    boot_.hasten_alive(now);
+    if (now >= boot_.next_alive()) send_alive(now);
     if (pending_requests_ > 0) next_line_ = std::max(now, boot_.centred_at());
 }
 
