@@ -176,6 +176,16 @@ TEST(PolarScan, is_linear_between_beams_and_between_bins) {
     EXPECT_EQ(polar.value(10.2, deg_to_rad(5)), 0) << "outside the window";
 }
 
+TEST(PolarScan, keeps_the_power_of_bins_finer_than_a_pixel) {
+    const auto field = [](double r, double) { return std::abs(r - 4.995) < 0.003 ? 1000.0F : 0.0F; };
+    const Echogram ping = test::ping({-0.1, 0.1}, 0, 0.2, 10, 1000, field);  // 1 cm bins, one of them loud
+    const PolarScan polar({&ping, 1});
+    double sum = 0;
+    for (double r = 0.05; r < 10; r += 0.1) sum += polar.value(r, 0, 0.1) * 0.1;
+    EXPECT_NEAR(sum, 1000 * 0.01, 0.01);
+    EXPECT_NEAR(polar.value(4.996, 0, 0.05), 1000 * 0.01 / 0.05, 1);
+}
+
 TEST(RoundStep, is_1_2_or_5_times_a_power_of_ten) {
     EXPECT_DOUBLE_EQ(round_step(50, 5), 10);
     EXPECT_DOUBLE_EQ(round_step(20, 5), 5);

@@ -59,7 +59,7 @@ double pixel_shade(const PolarScan& scan, const Chart& chart, const Levels& leve
         for (int i = 0; i < samples; ++i) {
             const double dx = (x + (i + 0.5) / samples - chart.center_x) / chart.scale;
             const double dy = (y + (j + 0.5) / samples - chart.center_y) / chart.scale;
-            sum += scan.value(std::hypot(dx, dy), std::atan2(dx, -dy));
+            sum += scan.value(std::hypot(dx, dy), std::atan2(dx, -dy), 1 / chart.scale / samples);
         }
     const double range = std::hypot(x + 0.5 - chart.center_x, y + 0.5 - chart.center_y) / chart.scale;
     return levels.shade(sum / (samples * samples), range);

@@ -23,15 +23,15 @@ void check(const Echogram& ping) {
 
 }  // namespace
 
-double Ray::value(double range) const {
-    const double place = (range - first) / step;
-    const double last = static_cast<double>(values.size()) - 1;
-    if (!(place >= -0.5 && place <= last + 0.5)) return 0;
-    const double inside = std::clamp(place, 0.0, last);
+/// What cannot be a power counts as silence.
+double power(float value) { return value > 0 && std::isfinite(value) ? value : 0; }
+
+double between_bins(const Ray& ray, double place) {
+    const double inside = std::clamp(place, 0.0, static_cast<double>(ray.values.size()) - 1);
     const auto below = static_cast<std::size_t>(inside);
-    const auto above = std::min(below + 1, values.size() - 1);
+    const auto above = std::min(below + 1, ray.values.size() - 1);
     const double t = inside - static_cast<double>(below);
-    return (1 - t) * values[below] + t * values[above];
+    return (1 - t) * power(ray.values[below]) + t * power(ray.values[above]);
 }
 
 PolarScan::PolarScan(std::span<const Echogram> pings) {
@@ -50,9 +50,31 @@ void PolarScan::add(const Echogram& ping, std::size_t index) {
     const double step = ping.bin_range(1) - ping.bin_range(0);
     for (std::size_t i = 0; i < ping.beams(); ++i) {
         const double bearing = wrapped(ping.shot.pan + ping.shot.bearings[i], -std::numbers::pi);
-        rays_.push_back({bearing, ping.shot.beam_width, ping.bin_range(0), step, index, ping.beam(i)});
+        rays_.push_back(
+            {bearing, ping.shot.beam_width, ping.bin_range(0), step, index, ping.beam(i), sums_.size()});
+        sum_up(ping.beam(i));
     }
     max_range_ = std::max(max_range_, ping.bin_range(ping.shot.bins - 1) + step / 2);
+}
+
+void PolarScan::sum_up(std::span<const float> values) {
+    double sum = 0;
+    sums_.push_back(sum);
+    for (const float value : values) sums_.push_back(sum += power(value));
+}
+
+double PolarScan::along(const Ray& ray, double range, double extent) const {
+    const double place = (range - ray.first) / ray.step, bins = static_cast<double>(ray.values.size());
+    if (!(place >= -0.5 && place <= bins - 0.5)) return 0;
+    if (extent <= ray.step) return between_bins(ray, place);
+    const auto sum_to = [&](double edge) {  // counted in bins from the leading edge of bin 0
+        const double inside = std::clamp(edge, 0.0, bins);
+        const auto whole = std::min(static_cast<std::size_t>(inside), ray.values.size() - 1);
+        const double* sums = &sums_[ray.first_sum];
+        return sums[whole] + (inside - static_cast<double>(whole)) * (sums[whole + 1] - sums[whole]);
+    };
+    const double half = extent / ray.step / 2, middle = place + 0.5;
+    return (sum_to(middle + half) - sum_to(middle - half)) / (2 * half);
 }
 
 void PolarScan::sort_rays() {
@@ -122,10 +144,11 @@ std::optional<PolarScan::Place> PolarScan::find(double bearing) const {
 
 bool PolarScan::covers(double bearing) const { return find(bearing).has_value(); }
 
-double PolarScan::value(double range, double bearing) const {
+double PolarScan::value(double range, double bearing, double extent) const {
     const auto place = find(bearing);
     if (!place) return 0;
-    return (1 - place->weight) * place->left->value(range) + place->weight * place->right->value(range);
+    return (1 - place->weight) * along(*place->left, range, extent) +
+           place->weight * along(*place->right, range, extent);
 }
 
 }  // namespace echoloop::draw

@@ -17,9 +17,7 @@ struct Ray {
     double step = 0;       ///< m per bin
     std::size_t ping = 0;  ///< index of the ping it belongs to
     std::span<const float> values;
-
-    /// Value at a slant range, linear between the middles of bins; 0 outside the window.
-    double value(double range) const;
+    std::size_t first_sum = 0;  ///< place of its running sums in PolarScan
 };
 
 class PolarScan {
@@ -28,9 +26,10 @@ class PolarScan {
     /// polar_picture().
     explicit PolarScan(std::span<const Echogram> pings);
 
-    /// Value at a slant range (m) and a bearing (rad, any turn), linear between neighbouring beams; 0 where
-    /// no beam looks.
-    double value(double range, double bearing) const;
+    /// Value at a slant range (m) and a bearing (rad, any turn), linear between neighbouring beams; along the
+    /// range it is the mean over `extent` m, or linear between the middles of bins where these are longer. 0
+    /// where no beam looks.
+    double value(double range, double bearing, double extent = 0) const;
     /// Whether a beam looks at a bearing: it lies between neighbours or within an outer edge.
     bool covers(double bearing) const;
 
@@ -42,6 +41,8 @@ class PolarScan {
 
   private:
     void add(const Echogram& ping, std::size_t index);
+    void sum_up(std::span<const float> values);
+    double along(const Ray& ray, double range, double extent) const;
     void sort_rays();
     void cut_at_widest_gap();
     void set_edges(double widest_gap);
@@ -55,6 +56,7 @@ class PolarScan {
     bool neighbours(const Ray& left, const Ray& right, double gap) const;
 
     std::vector<Ray> rays_;
+    std::vector<double> sums_;  ///< per ray: 0, then the sum of the values up to each bin
     bool full_turn_ = false;
     double spacing_ = 0;  ///< rad, usual angle between neighbours
     double begin_ = 0, end_ = 0, max_range_ = 0;
