@@ -46,7 +46,7 @@ class Renderer::Impl {
         draw(shot, pose);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, {}};
         bin_pixels(
-            {plan_, pixels_, mu_, options_.rule, out.sound_speed / 2 * shot.first_bin_time,
+            {plan_, pixels_, mu_, offset_of(shot), options_.rule, out.sound_speed / 2 * shot.first_bin_time,
              out.sound_speed / 2 * shot.bin_interval, shot.bearings.size(), shot.bins,
              db_to_power(shot.source_level), db_to_neper(absorption_db_per_km(water_, shot.frequency) / 1e3)},
             out.values);

@@ -24,6 +24,7 @@ struct BinningInput {
     const FanPlan& plan;
     std::span<const Pixel> pixels;  ///< plan.lines x plan.samples
     std::span<const float> mu;      ///< Lambert's constant per surface index
+    PixelOffset offset;             ///< where in the pixels the ping sampled
     EchoRule rule;
     double first_range = 0;  ///< m, leading edge of bin 0
     double bin_length = 0;   ///< m

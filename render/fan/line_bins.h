@@ -11,8 +11,9 @@ class LineBins {
   public:
     explicit LineBins(std::size_t bins) : values_(bins), last_(static_cast<float>(bins)) {}
 
-    /// Spreads `amount` evenly over low..high, counted in bins from the leading edge of bin 0.
-    void deposit(float low, float high, float amount) {
+    /// Spreads `amount` over low..high, counted in bins from the leading edge of bin 0, with a density that
+    /// changes by the share `slope` per bin and has its mean in the middle.
+    void deposit(float low, float high, float amount, float slope = 0) {
         if (!(high >= 0 && low < last_)) return;  // false for NaN
         const float from = std::max(low, 0.0F), to = std::min(high, last_);
         const auto first = static_cast<std::size_t>(from);
@@ -24,10 +25,14 @@ class LineBins {
             values_[first] += width > 0 ? amount * ((to - from) / width) : amount;
             return;
         }
-        const float density = amount / width;
-        values_[first] += density * (static_cast<float>(first + 1) - from);
-        for (std::size_t i = first + 1; i < last; ++i) values_[i] += density;
-        values_[last] += density * (to - static_cast<float>(last));
+        const float density = amount / width, middle = 0.5F * (low + high);
+        const auto piece = [&](float left, float right) {
+            return density * (right - left) * (1 + slope * (0.5F * (left + right) - middle));
+        };
+        values_[first] += piece(from, static_cast<float>(first + 1));
+        for (std::size_t i = first + 1; i < last; ++i)
+            values_[i] += density * (1 + slope * (static_cast<float>(i) + 0.5F - middle));
+        values_[last] += piece(static_cast<float>(last), to);
     }
 
     /// Adds the bins that hold anything, times `weight`, to a beam's.

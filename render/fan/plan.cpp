@@ -8,7 +8,7 @@ namespace {
 
 constexpr double widest_view =
     deg_to_rad(62);  ///< beyond, the edge's pixels would be much narrower than the centre's
-constexpr double widest_line = deg_to_rad(0.4);
+constexpr double widest_line = deg_to_rad(0.2);
 constexpr std::size_t fewest_lines = 16, most_lines = 8192;
 constexpr std::size_t fewest_samples = 64, most_samples = 2048, most_pixels = std::size_t{4} << 20;
 
