@@ -32,7 +32,7 @@ constexpr Row rows[] = {{"BTH0", "", parse_as<Bth0>},     {"AID0", "H0", parse_a
                         {"R2DC", "", parse_as<R2dc>},     {"CMD0", "", parse_as<Cmd0>}};
 
 bool is_of(const Row& row, ByteView datagram) {
-    return has_text(datagram, 0, row.name) && has_text(datagram, 12, row.section);
+    return has_text(datagram, 0, row.name) && (row.section.empty() || has_text(datagram, 12, row.section));
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ constexpr FixedSize fixed_size() {
         return std::apply(
             [](const auto&... fields) {
                 FixedSize total = 0;
-                const auto add = [&](FixedSize size) {
+                [[maybe_unused]] const auto add = [&](FixedSize size) {
                     total = total && size ? FixedSize(*total + *size) : std::nullopt;
                 };
                 (add(field_size(fields)), ...);

@@ -11,10 +11,15 @@ namespace {
 
 constexpr std::size_t shown_elements = 8;
 
+/// The shortest decimal that reads back as the same value; with an exponent only where a plain one would be
+/// long.
 template <class T>
 std::string shortest(T value) {
     std::array<char, 64> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    const double size = std::abs(static_cast<double>(value));
+    const bool plain = size == 0 || (size >= 1e-4 && size < 1e15);
+    const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format).ptr;
     return {buffer.data(), end};
 }
 

@@ -1,0 +1,81 @@
+// Frames worked out from the specifications: tests/data/<family>/*.hex, each with the fields to find in it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "protocols/inspect.h"
+#include "protocols/r2sonic/codec.h"
+#include "protocols/seanet/codec.h"
+#include "protocols/seanet/framer.h"
+#include "tests/protocols/data.h"
+
+namespace echoloop {
+namespace {
+
+struct Golden {
+    std::string family;
+    std::filesystem::path path;
+};
+void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.path.filename(); }
+
+std::vector<Golden> golden_files() {
+    std::vector<Golden> out;
+    for (const auto& family : inspect::families()) {
+        for (const auto& path : hex_files(std::string(family.name)))
+            out.push_back({std::string(family.name), path});
+    }
+    return out;
+}
+
+/// The bytes parsed and written back.
+wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
+    if (family == "r2sonic") {
+        const auto packet = r2sonic::parse(bytes);
+        return packet ? r2sonic::serialise(*packet) : wire::Bytes{};
+    }
+    seanet::Framer framer;
+    framer.feed(bytes);
+    const auto frame = framer.next();
+    const auto message = frame ? seanet::parse(*frame) : wire::Result<seanet::Message>(wire::Error{});
+    return message ? seanet::encode(*message) : wire::Bytes{};
+}
+
+class GoldenFile : public ::testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenFile, HasTheFieldsThatTheFileSays) {
+    const HexFile file = read_hex_file(GetParam().path);
+    const auto messages = inspect::find_family(GetParam().family)->decode(file.bytes);
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_EQ(messages[0].reason, "");
+    EXPECT_EQ(messages[0].name, file.message);
+    EXPECT_FALSE(file.fields.empty());
+    for (const auto& [name, text] : file.fields) {
+        const auto& fields = messages[0].fields;
+        const auto found =
+            std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
+        ASSERT_NE(found, fields.end()) << name;
+        EXPECT_EQ(found->text, text) << name;
+    }
+}
+
+TEST_P(GoldenFile, IsWrittenBackByteForByte) {
+    const wire::Bytes bytes = read_hex_file(GetParam().path).bytes;
+    EXPECT_EQ(to_hex(rewritten(GetParam().family, bytes)), to_hex(bytes));
+}
+
+TEST_P(GoldenFile, IsRecognisedAsItsFamily) {
+    const auto* family = inspect::guess_family(read_hex_file(GetParam().path).bytes);
+    ASSERT_NE(family, nullptr);
+    EXPECT_EQ(family->name, GetParam().family);
+}
+
+INSTANTIATE_TEST_SUITE_P(Data, GoldenFile, ::testing::ValuesIn(golden_files()), [](const auto& golden) {
+    return golden.param.family + '_' + golden.param.path.stem().string();
+});
+
+TEST(GoldenFile, EveryFamilyHasSome) {
+    for (const auto& family : inspect::families()) EXPECT_FALSE(hex_files(std::string(family.name)).empty());
+}
+
+}  // namespace
+}  // namespace echoloop
