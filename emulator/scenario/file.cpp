@@ -23,16 +23,14 @@ std::optional<FileFault> file_fault(const std::filesystem::path& file) {
     using Kind = Problem::Kind;
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
-    const auto name = in_quotes(file.string());
     if (status.type() == std::filesystem::file_type::not_found)
-        return FileFault{Kind::missing_file, "no such file: " + name};
+        return FileFault{Kind::missing_file, "no such file"};
     if (error == std::errc::permission_denied)
-        return FileFault{Kind::no_permission, "no permission to look at " + name};
-    if (error) return FileFault{Kind::missing_file, name + ": " + error.message()};
+        return FileFault{Kind::no_permission, "no permission to look into its folder"};
+    if (error) return FileFault{Kind::missing_file, error.message()};
     if (status.type() != std::filesystem::file_type::regular)
-        return FileFault{Kind::missing_file, name + " is not a regular file"};
-    if (::access(file.c_str(), R_OK) != 0)
-        return FileFault{Kind::no_permission, "no permission to read " + name};
+        return FileFault{Kind::missing_file, "not a regular file"};
+    if (::access(file.c_str(), R_OK) != 0) return FileFault{Kind::no_permission, "no permission to read it"};
     return {};
 }
 

@@ -11,7 +11,7 @@ namespace echoloop::scenario {
 
 struct FileFault {
     Problem::Kind kind;
-    std::string message;  ///< names the file
+    std::string message;  ///< does not name the file
 };
 
 /// Why the file cannot be read; nullopt if it can.

@@ -43,12 +43,14 @@ CLI::Option* add(CLI::App& app, const Argument& argument, Given& given) {
 CLI::App* add(CLI::App& app, const Verb& verb, Given& given) {
     CLI::App* sub = app.add_subcommand(verb.name, verb.summary);
     for (const auto& argument : verb.arguments) add(*sub, argument, given);
+    sub->group("Verbs");
     sub->footer("Examples:\n" + verb.examples);
     return sub;
 }
 
 void refuse_unknown_verb(int argc, const char* const* argv) {
-    if (argc < 2 || argv[1][0] == '-') return;
+    if (argc < 2) throw StartError(Exit::usage, "which verb? see echoloop --help");
+    if (argv[1][0] == '-') return;
     std::vector<std::string_view> known;
     for (const auto& verb : verbs()) known.push_back(verb.name);
     if (std::find(known.begin(), known.end(), argv[1]) != known.end()) return;
@@ -62,6 +64,7 @@ int run_command_line(int argc, const char* const* argv) {
     refuse_unknown_verb(argc, argv);
     CLI::App app(purpose, "echoloop");
     app.get_formatter()->column_width(36);
+    app.get_formatter()->label("SUBCOMMAND", "VERB");
     app.set_version_flag("--version", "echoloop " ECHOLOOP_VERSION);
     app.require_subcommand(1);
     app.footer(first_steps);
@@ -73,8 +76,8 @@ int run_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
         const auto used = app.get_subcommands();
-        throw StartError(Exit::usage, std::string(error.what()) + "\ntry: echoloop " +
-                                          (used.empty() ? "" : used.front()->get_name() + " ") + "--help");
+        const auto help = "echoloop " + (used.empty() ? "" : used.front()->get_name() + " ") + "--help";
+        throw StartError(Exit::usage, std::string(error.what()) + "; see " + help);
     }
     for (const auto& [sub, verb] : subs)
         if (sub->parsed()) return verb->run(Arguments(given));

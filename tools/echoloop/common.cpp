@@ -16,6 +16,13 @@ std::shared_ptr<const Scene> scene_of(const Scenario& scenario) {
     }
 }
 
+std::string text_of(const Address& address) {
+    std::string text;
+    for (int shift = 24; shift >= 0; shift -= 8)
+        text += std::to_string(address.ip >> shift & 0xFF) + (shift > 0 ? "." : "");
+    return (address.ip == 0 ? "" : text) + ":" + std::to_string(address.port);
+}
+
 std::string plain(double number, int decimals) {
     char buffer[64];
     std::snprintf(buffer, sizeof buffer, "%.*f", decimals, number);

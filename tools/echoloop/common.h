@@ -15,6 +15,9 @@ Scenario scenario_from(const Arguments& arguments);
 /// Throws StartError with the scene's own message.
 std::shared_ptr<const Scene> scene_of(const Scenario& scenario);
 
+/// "127.0.0.1:65502"; ":53810" for every address of the machine.
+std::string text_of(const Address& address);
+
 /// "12.5", never in scientific notation, without trailing zeros.
 std::string plain(double number, int decimals);
 

@@ -1,6 +1,7 @@
 #include "tools/echoloop/driver.h"
 
 #include "emulator/endpoint.h"
+#include "tools/echoloop/common.h"
 #include "tools/echoloop/driver_seanet.h"
 
 namespace echoloop::cli {
@@ -10,13 +11,6 @@ constexpr std::uint16_t status_offset = 2;  // R2Sonic: what is sent where, coun
 constexpr std::uint16_t image_offset = 3;
 
 std::string address_text(const std::string& host, int port) { return host + ":" + std::to_string(port); }
-
-std::string address_text(const Address& address) {
-    std::string text;
-    for (int shift = 24; shift >= 0; shift -= 8)
-        text += std::to_string(address.ip >> shift & 0xFF) + (shift > 0 ? "." : "");
-    return address_text(address.ip == 0 ? "any address" : text, address.port);
-}
 
 bool is_r2sonic(const ScenarioDevice& device) { return device.model->name.starts_with("r2sonic-"); }
 bool is_seanet(const ScenarioDevice& device) { return device.model->name.starts_with("tritech-"); }
@@ -31,11 +25,18 @@ DriverHint r2sonic_ros2(const ScenarioDevice& device) {
             "it only listens: settings come from the scenario, or from a program that sends CMD0"};
 }
 
+std::string title_of(const std::string& format) {
+    static const std::map<std::string, std::string> titles{{"ros1", "ROS 1"}, {"ros2", "ROS 2"},
+                                                           {"moos", "MOOS"},  {"rock", "Rock"},
+                                                           {"dune", "DUNE"},  {"sitl", "ArduPilot"}};
+    return titles.at(format);
+}
+
 DriverHint no_driver(const ScenarioDevice& device, const std::string& format) {
     return {"",
             {},
-            "no driver for " + device.model->name + " is known for " + format +
-                "; without --format the plain addresses are printed"};
+            "no driver of " + title_of(format) + " for " + device.model->name +
+                " is known to us; without --format the plain addresses are printed"};
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
     std::vector<WirePlace> places;
     for (const Port& port : device.model->make(device.config)->ports()) {
         if (port.kind == Port::Kind::datagram) {
-            places.push_back({port.name + " go to", address_text(port.bind)});
+            places.push_back({"listens for " + port.name, text_of(port.bind)});
         } else {
             const auto end = parse_endpoint(device.config.endpoints.at(places.size()));
             places.push_back({port.name, stream_address(end)});
@@ -57,9 +58,9 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
     }
     if (!is_r2sonic(device)) return places;
     const auto host = parse_endpoint(device.config.endpoints.at(1));
-    places.push_back({"bathymetry comes to", address_text(host.host, host.port)});
-    places.push_back({"status comes to", address_text(host.host, host.port + status_offset)});
-    places.push_back({"image comes to", address_text(host.host, host.port + image_offset)});
+    places.push_back({"sends bathymetry to", address_text(host.host, host.port)});
+    places.push_back({"sends status to", address_text(host.host, host.port + status_offset)});
+    places.push_back({"sends images to", address_text(host.host, host.port + image_offset)});
     return places;
 }
 

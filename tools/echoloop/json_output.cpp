@@ -2,13 +2,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/echoloop/common.h"
+
 namespace echoloop::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// Text from files may hold bytes that are no UTF-8; they are replaced, never an error.
-std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+std::string document(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
@@ -72,7 +75,7 @@ std::string problems_json(const std::vector<Problem>& problems) {
     Json list = Json::array();
     for (const auto& p : problems)
         list.push_back({{"where", p.where}, {"line", p.line}, {"column", p.column}, {"message", p.message}});
-    return text_of({{"ok", false}, {"problems", list}});
+    return document({{"ok", false}, {"problems", list}});
 }
 
 std::string check_json(const Scenario& s, const Scene& scene) {
@@ -83,38 +86,38 @@ std::string check_json(const Scenario& s, const Scene& scene) {
                      {"ph", s.water.ph},
                      {"depth", s.water.depth},
                      {"sound_speed", sound_speed(s.water)}};
-    return text_of({{"ok", true},
-                    {"file", s.file.string()},
-                    {"scene", scene_json(s.scene.string(), scene)},
-                    {"seed", s.seed},
-                    {"water", water},
-                    {"vehicle", pose(s.world_from_body)},
-                    {"clock_rate", s.clock_rate},
-                    {"devices", devices}});
+    return document({{"ok", true},
+                     {"file", s.file.string()},
+                     {"scene", scene_json(s.scene.string(), scene)},
+                     {"seed", s.seed},
+                     {"water", water},
+                     {"vehicle", pose(s.world_from_body)},
+                     {"clock_rate", s.clock_rate},
+                     {"devices", devices}});
 }
 
 std::string list_json(std::span<const Model> models) {
     Json list = Json::array();
     for (const auto& m : models) list.push_back(model(m));
-    return text_of({{"models", list}});
+    return document({{"models", list}});
 }
 
 std::string endpoints_json(const std::string& format, const std::vector<DeviceEndpoints>& devices) {
     Json list = Json::array();
     for (const auto& [device, places, hint] : devices) {
-        Json json{{"name", device->name},
-                  {"model", device->model->name},
-                  {"endpoints", device->config.endpoints},
-                  {"places", Json::array()}};
+        Json entry{{"name", device->name},
+                   {"model", device->model->name},
+                   {"endpoints", device->config.endpoints},
+                   {"places", Json::array()}};
         for (const auto& place : places)
-            json["places"].push_back({{"what", place.what}, {"address", place.address}});
+            entry["places"].push_back({{"what", place.what}, {"address", place.address}});
         if (!format.empty())
-            json.update({{"driver", hint.driver}, {"paste", hint.paste}, {"note", hint.note}});
-        list.push_back(json);
+            entry.update({{"driver", hint.driver}, {"paste", hint.paste}, {"note", hint.note}});
+        list.push_back(entry);
     }
-    Json document{{"devices", list}};
-    if (!format.empty()) document["format"] = format;
-    return text_of(document);
+    Json json{{"devices", list}};
+    if (!format.empty()) json["format"] = format;
+    return document(json);
 }
 
 std::string render_json(const RenderReport& report) {
@@ -123,7 +126,7 @@ std::string render_json(const RenderReport& report) {
               {"model", report.model},
               {"renderer", report.renderer},
               {"pings", report.pings.size()}};
-    if (report.pings.empty()) return text_of(json);
+    if (report.pings.empty()) return document(json);
     const auto& first = report.pings.front();
     float strongest = 0;
     for (const auto& ping : report.pings)
@@ -138,7 +141,44 @@ std::string render_json(const RenderReport& report) {
          {"sound_speed", first.sound_speed},
          {"rule", radiometric ? "radiometric" : "cerqueira2016"},
          {radiometric ? "strongest_db" : "strongest", radiometric ? level_db(strongest) : strongest}});
-    return text_of(json);
+    return document(json);
+}
+
+std::string message_json(const InspectOrigin& origin, const inspect::Message& message) {
+    Json json;
+    if (origin.from)
+        json.update({{"time", origin.time}, {"from", text_of(*origin.from)}, {"to", text_of(*origin.to)}});
+    json.update({{"family", origin.family},
+                 {"name", message.name},
+                 {"offset", message.offset},
+                 {"size", message.size},
+                 {"reason", message.reason}});
+    Json fields = Json::array();
+    for (const auto& f : message.fields) {
+        Json field{{"name", f.name}, {"offset", f.offset}, {"size", f.size}};
+        if (!f.unit.empty()) field["unit"] = f.unit;
+        if (f.number) {
+            field["value"] = *f.number;
+        } else if (!f.numbers.empty()) {
+            field["value"] = f.numbers;
+        } else {
+            field["value"] = f.text;
+        }
+        fields.push_back(field);
+    }
+    json["fields"] = fields;
+    return line_of(json);
+}
+
+std::string summary_json(const InspectSummary& summary) {
+    Json json{{"messages", summary.messages},
+              {"broken", summary.broken},
+              {"undecoded_bytes", summary.undecoded_bytes}};
+    if (summary.packets)
+        json.update({{"packets", *summary.packets},
+                     {"skipped_packets", summary.skipped_packets},
+                     {"incomplete_datagrams", summary.incomplete}});
+    return line_of(json);
 }
 
 }  // namespace echoloop::cli

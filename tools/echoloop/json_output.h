@@ -1,11 +1,14 @@
 // The --json documents of the verbs. One of the two users of nlohmann-json's heavy header.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "emulator/scenario/scenario.h"
+#include "protocols/inspect.h"
 #include "render/echogram.h"
 #include "render/scene/scene.h"
 #include "tools/echoloop/driver.h"
@@ -29,5 +32,23 @@ struct RenderReport {
     std::vector<Echogram> pings;  ///< empty for --channels
 };
 std::string render_json(const RenderReport& report);
+
+/// Where a message of `echoloop inspect` comes from; addresses and time (s since the first datagram) only for
+/// captures.
+struct InspectOrigin {
+    std::string family{};
+    double time = 0;
+    std::optional<Address> from{}, to{};
+};
+struct InspectSummary {
+    std::map<std::string, std::size_t> messages;  ///< decoded ones by name
+    std::size_t broken = 0;                       ///< messages that could be named but not decoded
+    std::size_t undecoded_bytes = 0;
+    std::optional<std::uint64_t> packets;  ///< captures only
+    std::uint64_t skipped_packets = 0;
+    std::size_t incomplete = 0;
+};
+std::string message_json(const InspectOrigin& origin, const inspect::Message& message);
+std::string summary_json(const InspectSummary& summary);
 
 }  // namespace echoloop::cli

@@ -83,7 +83,7 @@ int run(const Arguments& arguments) {
 Verb list_verb() {
     return {"list",
             "the sonars that can be emulated, and their options",
-            {{Argument::Kind::optional, "MODEL", "MODEL", "show this model only"}, json_argument()},
+            {{Argument::Kind::optional, "MODEL", "", "show this model only"}, json_argument()},
             "  echoloop list\n"
             "  echoloop list tritech-micron\n"
             "  echoloop list --json | jq -r '.models[].name'",

@@ -99,7 +99,9 @@ class Job {
         style.title = device_.name + " (" + device_.model->name + "), " + scenario_.scene.filename().string();
         style.width = static_cast<int>(arguments_.number("--width", style.width, 400, 4000));
         style.span = arguments_.number("--span", style.span, 1, 200);
-        style.absorption = absorption_db_per_km(scenario_.water, pings.front().shot.frequency) / 1e3;
+        // Rounded, since the colour bar names it.
+        style.absorption =
+            std::round(absorption_db_per_km(scenario_.water, pings.front().shot.frequency)) / 1e3;
         draw::write_png(file, draw::polar_picture(pings, style));
     }
 

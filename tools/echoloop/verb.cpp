@@ -9,12 +9,12 @@ namespace echoloop::cli {
 
 std::span<const Verb> verbs() {
     static const std::vector<Verb> table{run_verb(),       check_verb(),  list_verb(),
-                                         endpoints_verb(), render_verb()};
+                                         endpoints_verb(), render_verb(), inspect_verb()};
     return table;
 }
 
 Argument scenario_argument() {
-    return {Argument::Kind::positional, "FILE", "FILE", "scenario file (YAML)", {}, true};
+    return {Argument::Kind::positional, "FILE", "", "scenario file (YAML)", {}, true};
 }
 
 Argument set_argument() {

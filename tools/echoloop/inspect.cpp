@@ -1,0 +1,196 @@
+// echoloop inspect: the messages in a capture or in a file of bytes. Reads to the end in bounded memory.
+#include <cstdio>
+#include <map>
+#include <optional>
+
+#include "emulator/scenario/problems.h"
+#include "protocols/inspect.h"
+#include "tools/echoloop/capture.h"
+#include "tools/echoloop/common.h"
+#include "tools/echoloop/json_output.h"
+#include "tools/echoloop/stream_windows.h"
+#include "tools/echoloop/terminal.h"
+
+namespace echoloop::cli {
+namespace {
+
+constexpr std::size_t largest_datagram = 65535;
+
+/// Where a message comes from, as people and as JSON see it.
+std::string origin_text(const InspectOrigin& origin) {
+    if (!origin.from) return {};
+    return "  t=" + plain(origin.time, 6) + " s  " + text_of(*origin.from) + " -> " + text_of(*origin.to);
+}
+
+/// "16 (ReBoot)", "31.948 m", "29176 x 0.01 K". Bytes of the capture that would steer a terminal are
+/// replaced.
+std::string field_text(const inspect::Field& field) {
+    std::string text = field.text;
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '.';
+    if (field.unit.empty()) return text;
+    const bool factor = field.unit.front() >= '0' && field.unit.front() <= '9';
+    return text + (factor ? " x " : " ") + field.unit;
+}
+
+void print_message(const InspectOrigin& origin, const inspect::Message& message) {
+    const auto from = origin_text(origin);
+    if (message.name.empty()) {
+        std::printf("@%zu  %zu bytes not decoded: %s%s\n\n", message.offset, message.size,
+                    message.reason.c_str(), from.c_str());
+        return;
+    }
+    std::printf("@%zu  %s %s, %zu bytes%s\n", message.offset, origin.family.c_str(), message.name.c_str(),
+                message.size, from.c_str());
+    for (const auto& field : message.fields)
+        std::printf("  %s%s%s\n", padded(std::to_string(field.offset), 6).c_str(),
+                    padded(field.name, 28).c_str(), field_text(field).c_str());
+    if (!message.reason.empty()) std::printf("  incomplete: %s\n", message.reason.c_str());
+    std::printf("\n");
+}
+
+/// Prints messages as they come and counts them.
+class Output {
+  public:
+    explicit Output(const Arguments& arguments)
+        : json_(arguments.has("--json")), quiet_(arguments.has("--summary")) {
+        if (json_) std::printf("{\"messages\": [");
+    }
+
+    void add(const InspectOrigin& origin, const inspect::Message& message) {
+        if (message.name.empty()) summary_.undecoded_bytes += message.size;
+        if (!message.name.empty() && message.reason.empty()) ++summary_.messages[message.name];
+        if (!message.name.empty() && !message.reason.empty()) ++summary_.broken;
+        if (quiet_) return;
+        if (json_) {
+            std::printf("%s\n%s", first_ ? "" : ",", message_json(origin, message).c_str());
+            first_ = false;
+        } else {
+            print_message(origin, message);
+        }
+    }
+
+    InspectSummary& summary() { return summary_; }
+
+    void finish() const {
+        if (json_) {
+            std::printf("\n],\n\"summary\": %s}\n", summary_json(summary_).c_str());
+            return;
+        }
+        std::string names;
+        for (const auto& [name, count] : summary_.messages)
+            names += (names.empty() ? "" : ", ") + name + " " + std::to_string(count);
+        std::printf("messages: %s; broken %zu; not decoded %zu bytes", names.empty() ? "none" : names.c_str(),
+                    summary_.broken, summary_.undecoded_bytes);
+        if (summary_.packets)
+            std::printf("; packets %llu, not UDP over IPv4 %llu, missing fragments %zu",
+                        static_cast<unsigned long long>(*summary_.packets),
+                        static_cast<unsigned long long>(summary_.skipped_packets), summary_.incomplete);
+        std::printf("\n");
+    }
+
+  private:
+    bool json_, quiet_;
+    bool first_ = true;
+    InspectSummary summary_;
+};
+
+const inspect::Family* forced_family(const Arguments& arguments, const char* name) {
+    if (!arguments.has(name)) return nullptr;
+    std::vector<std::string_view> known;
+    for (const auto& family : inspect::families()) known.push_back(family.name);
+    const auto wanted = arguments.text(name);
+    if (const auto* family = inspect::find_family(wanted)) return family;
+    throw StartError(Exit::usage, std::string(name) + ": unknown family " + scenario::in_quotes(wanted) +
+                                      scenario::suggestion(wanted, known));
+}
+
+inspect::Message undecoded(std::size_t size, const char* reason) {
+    return {.offset = 0, .size = size, .reason = reason};
+}
+
+void inspect_datagram(const Datagram& datagram, double time, const inspect::Family* family, Output& output) {
+    if (family == nullptr) family = inspect::guess_family(datagram.payload);
+    InspectOrigin origin{family == nullptr ? "" : std::string(family->name), time, datagram.from,
+                         datagram.to};
+    if (family == nullptr)
+        output.add(origin, undecoded(datagram.payload.size(), "no known protocol"));
+    else if (datagram.cut)
+        output.add(origin, undecoded(datagram.payload.size(), "cut short by the capture"));
+    else
+        for (const auto& message : family->decode(datagram.payload)) output.add(origin, message);
+}
+
+void inspect_capture(Input& input, const inspect::Family* family, Output& output) {
+    std::optional<double> start;
+    const auto counts = read_capture(input, [&](double time, const Datagram& datagram) {
+        if (!start) start = time;
+        inspect_datagram(datagram, time - *start, family, output);
+    });
+    output.summary().packets = counts.packets;
+    output.summary().skipped_packets = counts.skipped;
+    output.summary().incomplete = counts.incomplete;
+    if (!counts.fault.empty()) print_warning("the capture ends early: " + counts.fault);
+}
+
+/// A file that holds one datagram and nothing else.
+void inspect_one_datagram(Input& input, const inspect::Family& family, Output& output) {
+    const auto bytes = input.read(largest_datagram + 1);
+    if (bytes.size() > largest_datagram)
+        throw StartError(Exit::data, scenario::in_quotes(input.name()) + " is larger than a datagram of " +
+                                         std::string(family.name) + "; give a pcap or pcapng capture");
+    for (const auto& message : family.decode(bytes)) output.add({std::string(family.name)}, message);
+}
+
+void inspect_bytes(Input& input, const inspect::Family* family, Output& output) {
+    const auto start = input.peek(std::size_t{64} << 10);
+    if (family == nullptr) family = inspect::guess_family(start);
+    if (family == nullptr) {
+        std::size_t size = 0;
+        for (Bytes bytes; !(bytes = input.read(std::size_t{1} << 20)).empty();) size += bytes.size();
+        output.add({}, undecoded(size, "no known protocol"));
+    } else if (family->framing == inspect::Framing::datagram) {
+        inspect_one_datagram(input, *family, output);
+    } else {
+        decode_windows(input, *family, [&](const auto& m) { output.add({std::string(family->name)}, m); });
+    }
+}
+
+int run(const Arguments& arguments) {
+    if (const auto* family = forced_family(arguments, "--tables")) {
+        std::printf("%s", inspect::markdown_tables(*family).c_str());
+        return 0;
+    }
+    const auto* family = forced_family(arguments, "--family");
+    if (!arguments.has("CAPTURE"))
+        throw StartError(Exit::usage, "CAPTURE is missing: name a file, or '-' for standard input");
+    Input input(arguments.text("CAPTURE"));
+    Output output(arguments);
+    const bool capture = input.is_capture();
+    capture ? inspect_capture(input, family, output) : inspect_bytes(input, family, output);
+    output.finish();
+    if (!output.summary().messages.empty()) return 0;
+    throw StartError(Exit::data, scenario::in_quotes(arguments.text("CAPTURE")) +
+                                     ": no message of a known protocol; --family names the protocol to try");
+}
+
+}  // namespace
+
+Verb inspect_verb() {
+    using Kind = Argument::Kind;
+    return {
+        "inspect",
+        "print the messages in a capture or in a file of bytes",
+        {{Kind::optional, "CAPTURE", "", "pcap, pcapng, or raw bytes of a serial line; '-': standard input"},
+         {Kind::value, "--family", "NAME", "protocol family; without it: guessed (r2sonic, seanet)"},
+         {Kind::value, "--tables", "NAME", "print the message tables of a family as Markdown instead"},
+         {Kind::flag, "--summary", "", "print the summary only"},
+         json_argument()},
+        "  echoloop inspect dive.pcapng\n"
+        "  echoloop inspect line.bin --family seanet --json\n"
+        "  tcpdump -w - udp | echoloop inspect -\n"
+        "  echoloop inspect --tables seanet > messages.md",
+        run};
+}
+
+}  // namespace echoloop::cli
