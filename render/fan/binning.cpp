@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "render/fan/extent.h"
 #include "render/fan/line_bins.h"
@@ -44,19 +45,36 @@ void bin_line(const BinningInput& in, std::size_t number, const std::vector<floa
     }
 }
 
-/// Runs `fill(line, bins)` for every line and adds its bins to the beams that it belongs to, in the order of
-/// lines.
+/// Runs `fill(line, bins)` for every line that feeds one of the beams begin..end, and adds its bins to those.
 template <typename Fill>
-void gather(const BinningInput& in, std::vector<float>& values, const Fill& fill) {
+void gather_beams(const BinningInput& in, std::size_t begin, std::size_t end, std::vector<float>& values,
+                  const Fill& fill) {
     LineBins bins(in.bins);
     for (std::size_t line = 0; line < in.plan.lines; ++line) {
-        const std::uint32_t first = in.plan.first_share[line], last = in.plan.first_share[line + 1];
+        const BeamShare* first = in.plan.shares.data() + in.plan.first_share[line];
+        const BeamShare* last = in.plan.shares.data() + in.plan.first_share[line + 1];
+        while (first != last && first->beam < begin) ++first;
+        while (first != last && (last - 1)->beam >= end) --last;
         if (first == last) continue;
         bins.clear();
         fill(line, bins);
-        for (std::uint32_t i = first; i < last; ++i)
-            bins.add_to(&values[in.plan.shares[i].beam * in.bins], in.plan.shares[i].weight);
+        for (; first != last; ++first) bins.add_to(&values[first->beam * in.bins], first->weight);
     }
+}
+
+/// Beams are dealt out to threads; each beam sums its lines in their order, so the number of threads changes
+/// nothing.
+template <typename Fill>
+void gather(const BinningInput& in, std::vector<float>& values, const Fill& fill) {
+    constexpr std::size_t pixels_per_thread = 40'000, most_threads = 4;
+    const std::size_t useful = std::min<std::size_t>(
+        {most_threads, std::thread::hardware_concurrency(), in.beams, in.pixels.size() / pixels_per_thread});
+    const std::size_t threads = std::max<std::size_t>(useful, 1);
+    std::vector<std::jthread> workers;
+    for (std::size_t i = 1; i < threads; ++i)
+        workers.emplace_back(
+            [&, i] { gather_beams(in, in.beams * i / threads, in.beams * (i + 1) / threads, values, fill); });
+    gather_beams(in, 0, in.beams / threads, values, fill);
 }
 
 void bin_radiometric(const BinningInput& in, std::vector<float>& values) {
