@@ -36,7 +36,8 @@ std::filesystem::path read_scene(const Section& top, const std::filesystem::path
         if (value->is_scalar()) problems.add(value->place, "scene: expected the name of a glTF file");
     } else if (const auto fault = file_fault(scene)) {
         problems.add(value->place,
-                     "scene: " + fault->message + "; a relative name begins at the scenario's folder",
+                     "scene: " + in_quotes(scene.string()) + ": " + fault->message +
+                         "; a relative name begins at the scenario's folder",
                      fault->kind);
     }
     return scene;

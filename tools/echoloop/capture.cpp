@@ -50,7 +50,8 @@ Input::Input(const std::string& name) : name_(name) {
     } else {
         if (const auto fault = scenario::file_fault(name)) {
             const bool permission = fault->kind == Problem::Kind::no_permission;
-            throw StartError(permission ? Exit::no_permission : Exit::no_input, fault->message);
+            throw StartError(permission ? Exit::no_permission : Exit::no_input,
+                             scenario::in_quotes(name) + ": " + fault->message);
         }
         file_ = std::fopen(name.c_str(), "rbe");
         if (file_ == nullptr)
