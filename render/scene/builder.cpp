@@ -95,7 +95,7 @@ class ChunkWriter {
     std::uint16_t corner(std::uint32_t index, Vec3 face) {
         const Vec3 given = mesh_.normals.empty() ? Vec3{} : mesh_.normals[index];
         const double length = norm(given);
-        const bool smooth = length > 1e-6 && std::isfinite(length);
+        const bool smooth = length > 1e-6 && std::isfinite(length) && dot(given, face) > 0;  // else of no use
         if (smooth)
             if (const auto known = known_.find(index); known != known_.end()) return known->second;
         const auto local = static_cast<std::uint16_t>(vertices_.size() - chunk_.first_vertex);
