@@ -2,6 +2,7 @@
 
 #include <libserialport.h>
 #include <spdlog/spdlog.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <array>
@@ -48,6 +49,15 @@ void set_up(sp_port* port, const std::string& path, int baud) {
     sp_flush(port, SP_BUF_BOTH);
 }
 
+/// libserialport leaves reads that may return nothing, which asio takes for the end of the file.
+void wait_for_a_byte(int fd) {
+    termios settings{};
+    if (::tcgetattr(fd, &settings) != 0) return;
+    settings.c_cc[VMIN] = 1;
+    settings.c_cc[VTIME] = 0;
+    ::tcsetattr(fd, TCSANOW, &settings);
+}
+
 /// Opens the port and returns a descriptor of our own: libserialport configures, asio reads and writes.
 int open_descriptor(const std::string& path, int baud) {
     const PortHandle port = find_port(path);
@@ -55,6 +65,7 @@ int open_descriptor(const std::string& path, int baud) {
     set_up(port.get(), path, baud);
     int fd = -1;
     if (sp_get_port_handle(port.get(), &fd) != SP_OK) fail(path, "has no descriptor");
+    wait_for_a_byte(fd);
     const int own = ::dup(fd);
     sp_close(port.get());
     return own;
