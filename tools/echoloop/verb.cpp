@@ -4,6 +4,7 @@
 
 #include "emulator/error.h"
 #include "emulator/scenario/number.h"
+#include "emulator/scenario/section.h"
 
 namespace echoloop::cli {
 
@@ -40,8 +41,9 @@ double Arguments::number(std::string_view name, double fallback, double minimum,
     if (!has(name)) return fallback;
     const auto given = scenario::parse_number(text(name));
     if (given && std::isfinite(*given) && *given >= minimum && *given <= maximum) return *given;
-    throw StartError(Exit::usage, std::string(name) + ": expected a number, " + std::to_string(minimum) +
-                                      " to " + std::to_string(maximum) + ", got '" + text(name) + "'");
+    throw StartError(Exit::usage, std::string(name) + ": expected a number, " +
+                                      scenario::text_of({minimum, maximum, ""}) + ", got " +
+                                      scenario::in_quotes(text(name)));
 }
 
 }  // namespace echoloop::cli

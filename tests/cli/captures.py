@@ -1,0 +1,39 @@
+"""Capture files made by hand, byte by byte from the pcap and IP header layouts."""
+import struct
+
+ETHERNET, RAW, SLL, NULL = 1, 101, 113, 0
+
+
+def pcap(packets, link=ETHERNET, snaplen=262144):
+    data = struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, snaplen, link)
+    for i, packet in enumerate(packets):
+        data += struct.pack("<IIII", 1000 + i, 500000, len(packet), len(packet)) + packet
+    return data
+
+
+def udp(payload, length=None):
+    return struct.pack(">HHHH", 65500, 4000, length or len(payload) + 8, 0) + payload
+
+
+def ipv4(body, flags=0, protocol=17, identification=7, length=None):
+    return struct.pack(">BBHHHBBH4s4s", 0x45, 0, length or 20 + len(body), identification, flags, 64, protocol, 0,
+                       bytes([10, 0, 0, 86]), bytes([10, 0, 1, 102])) + body
+
+
+def ethernet(packet, tags=0):
+    return bytes(12) + struct.pack(">HH", 0x8100, 5) * tags + struct.pack(">H", 0x0800) + packet
+
+
+def fragments(body, size):
+    """IPv4 packets that carry `body` in pieces of `size` (a multiple of 8)."""
+    pieces = []
+    for at in range(0, len(body), size):
+        more = 0x2000 if at + size < len(body) else 0
+        pieces.append(ipv4(body[at:at + size], more | at // 8))
+    return pieces
+
+
+# R2Sonic commands: "CMD0", then name and value. SeaNet mtReBoot, host to sonar.
+COMMANDS = b"CMD0" + b"RNG0" + struct.pack(">f", 25.0) + b"GAN0" + struct.pack(">f", 13.0)
+REBOOT = bytes.fromhex("40303030380800ff02031080020a")
+SEND_DATA = bytes.fromhex("40303030430c00ff0207198002000000000a")

@@ -1,0 +1,103 @@
+"""echoloop check and list."""
+import json
+import unittest
+
+from program import DEMO, TANK, ProgramTest, run
+
+
+class Check(ProgramTest):
+    def test_a_good_scenario(self):
+        text = self.good("check", DEMO)
+        self.assertRegex(text, r"scenario +\S+demo.yaml: good")
+        self.assertRegex(text, r"(?m)^device +micron +tritech-micron +pty:/tmp/echoloop/micron$")
+        self.assertRegex(text, r"sound speed 14\d\d\.\d m/s \(Mackenzie 1981\)")
+
+    def test_json_tells_the_same(self):
+        report = self.json("check", TANK)
+        self.assertTrue(report["ok"])
+        self.assertGreater(report["scene"]["triangles"], 12)
+        self.assertEqual(report["devices"][0]["name"], "micron")
+        self.assertEqual(report["devices"][0]["endpoints"], ["pty:/tmp/echoloop/micron"])
+        # The tank is 12 x 8 m; walls may be thicker outwards.
+        bounds = report["scene"]["bounds"]
+        self.assertLessEqual(bounds["min"][0], -6)
+        self.assertGreaterEqual(bounds["max"][1], 4)
+
+    def test_set_changes_the_scenario(self):
+        report = self.json("check", TANK, "--set", "water.sound_speed=1450", "--set", "seed=7",
+                           "--set", "devices.micron.name=front")
+        self.assertEqual(report["water"]["sound_speed"], 1450)
+        self.assertEqual(report["seed"], 7)
+        self.assertEqual(report["devices"][0]["name"], "front")
+
+    def test_every_problem_is_reported_with_its_place(self):
+        file = self.scenario("scene: TANK\nwater: {temprature: 4}\ndevices:\n"
+                             "  - {name: a, model: tritech-micro}\n  - {name: a, model: r2sonic-2024}\n")
+        text = self.bad(78, "check", file)
+        self.assertIn(f"error: {file}:2:9: unknown key 'temprature' in water; did you mean 'temperature'?", text)
+        self.assertIn(f"error: {file}:4:22: devices.a.model: unknown model 'tritech-micro'; did you mean "
+                      "'tritech-micron'?", text)
+        self.assertIn(f"error: {file}:5:12: a device named 'a' exists already", text)
+
+    def test_problems_as_json(self):
+        file = self.scenario("scene: TANK\nsede: 1\ndevices: [{name: a, model: r2sonic-2024}]\n")
+        done = run("check", file, "--json")
+        self.assertEqual(done.returncode, 78)
+        report = json.loads(done.stdout)
+        self.assertFalse(report["ok"])
+        self.assertEqual([(p["line"], p["column"]) for p in report["problems"]], [(2, 1)])
+
+    def test_a_fault_in_a_set_argument_names_the_argument(self):
+        self.assertIn("error: --set water.ph=70: water.ph: 70 is out of range; allowed is 5 to 10",
+                      self.bad(78, "check", TANK, "--set", "water.ph=70"))
+
+    def test_missing_files_end_with_66(self):
+        self.assertIn("none.yaml: no such file", self.bad(66, "check", self.folder / "none.yaml"))
+        file = self.scenario("scene: none.glb\ndevices: [{name: a, model: r2sonic-2024}]\n")
+        self.assertIn(f"{file}:1:8: scene: ", self.bad(66, "check", file))
+        self.assertIn("not a regular file", self.bad(66, "check", self.folder))
+
+    def test_a_hostile_scene_ends_with_65(self):
+        (self.folder / "bad.glb").write_bytes(b"glTF" + bytes(range(200)))
+        file = self.scenario("scene: bad.glb\ndevices: [{name: a, model: r2sonic-2024}]\n")
+        self.assertIn("bad.glb", self.bad(65, "check", file))
+        self.assertFalse(json.loads(run("check", file, "--json").stdout)["ok"])
+
+    def test_text_that_is_hostile_is_refused_quickly(self):
+        bomb = "a0: &a0 [x, x, x, x, x, x, x, x, x]\n" + "".join(
+            f"a{i}: &a{i} [" + ", ".join([f"*a{i - 1}"] * 9) + "]\n" for i in range(1, 40))
+        for text in (bomb, "[" * 900_000, "{" * 900_000, "- " * 450_000, "? " * 450_000, "a: " * 300_000,
+                     "&a " * 300_000, "!a " * 300_000, "'" + "a" * 900_000, "\x00" * 1000, "\xff\xfe" * 1000,
+                     "a:\n" + "".join(" " * i + "a:\n" for i in range(1, 1200)), "#" * 1_000_000,
+                     "|\n" * 400_000, "a: >\n" + " b\n" * 300_000, "*a " * 300_000, "%YAML 1.2\n" * 90_000):
+            file = self.scenario(text)
+            self.assertEqual(run("check", file).returncode, 78, text[:20])
+
+
+class List(ProgramTest):
+    def test_models_with_their_options(self):
+        text = self.good("list")
+        self.assertIn("tritech-micron    Tritech Micron", text)
+        self.assertIn("udp-listen://127.0.0.1:65500", text)
+
+    def test_json_gives_type_unit_default_and_source_of_every_option(self):
+        models = {m["name"]: m for m in self.json("list")["models"]}
+        self.assertEqual(sorted(models), list(models))
+        for name in ("tritech-micron", "r2sonic-2024"):
+            for option in models[name]["options"]:
+                self.assertIn(option["type"], ("boolean", "integer", "number", "text"))
+                self.assertTrue({"unit", "default", "help", "source"} <= set(option), option)
+                self.assertTrue(option["help"], option)
+                if "choices" in option:
+                    self.assertIn(option["default"], option["choices"])
+                elif option["type"] in ("integer", "number"):
+                    self.assertLessEqual(option.get("minimum", option["default"]), option["default"])
+                    self.assertGreaterEqual(option.get("maximum", option["default"]), option["default"])
+
+    def test_one_model(self):
+        self.assertEqual([m["name"] for m in self.json("list", "r2sonic-2024")["models"]], ["r2sonic-2024"])
+        self.assertIn("did you mean 'r2sonic-2024'?", self.bad(64, "list", "r2sonic-2204"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,58 @@
+"""echoloop endpoints: what is printed is what a driver needs."""
+import unittest
+
+from program import DEMO, TANK, ProgramTest
+
+MICRON = "devices.micron.endpoints="
+
+
+class Endpoints(ProgramTest):
+    def test_plain_addresses(self):
+        text = self.good("endpoints", DEMO)
+        self.assertRegex(text, r"line +/tmp/echoloop/micron, 115200 bit/s 8N1")
+        self.assertRegex(text, r"listens for commands +127\.0\.0\.1:65502")
+        self.assertRegex(text, r"sends bathymetry to +127\.0\.0\.1:65400")
+        self.assertRegex(text, r"sends status to +127\.0\.0\.1:65402")
+        self.assertRegex(text, r"sends images to +127\.0\.0\.1:65403")
+
+    def test_ros1(self):
+        text = self.good("endpoints", DEMO, "--format", "ros1")
+        self.assertIn("\nrosrun tritech_micron scan.py _port:=/tmp/echoloop/micron _frame:=micron\n", text)
+        self.assertIn("no driver of ROS 1 for r2sonic-2024 is known", text)
+
+    def test_ros2(self):
+        text = self.good("endpoints", DEMO, "--format", "ros2")
+        self.assertIn("ros2 run r2sonic r2sonic_node --ros-args -p interface_ip:=127.0.0.1 -p ports/bathy:=65400 "
+                      "-p ports/acoustic_image:=65403 -p sonar_ip:=127.0.0.1", text)
+        self.assertIn('    port: "/tmp/echoloop/micron"\n    baudrate: 115200\n', text)
+
+    def test_rock_and_moos(self):
+        rock = self.good("endpoints", TANK, "--format", "rock")
+        self.assertIn("io_port: 'serial:///tmp/echoloop/micron:115200'", rock)
+        tcp = self.good("endpoints", TANK, "--format", "rock", "--set", MICRON + "[tcp-listen://127.0.0.1:9090]")
+        self.assertIn("io_port: 'tcp://127.0.0.1:9090'", tcp)
+        moos = self.good("endpoints", TANK, "--format", "moos")
+        self.assertRegex(moos, r"ProcessConfig = iSonar\n\{\n(.*\n)*  SERIAL_PORT = /tmp/echoloop/micron\n(.*\n)*\}")
+
+    def test_a_driver_that_opens_serial_ports_only_gets_one_made_from_tcp(self):
+        text = self.good("endpoints", TANK, "--format", "ros1", "--set", MICRON + "[tcp-listen://127.0.0.1:9090]")
+        self.assertIn("\nsocat PTY,link=/tmp/micron,raw,echo=0 TCP:127.0.0.1:9090\n", text)
+        self.assertIn("_port:=/tmp/micron ", text)
+
+    def test_where_no_driver_is_known_it_says_so(self):
+        for name in ("dune", "sitl"):
+            text = self.good("endpoints", DEMO, "--format", name)
+            self.assertTrue(all(line.startswith("#") for line in text.splitlines()), text)
+
+    def test_json(self):
+        report = self.json("endpoints", DEMO, "--format", "ros1")
+        self.assertEqual(report["format"], "ros1")
+        micron, sonar = report["devices"]
+        self.assertEqual(micron["endpoints"], ["pty:/tmp/echoloop/micron"])
+        self.assertEqual(len(micron["paste"]), 1)
+        self.assertEqual((sonar["driver"], sonar["paste"]), ("", []))
+        self.assertNotIn("paste", self.json("endpoints", DEMO)["devices"][0])
+
+
+if __name__ == "__main__":
+    unittest.main()

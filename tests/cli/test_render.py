@@ -1,0 +1,124 @@
+"""echoloop render: pictures and tables, and that they appear whole or not at all."""
+import array
+import ast
+import csv
+import os
+import struct
+import subprocess
+import unittest
+
+from program import DEMO, PROGRAM, TANK, ProgramTest, run
+
+SONAR = ("--device", "sonar")
+
+
+def read_npy(path):
+    """(shape, values) of a float32 NumPy file."""
+    data = path.read_bytes()
+    assert data[:8] == b"\x93NUMPY\x01\x00"
+    (size,) = struct.unpack_from("<H", data, 8)
+    header = ast.literal_eval(data[10:10 + size].decode())
+    assert header["descr"] == "<f4" and not header["fortran_order"]
+    return header["shape"], array.array("f", data[10 + size:])
+
+
+class Render(ProgramTest):
+    def left_over(self):
+        return sorted(p.name for p in self.folder.iterdir())
+
+    def test_a_turn_of_the_tank_shows_its_walls(self):
+        out = self.folder / "turn.csv"
+        self.good("render", TANK, "--out", out, "--range", "10")
+        rows = list(csv.reader(out.read_text().splitlines()))
+        ranges = [float(r) for r in rows[0][1:]]
+        self.assertEqual(len(rows) - 1, 200)
+
+        def strongest(bearing):
+            row = min(rows[1:], key=lambda r: abs((float(r[0]) - bearing + 180) % 360 - 180))
+            levels = [float(v) for v in row[1:]]
+            return ranges[levels.index(max(levels))]
+
+        # Walls 6 m ahead and astern, 4 m to starboard; a bin is 20 mm. To port a lattice stands before the wall.
+        self.assertAlmostEqual(strongest(0), 6, delta=0.05)
+        self.assertAlmostEqual(strongest(180), 6, delta=0.05)
+        self.assertLess(abs(ranges[-1] - 10), 0.05)
+
+    def test_picture(self):
+        out = self.folder / "fan.png"
+        text = self.good("render", DEMO, *SONAR, "--out", out, "--width", "600")
+        self.assertIn("256 beams", text)
+        data = out.read_bytes()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack_from(">I", data, 16), (600,))
+        self.assertEqual(self.left_over(), ["fan.png"])
+
+    def test_array_and_report_agree(self):
+        out = self.folder / "fan.npy"
+        report = self.json("render", DEMO, *SONAR, "--out", out)
+        shape, values = read_npy(out)
+        self.assertEqual(shape, (report["beams"], report["bins"]))
+        self.assertEqual(len(values), shape[0] * shape[1])
+        self.assertGreater(max(values), 0)
+
+    def test_the_same_scenario_gives_the_same_bytes_twice(self):
+        first, second = self.folder / "1.npy", self.folder / "2.npy"
+        self.good("render", TANK, "--out", first, "--step", "50")
+        self.good("render", TANK, "--out", second, "--step", "50")
+        self.assertEqual(first.read_bytes(), second.read_bytes())
+        self.assertEqual(read_npy(first)[0][0], 1)
+
+    def test_the_papers_rule_stays_between_0_and_1(self):
+        out = self.folder / "paper.npy"
+        report = self.json("render", DEMO, *SONAR, "--out", out, "--rule", "cerqueira2016")
+        self.assertEqual(report["rule"], "cerqueira2016")
+        _, values = read_npy(out)
+        self.assertTrue(0 < max(values) <= 1)
+
+    def test_the_papers_three_channels(self):
+        out = self.folder / "channels.npy"
+        self.good("render", DEMO, *SONAR, "--out", out, "--channels")
+        (channels, height, width), values = read_npy(out)
+        self.assertEqual(channels, 3)
+        intensity = values[:height * width]
+        ranges = [r for r in values[height * width:2 * height * width] if r == r]
+        self.assertTrue(0 <= min(intensity) <= max(intensity) <= 1)
+        self.assertTrue(0 < min(ranges))
+
+    def test_wrong_usage(self):
+        out = self.folder / "x.png"
+        self.assertIn("--device is missing; known are: micron, sonar", self.bad(64, "render", DEMO, "--out", out))
+        self.assertIn("did you mean 'micron'?", self.bad(64, "render", DEMO, "--out", out, "--device", "mircon"))
+        self.assertIn(".png, .csv or .npy", self.bad(64, "render", TANK, "--out", self.folder / "x.jpg"))
+        self.assertIn("--step: expected a number, 0 to 199", self.bad(64, "render", TANK, "--out", out, "--step", "200"))
+        self.assertIn("end the name of --out with .npy", self.bad(64, "render", TANK, "--out", out, "--channels"))
+        self.assertIn("--out is required", self.bad(64, "render", TANK))
+        self.assertEqual(self.left_over(), [])
+
+    def test_a_place_that_cannot_be_written_ends_with_73_before_any_work(self):
+        self.assertIn("cannot create '/proc/x.png'", self.bad(73, "render", TANK, "--out", "/proc/x.png"))
+        self.assertIn("No such file or directory", self.bad(73, "render", TANK, "--out", self.folder / "no" / "x.png"))
+        (self.folder / "d.png").mkdir()
+        self.assertIn("it is a folder", self.bad(73, "render", TANK, "--out", self.folder / "d.png"))
+
+    def test_an_older_file_is_replaced_only_by_a_whole_one(self):
+        out = self.folder / "turn.csv"
+        out.write_text("old")
+        self.bad(64, "render", TANK, "--out", out, "--device", "none")
+        self.assertEqual(out.read_text(), "old")
+        self.good("render", TANK, "--out", out, "--step", "0")
+        self.assertNotEqual(out.read_text(), "old")
+
+    def test_progress_is_for_terminals(self):
+        master, slave = os.openpty()
+        process = subprocess.run([PROGRAM, "render", TANK, "--out", str(self.folder / "t.csv")], stderr=slave,
+                                 stdout=subprocess.DEVNULL, check=False)
+        os.close(slave)
+        text = os.read(master, 65536)
+        os.close(master)
+        self.assertEqual(process.returncode, 0)
+        self.assertIn(b"rendering [", text)
+        self.assertEqual(run("render", TANK, "--out", self.folder / "t.csv").stderr, b"")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,85 @@
+"""echoloop run: start-up lines, clean ends, and starts that fail whole."""
+import json
+import signal
+import socket
+import subprocess
+import unittest
+
+from program import PROGRAM, ROOT, TANK, ProgramTest
+
+FLOOR = str(ROOT / "config" / "bathymetry.yaml")
+
+
+class Run(ProgramTest):
+    def micron(self, endpoint):
+        return ("--set", f"devices.micron.endpoints=['{endpoint}']")
+
+    def test_start_up_lines_can_be_pasted_and_the_link_is_gone_at_the_end(self):
+        link = self.folder / "micron"
+        text = self.good("run", TANK, "--duration", "0.2", *self.micron(f"pty:{link}"))
+        self.assertRegex(text, rf"(?m)^  line +{link}, 115200 bit/s 8N1$")
+        self.assertIn("running; Ctrl-C ends it", text)
+        self.assertRegex(text, r"(?m)^micron +\d+ pings")
+        self.assertFalse(link.is_symlink())
+
+    def test_a_signal_ends_it_cleanly(self):
+        link = self.folder / "micron"
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with subprocess.Popen([PROGRAM, "run", TANK, "--json", *self.micron(f"pty:{link}")],
+                                  stdout=subprocess.PIPE) as process:
+                started = json.loads(process.stdout.readline())
+                self.assertEqual(started["event"], "started")
+                with open(link, "rb", buffering=0) as line:
+                    self.assertTrue(line.read(1))  # the head's first sign of life: it runs
+                process.send_signal(number)
+                ended = json.loads(process.stdout.readline())
+                self.assertEqual(process.wait(timeout=60), 0)
+            self.assertEqual(ended["event"], "ended")
+            self.assertEqual(ended["devices"][0]["name"], "micron")
+            self.assertFalse(link.is_symlink())
+
+    def test_a_port_in_use_ends_with_69(self):
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            uri = f"tcp-listen://127.0.0.1:{taken.getsockname()[1]}"
+            self.assertIn(f"{uri}: already in use", self.bad(69, "run", TANK, "--duration", "0", *self.micron(uri)))
+
+    def test_a_link_name_that_exists_ends_with_73_and_stays(self):
+        (self.folder / "mine").write_text("precious")
+        text = self.bad(73, "run", TANK, "--duration", "0", *self.micron(f"pty:{self.folder}/mine"))
+        self.assertIn("exists already", text)
+        self.assertEqual((self.folder / "mine").read_text(), "precious")
+
+    def test_a_folder_without_permission_ends_with_73(self):
+        self.assertIn("/proc/no", self.bad(73, "run", TANK, "--duration", "0", *self.micron("pty:/proc/no/micron")))
+
+    def test_nothing_is_half_started(self):
+        link = self.folder / "first"
+        text = ("scene: TANK\ndevices:\n"
+                f"  - {{name: a, model: tritech-micron, endpoints: ['pty:{link}']}}\n"
+                "  - {name: b, model: tritech-micron, endpoints: ['pty:/proc/no/micron']}\n")
+        self.bad(73, "run", self.scenario(text), "--duration", "0")
+        self.assertFalse(link.is_symlink())
+
+    def test_a_hostile_scene_ends_with_65(self):
+        (self.folder / "bad.glb").write_bytes(b"glTF" * 50)
+        file = self.scenario("scene: bad.glb\ndevices: [{name: a, model: tritech-micron}]\n")
+        self.assertIn("bad.glb", self.bad(65, "run", file, "--duration", "0"))
+
+    def test_bathymetry_reaches_a_listener(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
+            listener.bind(("127.0.0.1", 0))
+            listener.settimeout(60)
+            port = listener.getsockname()[1]
+            ends = f"devices.multibeam.endpoints=[udp-listen://127.0.0.7:45500, udp://127.0.0.1:{min(port, 65528)}]"
+            with subprocess.Popen([PROGRAM, "run", FLOOR, "--set", ends], stdout=subprocess.DEVNULL) as process:
+                try:
+                    datagram = listener.recv(65536)
+                finally:
+                    process.terminate()
+            self.assertEqual(datagram[:4], b"BTH0")
+
+
+if __name__ == "__main__":
+    unittest.main()
