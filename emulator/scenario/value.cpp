@@ -33,10 +33,13 @@ std::string describe(const Value& value) {
 
 std::string printable(std::string_view text) {
     constexpr std::size_t longest = 60;
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+    std::size_t size = std::min(text.size(), longest);
+    while (size > 0 && size < text.size() && continues(text[size])) --size;  // no half UTF-8 character
     std::string shown;
-    for (const char c : text.substr(0, longest))
+    for (const char c : text.substr(0, size))
         shown += static_cast<unsigned char>(c) < ' ' || c == 127 ? '?' : c;
-    return shown + (text.size() > longest ? "..." : "");
+    return shown + (text.size() > size ? "..." : "");
 }
 
 std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }

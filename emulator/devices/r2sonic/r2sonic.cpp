@@ -1,6 +1,8 @@
 #include "emulator/devices/r2sonic/r2sonic.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "protocols/r2sonic/codec.h"
 

@@ -1,6 +1,7 @@
 #include "emulator/devices/tritech-micron/micron.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "emulator/devices/tritech-micron/bins.h"
 #include "protocols/seanet/codec.h"
