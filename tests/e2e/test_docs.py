@@ -1,0 +1,51 @@
+"""The documentation says what the program does: message tables, models, scenarios."""
+
+import json
+import re
+import subprocess
+import unittest
+
+from program import PROGRAM, ROOT
+
+
+def output(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True, timeout=60).stdout
+
+
+class Documentation(unittest.TestCase):
+    def test_message_tables_are_those_of_the_codecs(self):
+        for family in ("seanet", "r2sonic"):
+            with self.subTest(family):
+                text = (ROOT / "docs" / f"messages-{family}.md").read_text()
+                tables = text[text.index("## ") :]
+                self.assertEqual(
+                    tables.strip(),
+                    output("inspect", "--tables", family).strip(),
+                    f"run echoloop inspect --tables {family} again",
+                )
+
+    def test_readme_lists_every_model_and_each_has_its_papers(self):
+        models = json.loads(output("list", "--json"))["models"]
+        readme = (ROOT / "README.md").read_text()
+        listed = set(re.findall(r"^\| `([a-z0-9-]+)` \|", readme, re.M))
+        self.assertEqual(listed, {m["name"] for m in models})
+        scenarios = "".join(p.read_text() for p in (ROOT / "config").glob("*.yaml"))
+        for model in models:
+            self.assertIn(f"model: {model['name']}", scenarios, "no scenario in config")
+        for link in re.findall(r"\]\(([^)]+)\)", readme):
+            self.assertTrue((ROOT / link).exists(), f"README links to {link}")
+
+    def test_every_device_folder_has_a_readme_and_golden_bytes(self):
+        for folder in (ROOT / "emulator" / "devices").iterdir():
+            self.assertTrue((folder / "README.md").exists(), folder.name)
+        for family in ("seanet", "r2sonic"):
+            self.assertTrue(list((ROOT / "tests" / "data" / family).glob("*")), family)
+
+    def test_every_scenario_of_config_is_good(self):
+        for file in (ROOT / "config").glob("*.yaml"):
+            with self.subTest(file.name):
+                self.assertIn("good", output("check", str(file)))
+
+
+if __name__ == "__main__":
+    unittest.main()
