@@ -1,83 +1,18 @@
 #include "render/scene/scene.h"
 
-#include <glm/gtc/matrix_inverse.hpp>
-#include <glm/mat3x3.hpp>
-
 #include "render/scene/builder.h"
 #include "render/scene/fault.h"
 #include "render/scene/limits.h"
-#include "render/scene/materials.h"
-#include "render/scene/nodes.h"
+#include "render/scene/reader.h"
 
 namespace echoloop {
 namespace {
 
 std::string sentence(const std::string& file, const std::string& place, const std::string& reason,
                      const std::string& remedy) {
-    return file + ": " + (place.empty() ? "" : place + " ") + reason + (remedy.empty() ? "" : "; " + remedy);
-}
-
-/// glTF is y-up, the world ENU with z up.
-Vec3 enu_from_gltf(glm::dvec3 p) { return {p.x, -p.z, p.y}; }
-
-/// Corner numbers of the triangles of a list, strip or fan of `count` corners, all wound the same way.
-std::vector<std::uint32_t> triangle_corners(int mode, std::size_t count) {
-    std::vector<std::uint32_t> out;
-    const auto triangle = [&out](std::size_t a, std::size_t b, std::size_t c) {
-        for (const std::size_t corner : {a, b, c}) out.push_back(static_cast<std::uint32_t>(corner));
-    };
-    if (mode == 4)
-        for (std::size_t i = 0; i + 2 < count; i += 3) triangle(i, i + 1, i + 2);
-    if (mode == 5)
-        for (std::size_t i = 0; i + 2 < count; ++i) triangle(i, i + 1 + i % 2, i + 2 - i % 2);
-    if (mode == 6)
-        for (std::size_t i = 1; i + 1 < count; ++i) triangle(0, i, i + 1);
-    return out;
-}
-
-std::vector<std::uint32_t> read_triangles(const GltfModel& model, const GltfPrimitive& primitive,
-                                          std::size_t vertices) {
-    if (!primitive.indices) return triangle_corners(primitive.mode, vertices);
-    const auto indices = model.read_indices(*primitive.indices, vertices, primitive.place + ".indices");
-    auto corners = triangle_corners(primitive.mode, indices.size());
-    for (auto& corner : corners) corner = indices[corner];
-    return corners;
-}
-
-/// A transform that mirrors turns the winding round, and with it the side that scatters.
-void restore_winding(std::vector<std::uint32_t>& indices) {
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
-}
-
-Mesh read_primitive(const GltfModel& model, const GltfPrimitive& primitive, const PlacedMesh& placed,
-                    const SceneDocument& document) {
-    Mesh mesh;
-    mesh.object = placed.object;
-    mesh.material = primitive.material ? document.materials[*primitive.material] : Material{};
-    for (const Vec3 p : model.read_vectors(primitive.positions, primitive.place + ".attributes.POSITION"))
-        mesh.positions.push_back(
-            enu_from_gltf(glm::dvec3(placed.world_from_mesh * glm::dvec4(p.x, p.y, p.z, 1))));
-    const glm::dmat3 linear(placed.world_from_mesh);
-    const glm::dmat3 normal_transform = glm::inverseTranspose(linear);
-    if (primitive.normals)
-        for (const Vec3 n : model.read_vectors(*primitive.normals, primitive.place + ".attributes.NORMAL"))
-            mesh.normals.push_back(enu_from_gltf(normal_transform * glm::dvec3(n.x, n.y, n.z)));
-    mesh.indices = read_triangles(model, primitive, mesh.positions.size());
-    if (glm::determinant(linear) < 0) restore_winding(mesh.indices);
-    return mesh;
-}
-
-std::shared_ptr<const Scene> read_scene(const std::filesystem::path& file) {
-    const SceneFolder folder(file);
-    const auto bytes = folder.read_scene(scene_limits::json_bytes + scene_limits::buffer_bytes);
-    const SceneDocument document = check_document(open_container(bytes), folder);
-    const GltfModel model(document);
-    SceneBuilder builder;
-    for (const auto& placed : flatten_nodes(model))
-        for (const auto& primitive : model.primitives(placed.mesh))
-            if (primitive.mode >= 4)  // points and lines have no area to scatter from
-                builder.add(read_primitive(model, primitive, placed, document), primitive.place);
-    return builder.finish();
+    std::string out = file + ": ";
+    if (!place.empty()) out.append(place).append(" ");
+    return out.append(reason).append("; ").append(remedy);
 }
 
 }  // namespace
@@ -90,7 +25,8 @@ SceneError::SceneError(std::string file, std::string place, std::string reason, 
       remedy_(std::move(remedy)) {}
 
 std::shared_ptr<const Scene> Scene::load(const std::filesystem::path& file) try {
-    return read_scene(file);
+    const SceneFolder folder(file);
+    return read_scene(folder.read_scene(scene_limits::json_bytes + scene_limits::buffer_bytes), folder);
 } catch (const SceneFault& fault) {
     throw SceneError(file.string(), fault.place, fault.reason, fault.remedy);
 } catch (const std::bad_alloc&) {
