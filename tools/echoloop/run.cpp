@@ -18,8 +18,9 @@ void print_start(const Scenario& scenario, const Runtime& runtime) {
         for (const auto& place : wire_places(device))
             std::printf("  %s%s\n", padded(place.what, 30).c_str(), place.address.c_str());
     }
-    std::printf("running; Ctrl-C ends it. For a driver: echoloop endpoints %s --format ros1\n",
-                scenario.file.c_str());
+    std::printf(
+        "running; Ctrl-C ends it. For your driver: echoloop endpoints %s --format ros1|ros2|moos|rock\n",
+        scenario.file.c_str());
     std::fflush(stdout);
 }
 
