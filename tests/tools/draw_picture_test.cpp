@@ -149,8 +149,16 @@ TEST(PolarPicture, refuses_what_cannot_be_drawn) {
     std::vector<Echogram> mixed{ping, ping};
     mixed[1].rule = EchoRule::cerqueira2016;
     EXPECT_THROW(polar_picture(mixed, {}), std::invalid_argument);
-    ping.shot.bin_interval = 0;
-    EXPECT_THROW(polar_picture({&ping, 1}, {}), std::invalid_argument);
+    for (double* member : {&ping.shot.bin_interval, &ping.shot.pan, &ping.shot.bearings[1], &ping.sound_speed,
+                           &ping.shot.first_bin_time, &ping.shot.beam_width}) {
+        const double before = *member;
+        for (const double odd : {std::nan(""), HUGE_VAL}) {
+            *member = odd;
+            EXPECT_THROW(polar_picture({&ping, 1}, {}), std::invalid_argument);
+        }
+        *member = before;
+        EXPECT_NO_THROW(polar_picture({&ping, 1}, {}));
+    }
 }
 
 TEST(PolarScan, keeps_a_sector_across_the_stern_in_one_piece) {

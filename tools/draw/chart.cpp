@@ -54,27 +54,38 @@ double bearing_step(const Chart& chart, const PolarScan& scan) {
     return deg_to_rad(45);
 }
 
-/// How strongly the grid shows at a place given in m and rad; rings, rays and the outline of the sector.
-double grid_strength(const Chart& chart, const PolarScan& scan, double range, double bearing) {
-    const double rmax = scan.max_range();
-    const double outside = (range - rmax) * chart.scale;
-    double strength = 0.9 * coverage(outside);
-    if (outside > 1 || !scan.covers(bearing)) return scan.covers(bearing) ? strength : 0;
-    const double ring = nearest(range, round_step(rmax, 5));
-    if (ring > 0) strength = std::max(strength, 0.38 * coverage((range - ring) * chart.scale));
-    const double ray = nearest(bearing, bearing_step(chart, scan));
-    const double side = range * std::sin(bearing - ray) * chart.scale;
-    if (range > 0.04 * rmax) strength = std::max(strength, 0.22 * coverage(side));
-    return strength;
-}
+/// Rings, rays and the outline of the sector.
+struct Grid {
+    double ring_step, ray_step, scale, max_range;
+
+    Grid(const Chart& chart, const PolarScan& scan)
+        : ring_step(round_step(scan.max_range(), 5)),
+          ray_step(bearing_step(chart, scan)),
+          scale(chart.scale),
+          max_range(scan.max_range()) {}
+
+    /// How strongly the grid shows at a place in m and rad.
+    double strength(double range, double bearing) const {
+        const double outside = (range - max_range) * scale;
+        double result = 0.9 * coverage(outside);
+        if (outside > 1) return result;
+        const double ring = nearest(range, ring_step);
+        if (ring > 0) result = std::max(result, 0.38 * coverage((range - ring) * scale));
+        const double aside = range * std::sin(bearing - nearest(bearing, ray_step));
+        if (range > 0.04 * max_range) result = std::max(result, 0.22 * coverage(aside * scale));
+        return result;
+    }
+};
 
 void draw_lines(Image& image, const Chart& chart, const PolarScan& scan) {
+    const Grid grid(chart, scan);
     for (int y = chart.top - 2; y <= chart.bottom + 2; ++y)
         for (int x = chart.left - 2; x <= chart.right + 2; ++x) {
-            const double dx = (x + 0.5 - chart.center_x) / chart.scale,
-                         dy = (y + 0.5 - chart.center_y) / chart.scale;
-            const double strength = grid_strength(chart, scan, std::hypot(dx, dy), std::atan2(dx, -dy));
-            if (strength > 0) image.blend(x, y, grid_ink, strength);
+            const double dx = (x + 0.5 - chart.center_x) / chart.scale;
+            const double dy = (y + 0.5 - chart.center_y) / chart.scale;
+            const double bearing = std::atan2(dx, -dy);
+            const double strength = grid.strength(std::hypot(dx, dy), bearing);
+            if (strength > 0 && scan.covers(bearing)) image.blend(x, y, grid_ink, strength);
         }
 }
 

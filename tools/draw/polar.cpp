@@ -14,14 +14,21 @@ constexpr double same_bearing = 1e-6;  // rad; far below the finest step of any 
 double wrapped(double angle, double from) { return angle - turn * std::floor((angle - from) / turn); }
 
 void check(const Echogram& ping) {
-    if (ping.values.size() != ping.beams() * ping.shot.bins)
-        throw std::invalid_argument("echogram: the number of values is not beams x bins");
-    if (!(ping.sound_speed > 0) || !(ping.shot.bin_interval > 0) || !(ping.shot.first_bin_time >= 0))
-        throw std::invalid_argument(
-            "echogram: sound speed, bin interval and first bin time must be positive");
+    const auto require = [](bool good, const char* what) {
+        if (!good) throw std::invalid_argument(what);
+    };
+    const Shot& shot = ping.shot;
+    const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+    require(ping.values.size() == ping.beams() * shot.bins,
+            "echogram: the number of values is not beams x bins");
+    require(positive(ping.sound_speed) && positive(shot.bin_interval) && shot.first_bin_time >= 0 &&
+                std::isfinite(shot.first_bin_time),
+            "echogram: sound speed, bin interval and first bin time must be positive and finite");
+    require(std::isfinite(shot.beam_width) && std::isfinite(shot.pan) &&
+                std::all_of(shot.bearings.begin(), shot.bearings.end(),
+                            [](double b) { return std::isfinite(b); }),
+            "echogram: beam width, pan and bearings must be finite");
 }
-
-}  // namespace
 
 /// What cannot be a power counts as silence.
 double power(float value) { return value > 0 && std::isfinite(value) ? value : 0; }
@@ -33,6 +40,8 @@ double between_bins(const Ray& ray, double place) {
     const double t = inside - static_cast<double>(below);
     return (1 - t) * power(ray.values[below]) + t * power(ray.values[above]);
 }
+
+}  // namespace
 
 PolarScan::PolarScan(std::span<const Echogram> pings) {
     for (std::size_t i = 0; i < pings.size(); ++i) {
