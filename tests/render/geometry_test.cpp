@@ -141,6 +141,26 @@ TEST(Geometry, SounderLooksStraightDown) {
     EXPECT_NEAR(static_cast<double>(test::strongest_bin(e.beam(0))), 12 / 0.05, 1);
 }
 
+// A swath sounder: the fan stands across the track, 1 x 1 deg beams, and the middle of each beam's echo is
+// the depth.
+TEST(Geometry, SwathOverAFlatFloor) {
+    const double altitude = 20;
+    Renderer renderer(scene_of({test::floor_at(-altitude, 300)}), test::water_of(1500));
+    Shot shot = test::fan(121, 1, 121, 1000, 50);
+    const Pose nose_down{{}, axis_angle({0, 1, 0}, std::numbers::pi / 2)};
+    const Echogram e = renderer.render(shot, nose_down);
+    for (std::size_t beam = 0; beam < e.beams(); ++beam) {
+        double power = 0, moment = 0;
+        for (std::size_t bin = 0; bin < shot.bins; ++bin) {
+            power += e.beam(beam)[bin];
+            moment += e.beam(beam)[bin] * e.bin_range(bin);
+        }
+        const double depth = moment / power * std::cos(shot.bearings[beam]);
+        EXPECT_NEAR(depth, altitude, 0.0025 * altitude) << "beam " << beam;
+        EXPECT_NEAR(e.truth[beam].axis_range * std::cos(shot.bearings[beam]), altitude, 0.0005 * altitude);
+    }
+}
+
 TEST(Geometry, NothingWrapsAndNothingPilesUp) {
     Shot shot = test::fan(30, 20, 10, 100, 10);
     Renderer beyond(scene_of({test::wall_at(12, 50, -50, 50)}), test::water_of(1500));
