@@ -26,9 +26,6 @@ struct Text {
         return {chars.data(), static_cast<std::size_t>(end - chars.begin())};
     }
     friend constexpr bool operator==(const Text&, const Text&) = default;
-    friend constexpr bool operator==(const Text& text, std::string_view other) {
-        return text.view() == other;
-    }
 };
 
 }  // namespace echoloop::wire

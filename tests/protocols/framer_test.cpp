@@ -173,6 +173,14 @@ TEST(Framer, BothLengthFormsMustAgree) {
     EXPECT_TRUE(frames_of(bytes).empty());
 }
 
+TEST(Framer, LengthFormsThatDisagreeAreNotWaitedFor) {
+    Framer framer;
+    framer.feed(from_hex("40 30303038 FA0F"));  // "0008", but 4090
+    framer.feed(encode(Message(ReBoot{})));
+    EXPECT_TRUE(framer.next());
+    EXPECT_EQ(framer.skipped_bytes(), 7U);
+}
+
 TEST(Framer, MemoryStaysBoundedWhateverIsFed) {
     Framer framer;
     const wire::Bytes claim = from_hex("40 30464641 FA0F");  // claims 4096 bytes that never come
