@@ -7,7 +7,7 @@
 
 namespace echoloop::wire {
 
-/// "name value unit"
+/// "name value unit", or "name value x unit" where the unit is a number of units ("0.01 K")
 std::string field_text(const FieldView& field);
 
 /// One line per field: offset, name, value, unit.

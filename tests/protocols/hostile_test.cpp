@@ -1,13 +1,13 @@
 // Bytes that lie: counts, sizes, sections and constants. Each is refused with its place, and nothing big is
 // allocated.
 #include <gtest/gtest.h>
-#include <malloc.h>
 
 #include "protocols/inspect.h"
 #include "protocols/r2sonic/codec.h"
 #include "protocols/seanet/codec.h"
 #include "protocols/seanet/layouts.h"
 #include "protocols/wire/read.h"
+#include "tests/protocols/allocations.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
 
@@ -20,9 +20,6 @@ using wire::Reason;
 void put(wire::Bytes& bytes, std::size_t at, std::initializer_list<std::uint8_t> values) {
     std::copy(values.begin(), values.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
 }
-
-/// Whole size of the heap in use.
-std::size_t heap() { return mallinfo2().uordblks + mallinfo2().hblkhd; }
 
 r2sonic::Bth0 small_bathymetry() {
     r2sonic::Bth0 packet;
@@ -60,9 +57,9 @@ TEST(Hostile, ErrorsSayMessageFieldAndByte) {
 TEST(Hostile, ALyingPointCountIsRefusedAtTheFirstArray) {
     wire::Bytes bytes = r2sonic::serialise(small_bathymetry());
     put(bytes, 12 + 114, {0xFF, 0xFF});
-    const auto before = heap();
+    largest_allocation = 0;
     const auto packet = r2sonic::parse(bytes);
-    EXPECT_LT(heap() - before, 4096U);
+    EXPECT_LT(largest_allocation, 4096U);
     EXPECT_EQ(packet.error(), (Error{"R0", "r", 136, Reason::truncated}));
 }
 
@@ -70,9 +67,9 @@ TEST(Hostile, ALyingProductOfCountsIsRefusedWithoutAllocation) {
     wire::Bytes bytes = r2sonic::serialise(r2sonic::Aid0Data{});
     put(bytes, 12 + 24, {0xFF, 0xFF});
     put(bytes, 12 + 30, {0xFF, 0xFF});
-    const auto before = heap();
+    largest_allocation = 0;
     const auto packet = r2sonic::parse(bytes);
-    EXPECT_LT(heap() - before, 4096U);
+    EXPECT_LT(largest_allocation, 4096U);
     EXPECT_EQ(packet.error(), (Error{"M0", "data", 48, Reason::truncated}));
 }
 

@@ -108,9 +108,9 @@ TEST(Inspect, GuessesOnlyWhatItIsSureOf) {
 
 TEST(Describe, SaysNodesSizeAndFieldsOnOneLine) {
     const auto text = seanet::describe(seanet::make_frame(seanet::Alive{.time_ms = 5000}));
-    EXPECT_EQ(
-        text,
-        "Alive 2->255, 22 bytes: will_send 0x00, time_ms 5000 ms, motor_position 0 1/16 grad, head_inf 0x00");
+    EXPECT_EQ(text,
+              "Alive 2->255, 22 bytes: will_send 0x00, time_ms 5000 ms, motor_position 0 x 1/16 grad, "
+              "head_inf 0x00");
     EXPECT_EQ(seanet::describe(seanet::make_frame(seanet::ReBoot{})), "ReBoot 255->2, 14 bytes: no fields");
 }
 
