@@ -2,12 +2,13 @@
 // few names the emulator uses. Include it in runtime code only, never from a device.
 #pragma once
 
+#include <exception>
+#include <string>
 #include <utility>  // before asio/awaitable.hpp, which uses std::exchange without including it
 
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ip/udp.hpp>
@@ -28,5 +29,16 @@ using Task = asio::awaitable<T>;
 
 /// Completion token: the coroutine resumes and `ec` holds the outcome instead of an exception.
 inline auto into(error_code& ec) { return asio::redirect_error(asio::use_awaitable, ec); }
+
+/// Completion handler of co_spawn for coroutines that serve a wire: an exception is a fault of this program;
+/// it is logged with `what` and ends that coroutine, not the run.
+class Serving {
+  public:
+    explicit Serving(std::string what) : what_(std::move(what)) {}
+    void operator()(std::exception_ptr error) const;
+
+  private:
+    std::string what_;
+};
 
 }  // namespace echoloop

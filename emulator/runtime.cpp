@@ -75,7 +75,7 @@ class Runtime::Impl {
         DeviceConfig config = entry.config;
         config.unix_start = unix_now();
         auto device = entry.model->make(config);
-        auto transports = make_transports(io_, device->ports(), config);
+        auto transports = make_transports(io_, device->ports(), config, scenario.clock_rate);
         const Pose world_from_sonar = scenario.world_from_body * entry.body_from_sonar;
         sessions_.push_back(std::make_unique<Session>(io_, clock_, render_thread_, entry.name,
                                                       std::move(device), std::move(transports),

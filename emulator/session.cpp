@@ -39,8 +39,8 @@ void Session::start() {
                                       },
                                   .reconnected = [this, port] { device_->reconnected(port); }});
     }
-    asio::co_spawn(io_, keep_writing(), asio::detached);
-    asio::co_spawn(io_, keep_waking(), asio::detached);
+    asio::co_spawn(io_, keep_writing(), Serving(name_));
+    asio::co_spawn(io_, keep_waking(), Serving(name_));
     apply(device_->started(clock_.now()));
 }
 
@@ -81,7 +81,7 @@ void Session::transmit(Ping ping) {
                          asio::post(io, [this, result, due, alive, error = std::move(error)] {
                              if (!*alive || closed_) return;
                              if (!error.empty()) spdlog::error("{}: ping not rendered: {}", name_, error);
-                             asio::co_spawn(io_, deliver(result, due), asio::detached);
+                             asio::co_spawn(io_, deliver(result, due), Serving(name_));
                          });
                      });
 }

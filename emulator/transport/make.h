@@ -15,6 +15,6 @@ namespace echoloop {
 /// configuration. Streams over anything but a real serial port are paced by the option "baud", where the
 /// model has one. Throws StartError.
 std::vector<std::unique_ptr<Transport>> make_transports(asio::io_context& io, const std::vector<Port>& ports,
-                                                        const DeviceConfig& config);
+                                                        const DeviceConfig& config, double clock_rate);
 
 }  // namespace echoloop

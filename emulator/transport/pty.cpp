@@ -85,8 +85,8 @@ void Pty::close() {
 
 void Pty::start(Events events) {
     events_ = std::move(events);
-    asio::co_spawn(master_.get_executor(), read_line(), asio::detached);
-    asio::co_spawn(watch_.get_executor(), watch_openers(), asio::detached);
+    asio::co_spawn(master_.get_executor(), read_line(), Serving(describe()));
+    asio::co_spawn(watch_.get_executor(), watch_openers(), Serving(describe()));
 }
 
 Task<void> Pty::read_line() {

@@ -78,7 +78,7 @@ SerialPort::SerialPort(asio::io_context& io, const std::string& path, int baud)
 
 void SerialPort::start(Events events) {
     events_ = std::move(events);
-    asio::co_spawn(line_.get_executor(), read_line(), asio::detached);
+    asio::co_spawn(line_.get_executor(), read_line(), Serving(describe()));
 }
 
 Task<void> SerialPort::read_line() {

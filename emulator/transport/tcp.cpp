@@ -50,7 +50,7 @@ TcpListener::TcpListener(asio::io_context& io, Address bind) : acceptor_(bind_ac
 
 void TcpListener::start(Events events) {
     events_ = std::move(events);
-    asio::co_spawn(acceptor_.get_executor(), accept_drivers(), asio::detached);
+    asio::co_spawn(acceptor_.get_executor(), accept_drivers(), Serving(describe()));
 }
 
 Task<void> TcpListener::accept_drivers() {
@@ -70,7 +70,7 @@ Task<void> TcpListener::accept_drivers() {
         prepare(socket);
         driver_ = std::move(socket);
         events_.reconnected();
-        asio::co_spawn(acceptor_.get_executor(), serve(), asio::detached);
+        asio::co_spawn(acceptor_.get_executor(), serve(), Serving(describe()));
     }
 }
 
@@ -106,7 +106,7 @@ TcpClient::TcpClient(asio::io_context& io, std::string host, std::uint16_t port)
 
 void TcpClient::start(Events events) {
     events_ = std::move(events);
-    asio::co_spawn(socket_.get_executor(), keep_connected(), asio::detached);
+    asio::co_spawn(socket_.get_executor(), keep_connected(), Serving(describe()));
 }
 
 Task<void> TcpClient::keep_connected() {

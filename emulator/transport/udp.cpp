@@ -29,7 +29,7 @@ Udp::Udp(asio::io_context& io, Address bind, bool shared, Address reply_to)
 
 void Udp::start(Events events) {
     events_ = std::move(events);
-    asio::co_spawn(socket_.get_executor(), read_datagrams(), asio::detached);
+    asio::co_spawn(socket_.get_executor(), read_datagrams(), Serving(describe()));
 }
 
 Task<void> Udp::read_datagrams() {
