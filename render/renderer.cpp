@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "render/fan/binning.h"
+#include "render/fan/plan_cache.h"
 #include "render/fan/truth.h"
 #include "render/gl/scene_drawer.h"
 
@@ -37,28 +38,31 @@ Pose world_from_fan(const Shot& shot, const Pose& world_from_sonar) {
 class Renderer::Impl {
   public:
     Impl(std::shared_ptr<const Scene> scene, Water water, RendererOptions options)
-        : water_(water), options_(std::move(options)), drawer_(checked_context(), std::move(scene)) {
+        : water_(water),
+          options_(std::move(options)),
+          drawer_(checked_context(), std::move(scene)),
+          plans_({options_.columns_per_beam, options_.pixel_density}) {
         for (const std::uint32_t material : drawer_.material_of_surface())
             mu_.push_back(static_cast<float>(db_to_power(drawer_.scene().materials()[material].mu_db)));
     }
 
     Echogram render(const Shot& shot, const Pose& pose) {
-        draw(shot, pose);
+        const FanPlan& plan = draw(shot, pose);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, {}};
         bin_pixels(
-            {plan_, pixels_, mu_, offset_of(shot), options_.rule, out.sound_speed / 2 * shot.first_bin_time,
+            {plan, pixels_, mu_, offset_of(shot), options_.rule, out.sound_speed / 2 * shot.first_bin_time,
              out.sound_speed / 2 * shot.bin_interval, shot.bearings.size(), shot.bins,
              db_to_power(shot.source_level), db_to_neper(absorption_db_per_km(water_, shot.frequency) / 1e3)},
             out.values);
-        out.truth = find_truth(plan_, pixels_, shot.bearings, offset_of(shot));
+        out.truth = find_truth(plan, pixels_, shot.bearings, offset_of(shot));
         return out;
     }
 
     ChannelImage render_channels(const Shot& shot, const Pose& pose) {
-        draw(shot, pose);
-        ChannelImage image{plan_.lines, plan_.samples, {}, {}, {}};
-        for (std::size_t sample = 0; sample < plan_.samples; ++sample)
-            for (std::size_t line = 0; line < plan_.lines; ++line) add_channels(image, line, sample);
+        const FanPlan& plan = draw(shot, pose);
+        ChannelImage image{plan.lines, plan.samples, {}, {}, {}};
+        for (std::size_t sample = 0; sample < plan.samples; ++sample)
+            for (std::size_t line = 0; line < plan.lines; ++line) add_channels(image, plan, line, sample);
         return image;
     }
 
@@ -77,24 +81,23 @@ class Renderer::Impl {
         return options_.jitter ? jitter_of(shot.ping) : PixelOffset{};
     }
 
-    void draw(const Shot& shot, const Pose& pose) {
+    /// Fills pixels_ and returns the plan that they follow.
+    const FanPlan& draw(const Shot& shot, const Pose& pose) {
         if (std::this_thread::get_id() != thread_)
             throw std::logic_error("a Renderer works only on the thread that made it");
         echoloop::validate(shot);
         validate(pose);
-        if (const FanGeometry geometry = geometry_of(shot); geometry != geometry_) {
-            plan_ = plan_fan(geometry, {options_.columns_per_beam, options_.pixel_density});
-            geometry_ = geometry;
-        }
+        const FanPlan& plan = plans_.plan_for(geometry_of(shot));
         const double end = echoloop::sound_speed(water_) / 2 *
                            (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
-        drawer_.draw(plan_, world_from_fan(shot, pose), end, offset_of(shot), pixels_);
+        drawer_.draw(plan, world_from_fan(shot, pose), end, offset_of(shot), pixels_);
+        return plan;
     }
 
-    void add_channels(ChannelImage& image, std::size_t line, std::size_t sample) const {
-        const std::size_t at = line * plan_.samples + sample;
-        const bool seen = pixels_[at].surface != 0 && plan_.coverage[at] > 0;
-        const View& view = plan_.view_of(line);
+    void add_channels(ChannelImage& image, const FanPlan& plan, std::size_t line, std::size_t sample) const {
+        const std::size_t at = line * plan.samples + sample;
+        const bool seen = pixels_[at].surface != 0 && plan.coverage[at] > 0;
+        const View& view = plan.view_of(line);
         image.intensity.push_back(seen ? pixels_[at].cosine : 0);
         image.range.push_back(seen ? pixels_[at].range : std::numeric_limits<float>::quiet_NaN());
         image.bearing.push_back(
@@ -106,8 +109,7 @@ class Renderer::Impl {
     std::thread::id thread_ = std::this_thread::get_id();
     gl::SceneDrawer drawer_;
     std::vector<float> mu_;
-    FanGeometry geometry_;
-    FanPlan plan_;
+    PlanCache plans_;
     std::vector<Pixel> pixels_;
 };
 

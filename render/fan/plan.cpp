@@ -54,18 +54,30 @@ double share(double low, double high, double first, double last) {
     return std::max(0.0, std::min(high, last) - std::max(low, first)) / (high - low);
 }
 
+/// Appends one line's weights.
+void weigh_line(FanPlan& plan, const View& view, std::size_t line, double fan_height) {
+    const double at = static_cast<double>(line) + 0.5, x2 = view.x(at) * view.x(at);
+    double upper = view.elevation_at(at, 0);
+    for (std::size_t sample = 0; sample < view.samples; ++sample) {
+        const double lower = view.elevation_at(at, static_cast<double>(sample + 1));
+        const double covered = share(lower, upper, -fan_height / 2, fan_height / 2);
+        upper = lower;
+        plan.coverage.push_back(static_cast<float>(covered));
+        plan.solid_angle.push_back(static_cast<float>(covered * view.solid_angle(x2, sample)));
+    }
+}
+
+/// All views are alike, so the first one's weights serve for all.
 void weigh_pixels(FanPlan& plan, double fan_height) {
     plan.coverage.reserve(plan.lines * plan.samples);
     plan.solid_angle.reserve(plan.lines * plan.samples);
-    for (const View& view : plan.views)
-        for (std::size_t line = 0; line < view.lines; ++line)
-            for (std::size_t sample = 0; sample < view.samples; ++sample) {
-                const double at = static_cast<double>(line) + 0.5, upper = static_cast<double>(sample);
-                const double covered = share(view.elevation_at(at, upper + 1), view.elevation_at(at, upper),
-                                             -fan_height / 2, fan_height / 2);
-                plan.coverage.push_back(static_cast<float>(covered));
-                plan.solid_angle.push_back(static_cast<float>(covered * view.solid_angle(line, sample)));
-            }
+    const View& view = plan.views.front();
+    for (std::size_t line = 0; line < view.lines; ++line) weigh_line(plan, view, line, fan_height);
+    for (std::vector<float>* weights : {&plan.coverage, &plan.solid_angle}) {
+        const std::vector<float> one = *weights;
+        for (std::size_t i = 1; i < plan.views.size(); ++i)
+            weights->insert(weights->end(), one.begin(), one.end());
+    }
 }
 
 void share_lines(FanPlan& plan, const FanGeometry& g) {

@@ -2,10 +2,10 @@
 
 namespace echoloop {
 
-double View::solid_angle(std::size_t line, std::size_t sample) const {
-    const double x2 = std::pow(x(static_cast<double>(line) + 0.5), 2);
-    const double y2 = std::pow(y(static_cast<double>(sample) + 0.5), 2);
-    return line_width() * sample_height() / std::pow(1 + x2 + y2, 1.5);
+double View::solid_angle(double x2, std::size_t sample) const {
+    const double y_middle = y(static_cast<double>(sample) + 0.5);
+    const double square = 1 + x2 + y_middle * y_middle;
+    return line_width() * sample_height() / (square * std::sqrt(square));
 }
 
 PixelOffset jitter_of(std::uint64_t ping) {

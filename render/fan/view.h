@@ -29,10 +29,10 @@ struct View {
     double bearing_at(double line) const { return bearing + std::atan(x(line)); }
     /// rad, elevation over the fan's plane.
     double elevation_at(double line, double sample) const {
-        return std::atan2(y(sample), std::hypot(1.0, x(line)));
+        return std::atan(y(sample) / std::sqrt(1 + x(line) * x(line)));
     }
-    /// sr, of one pixel: dx dy / (1 + x^2 + y^2)^(3/2).
-    double solid_angle(std::size_t line, std::size_t sample) const;
+    /// sr, of one pixel in a line whose middle has the square `x2` of x: dx dy / (1 + x^2 + y^2)^(3/2).
+    double solid_angle(double x2, std::size_t sample) const;
 
     /// Rotation from the view (x forward, y to port, z up) to the fan's own frame.
     Quat fan_from_view() const { return axis_angle({0, 0, 1}, -bearing); }

@@ -49,8 +49,7 @@ Buffer::Buffer(const Functions& gl, GLenum target, const void* data, std::size_t
     gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
 }
 
-FloatTarget::FloatTarget(const Functions& gl, int width, int height)
-    : gl_(gl), width_(width), height_(height) {
+FloatTarget::FloatTarget(const Functions& gl, int width, int height) : gl_(gl) {
     gl.GenFramebuffers(1, &framebuffer_);
     gl.GenRenderbuffers(2, renderbuffers_);
     bind();

@@ -65,12 +65,9 @@ class FloatTarget {
     ~FloatTarget();
 
     void bind() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
-    int width() const { return width_; }
-    int height() const { return height_; }
 
   private:
     const Functions& gl_;
-    int width_, height_;
     GLuint framebuffer_ = 0;
     GLuint renderbuffers_[2]{};
 };

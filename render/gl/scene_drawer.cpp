@@ -1,7 +1,5 @@
 #include "render/gl/scene_drawer.h"
 
-#include <map>
-
 #include "render/fan/culling.h"
 #include "render/gl/fan_shader.h"
 
@@ -109,13 +107,19 @@ void SceneDrawer::draw_chunks(const std::vector<std::uint32_t>& chunks, bool dou
                                     static_cast<GLsizei>(counts.size()), bases.data());
 }
 
+void SceneDrawer::bind_target(int width, int height) {
+    constexpr std::size_t most_targets = 8;  // as many fans as take turns on one renderer
+    const auto found = targets_.find({width, height});
+    if (found != targets_.end()) return found->second->bind();
+    if (targets_.size() == most_targets) targets_.clear();
+    targets_[{width, height}] = std::make_unique<FloatTarget>(gl_, width, height);
+}
+
 void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, double end_range, PixelOffset offset,
                        std::vector<Pixel>& pixels) {
     context_->make_current();
     const int width = static_cast<int>(plan.samples), height = static_cast<int>(plan.lines);
-    if (!target_ || target_->width() != width || target_->height() != height)
-        target_ = std::make_unique<FloatTarget>(gl_, width, height);
-    target_->bind();
+    bind_target(width, height);
     program_->use();
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.Enable(GL_DEPTH_TEST);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "render/fan/binning.h"
@@ -25,13 +27,14 @@ class SceneDrawer {
     void draw(const FanPlan& plan, const Pose& world_from_fan, double end_range, PixelOffset offset,
               std::vector<Pixel>& pixels);
 
-    /// The chunk attributes behind Pixel::surface - 1: index into this.
+    /// Index into Scene::materials() of every surface number, which is Pixel::surface - 1.
     const std::vector<std::uint32_t>& material_of_surface() const { return material_of_surface_; }
     const Scene& scene() const { return *scene_; }
     std::string description() const;
 
   private:
     void upload();
+    void bind_target(int width, int height);
     void set_view(const View& view, const Pose& world_from_fan, PixelOffset offset) const;
     void draw_chunks(const std::vector<std::uint32_t>& chunks, bool double_sided) const;
 
@@ -41,8 +44,8 @@ class SceneDrawer {
     std::unique_ptr<Program> program_;
     std::unique_ptr<VertexArray> array_;
     std::unique_ptr<Buffer> vertices_, indices_;
-    std::unique_ptr<FloatTarget> target_;
-    std::vector<std::uint32_t> material_of_surface_, surface_of_chunk_;
+    std::map<std::pair<int, int>, std::unique_ptr<FloatTarget>> targets_;  ///< by width and height
+    std::vector<std::uint32_t> material_of_surface_;
 };
 
 }  // namespace echoloop::gl

@@ -174,6 +174,20 @@ TEST(Geometry, NothingWrapsAndNothingPilesUp) {
     for (const float v : empty.render(shot, {}).values) EXPECT_EQ(v, 0);
 }
 
+// A smooth surface sounds the same wherever in the pixels a ping samples.
+TEST(Geometry, JitterDoesNotMoveAFloor) {
+    Renderer renderer(scene_of({test::floor_at(-5, 200)}), test::water_of(1500));
+    Shot shot = test::fan(60, 30, 64, 500, 50);
+    shot.tilt = deg_to_rad(-20);
+    const Echogram first = renderer.render(shot, {});
+    for (shot.ping = 1; shot.ping < 6; ++shot.ping) {
+        const Echogram e = renderer.render(shot, {});
+        for (std::size_t beam = 0; beam < e.beams(); ++beam)
+            for (std::size_t bin = 100; bin < 480; ++bin)
+                ASSERT_NEAR(e.beam(beam)[bin] / first.beam(beam)[bin], 1, 0.02) << beam << ", " << bin;
+    }
+}
+
 TEST(Geometry, TimeZeroShiftsTheBins) {
     Renderer renderer(scene_of({test::wall_at(10.03, 50, -50, 50)}), test::water_of(1500));
     Shot shot = test::fan(1, 1, 1, 100, 5);
