@@ -38,10 +38,10 @@ void bin_line(const BinningInput& in, std::size_t number, const std::vector<floa
     for (std::size_t i = 0; i < line.samples; ++i) {
         if (line.pixels[i].surface == 0 || weight[i] == 0) continue;
         const Extent extent = extent_of(line, i);
-        const float centre = extent.centre * per_metre - start, half = extent.half * per_metre;
-        const float steepest = 0.9F / half;  // beyond, the far end would be negative
-        const float slope = std::max(slope_within(extent.centre, absorption) / per_metre, -steepest);
-        bins.deposit(centre - half, centre + half, amount(line.pixels[i], extent.centre, weight[i]), slope);
+        const float near = extent.near * per_metre - start, far = extent.far * per_metre - start;
+        const float steepest = 1.8F / (far - near);  // beyond, the density at the far end would be negative
+        const float slope = std::max(slope_within(extent.middle, absorption) / per_metre, -steepest);
+        bins.deposit(near, far, amount(line.pixels[i], extent.middle, weight[i]), slope);
     }
 }
 
@@ -82,7 +82,8 @@ void bin_radiometric(const BinningInput& in, std::vector<float>& values) {
     for (const float mu : in.mu) strength.push_back(static_cast<float>(in.source_power * mu));
     const auto decay = static_cast<float>(-4 * in.absorption);
     const auto power = [&](const Pixel& pixel, float range, float solid_angle) {
-        const float spreading = std::exp(decay * range) / (range * range);
+        // cos(i) is the distance of the surface's plane over R, and was taken at the sample point.
+        const float spreading = std::exp(decay * range) * pixel.range / (range * range * range);
         return strength[static_cast<std::size_t>(pixel.surface) - 1] * pixel.cosine * solid_angle * spreading;
     };
     gather(in, values,

@@ -19,9 +19,9 @@ struct PixelLine {
     PixelOffset offset;
 };
 
-/// m: the middle and half the length.
+/// m, on the surface's plane: the middle of the pixel, and its nearer and farther edge.
 struct Extent {
-    float centre, half;
+    float middle, near, far;
 };
 
 /// Change of range from one pixel to the next along a line or across lines; 0 where no neighbour tells its
@@ -39,21 +39,31 @@ inline float range_step(const Pixel& previous, const Pixel& pixel, const Pixel& 
     return std::copysign(std::min(footprint, 1.5F * std::abs(nearer)), nearer);
 }
 
+/// The extent from `begin` to `end`, in pixels from the sample point, where range changes by `step` per
+/// pixel: on a plane at grazing incidence 1 / R is linear in the angle, and elsewhere the steps are too small
+/// to matter.
+inline Extent extent_between(float range, float step, float begin, float end) {
+    const auto at = [range, step](float pixels) { return range * range / (range - step * pixels); };
+    const float first = at(begin), last = at(end);
+    return {at(0.5F * (begin + end)), std::min(first, last), std::max(first, last)};
+}
+
 /// The ping sampled somewhere in the pixel; the extent is that of the whole pixel (at the fan's upper and
 /// lower edge of its covered part), so a smooth surface sounds the same wherever the samples fall.
 inline Extent extent_of(const PixelLine& line, std::size_t i) {
     const Pixel& pixel = line.pixels[i];
     if (pixel.footprint < 0) {
         const float step = range_step(line.before[i], pixel, line.after[i], -pixel.footprint);
-        return {pixel.range - static_cast<float>(line.offset.line) * step, 0.5F * std::abs(step)};
+        const auto middle = -static_cast<float>(line.offset.line);
+        return extent_between(pixel.range, step, middle - 0.5F, middle + 0.5F);
     }
     const Pixel& upper = line.pixels[i > 0 ? i - 1 : i];
     const Pixel& lower = line.pixels[i + 1 < line.samples ? i + 1 : i];
-    const float step = range_step(upper, pixel, lower, pixel.footprint), covered = line.coverage[i];
-    const float inwards =
-        i < line.samples / 2 ? 0.5F : -0.5F;  // from the middle of the pixel to that of its covered part
-    const float shift = inwards * (1 - covered) - static_cast<float>(line.offset.sample);
-    return {pixel.range + shift * step, 0.5F * covered * std::abs(step)};
+    const float step = range_step(upper, pixel, lower, pixel.footprint), hidden = 1 - line.coverage[i];
+    const auto middle = -static_cast<float>(line.offset.sample);
+    const bool upper_edge = i < line.samples / 2;
+    return extent_between(pixel.range, step, middle - 0.5F + (upper_edge ? hidden : 0),
+                          middle + 0.5F - (upper_edge ? 0 : hidden));
 }
 
 }  // namespace echoloop

@@ -184,7 +184,7 @@ TEST(Geometry, JitterDoesNotMoveAFloor) {
         const Echogram e = renderer.render(shot, {});
         for (std::size_t beam = 0; beam < e.beams(); ++beam)
             for (std::size_t bin = 100; bin < 480; ++bin)
-                ASSERT_NEAR(e.beam(beam)[bin] / first.beam(beam)[bin], 1, 0.02) << beam << ", " << bin;
+                ASSERT_NEAR(e.beam(beam)[bin] / first.beam(beam)[bin], 1, 0.005) << beam << ", " << bin;
     }
 }
 
