@@ -59,14 +59,12 @@ class FieldWalk {
 
     template <Scalar T>
     static Value scalar(T value) {
-        if constexpr (std::is_enum_v<T>) {
-            return static_cast<std::uint64_t>(value);
-        } else if constexpr (std::is_floating_point_v<T>) {
+        if constexpr (std::is_floating_point_v<T>) {
             return readable(value);
         } else if constexpr (std::is_signed_v<T>) {
             return static_cast<std::int64_t>(value);
         } else {
-            return static_cast<std::uint64_t>(value);
+            return static_cast<std::uint64_t>(value);  // an enum too
         }
     }
 

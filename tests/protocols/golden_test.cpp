@@ -49,12 +49,12 @@ TEST_P(GoldenFile, HasTheFieldsThatTheFileSays) {
     EXPECT_EQ(messages[0].reason, "");
     EXPECT_EQ(messages[0].name, file.message);
     EXPECT_FALSE(file.fields.empty());
-    for (const auto& [name, text] : file.fields) {
+    for (const auto& expected : file.fields) {
         const auto& fields = messages[0].fields;
-        const auto found =
-            std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
-        ASSERT_NE(found, fields.end()) << name;
-        EXPECT_EQ(found->text, text) << name;
+        const auto found = std::find_if(fields.begin(), fields.end(),
+                                        [&](const auto& field) { return field.name == expected.first; });
+        ASSERT_NE(found, fields.end()) << expected.first;
+        EXPECT_EQ(found->text, expected.second) << expected.first;
     }
 }
 
