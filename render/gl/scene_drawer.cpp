@@ -70,7 +70,7 @@ void SceneDrawer::set_view(const View& view, const Pose& world_from_fan, PixelOf
     const Quat q = world_from_fan.orientation * view.fan_from_view();
     const Vec3 axes[3] = {rotate(q, {0, -1, 0}), rotate(q, {0, 0, 1}), rotate(q, {1, 0, 0})};
     GLfloat rows[9];
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
         rows[3 * i] = static_cast<float>(axes[i].x);
         rows[3 * i + 1] = static_cast<float>(axes[i].y);
         rows[3 * i + 2] = static_cast<float>(axes[i].z);
