@@ -5,6 +5,12 @@
 #include <array>
 #include <stdexcept>
 
+#ifdef __has_feature  // clang
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+
 #ifdef __SANITIZE_ADDRESS__
 // OSMesa 22.3 keeps 200 bytes of every context that it destroys.
 extern "C" const char* __lsan_default_suppressions();
