@@ -106,7 +106,8 @@ bool Checker::triple(const Value& value, const std::string& path, const Range& r
     return good;
 }
 
-Section::Section(const Value* value, std::string path, std::vector<std::string_view> keys, Problems& problems)
+Section::Section(const Value* value, std::string path, const std::vector<std::string_view>& keys,
+                 Problems& problems)
     : path_(std::move(path)), problems_(problems) {
     if (value == nullptr) return;
     place_ = value->place;

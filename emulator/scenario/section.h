@@ -50,7 +50,8 @@ class Checker {
 /// A map of which all keys are known. A null `value` stands for an absent or empty one.
 class Section {
   public:
-    Section(const Value* value, std::string path, std::vector<std::string_view> keys, Problems& problems);
+    Section(const Value* value, std::string path, const std::vector<std::string_view>& keys,
+            Problems& problems);
 
     const Value* get(std::string_view key) const;
     std::string path_of(std::string_view key) const;

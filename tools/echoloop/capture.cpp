@@ -93,7 +93,7 @@ std::FILE* Input::release() {
     auto replay = std::make_unique<Replay>(Replay{std::move(head_), 0, file_});
     std::FILE* stream = ::fopencookie(replay.get(), "rb", {replay_read, nullptr, nullptr, replay_close});
     if (stream == nullptr) throw StartError(Exit::unavailable, "cannot open a stream: out of memory");
-    replay.release();
+    static_cast<void>(replay.release());  // replay_close owns it now
     file_ = nullptr;
     return stream;
 }

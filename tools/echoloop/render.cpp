@@ -39,7 +39,7 @@ std::pair<std::size_t, std::size_t> steps_of(const Model& model, const Arguments
 }
 
 std::string extension_of(const Arguments& arguments) {
-    const auto extension = std::filesystem::path(arguments.text("--out")).extension().string();
+    auto extension = std::filesystem::path(arguments.text("--out")).extension().string();
     const bool channels = arguments.has("--channels");
     if (channels && extension != ".npy")
         throw StartError(Exit::usage, "--channels writes a NumPy array: end the name of --out with .npy");
