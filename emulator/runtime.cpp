@@ -27,6 +27,8 @@ class Runtime::Impl {
               renderer_description_ = renderer->context_description();
               return renderer;
           }) {
+        // Before the first link is made: a signal from here on ends the run in order and removes the links.
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
         for (const ScenarioDevice& device : scenario.devices) add(scenario, device);
     }
 
@@ -43,9 +45,6 @@ class Runtime::Impl {
     }
 
     void run(std::optional<double> duration) {
-        signals_.add(SIGINT);
-        signals_.add(SIGTERM);
-        signals_.add(SIGHUP);
         signals_.async_wait([this](error_code ec, int) {
             if (!ec) stop();
         });
