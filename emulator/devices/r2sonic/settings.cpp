@@ -1,5 +1,6 @@
 #include "emulator/devices/r2sonic/settings.h"
 
+#include "emulator/option_rows.h"
 #include "emulator/options.h"
 
 namespace echoloop::r2sonic_device {
@@ -7,26 +8,6 @@ namespace {
 
 const char* const manual = "operation manual, control commands";
 const char* const example = "operation manual, example start values";
-
-Option yes_no(std::string name, bool value, std::string help, std::string source) {
-    return {std::move(name), "", value, std::move(help), std::move(source), {}};
-}
-Option real(std::string name, std::string unit, double value, double low, double high, std::string help,
-            std::string source) {
-    return {std::move(name), std::move(unit), value, std::move(help), std::move(source), {}, low, high};
-}
-Option words(std::string name, std::vector<std::string> choices, std::string help, std::string source) {
-    std::string first = choices.empty() ? "" : choices.front();
-    return {std::move(name), "", std::move(first), std::move(help), std::move(source), std::move(choices)};
-}
-Option free_text(std::string name, std::string value, std::string help, std::string source) {
-    return {std::move(name), "", std::move(value), std::move(help), std::move(source), {}};
-}
-
-Option whole(std::string name, std::string unit, std::int64_t value, double low, double high,
-             std::string help, std::string source) {
-    return {std::move(name), std::move(unit), value, std::move(help), std::move(source), {}, low, high};
-}
 
 wire::Text<12> serial_number(const std::string& text) {
     if (text.size() > 12)
@@ -38,35 +19,36 @@ wire::Text<12> serial_number(const std::string& text) {
 
 std::vector<Option> option_table() {
     return {
-        words("trigger", {"free", "external", "command"}, "TRG0 at power-up", example),
-        real("range", "m", 20, 2, 1200, "RNG0 at power-up", example),
-        real("frequency", "Hz", 400e3, 90e3, 700e3, "FRQ0 at power-up", example),
-        real("power", "dB re 1 uPa at 1 m", 191, 0, 221, "TXP0 at power-up; 0 transmits nothing", example),
-        real("pulse", "s", 20e-6, 10e-6, 1115e-6, "TXL0 at power-up", example),
-        real("gain", "half dB", 13, 1, 45, "GAN0 at power-up; times 2 is dB", example),
-        real("spreading", "dB per decade of range", 30, 0, 60, "SPR0 at power-up", example),
-        real("absorption", "dB/km", 80, 0, 200, "ABS0 at power-up", example),
-        real("ping_rate", "Hz", 0, 0, 60, "upper limit of the ping rate at power-up; 0: none (PRU0 = 0)",
-             example),
-        real("sector_width", "deg", 120, 10, 160, "SEW0 at power-up", example),
-        real("sector_rotation", "deg", 0, -70, 70, "SER0 at power-up, positive to starboard", example),
-        words("bottom_mode", {"equi-angle", "equi-distant"}, "BOS0 at power-up", example),
-        yes_no("intensity", false, "BIE0 at power-up: BTH0 carries intensities", example),
-        whole("image_height", "bins", 0, 0, 4096,
-              "AIH0 at power-up: upper limit of range bins in AID0; 0: no image", example),
-        real("image_brightness", "dB", 6, 0, 60, "AIB0 at power-up", example),
-        words("projector", {"narrow", "wide"},
-              "PROJ at power-up: narrow 1 deg, wide 20 deg (forward looking)", example),
-        free_text("serial", "100017", "serial number of the head, at most 12 characters", "manual's example"),
-        free_text("sim_serial", "100117", "serial number of the SIM, at most 12 characters",
-                  "manual's example"),
-        real("image_reference", "dB re 1 uPa", 170, 0, 300,
-             "level after gain that reads 255 at 0 dB brightness", "own choice"),
-        real("detection_threshold", "dB re 1 uPa", 60, -100, 250, "weaker echoes are no bottom",
-             "thermal noise at 400 kHz in 30 kHz, less 20 dB of directivity"),
-        real("datagram_gap", "s", 0.3e-3, 0, 0.1, "pause between the datagrams of one image",
-             "receivers with default buffers lose faster bursts"),
-        words("discovery_reply", {"sender", "gui", "none"}, "where R2DI goes", manual),
+        choice_row("trigger", {"free", "external", "command"}, "TRG0 at power-up", example),
+        number_row("range", "m", 20, 2, 1200, "RNG0 at power-up", example),
+        number_row("frequency", "Hz", 400e3, 90e3, 700e3, "FRQ0 at power-up", example),
+        number_row("power", "dB re 1 uPa at 1 m", 191, 0, 221, "TXP0 at power-up; 0 transmits nothing",
+                   example),
+        number_row("pulse", "s", 20e-6, 10e-6, 1115e-6, "TXL0 at power-up", example),
+        number_row("gain", "half dB", 13, 1, 45, "GAN0 at power-up; times 2 is dB", example),
+        number_row("spreading", "dB per decade of range", 30, 0, 60, "SPR0 at power-up", example),
+        number_row("absorption", "dB/km", 80, 0, 200, "ABS0 at power-up", example),
+        number_row("ping_rate", "Hz", 0, 0, 60,
+                   "upper limit of the ping rate at power-up; 0: none (PRU0 = 0)", example),
+        number_row("sector_width", "deg", 120, 10, 160, "SEW0 at power-up", example),
+        number_row("sector_rotation", "deg", 0, -70, 70, "SER0 at power-up, positive to starboard", example),
+        choice_row("bottom_mode", {"equi-angle", "equi-distant"}, "BOS0 at power-up", example),
+        flag_row("intensity", false, "BIE0 at power-up: BTH0 carries intensities", example),
+        integer_row("image_height", "bins", 0, 0, 4096,
+                    "AIH0 at power-up: upper limit of range bins in AID0; 0: no image", example),
+        number_row("image_brightness", "dB", 6, 0, 60, "AIB0 at power-up", example),
+        choice_row("projector", {"narrow", "wide"},
+                   "PROJ at power-up: narrow 1 deg, wide 20 deg (forward looking)", example),
+        text_row("serial", "100017", "serial number of the head, at most 12 characters", "manual's example"),
+        text_row("sim_serial", "100117", "serial number of the SIM, at most 12 characters",
+                 "manual's example"),
+        number_row("image_reference", "dB re 1 uPa", 170, 0, 300,
+                   "level after gain that reads 255 at 0 dB brightness", "own choice"),
+        number_row("detection_threshold", "dB re 1 uPa", 60, -100, 250, "weaker echoes are no bottom",
+                   "thermal noise at 400 kHz in 30 kHz, less 20 dB of directivity"),
+        number_row("datagram_gap", "s", 0.3e-3, 0, 0.1, "pause between the datagrams of one image",
+                   "receivers with default buffers lose faster bursts"),
+        choice_row("discovery_reply", {"sender", "gui", "none"}, "where R2DI goes", manual),
     };
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "emulator/option_rows.h"
 #include "emulator/options.h"
 
 namespace echoloop::micron {
@@ -9,73 +10,66 @@ namespace {
 
 const char* const spec = "SeaNet specification notes";
 
-Option yes_no(std::string name, bool value, std::string help) {
-    return {std::move(name), "", value, std::move(help), spec, {}};
-}
-Option whole(std::string name, std::string unit, std::int64_t value, double low, double high,
-             std::string help, std::string source = spec) {
-    return {std::move(name), std::move(unit), value, std::move(help), std::move(source), {}, low, high};
-}
-Option real(std::string name, std::string unit, double value, double low, double high, std::string help,
-            std::string source = spec) {
-    return {std::move(name), std::move(unit), value, std::move(help), std::move(source), {}, low, high};
-}
-Option word(std::string name, std::vector<std::string> choices, std::string help) {
-    std::string first = choices.front();
-    return {std::move(name), "", std::move(first), std::move(help), spec, std::move(choices)};
-}
-
 std::vector<Option> start_up_options() {
     return {
-        word("profile", {"dst", "miniking"}, "family: dst sends the FPGA messages after mtBBUserData"),
-        whole("node", "", 2, 1, 254, "SeaNet node number of the head"),
-        real("first_alive", "s", 1.0, 0.1, 30, "first mtAlive after power-up or mtReBoot"),
-        whole("recentring_alives", "", 3, 0, 60,
-              "mtAlives sent while re-centring; one public driver needs 2"),
-        yes_no("alives_while_scanning", false, "keep sending mtAlive while lines are requested"),
-        word("sent_cfg_by", {"both", "head-command", "bb-user"}, "which message sets the SentCfg bit"),
-        word("early_request", {"ignore", "answer-later"}, "mtSendData without parameters or while centring"),
-        word("short_commands", {"drop", "by-id"}, "commands that claim more bytes than they have"),
-        yes_no("refuse_while_centring", false, "drop mtHeadCommand that comes while re-centring"),
-        whole("software_version", "", 2, 0, 255, "first byte of mtVersionData", "free choice"),
-        whole("serial_number", "", 1234, 0, 65535, "in mtVersionData", "free choice"),
+        choice_row("profile", {"dst", "miniking"}, "family: dst sends the FPGA messages after mtBBUserData",
+                   spec),
+        integer_row("node", "", 2, 1, 254, "SeaNet node number of the head", spec),
+        number_row("first_alive", "s", 1.0, 0.1, 30, "first mtAlive after power-up or mtReBoot", spec),
+        integer_row("recentring_alives", "", 3, 0, 60,
+                    "mtAlives sent while re-centring; one public driver needs 2", spec),
+        flag_row("alives_while_scanning", false, "keep sending mtAlive while lines are requested", spec),
+        choice_row("sent_cfg_by", {"both", "head-command", "bb-user"}, "which message sets the SentCfg bit",
+                   spec),
+        choice_row("early_request", {"ignore", "answer-later"},
+                   "mtSendData without parameters or while centring", spec),
+        choice_row("short_commands", {"drop", "by-id"}, "commands that claim more bytes than they have",
+                   spec),
+        flag_row("refuse_while_centring", false, "drop mtHeadCommand that comes while re-centring", spec),
+        integer_row("software_version", "", 2, 0, 255, "first byte of mtVersionData", "free choice"),
+        integer_row("serial_number", "", 1234, 0, 65535, "in mtVersionData", "free choice"),
     };
 }
 
 std::vector<Option> scan_options() {
     return {
-        whole("replies", "", 2, 1, 2, "mtHeadData per mtSendData"),
-        word("surplus_requests", {"merge", "queue"}, "mtSendData that comes while lines are under way"),
-        yes_no("force_right", false, "continuous scans turn clockwise even without the scanright bit"),
-        yes_no("limits_twice", false, "ping each sector limit twice per pass"),
-        yes_no("whole_steps", false, "never cut the last step at a sector limit"),
-        word("sector_start", {"left-limit", "position"}, "where a new sector begins"),
-        yes_no("obey_invert", true, "the invert bit turns the rotation round (head mounted boot down)"),
-        word("period_law", {"A", "B", "fixed"},
-             "A: 2R/c + step * MoTime + line time; B: twice 2R/c + step * MoTime, line time included"),
-        real("period_scale", "", 1, 0.01, 100, "factor on the period of law A or B"),
-        real("fixed_period", "s", 0.05, 0.001, 60, "period of a line under law fixed"),
+        integer_row("replies", "", 2, 1, 2, "mtHeadData per mtSendData", spec),
+        choice_row("surplus_requests", {"merge", "queue"}, "mtSendData that comes while lines are under way",
+                   spec),
+        flag_row("force_right", false, "continuous scans turn clockwise even without the scanright bit",
+                 spec),
+        flag_row("limits_twice", false, "ping each sector limit twice per pass", spec),
+        flag_row("whole_steps", false, "never cut the last step at a sector limit", spec),
+        choice_row("sector_start", {"left-limit", "position"}, "where a new sector begins", spec),
+        flag_row("obey_invert", true, "the invert bit turns the rotation round (head mounted boot down)",
+                 spec),
+        choice_row("period_law", {"A", "B", "fixed"},
+                   "A: 2R/c + step * MoTime + line time; B: twice 2R/c + step * MoTime, line time included",
+                   spec),
+        number_row("period_scale", "", 1, 0.01, 100, "factor on the period of law A or B", spec),
+        number_row("fixed_period", "s", 0.05, 0.001, 60, "period of a line under law fixed", spec),
     };
 }
 
 std::vector<Option> data_options() {
     return {
-        word("nibble_order", {"high-first", "low-first"},
-             "4-bit bins: which half of a byte is the nearer bin"),
-        word("ad_span_scale", {"255", "15"}, "4-bit bins: scale of ADSpan and ADLow"),
-        whole("device_type", "", 0x11, 0, 255, "byte 15 of mtHeadData"),
-        word("head_data_byte9", {"zero", "low-byte"},
-             "byte 9 of mtHeadData: one public driver takes only zero"),
-        whole("hd_ctrl_set", "", 0, 0, 65535, "bits forced to 1 in the HdCtrl of replies"),
-        whole("hd_ctrl_clear", "", 0, 0, 65535, "bits forced to 0 in the HdCtrl of replies"),
-        real("baud", "bit/s", 115200, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced"),
-        real("source_level", "dB re 1 uPa at 1 m", 206, 100, 240, "transmitter",
-             "own estimate, no public figure"),
-        real("reference_level", "dB re 1 uPa", 152, 0, 300, "level after TVG that reads 0 dB at zero gain",
-             "own choice: a tank's walls read about 40 dB at half gain"),
-        real("tvg_spreading", "dB per decade of range", 30, 0, 60, "time-varied gain", "own choice"),
-        real("tvg_absorption", "dB/m", 0.2, 0, 2, "time-varied gain, one way",
-             "Francois-Garrison at 700 kHz"),
+        choice_row("nibble_order", {"high-first", "low-first"},
+                   "4-bit bins: which half of a byte is the nearer bin", spec),
+        choice_row("ad_span_scale", {"255", "15"}, "4-bit bins: scale of ADSpan and ADLow", spec),
+        integer_row("device_type", "", 0x11, 0, 255, "byte 15 of mtHeadData", spec),
+        choice_row("head_data_byte9", {"zero", "low-byte"},
+                   "byte 9 of mtHeadData: one public driver takes only zero", spec),
+        integer_row("hd_ctrl_set", "", 0, 0, 65535, "bits forced to 1 in the HdCtrl of replies", spec),
+        integer_row("hd_ctrl_clear", "", 0, 0, 65535, "bits forced to 0 in the HdCtrl of replies", spec),
+        number_row("baud", "bit/s", 115200, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", spec),
+        number_row("source_level", "dB re 1 uPa at 1 m", 206, 100, 240, "transmitter",
+                   "own estimate, no public figure"),
+        number_row("reference_level", "dB re 1 uPa", 152, 0, 300,
+                   "level after TVG that reads 0 dB at zero gain",
+                   "own choice: a tank's walls read about 40 dB at half gain"),
+        number_row("tvg_spreading", "dB per decade of range", 30, 0, 60, "time-varied gain", "own choice"),
+        number_row("tvg_absorption", "dB/m", 0.2, 0, 2, "time-varied gain, one way",
+                   "Francois-Garrison at 700 kHz"),
     };
 }
 

@@ -1,60 +1,11 @@
-// The Sonic 2024 as its host sees it: literal datagrams in, datagrams out, read here by offsets of the
-// R2Sonic notes without the project's own codec.
+// The pings of a Sonic 2024: what commands make of the next one, of its bathymetry and of its image.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cmath>
-
-#include "tests/emulator/devices/driver.h"
+#include "tests/emulator/devices/r2sonic_bench.h"
 
 namespace echoloop::test {
 namespace {
-
-using namespace std::chrono_literals;
-
-constexpr Address gui{0x7F000001, 65400};
-
-std::uint32_t u32(const Bytes& b, std::size_t at) {
-    return std::uint32_t{b.at(at)} << 24 | b.at(at + 1) << 16 | b.at(at + 2) << 8 | b.at(at + 3);
-}
-std::uint16_t u16(const Bytes& b, std::size_t at) {
-    return static_cast<std::uint16_t>(b.at(at) << 8 | b.at(at + 1));
-}
-float f32(const Bytes& b, std::size_t at) { return std::bit_cast<float>(u32(b, at)); }
-std::string name(const Bytes& b, std::size_t at, std::size_t size) {
-    return {b.begin() + at, b.begin() + at + size};
-}
-
-void put(Bytes& out, std::uint32_t word) {
-    for (int shift = 24; shift >= 0; shift -= 8) out.push_back(static_cast<std::uint8_t>(word >> shift));
-}
-void put(Bytes& out, const std::string& text, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i)
-        out.push_back(i < text.size() ? static_cast<std::uint8_t>(text[i]) : 0);
-}
-
-Bytes command(const std::string& what, std::uint32_t value) {
-    Bytes bytes;
-    put(bytes, "CMD0", 4);
-    put(bytes, what, 4);
-    put(bytes, value);
-    return bytes;
-}
-Bytes command(const std::string& what, float value) {
-    return command(what, std::bit_cast<std::uint32_t>(value));
-}
-
-std::vector<Send> named(const std::vector<Send>& sent, const std::string& packet) {
-    std::vector<Send> found;
-    for (const Send& s : sent)
-        if (name(s.bytes, 0, 4) == packet) found.push_back(s);
-    return found;
-}
-
-Bench head(const Options& changes = {}, std::vector<std::string> endpoints = {}) {
-    return Bench(make_device("r2sonic-2024", std::move(endpoints), changes));
-}
 
 /// Echoes of a flat floor at `depth` m straight below: the footprint of each beam in range.
 Echogram floor_echo(const Shot& shot, double depth) {
@@ -251,91 +202,6 @@ TEST(R2SonicImage, DatagramsAreSmallPacedAndCoverTheImage) {
     const Bytes& hit = sent[1 + image_bin / 5].bytes;
     EXPECT_GT(hit[12 + 36 + image_bin % 5], 100);
     EXPECT_EQ(hit[12 + 36 + (image_bin + 1) % 5], 0);
-}
-
-TEST(R2SonicStatus, OnceASecondToBasePlusTwo) {
-    Bench bench = head({{"trigger", std::string("command")}});
-    bench.run_to(2500ms);
-    const auto sent = bench.sent();
-    const auto brief = named(sent, "R2DS");
-    const auto full = named(sent, "STH0");
-    ASSERT_EQ(brief.size(), 3u);
-    EXPECT_EQ(full.size(), 3u);
-    EXPECT_EQ(brief[0].to.port, gui.port + 2);
-    EXPECT_EQ(brief[0].bytes.size(), 24u);
-    EXPECT_EQ(name(brief[0].bytes, 4, 6), "100017");
-    bench.say(command("STM0", std::uint32_t{0}));
-    bench.run_to(5s);
-    EXPECT_TRUE(named(bench.sent(), "STH0").empty());
-}
-
-Bytes discovery_request() {
-    Bytes bytes;
-    put(bytes, "R2DD", 4);
-    put(bytes, 0x7F000001u);
-    put(bytes, 65400u << 16);
-    for (int i = 0; i < 8; ++i) put(bytes, 0u);
-    return bytes;
-}
-
-Bytes configuration(const std::string& serial, std::uint32_t gui_ip, std::uint32_t gui_port) {
-    Bytes bytes;
-    put(bytes, "R2DC", 4);
-    put(bytes, serial, 12);
-    put(bytes, 77u);
-    put(bytes, 0u);
-    put(bytes, 0u);
-    put(bytes, gui_ip);
-    put(bytes, gui_port << 16);
-    while (bytes.size() < 164) bytes.push_back(0);
-    return bytes;
-}
-
-TEST(R2SonicDiscovery, AnswersTheSender) {
-    Bench bench =
-        head({{"trigger", std::string("command")}},
-             {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400", "udp-listen://127.0.0.1:65300"});
-    bench.run_to(1ms);
-    bench.sent();
-    bench.say(discovery_request(), 2, {0x7F000001, 41000});
-    const auto sent = named(bench.sent(), "R2DI");
-    ASSERT_EQ(sent.size(), 2u);
-    EXPECT_EQ(sent[0].to, (Address{0x7F000001, 41000}));
-    EXPECT_EQ(sent[0].bytes.size(), 72u);
-    EXPECT_EQ(name(sent[0].bytes, 4, 6), "100017");
-    EXPECT_EQ(name(sent[0].bytes, 28, 4), "2024");
-    EXPECT_EQ(name(sent[1].bytes, 4, 6), "100117");
-}
-
-TEST(R2SonicDiscovery, ConfigurationMovesTheHostOnLoopbackOnly) {
-    Bench bench = head({{"trigger", std::string("command")}});
-    bench.run_to(1ms);
-    bench.say(configuration("100017", 0x7F000002, 4000), 1);
-    bench.sent();
-    bench.run_to(1500ms);
-    auto sent = named(bench.sent(), "R2DS");
-    ASSERT_EQ(sent.size(), 1u);
-    EXPECT_EQ(sent[0].to, (Address{0x7F000002, 4002}));
-    EXPECT_EQ(u32(sent[0].bytes, 16), 77u) << "ConfigID";
-    bench.say(configuration("100017", 0x0A000166, 65400), 1);
-    bench.say(configuration("999999", 0x7F000001, 5000), 1);
-    bench.run_to(2500ms);
-    sent = named(bench.sent(), "R2DS");
-    EXPECT_EQ(sent.at(0).to, (Address{0x7F000002, 4002}));
-}
-
-TEST(R2SonicNoise, GarbageIsCountedAndNotAnswered) {
-    Bench bench = head({{"trigger", std::string("command")}});
-    bench.run_to(1ms);
-    bench.sent();
-    bench.say(Bytes{});
-    bench.say("00");
-    bench.say(Bytes(2000, 0xFF));
-    Bytes cut = command("RNG0", 100.0F);
-    cut.pop_back();
-    bench.say(cut);
-    EXPECT_TRUE(bench.sent().empty());
-    EXPECT_EQ(bench.device().counters().rejected, 4u);
 }
 
 }  // namespace
