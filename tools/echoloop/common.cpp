@@ -20,7 +20,7 @@ std::string text_of(const Address& address) {
     std::string text;
     for (int shift = 24; shift >= 0; shift -= 8)
         text += std::to_string(address.ip >> shift & 0xFF) + (shift > 0 ? "." : "");
-    return (address.ip == 0 ? "" : text) + ":" + std::to_string(address.port);
+    return text + ":" + std::to_string(address.port);
 }
 
 std::string plain(double number, int decimals) {

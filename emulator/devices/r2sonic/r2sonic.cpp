@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-enum PortIndex : std::size_t { head_commands, discovery, discovery_broadcast, sim_commands };
+enum PortIndex : std::size_t { head_commands, discovery, sim_commands };
 enum Offset : std::uint16_t { bathymetry = 0, commands = 2, status = 2, image = 3 };
 
 constexpr Time processing = 2ms;  // from the last sample to the datagram
@@ -32,19 +32,15 @@ R2Sonic::R2Sonic(const Settings& settings, const Wiring& wiring)
 /// A loopback head hears discovery on its own address and on loopback's broadcast address; one on a real
 /// interface listens everywhere, since broadcasts come to no address of its own.
 std::vector<Port> R2Sonic::ports() const {
-    using Kind = Port::Kind;
+    constexpr auto datagram = Port::Kind::datagram;
     const bool local = is_loopback(wiring_.head.ip);
     const Address hears{local ? wiring_.head.ip : 0, r2sonic::discovery_port};
-    std::vector<Port> ports{
-        {"commands", Kind::datagram, with_offset(wiring_.head, commands), false},
-        {"discovery", Kind::datagram, hears, true},
-        {"discovery broadcast",
-         Kind::datagram,
-         {local ? loopback_broadcast : 0, r2sonic::discovery_port},
-         true},
-    };
-    if (wiring_.sim)
-        ports.push_back({"SIM commands", Kind::datagram, with_offset(*wiring_.sim, commands), false});
+    std::vector<Port> ports{{"commands", datagram, with_offset(wiring_.head, commands), false},
+                            {"discovery", datagram, hears, true}};
+    if (wiring_.sim) ports.push_back({"SIM commands", datagram, with_offset(*wiring_.sim, commands), false});
+    if (local)
+        ports.push_back(
+            {"discovery broadcast", datagram, {loopback_broadcast, r2sonic::discovery_port}, true});
     return ports;
 }
 

@@ -30,6 +30,15 @@ TEST(R2SonicPorts, ListensOnBasePlusTwoAndForDiscovery) {
     EXPECT_TRUE(ports[1].shared && ports[2].shared);
 }
 
+TEST(R2SonicPorts, OnARealInterfaceDiscoveryIsHeardOnce) {
+    const auto ports = make_device("r2sonic-2024", {"udp-listen://10.0.0.86:65500", "udp://10.0.1.102:65400",
+                                                    "udp-listen://10.0.0.99:65500"})
+                           ->ports();
+    ASSERT_EQ(ports.size(), 3u);
+    EXPECT_EQ(ports[1].bind, (Address{0, 53810}));
+    EXPECT_EQ(ports[2].bind, (Address{0x0A000063, 65502}));
+}
+
 TEST(R2SonicPing, RunsFreelyWithTenMillisecondsPause) {
     Bench bench = head({{"range", 30.0}});
     bench.run_to(1s);
