@@ -47,7 +47,6 @@ struct Model {
     std::vector<std::string> default_endpoints;
     std::vector<std::string>
         endpoint_schemes;  ///< accepted for the first endpoint: "pty", "serial", "tcp-listen", ...
-    double head_turn = 0;  ///< rad a scanning head covers in `echoloop render`; 0: one fan
     std::vector<Option> options;
     /// Throws std::invalid_argument with a sentence for the user if an endpoint or option does not fit.
     std::unique_ptr<Device> (*make)(const DeviceConfig&) = nullptr;

@@ -40,7 +40,6 @@ class Session {
 
     void start();
     void close();
-    const std::string& name() const { return name_; }
     const std::vector<std::unique_ptr<Transport>>& transports() const { return transports_; }
     SessionSummary summary() const;
 

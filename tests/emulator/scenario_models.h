@@ -21,8 +21,8 @@ inline std::vector<Option> scanner_options() {
 inline const std::vector<Model>& test_models() {
     static const std::vector<Model> table = [] {
         Model fan{"r2sonic-2024", "a fan", "UDP", {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400"},
-                  {"udp-listen"}, 0,       {}};
-        Model picky{"picky", "a device that refuses", "none", {"pty:/tmp/echoloop/picky"}, {}, 0, {}};
+                  {"udp-listen"}, {}};
+        Model picky{"picky", "a device that refuses", "none", {"pty:/tmp/echoloop/picky"}, {}, {}};
         picky.make = [](const DeviceConfig&) -> std::unique_ptr<Device> {
             throw std::invalid_argument("its endpoints do not fit each other");
         };
@@ -31,7 +31,6 @@ inline const std::vector<Model>& test_models() {
                       "SeaNet",
                       {"pty:/tmp/echoloop/micron"},
                       {"pty", "serial", "tcp-listen"},
-                      0,
                       scanner_options()};
         return std::vector<Model>{picky, fan, scanner};
     }();

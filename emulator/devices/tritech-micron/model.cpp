@@ -44,7 +44,6 @@ Model model() {
     m.protocol = "SeaNet, serial 115200 8N1";
     m.default_endpoints = {"pty:/tmp/echoloop/micron"};
     m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
-    m.head_turn = 2 * std::numbers::pi;
     m.turn_steps = turn_steps;
     m.options = option_table();
     m.make = make;
