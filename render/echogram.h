@@ -19,6 +19,30 @@ enum class EchoRule {
     cerqueira2016,  ///< equation 1 of Cerqueira et al. 2016: mean sigmoid of cos(incidence), 0..1
 };
 
+/// What gives a beam its pattern along one axis.
+enum class ApertureShape {
+    line,     ///< unshaded line or rectangle: sinc, side lobes -13.26 dB one way
+    hamming,  ///< line with Hamming shading: side lobes about -42 dB one way
+    piston,   ///< circular piston, 2 J1(x)/x: side lobes -17.57 dB one way; one beam of equal width and height
+};
+
+struct AxisPattern {
+    ApertureShape shape = ApertureShape::line;
+    int ways = 2;  ///< 2: the same aperture transmits and receives; 1: only one of the two is directive here
+    friend bool operator==(const AxisPattern&, const AxisPattern&) = default;
+};
+
+/// What the receiver adds to and does with the echo, before the device's own gain.
+struct Receiver {
+    double bandwidth = 0;          ///< Hz, for the noise; 0: that of the pulse
+    double directivity_index = 0;  ///< dB, against isotropic noise
+    /// dB re 1 uPa^2/Hz at the receiver, beside the thermal noise; -inf: none
+    double self_noise = -std::numeric_limits<double>::infinity();
+    double saturation_level = std::numeric_limits<double>::infinity();  ///< dB re 1 uPa, where its input clips
+    int converter_bits = 0;  ///< of the amplitude up to saturation_level; 0: no steps
+    friend bool operator==(const Receiver&, const Receiver&) = default;
+};
+
 /// One ping as a device asks for it.
 ///
 /// Sonar frame: x along the acoustic axis, y to port, z up (FLU). A bearing is clockwise positive seen from above
@@ -39,6 +63,11 @@ struct Shot {
     double pulse_length = 0;       ///< s
     double bandwidth = 0;          ///< Hz of a chirp; 0 for CW
     double source_level = 0;       ///< dB re 1 uPa at 1 m
+    AxisPattern horizontal;        ///< of each beam, across beam_width
+    AxisPattern vertical;          ///< of the fan, across fan_height
+    Receiver receiver;
+    double interval = 0;            ///< s to the next transmission; 0: so long that nothing is heard of this one
+    std::uint64_t random_key = 0;   ///< of seed and device; the session sets it, a device leaves it alone
 
     friend bool operator==(const Shot&, const Shot&) = default;
 };
@@ -56,6 +85,7 @@ struct Echogram {
     EchoRule rule = EchoRule::radiometric;
     double sound_speed = 0;       ///< m/s, the true one of the water
     std::vector<float> values;    ///< uPa^2 (radiometric) or 0..1 (cerqueira2016); size beams() * shot.bins
+    double noise_power = 0;       ///< uPa^2, mean of the noise that is in `values`
     std::vector<BeamTruth> truth; ///< one per beam
 
     std::size_t beams() const { return shot.bearings.size(); }

@@ -66,6 +66,7 @@ class Renderer::Impl {
         return image;
     }
 
+    const RenderProfile& profile() const { return profile_; }
     const Scene& scene() const { return drawer_.scene(); }
     const Water& water() const { return water_; }
     std::string description() const { return drawer_.description(); }
@@ -111,6 +112,7 @@ class Renderer::Impl {
     std::vector<float> mu_;
     PlanCache plans_;
     std::vector<Pixel> pixels_;
+    RenderProfile profile_;
 };
 
 Renderer::Renderer(std::shared_ptr<const Scene> scene, Water water, RendererOptions options) {
@@ -127,6 +129,7 @@ Echogram Renderer::render(const Shot& shot, const Pose& world_from_sonar) {
 ChannelImage Renderer::render_channels(const Shot& shot, const Pose& world_from_sonar) {
     return impl_->render_channels(shot, world_from_sonar);
 }
+const RenderProfile& Renderer::profile() const { return impl_->profile(); }
 const Scene& Renderer::scene() const { return impl_->scene(); }
 const Water& Renderer::water() const { return impl_->water(); }
 double Renderer::sound_speed() const { return echoloop::sound_speed(impl_->water()); }

@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "render/acoustics/chain.h"
 #include "render/echogram.h"
+#include "render/effects.h"
+#include "render/paths/paths.h"
 #include "render/scene/scene.h"
 #include "render/water.h"
 
@@ -19,7 +22,16 @@ struct RendererOptions {
     double pixel_density = 1;     ///< factor on the number of pixels, 0.1..64
     bool jitter = true;  ///< move the sample inside its pixel from ping to ping (by Shot::ping), so that the
                          ///< mean over pings has no error from the pixel grid
-    std::string context = "auto";  ///< GL context: "auto" or "osmesa"
+    std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
+    Effects effects;               ///< of EchoRule::radiometric; the paper's rule knows none
+    SpeckleOptions speckle;
+    std::optional<WaterSurface> surface = WaterSurface{};  ///< for multipath; empty: no surface near
+};
+
+/// Where the time of the last render() went, and what it drew.
+struct RenderProfile {
+    double cull = 0, draw = 0, read_back = 0, bins = 0, paths = 0, acoustics = 0;  ///< s of wall time
+    std::size_t triangles = 0, chunks = 0, pixels = 0;                             ///< drawn
 };
 
 /// The image of Cerqueira et al. 2016 before it becomes an echogram: row-major, the highest elevation first,
@@ -49,6 +61,7 @@ class Renderer {
     /// The three channels behind the same ping. Throws as render().
     ChannelImage render_channels(const Shot& shot, const Pose& world_from_sonar);
 
+    const RenderProfile& profile() const;  ///< of the last ping
     const Scene& scene() const;
     const Water& water() const;
     double sound_speed() const;  ///< m/s, of the water

@@ -1,0 +1,58 @@
+// What becomes of mean echo power on its way to the receiver's output: pulse, speckle, noise, saturation, converter.
+// Plain CPU code, deterministic with any number of threads; knows no GL, no scene and no protocol.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "render/echogram.h"
+#include "render/effects.h"
+
+namespace echoloop {
+
+/// An echo of one scatterer that does not fluctuate, such as a target of declared strength: it interferes with the
+/// diffuse echo, but has no speckle of its own.
+struct PointEcho {
+    std::size_t beam = 0;
+    double range = 0;  ///< m, slant
+    double power = 0;  ///< uPa^2 at the receiver, at the pulse's full height, beam pattern included
+    double phase = 0;  ///< rad
+};
+
+/// Scintillation of the speckle: K distribution with shape nu, var(I)/mean(I)^2 = 1 + 2/nu; infinite: fully developed.
+struct SpeckleOptions {
+    double shape = std::numeric_limits<double>::infinity();
+};
+
+class AcousticChain {
+  public:
+    explicit AcousticChain(Effects effects, SpeckleOptions speckle = {});
+    ~AcousticChain();
+    AcousticChain(AcousticChain&&) noexcept;
+
+    /// Turns `values` (beams x bins of the shot, beam-major; each the sum of the echo power that arrives within the
+    /// bin as if the pulse were infinitely short and of unit height, uPa^2) into the mean intensity of the receiver's
+    /// output over each bin, uPa^2, in place. Returns the mean noise power in it, uPa^2.
+    ///
+    /// Pulse on: convolved with the pulse's shape of unit height, so that area scattering has the insonified length
+    /// c tau / 2 (CW) or c / (2 B) (chirp), whatever the bin size; off: left as it is.
+    /// Speckle's random numbers are keyed by shot.random_key, the sonar's place and direction, beam and bin: the same
+    /// view gives the same speckle, one that has moved by lambda / 4 an independent one. Noise is keyed by
+    /// shot.ping as well.
+    double apply(const Shot& shot, const Pose& world_from_sonar, double sound_speed, std::span<const PointEcho> points,
+                 std::span<float> values);
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Mellen's thermal noise, -15 + 20 log10 f[kHz] dB re 1 uPa^2/Hz (JASA 24 (1952) 478; 750 kHz: 42.5).
+double thermal_noise_level(double frequency);
+
+/// m: half the length of the pulse in water, c tau / 2, or of a chirp after compression, c / (2 B).
+double range_resolution(const Shot& shot, double sound_speed);
+
+}  // namespace echoloop

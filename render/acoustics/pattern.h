@@ -1,0 +1,52 @@
+// Beam patterns of apertures: lines, shaded lines, pistons. Pure functions of angle; knows no scene and no bins.
+#pragma once
+
+#include "render/echogram.h"
+
+namespace echoloop {
+
+/// One-way pattern of an aperture whose -3 dB full width is given.
+///
+/// line: sinc(L sin t / lambda); hamming: a line with Hamming shading; piston: 2 J1(x)/x, x = pi D sin t / lambda
+/// (Urick, Principles of Underwater Sound, 1983, chapter 3).
+class AperturePattern {
+  public:
+    /// `width`: rad, -3 dB full width, one way, 0 < width < pi.
+    AperturePattern(ApertureShape shape, double width);
+
+    /// Amplitude relative to the axis, -1..1 (side lobes alternate in sign), at `angle` rad off the axis. Beyond
+    /// +-90 deg the aperture is behind its baffle: back_amplitude times the mirrored value.
+    double amplitude(double angle) const;
+    /// L / lambda or D / lambda.
+    double length_in_wavelengths() const { return length_; }
+    /// rad, of the first null; pi / 2 where there is none.
+    double first_null() const;
+
+    static constexpr double back_amplitude = 0.01;  ///< -40 dB one way, own choice
+
+  private:
+    ApertureShape shape_;
+    double length_ = 0;
+};
+
+/// Transmit times receive pattern along one axis, made from the two-way -3 dB full width that a Shot gives.
+class TwoWayPattern {
+  public:
+    TwoWayPattern(AxisPattern axis, double width);
+
+    /// Power relative to the axis, 0..1: amplitude()^2 of one way, or its fourth power for two.
+    double power(double angle) const;
+    /// Amplitude of one way.
+    double amplitude(double angle) const { return aperture_.amplitude(angle); }
+    /// rad; the width of a box of power 1 that passes as much: the integral of power() over +-90 deg.
+    double equivalent_width() const { return equivalent_; }
+    const AperturePattern& aperture() const { return aperture_; }
+    int ways() const { return ways_; }
+
+  private:
+    int ways_;
+    AperturePattern aperture_;
+    double equivalent_ = 0;
+};
+
+}  // namespace echoloop
