@@ -8,11 +8,16 @@ namespace echoloop {
 /// One-way pattern of an aperture whose -3 dB full width is given.
 ///
 /// line: sinc(L sin t / lambda); hamming: a line with Hamming shading; piston: 2 J1(x)/x, x = pi D sin t / lambda
-/// (Urick, Principles of Underwater Sound, 1983, chapter 3).
+/// (Urick, Principles of Underwater Sound, 1983, chapter 3). A line with Hamming shading is an array of N = 32
+/// elements, more where they would be farther apart than lambda / 2; its length is N times their spacing.
 class AperturePattern {
   public:
     /// `width`: rad, -3 dB full width, one way, 0 < width < pi.
     AperturePattern(ApertureShape shape, double width);
+    /// `length`: L / lambda or D / lambda, more than 0; a short aperture falls by less than 3 dB up to 90 deg.
+    static AperturePattern of_length(ApertureShape shape, double length);
+    /// The aperture whose amplitude is `level`, 0 < level < 1, at `angle` rad off the axis, 0 < angle <= pi / 2.
+    static AperturePattern through(ApertureShape shape, double angle, double level);
 
     /// Amplitude relative to the axis, -1..1 (side lobes alternate in sign), at `angle` rad off the axis. Beyond
     /// +-90 deg the aperture is behind its baffle: back_amplitude times the mirrored value.
@@ -25,8 +30,11 @@ class AperturePattern {
     static constexpr double back_amplitude = 0.01;  ///< -40 dB one way, own choice
 
   private:
+    AperturePattern(ApertureShape shape, double length, int elements)
+        : shape_(shape), length_(length), elements_(elements) {}
     ApertureShape shape_;
     double length_ = 0;
+    int elements_ = 0;  ///< of the shaded array
 };
 
 /// Transmit times receive pattern along one axis, made from the two-way -3 dB full width that a Shot gives.
