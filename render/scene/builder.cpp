@@ -151,6 +151,21 @@ void SceneBuilder::add(const Mesh& mesh, const std::string& place) {
     }
 }
 
+void SceneBuilder::add(const PointTarget& target, const std::string& place) {
+    if (!within_extent(target.position))
+        scene_fault(place, "the target is not finite or beyond 100 km from the origin",
+                    "move the scene to its origin, or scale it to metres");
+    if (!(std::abs(target.strength_db) <= scene_limits::target_strength_db))
+        scene_fault(place, "the target strength is not finite or beyond +-120 dB",
+                    "give it in dB, for example -20");
+    if (scene_->point_targets_.size() >= scene_limits::point_targets)
+        scene_fault(
+            place,
+            "the scene has more than " + std::to_string(scene_limits::point_targets) + " point targets",
+            "give it meshes instead");
+    scene_->point_targets_.push_back(target);
+}
+
 std::shared_ptr<const Scene> SceneBuilder::finish() {
     if (scene_->chunks_.empty())
         scene_fault("meshes", "there is no triangle in the scene",

@@ -15,6 +15,8 @@ class SceneBuilder {
 
     /// Copies the mesh. `place` names it in complaints. Throws SceneFault.
     void add(const Mesh& mesh, const std::string& place);
+    /// Throws SceneFault for a place or strength that is out of range, and for one target too many.
+    void add(const PointTarget& target, const std::string& place);
     /// Throws SceneFault when there is no triangle.
     std::shared_ptr<const Scene> finish();
 

@@ -99,6 +99,8 @@ SceneDocument check_document(const SceneContainer& container, const SceneFolder&
     if (const auto scene = root.find("scene")) clean["scene"] = scene->index(counts.scenes, "scenes");
     for (const auto& material : root.elements_of("materials", elements))
         out.materials.push_back(read_material(material));
+    for (const auto& node : root.elements_of("nodes", elements))
+        out.target_strengths.push_back(read_target_strength(node));
     for (const auto& accessor : root.elements_of("accessors", elements))
         out.sparse.push_back(accessor.find("sparse").has_value());
     out.json = clean.dump(-1, ' ', false, Json::error_handler_t::replace);

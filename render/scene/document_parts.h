@@ -28,4 +28,8 @@ nlohmann::json check_scene(const JsonView& scene, const DocumentCounts& counts);
 /// one.
 Material read_material(const JsonView& material);
 
+/// dB, from extras.sonar.target_strength_db of a node; empty where there is none. Any other key of
+/// extras.sonar is a fault.
+std::optional<double> read_target_strength(const JsonView& node);
+
 }  // namespace echoloop

@@ -13,6 +13,8 @@ inline constexpr std::size_t elements = 100'000;       ///< of any one top-level
 inline constexpr std::size_t buffer_bytes = std::size_t{1} << 30;  ///< all buffers together
 inline constexpr std::size_t node_depth = 128;
 inline constexpr std::size_t triangles = 16'000'000;  ///< after instancing
+inline constexpr std::size_t point_targets = 1000;
+inline constexpr double target_strength_db = 120;
 inline constexpr double extent = 1e5;  ///< m from the origin; beyond, a float is coarser than 1 cm
 
 }  // namespace echoloop::scene_limits

@@ -58,20 +58,19 @@ class Walk {
         const GltfNode& node = model_.nodes()[index];
         const glm::dmat4 world_from_node = world_from_parent * local_transform(node, index);
         check_transform(world_from_node, index);
-        if (node.mesh)
-            out_.push_back({index, *node.mesh, node.name.empty() ? "node" + std::to_string(index) : node.name,
-                            world_from_node});
+        out_.push_back({index, node.mesh, node.name.empty() ? "node" + std::to_string(index) : node.name,
+                        world_from_node});
         for (std::size_t i = 0; i < node.children.size(); ++i)
             visit(node.children[i], world_from_node, depth + 1,
                   place_of(index) + ".children[" + std::to_string(i) + "]");
     }
 
-    std::vector<PlacedMesh> take() { return std::move(out_); }
+    std::vector<PlacedNode> take() { return std::move(out_); }
 
   private:
     const GltfModel& model_;
     std::vector<bool> seen_;
-    std::vector<PlacedMesh> out_;
+    std::vector<PlacedNode> out_;
 };
 
 /// A cycle that no root reaches would go unseen by the walk.
@@ -90,7 +89,7 @@ void check_single_parents(const GltfModel& model) {
 
 }  // namespace
 
-std::vector<PlacedMesh> flatten_nodes(const GltfModel& model) {
+std::vector<PlacedNode> flatten_nodes(const GltfModel& model) {
     check_single_parents(model);
     Walk walk(model);
     for (const std::size_t root : model.roots())

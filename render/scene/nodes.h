@@ -1,10 +1,11 @@
-// The node tree of a glTF document, flattened: each mesh that is used, with its transform to the world.
+// The node tree of a glTF document, flattened: each node that is used, with its transform to the world.
 // Refuses cycles, shared children and transforms that are not finite or have no volume.
 #pragma once
 
 #include <glm/mat4x4.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,14 @@
 
 namespace echoloop {
 
-struct PlacedMesh {
-    std::size_t node, mesh;
+struct PlacedNode {
+    std::size_t node;
+    std::optional<std::size_t> mesh;
     std::string object;          ///< the node's name, or "node<index>"
-    glm::dmat4 world_from_mesh;  ///< still glTF axes, y up
+    glm::dmat4 world_from_node;  ///< still glTF axes, y up
 };
 
 /// In the order of a depth-first walk. Throws SceneFault.
-std::vector<PlacedMesh> flatten_nodes(const GltfModel& model);
+std::vector<PlacedNode> flatten_nodes(const GltfModel& model);
 
 }  // namespace echoloop

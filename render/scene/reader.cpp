@@ -41,15 +41,15 @@ void restore_winding(std::vector<std::uint32_t>& indices) {
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
 }
 
-Mesh read_primitive(const GltfModel& model, const GltfPrimitive& primitive, const PlacedMesh& placed,
+Mesh read_primitive(const GltfModel& model, const GltfPrimitive& primitive, const PlacedNode& placed,
                     const SceneDocument& document) {
     Mesh mesh;
     mesh.object = placed.object;
     mesh.material = primitive.material ? document.materials[*primitive.material] : Material{};
     for (const Vec3 p : model.read_vectors(primitive.positions, primitive.place + ".attributes.POSITION"))
         mesh.positions.push_back(
-            enu_from_gltf(glm::dvec3(placed.world_from_mesh * glm::dvec4(p.x, p.y, p.z, 1))));
-    const glm::dmat3 linear(placed.world_from_mesh);
+            enu_from_gltf(glm::dvec3(placed.world_from_node * glm::dvec4(p.x, p.y, p.z, 1))));
+    const glm::dmat3 linear(placed.world_from_node);
     const glm::dmat3 normal_transform = glm::inverseTranspose(linear);
     if (primitive.normals)
         for (const Vec3 n : model.read_vectors(*primitive.normals, primitive.place + ".attributes.NORMAL"))
@@ -59,16 +59,27 @@ Mesh read_primitive(const GltfModel& model, const GltfPrimitive& primitive, cons
     return mesh;
 }
 
+void add_target(const PlacedNode& placed, const SceneDocument& document, SceneBuilder& builder) {
+    const auto strength = document.target_strengths[placed.node];
+    if (!strength) return;
+    const Vec3 position = enu_from_gltf(glm::dvec3(placed.world_from_node[3]));
+    builder.add(PointTarget{placed.object, position, *strength},
+                "nodes[" + std::to_string(placed.node) + "]");
+}
+
 }  // namespace
 
 std::shared_ptr<const Scene> read_scene(std::span<const unsigned char> bytes, const SceneFolder& folder) {
     const SceneDocument document = check_document(open_container(bytes), folder);
     const GltfModel model(document);
     SceneBuilder builder;
-    for (const auto& placed : flatten_nodes(model))
-        for (const auto& primitive : model.primitives(placed.mesh))
+    for (const auto& placed : flatten_nodes(model)) {
+        add_target(placed, document, builder);
+        if (!placed.mesh) continue;
+        for (const auto& primitive : model.primitives(*placed.mesh))
             if (primitive.mode >= 4)  // points and lines have no area to scatter from
                 builder.add(read_primitive(model, primitive, placed, document), primitive.place);
+    }
     return builder.finish();
 }
 

@@ -33,10 +33,13 @@ std::shared_ptr<const Scene> Scene::load(const std::filesystem::path& file) try 
     throw SceneError(file.string(), "", "the scene does not fit into memory", "simplify its meshes");
 }
 
-std::shared_ptr<const Scene> Scene::from_meshes(std::span<const Mesh> meshes) try {
+std::shared_ptr<const Scene> Scene::from_meshes(std::span<const Mesh> meshes,
+                                                std::span<const PointTarget> targets) try {
     SceneBuilder builder;
     for (std::size_t i = 0; i < meshes.size(); ++i)
         builder.add(meshes[i], "meshes[" + std::to_string(i) + "]");
+    for (std::size_t i = 0; i < targets.size(); ++i)
+        builder.add(targets[i], "targets[" + std::to_string(i) + "]");
     return builder.finish();
 } catch (const SceneFault& fault) {
     throw SceneError("meshes", fault.place, fault.reason, fault.remedy);

@@ -54,6 +54,14 @@ struct Mesh {
     std::vector<std::uint32_t> indices;  ///< three per triangle
 };
 
+/// A point that echoes with a declared strength from all sides, for calibration. It has no surface and hides
+/// nothing.
+struct PointTarget {
+    std::string name;
+    Vec3 position;             ///< m, ENU
+    double strength_db = -20;  ///< TS of the sonar equation: backscattering cross-section, dB re 1 m^2
+};
+
 struct SceneVertex {
     std::array<float, 3> position;  ///< m, ENU
     std::array<float, 3> normal;    ///< unit
@@ -72,13 +80,15 @@ class Scene {
     /// Reads a .gltf (with .bin or data: buffers) or .glb. Throws SceneError.
     static std::shared_ptr<const Scene> load(const std::filesystem::path& file);
     /// Throws SceneError (file "meshes") for the same faults as load().
-    static std::shared_ptr<const Scene> from_meshes(std::span<const Mesh> meshes);
+    static std::shared_ptr<const Scene> from_meshes(std::span<const Mesh> meshes,
+                                                    std::span<const PointTarget> targets = {});
 
     std::span<const SceneVertex> vertices() const { return vertices_; }
     std::span<const std::uint16_t> indices() const { return indices_; }
     std::span<const SceneChunk> chunks() const { return chunks_; }
     std::span<const std::string> objects() const { return objects_; }
     std::span<const Material> materials() const { return materials_; }
+    std::span<const PointTarget> point_targets() const { return point_targets_; }
     const Bounds& bounds() const { return bounds_; }
     std::size_t triangles() const { return indices_.size() / 3; }
 
@@ -90,6 +100,7 @@ class Scene {
     std::vector<SceneChunk> chunks_;
     std::vector<std::string> objects_;
     std::vector<Material> materials_;
+    std::vector<PointTarget> point_targets_;
     Bounds bounds_;
 };
 
