@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/refraction.h"
+
 namespace echoloop {
 namespace {
 
@@ -24,6 +26,16 @@ double water_viscosity_term(double t) {
     return 3.964e-4 - 1.146e-5 * t + 1.45e-7 * t * t - 6.5e-10 * t * t * t;
 }
 
+void validate_profile(const std::vector<SoundSpeedPoint>& profile) {
+    if (profile.size() > 1000) throw std::invalid_argument("water: profile has more than 1000 points");
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        require(profile[i].depth, 0, 12000, "depth of a profile point", "m");
+        require(profile[i].speed, 1300, 1700, "speed of a profile point", "m/s");
+        if (i > 0 && !(profile[i].depth > profile[i - 1].depth))
+            throw std::invalid_argument("water: depths of the profile must increase from point to point");
+    }
+}
+
 }  // namespace
 
 void validate(const Water& water) {
@@ -32,11 +44,13 @@ void validate(const Water& water) {
     require(water.ph, 5, 10, "ph", "");
     require(water.depth, 0, 12000, "depth", "m");
     if (water.sound_speed) require(*water.sound_speed, 1300, 1700, "sound_speed", "m/s");
+    validate_profile(water.profile);
 }
 
 double sound_speed(const Water& water) {
-    return water.sound_speed ? *water.sound_speed
-                             : mackenzie_sound_speed(water.temperature, water.salinity, water.depth);
+    if (water.sound_speed) return *water.sound_speed;
+    if (!water.profile.empty()) return sound_speed_at(water.profile, water.depth);
+    return mackenzie_sound_speed(water.temperature, water.salinity, water.depth);
 }
 
 double mackenzie_sound_speed(double t, double s, double d) {
@@ -55,6 +69,10 @@ double absorption_db_per_km(const Water& water, double frequency) {
     const double viscous_p = 1 - 3.83e-5 * d + 4.9e-10 * d * d;
     return boric * relaxation(f, boric_f) + magnesium * magnesium_p * relaxation(f, magnesium_f) +
            water_viscosity_term(t) * viscous_p * f * f;
+}
+
+double doppler_shift(double frequency, double closing_speed, double sound_speed) {
+    return 2 * closing_speed * frequency / sound_speed;
 }
 
 double ainslie_mccolm_db_per_km(const Water& water, double frequency) {

@@ -3,25 +3,40 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 namespace echoloop {
 
-/// The water that the sonar works in, homogeneous.
+/// One point of a measured profile.
+struct SoundSpeedPoint {
+    double depth = 0;     ///< m below the surface, positive down
+    double speed = 1500;  ///< m/s
+    friend bool operator==(const SoundSpeedPoint&, const SoundSpeedPoint&) = default;
+};
+
+/// The water that the sonar works in. Rays are straight; refraction.h says how wrong that is in layered
+/// water.
 struct Water {
-    double temperature = 10;            ///< degrees Celsius
-    double salinity = 35;               ///< practical salinity, g/kg
-    double ph = 8;                      ///< on the NBS scale
-    double depth = 0;                   ///< m below the surface, positive down
-    std::optional<double> sound_speed;  ///< m/s; empty: Mackenzie 1981 from the values above
+    double temperature = 10;  ///< degrees Celsius
+    double salinity = 35;     ///< practical salinity, g/kg
+    double ph = 8;            ///< on the NBS scale
+    double depth = 0;         ///< m below the surface, positive down
+    std::optional<double>
+        sound_speed;  ///< m/s; empty: from `profile`, or Mackenzie 1981 from the values above
+    /// Strictly descending into the water, linear between, constant beyond its ends; empty: the same
+    /// everywhere.
+    std::vector<SoundSpeedPoint> profile{};
 
     friend bool operator==(const Water&, const Water&) = default;
 };
 
 /// Throws std::invalid_argument, naming the value and its range, unless everything is finite and temperature
-/// is within -4..40 C, salinity 0..45, pH 5..10, depth 0..12000 m and sound speed 1300..1700 m/s.
+/// is within -4..40 C, salinity 0..45, pH 5..10, depth 0..12000 m and sound speed 1300..1700 m/s, and the
+/// profile has at most 1000 points at strictly increasing depths with the same limits.
 void validate(const Water& water);
 
-/// Sound speed in m/s: the given one, or else mackenzie_sound_speed().
+/// Sound speed in m/s at the water's depth: the given one, or that of the profile, or else
+/// mackenzie_sound_speed().
 double sound_speed(const Water& water);
 
 /// Mackenzie, "Nine-term equation for sound speed in the oceans", JASA 70 (1981) 807, in m/s. The fit holds
@@ -36,6 +51,10 @@ double absorption_db_per_km(const Water& water, double frequency);
 
 /// Ainslie & McColm, JASA 103 (1998) 1671: the same in dB/km, to check the other by.
 double ainslie_mccolm_db_per_km(const Water& water, double frequency);
+
+/// Hz; shift of an echo from something that comes nearer at `closing_speed` m/s: 2 v f / c, to first order in
+/// v / c.
+double doppler_shift(double frequency, double closing_speed, double sound_speed);
 
 /// True above the 1 MHz to which Francois & Garrison fitted their data.
 constexpr bool absorption_is_extrapolated(double frequency) { return frequency > 1e6; }
