@@ -4,7 +4,6 @@
 
 #include "render/scene/fault.h"
 #include "render/scene/limits.h"
-#include "render/scene/materials.h"
 
 namespace echoloop {
 namespace {
@@ -53,37 +52,6 @@ Json check_primitive(const JsonView& primitive, const DocumentCounts& counts) {
     copy_index(primitive, "material", counts.materials, "materials", out);
     copy_integer(primitive, "mode", 6, out);
     return out;
-}
-
-double read_mu_db(const JsonView& value) {
-    const double mu_db = value.number();
-    if (mu_db < -120 || mu_db > ceiling_mu_db + 0.002)
-        scene_fault(value.place(), "must be within -120..-4.97 dB",
-                    "a Lambert surface cannot scatter more than 1/pi");
-    return mu_db;
-}
-
-double read_named_mu_db(const JsonView& value) {
-    if (const auto mu_db = mu_db_by_name(value.text())) return *mu_db;
-    std::string names;
-    for (const auto& name : known_materials()) names += (names.empty() ? "" : ", ") + name;
-    scene_fault(value.place(), "\"" + value.text().substr(0, 64) + "\" is not a known material",
-                "use one of " + names + ", or give mu_db");
-}
-
-double read_sonar(const JsonView& sonar, double fallback) {
-    static const std::vector<std::string> known{"mu_db", "material"};
-    if (!sonar.value().is_object())
-        scene_fault(sonar.place(), "must be an object", "write for example {\"mu_db\": -27}");
-    for (const auto& [key, value] : sonar.value().items()) {
-        if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-        const std::string near = nearest_of(key, known);
-        scene_fault(sonar.place() + "." + key.substr(0, 64), "is not a known key",
-                    near.empty() ? "known keys are mu_db, material" : "did you mean " + near + "?");
-    }
-    if (const auto mu_db = sonar.find("mu_db")) return read_mu_db(*mu_db);
-    if (const auto material = sonar.find("material")) return read_named_mu_db(*material);
-    return fallback;
 }
 
 }  // namespace
@@ -147,17 +115,6 @@ Json check_node(const JsonView& node, const DocumentCounts& counts) {
 
 Json check_scene(const JsonView& scene, const DocumentCounts& counts) {
     return {{"nodes", indices(scene, "nodes", counts.nodes, "nodes")}};
-}
-
-Material read_material(const JsonView& material) {
-    Material out;
-    if (const auto name = material.find("name")) out.name = name->text().substr(0, 256);
-    if (const auto sided = material.find("doubleSided")) out.double_sided = sided->boolean();
-    out.mu_db = mu_db_by_name(out.name).value_or(default_mu_db);
-    const auto extras = material.find("extras");
-    if (!extras || !extras->value().is_object()) return out;
-    if (const auto sonar = extras->find("sonar")) out.mu_db = read_sonar(*sonar, out.mu_db);
-    return out;
 }
 
 }  // namespace echoloop

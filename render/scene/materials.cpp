@@ -13,31 +13,32 @@ struct Row {
     const char* words;  ///< separated by spaces; the first is the name
     double density;     ///< relative to water
     double speed;       ///< of compressional waves, relative to water
+    double roughness;   ///< m, rms height within a few centimetres
 };
 
 // Sediments and rock: Jensen, Kuperman, Porter & Schmidt, Computational Ocean Acoustics (2011), table 1.3, re
 // 1500 m/s. Solids: Kinsler, Frey, Coppens & Sanders, Fundamentals of Acoustics (2000), appendix A10, bulk
-// speed, re 1500 m/s.
+// speed, re 1500 m/s. Roughness: own choice, of the order of the grains or of the finish.
 constexpr Row table[] = {
-    {"sand sandy", 1.9, 1.1},                                              // Jensen: sand
-    {"mud muddy clay", 1.5, 1.0},                                          // Jensen: clay
-    {"silt silty sediment", 1.7, 1.05},                                    // Jensen: silt
-    {"gravel pebble pebbles cobble cobbles", 2.0, 1.2},                    // Jensen: gravel
-    {"moraine", 2.1, 1.3},                                                 // Jensen: moraine
-    {"chalk", 2.2, 1.6},                                                   // Jensen: chalk
-    {"limestone coral reef", 2.4, 2.0},                                    // Jensen: limestone
-    {"rock rocks rocky basalt stone boulder boulders granite", 2.7, 3.5},  // Jensen: basalt
-    {"concrete cement", 2.6, 3100.0 / 1500},                               // Kinsler: concrete
-    {"steel metal metallic iron chain", 7.7, 6100.0 / 1500},               // Kinsler: steel
-    {"aluminium aluminum", 2.7, 6300.0 / 1500},                            // Kinsler: aluminium
-    {"brass bronze", 8.5, 4700.0 / 1500},                                  // Kinsler: brass
-    {"copper", 8.9, 5000.0 / 1500},                                        // Kinsler: copper
-    {"lead", 11.3, 2050.0 / 1500},                                         // Kinsler: lead
-    {"glass", 2.3, 5600.0 / 1500},                                         // Kinsler: Pyrex glass
-    {"plastic acrylic perspex", 1.2, 2650.0 / 1500},                       // Kinsler: Lucite
-    {"ice", 0.92, 3200.0 / 1500},                                          // Kinsler: ice
-    {"wood wooden timber oak", 0.72, 4000.0 / 1500},                       // Kinsler: oak
-    {"rubber neoprene", 1.1, 2400.0 / 1500},                               // Kinsler: hard rubber
+    {"sand sandy", 1.9, 1.1, 0.005},                                             // Jensen: sand
+    {"mud muddy clay", 1.5, 1.0, 0.002},                                         // Jensen: clay
+    {"silt silty sediment", 1.7, 1.05, 0.003},                                   // Jensen: silt
+    {"gravel pebble pebbles cobble cobbles", 2.0, 1.2, 0.01},                    // Jensen: gravel
+    {"moraine", 2.1, 1.3, 0.02},                                                 // Jensen: moraine
+    {"chalk", 2.2, 1.6, 0.005},                                                  // Jensen: chalk
+    {"limestone coral reef", 2.4, 2.0, 0.01},                                    // Jensen: limestone
+    {"rock rocks rocky basalt stone boulder boulders granite", 2.7, 3.5, 0.02},  // Jensen: basalt
+    {"concrete cement", 2.6, 3100.0 / 1500, 0.0003},                             // Kinsler: concrete
+    {"steel metal metallic iron chain", 7.7, 6100.0 / 1500, 0.0001},             // Kinsler: steel
+    {"aluminium aluminum", 2.7, 6300.0 / 1500, 0.0001},                          // Kinsler: aluminium
+    {"brass bronze", 8.5, 4700.0 / 1500, 0.0001},                                // Kinsler: brass
+    {"copper", 8.9, 5000.0 / 1500, 0.0001},                                      // Kinsler: copper
+    {"lead", 11.3, 2050.0 / 1500, 0.0001},                                       // Kinsler: lead
+    {"glass", 2.3, 5600.0 / 1500, 0.0001},                                       // Kinsler: Pyrex glass
+    {"plastic acrylic perspex", 1.2, 2650.0 / 1500, 0.0001},                     // Kinsler: Lucite
+    {"ice", 0.92, 3200.0 / 1500, 0.001},                                         // Kinsler: ice
+    {"wood wooden timber oak", 0.72, 4000.0 / 1500, 0.0003},                     // Kinsler: oak
+    {"rubber neoprene", 1.1, 2400.0 / 1500, 0.0001},                             // Kinsler: hard rubber
 };
 
 double reflection(const Row& row) {
@@ -85,11 +86,17 @@ std::size_t edits(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::optional<double> mu_db_by_name(std::string_view name) {
+std::optional<SurfaceProperties> surface_by_name(std::string_view name) {
     for (const auto& word : words_of(name.substr(0, 256)))
         if (const Row* row = row_of(word))
-            return default_mu_db + 20 * std::log10(reflection(*row) / reflection(table[0]));
+            return SurfaceProperties{default_mu_db + 20 * std::log10(reflection(*row) / reflection(table[0])),
+                                     reflection(*row), row->roughness};
     return std::nullopt;
+}
+
+std::optional<double> mu_db_by_name(std::string_view name) {
+    const auto surface = surface_by_name(name);
+    return surface ? std::optional(surface->mu_db) : std::nullopt;
 }
 
 std::vector<std::string> known_materials() {

@@ -1,5 +1,5 @@
-// The acoustic material of a glTF material's name: Lambert's constant from published densities and sound
-// speeds. Knows no file.
+// The acoustic material of a glTF material's name: Lambert's constant and mirror-like reflection from published
+// densities and sound speeds. Knows no file.
 #pragma once
 
 #include <optional>
@@ -20,6 +20,16 @@ inline constexpr double ceiling_mu_db = -4.9715;
 /// Sand has Mackenzie's -27 dB. The others differ from it by their Rayleigh reflection coefficient at normal
 /// incidence, 20 log10(|V| / |V_sand|) with V = (z - 1) / (z + 1) and z the impedance relative to water.
 std::optional<double> mu_db_by_name(std::string_view name);
+
+/// What the table says of a surface.
+struct SurfaceProperties {
+    double mu_db = default_mu_db;
+    double reflection = 0;  ///< |V| at normal incidence
+    double roughness = 0;   ///< m, rms height; own choice, see the table
+};
+
+/// Of the first word in `name` that names a known material, as for mu_db_by_name().
+std::optional<SurfaceProperties> surface_by_name(std::string_view name);
 
 /// The first names of the table, for messages.
 std::vector<std::string> known_materials();

@@ -31,11 +31,21 @@ class SceneError : public std::runtime_error {
     std::string file_, place_, reason_, remedy_;
 };
 
-/// How a surface scatters.
+/// One point of a curve of measured backscattering strength.
+struct BackscatterPoint {
+    double grazing_deg = 0;  ///< 0..90
+    double strength_db = 0;  ///< Sb, dB re 1 m^2 per m^2 of surface, at 1 m
+    friend bool operator==(const BackscatterPoint&, const BackscatterPoint&) = default;
+};
+
+/// How a surface scatters and reflects.
 struct Material {
     std::string name;
     double mu_db = -27;         ///< 10 log10 of Lambert's constant; -4.97 (1/pi) is the ceiling
     bool double_sided = false;  ///< false: only the side that its winding faces is there at all, as glTF says
+    std::vector<BackscatterPoint> backscatter{};  ///< strictly ascending grazing angles; empty: Lambert with mu_db
+    double reflection = 0.353;  ///< amplitude of a mirrored wave at normal incidence, -1..1 (sand's)
+    double roughness = 0.005;   ///< m, rms height, of which a mirrored wave is the weaker (sand's)
 
     friend bool operator==(const Material&, const Material&) = default;
 };

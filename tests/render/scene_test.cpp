@@ -115,6 +115,30 @@ TEST_F(SceneFile, MaterialsByNameAndByExtras) {
     EXPECT_EQ(load(document)->materials()[0].mu_db, -27);
 }
 
+TEST_F(SceneFile, MaterialsReflectAsTheirNamesSay) {
+    EXPECT_NEAR(load(document)->materials()[0].reflection, 0.938, 0.001);  // steel
+    document["materials"][0] = {{"extras", {{"sonar", {{"material", "mud"}, {"roughness", 0.01}}}}}};
+    EXPECT_NEAR(load(document)->materials()[0].reflection, 0.2, 1e-9);  // |V| of 1.5 x 1.0
+    EXPECT_EQ(load(document)->materials()[0].roughness, 0.01);
+    document["materials"][0]["extras"]["sonar"]["reflection"] = -1;
+    EXPECT_EQ(load(document)->materials()[0].reflection, -1);
+    EXPECT_NEAR(load(document)->materials()[0].mu_db, *mu_db_by_name("mud"), 1e-9);
+    document["meshes"][0]["primitives"][0].erase("material");
+    EXPECT_NEAR(load(document)->materials()[0].reflection, 0.353, 0.001);  // sand
+}
+
+TEST_F(SceneFile, MaterialsWithMeasuredCurves) {
+    auto& sonar = document["materials"][0]["extras"]["sonar"];
+    sonar = {{"backscatter_db", {{5, -45.5}, {90, -12}}}};
+    const std::vector<BackscatterPoint> expected{{5, -45.5}, {90, -12}};
+    EXPECT_EQ(load(document)->materials()[0].backscatter, expected);
+    sonar["seabed"] = "mud-200khz";
+    EXPECT_EQ(load(document)->materials()[0].backscatter, expected);  // the curve wins
+    sonar.erase("backscatter_db");
+    EXPECT_GT(load(document)->materials()[0].backscatter.size(), 10U);
+    EXPECT_NEAR(load(document)->materials()[0].reflection, 0.2, 1e-9);
+}
+
 // What a sonar does not need may be missing or broken.
 TEST_F(SceneFile, ImagesAndAnimationsAreNotRead) {
     document["images"] = {{{"uri", "../../etc/passwd"}}, {{"bufferView", 99}}};
