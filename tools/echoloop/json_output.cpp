@@ -69,6 +69,46 @@ Json scene_json(const std::string& file, const Scene& scene) {
             {"bounds", {{"min", scene.bounds().min}, {"max", scene.bounds().max}}}};
 }
 
+Json spread(const bench::Spread& s) {
+    return {{"minimum", s.minimum}, {"median", s.median}, {"p99", s.p99}};
+}
+
+Json bench_row(const bench::Row& row) {
+    const bench::Figures& f = row.figures;
+    Json json{{"case", row.the_case.name()},
+              {"sonar", row.the_case.sonar},
+              {"scene", row.the_case.scene},
+              {"rule", row.rule == EchoRule::radiometric ? "radiometric" : "cerqueira2016"},
+              {"beams", row.the_case.shot.bearings.size()},
+              {"bins", row.the_case.shot.bins}};
+    if (f.failure[0] != '\0') {
+        json["failure"] = f.failure;
+        return json;
+    }
+    json.update({{"wall_ms", spread(f.wall)},
+                 {"cpu_ms", spread(f.cpu)},
+                 {"split_ms",
+                  {{"cull", f.cull},
+                   {"draw", f.draw},
+                   {"read_back", f.read_back},
+                   {"bins", f.bins},
+                   {"paths", f.paths},
+                   {"acoustics", f.acoustics}}},
+                 {"scene_triangles", f.scene_triangles},
+                 {"triangles", f.triangles},
+                 {"pixels", f.pixels},
+                 {"start_up_s", f.start_up},
+                 {"resident_mb", f.resident},
+                 {"peak_mb", f.peak},
+                 {"context", f.context}});
+    if (const auto& target = row.the_case.target)
+        json["target"] = {{"aim_ms", target->aim},
+                          {"least_ms", target->least},
+                          {"reference", target->reference},
+                          {"reached", bench::reached(row)}};
+    return json;
+}
+
 }  // namespace
 
 std::string problems_json(const std::vector<Problem>& problems) {
@@ -142,6 +182,21 @@ std::string render_json(const RenderReport& report) {
          {"rule", radiometric ? "radiometric" : "cerqueira2016"},
          {radiometric ? "strongest_db" : "strongest", radiometric ? level_db(strongest) : strongest}});
     return document(json);
+}
+
+std::string bench_json(const bench::Report& report) {
+    Json cases = Json::array(), limits = Json::array();
+    for (const auto& row : report.rows) cases.push_back(bench_row(row));
+    for (const auto& limit : bench::limits_of(report))
+        limits.push_back({{"what", limit.what},
+                          {"ours", limit.ours},
+                          {"most", limit.most},
+                          {"unit", limit.unit},
+                          {"met", limit.met()}});
+    return document({{"pings", report.settings.pings},
+                     {"pixel_density", report.settings.pixel_density},
+                     {"cases", cases},
+                     {"limits", limits}});
 }
 
 std::string message_json(const InspectOrigin& origin, const inspect::Message& message) {

@@ -11,6 +11,7 @@
 #include "protocols/inspect.h"
 #include "render/echogram.h"
 #include "render/scene/scene.h"
+#include "tools/echoloop/bench/report.h"
 #include "tools/echoloop/driver.h"
 
 namespace echoloop::cli {
@@ -32,6 +33,8 @@ struct RenderReport {
     std::vector<Echogram> pings;  ///< empty for --channels
 };
 std::string render_json(const RenderReport& report);
+
+std::string bench_json(const bench::Report& report);
 
 /// Where a message of `echoloop inspect` comes from; addresses and time (s since the first datagram) only for
 /// captures.

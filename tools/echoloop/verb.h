@@ -53,6 +53,7 @@ struct Verb {
 /// All verbs in the order of the help.
 std::span<const Verb> verbs();
 
+Verb bench_verb();
 Verb check_verb();
 Verb endpoints_verb();
 Verb inspect_verb();

@@ -1,0 +1,90 @@
+"""echoloop bench: what it measures, and that its documents hold together. No time is judged here."""
+import os
+import subprocess
+import unittest
+
+from program import PROGRAM, ROOT, ProgramTest
+
+NAMES = ["fls-simple", "fls-big100k", "fls-big2m", "scanning-simple", "scanning-big100k", "scanning-big2m",
+         "imaging512-big100k", "scanning1200-big100k", "sidescan-big100k"]
+SPLIT = {"cull", "draw", "read_back", "bins", "paths", "acoustics"}
+
+
+class Bench(ProgramTest):
+    def test_every_case_is_rendered_with_both_rules(self):
+        report = self.json("bench", "--pings", "2")
+        self.assertEqual([c["case"] for c in report["cases"]], NAMES * 2)
+        self.assertEqual([c["rule"] for c in report["cases"]], ["radiometric"] * 9 + ["cerqueira2016"] * 9)
+        for case in report["cases"]:
+            for times in (case["wall_ms"], case["cpu_ms"]):
+                self.assertTrue(0 < times["minimum"] <= times["median"] <= times["p99"], case)
+            self.assertEqual(set(case["split_ms"]), SPLIT)
+            self.assertLessEqual(sum(case["split_ms"].values()), 1.5 * case["wall_ms"]["p99"] + 0.1)
+            self.assertTrue(5 < case["resident_mb"], case)
+            self.assertTrue(0 < case["start_up_s"], case)
+        shapes = {c["case"]: (c["beams"], c["bins"]) for c in report["cases"]}
+        self.assertEqual(shapes["imaging512-big100k"], (512, 1000))
+        self.assertEqual(shapes["scanning1200-big100k"], (1, 1200))
+        self.assertEqual(shapes["sidescan-big100k"], (2, 2000))
+        self.assertEqual(shapes["fls-simple"], (256, 500))
+        self.assertEqual(len(report["limits"]), 4)
+
+    def test_the_time_is_split_and_what_was_drawn_is_counted(self):
+        (case, _) = self.json("bench", "--pings", "20", "--cases", "fls-simple")["cases"]
+        self.assertTrue(0 < case["triangles"] <= case["scene_triangles"] <= 1158, case)
+        self.assertTrue(0 < case["pixels"], case)
+        split = sum(case["split_ms"].values())
+        self.assertTrue(0.7 * case["wall_ms"]["median"] < split < 1.3 * case["wall_ms"]["median"], case)
+
+    def test_verdicts_follow_the_figures(self):
+        for case in self.json("bench", "--pings", "1", "--cases", "scanning-simple,fls-simple")["cases"]:
+            target, median = case["target"], case["wall_ms"]["median"]
+            expected = "aim" if median <= target["aim_ms"] else "least" if median <= target["least_ms"] else "no"
+            self.assertEqual(target["reached"], expected)
+
+    def test_cases_by_sonar_and_scene(self):
+        def names(words):
+            return [c["case"] for c in self.json("bench", "--pings", "1", "--cases", words)["cases"]][:3]
+
+        self.assertEqual(names("simple"), ["fls-simple", "scanning-simple", "fls-simple"])
+        self.assertEqual(names("scanning1200,fls-simple"), ["fls-simple", "scanning1200-big100k", "fls-simple"])
+
+    def test_a_scene_of_ones_own(self):
+        tank = ROOT / "config" / "scenes" / "tank.glb"
+        report = self.json("bench", "--pings", "1", "--scene", tank, "--cases", "scanning")
+        self.assertEqual([c["case"] for c in report["cases"]], ["scanning-tank"] * 2)
+        self.assertNotIn("target", report["cases"][0])
+
+    def test_text_has_a_line_per_case_and_more_pixels_mean_more_pixels(self):
+        text = self.good("bench", "--pings", "1", "--cases", "scanning-simple")
+        self.assertRegex(text, r"(?m)^scanning-simple +radiometric")
+        self.assertRegex(text, r"(?m)^    wall +\d")
+        self.assertRegex(text, r"rendered by \S")
+        one, four = (self.json("bench", "--pings", "1", "--cases", "fls-simple", "--pixels", x)["cases"][0]["pixels"]
+                     for x in ("1", "4"))
+        self.assertAlmostEqual(four / one, 4, delta=0.5)
+
+    def test_wrong_usage(self):
+        self.assertIn("there is no case 'fsl-simple'; did you mean 'fls-simple'?",
+                      self.bad(64, "bench", "--cases", "fsl-simple"))
+        self.assertIn("--pings: expected a whole number", self.bad(64, "bench", "--pings", "1.5"))
+        self.assertIn("--pixels: expected a number", self.bad(64, "bench", "--pixels", "0"))
+        missing = self.folder / "none.glb"
+        self.assertIn(str(missing), self.bad_case("--scene", missing))
+        self.assertIn("context", self.bad_case("--context", "glx"))
+
+    def bad_case(self, *arguments):
+        return self.bad(69, "bench", "--pings", "1", "--cases", "scanning", *arguments)
+
+    def test_progress_is_for_terminals(self):
+        master, slave = os.openpty()
+        subprocess.run([PROGRAM, "bench", "--pings", "1", "--cases", "scanning-simple"], stderr=slave,
+                       stdout=subprocess.DEVNULL, check=True)
+        os.close(slave)
+        text = os.read(master, 65536)
+        os.close(master)
+        self.assertIn(b"measuring [", text)
+
+
+if __name__ == "__main__":
+    unittest.main()

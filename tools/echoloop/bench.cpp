@@ -1,0 +1,77 @@
+// echoloop bench: how long a ping takes, where the time goes, and what was to be reached.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "emulator/error.h"
+#include "tools/echoloop/bench/report.h"
+#include "tools/echoloop/json_output.h"
+#include "tools/echoloop/terminal.h"
+#include "tools/echoloop/verb.h"
+
+namespace echoloop::cli {
+namespace {
+
+bench::Settings settings_of(const Arguments& arguments) {
+    bench::Settings settings;
+    const double pings = arguments.number("--pings", 100, 1, 100'000);
+    if (pings != std::floor(pings)) throw StartError(Exit::usage, "--pings: expected a whole number");
+    settings.pings = static_cast<std::size_t>(pings);
+    settings.pixel_density = arguments.number("--pixels", 1, 0.1, 64);
+    settings.context = arguments.text("--context", "auto");
+    settings.scene_file = arguments.text("--scene");
+    return settings;
+}
+
+std::vector<bench::Case> cases_of(const Arguments& arguments, const bench::Settings& settings) {
+    const auto cases = settings.scene_file.empty() ? bench::all_cases()
+                                                   : bench::cases_of_scene(settings.scene_file.stem().string());
+    return bench::chosen(cases, arguments.text("--cases"));
+}
+
+bench::Report measured(const bench::Settings& settings, const std::vector<bench::Case>& cases) {
+    bench::Report report{settings, {}};
+    Progress progress("measuring", 2 * cases.size());
+    for (const EchoRule rule : {EchoRule::radiometric, EchoRule::cerqueira2016})
+        for (const bench::Case& c : cases) {
+            report.rows.push_back({c, rule, bench::measure(c, rule, settings)});
+            progress.done(report.rows.size());
+        }
+    return report;
+}
+
+/// A case that could not be rendered ends the program with an error, after the others have been shown.
+int status_of(const bench::Report& report) {
+    for (const bench::Row& row : report.rows)
+        if (row.figures.failure[0] != '\0')
+            throw StartError(Exit::unavailable, row.the_case.name() + ": " + row.figures.failure);
+    return 0;
+}
+
+int run(const Arguments& arguments) {
+    const auto settings = settings_of(arguments);
+    const auto report = measured(settings, cases_of(arguments, settings));
+    const bool json = arguments.has("--json");
+    std::printf("%s%s", (json ? bench_json(report) : bench::text_of(report)).c_str(), json ? "\n" : "");
+    return status_of(report);
+}
+
+}  // namespace
+
+Verb bench_verb() {
+    using Kind = Argument::Kind;
+    return {"bench",
+            "measure how long a ping takes, case by case",
+            {{Kind::value, "--cases", "NAME,...", "these cases, sonars or scenes only"},
+             {Kind::value, "--scene", "FILE", "every sonar over this scene (.gltf, .glb) instead"},
+             {Kind::value, "--pings", "N", "pings per case, 1 to 100000; 100 unless given"},
+             {Kind::value, "--pixels", "FACTOR", "factor on the number of pixels, 0.1 to 64"},
+             {Kind::value, "--context", "NAME", "GL context: auto, osmesa, egl-surfaceless or egl-device"},
+             json_argument()},
+            "  echoloop bench\n"
+            "  echoloop bench --cases fls,scanning-simple --pings 1000\n"
+            "  echoloop bench --scene config/scenes/tank.glb --json",
+            run};
+}
+
+}  // namespace echoloop::cli

@@ -1,0 +1,44 @@
+// What `echoloop bench` renders: sonars, scenes, and the figures that they are to reach. Renders nothing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/renderer.h"
+
+namespace echoloop::bench {
+
+/// A figure to reach, in ms of wall time per ping.
+struct Target {
+    double aim = 0;    ///< a tenth of the time of the authors' own code, or what the case is about
+    double least = 0;  ///< the slowest that will do
+    std::string reference;  ///< where the figures are from
+};
+
+/// One sonar over one scene.
+struct Case {
+    std::string sonar, scene;
+    Shot shot;
+    double turn = 0;  ///< rad that the head turns from ping to ping
+    std::optional<Target> target{};
+
+    std::string name() const { return sonar + "-" + scene; }
+};
+
+/// The fixed cases; with `scene` every sonar once, over the scene of that name.
+std::vector<Case> all_cases();
+std::vector<Case> cases_of_scene(const std::string& scene);
+
+/// Cases whose name, sonar or scene is one of the comma-separated `words`. Throws StartError (usage) with what is
+/// known for a word that fits none.
+std::vector<Case> chosen(const std::vector<Case>& cases, const std::string& words);
+
+/// Ping `number` of a case: a head that turns has turned on.
+Shot shot_of(const Case& the_case, std::uint64_t number);
+/// Where the sonar is then: a vehicle that hovers and never stands still, so that nothing of a ping before can serve.
+Pose pose_of(std::uint64_t number);
+
+}  // namespace echoloop::bench

@@ -1,0 +1,188 @@
+#include "tools/echoloop/bench/measure.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <type_traits>
+
+#include "emulator/error.h"
+#include "tools/echoloop/bench/scenes.h"
+
+namespace echoloop::bench {
+namespace {
+
+static_assert(std::is_trivially_copyable_v<Figures>);  // they cross a pipe
+
+constexpr std::uint64_t warm_up = 5;  ///< pings that only fill caches
+
+double wall_time() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// s that all threads of this process have computed.
+double cpu_time() {
+    timespec t{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double resident_mb() {
+    std::ifstream statm("/proc/self/statm");
+    double size = 0, resident = 0;
+    statm >> size >> resident;
+    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+double peak_mb() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;
+}
+
+template <std::size_t Size>
+void copy_text(char (&to)[Size], const std::string& text) {
+    std::snprintf(to, Size, "%s", text.c_str());
+}
+
+std::shared_ptr<const Scene> make_scene(const Case& the_case, const Settings& settings) {
+    if (settings.scene_file.empty()) return Scene::from_meshes(scene_meshes(the_case.scene));
+    return Scene::load(settings.scene_file);
+}
+
+/// The values of one quantity, ping by ping.
+struct Series {
+    std::vector<double> wall, cpu, cull, draw, read_back, bins, paths, acoustics, triangles, pixels;
+
+    void add(double wall_s, double cpu_s, const RenderProfile& p) {
+        wall.push_back(1e3 * wall_s);
+        cpu.push_back(1e3 * cpu_s);
+        cull.push_back(1e3 * p.cull);
+        draw.push_back(1e3 * p.draw);
+        read_back.push_back(1e3 * p.read_back);
+        bins.push_back(1e3 * p.bins);
+        paths.push_back(1e3 * p.paths);
+        acoustics.push_back(1e3 * p.acoustics);
+        triangles.push_back(static_cast<double>(p.triangles));
+        pixels.push_back(static_cast<double>(p.pixels));
+    }
+
+    void write_to(Figures& f) const {
+        f.wall = spread_of(wall);
+        f.cpu = spread_of(cpu);
+        f.cull = spread_of(cull).median;
+        f.draw = spread_of(draw).median;
+        f.read_back = spread_of(read_back).median;
+        f.bins = spread_of(bins).median;
+        f.paths = spread_of(paths).median;
+        f.acoustics = spread_of(acoustics).median;
+        f.triangles = spread_of(triangles).median;
+        f.pixels = spread_of(pixels).median;
+    }
+};
+
+Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
+    Figures figures;
+    const double start = wall_time();
+    const auto scene = make_scene(the_case, settings);
+    RendererOptions options;
+    options.rule = rule;
+    options.pixel_density = settings.pixel_density;
+    options.context = settings.context;
+    Renderer renderer(scene, {}, options);
+    renderer.render(shot_of(the_case, 0), pose_of(0));
+    figures.start_up = wall_time() - start;
+    Series series;
+    for (std::uint64_t ping = 1; ping <= warm_up + settings.pings; ++ping) {
+        const Shot shot = shot_of(the_case, ping);
+        const double wall = wall_time(), cpu = cpu_time();
+        const Echogram echogram = renderer.render(shot, pose_of(ping));
+        if (ping > warm_up) series.add(wall_time() - wall, cpu_time() - cpu, renderer.profile());
+    }
+    series.write_to(figures);
+    figures.resident = resident_mb();
+    figures.peak = peak_mb();
+    figures.scene_triangles = static_cast<double>(scene->triangles());
+    copy_text(figures.context, renderer.context_description());
+    return figures;
+}
+
+Figures run_or_say_why(const Case& the_case, EchoRule rule, const Settings& settings) {
+    Figures figures;
+    try {
+        return run(the_case, rule, settings);
+    } catch (const std::exception& error) {
+        copy_text(figures.failure, error.what());
+    }
+    return figures;
+}
+
+void send(int pipe, const Figures& figures) {
+    const char* bytes = reinterpret_cast<const char*>(&figures);
+    for (std::size_t sent = 0; sent < sizeof figures;) {
+        const ssize_t n = ::write(pipe, bytes + sent, sizeof figures - sent);
+        if (n < 0 && errno != EINTR) return;
+        if (n > 0) sent += static_cast<std::size_t>(n);
+    }
+}
+
+bool receive(int pipe, Figures& figures) {
+    char* bytes = reinterpret_cast<char*>(&figures);
+    std::size_t got = 0;
+    while (got < sizeof figures) {
+        const ssize_t n = ::read(pipe, bytes + got, sizeof figures - got);
+        if (n == 0 || (n < 0 && errno != EINTR)) return false;
+        if (n > 0) got += static_cast<std::size_t>(n);
+    }
+    return true;
+}
+
+[[noreturn]] void cannot(const char* what) {
+    throw StartError(Exit::unavailable, std::string("bench: ") + what + ": " + std::strerror(errno));
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> values) {
+    if (values.empty()) return {};
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double share) {
+        return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+    };
+    return {values.front(), at(0.5), at(0.99)};
+}
+
+Figures measure(const Case& the_case, EchoRule rule, const Settings& settings) {
+    int ends[2];
+    if (::pipe(ends) != 0) cannot("no pipe to the process of a case");
+    const pid_t child = ::fork();
+    if (child < 0) cannot("no process for a case");
+    if (child == 0) {
+        ::close(ends[0]);
+        send(ends[1], run_or_say_why(the_case, rule, settings));
+        ::_exit(0);
+    }
+    ::close(ends[1]);
+    Figures figures;
+    const bool complete = receive(ends[0], figures);
+    ::close(ends[0]);
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (!complete) {
+        figures = {};
+        copy_text(figures.failure, "its process ended without a result (status " + std::to_string(status) +
+                                       "); out of memory?");
+    }
+    return figures;
+}
+
+}  // namespace echoloop::bench

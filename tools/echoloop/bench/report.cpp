@@ -1,0 +1,99 @@
+#include "tools/echoloop/bench/report.h"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+
+#include "tools/echoloop/common.h"
+
+namespace echoloop::bench {
+namespace {
+
+constexpr double most_start_up = 1, most_memory = 200, most_growth = 2;
+
+[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
+    char buffer[512];
+    std::va_list arguments;
+    va_start(arguments, pattern);
+    std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
+    va_end(arguments);
+    return buffer;
+}
+
+const Row* find(const Report& report, const std::string& name, EchoRule rule) {
+    for (const Row& row : report.rows)
+        if (row.the_case.name() == name && row.rule == rule && row.figures.failure[0] == '\0') return &row;
+    return nullptr;
+}
+
+void add_growth(const Report& report, const char* sonar, std::vector<Limit>& limits) {
+    const Row* small = find(report, std::string(sonar) + "-big100k", EchoRule::radiometric);
+    const Row* large = find(report, std::string(sonar) + "-big2m", EchoRule::radiometric);
+    if (small == nullptr || large == nullptr) return;
+    limits.push_back({std::string(sonar) + ": time with twenty times the triangles",
+                      large->figures.wall.median / small->figures.wall.median, most_growth, "times"});
+}
+
+std::string line_of(const char* label, const Spread& s, const std::string& rest = {}) {
+    return format("    %-8s%10.3f%10.3f%10.3f", label, s.minimum, s.median, s.p99) + rest + "\n";
+}
+
+std::string target_text(const Row& row) {
+    if (!row.the_case.target) return {};
+    return format("%10s%10s%10s", cli::plain(row.the_case.target->aim, 2).c_str(),
+                  cli::plain(row.the_case.target->least, 2).c_str(), reached(row).c_str());
+}
+
+std::string text_of(const Row& row) {
+    const Figures& f = row.figures;
+    std::string text = cli::padded(row.the_case.name(), 24) + rule_name(row.rule) + "\n";
+    if (f.failure[0] != '\0') return text + "    failed: " + f.failure + "\n";
+    text += line_of("wall", f.wall, target_text(row)) + line_of("cpu", f.cpu);
+    text += format("    cull %.3f, draw %.3f, read-back %.3f, bins %.3f, paths %.3f, acoustics %.3f\n", f.cull,
+                   f.draw, f.read_back, f.bins, f.paths, f.acoustics);
+    text += format("    %.0f of %.0f triangles, %.0f pixels; start-up %.2f s; memory %.0f MB, peak %.0f MB\n",
+                   f.triangles, f.scene_triangles, f.pixels, f.start_up, f.resident, f.peak);
+    return text;
+}
+
+}  // namespace
+
+std::string rule_name(EchoRule rule) {
+    return rule == EchoRule::radiometric ? "radiometric, every effect on" : "cerqueira2016";
+}
+
+std::string reached(const Row& row) {
+    if (!row.the_case.target || row.figures.failure[0] != '\0') return {};
+    if (row.figures.wall.median <= row.the_case.target->aim) return "aim";
+    return row.figures.wall.median <= row.the_case.target->least ? "least" : "no";
+}
+
+std::vector<Limit> limits_of(const Report& report) {
+    std::vector<Limit> limits;
+    double start_up = 0, memory = 0;
+    for (const Row& row : report.rows) {
+        if (row.the_case.scene != "big100k") continue;
+        start_up = std::max(start_up, row.figures.start_up);
+        memory = std::max(memory, row.figures.resident);
+    }
+    if (memory > 0) {
+        limits.push_back({"start-up with big100k, the slowest", start_up, most_start_up, "s"});
+        limits.push_back({"resident memory with big100k, the most", memory, most_memory, "MB"});
+    }
+    add_growth(report, "fls", limits);
+    add_growth(report, "scanning", limits);
+    return limits;
+}
+
+std::string text_of(const Report& report) {
+    std::string text = format("ms per ping of %zu       minimum    median       p99       aim  at least   reached\n",
+                              report.settings.pings);
+    for (const Row& row : report.rows) text += text_of(row);
+    for (const Limit& limit : limits_of(report))
+        text += cli::padded(limit.what + ":", 44) + format("%.2f %s, at most %s: %s\n", limit.ours, limit.unit.c_str(),
+                                                          cli::plain(limit.most, 2).c_str(), limit.met() ? "yes" : "no");
+    if (!report.rows.empty()) text += std::string("rendered by ") + report.rows.front().figures.context + "\n";
+    return text;
+}
+
+}  // namespace echoloop::bench

@@ -1,0 +1,124 @@
+#include "tools/echoloop/bench/scenes.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace echoloop::bench {
+namespace {
+
+constexpr std::array<SceneRow, 3> rows{{{"simple", 1, 0}, {"big100k", 224, 0.25}, {"big2m", 1000, 0.25}}};
+constexpr double half = 60, depth = 6;
+
+struct Box {
+    Vec3 centre, size;
+    double yaw = 0;
+};
+constexpr std::array<Box, 11> boxes{{{{15, 0, -4.75}, {2, 3, 2.5}, 0.3},
+                                     {{20, 7, -5}, {2, 2, 2}, 0.8},
+                                     {{18, -8, -5}, {1.5, 4, 2}, -0.5},
+                                     {{24, -3, -5}, {3, 1.5, 2}, 0.1},
+                                     {{26, 12, -4.5}, {2, 2, 3}, 0},
+                                     {{-14, 6, -2}, {3, 3, 8}, 0.4},
+                                     {{-8, -16, -2}, {2, 5, 8}, 1},
+                                     {{30, 0, -1.5}, {0.4, 60, 9}, 0},
+                                     {{-30, 0, -1.5}, {0.4, 60, 9}, 0},
+                                     {{0, 30, -1.5}, {60, 0.4, 9}, 0},
+                                     {{0, -30, -1.5}, {60, 0.4, 9}, 0}}};
+constexpr std::size_t walls = 4;  // the last ones
+
+Vec3 unit(Vec3 v) { return 1 / norm(v) * v; }
+
+Mesh mesh_of(const char* object) {
+    Mesh mesh;
+    mesh.object = object;
+    mesh.material.name = "sand";
+    return mesh;
+}
+
+void add_quad(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
+    mesh.normals.insert(mesh.normals.end(), 4, unit(cross(b - a, d - a)));
+    for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + corner);
+}
+
+void add_box(Mesh& mesh, const Box& box) {
+    const Pose world_from_box{box.centre, axis_angle({0, 0, 1}, box.yaw)};
+    const auto corner = [&](int x, int y, int z) {
+        return world_from_box * Vec3{x * box.size.x / 2, y * box.size.y / 2, z * box.size.z / 2};
+    };
+    add_quad(mesh, corner(-1, -1, -1), corner(-1, -1, 1), corner(-1, 1, 1), corner(-1, 1, -1));
+    add_quad(mesh, corner(1, -1, -1), corner(1, 1, -1), corner(1, 1, 1), corner(1, -1, 1));
+    add_quad(mesh, corner(-1, -1, -1), corner(1, -1, -1), corner(1, -1, 1), corner(-1, -1, 1));
+    add_quad(mesh, corner(-1, 1, -1), corner(-1, 1, 1), corner(1, 1, 1), corner(1, 1, -1));
+    add_quad(mesh, corner(-1, -1, 1), corner(1, -1, 1), corner(1, 1, 1), corner(-1, 1, 1));
+    add_quad(mesh, corner(-1, -1, -1), corner(-1, 1, -1), corner(1, 1, -1), corner(1, -1, -1));
+}
+
+/// Two triangles a cell of a lattice whose vertices, row by row, are in the mesh from `base` on.
+void add_lattice(Mesh& mesh, std::size_t base, int lattice_rows, int columns) {
+    mesh.indices.reserve(mesh.indices.size() + static_cast<std::size_t>(lattice_rows) * columns * 6);
+    for (int r = 0; r < lattice_rows; ++r)
+        for (int c = 0; c < columns; ++c) {
+            const auto i = static_cast<std::uint32_t>(base + static_cast<std::size_t>(r) * (columns + 1) + c);
+            const auto j = static_cast<std::uint32_t>(i + columns + 1);
+            for (const std::uint32_t corner : {i, i + 1, j + 1, i, j + 1, j}) mesh.indices.push_back(corner);
+        }
+}
+
+void add_ball(Mesh& mesh, Vec3 centre, double radius) {
+    constexpr int around = 32, down = 16;
+    const std::size_t base = mesh.positions.size();
+    for (int c = 0; c <= around; ++c)
+        for (int r = 0; r <= down; ++r) {
+            const double theta = std::numbers::pi * r / down, phi = 2 * std::numbers::pi * c / around;
+            const Vec3 n{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+            mesh.positions.push_back(centre + radius * n);
+            mesh.normals.push_back(n);
+        }
+    add_lattice(mesh, base, around, down);
+}
+
+/// Waves of a few metres' length, and their slope.
+Mesh seabed(const SceneRow& row) {
+    Mesh mesh = mesh_of("seabed");
+    const auto vertices = static_cast<std::size_t>(row.cells + 1) * (row.cells + 1);
+    mesh.positions.reserve(vertices);
+    mesh.normals.reserve(vertices);
+    for (int r = 0; r <= row.cells; ++r)
+        for (int c = 0; c <= row.cells; ++c) {
+            const double x = -half + 2 * half * c / row.cells, y = -half + 2 * half * r / row.cells;
+            const double cross_swell = 0.4 * std::cos(2.3 * x + 1.7 * y), a = row.amplitude;
+            const double height =
+                a * (std::sin(0.9 * x) * std::cos(0.7 * y) + 0.4 * std::sin(2.3 * x + 1.7 * y));
+            const double dx = a * (0.9 * std::cos(0.9 * x) * std::cos(0.7 * y) + 2.3 * cross_swell);
+            const double dy = a * (-0.7 * std::sin(0.9 * x) * std::sin(0.7 * y) + 1.7 * cross_swell);
+            mesh.positions.push_back({x, y, height - depth});
+            mesh.normals.push_back(unit({-dx, -dy, 1}));
+        }
+    add_lattice(mesh, 0, row.cells, row.cells);
+    return mesh;
+}
+
+Mesh objects() {
+    Mesh mesh = mesh_of("objects");
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (i == boxes.size() - walls) add_ball(mesh, {19, 3, -4.8}, 1.2);
+        add_box(mesh, boxes[i]);
+    }
+    return mesh;
+}
+
+}  // namespace
+
+std::span<const SceneRow> scene_rows() { return rows; }
+
+std::vector<Mesh> scene_meshes(std::string_view name) {
+    for (const SceneRow& row : rows)
+        if (row.name == name) return {seabed(row), objects()};
+    throw std::invalid_argument("bench: there is no scene " + std::string(name));
+}
+
+}  // namespace echoloop::bench
