@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "emulator/device.h"
+#include "emulator/profile.h"
+#include "render/effects.h"
 
 namespace echoloop {
 
@@ -35,9 +37,16 @@ struct DeviceConfig {
     std::string name;
     std::vector<std::string> endpoints;
     Options options;
+    Profile profile;
+    Effects effects;            ///< of the scenario; a device does its own time-varied gain
     double sound_speed = 1500;  ///< m/s, the true one
     std::uint64_t seed = 0;
     double unix_start = 0;  ///< s, Unix time at the start of the run, for devices that send wall-clock time
+};
+
+/// An option of an earlier version that is a figure of the profile now.
+struct MovedOption {
+    std::string option, figure;
 };
 
 struct Model {
@@ -48,6 +57,9 @@ struct Model {
     std::vector<std::string>
         endpoint_schemes;  ///< accepted for the first endpoint: "pty", "serial", "tcp-listen", ...
     std::vector<Option> options;
+    std::vector<FigureRow> figures{};  ///< of its profile
+    std::string_view profile{};        ///< the text of its own profile, which outlives the table
+    std::vector<MovedOption> moved{};  ///< names that are refused with a hint
     /// Throws std::invalid_argument with a sentence for the user if an endpoint or option does not fit.
     std::unique_ptr<Device> (*make)(const DeviceConfig&) = nullptr;
     /// The ping that the device sends by itself or after a plain start: `step` counts the pings of a turn,

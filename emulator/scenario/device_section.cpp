@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "emulator/endpoint.h"
+#include "emulator/scenario/file.h"
+#include "emulator/scenario/profile_section.h"
 
 namespace echoloop::scenario {
 namespace {
@@ -48,6 +50,8 @@ class DeviceReader {
     std::vector<std::string> read_endpoints(const Section& section, const Model& model);
     std::optional<Endpoint> parse(const std::string& uri, const Claim& at, const Model& model, bool first);
     void claim(Claim claim);
+    Profile read_profile(const Section& section, const Model& model);
+    Profile read_file(const Section& section, const Model& model);
     void try_make(const ScenarioDevice& device, const Place& place);
 
     const Scenario& scenario_;
@@ -147,6 +151,32 @@ std::vector<std::string> DeviceReader::read_endpoints(const Section& section, co
     return uris;
 }
 
+/// The profile of `profile_file`, which begins at the scenario's folder.
+Profile DeviceReader::read_file(const Section& section, const Model& model) {
+    const Value& value = *section.get("profile_file");
+    const auto file = scenario_.file.parent_path() / section.text("profile_file", "");
+    const auto path = section.path_of("profile_file");
+    if (const auto fault = file_fault(file)) {
+        problems_.add(value.place,
+                      path + ": " + in_quotes(file.string()) + ": " + fault->message +
+                          "; a relative name begins at the scenario's folder",
+                      fault->kind);
+        return {};
+    }
+    try {
+        return scenario::read_profile(read_scenario_file(file), file.string(), model, problems_);
+    } catch (const ScenarioError& error) {
+        problems_.add(value.place, path + ": " + error.what());
+        return {};
+    }
+}
+
+Profile DeviceReader::read_profile(const Section& section, const Model& model) {
+    Profile profile = section.get("profile_file") == nullptr ? own_profile(model) : read_file(section, model);
+    read_figures(section.get("profile"), section.path_of("profile"), model, profile, problems_);
+    return profile;
+}
+
 void DeviceReader::try_make(const ScenarioDevice& device, const Place& place) {
     if (device.model->make == nullptr) return;
     try {
@@ -161,7 +191,8 @@ void DeviceReader::read(const Value& value, std::size_t index) {
     const Value* name = value.find("name");
     const bool named = name != nullptr && name->is_scalar() && is_name(name->text);
     const Section section(&value, "devices." + (named ? name->text : std::to_string(index)),
-                          {"name", "model", "mount", "endpoints", "options"}, problems_);
+                          {"name", "model", "mount", "endpoints", "options", "profile", "profile_file"},
+                          problems_);
     if (!value.is_map()) {
         if (value.kind == Value::Kind::null) problems_.add(value.place, "a device is a name and a model");
         return;
@@ -177,6 +208,8 @@ void DeviceReader::read(const Value& value, std::size_t index) {
     device.config.endpoints = read_endpoints(section, *device.model);
     device.config.options =
         read_options(section.get("options"), section.path_of("options"), *device.model, problems_);
+    device.config.profile = read_profile(section, *device.model);
+    device.config.effects = scenario_.render.effects;
     device.config.sound_speed = sound_speed(scenario_.water);
     device.config.seed = device_seed(scenario_.seed, device.name);
     if (problems_.count() == before) try_make(device, value.place);

@@ -33,12 +33,24 @@ struct ReadOption {
     }
 };
 
+/// Options of earlier versions that are figures of the profile now.
+void refuse_moved(const Section& section, const Model& model, Problems& problems) {
+    for (const auto& moved : model.moved)
+        if (const Value* given = section.get(moved.option))
+            problems.add(given->key_place, section.path_of(moved.option) +
+                                               " is a figure of the device's profile now; write profile: {" +
+                                               moved.figure + ": ...} beside options");
+}
+
 }  // namespace
 
 Options read_options(const Value* value, const std::string& path, const Model& model, Problems& problems) {
     std::vector<std::string_view> known;
     for (const auto& option : model.options) known.push_back(option.name);
-    const Section section(value, path, known, problems);
+    auto with_moved = known;
+    for (const auto& moved : model.moved) with_moved.push_back(moved.option);
+    const Section section(value, path, with_moved, problems);
+    refuse_moved(section, model, problems);
     Checker checker(problems);
     Options options;
     for (const auto& option : model.options) {

@@ -58,6 +58,18 @@ void Problems::add(const Place& place, std::string message, Problem::Kind kind) 
         {kind, where(place), in_file ? place.line : 0, in_file ? place.column : 0, std::move(message)});
 }
 
+void Problems::append(const Problems& other) {
+    const auto sorted = other.in_order();
+    appended_.insert(appended_.end(), sorted.begin(), sorted.end());
+}
+
+std::vector<Problem> Problems::in_order() const {
+    auto sorted = problems_;
+    std::ranges::stable_sort(sorted, {}, [](const Problem& p) { return std::pair(p.line, p.column); });
+    sorted.insert(sorted.end(), appended_.begin(), appended_.end());
+    return sorted;
+}
+
 std::string Problems::where(const Place& place) const {
     if (place.set_argument >= 0)
         return "--set " + printable(set_arguments_.at(static_cast<std::size_t>(place.set_argument)));
@@ -67,9 +79,7 @@ std::string Problems::where(const Place& place) const {
 
 void Problems::throw_if_any() const {
     if (empty()) return;
-    auto sorted = problems_;
-    std::ranges::stable_sort(sorted, {}, [](const Problem& p) { return std::pair(p.line, p.column); });
-    throw ScenarioError(std::move(sorted));
+    throw ScenarioError(in_order());
 }
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& known) {

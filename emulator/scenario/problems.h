@@ -43,17 +43,20 @@ class Problems {
         : file_(std::move(file)), set_arguments_(std::move(set_arguments)) {}
 
     void add(const Place& place, std::string message, Problem::Kind kind = Problem::Kind::invalid);
-    bool empty() const { return problems_.empty(); }
-    std::size_t count() const { return problems_.size(); }
+    /// Those of another file, a device's profile; they come after this file's own.
+    void append(const Problems& other);
+    bool empty() const { return count() == 0; }
+    std::size_t count() const { return problems_.size() + appended_.size(); }
     /// Throws ScenarioError if there is any problem.
     void throw_if_any() const;
 
   private:
     std::string where(const Place& place) const;
+    std::vector<Problem> in_order() const;
 
     std::string file_;
     std::vector<std::string> set_arguments_;
-    std::vector<Problem> problems_;
+    std::vector<Problem> problems_, appended_;
 };
 
 /// The word of `known` that `word` was probably meant to be; empty if none is near.

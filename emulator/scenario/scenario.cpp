@@ -1,12 +1,12 @@
 #include "emulator/scenario/scenario.h"
 
-#include <algorithm>
-
 #include "emulator/scenario/device_section.h"
+#include "emulator/scenario/effects_section.h"
 #include "emulator/scenario/file.h"
 #include "emulator/scenario/number.h"
 #include "emulator/scenario/override.h"
 #include "emulator/scenario/section.h"
+#include "emulator/scenario/water_section.h"
 #include "emulator/scenario/yaml.h"
 
 namespace echoloop {
@@ -65,19 +65,6 @@ Pose read_vehicle(const Section& top, Problems& problems) {
     return read_pose(vehicle.get("pose"), "vehicle.pose", problems);
 }
 
-Water read_water(const Section& top, double vehicle_z, Problems& problems) {
-    const Section section(top.get("water"), "water",
-                          {"temperature", "salinity", "ph", "depth", "sound_speed"}, problems);
-    Water water;
-    water.temperature = section.number("temperature", water.temperature, {-4, 40, "degC"});
-    water.salinity = section.number("salinity", water.salinity, {0, 45, "g/kg"});
-    water.ph = section.number("ph", water.ph, {5, 10, ""});
-    water.depth = section.number("depth", std::clamp(-vehicle_z, 0.0, 12000.0), {0, 12000, "m"});
-    if (section.get("sound_speed") != nullptr)
-        water.sound_speed = section.number("sound_speed", 1500, {1300, 1700, "m/s"});
-    return water;
-}
-
 void read_clock(const Section& top, Scenario& scenario, Problems& problems) {
     const Section clock(top.get("clock"), "clock", {"mode", "rate"}, problems);
     const auto mode = clock.word("mode", "real", {"real", "scaled", "stepped"});
@@ -99,7 +86,8 @@ RendererOptions read_render(const Section& top, Problems& problems) {
     RendererOptions options;
     const auto rule = section.word("rule", "radiometric", {"radiometric", "cerqueira2016"});
     options.rule = rule == "radiometric" ? EchoRule::radiometric : EchoRule::cerqueira2016;
-    options.context = section.word("context", options.context, {"auto", "osmesa"});
+    options.context =
+        section.word("context", options.context, {"auto", "osmesa", "egl-surfaceless", "egl-device"});
     options.pixel_density =
         section.number("pixels", options.pixel_density, {0.1, 64, "times the usual number"});
     return options;
@@ -112,17 +100,23 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     Problems problems(file.string(), set_arguments);
     Value root = parse_tree(text, problems);
     apply_overrides(root, set_arguments, problems);
-    const Section top(&root, "", {"scene", "seed", "water", "vehicle", "clock", "render", "devices"},
-                      problems);
+    const Section top(
+        &root, "", {"scene", "seed", "water", "vehicle", "clock", "render", "effects", "devices"}, problems);
     if (!root.is_map() && root.kind != Value::Kind::null) problems.throw_if_any();
     Scenario scenario;
     scenario.file = file;
     scenario.scene = read_scene(top, file, problems);
     scenario.seed = read_seed(top, problems);
     scenario.world_from_body = read_vehicle(top, problems);
-    scenario.water = read_water(top, scenario.world_from_body.position.z, problems);
     read_clock(top, scenario, problems);
     scenario.render = read_render(top, problems);
+    read_effects(top.get("effects"), scenario.render, problems);
+    const Section water(top.get("water"), "water",
+                        {"temperature", "salinity", "ph", "depth", "sound_speed", "profile", "surface"},
+                        problems);
+    scenario.render.surface = read_surface(water, problems);
+    const double surface = scenario.render.surface.value_or(WaterSurface{}).height;
+    scenario.water = read_water(water, scenario.world_from_body.position.z, surface, problems);
     scenario.devices = read_devices(top.get("devices"), top.place(), scenario, models, problems);
     problems.throw_if_any();
     return scenario;

@@ -1,5 +1,5 @@
-// What a scenario file says, checked and complete. Loading reads the file and nothing else: no scene, no
-// port.
+// What a scenario file says, checked and complete. Loading reads the file and the profiles that it names, and
+// nothing else: no scene, no port.
 #pragma once
 
 #include <cstdint>
@@ -34,11 +34,11 @@ struct Scenario {
     std::filesystem::path file;   ///< as given
     std::filesystem::path scene;  ///< absolute, or relative to the working directory as `file` is
     std::uint64_t seed = 1;
-    Water water;  ///< depth defaults to the vehicle's depth below z = 0
+    Water water;  ///< depth defaults to the vehicle's depth below the surface
     Pose world_from_body;
     ClockMode clock = ClockMode::real;
     double clock_rate = 1;
-    RendererOptions render;  ///< rule, context and pixel density from `render: {rule, context, pixels}`
+    RendererOptions render;  ///< from `render: {rule, context, pixels}`, `effects` and `water.surface`
     std::vector<ScenarioDevice> devices;
 };
 

@@ -18,6 +18,18 @@ inline std::vector<Option> scanner_options() {
             {"serial_number", "", std::string("100"), "any text", "", {}}};
 }
 
+inline std::vector<FigureRow> scanner_figures() {
+    return {{"source_level", "dB re 1 uPa", "on the axis", 100, 240},
+            {"aperture", "", "shape", 0, 0, false, {"line", "piston"}},
+            {"bits", "", "of the converter", 0, 32, true}};
+}
+
+inline constexpr std::string_view scanner_profile = R"(model: tritech-micron
+source_level: {value: 206, unit: dB re 1 uPa, source: own estimate}
+aperture: {value: line, source: own choice}
+bits: {value: 24, source: own choice}
+)";
+
 inline const std::vector<Model>& test_models() {
     static const std::vector<Model> table = [] {
         Model fan{"r2sonic-2024", "a fan", "UDP", {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400"},
@@ -31,7 +43,10 @@ inline const std::vector<Model>& test_models() {
                       "SeaNet",
                       {"pty:/tmp/echoloop/micron"},
                       {"pty", "serial", "tcp-listen"},
-                      scanner_options()};
+                      scanner_options(),
+                      scanner_figures(),
+                      scanner_profile,
+                      {{"loudness", "source_level"}}};
         return std::vector<Model>{picky, fan, scanner};
     }();
     return table;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <fstream>
 
+#include "emulator/scenario/profile_section.h"
 #include "tests/emulator/scenario_folder.h"
 #include "tests/emulator/scenario_models.h"
 
@@ -17,6 +18,7 @@ using test::in_scenario_folder;
 using test::test_models;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 Scenario parse(const std::string& text, const std::vector<std::string>& sets = {}) {
     in_scenario_folder();
@@ -135,6 +137,99 @@ TEST(Scenario, finds_the_scene_beside_the_file) {
     std::filesystem::create_directories("below");
     std::ofstream("below/t.yaml") << "scene: ../s.glb\ndevices: [{name: a, model: r2sonic-2024}]\n";
     EXPECT_EQ(load_scenario("below/t.yaml", {}, test_models()).scene, "below/../s.glb");
+}
+
+TEST(Effects, are_all_on_and_each_goes_off_by_its_name) {
+    EXPECT_EQ(parse(smallest).render.effects, Effects{});
+    for (const auto& row : effect_rows) {
+        const auto effects = parse(smallest, {"effects." + std::string(row.name) + "=off"}).render.effects;
+        EXPECT_EQ(effects, Effects{}.set(row.effect, false)) << row.name;
+    }
+}
+
+TEST(Effects, all_counts_before_the_names_wherever_it_stands) {
+    const auto text = std::string(smallest) + "effects: {noise: on, all: off, tvg: true}\n";
+    EXPECT_EQ(parse(text).render.effects, Effects::none().set(Effect::noise).set(Effect::tvg));
+    const auto fewer = parse(text, {"effects.noise=false"});
+    EXPECT_EQ(fewer.render.effects, Effects::none().set(Effect::tvg));
+    EXPECT_EQ(fewer.devices[0].config.effects, fewer.render.effects) << "the device does its own gain";
+}
+
+TEST(Effects, speckle_may_have_a_shape) {
+    const auto scenario = parse(smallest, {"effects.all=off", "effects.speckle={shape: 4}"});
+    EXPECT_EQ(scenario.render.speckle.shape, 4);
+    EXPECT_EQ(scenario.render.effects, Effects::none().set(Effect::speckle));
+    EXPECT_EQ(parse(smallest).render.speckle.shape, std::numeric_limits<double>::infinity());
+}
+
+TEST(WaterSection, has_a_profile_and_a_surface) {
+    const auto layered = parse(smallest, {"water.profile=[[0, 1500], [20, 1490]]", "water.depth=10"});
+    EXPECT_EQ(layered.water.profile, (std::vector<SoundSpeedPoint>{{0, 1500}, {20, 1490}}));
+    EXPECT_DOUBLE_EQ(layered.devices[0].config.sound_speed, 1495) << "what the head's own sensor measures";
+    EXPECT_EQ(parse(smallest).render.surface->height, 0);
+    const auto rough = parse(smallest, {"water.surface={height: 2, roughness: 0.05}"});
+    EXPECT_EQ(rough.render.surface->roughness, 0.05);
+    EXPECT_EQ(rough.water.depth, 2) << "the vehicle at z = 0 is 2 m deep";
+    EXPECT_FALSE(parse(smallest, {"water.surface=none"}).render.surface.has_value());
+}
+
+double source_level(const Scenario& scenario) {
+    return figure(scenario.devices[0].config.profile, "source_level");
+}
+
+TEST(ProfileSection, a_scenario_may_override_single_figures) {
+    EXPECT_EQ(source_level(parse(smallest)), 206);
+    const auto louder = parse(smallest, {"devices.micron.profile={source_level: 210, aperture: piston}"});
+    EXPECT_EQ(source_level(louder), 210);
+    const auto& profile = louder.devices[0].config.profile;
+    EXPECT_EQ(profile.at("source_level").source, "scenario");
+    EXPECT_EQ(figure_of<std::string>(profile, "aperture"), "piston");
+    EXPECT_EQ(profile.at("bits").source, "own choice") << "the others stay";
+}
+
+TEST(ProfileSection, a_scenario_may_bring_a_file_of_its_own) {
+    in_scenario_folder();
+    std::ofstream("mine.yaml") << "model: tritech-micron\nbits: {value: 12, source: bench}\n"
+                                  "source_level: {value: 190, unit: dB re 1 uPa, source: tank}\n"
+                                  "aperture: {value: piston, source: drawing}\n";
+    const auto scenario = parse(smallest, {"devices.micron.profile_file=mine.yaml"});
+    EXPECT_EQ(source_level(scenario), 190);
+    EXPECT_EQ(source_level(parse(smallest, {"devices.micron.profile_file=mine.yaml",
+                                            "devices.micron.profile.source_level=191"})),
+              191);
+}
+
+TEST(ProfileSection, a_broken_file_is_refused_with_its_own_places) {
+    in_scenario_folder();
+    std::ofstream("broken.yaml") << "model: r2sonic-2024\n"
+                                    "source_level: {value: 600, unit: dB, sorce: tank}\n"
+                                    "bits: 24\n"
+                                    "gain: {value: 3, source: tank}\n";
+    const auto text = refusal(smallest, {"devices.micron.profile_file=broken.yaml"});
+    EXPECT_THAT(text, StartsWith("broken.yaml:1:")) << "in the order of the file";
+    EXPECT_THAT(text, HasSubstr("broken.yaml:1:8: model: expected 'tritech-micron', the model of the device, "
+                                "got text 'r2sonic-2024'"));
+    EXPECT_THAT(text, HasSubstr("broken.yaml:2:23: source_level.value: 600 is out of range"));
+    EXPECT_THAT(text,
+                HasSubstr("broken.yaml:2:34: source_level.unit: expected 'dB re 1 uPa', got text 'dB'"));
+    EXPECT_THAT(text, HasSubstr("broken.yaml:2:38: unknown key 'sorce' in source_level; did you mean "
+                                "'source'?"));
+    EXPECT_THAT(text, HasSubstr("source_level.source is missing; name the document"));
+    EXPECT_THAT(text, HasSubstr("broken.yaml:3:7: bits: expected keys and values, got the number '24'"));
+    EXPECT_THAT(text, HasSubstr("broken.yaml:4:1: unknown key 'gain' in the profile"));
+    EXPECT_THAT(text, HasSubstr("figure 'aperture' is missing; add aperture: {value: , "));
+}
+
+TEST(ProfileSection, a_broken_profile_of_the_program_itself_is_refused) {
+    Model model = test_models()[2];
+    model.profile = "model: tritech-micron\nbits: {value: [}\n";
+    try {
+        own_profile(model);
+        FAIL() << "accepted";
+    } catch (const ScenarioError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("config/devices/tritech-micron.yaml:2:"));
+        EXPECT_THAT(error.what(), HasSubstr("not YAML"));
+    }
 }
 
 TEST(Override, changes_devices_by_name_and_by_number) {

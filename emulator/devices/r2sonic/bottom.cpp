@@ -17,24 +17,55 @@ std::pair<std::size_t, std::size_t> gated_bins(const Shot& shot, TimeGate gate) 
     return {bin_of(gate.min), std::min(bin_of(gate.max) + 1, shot.bins)};
 }
 
-/// The run of bins around the peak within 10 dB of it: the beam's footprint on the bottom.
-std::pair<std::size_t, std::size_t> footprint(std::span<const float> beam, std::size_t first,
-                                              std::size_t last, std::size_t peak) {
-    const float floor = beam[peak] / 10;
+/// Half the number of bins over which the beam's echo from a flat bottom spreads at a two-way time; no less
+/// than three pulses, so that speckle averages out.
+std::size_t half_footprint(const Shot& shot, double angle, double time) {
+    const double slant = time * shot.beam_width * std::abs(std::tan(angle));
+    const double length = slant + 3 * std::max(shot.pulse_length, shot.bin_interval);
+    return static_cast<std::size_t>(std::ceil(length / shot.bin_interval / 2));
+}
+
+/// The bins [first, last) of a beam, each the mean over the footprint around it.
+std::vector<float> over_footprints(const Shot& shot, std::span<const float> beam, double angle,
+                                   std::size_t first, std::size_t last) {
+    std::vector<double> sum(last - first + 1);
+    for (std::size_t bin = first; bin < last; ++bin) sum[bin - first + 1] = sum[bin - first] + beam[bin];
+    std::vector<float> mean(last - first);
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+        const double time = shot.first_bin_time + static_cast<double>(first + i) * shot.bin_interval;
+        const std::size_t half = half_footprint(shot, angle, time);
+        const std::size_t from = i - std::min(i, half), to = std::min(i + half + 1, mean.size());
+        mean[i] = static_cast<float>((sum[to] - sum[from]) / static_cast<double>(2 * half + 1));
+    }
+    return mean;
+}
+
+/// The run around the peak within 10 dB of it and clear of the noise: the beam's footprint on the bottom.
+std::pair<std::size_t, std::size_t> run_around(const std::vector<float>& mean, std::size_t peak,
+                                               double noise_power) {
+    const double floor = std::max(mean[peak] / 10.0, 2 * noise_power);
     std::size_t from = peak, to = peak + 1;
-    while (from > first && beam[from - 1] > floor) --from;
-    while (to < last && beam[to] > floor) ++to;
+    while (from > 0 && mean[from - 1] > floor) --from;
+    while (to < mean.size() && mean[to] > floor) ++to;
     return {from, to};
 }
 
-/// Middle of the footprint weighted by power, as two-way time.
-double centre_time(const Shot& shot, std::span<const float> beam, std::size_t from, std::size_t to) {
+/// Middle of the echo weighted by power above the noise, as two-way time.
+double centre_time(const Echogram& echogram, std::span<const float> beam, std::size_t from, std::size_t to) {
     double weight = 0, moment = 0;
     for (std::size_t bin = from; bin < to; ++bin) {
-        weight += beam[bin];
-        moment += beam[bin] * (static_cast<double>(bin) + 0.5);
+        const double power = std::max(beam[bin] - echogram.noise_power, 0.0);
+        weight += power;
+        moment += power * (static_cast<double>(bin) + 0.5);
     }
-    return shot.first_bin_time + shot.bin_interval * moment / weight;
+    return echogram.shot.first_bin_time + echogram.shot.bin_interval * moment / weight;
+}
+
+/// Least power of a bottom; the paper's rule has neither power nor noise.
+double least_power(const Echogram& echogram, double margin) {
+    constexpr double least_of_paper = 0.05;
+    if (echogram.rule == EchoRule::cerqueira2016) return least_of_paper;
+    return echogram.noise_power * std::pow(10.0, margin / 10);
 }
 
 }  // namespace
@@ -62,22 +93,27 @@ TimeGate beam_gate(const Controls& c, double angle, double sound_speed, double l
     return gate;
 }
 
-Detection detect(const Echogram& echogram, std::size_t index, TimeGate gate, float threshold) {
+Detection detect(const Echogram& echogram, std::size_t index, TimeGate gate, double margin) {
+    const Shot& shot = echogram.shot;
     const auto beam = echogram.beam(index);
-    const auto [first, last] = gated_bins(echogram.shot, gate);
+    const auto [first, last] = gated_bins(shot, gate);
     if (first >= last) return {};
-    const auto peak =
-        static_cast<std::size_t>(std::max_element(beam.begin() + first, beam.begin() + last) - beam.begin());
-    if (!(beam[peak] > threshold)) return {};
-    const auto [from, to] = footprint(beam, first, last, peak);
+    const auto mean = over_footprints(shot, beam, shot.bearings[index], first, last);
+    const auto peak = static_cast<std::size_t>(std::max_element(mean.begin(), mean.end()) - mean.begin());
+    const double least = least_power(echogram, margin);
+    if (!(mean[peak] > least)) return {};
+    const auto [from, to] = run_around(mean, peak, echogram.noise_power);
     Detection detection;
-    detection.time = centre_time(echogram.shot, beam, from, to);
-    detection.power = beam[peak];
+    detection.time = centre_time(echogram, beam, first + from, first + to);
+    detection.power = *std::max_element(beam.begin() + first + from, beam.begin() + first + to);
     // Interferometry needs an echo that is long against the pulse: the outer beams.
-    const double length = static_cast<double>(to - from) * echogram.shot.bin_interval;
-    const bool by_phase = length > 4 * std::max(echogram.shot.pulse_length, 1 / 65280.0);
-    detection.quality = quality::brightness | quality::colinearity;
-    detection.quality |= by_phase ? quality::phase : quality::magnitude;
+    const auto half = half_footprint(shot, shot.bearings[index], detection.time);
+    const double length =
+        (static_cast<double>(to - from) - 2 * static_cast<double>(half)) * shot.bin_interval;
+    const bool by_phase = length > 4 * std::max(shot.pulse_length, shot.bin_interval);
+    detection.quality = by_phase ? quality::phase : quality::magnitude;
+    detection.quality |= quality::colinearity;
+    if (mean[peak] > 10 * least) detection.quality |= quality::brightness;
     return detection;
 }
 

@@ -25,8 +25,9 @@ struct Detection {
 TimeGate beam_gate(const Controls& controls, double angle, double sound_speed, double last_depth,
                    double window);
 
-/// Detection in one beam. `threshold` is a power in uPa^2 (or the value of the paper's rule).
-Detection detect(const Echogram& echogram, std::size_t beam, TimeGate gate, float threshold);
+/// Detection in one beam: the strongest stretch as long as the beam's footprint on a flat bottom, so that
+/// speckle does not break it up. It must lie `margin` dB above the echogram's noise.
+Detection detect(const Echogram& echogram, std::size_t beam, TimeGate gate, double margin);
 
 /// Depth below the head of the beams within 30 deg of the axis: their median, m; 0 if there is none.
 double median_depth(const std::vector<Detection>& detections, const std::vector<double>& angles,

@@ -29,9 +29,9 @@ Compression plan(const PingRecord& ping, const Settings& settings, const Echogra
 float image_gain(const PingRecord& ping, const Settings& settings, double range) {
     const Controls& c = ping.controls;
     const double r = std::max(range, 1.0);
-    const double db =
-        2 * c.gain + c.spreading * std::log10(r) + 2 * c.absorption / 1000 * r + c.image_brightness;
-    return static_cast<float>(std::pow(10.0, (db - settings.image_reference) / 10));
+    const double tvg = settings.tvg ? c.spreading * std::log10(r) + 2 * c.absorption / 1000 * r : 0;
+    const double db = 2 * c.gain + tvg + c.image_brightness - settings.acoustics.image_reference;
+    return static_cast<float>(std::pow(10.0, db / 10));
 }
 
 /// Amplitude 0..1 to a byte.

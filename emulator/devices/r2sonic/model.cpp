@@ -53,6 +53,9 @@ Model model() {
     m.default_endpoints = {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400"};
     m.endpoint_schemes = {"udp-listen"};
     m.options = option_table();
+    m.figures = figure_table();
+    m.profile = built_in_profile(m.name);
+    m.moved = {{"image_reference", "image_reference"}, {"detection_threshold", "detection_margin"}};
     m.make = make;
     m.default_shot = default_shot;
     return m;

@@ -38,9 +38,9 @@ r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings) {
     h.frequency = f(c.frequency);
     h.tx_power = f(c.power);
     h.tx_pulse_width = f(c.pulse);
-    h.tx_beam_width_vertical = f(transmit_beam_width(c));
-    h.tx_beam_width_horizontal = f(receive_beam_width(c));
-    h.rx_bandwidth = 30e3F;  // of real pings
+    h.tx_beam_width_vertical = f(transmit_beam_width(c, settings.acoustics));
+    h.tx_beam_width_horizontal = f(receive_beam_width(c, settings.acoustics));
+    h.rx_bandwidth = f(settings.acoustics.receiver.bandwidth);
     h.rx_sample_rate = f(sample_rate);
     h.rx_range = f(c.range);
     h.rx_gain = f(c.gain);

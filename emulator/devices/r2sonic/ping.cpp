@@ -41,6 +41,13 @@ Beams equi_distant(const Controls& controls) {
     return {std::move(section), std::move(angles)};
 }
 
+/// The array's directivity index grows with its area in square wavelengths.
+Receiver receiver_at(double frequency, const Acoustics& acoustics) {
+    Receiver receiver = acoustics.receiver;
+    receiver.directivity_index += 20 * std::log10(frequency / acoustics.reference_frequency);
+    return receiver;
+}
+
 }  // namespace
 
 double working_sound_speed(const Controls& controls, const Settings& settings) {
@@ -62,10 +69,14 @@ std::size_t samples(const Controls& controls, const Settings& settings) {
 
 std::size_t samples_per_bin(std::size_t samples) { return (samples + most_bins - 1) / most_bins; }
 
-double receive_beam_width(const Controls& controls) { return deg_to_rad(0.5) * 400e3 / controls.frequency; }
+double receive_beam_width(const Controls& controls, const Acoustics& acoustics) {
+    return acoustics.receive_beam_width * acoustics.reference_frequency / controls.frequency;
+}
 
-double transmit_beam_width(const Controls& controls) {
-    return deg_to_rad(controls.projector == 2 ? 20.0 : 1.0) * 400e3 / controls.frequency;
+double transmit_beam_width(const Controls& controls, const Acoustics& acoustics) {
+    const bool wide = controls.projector == 2;
+    const double width = wide ? acoustics.wide_transmit_beam_width : acoustics.transmit_beam_width;
+    return width * acoustics.reference_frequency / controls.frequency;
 }
 
 Beams beam_angles(const Controls& controls) {
@@ -78,13 +89,17 @@ Shot make_shot(const Controls& controls, const Settings& settings, const Beams& 
     shot.ping = ping;
     shot.bearings = fan.angles;
     shot.tilt = controls.receiver_tilt;
-    shot.beam_width = receive_beam_width(controls);
-    shot.fan_height = transmit_beam_width(controls);
+    shot.beam_width = receive_beam_width(controls, settings.acoustics);
+    shot.fan_height = transmit_beam_width(controls, settings.acoustics);
     shot.bins = (total + per_bin - 1) / per_bin;
     shot.bin_interval = static_cast<double>(per_bin) / sample_rate;
     shot.frequency = controls.frequency;
     shot.pulse_length = controls.pulse;
     shot.source_level = controls.power > 0 ? controls.power : -300;
+    shot.horizontal = settings.acoustics.horizontal;
+    shot.vertical = settings.acoustics.vertical;
+    shot.receiver = receiver_at(controls.frequency, settings.acoustics);
+    if (controls.trigger == 0) shot.interval = ping_period(controls, settings);
     return shot;
 }
 

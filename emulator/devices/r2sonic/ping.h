@@ -22,9 +22,9 @@ double ping_period(const Controls& controls, const Settings& settings);
 std::size_t samples(const Controls& controls, const Settings& settings);
 /// Samples that one bin of the echogram holds, so that its size stays bounded.
 std::size_t samples_per_bin(std::size_t samples);
-/// Receive beam width across, transmit beam width along track, rad.
-double receive_beam_width(const Controls& controls);
-double transmit_beam_width(const Controls& controls);
+/// Receive beam width across, transmit beam width along track, rad, at the commanded frequency.
+double receive_beam_width(const Controls& controls, const Acoustics& acoustics);
+double transmit_beam_width(const Controls& controls, const Acoustics& acoustics);
 
 /// Beam angles, rad, port to starboard, exactly those that a reader of `section` computes.
 struct Beams {

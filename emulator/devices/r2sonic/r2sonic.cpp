@@ -127,13 +127,10 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
     ++counters_.pings;
     const double c = working_sound_speed(ping_.controls, settings_);
     const double window = static_cast<double>(echogram.shot.bins) * echogram.shot.bin_interval;
-    const bool paper = echogram.rule == EchoRule::cerqueira2016;
-    const auto threshold =
-        static_cast<float>(paper ? 0.05 : std::pow(10.0, settings_.detection_threshold / 10));
     std::vector<Detection> detections(beams);
     for (std::size_t n = 0; n < beams; ++n) {
         const TimeGate gate = beam_gate(ping_.controls, ping_.beams.angles[n], c, last_depth_, window);
-        detections[n] = detect(echogram, n, gate, threshold);
+        detections[n] = detect(echogram, n, gate, settings_.acoustics.detection_margin);
     }
     const TimeGate axis_gate = beam_gate(ping_.controls, 0, c, last_depth_, window);
     last_depth_ = median_depth(detections, ping_.beams.angles, c);

@@ -15,7 +15,37 @@ wire::Text<12> serial_number(const std::string& text) {
     return std::string_view(text);
 }
 
+Acoustics read_acoustics(const Profile& p) {
+    Acoustics a;
+    a.reference_frequency = figure(p, "reference_frequency");
+    a.receive_beam_width = deg_to_rad(figure(p, "receive_beam_width"));
+    a.transmit_beam_width = deg_to_rad(figure(p, "transmit_beam_width"));
+    a.wide_transmit_beam_width = deg_to_rad(figure(p, "wide_transmit_beam_width"));
+    a.horizontal = axis_pattern(p, "horizontal");
+    a.vertical = axis_pattern(p, "vertical");
+    a.receiver = receiver(p);
+    a.receiver.bandwidth = figure(p, "receiver_bandwidth");
+    a.image_reference = figure(p, "image_reference");
+    a.detection_margin = figure(p, "detection_margin");
+    return a;
+}
+
 }  // namespace
+
+std::vector<FigureRow> figure_table() {
+    std::vector<FigureRow> rows{
+        {"reference_frequency", "Hz", "at which beam widths and directivity index are given", 10e3, 10e6},
+        {"receive_beam_width", "deg", "-3 dB full width across track, one way", 0.05, 20},
+        {"transmit_beam_width", "deg", "-3 dB full width along track, one way, narrow projector", 0.05, 20},
+        {"wide_transmit_beam_width", "deg", "the same, wide projector", 0.05, 25},
+        {"receiver_bandwidth", "Hz", "for the noise; in H0", 100, 1e6},
+        {"image_reference", "dB re 1 uPa", "level after gain that reads 255 at 0 dB brightness", 0, 300},
+        {"detection_margin", "dB", "echoes that are not so far above the noise are no bottom", 0, 60},
+    };
+    auto common = common_figures();
+    std::move(common.begin(), common.end(), std::back_inserter(rows));
+    return rows;
+}
 
 std::vector<Option> option_table() {
     return {
@@ -42,10 +72,6 @@ std::vector<Option> option_table() {
         text_row("serial", "100017", "serial number of the head, at most 12 characters", "manual's example"),
         text_row("sim_serial", "100117", "serial number of the SIM, at most 12 characters",
                  "manual's example"),
-        number_row("image_reference", "dB re 1 uPa", 170, 0, 300,
-                   "level after gain that reads 255 at 0 dB brightness", "own choice"),
-        number_row("detection_threshold", "dB re 1 uPa", 60, -100, 250, "weaker echoes are no bottom",
-                   "thermal noise at 400 kHz in 30 kHz, less 20 dB of directivity"),
         number_row("datagram_gap", "s", 0.3e-3, 0, 0.1, "pause between the datagrams of one image",
                    "receivers with default buffers lose faster bursts"),
         choice_row("discovery_reply", {"sender", "gui", "none"}, "where R2DI goes", manual),
@@ -75,8 +101,8 @@ Settings read_settings(const DeviceConfig& config) {
     c.image_height = static_cast<std::uint32_t>(integer(o, "image_height"));
     c.image_brightness = number(o, "image_brightness");
     c.projector = text(o, "projector") == "wide" ? 2 : 1;
-    s.image_reference = number(o, "image_reference");
-    s.detection_threshold = number(o, "detection_threshold");
+    s.acoustics = read_acoustics(config.profile);
+    s.tvg = config.effects.has(Effect::tvg);
     s.datagram_gap = number(o, "datagram_gap");
     s.answer_discovery = text(o, "discovery_reply") != "none";
     s.discovery_to_sender = text(o, "discovery_reply") == "sender";

@@ -1,4 +1,4 @@
-// The options of a Sonic 20xx as typed values. Data only.
+// The options and the profile of a Sonic 20xx as typed values. Data only.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,23 @@
 
 namespace echoloop::r2sonic_device {
 
+/// Figures of the profile; beam widths in rad at the reference frequency.
+struct Acoustics {
+    double reference_frequency = 0;  ///< Hz
+    double receive_beam_width = 0, transmit_beam_width = 0, wide_transmit_beam_width = 0;
+    AxisPattern horizontal, vertical;
+    Receiver receiver;            ///< its directivity index at the reference frequency
+    double image_reference = 0;   ///< dB re 1 uPa after gain: reads 255 in the image at 0 dB brightness
+    double detection_margin = 0;  ///< dB above the noise; an echo below is no bottom
+};
+
 struct Settings {
     wire::Text<12> model = "2024";
     wire::Text<12> serial = "100017", sim_serial = "100117";
-    Controls start;                  ///< the controls at power-up
-    double image_reference = 0;      ///< dB re 1 uPa after gain: reads 255 in the image at 0 dB brightness
-    double detection_threshold = 0;  ///< dB re 1 uPa; an echo below is no bottom
-    double datagram_gap = 0;         ///< s between the datagrams of an image
+    Controls start;  ///< the controls at power-up
+    Acoustics acoustics;
+    bool tvg = true;          ///< the effect of that name
+    double datagram_gap = 0;  ///< s between the datagrams of an image
     bool discovery_to_sender = true;
     bool answer_discovery = true;
     double sound_speed = 1500;  ///< m/s, at the head's own sensor: the true one
@@ -24,7 +34,8 @@ struct Settings {
 };
 
 std::vector<Option> option_table();
-/// From a complete set of options.
+std::vector<FigureRow> figure_table();
+/// From complete options and a complete profile.
 Settings read_settings(const DeviceConfig& config);
 
 }  // namespace echoloop::r2sonic_device

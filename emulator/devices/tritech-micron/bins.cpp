@@ -14,9 +14,9 @@ std::uint8_t to_count(double fraction) {
 }
 
 /// Time-varied gain in dB at slant range `range`; none closer than a metre.
-double tvg(double range, const Settings& settings) {
+double tvg(double range, const Acoustics& acoustics) {
     const double r = std::max(range, 1.0);
-    return settings.tvg_spreading * std::log10(r) + 2 * settings.tvg_absorption * r;
+    return acoustics.tvg_spreading * std::log10(r) + 2 * acoustics.tvg_absorption * r;
 }
 
 }  // namespace
@@ -28,9 +28,10 @@ std::vector<std::uint8_t> levels_8bit(const Echogram& echogram, const Settings& 
         std::transform(beam.begin(), beam.end(), levels.begin(), [](float v) { return to_count(v); });
         return levels;
     }
-    const double gain_db = full_scale_db * std::min<int>(gain, 210) / 210.0 - settings.reference_level;
+    const double gain_db =
+        full_scale_db * std::min<int>(gain, 210) / 210.0 - settings.acoustics.reference_level;
     for (std::size_t bin = 0; bin < beam.size(); ++bin) {
-        const double shown = level_db(beam[bin]) + tvg(echogram.bin_range(bin), settings) + gain_db;
+        const double shown = level_db(beam[bin]) + tvg(echogram.bin_range(bin), settings.acoustics) + gain_db;
         levels[bin] = to_count(shown / full_scale_db);
     }
     return levels;

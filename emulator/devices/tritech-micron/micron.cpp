@@ -173,7 +173,9 @@ void Micron::begin_line(Time now) {
     line_under_way_ = true;
     Shot shot = shot_from(*parameters_, settings_, scan_.position());
     shot.ping = ++ping_;
-    const Time due = now + ping_time(shot);
+    const Time answer = ping_time(shot);
+    shot.interval = to_seconds(answer + line_time(reply_bytes(shot)));  // if the driver asks in time
+    const Time due = now + answer;
     actions_.ping = Ping{std::move(shot), due};
     boot_.line_served(due);
 }
@@ -183,12 +185,16 @@ Time Micron::line_time(std::size_t frame_bytes) const {
                               : Time{};
 }
 
+std::size_t Micron::reply_bytes(const Shot& shot) const {
+    const bool bits8 = (parameters_->hd_ctrl & seanet::hd_ctrl::adc8on) != 0;
+    return head_data_overhead + (bits8 ? shot.bins : (shot.bins + 1) / 2);
+}
+
 /// From the transmission to the first byte of the reply; the line time follows on the wire.
 Time Micron::ping_time(const Shot& shot) const {
     const double window = static_cast<double>(shot.bins) * shot.bin_interval;
     const double motor = scan_.step() * parameters_->motor_time * 10e-6;
-    const bool bits8 = (parameters_->hd_ctrl & seanet::hd_ctrl::adc8on) != 0;
-    const double wire = to_seconds(line_time(head_data_overhead + (bits8 ? shot.bins : (shot.bins + 1) / 2)));
+    const double wire = to_seconds(line_time(reply_bytes(shot)));
     double period = settings_.period_scale * (window + motor);
     if (settings_.period_law == "B") period = 2 * period - wire;
     if (settings_.period_law == "fixed") period = settings_.fixed_period - wire;

@@ -43,6 +43,7 @@ class Micron final : public Device {
     void ask_for_line(Time now);
     void begin_line(Time now);
     Time line_time(std::size_t frame_bytes) const;
+    std::size_t reply_bytes(const Shot& shot) const;
     Time ping_time(const Shot& shot) const;
     seanet::HeadData head_data(const Echogram& echogram) const;
     template <class Message>

@@ -16,7 +16,7 @@ constexpr double default_range = 20;  // m
 std::unique_ptr<Device> make(const DeviceConfig& config) {
     if (config.endpoints.size() != 1)
         throw std::invalid_argument("a tritech-micron has one serial line: give exactly one endpoint");
-    return std::make_unique<Micron>(read_settings(config.options));
+    return std::make_unique<Micron>(read_settings(config));
 }
 
 /// Parameters of a plain driver: continuous 8-bit turn to the right, 500 bins, half gain.
@@ -29,7 +29,7 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     const double interval = 2 * range / config.sound_speed / turn_bins / ad_interval_unit;
     p.ad_interval = static_cast<std::uint16_t>(std::min(interval, 65535.0));
     const auto bearing = static_cast<std::uint16_t>((step * turn_step) % seanet::angle_units);
-    Shot shot = shot_from(p, read_settings(config.options), bearing);
+    Shot shot = shot_from(p, read_settings(config), bearing);
     shot.bin_interval = 2 * range / config.sound_speed / turn_bins;
     shot.ping = step + 1;
     return shot;
@@ -46,6 +46,12 @@ Model model() {
     m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
     m.turn_steps = turn_steps;
     m.options = option_table();
+    m.figures = figure_table();
+    m.profile = built_in_profile(m.name);
+    m.moved = {{"source_level", "source_level"},
+               {"reference_level", "reference_level"},
+               {"tvg_spreading", "tvg_spreading"},
+               {"tvg_absorption", "tvg_absorption"}};
     m.make = make;
     m.default_shot = default_shot;
     return m;

@@ -62,14 +62,6 @@ std::vector<Option> data_options() {
         integer_row("hd_ctrl_set", "", 0, 0, 65535, "bits forced to 1 in the HdCtrl of replies", spec),
         integer_row("hd_ctrl_clear", "", 0, 0, 65535, "bits forced to 0 in the HdCtrl of replies", spec),
         number_row("baud", "bit/s", 115200, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", spec),
-        number_row("source_level", "dB re 1 uPa at 1 m", 206, 100, 240, "transmitter",
-                   "own estimate, no public figure"),
-        number_row("reference_level", "dB re 1 uPa", 160, 0, 300,
-                   "level after TVG that reads 0 dB at zero gain",
-                   "own choice: a tank's echoes read up to 193 counts at half gain"),
-        number_row("tvg_spreading", "dB per decade of range", 30, 0, 60, "time-varied gain", "own choice"),
-        number_row("tvg_absorption", "dB/m", 0.2, 0, 2, "time-varied gain, one way",
-                   "Francois-Garrison at 700 kHz"),
     };
 }
 
@@ -77,7 +69,42 @@ void append(std::vector<Option>& all, std::vector<Option> more) {
     std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
+Acoustics read_acoustics(const Profile& p, bool tvg) {
+    Acoustics a;
+    a.frequency = figure(p, "frequency");
+    a.bandwidth = figure(p, "bandwidth");
+    a.shortest_pulse = figure(p, "shortest_pulse");
+    a.source_level = figure(p, "source_level");
+    a.beam_width = deg_to_rad(figure(p, "beam_width"));
+    a.fan_height = deg_to_rad(figure(p, "fan_height"));
+    a.horizontal = axis_pattern(p, "horizontal");
+    a.vertical = axis_pattern(p, "vertical");
+    a.receiver = receiver(p);
+    a.reference_level = figure(p, "reference_level");
+    a.tvg_spreading = tvg ? figure(p, "tvg_spreading") : 0;
+    a.tvg_absorption = tvg ? figure(p, "tvg_absorption") : 0;
+    return a;
+}
+
 }  // namespace
+
+std::vector<FigureRow> figure_table() {
+    std::vector<FigureRow> rows{
+        {"frequency", "Hz", "centre of the swept band", 10e3, 10e6},
+        {"bandwidth", "Hz", "width of the swept band; 0: a tone", 0, 5e6},
+        {"shortest_pulse", "s", "shorter commanded pulses are made as long", 1e-6, 1e-2},
+        {"source_level", "dB re 1 uPa at 1 m", "on the axis", 100, 240},
+        {"beam_width", "deg", "horizontal -3 dB full width, two-way", 0.1, 60},
+        {"fan_height", "deg", "vertical -3 dB full width, two-way", 0.1, 120},
+        {"tvg_spreading", "dB per decade of range", "time-varied gain", 0, 60},
+        {"tvg_absorption", "dB/m", "time-varied gain, one way", 0, 2},
+        {"reference_level", "dB re 1 uPa", "level after time-varied gain that reads 0 dB at zero gain", 0,
+         300},
+    };
+    auto common = common_figures();
+    std::move(common.begin(), common.end(), std::back_inserter(rows));
+    return rows;
+}
 
 std::vector<Option> option_table() {
     std::vector<Option> all = start_up_options();
@@ -86,7 +113,8 @@ std::vector<Option> option_table() {
     return all;
 }
 
-Settings read_settings(const Options& o) {
+Settings read_settings(const DeviceConfig& config) {
+    const Options& o = config.options;
     Settings s;
     s.node = static_cast<std::uint8_t>(integer(o, "node"));
     s.dst = text(o, "profile") == "dst";
@@ -114,10 +142,7 @@ Settings read_settings(const Options& o) {
     s.software_version = static_cast<std::uint8_t>(integer(o, "software_version"));
     s.serial_number = static_cast<std::uint16_t>(integer(o, "serial_number"));
     s.baud = number(o, "baud");
-    s.source_level = number(o, "source_level");
-    s.reference_level = number(o, "reference_level");
-    s.tvg_spreading = number(o, "tvg_spreading");
-    s.tvg_absorption = number(o, "tvg_absorption");
+    s.acoustics = read_acoustics(config.profile, config.effects.has(Effect::tvg));
     return s;
 }
 
@@ -128,23 +153,28 @@ std::size_t effective_bins(const seanet::HeadParameters& p, const Settings& sett
 }
 
 Shot shot_from(const seanet::HeadParameters& p, const Settings& settings, std::uint16_t bearing) {
-    // Data sheet of the Micron DST: 650-750 kHz chirp, beam 3 x 35 deg.
     constexpr double unit = 2 * std::numbers::pi / seanet::angle_units;
     constexpr double longest = 10.0;  // s; a window of 7.5 km, far beyond what the head can hear
     const bool mirrored = settings.obey_invert && (p.hd_ctrl & seanet::hd_ctrl::invert) != 0;
+    const Acoustics& a = settings.acoustics;
     Shot shot;
     shot.pan = (static_cast<double>(bearing) - 3200) * unit * (mirrored ? -1 : 1);
     shot.bearings = {0.0};
-    shot.beam_width = deg_to_rad(3);
-    shot.fan_height = deg_to_rad(35);
+    shot.beam_width = a.beam_width;
+    shot.fan_height = a.fan_height;
     shot.bins = effective_bins(p, settings);
     shot.bin_interval = std::max<int>(p.ad_interval, 5) * ad_interval_unit;
     shot.bin_interval = std::min(shot.bin_interval, longest / static_cast<double>(shot.bins));
-    shot.frequency = 700e3;
-    shot.bandwidth = 100e3;
-    shot.pulse_length = std::max<int>(p.tx_pulse, 37) * 1e-6;
+    shot.frequency = a.frequency;
+    shot.bandwidth = a.bandwidth;
+    shot.pulse_length = std::max(p.tx_pulse * 1e-6, a.shortest_pulse);
     const bool silent = (p.hd_ctrl & seanet::hd_ctrl::txoff) != 0;
-    shot.source_level = silent ? -300 : settings.source_level;
+    shot.source_level = silent ? -300 : a.source_level;
+    shot.horizontal = a.horizontal;
+    shot.vertical = a.vertical;
+    shot.receiver = a.receiver;
+    // A matched filter lets through as much noise as 1 / T, however wide the sweep.
+    shot.receiver.bandwidth = 1 / shot.pulse_length;
     return shot;
 }
 

@@ -1,4 +1,5 @@
-// The options of a Micron as typed values, and what it has learned from mtHeadCommand. Data only.
+// The options and the profile of a Micron as typed values, and what it has learned from mtHeadCommand. Data
+// only.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +13,19 @@
 #include "protocols/seanet/messages.h"
 
 namespace echoloop::micron {
+
+/// Figures of the profile, in radians where they are angles.
+struct Acoustics {
+    double frequency = 0, bandwidth = 0;  ///< Hz
+    double shortest_pulse = 0;            ///< s
+    double source_level = 0;              ///< dB re 1 uPa at 1 m
+    double beam_width = 0, fan_height = 0;
+    AxisPattern horizontal, vertical;
+    Receiver receiver;
+    double reference_level = 0;  ///< dB re 1 uPa after TVG: reads 0 dB at zero gain
+    double tvg_spreading = 0;    ///< dB per decade of range; 0 with the effect tvg off
+    double tvg_absorption = 0;   ///< dB/m one way; 0 with the effect tvg off
+};
 
 /// Emulator options; README.md of this folder explains each.
 struct Settings {
@@ -39,15 +53,16 @@ struct Settings {
     std::uint8_t software_version = 2;
     std::uint16_t serial_number = 1234;
     double baud = 115200;
-    double source_level = 0, reference_level = 0, tvg_spreading = 0, tvg_absorption = 0;
+    Acoustics acoustics;
 
     int bin_limit() const { return dst ? 1500 : 800; }
 };
 
-/// From a complete set of options.
-Settings read_settings(const Options& options);
-/// The table that `echoloop list` shows.
+/// From complete options and a complete profile.
+Settings read_settings(const DeviceConfig& config);
+/// The tables that `echoloop list` shows.
 std::vector<Option> option_table();
+std::vector<FigureRow> figure_table();
 
 /// The ping that follows from the parameters a driver has sent: true range is NBins * ADInterval * 640 ns * c
 /// / 2.

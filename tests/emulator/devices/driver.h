@@ -13,6 +13,7 @@
 #include "emulator/device.h"
 #include "emulator/model.h"
 #include "emulator/options.h"
+#include "emulator/scenario/profile_section.h"
 
 namespace echoloop::test {
 
@@ -49,15 +50,22 @@ inline Echogram echo_of(const Shot& shot, std::size_t bin, float power) {
     return echogram;
 }
 
-/// A model's device with default options, some of them changed.
+/// A model's device with its own profile and default options, some of them changed.
+inline DeviceConfig make_config(const Model& row, const Options& changes = {}) {
+    DeviceConfig config;
+    config.name = "under test";
+    config.endpoints = row.default_endpoints;
+    config.options = default_options(row);
+    config.profile = own_profile(row);
+    for (const auto& [name, value] : changes) config.options.at(name) = value;
+    return config;
+}
+
 inline std::unique_ptr<Device> make_device(const std::string& model, std::vector<std::string> endpoints = {},
                                            const Options& changes = {}) {
     const Model& row = *find_model(model);
-    DeviceConfig config;
-    config.name = "under test";
-    config.endpoints = endpoints.empty() ? row.default_endpoints : std::move(endpoints);
-    config.options = default_options(row);
-    for (const auto& [name, value] : changes) config.options.at(name) = value;
+    DeviceConfig config = make_config(row, changes);
+    if (!endpoints.empty()) config.endpoints = std::move(endpoints);
     return row.make(config);
 }
 
