@@ -1,5 +1,6 @@
-// Echoes that the rasteriser cannot see: targets of declared strength, and those that come by way of the surface, the
-// bottom or a corner. Rays through the scene with Embree; knows no GL and no protocol.
+// Echoes that the rasteriser cannot see: targets of declared strength, and those that come by way of the
+// surface, the bottom or a corner. Rays through the scene with Embree; never moves or changes a direct echo,
+// knows no GL.
 #pragma once
 
 #include <memory>
@@ -12,27 +13,30 @@
 
 namespace echoloop {
 
-/// The water's surface, a flat and pressure-releasing plane: reflection -1 times exp(-2 (k s sin g)^2), one way.
+/// The water's surface, a flat and pressure-releasing plane: reflection -1 times exp(-2 (k s sin g)^2), one
+/// way.
 struct WaterSurface {
     double height = 0;     ///< m, z in the world
     double roughness = 0;  ///< m, rms wave height s
 };
 
-/// Diffuse echo by an indirect path, already with source level, spreading, absorption, reflections and the patterns of
-/// both directions except the receiver's horizontal one of a fan of several beams.
+/// Diffuse echo by an indirect path, already with source level, spreading, absorption, reflections and the
+/// patterns of both directions except the receiver's horizontal one of a fan of several beams.
 struct PathEcho {
-    float near_range = 0, far_range = 0;  ///< m, apparent slant range: half the path's length; spread evenly between
-    float power = 0;                      ///< uPa^2, as if the pulse were infinitely short
-    float bearing = 0;                    ///< rad, where it arrives from, relative to Shot::pan
+    float near_range = 0,
+          far_range = 0;  ///< m, apparent slant range: half the path's length; spread evenly between
+    float power = 0;      ///< uPa^2, as if the pulse were infinitely short
+    float bearing = 0;    ///< rad, where it arrives from, relative to Shot::pan
 };
 
-/// The echo of a target of declared strength by one of its paths.
+/// The echo of a target of declared strength by one of its paths, or that of a corner. Echoes of one range
+/// and bearing add coherently.
 struct TargetEcho {
-    double range = 0;      ///< m, apparent slant range
-    double power = 0;      ///< uPa^2, all but the receiver's horizontal pattern of a fan of several beams
-    double phase = 0;      ///< rad, of the path's length and reflections
-    double bearing = 0;    ///< rad, of arrival, relative to Shot::pan
-    int bounces = 0;       ///< reflections on the way there and back
+    double range = 0;    ///< m, apparent slant range
+    double power = 0;    ///< uPa^2, all but the receiver's horizontal pattern of a fan of several beams
+    double phase = 0;    ///< rad, of the path's length and reflections
+    double bearing = 0;  ///< rad, of arrival, relative to Shot::pan
+    int bounces = 0;     ///< reflections on the way there and back
 };
 
 struct PathEchoes {
@@ -46,10 +50,10 @@ class PathTracer {
     PathTracer(std::shared_ptr<const Scene> scene, std::optional<WaterSurface> surface, Effects effects);
     ~PathTracer();
 
-    /// Adds the echoes of one ping to `out`. `absorption` in Np/m (0 when off), `end_range` in m. Cost is bounded:
-    /// a fixed number of rays, placed by the low-discrepancy sequence of the ping's number.
-    void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption, double end_range,
-               PathEchoes& out);
+    /// Adds the echoes of one ping to `out`. `absorption` in Np/m (0 when off), `end_range` in m. Cost is
+    /// bounded: a fixed number of rays, placed by the low-discrepancy sequence of the ping's number.
+    void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
+               double end_range, PathEchoes& out);
 
     /// False where trace() could add nothing: no targets, and multipath off.
     bool needed() const;

@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <initializer_list>
+
+#include "render/paths/corners.h"
+#include "render/paths/lobe_cells.h"
+#include "render/paths/searches.h"
+
+namespace echoloop {
+namespace {
+
+constexpr double weakest_reflection = 1e-2;  ///< amplitude; what is weaker is not followed
+constexpr double weakest_pattern = 1e-3;     ///< the same of the two patterns together
+
+/// What a cell's rays see if its surfaces went on as planes, for the stretch of range that the cell's echo
+/// covers.
+class Tangent {
+  public:
+    Tangent(const PathPing& ping, const Encounter& scatterer, Vec3 mirror_point, Vec3 mirror_normal,
+            bool reflected)
+        : sonar_(ping.sonar),
+          mirror_point_(mirror_point),
+          mirror_normal_(mirror_normal),
+          reflected_(reflected),
+          on_(scatterer.point),
+          normal_(scatterer.normal) {
+        if (!reflected_) return;
+        on_ = mirrored(on_, mirror_point_, mirror_normal_);
+        normal_ = normal_ - 2 * dot(normal_, mirror_normal_) * mirror_normal_;
+    }
+
+    struct Lengths {
+        double ray, other;  ///< m, the ray's own way and the other one
+    };
+    /// Of a ray near one of the length `near`, which bounds what is taken from a plane that it grazes.
+    Lengths at(Vec3 direction, double near) const {
+        const double slope = dot(direction, normal_);
+        const double length = slope < 0 ? dot(on_ - sonar_, normal_) / slope : 2 * near;
+        const double ray = std::clamp(length, near / 2, 2 * near);
+        return {ray, norm(mirrored(sonar_ + ray * direction, mirror_point_, mirror_normal_) - sonar_)};
+    }
+
+  private:
+    Vec3 sonar_, mirror_point_, mirror_normal_;
+    bool reflected_;
+    Vec3 on_, normal_;
+};
+
+class DiffuseSearch {
+  public:
+    DiffuseSearch(const PathPing& ping, std::vector<PathEcho>& out, std::vector<Corner>& corners)
+        : ping_(ping),
+          cells_(ping.shot, ping.pattern.half_width(), ping.pattern.half_height()),
+          out_(out),
+          corners_(ping, corners) {
+        const auto& bearings = ping.shot.bearings;
+        if (bearings.size() > 1)
+            spacing_ = (bearings.back() - bearings.front()) / static_cast<double>(bearings.size() - 1);
+    }
+
+    void run() {
+        for (const LobeCell& cell : cells_.cells()) {
+            const Vec3 direction = rotate(ping_.world_from_fan, fan_direction(cell.bearing, cell.elevation));
+            const auto first = ping_.space.meet(ping_.sonar, direction, 2 * ping_.end_range);
+            if (!first) continue;
+            if (std::abs(first->reflection) > weakest_reflection) follow_mirror(cell, direction, *first);
+            if (first->mu > 0) return_by_surface(cell, direction, *first);
+        }
+    }
+
+  private:
+    /// Mirror first, scatterer second.
+    void follow_mirror(const LobeCell& cell, Vec3 direction, const Encounter& mirror) {
+        const Vec3 onward = direction - 2 * dot(direction, mirror.normal) * mirror.normal;
+        const auto met = ping_.space.meet(mirror.point, onward, 2 * ping_.end_range - mirror.range);
+        if (!met) return;
+        corners_.note(mirror, *met, onward);
+        if (met->mu == 0) return;
+        const Way way{ping_.seen(direction), mirror.range + met->range, mirror.reflection,
+                      -dot(onward, met->normal), 1};
+        const Tangent tangent(ping_, *met, mirror.point, mirror.normal, true);
+        add_echoes(cell, way, facing(direct_way(ping_, met->point), *met, ping_.sonar), *met, tangent);
+    }
+
+    /// Scatterer first, and the way by the surface leaves outside the cells, so that no ray finds it.
+    void return_by_surface(const LobeCell& cell, Vec3 direction, const Encounter& met) {
+        const auto surface = ping_.space.surface_above(ping_.sonar);
+        if (!surface || met.range >= ping_.end_range) return;
+        const Vec3 on{0, 0, surface->height}, down{0, 0, -1};
+        const Vec3 image = mirrored(ping_.sonar, on, down);
+        const Vec3 leaving = mirrored(met.point, on, down) - ping_.sonar;
+        const Vec3 in_fan = rotate(conjugate(ping_.world_from_fan), 1 / norm(leaving) * leaving);
+        const FanDirection up = ping_.pattern.at(in_fan), here = ping_.seen(direction);
+        const double weight = std::abs(up.transmit * here.receive) + std::abs(up.receive * here.transmit);
+        if (weight < weakest_pattern || cells_.contains(up.bearing, std::asin(in_fan.z))) return;
+        const auto other = facing(surface_way(ping_, met.point), met, image);
+        if (!other) return;
+        const Way way{here, met.range, 1, -dot(direction, met.normal), 0};
+        const Tangent tangent(ping_, met, on, down, false);
+        add_pair(cell, way, *other, met, tangent);
+        add_same(cell, way, *other, met, tangent);
+    }
+
+    /// With the cosine of incidence from `from`; empty where that is behind the surface.
+    static std::optional<Way> facing(std::optional<Way> way, const Encounter& met, Vec3 from) {
+        if (!way) return way;
+        way->cosine = dot(from - met.point, met.normal) / norm(from - met.point);
+        return way->cosine > 0 ? way : std::nullopt;
+    }
+
+    void add_echoes(const LobeCell& cell, const Way& way, const std::optional<Way>& other,
+                    const Encounter& met, const Tangent& tangent) {
+        add_same(cell, way, way, met, tangent);
+        if (other) add_pair(cell, way, *other, met, tangent);
+    }
+
+    /// There and back by `used`; the cell's ray went by `way` and so measures the area.
+    void add_same(const LobeCell& cell, const Way& way, const Way& used, const Encounter& met,
+                  const Tangent& tangent) {
+        const double strength = met.mu * used.cosine * used.cosine * area(cell, way);
+        const bool own = &used == &way;
+        ping_.echo(used, [&](const PairEcho& echo) {
+            add(cell, way, tangent, echo, strength,
+                [own](Tangent::Lengths l) { return own ? l.ray : l.other; });
+        });
+    }
+
+    void add_pair(const LobeCell& cell, const Way& way, const Way& other, const Encounter& met,
+                  const Tangent& tangent) {
+        const double strength = met.mu * way.cosine * other.cosine * area(cell, way);
+        ping_.echo(way, other, [&](const PairEcho& echo) {
+            add(cell, way, tangent, echo, strength, [](Tangent::Lengths l) { return (l.ray + l.other) / 2; });
+        });
+    }
+
+    static double area(const LobeCell& cell, const Way& way) {
+        return way.length * way.length * cell.solid_angle / std::max(way.cosine, 1e-3);
+    }
+
+    template <typename Apparent>
+    void add(const LobeCell& cell, const Way& way, const Tangent& tangent, const PairEcho& echo,
+             double strength, Apparent&& apparent) {
+        double near = echo.range, far = echo.range;
+        for (const double elevation : {cell.low, cell.high}) {
+            const Vec3 edge = rotate(ping_.world_from_fan, fan_direction(cell.bearing, elevation));
+            const double range = apparent(tangent.at(edge, way.length));
+            near = std::min(near, range);
+            far = std::max(far, range);
+        }
+        const double power = echo.amplitude * echo.amplitude * strength;
+        if (power > 0)
+            fill_beams(cell, echo.bearing,
+                       {static_cast<float>(near), static_cast<float>(far), static_cast<float>(power), 0});
+    }
+
+    /// A cell is wider than a beam: its echo comes from all its bearings.
+    void fill_beams(const LobeCell& cell, double bearing, PathEcho echo) {
+        const double width = cell.last_bearing - cell.first_bearing;
+        const int copies = spacing_ > 0 ? std::clamp(static_cast<int>(std::ceil(width / spacing_)), 1, 4) : 1;
+        const double first = bearing - (cell.bearing - cell.first_bearing);
+        echo.power /= static_cast<float>(copies);
+        for (int i = 0; i < copies; ++i) {
+            echo.bearing = static_cast<float>(copies == 1 ? bearing : first + (i + 0.5) / copies * width);
+            out_.push_back(echo);
+        }
+    }
+
+    const PathPing& ping_;
+    LobeCells cells_;
+    std::vector<PathEcho>& out_;
+    CornerList corners_;
+    double spacing_ = 0;
+};
+
+}  // namespace
+
+void find_diffuse_echoes(const PathPing& ping, std::vector<PathEcho>& out, std::vector<Corner>& corners) {
+    DiffuseSearch(ping, out, corners).run();
+}
+
+}  // namespace echoloop

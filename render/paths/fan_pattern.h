@@ -1,0 +1,53 @@
+// What a shot's aperture makes of a direction: amplitude on transmission and on reception, and the bearing.
+// Knows no scene.
+#pragma once
+
+#include <optional>
+
+#include "render/acoustics/pattern.h"
+#include "render/echogram.h"
+#include "render/effects.h"
+
+namespace echoloop {
+
+/// A direction as the aperture sees it.
+struct FanDirection {
+    double bearing = 0;                ///< rad, relative to Shot::pan, clockwise positive
+    double transmit = 0, receive = 0;  ///< amplitude relative to the axis, -1..1
+};
+
+/// Which way of an axis with AxisPattern::ways == 1 is directive: horizontally the receiver (multibeam sonars
+/// form their beams there), vertically the transmitter. The horizontal pattern counts for a single beam only:
+/// those who share echoes among the beams of a fan know theirs.
+class FanPattern {
+  public:
+    FanPattern(const Shot& shot, const Effects& effects);
+
+    /// Whether this is the pattern of `shot` too, so that it need not be made again.
+    bool fits(const Shot& shot) const;
+    /// `direction`: unit, in the frame of the fan: x along its axis, y to port, z up.
+    FanDirection at(Vec3 direction) const;
+
+    /// rad above and below the fan's plane, to the first nulls or the edge of the box.
+    double half_height() const { return half_height_; }
+    /// rad beside a beam's axis, the same.
+    double half_width() const { return half_width_; }
+
+  private:
+    struct Key {
+        AxisPattern horizontal, vertical;
+        double beam_width, fan_height, bearing;
+        bool single;
+        friend bool operator==(const Key&, const Key&) = default;
+    };
+    static Key key_of(const Shot& shot);
+    static double amplitude(const std::optional<TwoWayPattern>& pattern, double edge, bool side_lobes,
+                            double angle);
+
+    Key key_;
+    bool side_lobes_;
+    std::optional<TwoWayPattern> horizontal_, vertical_;  ///< empty: boxes
+    double half_width_, half_height_;
+};
+
+}  // namespace echoloop

@@ -1,0 +1,58 @@
+#include "render/paths/lobe_cells.h"
+
+#include <algorithm>
+
+namespace echoloop {
+namespace {
+
+constexpr std::size_t most_columns = 128, fan_cells = 512, most_rows = 32;
+
+/// k-th value of the sequence in 0..1: the fraction of k / g or k / g^2, g = 1.32471795724.
+double r2(std::uint64_t k, int axis) {
+    constexpr std::uint64_t step[2] = {0xC13FA9A902A6328F, 0x91E10DA5C79E7B1D};
+    return static_cast<double>((k * step[axis]) >> 11) * 0x1p-53;
+}
+
+}  // namespace
+
+LobeCells::LobeCells(const Shot& shot, double half_width, double half_height)
+    : half_height_(std::min(half_height, 1.5)) {
+    for (const double bearing : shot.bearings) {
+        if (!intervals_.empty() && bearing - half_width <= intervals_.back().last)
+            intervals_.back().last = bearing + half_width;
+        else
+            intervals_.push_back({bearing - half_width, bearing + half_width});
+    }
+    double total = 0;
+    for (const Interval& interval : intervals_) total += interval.last - interval.first;
+    const std::size_t wished = std::clamp(shot.bearings.size(), std::size_t{2}, most_columns);
+    const std::size_t rows = std::min(most_rows, fan_cells / wished);
+    std::uint64_t k = shot.ping * fan_cells;
+    for (const Interval& interval : intervals_) {
+        const double length = interval.last - interval.first;
+        const double columns = std::ceil(length / total * static_cast<double>(wished) - 1e-9);
+        for (double column = 0; column < columns; ++column)
+            for (std::size_t row = 0; row < rows; ++row, ++k) {
+                LobeCell cell;
+                cell.first_bearing = interval.first + length * column / columns;
+                cell.last_bearing = interval.first + length * (column + 1) / columns;
+                cell.low = half_height_ * (2.0 * static_cast<double>(row) / static_cast<double>(rows) - 1);
+                cell.high =
+                    half_height_ * (2.0 * static_cast<double>(row + 1) / static_cast<double>(rows) - 1);
+                cell.bearing = std::lerp(cell.first_bearing, cell.last_bearing, r2(k, 0));
+                cell.elevation = std::lerp(cell.low, cell.high, r2(k, 1));
+                // Of this ray: the mean over pings is the integral over the cell.
+                cell.solid_angle = (cell.last_bearing - cell.first_bearing) * (cell.high - cell.low) *
+                                   std::cos(cell.elevation);
+                cells_.push_back(cell);
+            }
+    }
+}
+
+bool LobeCells::contains(double bearing, double elevation) const {
+    if (std::abs(elevation) > half_height_) return false;
+    return std::ranges::any_of(
+        intervals_, [bearing](const Interval& i) { return bearing >= i.first && bearing <= i.last; });
+}
+
+}  // namespace echoloop

@@ -1,0 +1,90 @@
+// One ping for those who look for its paths: where the sonar is, what it makes of directions and of path
+// lengths. Finds no path itself.
+#pragma once
+
+#include <cmath>
+
+#include "render/paths/fan_pattern.h"
+#include "render/paths/path_space.h"
+
+namespace echoloop {
+
+/// A way from the sonar to a scatterer.
+struct Way {
+    FanDirection at_sonar;
+    double length = 0;      ///< m
+    double reflection = 1;  ///< product of the amplitudes of its reflections
+    double cosine = 1;      ///< of incidence at the scatterer, where that is a surface
+    int bounces = 0;
+};
+
+/// An echo of a scatterer of unit cross-section by one way there and one way back.
+struct PairEcho {
+    double range = 0;      ///< m, apparent: half the length of both ways
+    double amplitude = 0;  ///< uPa; negative: turned by pi
+    double bearing = 0;    ///< rad, of arrival, relative to Shot::pan
+};
+
+struct PathPing {
+    const Shot& shot;
+    const PathSpace& space;
+    const FanPattern& pattern;
+    Vec3 sonar;
+    Quat world_from_fan;
+    double absorption = 0;  ///< Np/m
+    double wavenumber = 0;  ///< rad/m
+    double end_range = 0;   ///< m
+    bool spreading = true;
+    double source = 0;  ///< uPa at 1 m
+
+    FanDirection seen(Vec3 world_direction) const {
+        return pattern.at(rotate(conjugate(world_from_fan), world_direction));
+    }
+
+    /// uPa for amplitude 1 of the patterns, by ways of the lengths `there` and `back`.
+    double arrival(double there, double back) const {
+        const double range = (there + back) / 2;
+        const double spread = (spreading ? 1 : range * range) / (there * back);
+        return source * spread * std::exp(-absorption * (there + back));
+    }
+
+    /// Calls `add` with the echo there and back by one way.
+    template <typename Add>
+    void echo(const Way& way, Add&& add) const {
+        if (way.length >= end_range) return;
+        const double patterns = way.at_sonar.transmit * way.at_sonar.receive;
+        add(PairEcho{way.length, arrival(way.length, way.length) * patterns * way.reflection * way.reflection,
+                     way.at_sonar.bearing});
+    }
+
+    /// The same for two different ways: out by one and back by the other, and the reverse. Both take as long
+    /// and are in phase, so one beam hears the sum of their amplitudes; beams of a fan that look to different
+    /// sides hear one each.
+    template <typename Add>
+    void echo(const Way& a, const Way& b, Add&& add) const {
+        const double range = (a.length + b.length) / 2;
+        if (range >= end_range) return;
+        const double base = arrival(a.length, b.length) * a.reflection * b.reflection;
+        const double by_a = base * b.at_sonar.transmit * a.at_sonar.receive;
+        const double by_b = base * a.at_sonar.transmit * b.at_sonar.receive;
+        const double apart = std::abs(a.at_sonar.bearing - b.at_sonar.bearing);
+        if (shot.bearings.size() == 1 || apart < shot.beam_width / 2) {
+            const bool rather_a = std::abs(by_a) > std::abs(by_b);
+            add(PairEcho{range, by_a + by_b, rather_a ? a.at_sonar.bearing : b.at_sonar.bearing});
+        } else {
+            add(PairEcho{range, by_a, a.at_sonar.bearing});
+            add(PairEcho{range, by_b, b.at_sonar.bearing});
+        }
+    }
+};
+
+/// The way straight to `point`, or empty where something is between.
+std::optional<Way> direct_way(const PathPing& ping, Vec3 point);
+
+/// The way by the water's surface, or empty.
+std::optional<Way> surface_way(const PathPing& ping, Vec3 point);
+
+/// Ways by one reflection at triangles: below, and on the four sides, of the middle between sonar and point.
+std::vector<Way> scene_ways(const PathPing& ping, Vec3 point);
+
+}  // namespace echoloop

@@ -1,0 +1,64 @@
+#include <numbers>
+
+#include "render/fan/view.h"
+#include "render/paths/searches.h"
+#include "render/water.h"
+
+namespace echoloop {
+
+class PathTracer::Impl {
+  public:
+    Impl(std::shared_ptr<const Scene> scene, std::optional<WaterSurface> surface, Effects effects)
+        : scene_(std::move(scene)), surface_(surface), effects_(effects) {
+        if (!scene_) throw std::invalid_argument("paths: there is no scene");
+    }
+
+    bool needed() const { return multipath() || !scene_->point_targets().empty(); }
+
+    void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
+               double end_range, PathEchoes& out) {
+        if (!needed()) return;
+        if (!space_) space_.emplace(scene_, surface_);
+        if (!pattern_ || !pattern_->fits(shot)) pattern_.emplace(shot, effects_);
+        const double wavenumber = 2 * std::numbers::pi * shot.frequency / sound_speed;
+        space_->set_wavenumber(wavenumber);
+        const PathPing ping{shot,
+                            *space_,
+                            *pattern_,
+                            world_from_sonar.position,
+                            world_from_sonar.orientation * sonar_from_fan(shot.pan, shot.tilt),
+                            absorption,
+                            wavenumber,
+                            end_range,
+                            effects_.has(Effect::spreading),
+                            db_to_amplitude(shot.source_level)};
+        find_target_echoes(ping, scene_->point_targets(), multipath(), out.targets);
+        if (!multipath()) return;
+        corners_.clear();
+        find_diffuse_echoes(ping, out.diffuse, corners_);
+        find_corner_echoes(ping, corners_, out.targets);
+    }
+
+  private:
+    bool multipath() const { return effects_.has(Effect::multipath); }
+
+    std::shared_ptr<const Scene> scene_;
+    std::optional<WaterSurface> surface_;
+    Effects effects_;
+    std::optional<PathSpace> space_;
+    std::optional<FanPattern> pattern_;
+    std::vector<Corner> corners_;
+};
+
+PathTracer::PathTracer(std::shared_ptr<const Scene> scene, std::optional<WaterSurface> surface,
+                       Effects effects)
+    : impl_(std::make_unique<Impl>(std::move(scene), surface, effects)) {}
+PathTracer::~PathTracer() = default;
+
+void PathTracer::trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
+                       double end_range, PathEchoes& out) {
+    impl_->trace(shot, world_from_sonar, sound_speed, absorption, end_range, out);
+}
+bool PathTracer::needed() const { return impl_->needed(); }
+
+}  // namespace echoloop

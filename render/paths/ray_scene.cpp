@@ -1,0 +1,152 @@
+#include "render/paths/ray_scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace echoloop {
+namespace {
+
+template <typename T, void (*release)(T)>
+struct Releaser {
+    using pointer = T;
+    void operator()(T handle) const { release(handle); }
+};
+template <typename T, void (*release)(T)>
+using Handle = std::unique_ptr<T, Releaser<T, release>>;
+
+/// Embree's normal has the direction of the winding: a ray that runs along with it comes from behind.
+void reject_from_behind(const RTCFilterFunctionNArguments* arguments) {
+    const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
+    const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+    if (ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z >= 0)
+        arguments->valid[0] = 0;
+}
+
+RTCRay embree_ray(Vec3 origin, Vec3 direction, double near, double far) {
+    RTCRay ray{};
+    ray.org_x = static_cast<float>(origin.x);
+    ray.org_y = static_cast<float>(origin.y);
+    ray.org_z = static_cast<float>(origin.z);
+    ray.dir_x = static_cast<float>(direction.x);
+    ray.dir_y = static_cast<float>(direction.y);
+    ray.dir_z = static_cast<float>(direction.z);
+    ray.tnear = static_cast<float>(near);
+    ray.tfar = static_cast<float>(far);
+    ray.mask = ~0U;
+    return ray;
+}
+
+/// Triangles that are there from one side only, or from both.
+struct TriangleSet {
+    std::vector<std::uint32_t> corners;          ///< three per triangle
+    std::vector<std::uint32_t> first, material;  ///< of each chunk: its first triangle, its material
+};
+
+TriangleSet collect(const Scene& scene, bool double_sided) {
+    TriangleSet set;
+    for (const SceneChunk& chunk : scene.chunks()) {
+        if (scene.materials()[chunk.material].double_sided != double_sided) continue;
+        set.first.push_back(static_cast<std::uint32_t>(set.corners.size() / 3));
+        set.material.push_back(chunk.material);
+        for (const std::uint16_t corner : scene.indices().subspan(chunk.first_index, chunk.indices))
+            set.corners.push_back(chunk.first_vertex + corner);
+    }
+    return set;
+}
+
+/// What a float resolves at the far end of the scene, eight times over.
+double skin_of(const Bounds& bounds) {
+    float most = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        most = std::max({most, std::abs(bounds.min[axis]), std::abs(bounds.max[axis])});
+    return std::max(2e-4, 1e-6 * static_cast<double>(most));
+}
+
+}  // namespace
+
+class RayScene::Impl {
+  public:
+    explicit Impl(std::shared_ptr<const Scene> scene)
+        // One thread: trees made by several can differ, and with them which of two equal hits is taken.
+        : scene_(std::move(scene)), skin_(skin_of(scene_->bounds())), device_(rtcNewDevice("threads=1")) {
+        if (!device_) throw std::runtime_error("paths: Embree cannot start; install libembree3-3");
+        tree_.reset(rtcNewScene(device_.get()));
+        for (const bool double_sided : {false, true}) attach(double_sided);
+        rtcCommitScene(tree_.get());
+        if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
+            throw std::runtime_error("paths: Embree cannot build its tree, error " + std::to_string(error) +
+                                     "; is there enough memory?");
+    }
+
+    std::optional<RayHit> hit(Vec3 origin, Vec3 direction, double end) const {
+        RTCRayHit query{embree_ray(origin, direction, skin_, end), {}};
+        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcIntersect1(tree_.get(), &context, &query);
+        if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+        Vec3 normal{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
+        normal = (dot(normal, direction) > 0 ? -1 : 1) / norm(normal) * normal;
+        return RayHit{query.ray.tfar, normal, material_of(query.hit)};
+    }
+
+    bool blocked(Vec3 from, Vec3 to) const {
+        const double length = norm(to - from);
+        if (length <= 2 * skin_) return false;
+        RTCRay ray = embree_ray(from, 1 / length * (to - from), skin_, length - skin_);
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcOccluded1(tree_.get(), &context, &ray);
+        return ray.tfar < 0;
+    }
+
+    double skin() const { return skin_; }
+
+  private:
+    void attach(bool double_sided) {
+        TriangleSet& set = sets_[double_sided];
+        set = collect(*scene_, double_sided);
+        if (set.corners.empty()) return;
+        const Handle<RTCGeometry, rtcReleaseGeometry> mesh(
+            rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+        // The position is followed by the normal, so that reading 16 bytes for a vertex stays within it.
+        rtcSetSharedGeometryBuffer(mesh.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                   scene_->vertices().data(), 0, sizeof(SceneVertex),
+                                   scene_->vertices().size());
+        rtcSetSharedGeometryBuffer(mesh.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, set.corners.data(),
+                                   0, 3 * sizeof(std::uint32_t), set.corners.size() / 3);
+        if (!double_sided) {
+            rtcSetGeometryIntersectFilterFunction(mesh.get(), reject_from_behind);
+            rtcSetGeometryOccludedFilterFunction(mesh.get(), reject_from_behind);
+        }
+        rtcCommitGeometry(mesh.get());
+        rtcAttachGeometryByID(tree_.get(), mesh.get(), double_sided);
+    }
+
+    std::uint32_t material_of(const RTCHit& hit) const {
+        const TriangleSet& set = sets_[hit.geomID];
+        const auto after = std::upper_bound(set.first.begin(), set.first.end(), hit.primID);
+        return set.material[static_cast<std::size_t>(after - set.first.begin()) - 1];
+    }
+
+    std::shared_ptr<const Scene> scene_;
+    double skin_;
+    TriangleSet sets_[2];
+    Handle<RTCDevice, rtcReleaseDevice> device_;
+    Handle<RTCScene, rtcReleaseScene> tree_;
+};
+
+RayScene::RayScene(std::shared_ptr<const Scene> scene) : impl_(std::make_unique<Impl>(std::move(scene))) {}
+RayScene::~RayScene() = default;
+std::optional<RayHit> RayScene::hit(Vec3 origin, Vec3 direction, double end) const {
+    return impl_->hit(origin, direction, end);
+}
+bool RayScene::blocked(Vec3 from, Vec3 to) const { return impl_->blocked(from, to); }
+double RayScene::skin() const { return impl_->skin(); }
+
+}  // namespace echoloop

@@ -1,0 +1,39 @@
+// Rays through a scene's triangles, by Embree. Double precision outside, single inside; knows no sound.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "render/scene/scene.h"
+
+namespace echoloop {
+
+struct RayHit {
+    double range = 0;            ///< m, along the ray
+    Vec3 normal;                 ///< of the triangle, unit, towards the ray's origin
+    std::uint32_t material = 0;  ///< in Scene::materials()
+};
+
+class RayScene {
+  public:
+    /// Builds the tree on the calling thread. Throws std::runtime_error when Embree cannot.
+    explicit RayScene(std::shared_ptr<const Scene> scene);
+    ~RayScene();
+
+    /// The first surface within `end` m along the unit vector `direction`; one-sided triangles are not there
+    /// from behind. A few tenths of a millimetre at the origin are left out, so that a ray can start on a
+    /// surface.
+    std::optional<RayHit> hit(Vec3 origin, Vec3 direction, double end) const;
+
+    /// Whether something lies between two points, either of which may be on a surface.
+    bool blocked(Vec3 from, Vec3 to) const;
+
+    /// m, the distance at a ray's ends within which nothing is seen.
+    double skin() const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace echoloop

@@ -1,0 +1,88 @@
+#include "render/paths/path_ping.h"
+
+namespace echoloop {
+namespace {
+
+constexpr double weakest = 1e-3;  ///< amplitude of a reflection: 60 dB below a perfect one
+
+/// A mirror that is taken for a plane.
+struct Plane {
+    Vec3 on, normal;
+};
+
+/// The way to `point` by a mirror: to where the sight line to its image crosses the mirror, and on.
+struct MirrorWay {
+    Vec3 direction, at;
+    double to_mirror, length;
+};
+
+std::optional<MirrorWay> by_mirror(Vec3 sonar, Vec3 point, const Plane& plane) {
+    const double before = dot(sonar - plane.on, plane.normal), behind = dot(point - plane.on, plane.normal);
+    if (!(before > 0 && behind > 0)) return std::nullopt;
+    const Vec3 to_image = mirrored(point, plane.on, plane.normal) - sonar;
+    const double length = norm(to_image), to_mirror = length * before / (before + behind);
+    const Vec3 direction = 1 / length * to_image;
+    return MirrorWay{direction, sonar + to_mirror * direction, to_mirror, length};
+}
+
+Way way_by(const PathPing& ping, const MirrorWay& found, double reflection) {
+    return {ping.seen(found.direction), found.length, reflection, 1, 1};
+}
+
+/// Aims at the image in the plane of the triangle that was met last, until the ray meets it where it should.
+std::optional<MirrorWay> settle(const PathPing& ping, Vec3 point, Plane plane, double& reflection) {
+    for (int round = 0; round < 4; ++round) {
+        const auto way = by_mirror(ping.sonar, point, plane);
+        if (!way) return std::nullopt;
+        const auto met = ping.space.meet(ping.sonar, way->direction, way->length);
+        if (!met || met->mu == 0 || std::abs(met->reflection) < weakest) return std::nullopt;
+        if (dot(met->normal, plane.normal) > 1 - 1e-6 &&
+            norm(met->point - way->at) < 1e-3 * (1 + way->length)) {
+            if (ping.space.blocked(way->at, point)) return std::nullopt;
+            reflection = met->reflection;
+            return way;
+        }
+        plane = {met->point, met->normal};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Way> direct_way(const PathPing& ping, Vec3 point) {
+    const double length = norm(point - ping.sonar);
+    if (length < 1e-3 || ping.space.blocked(ping.sonar, point)) return std::nullopt;
+    return Way{ping.seen(1 / length * (point - ping.sonar)), length, 1, 1, 0};
+}
+
+std::optional<Way> surface_way(const PathPing& ping, Vec3 point) {
+    const auto surface = ping.space.surface_above(ping.sonar);
+    if (!surface) return std::nullopt;
+    const auto way = by_mirror(ping.sonar, point, {{0, 0, surface->height}, {0, 0, -1}});
+    if (!way) return std::nullopt;
+    const double reflection = ping.space.surface_reflection(way->direction.z);
+    if (std::abs(reflection) < weakest) return std::nullopt;
+    if (ping.space.blocked(ping.sonar, way->at) || ping.space.blocked(way->at, point)) return std::nullopt;
+    return way_by(ping, *way, reflection);
+}
+
+std::vector<Way> scene_ways(const PathPing& ping, Vec3 point) {
+    std::vector<Way> ways;
+    std::vector<Vec3> known;
+    const Vec3 middle = 0.5 * (ping.sonar + point);
+    for (const Vec3 seed : {Vec3{0, 0, -1}, Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) {
+        const auto met = ping.space.meet(middle, seed, ping.end_range);
+        if (!met) continue;
+        double reflection = 0;
+        const auto way = settle(ping, point, {met->point, met->normal}, reflection);
+        if (!way) continue;
+        bool is_new = true;
+        for (const Vec3 other : known) is_new = is_new && norm(other - way->at) > 1e-2 * (1 + way->length);
+        if (!is_new) continue;
+        known.push_back(way->at);
+        ways.push_back(way_by(ping, *way, reflection));
+    }
+    return ways;
+}
+
+}  // namespace echoloop
