@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include "render/fan/plan_cache.h"
 #include "render/fan/truth.h"
 #include "render/gl/scene_drawer.h"
+#include "render/workers.h"
 
 namespace echoloop {
 namespace {
@@ -29,6 +31,10 @@ void validate(const Pose& pose) {
         throw std::invalid_argument("pose: orientation must be a unit quaternion");
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
 Pose world_from_fan(const Shot& shot, const Pose& world_from_sonar) {
     return world_from_sonar * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)};
 }
@@ -41,20 +47,19 @@ class Renderer::Impl {
         : water_(water),
           options_(std::move(options)),
           drawer_(checked_context(), std::move(scene)),
-          plans_({options_.columns_per_beam, options_.pixel_density}) {
+          plans_({options_.columns_per_beam, options_.pixel_density}),
+          binning_(workers_) {
         for (const std::uint32_t material : drawer_.material_of_surface())
-            mu_.push_back(static_cast<float>(db_to_power(drawer_.scene().materials()[material].mu_db)));
+            strength_.emplace_back(drawer_.scene().materials()[material]);
     }
 
     Echogram render(const Shot& shot, const Pose& pose) {
         const FanPlan& plan = draw(shot, pose);
-        Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, {}};
-        bin_pixels(
-            {plan, pixels_, mu_, offset_of(shot), options_.rule, out.sound_speed / 2 * shot.first_bin_time,
-             out.sound_speed / 2 * shot.bin_interval, shot.bearings.size(), shot.bins,
-             db_to_power(shot.source_level), db_to_neper(absorption_db_per_km(water_, shot.frequency) / 1e3)},
-            out.values);
+        Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}};
+        const auto begin = Clock::now();
+        binning_.bin(binning_input(shot, plan, out.sound_speed), out.values);
         out.truth = find_truth(plan, pixels_, shot.bearings, offset_of(shot));
+        profile_.bins = seconds_since(begin);
         return out;
     }
 
@@ -78,6 +83,28 @@ class Renderer::Impl {
         return gl::make_context(options_.context);
     }
 
+    BinningInput binning_input(const Shot& shot, const FanPlan& plan, double c) const {
+        return {plan,
+                pixels_,
+                strength_,
+                offset_of(shot),
+                options_.rule,
+                c / 2 * shot.first_bin_time,
+                c / 2 * shot.bin_interval,
+                shot.bins,
+                db_to_power(shot.source_level),
+                effects().has(Effect::absorption)
+                    ? db_to_neper(absorption_db_per_km(water_, shot.frequency) / 1e3)
+                    : 0,
+                effects().has(Effect::spreading),
+                paths_.diffuse};
+    }
+
+    /// The paper's rule has no acoustics.
+    Effects effects() const {
+        return options_.rule == EchoRule::radiometric ? options_.effects : Effects::none();
+    }
+
     PixelOffset offset_of(const Shot& shot) const {
         return options_.jitter ? jitter_of(shot.ping) : PixelOffset{};
     }
@@ -88,7 +115,7 @@ class Renderer::Impl {
             throw std::logic_error("a Renderer works only on the thread that made it");
         echoloop::validate(shot);
         validate(pose);
-        const FanPlan& plan = plans_.plan_for(geometry_of(shot));
+        const FanPlan& plan = plans_.plan_for(geometry_of(shot, effects()));
         const double end = echoloop::sound_speed(water_) / 2 *
                            (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
         drawer_.draw(plan, world_from_fan(shot, pose), end, offset_of(shot), pixels_);
@@ -97,8 +124,9 @@ class Renderer::Impl {
 
     void add_channels(ChannelImage& image, const FanPlan& plan, std::size_t line, std::size_t sample) const {
         const std::size_t at = line * plan.samples + sample;
-        const bool seen = pixels_[at].surface != 0 && plan.coverage[at] > 0;
         const View& view = plan.view_of(line);
+        const SampleRange nominal = plan.nominal[line];
+        const bool seen = pixels_[at].surface != 0 && sample >= nominal.first && sample < nominal.last;
         image.intensity.push_back(seen ? pixels_[at].cosine : 0);
         image.range.push_back(seen ? pixels_[at].range : std::numeric_limits<float>::quiet_NaN());
         image.bearing.push_back(
@@ -109,8 +137,11 @@ class Renderer::Impl {
     RendererOptions options_;
     std::thread::id thread_ = std::this_thread::get_id();
     gl::SceneDrawer drawer_;
-    std::vector<float> mu_;
+    std::vector<StrengthTable> strength_;
     PlanCache plans_;
+    Workers workers_;
+    Binning binning_;
+    PathEchoes paths_;
     std::vector<Pixel> pixels_;
     RenderProfile profile_;
 };

@@ -3,21 +3,23 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace echoloop {
 
+/// A row of bins that it does not own, and which of them hold anything.
 class LineBins {
   public:
-    explicit LineBins(std::size_t bins) : values_(bins), last_(static_cast<float>(bins)) {}
+    LineBins() = default;
+    LineBins(float* values, std::size_t bins)
+        : values_(values), bins_(bins), last_(static_cast<float>(bins)), begin_(bins) {}
 
-    /// Spreads `amount` over low..high, counted in bins from the leading edge of bin 0, with a density that
-    /// changes by the share `slope` per bin and has its mean in the middle.
+    /// Spreads `amount` over low..high, counted in bins from the leading edge of bin 0, with a density that changes by
+    /// the share `slope` per bin and has its mean in the middle.
     void deposit(float low, float high, float amount, float slope = 0) {
         if (!(high >= 0 && low < last_)) return;  // false for NaN
         const float from = std::max(low, 0.0F), to = std::min(high, last_);
         const auto first = static_cast<std::size_t>(from);
-        const std::size_t last = std::min(static_cast<std::size_t>(to), values_.size() - 1);
+        const std::size_t last = std::min(static_cast<std::size_t>(to), bins_ - 1);
         begin_ = std::min(begin_, first);
         end_ = std::max(end_, last + 1);
         const float width = high - low;
@@ -35,21 +37,27 @@ class LineBins {
         values_[last] += piece(static_cast<float>(last), to);
     }
 
-    /// Adds the bins that hold anything, times `weight`, to a beam's.
-    void add_to(float* beam, float weight) const {
-        for (std::size_t i = begin_; i < end_; ++i) beam[i] += weight * values_[i];
+    /// Adds another row's bins begin..end, times `weight`.
+    void add(const float* row, float weight, std::size_t begin, std::size_t end) {
+        begin_ = std::min(begin_, begin);
+        end_ = std::max(end_, end);
+        for (std::size_t i = begin; i < end; ++i) values_[i] += weight * row[i];
     }
 
     void clear() {
         for (std::size_t i = begin_; i < end_; ++i) values_[i] = 0;
-        begin_ = values_.size();
+        begin_ = bins_;
         end_ = 0;
     }
+    bool empty() const { return begin_ >= end_; }
+    std::size_t begin() const { return begin_; }
+    std::size_t end() const { return end_; }
 
   private:
-    std::vector<float> values_;
-    float last_;
-    std::size_t begin_ = values_.size(), end_ = 0;
+    float* values_ = nullptr;
+    std::size_t bins_ = 0;
+    float last_ = 0;
+    std::size_t begin_ = 0, end_ = 0;
 };
 
 }  // namespace echoloop

@@ -1,40 +1,79 @@
-// How a fan is drawn: its perspective views, the weight of every pixel, and which lines belong to which
-// beams. Depends on the fan's geometry only, so one plan serves many pings.
+// How a fan is drawn: its perspective views, the weight of every pixel, and which lines belong to which beams.
+// Depends on the fan's geometry only, so one plan serves many pings.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "render/echogram.h"
+#include "render/effects.h"
 #include "render/fan/view.h"
 
 namespace echoloop {
 
 struct PlanDensity {
-    double columns_per_beam = 3;
+    double columns_per_beam = 1.25;
     double pixels = 1;  ///< factor on the number of pixels
 };
 
-/// A share of a line's echo that goes to a beam.
-struct BeamShare {
-    std::uint32_t beam;
-    float weight;  ///< of the line's power, 0..1: a box of beam_width now; a beam pattern has its place here
+/// The lines whose echo a beam hears directly, in its main lobe and the side lobes next to it.
+struct BeamLines {
+    std::size_t first_line = 0, lines = 0;
+    std::size_t first_weight = 0;                      ///< in FanPlan::line_weight, one per line
+    std::size_t first_nominal = 0, nominal_lines = 0;  ///< lines that lie within beam_width
+};
+
+/// Samples first..last - 1 of a line lie within fan_height.
+struct SampleRange {
+    std::size_t first = 0, last = 0;
+};
+
+/// A far sector, and how much of a pixel or line goes to the next one: sectors are tents, so that coarse pixels leave
+/// no pattern.
+struct SectorShare {
+    std::uint16_t sector = 0;
+    float next = 0;
+};
+
+/// Beams that belong to one array, less than two beam widths apart; a side-scan sonar has two of them.
+struct FanPart {
+    std::size_t first_beam = 0, beams = 0;
+    std::size_t first_line = 0, lines = 0;          ///< of its level views
+    std::size_t first_surround = 0, surrounds = 0;  ///< its views of everything else
+    double centre = 0;                              ///< rad, bearing of the array's axis
+    double first_edge = 0, last_edge = 0;           ///< rad, bearings between which it is drawn finely
+    /// Far side lobes: `sectors` sums of echo (see far_lobes.h) feed every `beams_per_node`th beam with weights
+    /// far[node * sectors + sector]; the beams between are interpolated.
+    std::size_t first_sector = 0, sectors = 0, nodes = 0, beams_per_node = 1;
+    std::vector<float> far;
 };
 
 struct FanPlan {
-    std::vector<View> views;
-    std::size_t lines = 0, samples = 0;  ///< of the image that holds all views, one below the other
+    std::vector<FanPart> parts;
+    std::vector<View> views;  ///< level views first, ascending in bearing, then the surround views
+    std::size_t level_views = 0;
+    std::size_t lines = 0;        ///< of the level views
+    std::size_t image_lines = 0;  ///< of the image that holds all views, one below the other
+    std::size_t samples = 0;      ///< of a level line, and the image's width
 
-    /// Per pixel: the share 0..1 of the pixel within the fan's height (a box; a vertical pattern has its
-    /// place here), and the same times the pixel's solid angle in sr. lines x samples.
-    std::vector<float> coverage, solid_angle;
+    /// Per pixel of each distinct view, see View::first_pixel: the share 0..1 of the pixel that is drawn finely, and
+    /// the same times the pixel's solid angle in sr and its pattern.
+    std::vector<float> coverage, weight;
+    std::size_t first_surround_pixel = 0;
+    std::vector<SectorShare> sector;  ///< per pixel of a surround view, from first_surround_pixel on
 
-    /// Line i feeds shares[first_share[i]] up to shares[first_share[i + 1]].
-    std::vector<BeamShare> shares;
-    std::vector<std::uint32_t> first_share;
+    std::vector<SampleRange> nominal;  ///< of every level line
 
-    /// The view that holds an image line.
+    std::vector<BeamLines> beams;
+    std::vector<float> line_weight;         ///< share of a line's power that a beam hears, 0..1
+    std::vector<SectorShare> line_sector;  ///< far sector of every level line
+    std::size_t sectors = 0;                ///< of all parts together
+
+    /// The level view that holds an image line.
     const View& view_of(std::size_t line) const;
+    /// The level view that shows a bearing, or the one that comes nearest to it.
+    const View& view_at(double bearing) const;
+    std::size_t pixels() const;  ///< of all views
 };
 
 /// What of a shot decides its plan.
@@ -42,11 +81,13 @@ struct FanGeometry {
     std::vector<double> bearings;
     double beam_width = 0, fan_height = 0;
     double elevation_step = 0;  ///< rad, wished between samples: bin length over the window's end
+    AxisPattern horizontal, vertical;
+    bool patterns = false, side_lobes = false;
     friend bool operator==(const FanGeometry&, const FanGeometry&) = default;
 };
 
-/// At the far end of the window, one sample step moves a surface at 45 degrees by one bin.
-FanGeometry geometry_of(const Shot& shot);
+/// At the far end of the window, one sample step moves a surface at 45 degrees by two bins.
+FanGeometry geometry_of(const Shot& shot, const Effects& effects);
 
 FanPlan plan_fan(const FanGeometry& geometry, const PlanDensity& density);
 

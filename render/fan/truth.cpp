@@ -8,13 +8,13 @@ namespace {
 
 constexpr float nothing = std::numeric_limits<float>::infinity();
 
-/// Nearest range per line among the pixels within the fan's height.
-std::vector<float> nearest_of_lines(const FanPlan& plan, std::span<const Pixel> pixels) {
-    std::vector<float> nearest(plan.lines, nothing);
-    for (std::size_t line = 0; line < plan.lines; ++line)
-        for (std::size_t i = line * plan.samples; i < (line + 1) * plan.samples; ++i)
-            if (pixels[i].surface != 0 && plan.coverage[i] > 0)
-                nearest[line] = std::min(nearest[line], pixels[i].range);
+/// Nearest range of a line among the pixels within the fan's nominal height.
+float nearest_of_line(const FanPlan& plan, std::span<const Pixel> pixels, std::size_t line) {
+    float nearest = nothing;
+    for (std::size_t i = plan.nominal[line].first; i < plan.nominal[line].last; ++i) {
+        const Pixel& pixel = pixels[line * plan.samples + i];
+        nearest = std::min(nearest, pixel.surface != 0 ? pixel.range : nothing);
+    }
     return nearest;
 }
 
@@ -49,11 +49,7 @@ float range_between(std::span<const Pixel> pixels, std::size_t samples, Between 
 }
 
 float axis_range(const FanPlan& plan, std::span<const Pixel> pixels, double bearing, PixelOffset offset) {
-    const double first = plan.views.front().bearing + std::atan(plan.views.front().left);
-    const double width = 2 * std::atan(plan.views.front().right);
-    const double turn =
-        std::clamp((bearing - first) / width, 0.0, static_cast<double>(plan.views.size()) - 0.5);
-    const View& view = plan.views[static_cast<std::size_t>(turn)];
+    const View& view = plan.view_at(bearing);
     const double line = (std::tan(bearing - view.bearing) - view.left) / view.line_width() - offset.line;
     const double sample = view.top / view.sample_height() - offset.sample;
     Between lines = between(line, view.lines);
@@ -65,15 +61,16 @@ float axis_range(const FanPlan& plan, std::span<const Pixel> pixels, double bear
 
 std::vector<BeamTruth> find_truth(const FanPlan& plan, std::span<const Pixel> pixels,
                                   std::span<const double> bearings, PixelOffset offset) {
+    std::vector<float> lines(plan.lines);
+    for (std::size_t line = 0; line < plan.lines; ++line) lines[line] = nearest_of_line(plan, pixels, line);
     std::vector<BeamTruth> truth(bearings.size());
-    std::vector<float> nearest(bearings.size(), nothing);
-    const auto lines = nearest_of_lines(plan, pixels);
-    for (std::size_t line = 0; line < plan.lines; ++line)
-        for (std::uint32_t i = plan.first_share[line]; i < plan.first_share[line + 1]; ++i)
-            nearest[plan.shares[i].beam] = std::min(nearest[plan.shares[i].beam], lines[line]);
     for (std::size_t beam = 0; beam < bearings.size(); ++beam) {
+        const BeamLines& own = plan.beams[beam];
+        float nearest = nothing;
+        for (std::size_t i = 0; i < own.nominal_lines; ++i)
+            nearest = std::min(nearest, lines[own.first_nominal + i]);
         truth[beam].axis_range = axis_range(plan, pixels, bearings[beam], offset);
-        if (nearest[beam] < nothing) truth[beam].nearest_range = nearest[beam];
+        if (nearest < nothing) truth[beam].nearest_range = nearest;
     }
     return truth;
 }

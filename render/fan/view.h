@@ -15,19 +15,20 @@
 namespace echoloop {
 
 struct View {
-    double bearing = 0;  ///< rad, of the view's axis, relative to the fan's centre
+    double bearing = 0, elevation = 0;  ///< rad, of the view's axis, relative to the fan's centre
     double left = 0, right = 0, bottom = 0, top = 0;  ///< edges on the image plane
     std::size_t lines = 0, samples = 0;
-    std::size_t first_line = 0;  ///< of this view in the image that all views share
+    std::size_t first_line = 0;   ///< of this view in the image that all views share
+    std::size_t first_pixel = 0;  ///< of this view's weights in the plan: lines x samples of them
 
     double line_width() const { return (right - left) / static_cast<double>(lines); }
     double sample_height() const { return (top - bottom) / static_cast<double>(samples); }
     /// Image plane coordinates; whole numbers are pixel edges, +0.5 their centres.
     double x(double line) const { return left + line * line_width(); }
     double y(double sample) const { return top - sample * sample_height(); }
-    /// rad, relative to the fan's centre.
+    /// rad, relative to the fan's centre; of a level view.
     double bearing_at(double line) const { return bearing + std::atan(x(line)); }
-    /// rad, elevation over the fan's plane.
+    /// rad, elevation over the fan's plane; of a level view.
     double elevation_at(double line, double sample) const {
         return std::atan(y(sample) / std::sqrt(1 + x(line) * x(line)));
     }
@@ -35,7 +36,9 @@ struct View {
     double solid_angle(double x2, std::size_t sample) const;
 
     /// Rotation from the view (x forward, y to port, z up) to the fan's own frame.
-    Quat fan_from_view() const { return axis_angle({0, 0, 1}, -bearing); }
+    Quat fan_from_view() const {
+        return axis_angle({0, 0, 1}, -bearing) * axis_angle({0, 1, 0}, -elevation);
+    }
 };
 
 /// Rotation from the fan's frame to the sonar's, after pan and tilt as Shot defines them.

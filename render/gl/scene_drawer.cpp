@@ -118,7 +118,7 @@ void SceneDrawer::bind_target(int width, int height) {
 void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, double end_range, PixelOffset offset,
                        std::vector<Pixel>& pixels) {
     context_->make_current();
-    const int width = static_cast<int>(plan.samples), height = static_cast<int>(plan.lines);
+    const int width = static_cast<int>(plan.samples), height = static_cast<int>(plan.image_lines);
     bind_target(width, height);
     program_->use();
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -134,7 +134,7 @@ void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, double e
         draw_chunks(chunks, false);
         draw_chunks(chunks, true);
     }
-    pixels.resize(plan.lines * plan.samples);
+    pixels.resize(plan.image_lines * plan.samples);
     gl_.ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, pixels.data());
     gl_.check("drawing a fan");
 }

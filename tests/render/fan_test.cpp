@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "render/acoustics/pattern.h"
 #include "render/fan/binning.h"
 #include "render/fan/line_bins.h"
 #include "tests/render/shots.h"
@@ -11,19 +12,33 @@ namespace {
 
 double sum(const std::vector<float>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
+FanPlan plan_of(const Shot& shot, const Effects& effects = Effects::none(), const PlanDensity& density = {}) {
+    return plan_fan(geometry_of(shot, effects), density);
+}
+
+/// The weights of one line of a view.
+double line_sum(const FanPlan& plan, std::size_t line) {
+    const View& view = plan.view_of(line);
+    const auto first = plan.weight.begin() + static_cast<std::ptrdiff_t>(view.first_pixel +
+                                                                         (line - view.first_line) * view.samples);
+    return std::accumulate(first, first + static_cast<std::ptrdiff_t>(view.samples), 0.0);
+}
+
 // A box of 120 x 20 deg in bearing and elevation has the solid angle 2 sin(10 deg) x 120 deg.
 TEST(FanPlan, PixelsHoldTheSolidAngleOfTheFan) {
     for (const auto& [aperture, height] :
          {std::pair{120.0, 20.0}, {3.0, 35.0}, {300.0, 40.0}, {30.0, 110.0}}) {
-        const FanPlan plan = plan_fan(geometry_of(test::fan(aperture, height, 32, 500, 50)), {});
+        const FanPlan plan = plan_of(test::fan(aperture, height, 32, 500, 50));
+        double total = 0;
+        for (std::size_t line = 0; line < plan.lines; ++line) total += line_sum(plan, line);
         const double expected = 2 * std::sin(deg_to_rad(height / 2)) * deg_to_rad(aperture);
-        EXPECT_NEAR(sum(plan.solid_angle) / expected, 1, 2e-3) << aperture << " x " << height;
+        EXPECT_NEAR(total / expected, 1, 2e-3) << aperture << " x " << height;
     }
 }
 
 TEST(FanPlan, NoViewIsWiderThan62Degrees) {
     for (const double aperture : {3.0, 60.0, 120.0, 359.0})
-        for (const View& view : plan_fan(geometry_of(test::fan(aperture, 20, 64, 500, 50)), {}).views)
+        for (const View& view : plan_of(test::fan(aperture, 20, 64, 500, 50)).views)
             EXPECT_LE(view.bearing_at(static_cast<double>(view.lines)) - view.bearing_at(0),
                       deg_to_rad(62.001));
 }
@@ -34,23 +49,83 @@ TEST(FanPlan, EveryBeamGetsItsWidth) {
     overlapping.beam_width *= 2.5;
     gappy.beam_width *= 0.4;
     for (const Shot& shot : {touching, overlapping, gappy}) {
-        const FanPlan plan = plan_fan(geometry_of(shot), {});
-        std::vector<double> width(shot.bearings.size());
-        for (std::size_t line = 0; line < plan.lines; ++line) {
-            const View& view = plan.view_of(line);
-            const auto in_view = static_cast<double>(line - view.first_line);
-            const double line_width = view.bearing_at(in_view + 1) - view.bearing_at(in_view);
-            for (std::uint32_t i = plan.first_share[line]; i < plan.first_share[line + 1]; ++i)
-                width[plan.shares[i].beam] += plan.shares[i].weight * line_width;
+        const FanPlan plan = plan_of(shot);
+        for (const BeamLines& beam : plan.beams) {
+            double width = 0;
+            for (std::size_t i = 0; i < beam.lines; ++i) {
+                const View& view = plan.view_of(beam.first_line + i);
+                const auto in_view = static_cast<double>(beam.first_line + i - view.first_line);
+                width += plan.line_weight[beam.first_weight + i] *
+                         (view.bearing_at(in_view + 1) - view.bearing_at(in_view));
+            }
+            EXPECT_NEAR(width, shot.beam_width, 1e-6);
         }
-        for (const double w : width) EXPECT_NEAR(w, shot.beam_width, 1e-6);
     }
 }
 
+TEST(FanPlan, DrawsNothingBetweenTwoSidesOfASideScan) {
+    Shot shot = test::fan(1, 50, 2, 2000, 75);
+    shot.bearings = {deg_to_rad(-90), deg_to_rad(90)};
+    const FanPlan plan = plan_of(shot);
+    ASSERT_EQ(plan.parts.size(), 2U);
+    ASSERT_EQ(plan.level_views, 2U);
+    EXPECT_NEAR(plan.views[0].bearing, deg_to_rad(-90), 1e-9);
+    EXPECT_LT(plan.views[0].right, 0.02);
+}
+
 TEST(FanPlan, StaysWithinItsBounds) {
-    const FanPlan plan = plan_fan(geometry_of(test::fan(359, 120, 4096, 4096, 50)), {64, 64});
+    const FanPlan plan = plan_of(test::fan(359, 120, 4096, 4096, 50), Effects::none(), {64, 64});
     EXPECT_LE(plan.lines, 8192U);
     EXPECT_LE(plan.lines * plan.samples, std::size_t{5} << 20);
+}
+
+void share_out(SectorShare share, double amount, std::vector<double>& sectors) {
+    sectors[share.sector] += (1 - share.next) * amount;
+    if (share.next > 0) sectors[share.sector + 1U] += share.next * amount;
+}
+
+/// What a beam hears of a world that scatters the same from everywhere: all weights that lead to it.
+double heard(const FanPlan& plan, std::size_t b) {
+    const BeamLines& beam = plan.beams[b];
+    double sum = 0;
+    for (std::size_t i = 0; i < beam.lines; ++i)
+        sum += plan.line_weight[beam.first_weight + i] * line_sum(plan, beam.first_line + i);
+    const FanPart& part = plan.parts.front();
+    std::vector<double> sectors(plan.sectors);
+    if (plan.beams.size() > 1)
+        for (std::size_t line = 0; line < plan.lines; ++line)
+            share_out(plan.line_sector[line], line_sum(plan, line), sectors);
+    for (std::size_t i = 0; i < plan.sector.size(); ++i)
+        share_out(plan.sector[i], plan.weight[plan.first_surround_pixel + i], sectors);
+    const std::size_t node = (b - part.first_beam) / part.beams_per_node;
+    for (std::size_t s = 0; s < part.sectors; ++s) sum += part.far[node * part.sectors + s] * sectors[s];
+    return sum;
+}
+
+/// The same by a sum over the half space in front of the array, in steps of 0.1 deg.
+double expected_to_be_heard(const Shot& shot, double beam) {
+    const TwoWayPattern across(shot.horizontal, shot.beam_width), up(shot.vertical, shot.fan_height);
+    const double step = deg_to_rad(0.1);
+    double sum = 0;
+    for (double e = -std::numbers::pi / 2 + step / 2; e < std::numbers::pi / 2; e += step)
+        for (double b = -std::numbers::pi / 2 + step / 2; b < std::numbers::pi / 2; b += step) {
+            const bool level = std::abs(e) < shot.fan_height;  // about where the surround begins
+            const double off = level ? b - beam : std::asin(std::sin(b) * std::cos(e)) - beam;
+            sum += up.power(e) * across.power(off) * std::cos(e) * step * step;
+        }
+    return sum;
+}
+
+// Main lobe, side lobes and what lies around together are the pattern's integral, within 0.1 dB.
+TEST(FanPlan, BeamsHoldTheirWholePattern) {
+    Shot head = test::scanning();
+    Shot array = test::forward_looking();
+    array.horizontal = {ApertureShape::line, 1};
+    array.vertical = {ApertureShape::line, 1};
+    const FanPlan one = plan_of(head, Effects()), many = plan_of(array, Effects());
+    EXPECT_NEAR(test::db(heard(one, 0) / expected_to_be_heard(head, 0)), 0, 0.1);
+    for (const std::size_t beam : {0U, 128U, 200U})  // nodes of the far lobes
+        EXPECT_NEAR(test::db(heard(many, beam) / expected_to_be_heard(array, array.bearings[beam])), 0, 0.1) << beam;
 }
 
 TEST(Jitter, SpreadsEvenlyAndStartsInTheMiddle) {
@@ -69,11 +144,8 @@ TEST(Jitter, SpreadsEvenlyAndStartsInTheMiddle) {
 }
 
 std::vector<float> deposited(float low, float high, std::size_t bins = 8) {
-    LineBins line(bins);
-    line.clear();
-    line.deposit(low, high, 1);
     std::vector<float> out(bins);
-    line.add_to(out.data(), 1);
+    LineBins(out.data(), bins).deposit(low, high, 1);
     return out;
 }
 

@@ -31,7 +31,7 @@ TEST(Geometry, TargetsStandInTheirBeamAndBin) {
             Shot shot = test::fan(130, 20, 130, 400, 40, 1500);  // the device's bins are times, not ranges
             shot.first_bin_time = 2e-3;
             const double range = 17.3 + 0.1 * bearing;
-            Renderer renderer(scene_of({plate(deg_to_rad(bearing), range, 0.1)}), test::water_of(c));
+            Renderer renderer(scene_of({plate(deg_to_rad(bearing), range, 0.1)}), test::water_of(c), test::boxes());
             const Echogram e = renderer.render(shot, {});
             const std::size_t beam = strongest_beam(e);
             EXPECT_LE(std::abs(shot.bearings[beam] - deg_to_rad(bearing)), shot.beam_width / 2 + 1e-9)
@@ -46,7 +46,7 @@ TEST(Geometry, TargetsStandInTheirBeamAndBin) {
 TEST(Geometry, FansUpToAFullTurn) {
     const Shot shot = test::fan(360, 20, 180, 200, 40);
     for (const double bearing : {-171.0, -93.0, -31.0, 1.0, 89.0, 179.0}) {
-        Renderer renderer(scene_of({plate(deg_to_rad(bearing), 20, 0.5)}), test::water_of(1500));
+        Renderer renderer(scene_of({plate(deg_to_rad(bearing), 20, 0.5)}), test::water_of(1500), test::boxes());
         const Echogram e = renderer.render(shot, {});
         EXPECT_LE(std::abs(shot.bearings[strongest_beam(e)] - deg_to_rad(bearing)),
                   shot.beam_width / 2 + 1e-9);
@@ -57,12 +57,12 @@ TEST(Geometry, FansUpToAFullTurn) {
 TEST(Geometry, PanAndTilt) {
     Shot shot = test::fan(3, 20, 1, 200, 40);
     shot.pan = deg_to_rad(90);
-    Renderer starboard(scene_of({plate(deg_to_rad(90), 20, 1)}), test::water_of(1500));
+    Renderer starboard(scene_of({plate(deg_to_rad(90), 20, 1)}), test::water_of(1500), test::boxes());
     EXPECT_NEAR(starboard.render(shot, {}).truth[0].axis_range, 20, 0.02);
     shot.pan = 0;
     shot.tilt = deg_to_rad(60);
     Mesh above = test::quad("above", {9, 1, 17.3}, {11, 1, 17.3}, {11, -1, 17.3}, {9, -1, 17.3});
-    Renderer up(scene_of({above}), test::water_of(1500));
+    Renderer up(scene_of({above}), test::water_of(1500), test::boxes());
     EXPECT_NEAR(up.render(shot, {}).truth[0].axis_range, 17.3 / std::sin(deg_to_rad(60)), 0.02);
     shot.tilt = deg_to_rad(-60);
     EXPECT_TRUE(std::isnan(up.render(shot, {}).truth[0].axis_range));
@@ -74,7 +74,7 @@ TEST(Geometry, PoseOfTheSonar) {
     const Pose pose{{100, -50, -7}, from_rpy(0, 0, deg_to_rad(90))};  // looks along +y
     Mesh target = plate(deg_to_rad(10), 20, 0.3);
     for (Vec3& p : target.positions) p = pose * p;
-    Renderer renderer(scene_of({target}), test::water_of(1500));
+    Renderer renderer(scene_of({target}), test::water_of(1500), test::boxes());
     const Echogram e = renderer.render(shot, pose);
     EXPECT_LE(std::abs(shot.bearings[strongest_beam(e)] - deg_to_rad(10)), shot.beam_width / 2 + 1e-9);
     EXPECT_EQ(e.world_from_sonar, pose);
@@ -84,7 +84,9 @@ TEST(Geometry, PoseOfTheSonar) {
 TEST(Geometry, ShadowLength) {
     const double height = 5, object = 1, ground = 20, bin = 0.05;
     const Mesh plate_up = test::wall_at(ground, 3, -height, -height + object);
-    Renderer renderer(scene_of({test::floor_at(-height, 100), plate_up}), test::water_of(1500));
+    RendererOptions options = test::boxes();
+    options.pixel_density = 16;  // at 25 m a pixel of the usual height covers 0.9 m of the floor
+    Renderer renderer(scene_of({test::floor_at(-height, 100), plate_up}), test::water_of(1500), options);
     Shot shot = test::fan(5, 30, 5, 800, 40);
     shot.tilt = deg_to_rad(-15);
     const Echogram e = renderer.render(shot, {});
@@ -103,7 +105,7 @@ TEST(Geometry, ShadowLength) {
 // sonar's depth, its top comes before its base.
 TEST(Geometry, WallTopArrivesBeforeItsBase) {
     const double bin = 0.05;
-    Renderer renderer(scene_of({test::wall_at(10, 5, -8, -1)}), test::water_of(1500));
+    Renderer renderer(scene_of({test::wall_at(10, 5, -8, -1)}), test::water_of(1500), test::boxes());
     Shot shot = test::fan(2, 60, 1, 600, 30);
     shot.tilt = deg_to_rad(-25);
     const Echogram e = renderer.render(shot, {});
@@ -119,7 +121,7 @@ TEST(Geometry, WallTopArrivesBeforeItsBase) {
 // V12: a fan that reaches the nadir hears the bottom first at R = H.
 TEST(Geometry, FirstReturnIsAtTheAltitude) {
     for (const double altitude : {2.0, 5.0, 11.3}) {
-        Renderer renderer(scene_of({test::floor_at(-altitude, 200)}), test::water_of(1500));
+        Renderer renderer(scene_of({test::floor_at(-altitude, 200)}), test::water_of(1500), test::boxes());
         Shot shot = test::fan(60, 100, 30, 600, 30);
         shot.tilt = deg_to_rad(-45);
         const Echogram e = renderer.render(shot, {});
@@ -133,7 +135,7 @@ TEST(Geometry, FirstReturnIsAtTheAltitude) {
 
 // A downward sounder: one round beam at tilt -90.
 TEST(Geometry, SounderLooksStraightDown) {
-    Renderer renderer(scene_of({test::floor_at(-12, 200)}), test::water_of(1500));
+    Renderer renderer(scene_of({test::floor_at(-12, 200)}), test::water_of(1500), test::boxes());
     Shot shot = test::fan(25, 25, 1, 400, 20);
     shot.tilt = deg_to_rad(-90);
     const Echogram e = renderer.render(shot, {});
@@ -145,7 +147,7 @@ TEST(Geometry, SounderLooksStraightDown) {
 // the depth.
 TEST(Geometry, SwathOverAFlatFloor) {
     const double altitude = 20;
-    Renderer renderer(scene_of({test::floor_at(-altitude, 300)}), test::water_of(1500));
+    Renderer renderer(scene_of({test::floor_at(-altitude, 300)}), test::water_of(1500), test::boxes());
     Shot shot = test::fan(121, 1, 121, 1000, 50);
     const Pose nose_down{{}, axis_angle({0, 1, 0}, std::numbers::pi / 2)};
     const Echogram e = renderer.render(shot, nose_down);
@@ -163,20 +165,20 @@ TEST(Geometry, SwathOverAFlatFloor) {
 
 TEST(Geometry, NothingWrapsAndNothingPilesUp) {
     Shot shot = test::fan(30, 20, 10, 100, 10);
-    Renderer beyond(scene_of({test::wall_at(12, 50, -50, 50)}), test::water_of(1500));
+    Renderer beyond(scene_of({test::wall_at(12, 50, -50, 50)}), test::water_of(1500), test::boxes());
     for (const float v : beyond.render(shot, {}).values) EXPECT_EQ(v, 0);
     shot.first_bin_time = 2 * 5.0 / 1500;
-    Renderer before(scene_of({test::wall_at(3, 50, -50, 50)}), test::water_of(1500));
+    Renderer before(scene_of({test::wall_at(3, 50, -50, 50)}), test::water_of(1500), test::boxes());
     const Echogram e = before.render(shot, {});
     for (const float v : e.values) EXPECT_EQ(v, 0);
     EXPECT_NEAR(e.truth[5].nearest_range, 3, 0.05);
-    Renderer empty(scene_of({test::wall_at(-12, 1, -1, 1)}), test::water_of(1500));  // behind the sonar
+    Renderer empty(scene_of({test::wall_at(-12, 1, -1, 1)}), test::water_of(1500), test::boxes());  // behind the sonar
     for (const float v : empty.render(shot, {}).values) EXPECT_EQ(v, 0);
 }
 
 // A smooth surface sounds the same wherever in the pixels a ping samples.
 TEST(Geometry, JitterDoesNotMoveAFloor) {
-    Renderer renderer(scene_of({test::floor_at(-5, 200)}), test::water_of(1500));
+    Renderer renderer(scene_of({test::floor_at(-5, 200)}), test::water_of(1500), test::boxes());
     Shot shot = test::fan(60, 30, 64, 500, 50);
     shot.tilt = deg_to_rad(-20);
     const Echogram first = renderer.render(shot, {});
@@ -184,12 +186,12 @@ TEST(Geometry, JitterDoesNotMoveAFloor) {
         const Echogram e = renderer.render(shot, {});
         for (std::size_t beam = 0; beam < e.beams(); ++beam)
             for (std::size_t bin = 100; bin < 480; ++bin)
-                ASSERT_NEAR(e.beam(beam)[bin] / first.beam(beam)[bin], 1, 0.005) << beam << ", " << bin;
+                ASSERT_NEAR(e.beam(beam)[bin] / first.beam(beam)[bin], 1, 0.015) << beam << ", " << bin;
     }
 }
 
 TEST(Geometry, TimeZeroShiftsTheBins) {
-    Renderer renderer(scene_of({test::wall_at(10.03, 50, -50, 50)}), test::water_of(1500));
+    Renderer renderer(scene_of({test::wall_at(10.03, 50, -50, 50)}), test::water_of(1500), test::boxes());
     Shot shot = test::fan(1, 1, 1, 100, 5);
     shot.first_bin_time = 2 * 7.0 / 1500;
     EXPECT_EQ(test::strongest_bin(renderer.render(shot, {}).beam(0)), 60U);
@@ -202,11 +204,11 @@ TEST(Geometry, OneSideScatters) {
         p.x = -p.x;  // mirrored: now it faces away from a sonar that looks along -x
     const Shot shot = test::fan(10, 10, 1, 100, 20);
     const Pose astern{{}, axis_angle({0, 0, 1}, std::numbers::pi)};
-    EXPECT_EQ(test::total_power(Renderer(scene_of({wall}), {}).render(shot, astern)), 0);
+    EXPECT_EQ(test::total_power(Renderer(scene_of({wall}), {}, test::boxes()).render(shot, astern)), 0);
     wall.material.double_sided = true;
-    const double both = test::total_power(Renderer(scene_of({wall}), {}).render(shot, astern));
+    const double both = test::total_power(Renderer(scene_of({wall}), {}, test::boxes()).render(shot, astern));
     const double front =
-        test::total_power(Renderer(scene_of({test::wall_at(10, 5, -5, 5)}), {}).render(shot, {}));
+        test::total_power(Renderer(scene_of({test::wall_at(10, 5, -5, 5)}), {}, test::boxes()).render(shot, {}));
     EXPECT_GT(front, 0);
     EXPECT_NEAR(test::db(both / front), 0, 0.01);
 }

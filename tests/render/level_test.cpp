@@ -29,7 +29,7 @@ double floor_level(const Shot& shot, double altitude, double mu_db, double absor
 TEST(Level, FlatFloorFollowsTheIntegral) {
     const double altitude = 5, mu_db = -27, bin = 0.1;
     const Water water = test::water_of(1500);
-    Renderer renderer(scene_of({test::floor_at(-altitude, 300, 1, mu_db)}), water);
+    Renderer renderer(scene_of({test::floor_at(-altitude, 300, 1, mu_db)}), water, test::boxes());
     const Shot shot = test::fan(120, 80, 60, 500, 50);
     const Echogram e = renderer.render(shot, {});
     for (const std::size_t beam : {0U, 7U, 30U, 59U})
@@ -45,7 +45,7 @@ TEST(Level, FlatFloorFollowsTheIntegral) {
 // length.
 TEST(Level, FlatFloorOfTheReferenceTable) {
     const Water water = test::water_of(1500);
-    Renderer renderer(scene_of({test::floor_at(-5, 300)}), water);
+    Renderer renderer(scene_of({test::floor_at(-5, 300)}), water, test::boxes());
     Shot shot = test::fan(1, 40, 1, 600, 45);  // bins of 75 mm: c tau / 2 at 100 us
     shot.tilt = deg_to_rad(-22);
     const Echogram e = renderer.render(shot, {});
@@ -60,7 +60,7 @@ TEST(Level, FlatFloorOfTheReferenceTable) {
 TEST(Level, NoStripesOnAFlatFloorAtGrazingIncidence) {
     for (const int cells : {1, 200}) {
         const Water water = test::water_of(1500);
-        Renderer renderer(scene_of({test::floor_at(-1, 60, cells)}), water);
+        Renderer renderer(scene_of({test::floor_at(-1, 60, cells)}), water, test::boxes());
         Shot shot = test::fan(20, 20, 40, 1000, 50);
         shot.tilt = deg_to_rad(-10);
         const Echogram e = renderer.render(shot, {});
@@ -68,7 +68,7 @@ TEST(Level, NoStripesOnAFlatFloorAtGrazingIncidence) {
             const double near = 0.05 * static_cast<double>(i);
             EXPECT_NEAR(db(e.beam(20)[i]),
                         floor_level(shot, 1, -27, test::nepers(water, shot.frequency), near, near + 0.05),
-                        0.15)
+                        0.2)
                 << "bin " << i << ", " << cells << " cells";
         }
     }
@@ -81,7 +81,7 @@ TEST(Level, SmallTargetFallsWith40LogR) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (const double range : {2.0, 3.0, 5.0, 8.0, 13.0, 20.0, 30.0, 50.0}) {
         Renderer renderer(scene_of({test::wall_at(range, 0.05, -0.05, 0.05)}), water,
-                          {.columns_per_beam = 64, .pixel_density = 16});
+                          {.columns_per_beam = 64, .pixel_density = 16, .effects = test::boxes().effects});
         double power = 0;
         for (std::uint64_t ping = 0; ping < 32; ++ping) {
             Shot next = shot;
@@ -105,7 +105,7 @@ TEST(Level, LambertSphere) {
         2 * transmission_loss(range, absorption_db_per_km(water, shot.frequency) / 1000);
     for (const auto& [mu_db, expected] : {std::pair{db(1 / std::numbers::pi), -7.78}, {-27.0, -29.81}})
         for (const int rings : {16, 32, 64}) {
-            Renderer renderer(scene_of({test::sphere({range, 0, 0}, radius, rings, mu_db)}), water);
+            Renderer renderer(scene_of({test::sphere({range, 0, 0}, radius, rings, mu_db)}), water, test::boxes());
             const double power = test::total_power(renderer.render(shot, {}));
             EXPECT_NEAR(db(power) + two_way_db - shot.source_level, expected, 0.3) << rings << " rings";
         }
@@ -115,18 +115,18 @@ TEST(Level, LambertSphere) {
 TEST(Level, IsAbsolute) {
     Shot shot = test::fan(10, 10, 4, 100, 20);
     const double base =
-        test::total_power(Renderer(scene_of({test::wall_at(10, 5, -5, 5, -27)}), {}).render(shot, {}));
+        test::total_power(Renderer(scene_of({test::wall_at(10, 5, -5, 5, -27)}), {}, test::boxes()).render(shot, {}));
     const double rough =
-        test::total_power(Renderer(scene_of({test::wall_at(10, 5, -5, 5, -17)}), {}).render(shot, {}));
+        test::total_power(Renderer(scene_of({test::wall_at(10, 5, -5, 5, -17)}), {}, test::boxes()).render(shot, {}));
     shot.source_level += 10;
     const double loud =
-        test::total_power(Renderer(scene_of({test::wall_at(10, 5, -5, 5, -27)}), {}).render(shot, {}));
+        test::total_power(Renderer(scene_of({test::wall_at(10, 5, -5, 5, -27)}), {}, test::boxes()).render(shot, {}));
     EXPECT_NEAR(db(rough / base), 10, 1e-3);
     EXPECT_NEAR(db(loud / base), 10, 1e-3);
 }
 
 TEST(Level, DoesNotDependOnBinSize) {
-    Renderer renderer(scene_of({test::floor_at(-5, 200), test::wall_at(20, 5, -5, 0)}), {});
+    Renderer renderer(scene_of({test::floor_at(-5, 200), test::wall_at(20, 5, -5, 0)}), {}, test::boxes());
     Shot coarse = test::fan(20, 30, 10, 100, 40), fine = test::fan(20, 30, 10, 800, 40);
     coarse.tilt = fine.tilt = deg_to_rad(-16);
     EXPECT_NEAR(

@@ -38,7 +38,7 @@ TEST(RayCaster, AgreesOnTheAxisOfEveryBeam) {
     std::size_t compared = 0, different = 0;
     for (int round = 0; round < 8; ++round) {
         const auto meshes = random_boxes(random);
-        Renderer renderer(test::scene_of(meshes), test::water_of(1500));
+        Renderer renderer(test::scene_of(meshes), test::water_of(1500), test::boxes());
         Shot shot = test::fan(130, 24, 130, 500, 50);
         shot.pan = 0.3 * round - 1;
         shot.tilt = deg_to_rad(-8);
@@ -63,7 +63,7 @@ TEST(RayCaster, AgreesOnTheNearestRangeInEveryBeam) {
     std::mt19937 random(11);
     for (int round = 0; round < 3; ++round) {
         const auto meshes = random_boxes(random);
-        Renderer renderer(test::scene_of(meshes), test::water_of(1500));
+        Renderer renderer(test::scene_of(meshes), test::water_of(1500), test::boxes());
         Shot shot = test::fan(90, 20, 45, 500, 50);
         shot.tilt = deg_to_rad(-12);
         const Pose pose{{0, 0, -2}, axis_angle({0, 0, 1}, 0.4 * round)};

@@ -33,6 +33,13 @@ inline Shot forward_looking() {
 }
 inline Shot scanning() { return fan(3, 35, 1, 500, 50); }
 
+/// Mean echoes in beams that are boxes of their nominal widths: what closed forms speak of.
+inline RendererOptions boxes() {
+    RendererOptions options;
+    options.effects = Effects::none().set(Effect::spreading).set(Effect::absorption);
+    return options;
+}
+
 inline Water water_of(double c) {
     Water water;
     water.sound_speed = c;

@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <cmath>
+
+#include "render/fan/plan_parts.h"
+
+namespace echoloop {
+namespace {
+
+constexpr double widest_view = deg_to_rad(62);  ///< beyond, the edge's pixels would be much narrower than the centre's
+constexpr double widest_line = deg_to_rad(0.4);
+constexpr std::size_t fewest_lines = 8, most_lines = 8192;
+constexpr std::size_t fewest_samples = 64, most_samples = 2048, most_pixels = std::size_t{4} << 20;
+
+std::size_t count(double wished, std::size_t fewest, std::size_t most) {
+    return static_cast<std::size_t>(
+        std::clamp(std::ceil(wished), static_cast<double>(fewest), static_cast<double>(most)));
+}
+
+View level_view(double bearing, double width, double half_height) {
+    View view;
+    view.bearing = bearing;
+    view.right = std::tan(width / 2);
+    view.left = -view.right;
+    view.top = std::tan(half_height) / std::cos(width / 2);  // the corner's elevation is inside
+    view.bottom = -view.top;
+    return view;
+}
+
+/// Appends one line's weights: the vertical pattern, or the whole one of a piston.
+void weigh_line(FanPlan& plan, const View& view, std::size_t line, const FanLobes& lobes) {
+    const double at = static_cast<double>(line) + 0.5, x2 = view.x(at) * view.x(at);
+    const double edge = drawn_half_height(lobes), bearing = std::atan(view.x(at));
+    double upper = view.elevation_at(at, 0);
+    for (std::size_t sample = 0; sample < view.samples; ++sample) {
+        const double lower = view.elevation_at(at, static_cast<double>(sample + 1));
+        const double covered = share_within(lower, upper, -edge, edge);
+        const double from = std::max(lower, -edge), to = std::min(upper, edge);
+        double power = covered > 0 && from < to && !lobes.vertical.is_box() ? lobes.vertical.mean(from, to) : 1.0;
+        if (lobes.piston && covered > 0) power = lobes.of_single(bearing, (from + to) / 2);
+        upper = lower;
+        plan.coverage.push_back(static_cast<float>(covered));
+        plan.weight.push_back(static_cast<float>(covered * power * view.solid_angle(x2, sample)));
+    }
+}
+
+SampleRange nominal_samples(const View& view, std::size_t line, double fan_height) {
+    const double at = static_cast<double>(line) + 0.5;
+    SampleRange range{view.samples, 0};
+    for (std::size_t sample = 0; sample < view.samples; ++sample)
+        if (view.elevation_at(at, static_cast<double>(sample)) > -fan_height / 2 &&
+            view.elevation_at(at, static_cast<double>(sample + 1)) < fan_height / 2)
+            range = {std::min(range.first, sample), sample + 1};
+    return range;
+}
+
+bool alike(const View& a, const View& b) { return a.right == b.right && a.lines == b.lines; }
+
+/// Number of lines wholly or partly left of `bearing`, counted in the part.
+std::size_t lines_before(const FanPlan& plan, const FanPart& part, double bearing) {
+    std::size_t lines = 0;
+    for (std::size_t v = 0; v < plan.level_views; ++v) {
+        const View& view = plan.views[v];
+        if (view.first_line < part.first_line || view.first_line >= part.first_line + part.lines) continue;
+        const double off = std::clamp(bearing - view.bearing, -widest_view, widest_view);
+        const double line = std::ceil((std::tan(off) - view.left) / view.line_width() - 1e-9);
+        lines += static_cast<std::size_t>(std::clamp(line, 0.0, static_cast<double>(view.lines)));
+    }
+    return lines;
+}
+
+}  // namespace
+
+void add_level_views(FanPlan& plan, FanPart& part, const FanGeometry& g, const PlanDensity& density,
+                     const FanLobes& lobes) {
+    const double edge = lobes.horizontal.edge(), last_beam = g.bearings[part.first_beam + part.beams - 1];
+    part.first_edge = std::max(g.bearings[part.first_beam] - edge, part.centre - std::numbers::pi);
+    part.last_edge = std::min(last_beam + edge, part.centre + std::numbers::pi);
+    const double span = part.last_edge - part.first_edge, per_side = std::sqrt(density.pixels);
+    const auto views = static_cast<std::size_t>(std::ceil(span / widest_view));
+    const double width = span / static_cast<double>(views);
+    const double line = std::min(g.beam_width / density.columns_per_beam, widest_line) / per_side;
+    part.first_line = plan.image_lines;
+    for (std::size_t i = 0; i < views; ++i) {
+        const double bearing = part.first_edge + (static_cast<double>(i) + 0.5) * width;
+        View view = level_view(bearing, width, drawn_half_height(lobes));
+        view.lines = count((view.right - view.left) / line, fewest_lines, most_lines / views);
+        view.samples = count((view.top - view.bottom) / g.elevation_step * per_side, fewest_samples,
+                             std::min(most_samples, most_pixels / (views * view.lines)));
+        view.first_line = plan.image_lines;
+        plan.image_lines += view.lines;
+        plan.samples = std::max(plan.samples, view.samples);
+        plan.views.push_back(view);
+    }
+    part.lines = plan.image_lines - part.first_line;
+}
+
+void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height) {
+    for (std::size_t v = 0; v < plan.level_views; ++v) {
+        View& view = plan.views[v];
+        view.samples = plan.samples;
+        for (std::size_t line = 0; line < view.lines; ++line)
+            plan.nominal.push_back(nominal_samples(view, line, fan_height));
+        if (v > 0 && alike(view, plan.views[v - 1])) {
+            view.first_pixel = plan.views[v - 1].first_pixel;
+            continue;
+        }
+        view.first_pixel = plan.weight.size();
+        for (std::size_t line = 0; line < view.lines; ++line) weigh_line(plan, view, line, lobes);
+    }
+}
+
+void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& g, const FanLobes& lobes) {
+    const double reach = lobes.horizontal.is_box() || !g.side_lobes ? lobes.horizontal.edge()
+                                                                    : near_beam_widths * g.beam_width;
+    for (std::size_t b = part.first_beam; b < part.first_beam + part.beams; ++b) {
+        BeamLines& beam = plan.beams[b];
+        const double bearing = g.bearings[b];
+        const auto begin = [&](double edge) { return part.first_line + lines_before(plan, part, bearing + edge); };
+        const auto widened = [&](double edge) { return std::max(begin(edge), part.first_line + 1) - 1; };
+        beam.first_line = widened(-reach);
+        beam.lines = begin(reach) - beam.first_line;
+        beam.first_nominal = widened(-g.beam_width / 2);
+        beam.nominal_lines = begin(g.beam_width / 2) - beam.first_nominal;
+        beam.first_weight = plan.line_weight.size();
+        for (std::size_t line = beam.first_line; line < beam.first_line + beam.lines; ++line) {
+            const View& view = plan.view_of(line);
+            const auto at = static_cast<double>(line - view.first_line);
+            const double mean = lobes.piston ? 1.0
+                                             : lobes.horizontal.mean(view.bearing_at(at) - bearing,
+                                                                     view.bearing_at(at + 1) - bearing);
+            plan.line_weight.push_back(static_cast<float>(mean));
+        }
+    }
+}
+
+}  // namespace echoloop

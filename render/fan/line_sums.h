@@ -1,0 +1,54 @@
+// The echo of every line of pixels and of every surround sector, per range bin, before it goes to the beams. Owns the
+// scratch memory of one kind of sum; knows no beams.
+#pragma once
+
+#include <vector>
+
+#include "render/fan/bin_gain.h"
+#include "render/fan/line_bins.h"
+#include "render/fan/pixel_rows.h"
+
+namespace echoloop {
+
+class LineSums {
+  public:
+    void resize(std::size_t lines, std::size_t sectors, std::size_t bins);
+    LineBins& line(std::size_t i) { return lines_[i]; }
+    LineBins& sector(std::size_t i) { return sectors_[i]; }
+    const float* line_values(std::size_t i) const { return &values_[i * bins_]; }
+    const float* sector_values(std::size_t i) const { return &values_[(lines_.size() + i) * bins_]; }
+
+  private:
+    std::size_t bins_ = 0;
+    std::vector<float> values_;
+    std::vector<LineBins> lines_, sectors_;
+};
+
+/// Reads the pixels of one thread's lines; keeps three rows, so that neighbouring lines are unpacked once.
+class LineReader {
+  public:
+    /// Extents and rows of line `line` of `view`; valid until the next call.
+    void read(const BinningInput& in, const View& view, std::size_t line);
+    /// Forgets what it has read; before other pixels.
+    void restart() { next_ = no_line; }
+    const PixelRow& row() const { return rows_[1]; }
+    const Extents& extents() const { return extents_; }
+
+  private:
+    static constexpr std::size_t no_line = static_cast<std::size_t>(-1);
+    PixelRow rows_[3];
+    std::size_t next_ = no_line;  ///< image line that rows_[2] holds
+    Extents extents_;
+};
+
+/// What a pixel adds for each rule, before the gain of its bin.
+enum class Amount { echo, paper_echo, paper_share };
+
+/// Adds the pixels of a level line to its bins.
+void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
+                    LineReader& reader, LineBins& bins);
+/// Adds the pixels of a surround line to their sectors.
+void add_surround_line(const BinningInput& in, const BinGain& gain, const View& view, std::size_t line,
+                       LineReader& reader, LineSums& sums);
+
+}  // namespace echoloop

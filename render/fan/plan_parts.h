@@ -1,0 +1,42 @@
+// The steps in which plan_fan() makes a plan. Used by the planning code only.
+#pragma once
+
+#include <algorithm>
+
+#include "render/fan/lobe.h"
+#include "render/fan/plan.h"
+
+namespace echoloop {
+
+/// The weights of a fan's directions.
+struct FanLobes {
+    explicit FanLobes(const FanGeometry& geometry);
+
+    Lobe horizontal, vertical;
+    bool single;  ///< one beam: surround pixels are weighed with its whole pattern
+    bool piston;  ///< the pattern depends on the angle off the axis only
+
+    /// Two-way power of the one beam at bearing and elevation off its axis.
+    double of_single(double bearing, double elevation) const;
+};
+
+/// rad; level views reach so far above and below the fan's plane.
+inline double drawn_half_height(const FanLobes& lobes) { return std::min(lobes.vertical.edge(), deg_to_rad(60)); }
+
+/// Near side lobes are summed line by line up to this many beam widths off the axis: five lobes of a line aperture,
+/// down to -25 dB one way.
+inline constexpr double near_beam_widths = 7;
+
+/// Appends the part's level views.
+void add_level_views(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const PlanDensity& density,
+                     const FanLobes& lobes);
+/// Weighs the pixels of all level views, and finds which of them lie within the nominal height.
+void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height);
+/// Gives each beam of the part its lines.
+void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& geometry, const FanLobes& lobes);
+/// Appends views of all directions that the level views leave out, as far as the array hears them.
+void add_surround(FanPlan& plan, FanPart& part, const FanLobes& lobes, double density);
+/// Sorts lines and surround pixels into sectors and finds what each beam hears of them.
+void add_far_lobes(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const FanLobes& lobes);
+
+}  // namespace echoloop

@@ -1,0 +1,117 @@
+// All directions in front of an array that its level views leave out, seen coarsely: five faces of a cube, cut at the
+// array's plane. Side lobes hear from there the first bottom return and targets outside the fan.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "render/fan/far_lobes.h"
+#include "render/fan/plan_parts.h"
+
+namespace echoloop {
+namespace {
+
+constexpr double pixels_per_side = 64, pixels_of_single_beam = 40;
+constexpr double least_power = 1e-8;  ///< two ways; below, a direction is not heard
+constexpr double widest_part = deg_to_rad(170);  ///< a ring of transducers has no plane and no surround
+
+struct Direction {
+    double bearing, elevation;  ///< rad, relative to the array's axis
+};
+
+Direction direction_at(const View& view, double bearing, double line, double sample) {
+    View turned = view;
+    turned.bearing = bearing;
+    const Vec3 d = rotate(turned.fan_from_view(), {1, -view.x(line), view.y(sample)});
+    return {std::atan2(-d.y, d.x), std::atan2(d.z, std::hypot(d.x, d.y))};
+}
+
+/// The faces, level ones with bearings relative to the array's axis.
+std::array<View, 5> faces(std::size_t side) {
+    constexpr double right_angle = std::numbers::pi / 2;
+    const auto face = [side](double bearing, double elevation, double left, double right, double bottom, double top) {
+        View view{bearing, elevation, left, right, bottom, top, side, side, 0, 0};
+        view.lines = static_cast<std::size_t>(static_cast<double>(side) * (right - left) / 2);
+        view.samples = static_cast<std::size_t>(static_cast<double>(side) * (top - bottom) / 2);
+        return view;
+    };
+    return {face(0, 0, -1, 1, -1, 1), face(-right_angle, 0, 0, 1, -1, 1), face(right_angle, 0, -1, 0, -1, 1),
+            face(0, -right_angle, -1, 1, 0, 1), face(0, right_angle, -1, 1, -1, 0)};
+}
+
+class Surround {
+  public:
+    Surround(FanPlan& plan, const FanPart& part, const FanLobes& lobes) : plan_(plan), part_(part), lobes_(lobes) {}
+
+    /// Appends the face unless the array hears nothing from it.
+    bool add(View view, double relative_bearing) {
+        const std::size_t first = plan_.weight.size();
+        float sum = 0;
+        for (std::size_t line = 0; line < view.lines; ++line)
+            for (std::size_t sample = 0; sample < view.samples; ++sample)
+                sum += add_pixel(view, relative_bearing, line, sample);
+        if (sum == 0) {
+            plan_.coverage.resize(first), plan_.weight.resize(first);
+            plan_.sector.resize(first - plan_.first_surround_pixel);
+            return false;
+        }
+        view.first_pixel = first;
+        view.first_line = plan_.image_lines;
+        plan_.image_lines += view.lines;
+        plan_.views.push_back(view);
+        return true;
+    }
+
+  private:
+    float add_pixel(const View& view, double bearing, std::size_t line, std::size_t sample) {
+        constexpr int parts = 3;  // per side, so that the limit of the level views cuts pixels smoothly
+        double power = 0;
+        for (int i = 0; i < parts * parts; ++i)
+            power += power_at(direction_at(view, bearing, static_cast<double>(line) + (i / parts + 0.5) / parts,
+                                           static_cast<double>(sample) + (i % parts + 0.5) / parts));
+        const double at = static_cast<double>(line) + 0.5;
+        const Direction middle = direction_at(view, bearing, at, static_cast<double>(sample) + 0.5);
+        const auto weight =
+            static_cast<float>(power / (parts * parts) * view.solid_angle(view.x(at) * view.x(at), sample));
+        plan_.coverage.push_back(1);
+        plan_.weight.push_back(weight);
+        const bool beside = std::abs(middle.elevation) <= edge();
+        plan_.sector.push_back(sector_at(part_, beside ? SectorKind::beside : SectorKind::off_plane,
+                                         cone_angle(middle.bearing, middle.elevation)));
+        return weight;
+    }
+
+    double power_at(Direction d) const {
+        const bool fine = std::abs(d.elevation) <= edge() && part_.centre + d.bearing >= part_.first_edge && part_.centre + d.bearing <= part_.last_edge;
+        if (fine) return 0;
+        if (lobes_.piston) return lobes_.of_single(d.bearing, d.elevation);
+        const double across = lobes_.single ? lobes_.horizontal.power(cone_angle(d.bearing, d.elevation)) : 1;
+        const double power = across * lobes_.vertical.power(d.elevation);
+        return power < least_power ? 0 : power;
+    }
+
+    double edge() const { return drawn_half_height(lobes_); }
+
+    FanPlan& plan_;
+    const FanPart& part_;
+    const FanLobes& lobes_;
+};
+
+}  // namespace
+
+void add_surround(FanPlan& plan, FanPart& part, const FanLobes& lobes, double density) {
+    part.first_surround = plan.views.size();
+    if (part.last_edge - part.first_edge > widest_part) return;
+    part.first_sector = plan.sectors;
+    const double usual = part.beams == 1 ? pixels_of_single_beam : pixels_per_side;
+    const auto wished = static_cast<std::size_t>(usual * std::sqrt(density));
+    const std::size_t side = std::clamp<std::size_t>(wished, 16, plan.samples) / 2 * 2;
+    Surround surround(plan, part, lobes);
+    for (View view : faces(side)) {
+        const double relative = view.bearing;
+        view.bearing += part.centre;
+        part.surrounds += surround.add(view, relative);
+    }
+}
+
+}  // namespace echoloop

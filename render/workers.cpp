@@ -1,0 +1,52 @@
+#include "render/workers.h"
+
+#include <algorithm>
+
+namespace echoloop {
+
+Workers::Workers(std::size_t threads) {
+    if (threads == 0) threads = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 4);
+    for (std::size_t i = 1; i < threads; ++i)
+        threads_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
+}
+
+Workers::~Workers() = default;  // the jthreads stop and join
+
+void Workers::run(std::size_t count, const std::function<void(std::size_t)>& work) {
+    if (threads_.empty() || count < 2) {
+        for (std::size_t i = 0; i < count; ++i) work(i);
+        return;
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        work_ = &work;
+        count_ = count;
+        next_ = 0;
+        active_ = threads_.size();
+        ++round_;
+    }
+    begin_.notify_all();
+    take_pieces();
+    std::unique_lock lock(mutex_);
+    end_.wait(lock, [this] { return active_ == 0; });
+}
+
+void Workers::take_pieces() {
+    for (std::size_t i = next_++; i < count_; i = next_++) (*work_)(i);
+}
+
+void Workers::serve(std::stop_token stop) {
+    std::size_t seen = 0;
+    while (true) {
+        {
+            std::unique_lock lock(mutex_);
+            if (!begin_.wait(lock, stop, [&] { return round_ != seen; })) return;
+            seen = round_;
+        }
+        take_pieces();
+        const std::lock_guard lock(mutex_);
+        if (--active_ == 0) end_.notify_one();
+    }
+}
+
+}  // namespace echoloop

@@ -1,0 +1,43 @@
+// A few threads that share out loops, for work too short to start threads for. Results never depend on their number:
+// an index is one whole piece of work.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace echoloop {
+
+class Workers {
+  public:
+    /// `threads` counts the caller's; 0: one per processor, four at most.
+    explicit Workers(std::size_t threads = 0);
+    ~Workers();
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    /// Calls work(i) once for every i below `count`, in any order and on any thread, and returns when all are done.
+    /// `work` must not throw.
+    void run(std::size_t count, const std::function<void(std::size_t)>& work);
+    std::size_t threads() const { return threads_.size() + 1; }
+
+  private:
+    void serve(std::stop_token stop);
+    void take_pieces();
+
+    std::mutex mutex_;
+    std::condition_variable_any begin_;
+    std::condition_variable end_;
+    std::size_t round_ = 0;   ///< of run(), under mutex_
+    std::size_t active_ = 0;  ///< threads that still work in this round, under mutex_
+    const std::function<void(std::size_t)>* work_ = nullptr;
+    std::size_t count_ = 0;
+    std::atomic<std::size_t> next_{0};
+    std::vector<std::jthread> threads_;
+};
+
+}  // namespace echoloop
