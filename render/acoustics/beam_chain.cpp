@@ -1,0 +1,242 @@
+#include "render/acoustics/beam_chain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/acoustics/chain_kernels.h"
+
+namespace echoloop {
+namespace {
+
+/// What random numbers are for.
+enum Kind : std::uint32_t { speckle, speckle_phase, speckle_blend, texture, noise, noise_phase };
+
+double power_of(double db) { return std::pow(10, db / 10); }
+
+double noise_bandwidth(const Shot& shot) {
+    if (shot.receiver.bandwidth > 0) return shot.receiver.bandwidth;
+    if (shot.bandwidth > 0) return shot.bandwidth;
+    return 1 / (shot.pulse_length > 0 ? shot.pulse_length : shot.bin_interval);
+}
+
+/// uPa^2: thermal and self noise in the receiver's band, less what the array's directivity keeps out.
+double noise_power_of(const Shot& shot) {
+    const Receiver& receiver = shot.receiver;
+    const double density = power_of(thermal_noise_level(shot.frequency)) + power_of(receiver.self_noise);
+    return density * noise_bandwidth(shot) * power_of(-receiver.directivity_index);
+}
+
+/// One bit of the converter is the sign; the others count the amplitude up to where the input clips.
+float step_of(const Receiver& receiver) {
+    if (receiver.converter_bits < 2 || !std::isfinite(receiver.saturation_level)) return 0;
+    const double steps = std::exp2(receiver.converter_bits - 1) - 1;
+    return static_cast<float>(std::sqrt(power_of(receiver.saturation_level)) / steps);
+}
+
+}  // namespace
+
+ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, SpeckleOptions options)
+    : bins(shot.bins),
+      first_range(sound_speed / 2 * shot.first_bin_time),
+      bin_length(sound_speed / 2 * shot.bin_interval),
+      pulse(effects.has(Effect::pulse) && range_resolution(shot, sound_speed) > 0),
+      speckle(effects.has(Effect::speckle)),
+      shape(shot, sound_speed),
+      grid(shot) {
+    if (pulse) {
+        power = power_filter(shape, bin_length);
+        looks = std::max(1.0, bin_length / shape.length());
+        fine = bin_length < shape.length();
+        if (fine) field = field_filter(shape, bin_length);
+        texture_bins = static_cast<std::size_t>(std::max(1.0, std::round(shape.length() / bin_length)));
+    }
+    if (effects.has(Effect::noise)) {
+        noise_power = noise_power_of(shot);
+        noise_looks = pulse ? std::max(1.0, noise_bandwidth(shot) * shot.bin_interval) : 1;
+        if (fine) noise = noise_filter(noise_bandwidth(shot), shot.bin_interval);
+    }
+    if (speckle) texture_shape = options.shape;
+    if (effects.has(Effect::saturation)) power_limit = static_cast<float>(power_of(shot.receiver.saturation_level));
+    if (effects.has(Effect::quantisation)) amplitude_step = step_of(shot.receiver);
+}
+
+void BeamChain::start(const ChainPlan& plan, const ChainPing& ping) {
+    plan_ = &plan;
+    ping_ = ping;
+    for (Field& field : fields_) field.cell = ~0U;
+    for (Field* field : {&fields_[0], &fields_[1], &speckle_, &noise_, &points_}) {
+        field->real.resize(random_room(plan.bins));
+        field->imaginary.resize(random_room(plan.bins));
+    }
+    looks_.resize(plan.bins);
+    cosines_.resize(plan.bins);
+}
+
+void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::span<float> values) {
+    spread(values);
+    const AngularCells cells = plan_->grid.cells_of(ping_.view.turn + ping_.pan + ping_.bearings[beam]);
+    if (std::isfinite(plan_->texture_shape)) modulate_texture(cells, values);
+    const bool has_points = add_points(points);
+    if (plan_->fine) {
+        fine_echo(beam, cells, has_points, values);
+    } else {
+        coarse_echo(cells, has_points, values);
+        if (plan_->noise_power > 0) coarse_noise(beam, values);
+    }
+    kernels::receive(plan_->power_limit, plan_->amplitude_step, values.size(), values.data());
+}
+
+void BeamChain::spread(std::span<float> values) {
+    const LineFilter& filter = plan_->power;
+    if (filter.is_identity()) return;
+    padded_.assign(filter.room(values.size()), 0.0F);
+    std::copy(values.begin(), values.end(), padded_.begin() + static_cast<std::ptrdiff_t>(filter.before()));
+    filter.apply(padded_, values.size(), values.data(), scratch_);
+}
+
+void BeamChain::modulate_texture(const AngularCells& cells, std::span<float> values) {
+    const std::uint32_t cell = cells.first_weight >= cells.second_weight ? cells.first : cells.second;
+    const RandomStream stream = view_stream(cell, texture);
+    for (std::size_t i = 0; i < values.size(); i += plan_->texture_bins) {
+        const auto index = static_cast<std::uint32_t>(i / plan_->texture_bins);
+        const auto factor = static_cast<float>(random_gamma(stream, index, plan_->texture_shape));
+        for (std::size_t k = i; k < std::min(i + plan_->texture_bins, values.size()); ++k) values[k] *= factor;
+    }
+}
+
+bool BeamChain::add_points(std::span<const PointEcho> points) {
+    if (points.empty()) return false;
+    std::fill(points_.real.begin(), points_.real.end(), 0.0F);
+    std::fill(points_.imaginary.begin(), points_.imaginary.end(), 0.0F);
+    for (const PointEcho& point : points) place(point, point.range - plan_->first_range);
+    return true;
+}
+
+/// `where`: m from the window's beginning.
+void BeamChain::place(const PointEcho& point, double where) {
+    const double length = plan_->bin_length, last_bin = static_cast<double>(plan_->bins) - 1;
+    const double begin = plan_->pulse ? plan_->shape.begin() : 0, end = plan_->pulse ? plan_->shape.end() : 0;
+    const double first = std::max(std::floor((where + begin) / length), 0.0);
+    const double last = std::min(std::floor((where + end) / length), last_bin);
+    const double cosine = std::cos(point.phase), sine = std::sin(point.phase);
+    for (double bin = first; bin <= last; ++bin) {
+        const double from = bin * length - where;
+        const double share =
+            plan_->pulse ? (plan_->shape.energy_until(from + length) - plan_->shape.energy_until(from)) / length : 1;
+        const double amplitude = std::sqrt(point.power * std::max(share, 0.0));
+        points_.real[static_cast<std::size_t>(bin)] += static_cast<float>(amplitude * cosine);
+        points_.imaginary[static_cast<std::size_t>(bin)] += static_cast<float>(amplitude * sine);
+    }
+}
+
+RandomStream BeamChain::view_stream(std::uint32_t cell, std::uint32_t kind) const {
+    return {ping_.key, ping_.view.place, cell, kind};
+}
+
+RandomStream BeamChain::noise_stream(std::size_t beam, std::uint32_t kind) const {
+    return {ping_.key, ping_.ping, static_cast<std::uint32_t>(beam), kind};
+}
+
+void BeamChain::fill_field(const LineFilter& filter, const RandomStream& stream, Field& out) {
+    if (filter.is_identity()) return complex_normals(stream, plan_->bins, out.real.data(), out.imaginary.data());
+    const std::size_t count = filter.before() + plan_->bins;
+    const std::size_t room = std::max(filter.room(plan_->bins), random_room(count));
+    padded_.resize(room);
+    padded_imaginary_.resize(room);
+    complex_normals(stream, count, padded_.data(), padded_imaginary_.data());
+    filter.apply(padded_, plan_->bins, out.real.data(), scratch_);
+    filter.apply(padded_imaginary_, plan_->bins, out.imaginary.data(), scratch_);
+}
+
+/// Neighbouring beams share cells: the last two are kept.
+const BeamChain::Field& BeamChain::field_of(std::uint32_t cell) {
+    for (const std::size_t i : {newest_, 1 - newest_})
+        if (fields_[i].cell == cell) {
+            newest_ = i;
+            return fields_[i];
+        }
+    newest_ = 1 - newest_;
+    Field& field = fields_[newest_];
+    field.cell = cell;
+    if (plan_->fine)
+        fill_field(plan_->field, view_stream(cell, speckle), field);
+    else
+        mean_of_looks(view_stream(cell, speckle), plan_->looks, plan_->bins, field.real.data());
+    return field;
+}
+
+const BeamChain::Field& BeamChain::speckle_of(const AngularCells& cells) {
+    const Field& first = field_of(cells.first);
+    if (cells.second_weight == 0) return first;
+    blend(cells, first, field_of(cells.second));
+    return speckle_;
+}
+
+void BeamChain::blend(const AngularCells& cells, const Field& a, const Field& b) {
+    const float w = cells.first_weight, v = cells.second_weight;
+    if (plan_->fine) {
+        kernels::blend(w, a.real.data(), v, b.real.data(), plan_->bins, speckle_.real.data());
+        kernels::blend(w, a.imaginary.data(), v, b.imaginary.data(), plan_->bins, speckle_.imaginary.data());
+        return;
+    }
+    random_cosines(view_stream(cells.first, speckle_blend), plan_->bins, cosines_.data());
+    std::copy_n(a.real.begin(), plan_->bins, speckle_.real.begin());
+    kernels::interfere(w * w, speckle_.real.data(), v * v, b.real.data(), cosines_.data(),
+                       static_cast<float>(plan_->looks), plan_->bins);
+}
+
+void BeamChain::fine_echo(std::size_t beam, const AngularCells& cells, bool points, std::span<float> values) {
+    const std::size_t n = values.size();
+    const bool noisy = plan_->noise_power > 0;
+    if (!plan_->speckle) {
+        if (points) kernels::add_intensity(points_.real.data(), points_.imaginary.data(), n, values.data());
+        if (!noisy) return;
+    }
+    float *real = speckle_.real.data(), *imaginary = speckle_.imaginary.data();
+    if (plan_->speckle) {
+        const Field& field = speckle_of(cells);
+        kernels::modulate(values.data(), field.real.data(), field.imaginary.data(), n, real, imaginary);
+        if (points) kernels::add(1, points_.real.data(), points_.imaginary.data(), n, real, imaginary);
+    } else {
+        kernels::square_root(values.data(), n, real);
+        std::fill_n(imaginary, n, 0.0F);
+    }
+    if (noisy) {
+        fill_field(plan_->noise, noise_stream(beam, noise), noise_);
+        kernels::add(static_cast<float>(std::sqrt(plan_->noise_power)), noise_.real.data(), noise_.imaginary.data(), n,
+                     real, imaginary);
+    }
+    kernels::intensity(real, imaginary, n, values.data());
+}
+
+void BeamChain::coarse_echo(const AngularCells& cells, bool points, std::span<float> values) {
+    if (plan_->speckle) kernels::multiply(speckle_of(cells).real.data(), values.size(), values.data());
+    if (!points) return;
+    if (plan_->speckle) coarse_points(cells, values);
+    kernels::add_intensity(points_.real.data(), points_.imaginary.data(), values.size(), values.data());
+}
+
+/// A point echo lies in one of a bin's looks, and interferes with that one.
+void BeamChain::coarse_points(const AngularCells& cells, std::span<float> values) const {
+    const RandomStream stream = view_stream(cells.first, speckle_phase);
+    const double per_look = 1 / plan_->looks;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (points_.real[i] == 0 && points_.imaginary[i] == 0) continue;
+        const auto [cosine, sine] = random_direction(stream, static_cast<std::uint32_t>(i));
+        const auto diffuse = static_cast<float>(std::sqrt(static_cast<double>(values[i]) * per_look));
+        const float cross = 2 * diffuse * (points_.real[i] * cosine + points_.imaginary[i] * sine);
+        // Not below what the added intensity of the point brings back to 0.
+        const float point = points_.real[i] * points_.real[i] + points_.imaginary[i] * points_.imaginary[i];
+        values[i] = std::max(values[i] + cross, -point);
+    }
+}
+
+void BeamChain::coarse_noise(std::size_t beam, std::span<float> values) {
+    mean_of_looks(noise_stream(beam, noise), plan_->noise_looks, values.size(), looks_.data());
+    random_cosines(noise_stream(beam, noise_phase), values.size(), cosines_.data());
+    const double looks = plan_->speckle ? std::max(plan_->looks, plan_->noise_looks) : plan_->noise_looks;
+    kernels::interfere(1, values.data(), static_cast<float>(plan_->noise_power), looks_.data(), cosines_.data(),
+                       static_cast<float>(looks), values.size());
+}
+
+}  // namespace echoloop

@@ -1,0 +1,94 @@
+#include "render/acoustics/chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <list>
+
+#include "render/acoustics/beam_chain.h"
+#include "render/workers.h"
+
+namespace echoloop {
+namespace {
+
+/// True when a plan of one shot is good for the other.
+bool same_geometry(const Shot& a, const Shot& b) {
+    return a.bins == b.bins && a.bin_interval == b.bin_interval && a.first_bin_time == b.first_bin_time &&
+           a.pulse_length == b.pulse_length && a.bandwidth == b.bandwidth && a.frequency == b.frequency &&
+           a.beam_width == b.beam_width && a.receiver == b.receiver && a.bearings == b.bearings;
+}
+
+struct CachedPlan {
+    Shot shot;
+    double sound_speed;
+    ChainPlan plan;
+};
+
+/// The points of one beam in a list that is sorted by beam.
+std::span<const PointEcho> points_of(std::span<const PointEcho> sorted, std::size_t beam) {
+    const auto [first, last] =
+        std::ranges::equal_range(sorted, beam, {}, [](const PointEcho& point) { return point.beam; });
+    return {first, last};
+}
+
+}  // namespace
+
+double thermal_noise_level(double frequency) { return -15 + 20 * std::log10(frequency / 1000); }
+
+class AcousticChain::Impl {
+  public:
+    Impl(Effects effects, SpeckleOptions speckle) : effects_(effects), speckle_(speckle) {}
+
+    double apply(const Shot& shot, const Pose& pose, double sound_speed, std::span<const PointEcho> points,
+                 std::span<float> values) {
+        const ChainPlan& plan = plan_for(shot, sound_speed);
+        const ChainPing ping{shot.random_key, shot.ping, view_of(shot, pose, sound_speed / shot.frequency), shot.pan,
+                             shot.bearings};
+        points_.assign(points.begin(), points.end());
+        std::ranges::stable_sort(points_, {}, [](const PointEcho& point) { return point.beam; });
+        const std::size_t beams = shot.bearings.size();
+        const std::size_t parts = values.size() < worth_a_thread ? 1 : std::min(Workers::useful(), beams);
+        if (chains_.size() < parts) chains_.resize(parts);
+        const auto work = [&](std::size_t part) {
+            chains_[part].start(plan, ping);
+            for (std::size_t beam = beams * part / parts; beam < beams * (part + 1) / parts; ++beam)
+                chains_[part].run(beam, points_of(points_, beam), values.subspan(beam * shot.bins, shot.bins));
+        };
+        workers_.run(parts, work);
+        return plan.noise_power;
+    }
+
+  private:
+    static constexpr std::size_t worth_a_thread = 16'384, most_plans = 8;
+
+    const ChainPlan& plan_for(const Shot& shot, double sound_speed) {
+        const auto known = std::ranges::find_if(plans_, [&](const CachedPlan& cached) {
+            return cached.sound_speed == sound_speed && same_geometry(cached.shot, shot);
+        });
+        if (known != plans_.end()) {
+            plans_.splice(plans_.begin(), plans_, known);
+        } else {
+            if (plans_.size() == most_plans) plans_.pop_back();
+            plans_.push_front({shot, sound_speed, ChainPlan(shot, sound_speed, effects_, speckle_)});
+        }
+        return plans_.front().plan;
+    }
+
+    Effects effects_;
+    SpeckleOptions speckle_;
+    std::list<CachedPlan> plans_;  ///< last used first
+    std::vector<PointEcho> points_;
+    std::vector<BeamChain> chains_;  ///< one per part
+    Workers workers_;
+};
+
+AcousticChain::AcousticChain(Effects effects, SpeckleOptions speckle)
+    : impl_(std::make_unique<Impl>(effects, speckle)) {}
+AcousticChain::~AcousticChain() = default;
+AcousticChain::AcousticChain(AcousticChain&&) noexcept = default;
+
+double AcousticChain::apply(const Shot& shot, const Pose& world_from_sonar, double sound_speed,
+                            std::span<const PointEcho> points, std::span<float> values) {
+    return impl_->apply(shot, world_from_sonar, sound_speed, points, values);
+}
+
+}  // namespace echoloop

@@ -1,0 +1,72 @@
+#include "render/acoustics/chain_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/acoustics/vector_math.h"
+
+namespace echoloop::kernels {
+
+ECHOLOOP_CLONES void modulate(const float* power, const float* field_real, const float* field_imaginary,
+                              std::size_t count, float* real, float* imaginary) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float amplitude = std::sqrt(power[i]);
+        real[i] = amplitude * field_real[i];
+        imaginary[i] = amplitude * field_imaginary[i];
+    }
+}
+
+ECHOLOOP_CLONES void add(float scale, const float* a, const float* b, std::size_t count, float* real,
+                         float* imaginary) {
+    for (std::size_t i = 0; i < count; ++i) {
+        real[i] += scale * a[i];
+        imaginary[i] += scale * b[i];
+    }
+}
+
+ECHOLOOP_CLONES void blend(float weight, const float* a, float other_weight, const float* b, std::size_t count,
+                           float* out) {
+    for (std::size_t i = 0; i < count; ++i) out[i] = weight * a[i] + other_weight * b[i];
+}
+
+ECHOLOOP_CLONES void intensity(const float* real, const float* imaginary, std::size_t count, float* power) {
+    for (std::size_t i = 0; i < count; ++i) power[i] = real[i] * real[i] + imaginary[i] * imaginary[i];
+}
+
+ECHOLOOP_CLONES void add_intensity(const float* real, const float* imaginary, std::size_t count, float* power) {
+    for (std::size_t i = 0; i < count; ++i) power[i] += real[i] * real[i] + imaginary[i] * imaginary[i];
+}
+
+ECHOLOOP_CLONES void multiply(const float* factor, std::size_t count, float* power) {
+    for (std::size_t i = 0; i < count; ++i) power[i] *= factor[i];
+}
+
+ECHOLOOP_CLONES void square_root(const float* power, std::size_t count, float* amplitude) {
+    for (std::size_t i = 0; i < count; ++i) amplitude[i] = std::sqrt(power[i]);
+}
+
+ECHOLOOP_CLONES void interfere(float scale, float* power, float other_scale, const float* other, const float* cosine,
+                               float looks, std::size_t count) {
+    const float cross = 2 / std::sqrt(looks);
+    for (std::size_t i = 0; i < count; ++i) {
+        // Roots first: the product of two powers may be beyond a float.
+        const float a = scale * power[i], b = other_scale * other[i];
+        power[i] = a + b + cross * (std::sqrt(a) * std::sqrt(b)) * cosine[i];
+    }
+}
+
+ECHOLOOP_CLONES void receive(float limit, float step, std::size_t count, float* power) {
+    if (limit < INFINITY)
+        for (std::size_t i = 0; i < count; ++i) power[i] = std::min(power[i], limit);
+    if (!(step > 0)) return;
+    constexpr float finest = 0x1p22F;            // beyond, a float has hardly finer steps
+    constexpr float rounder = 1.5F * 0x1p23F;  // a float this large has no fraction
+    const float per_step = 1 / step;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float steps = std::sqrt(power[i]) * per_step, whole = (steps + rounder) - rounder;
+        const float amplitude = (steps < finest ? whole : steps) * step;
+        power[i] = amplitude * amplitude;
+    }
+}
+
+}  // namespace echoloop::kernels

@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "render/acoustics/statistics.h"
+#include "tests/render/acoustics/chain_shots.h"
+
+namespace echoloop {
+namespace {
+
+using test::chain_shot;
+using test::only;
+using test::output;
+using test::to_db;
+
+/// dB, the mean of what an empty sea sounds like.
+double noise_level(const Shot& shot) {
+    const auto values = output(only({Effect::pulse, Effect::noise}), shot, 0);
+    return to_db(test::sum_of(values) / static_cast<double>(values.size()));
+}
+
+TEST(Noise, Mellen) {
+    EXPECT_NEAR(thermal_noise_level(750e3), 42.5, 0.01);
+    EXPECT_NEAR(thermal_noise_level(100e3), 25, 1e-9);
+}
+
+// V9: NL + 10 log B - DI, whatever the bins.
+TEST(Noise, LevelInTheReceiversBand) {
+    for (const double bin : {0.004, 0.03, 0.3}) {
+        Shot shot = chain_shot(40, 2000, bin, 0.03);
+        EXPECT_NEAR(noise_level(shot), 42.5 + 10 * std::log10(25e3), 0.1) << "1 / tau, bins of " << bin;
+        shot.receiver.bandwidth = 10e3;
+        shot.receiver.directivity_index = 28;
+        EXPECT_NEAR(noise_level(shot), 42.5 + 40 - 28, 0.15) << "bins of " << bin;
+        shot.bandwidth = 20e3;
+        shot.receiver.bandwidth = 0;
+        EXPECT_NEAR(noise_level(shot), 42.5 + 43.01 - 28, 0.1) << "of a chirp, bins of " << bin;
+    }
+}
+
+TEST(Noise, SelfNoiseAddsItsPower) {
+    Shot shot = chain_shot(40, 1000, 0.1, 0.075);
+    shot.receiver.bandwidth = 10e3;
+    shot.receiver.self_noise = 42.5;
+    EXPECT_NEAR(noise_level(shot), 42.5 + 3.01 + 40, 0.1);
+    shot.receiver.self_noise = 70;
+    EXPECT_NEAR(noise_level(shot), 70 + 40, 0.1);
+}
+
+TEST(Noise, IsTheMeanThatIsReturned) {
+    Shot shot = chain_shot(40, 1000, 0.1, 0.075);
+    shot.receiver.bandwidth = 10e3;
+    std::vector<float> values(40'000, 0.0F);
+    const double mean = AcousticChain(only({Effect::noise})).apply(shot, {}, test::water_speed, {}, values);
+    EXPECT_NEAR(to_db(mean), 82.5, 0.01);
+    EXPECT_EQ(AcousticChain(only({Effect::speckle})).apply(shot, {}, test::water_speed, {}, values), 0);
+}
+
+TEST(Noise, IsGaussianAndNewInEveryPing) {
+    Shot shot = chain_shot(40, 1000, 0.02, 0.075);
+    const Effects noisy = only({Effect::pulse, Effect::noise});
+    const auto first = output(noisy, shot, 0);
+    std::vector<float> apart;
+    for (std::size_t i = 0; i < first.size(); i += 8) apart.push_back(first[i]);
+    EXPECT_NEAR(intensity_statistics(apart).amplitude_cv, 0.5227, 0.015);
+    EXPECT_EQ(output(noisy, shot, 0), first);
+    shot.ping = 1;
+    EXPECT_LT(std::abs(correlation(output(noisy, shot, 0), first)), 0.03);
+}
+
+TEST(Noise, OfABandNarrowerThanTheBinsIsCorrelated) {
+    Shot shot = chain_shot(1, 50'000, 0.0075, 0.075);  // 10 us bins, 100 us pulse
+    const auto values = output(only({Effect::pulse, Effect::noise}), shot, 0);
+    const std::span<const float> all(values);
+    const auto lagged = [&](std::size_t lag) { return correlation(all.first(49'000), all.subspan(lag, 49'000)); };
+    EXPECT_NEAR(lagged(5), 0.25, 0.04);  // (1 - 5 / 10)^2
+    EXPECT_NEAR(lagged(12), 0, 0.04);
+}
+
+// Together they are one Gaussian field of the summed power.
+TEST(Noise, AddsToSpeckleAsAField) {
+    for (const double bin : {0.02, 0.075}) {
+        Shot shot = chain_shot(100, 2000, bin, 0.075);
+        const double noise = std::pow(10, (42.5 + 40) / 10);
+        shot.receiver.bandwidth = 10e3;
+        const auto power = static_cast<float>(noise * bin / 0.075);
+        const auto values = output(only({Effect::pulse, Effect::speckle, Effect::noise}), shot, power);
+        std::vector<float> apart;
+        for (std::size_t i = 0; i < values.size(); i += 40) apart.push_back(values[i + 20]);
+        const IntensityStatistics s = intensity_statistics(apart);
+        EXPECT_NEAR(to_db(s.mean / noise), 3.01, 0.3) << bin;
+        EXPECT_NEAR(s.scintillation, 1, 0.12) << bin;
+        EXPECT_LT(s.kolmogorov, s.kolmogorov_limit) << bin;
+    }
+}
+
+TEST(Receiver, SaturationClips) {
+    Shot shot = chain_shot(1, 100, 0.1, 0.075);
+    shot.receiver.saturation_level = 60;
+    EXPECT_NEAR(output(only({Effect::saturation}), shot, 1e7F)[50], 1e6, 1);
+    EXPECT_EQ(output(only({Effect::saturation}), shot, 1e5F)[50], 1e5F);
+    EXPECT_EQ(output(only({Effect::quantisation}), shot, 1e7F)[50], 1e7F);
+}
+
+TEST(Receiver, ConverterHasEqualStepsOfAmplitude) {
+    Shot shot = chain_shot(1, 100, 0.1, 0.075);
+    shot.receiver.saturation_level = 60;  // amplitude 1000
+    shot.receiver.converter_bits = 8;     // a sign and 127 steps
+    const double step = 1000.0 / 127;
+    const auto amplitude = [&](double in) {
+        return std::sqrt(static_cast<double>(output(only({Effect::quantisation}), shot, static_cast<float>(in * in))[3]));
+    };
+    EXPECT_NEAR(amplitude(10.4 * step), 10 * step, 0.01);
+    EXPECT_NEAR(amplitude(10.6 * step), 11 * step, 0.01);
+    EXPECT_EQ(amplitude(0.4 * step), 0);
+    EXPECT_NEAR(amplitude(1000), 1000, 0.01);
+    shot.receiver.converter_bits = 0;
+    EXPECT_NEAR(amplitude(0.4 * step), 0.4 * step, 1e-4);
+    shot.receiver.converter_bits = 8;
+    shot.receiver.saturation_level = std::numeric_limits<double>::infinity();
+    EXPECT_NEAR(amplitude(0.4 * step), 0.4 * step, 1e-4);
+}
+
+TEST(Chain, WithoutEffectsValuesStayAsTheyAre) {
+    Shot shot = chain_shot(3, 100, 0.1, 0.4);
+    shot.receiver = {10e3, 20, 80, 60, 8};
+    std::vector<float> values(300);
+    for (std::size_t i = 0; i < 300; ++i) values[i] = static_cast<float>(i * i) * 1e4F;
+    const auto before = values;
+    EXPECT_EQ(AcousticChain(Effects::none()).apply(shot, {}, test::water_speed, {}, values), 0);
+    EXPECT_EQ(values, before);
+    const PointEcho point{1, 5.01, 7, 2};
+    AcousticChain(Effects::none()).apply(shot, {}, test::water_speed, {&point, 1}, values);
+    for (std::size_t i = 0; i < 300; ++i) EXPECT_NEAR(values[i] - before[i], i == 150 ? 7 : 0, 40) << i;
+}
+
+// Each beam alone gives the bytes that it gives among others, on however many threads they ran.
+TEST(Chain, BeamsDependOnThemselvesOnly) {
+    for (const double bin : {0.02, 0.2}) {
+        const Shot shot = chain_shot(256, 300, bin, 0.075);
+        const auto all = output(Effects(), shot, 1e7F);
+        EXPECT_EQ(output(Effects(), shot, 1e7F), all);
+        AcousticChain used{Effects()};
+        for (int ping = 0; ping < 3; ++ping) {
+            std::vector<float> values(all.size(), 1e7F);
+            used.apply(shot, {}, test::water_speed, {}, values);
+            EXPECT_EQ(values, all) << "what was done before does not matter";
+        }
+        Shot few = shot;  // fewer than are worth a thread
+        few.bearings.resize(40);
+        const auto part = output(Effects(), few, 1e7F);
+        EXPECT_TRUE(std::equal(part.begin(), part.end(), all.begin()));
+    }
+}
+
+TEST(Chain, SeveralGeometriesInTurn) {
+    AcousticChain chain{Effects()};
+    for (int round = 0; round < 2; ++round)
+        for (std::size_t i = 1; i < 12; ++i) {
+            const Shot shot = chain_shot(2, 100 * i, 0.02 * static_cast<double>(i), 0.075);
+            std::vector<float> values(2 * shot.bins, 1e6F);
+            chain.apply(shot, {}, test::water_speed, {}, values);
+            EXPECT_EQ(values, output(Effects(), shot, 1e6F));
+        }
+}
+
+}  // namespace
+}  // namespace echoloop
