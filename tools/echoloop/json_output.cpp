@@ -199,6 +199,22 @@ std::string bench_json(const bench::Report& report) {
                      {"limits", limits}});
 }
 
+std::string validate_json(const validation::Findings& findings) {
+    static constexpr const char* bounds[] = {"within", "at_most", "at_least"};
+    Json list = Json::array();
+    for (const auto& q : findings.quantities())
+        list.push_back({{"id", q.id},
+                        {"quantity", q.name},
+                        {"unit", q.unit},
+                        {"bound", bounds[static_cast<int>(q.bound)]},
+                        {"published", q.published},
+                        {"tolerance", q.tolerance},
+                        {"ours", q.ours},
+                        {"pass", q.passed()},
+                        {"source", q.source}});
+    return document({{"ok", findings.failed() == 0}, {"failed", findings.failed()}, {"quantities", list}});
+}
+
 std::string message_json(const InspectOrigin& origin, const inspect::Message& message) {
     Json json;
     if (origin.from)

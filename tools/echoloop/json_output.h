@@ -13,6 +13,7 @@
 #include "render/scene/scene.h"
 #include "tools/echoloop/bench/report.h"
 #include "tools/echoloop/driver.h"
+#include "tools/echoloop/validate/findings.h"
 
 namespace echoloop::cli {
 
@@ -35,6 +36,7 @@ struct RenderReport {
 std::string render_json(const RenderReport& report);
 
 std::string bench_json(const bench::Report& report);
+std::string validate_json(const validation::Findings& findings);
 
 /// Where a message of `echoloop inspect` comes from; addresses and time (s since the first datagram) only for
 /// captures.

@@ -60,6 +60,7 @@ Verb inspect_verb();
 Verb list_verb();
 Verb render_verb();
 Verb run_verb();
+Verb validate_verb();
 
 /// The arguments that many verbs share.
 Argument scenario_argument();

@@ -1,0 +1,29 @@
+#include "tools/echoloop/validate/groups.h"
+
+#include <array>
+
+namespace echoloop::validation {
+
+std::span<const Group> groups() {
+    static constexpr std::array<Group, 16> table{{
+        {"V1", "Sonar equation", check_sonar_equation},
+        {"V2", "Absorption", check_absorption},
+        {"V3", "Time base", check_time_base},
+        {"V4", "Range resolution", check_resolution},
+        {"V5", "Beam pattern", check_beam_pattern},
+        {"V6", "Target strength", check_target_strength},
+        {"V7", "Seabed", check_seabed},
+        {"V8", "Speckle", check_speckle},
+        {"V9", "Noise", check_noise},
+        {"V10", "Time-varied gain and converter", check_gain},
+        {"V11", "Shadow", check_shadow},
+        {"V12", "Layover and first return", check_layover},
+        {"V13", "Multipath", check_multipath},
+        {"V14", "Refraction", check_refraction},
+        {"V15", "Motion", check_motion},
+        {"V16", "Bookkeeping", check_bookkeeping},
+    }};
+    return table;
+}
+
+}  // namespace echoloop::validation

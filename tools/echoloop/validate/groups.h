@@ -1,0 +1,36 @@
+// The checks V1 to V16, in order. Each asks the parts that the emulator itself uses; the published numbers stand in
+// the checks as literals.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "tools/echoloop/validate/findings.h"
+
+namespace echoloop::validation {
+
+struct Group {
+    std::string_view id, title;
+    void (*check)(Findings&);
+};
+
+std::span<const Group> groups();
+
+void check_sonar_equation(Findings&);
+void check_absorption(Findings&);
+void check_time_base(Findings&);
+void check_resolution(Findings&);
+void check_beam_pattern(Findings&);
+void check_target_strength(Findings&);
+void check_seabed(Findings&);
+void check_speckle(Findings&);
+void check_noise(Findings&);
+void check_gain(Findings&);
+void check_shadow(Findings&);
+void check_layover(Findings&);
+void check_multipath(Findings&);
+void check_refraction(Findings&);
+void check_motion(Findings&);
+void check_bookkeeping(Findings&);
+
+}  // namespace echoloop::validation

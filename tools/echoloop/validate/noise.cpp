@@ -1,0 +1,53 @@
+// V9: the noise of the water and the receiver, before and after the device's gain.
+#include <cmath>
+
+#include "tools/echoloop/validate/groups.h"
+#include "tools/echoloop/validate/micron_receiver.h"
+#include "tools/echoloop/validate/statistics.h"
+#include "tools/echoloop/validate/world.h"
+
+namespace echoloop::validation {
+namespace {
+
+/// What is heard of nothing in a band of 10 kHz by a receiver of 30 dB directivity.
+Echogram silence(double self_noise) {
+    Echogram e;
+    e.shot = fan(3, 30, 1, 16384, 30);
+    e.shot.receiver.bandwidth = 10e3;
+    e.shot.receiver.directivity_index = 30;
+    e.shot.receiver.self_noise = self_noise;
+    e.sound_speed = 1500;
+    e.values.resize(e.shot.bins);
+    e.noise_power = AcousticChain(only({Effect::pulse, Effect::noise})).apply(e.shot, {}, 1500, {}, e.values);
+    return e;
+}
+
+/// dB per decade of range of what the Micron shows, from 2 m on.
+double growth(const Echogram& e, double spreading) {
+    const auto shown = shown_by_micron(e, spreading, 0, 45 - (40 - spreading) * 0.5);
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t bin = 0; bin < e.shot.bins; ++bin)
+        if (e.bin_range(bin) > 2) points.emplace_back(std::log10(e.bin_range(bin)), shown[bin]);
+    return slope(points);
+}
+
+}  // namespace
+
+void check_noise(Findings& find) {
+    find.source("Mellen 1952: -15 + 20 log10 f[kHz]");
+    find.within("thermal noise at 750 kHz", "dB re uPa^2/Hz", 42.5, 0.05, thermal_noise_level(750e3));
+    const double none = -std::numeric_limits<double>::infinity();
+    const Echogram e = silence(none);
+    find.source("NL + 10 log B - DI, B 10 kHz, DI 30 dB");
+    find.within("mean of what is heard of nothing", "dB", 52.5, 0.2,
+                db(total(e.values) / static_cast<double>(e.values.size())));
+    find.within("mean that the echogram declares", "dB", 52.5, 0.1, db(e.noise_power));
+    find.source("isotropic, like the thermal: equal powers add to 3.01 dB more");
+    find.within("self noise as loud as the thermal", "dB", 55.51, 0.2,
+                db(total(silence(42.5).values) / static_cast<double>(e.values.size())));
+    find.source("the gain acts on noise as on echoes");
+    find.within("growth of the shown noise over range, gain constant", "dB/decade", 0, 0.6, growth(e, 0));
+    find.within("growth of the shown noise over range, gain 40 log R", "dB/decade", 40, 0.6, growth(e, 40));
+}
+
+}  // namespace echoloop::validation

@@ -1,0 +1,149 @@
+#include "tools/echoloop/validate/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace echoloop::validation {
+namespace {
+
+void add_quad(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
+    for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + corner);
+}
+
+Mesh mesh_of(const char* object, double mu_db) {
+    Mesh mesh;
+    mesh.object = object;
+    mesh.material.name = object;
+    mesh.material.mu_db = mu_db;
+    return mesh;
+}
+
+/// A scene must have a triangle: one that no ping reaches.
+Mesh speck() {
+    Mesh mesh = mesh_of("speck", -100);
+    add_quad(mesh, {-5000, 0, 0}, {-5000, 0.01, 0}, {-5000, 0.01, 0.01}, {-5000, 0, 0.01});
+    return mesh;
+}
+
+}  // namespace
+
+Mesh floor_at(double z, double half_side, int cells, double mu_db) {
+    Mesh mesh = mesh_of("floor", mu_db);
+    const double step = 2 * half_side / cells;
+    for (int i = 0; i < cells; ++i)
+        for (int j = 0; j < cells; ++j) {
+            const double x = -half_side + i * step, y = -half_side + j * step;
+            add_quad(mesh, {x, y, z}, {x + step, y, z}, {x + step, y + step, z}, {x, y + step, z});
+        }
+    return mesh;
+}
+
+Mesh wall_at(double x, double half_width, double bottom, double top, double mu_db) {
+    Mesh mesh = mesh_of("wall", mu_db);
+    add_quad(mesh, {x, half_width, bottom}, {x, -half_width, bottom}, {x, -half_width, top},
+             {x, half_width, top});
+    return mesh;
+}
+
+Mesh ball(Vec3 centre, double radius, int rings, double mu_db) {
+    Mesh mesh = mesh_of("ball", mu_db);
+    const int around = 2 * rings;
+    for (int j = 0; j <= rings; ++j)
+        for (int i = 0; i <= around; ++i) {
+            const double polar = std::numbers::pi * j / rings, azimuth = 2 * std::numbers::pi * i / around;
+            const Vec3 n{std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+                         std::cos(polar)};
+            mesh.positions.push_back(centre + radius * n);
+            mesh.normals.push_back(n);
+        }
+    for (int j = 0; j < rings; ++j)
+        for (int i = 0; i < around; ++i) {
+            const auto a = static_cast<std::uint32_t>(j * (around + 1) + i), below = a + around + 1;
+            for (const std::uint32_t corner : {a, below, below + 1, a, below + 1, a + 1})
+                mesh.indices.push_back(corner);
+        }
+    return mesh;
+}
+
+std::shared_ptr<const Scene> scene_of(std::vector<Mesh> meshes, std::vector<PointTarget> targets) {
+    if (meshes.empty()) meshes.push_back(speck());
+    return Scene::from_meshes(meshes, targets);
+}
+
+Water water_of(double sound_speed) {
+    Water water;
+    water.sound_speed = sound_speed;
+    return water;
+}
+
+Effects only(std::initializer_list<Effect> effects) {
+    Effects set = Effects::none();
+    for (const Effect effect : effects) set.set(effect);
+    return set;
+}
+
+RendererOptions with(Effects effects) {
+    RendererOptions options;
+    options.effects = effects;
+    return options;
+}
+
+Shot fan(double aperture_deg, double height_deg, std::size_t beams, std::size_t bins, double range) {
+    Shot shot;
+    shot.beam_width = deg_to_rad(aperture_deg) / static_cast<double>(beams);
+    for (std::size_t i = 0; i < beams; ++i)
+        shot.bearings.push_back(deg_to_rad(-aperture_deg / 2) +
+                                (static_cast<double>(i) + 0.5) * shot.beam_width);
+    shot.fan_height = deg_to_rad(height_deg);
+    shot.bins = bins;
+    shot.bin_interval = 2 * range / 1500 / static_cast<double>(bins);
+    shot.pulse_length = shot.bin_interval;
+    shot.frequency = 750e3;
+    shot.source_level = 200;
+    shot.random_key = 1;
+    return shot;
+}
+
+Shot pencil(double range, double pulse_length) {
+    const double bin = pulse_length / 4;
+    Shot shot = fan(2, 2, 1, static_cast<std::size_t>(2 * range / 1500 / bin), range);
+    shot.bin_interval = bin;
+    shot.pulse_length = pulse_length;
+    return shot;
+}
+
+double db(double power) { return 10 * std::log10(power); }
+
+double total(std::span<const float> values) {
+    double sum = 0;
+    for (const float v : values) sum += v;
+    return sum;
+}
+
+std::size_t peak_bin(std::span<const float> values) {
+    return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+}
+
+double peak(std::span<const float> values) { return values[peak_bin(values)]; }
+
+std::size_t first_bin(std::span<const float> values, double share) {
+    const double threshold = share * peak(values);
+    const auto loud = [&](float v) { return v > threshold; };
+    return static_cast<std::size_t>(std::find_if(values.begin(), values.end(), loud) - values.begin());
+}
+
+std::vector<double> mean_values(Renderer& renderer, Shot shot, std::size_t pings, Vec3 step) {
+    std::vector<double> mean(shot.bearings.size() * shot.bins);
+    for (std::size_t ping = 0; ping < pings; ++ping) {
+        shot.ping = ping;
+        const Echogram e = renderer.render(shot, {static_cast<double>(ping) * step, {}});
+        for (std::size_t i = 0; i < mean.size(); ++i)
+            mean[i] += static_cast<double>(e.values[i]) / static_cast<double>(pings);
+    }
+    return mean;
+}
+
+}  // namespace echoloop::validation

@@ -1,0 +1,44 @@
+// Scenes, shots and measurements that the checks share: made in memory, with effects chosen one by one. Knows no
+// published value.
+#pragma once
+
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "render/renderer.h"
+
+namespace echoloop::validation {
+
+/// A horizontal square that faces up, around (0, 0, z).
+Mesh floor_at(double z, double half_side, int cells = 1, double mu_db = -27);
+/// A vertical rectangle at x that faces the sonar at the origin, |y| <= half_width.
+Mesh wall_at(double x, double half_width, double bottom, double top, double mu_db = -27);
+/// A ball of rings x (2 rings) cells.
+Mesh ball(Vec3 centre, double radius, int rings, double mu_db);
+std::shared_ptr<const Scene> scene_of(std::vector<Mesh> meshes, std::vector<PointTarget> targets = {});
+
+Water water_of(double sound_speed);
+Effects only(std::initializer_list<Effect> effects);
+RendererOptions with(Effects effects);
+
+/// `beams` beams side by side over a window of 0 to `range` m; a CW pulse as long as a bin, at c = 1500 m/s.
+Shot fan(double aperture_deg, double height_deg, std::size_t beams, std::size_t bins, double range);
+
+/// A beam of 2 x 2 deg with bins of a quarter of the pulse from 0 to `range` m, so that an echo fills some of them
+/// wholly.
+Shot pencil(double range, double pulse_length);
+
+double db(double power);
+double total(std::span<const float> values);
+double peak(std::span<const float> values);
+std::size_t peak_bin(std::span<const float> values);
+/// The first bin that is louder than `share` of the loudest; the number of bins if there is none.
+std::size_t first_bin(std::span<const float> values, double share);
+
+/// Sum of the echograms of `pings` pings, the sonar a little further on at each, as doubles.
+std::vector<double> mean_values(Renderer& renderer, Shot shot, std::size_t pings,
+                                Vec3 step = {0.37, 0.29, 0});
+
+}  // namespace echoloop::validation
