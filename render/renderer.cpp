@@ -8,6 +8,7 @@
 
 #include "render/fan/binning.h"
 #include "render/fan/plan_cache.h"
+#include "render/fan/target_beams.h"
 #include "render/fan/truth.h"
 #include "render/gl/scene_drawer.h"
 #include "render/workers.h"
@@ -31,9 +32,13 @@ void validate(const Pose& pose) {
         throw std::invalid_argument("pose: orientation must be a unit quaternion");
 }
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+/// s of wall time that `work` takes.
+template <typename Work>
+double timed(const Work& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 Pose world_from_fan(const Shot& shot, const Pose& world_from_sonar) {
     return world_from_sonar * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)};
@@ -46,9 +51,11 @@ class Renderer::Impl {
     Impl(std::shared_ptr<const Scene> scene, Water water, RendererOptions options)
         : water_(water),
           options_(std::move(options)),
-          drawer_(checked_context(), std::move(scene)),
+          tracer_(scene, options_.surface, options_.effects),
+          drawer_(checked_context(), scene),
           plans_({options_.columns_per_beam, options_.pixel_density}),
-          binning_(workers_) {
+          binning_(workers_),
+          chain_(options_.effects, options_.speckle) {
         for (const std::uint32_t material : drawer_.material_of_surface())
             strength_.emplace_back(drawer_.scene().materials()[material]);
     }
@@ -56,10 +63,16 @@ class Renderer::Impl {
     Echogram render(const Shot& shot, const Pose& pose) {
         const FanPlan& plan = draw(shot, pose);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}};
-        const auto begin = Clock::now();
-        binning_.bin(binning_input(shot, plan, out.sound_speed), out.values);
-        out.truth = find_truth(plan, pixels_, shot.bearings, offset_of(shot));
-        profile_.bins = seconds_since(begin);
+        profile_.paths = timed([&] { trace_paths(shot, pose, out.sound_speed); });
+        profile_.bins = timed([&] {
+            binning_.bin(binning_input(shot, plan, out.sound_speed), out.values);
+            out.truth = find_truth(plan, pixels_, shot.bearings, offset_of(shot));
+        });
+        if (options_.rule == EchoRule::radiometric)
+            profile_.acoustics = timed([&] {
+                const auto points = points_of(shot, effects(), paths_.targets);
+                out.noise_power = chain_.apply(shot, pose, out.sound_speed, points, out.values);
+            });
         return out;
     }
 
@@ -83,6 +96,23 @@ class Renderer::Impl {
         return gl::make_context(options_.context);
     }
 
+    void trace_paths(const Shot& shot, const Pose& pose, double c) {
+        paths_.diffuse.clear(), paths_.targets.clear();
+        if (options_.rule == EchoRule::radiometric && tracer_.needed())
+            tracer_.trace(shot, pose, c, absorption(shot), end_range(shot), paths_);
+    }
+
+    /// Np/m.
+    double absorption(const Shot& shot) const {
+        return effects().has(Effect::absorption) ? db_to_neper(absorption_db_per_km(water_, shot.frequency) / 1e3)
+                                                 : 0;
+    }
+    /// m, of the window.
+    double end_range(const Shot& shot) const {
+        return echoloop::sound_speed(water_) / 2 *
+               (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
+    }
+
     BinningInput binning_input(const Shot& shot, const FanPlan& plan, double c) const {
         return {plan,
                 pixels_,
@@ -93,9 +123,7 @@ class Renderer::Impl {
                 c / 2 * shot.bin_interval,
                 shot.bins,
                 db_to_power(shot.source_level),
-                effects().has(Effect::absorption)
-                    ? db_to_neper(absorption_db_per_km(water_, shot.frequency) / 1e3)
-                    : 0,
+                absorption(shot),
                 effects().has(Effect::spreading),
                 paths_.diffuse};
     }
@@ -116,9 +144,7 @@ class Renderer::Impl {
         echoloop::validate(shot);
         validate(pose);
         const FanPlan& plan = plans_.plan_for(geometry_of(shot, effects()));
-        const double end = echoloop::sound_speed(water_) / 2 *
-                           (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
-        drawer_.draw(plan, world_from_fan(shot, pose), end, offset_of(shot), pixels_);
+        drawer_.draw(plan, world_from_fan(shot, pose), end_range(shot), offset_of(shot), pixels_);
         return plan;
     }
 
@@ -136,11 +162,13 @@ class Renderer::Impl {
     Water water_;
     RendererOptions options_;
     std::thread::id thread_ = std::this_thread::get_id();
+    PathTracer tracer_;
     gl::SceneDrawer drawer_;
     std::vector<StrengthTable> strength_;
     PlanCache plans_;
     Workers workers_;
     Binning binning_;
+    AcousticChain chain_;
     PathEchoes paths_;
     std::vector<Pixel> pixels_;
     RenderProfile profile_;

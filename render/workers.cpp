@@ -4,19 +4,17 @@
 
 namespace echoloop {
 
-Workers::Workers(std::size_t threads) {
-    if (threads == 0) threads = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 4);
-    for (std::size_t i = 1; i < threads; ++i)
-        threads_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
-}
+std::size_t Workers::useful() { return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 4); }
 
 Workers::~Workers() = default;  // the jthreads stop and join
 
 void Workers::run(std::size_t count, const std::function<void(std::size_t)>& work) {
-    if (threads_.empty() || count < 2) {
+    if (wished_ < 2 || count < 2) {
         for (std::size_t i = 0; i < count; ++i) work(i);
         return;
     }
+    while (threads_.size() + 1 < wished_)
+        threads_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
     {
         const std::lock_guard lock(mutex_);
         work_ = &work;

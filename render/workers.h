@@ -14,8 +14,8 @@ namespace echoloop {
 
 class Workers {
   public:
-    /// `threads` counts the caller's; 0: one per processor, four at most.
-    explicit Workers(std::size_t threads = 0);
+    /// `threads` counts the caller's. None is started before the first loop that needs it.
+    explicit Workers(std::size_t threads = useful()) : wished_(threads) {}
     ~Workers();
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
@@ -23,12 +23,15 @@ class Workers {
     /// Calls work(i) once for every i below `count`, in any order and on any thread, and returns when all are done.
     /// `work` must not throw.
     void run(std::size_t count, const std::function<void(std::size_t)>& work);
-    std::size_t threads() const { return threads_.size() + 1; }
+
+    /// Threads that may help on this machine, the caller's included: one per processor, four at most.
+    static std::size_t useful();
 
   private:
     void serve(std::stop_token stop);
     void take_pieces();
 
+    std::size_t wished_;
     std::mutex mutex_;
     std::condition_variable_any begin_;
     std::condition_variable end_;

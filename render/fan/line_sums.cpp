@@ -3,33 +3,46 @@
 namespace echoloop {
 namespace {
 
-float amount_of(const BinningInput& in, Amount amount, const PixelRow& row, std::size_t i, float middle, float weight) {
-    if (amount == Amount::paper_share) return weight;
-    if (amount == Amount::paper_echo) return weight * cerqueira_sigmoid(row.cosine()[i]);
+template <Amount amount>
+inline float amount_of(const BinningInput& in, const PixelRow& row, std::size_t i, float middle, float weight) {
+    if constexpr (amount == Amount::paper_share) return weight;
+    if constexpr (amount == Amount::paper_echo) return weight * cerqueira_sigmoid(row.cosine()[i]);
     // cos(i) is the distance of the surface's plane over R, and was taken at the sample point.
     const float cosine = std::min(row.cosine()[i] * row.range()[i] / middle, 1.0F);
     return weight * in.strength[static_cast<std::size_t>(row.surface()[i]) - 1].at(cosine);
 }
 
 /// Calls deposit(i, near, far, amount, slope) for every pixel of the line that shows a surface and has weight.
-template <typename Deposit>
-void for_each_echo(const BinningInput& in, const BinGain& gain, Amount amount, const LineReader& reader,
-                   const float* weight, std::size_t samples, const Deposit& deposit) {
+template <Amount amount, typename Deposit>
+void for_each_echo(const BinningInput& in, const BinGain& gain, const LineReader& reader, const float* weight,
+                   std::size_t samples, const Deposit& deposit) {
     const auto per_metre = static_cast<float>(1 / in.bin_length),
                start = static_cast<float>(in.first_range / in.bin_length),
                near_limit = static_cast<float>(gain.near_limit());
     const PixelRow& row = reader.row();
     const Extents& extents = reader.extents();
+    const float *surface = row.surface(), *near_edge = extents.near.data(), *far_edge = extents.far.data();
     for (std::size_t i = 0; i < samples; ++i) {
-        if (row.surface()[i] == 0 || weight[i] == 0) continue;
+        if (surface[i] == 0 || weight[i] == 0) continue;
         const float middle = extents.middle[i];
-        const float near = extents.near[i] * per_metre - start, far = extents.far[i] * per_metre - start;
-        float value = amount_of(in, amount, row, i, middle, weight[i]);
+        const float near = near_edge[i] * per_metre - start, far = far_edge[i] * per_metre - start;
+        float value = amount_of<amount>(in, row, i, middle, weight[i]);
         if (amount == Amount::echo && middle < near_limit && far - near < 1) value *= gain.correction(middle);
         // Along a plane seen at grazing incidence the solid angle of a slice of range falls as R^-2, cos(i) as R^-1.
         const float steepest = 1.8F / (far - near);  // beyond, the density at the far end would be negative
         deposit(i, near, far, value, std::max(-3 / (middle * per_metre), -steepest));
     }
+}
+
+template <Amount amount>
+void add_level(const BinningInput& in, const BinGain& gain, const LineReader& reader, const float* weight,
+               std::size_t samples, LineBins& bins) {
+    LineBins local = bins;  // its limits stay in registers
+    for_each_echo<amount>(in, gain, reader, weight, samples,
+                          [&](std::size_t, float near, float far, float value, float slope) {
+                              local.deposit(near, far, value, slope);
+                          });
+    bins = local;
 }
 
 }  // namespace
@@ -69,11 +82,14 @@ void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, 
                     LineReader& reader, LineBins& bins) {
     reader.read(in, view, line);
     const std::size_t first = view.first_pixel + line * view.samples;
-    const auto& weights = amount == Amount::echo ? in.plan.weight : in.plan.coverage;
-    for_each_echo(in, gain, amount, reader, &weights[first], view.samples,
-                  [&](std::size_t, float near, float far, float value, float slope) {
-                      bins.deposit(near, far, value, slope);
-                  });
+    switch (amount) {
+        case Amount::echo:
+            return add_level<Amount::echo>(in, gain, reader, &in.plan.weight[first], view.samples, bins);
+        case Amount::paper_echo:
+            return add_level<Amount::paper_echo>(in, gain, reader, &in.plan.coverage[first], view.samples, bins);
+        case Amount::paper_share:
+            return add_level<Amount::paper_share>(in, gain, reader, &in.plan.coverage[first], view.samples, bins);
+    }
 }
 
 void add_surround_line(const BinningInput& in, const BinGain& gain, const View& view, std::size_t line,
@@ -81,7 +97,7 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, const View& 
     reader.read(in, view, line);
     const std::size_t first = view.first_pixel + line * view.samples;
     const SectorShare* share = &in.plan.sector[first - in.plan.first_surround_pixel];
-    for_each_echo(in, gain, Amount::echo, reader, &in.plan.weight[first], view.samples,
+    for_each_echo<Amount::echo>(in, gain, reader, &in.plan.weight[first], view.samples,
                   [&](std::size_t i, float near, float far, float value, float slope) {
                       const SectorShare to = share[i];
                       if (to.next < 1) sums.sector(to.sector).deposit(near, far, value * (1 - to.next), slope);

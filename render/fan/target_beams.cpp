@@ -1,0 +1,22 @@
+#include "render/fan/target_beams.h"
+
+#include "render/fan/plan_parts.h"
+
+namespace echoloop {
+
+std::vector<PointEcho> points_of(const Shot& shot, const Effects& effects, std::span<const TargetEcho> targets) {
+    constexpr double least = 1e-8;  // of the axis, two ways: not heard
+    std::vector<PointEcho> points;
+    if (targets.empty()) return points;
+    const FanLobes lobes(geometry_of(shot, effects));
+    for (const TargetEcho& target : targets)
+        for (std::size_t beam = 0; beam < shot.bearings.size(); ++beam) {
+            const double off = target.bearing - shot.bearings[beam];
+            const bool aside = !effects.has(Effect::side_lobes) && std::abs(off) > lobes.horizontal.edge();
+            const double weight = shot.bearings.size() == 1 ? 1 : aside ? 0 : lobes.horizontal.power(off);
+            if (weight > least) points.push_back({beam, target.range, target.power * weight, target.phase});
+        }
+    return points;
+}
+
+}  // namespace echoloop
