@@ -5,7 +5,7 @@ import unittest
 
 from program import PROGRAM, TANK, ProgramTest, run
 
-VERBS = ["run", "check", "list", "endpoints", "render", "inspect", "bench"]
+VERBS = ["run", "check", "list", "endpoints", "render", "inspect", "bench", "validate"]
 
 
 class Usage(ProgramTest):

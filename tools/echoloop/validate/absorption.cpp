@@ -57,7 +57,7 @@ void check_absorption(Findings& find) {
     find.source("Ainslie & McColm, JASA 103 (1998) 1671");
     find.within("Ainslie-McColm, 700 kHz, 20 C, 1 m, pH 8.1", "dB/m", 0.2146, 5e-5,
                 ainslie_mccolm_db_per_km(water(20, 35, 1, 8.1), 700e3) / 1e3);
-    find.source("both equations, evaluated by hand");
+    find.source("computed from both equations");
     check_table(find, "sea 10 C", water(10, 35, 0, 8),
                 {{30, 6.87, 7.02}, {120, 38.8, 39.7}, {200, 54.4, 56.1}, {330, 79.5, 83.0}, {450, 109.7, 115.8},
                  {750, 222.4, 238.4}, {900, 299.5, 322.3}, {1200, 495, 536}, {2250, 1621, 1761}});

@@ -10,9 +10,10 @@ namespace echoloop::validation {
 namespace {
 
 /// What is heard of nothing in a band of 10 kHz by a receiver of 30 dB directivity.
-Echogram silence(double self_noise) {
+Echogram silence(double self_noise, std::uint64_t ping = 0) {
     Echogram e;
     e.shot = fan(3, 30, 1, 16384, 30);
+    e.shot.ping = ping;
     e.shot.receiver.bandwidth = 10e3;
     e.shot.receiver.directivity_index = 30;
     e.shot.receiver.self_noise = self_noise;
@@ -20,6 +21,11 @@ Echogram silence(double self_noise) {
     e.values.resize(e.shot.bins);
     e.noise_power = AcousticChain(only({Effect::pulse, Effect::noise})).apply(e.shot, {}, 1500, {}, e.values);
     return e;
+}
+
+double likeness(const Echogram& a, const Echogram& b) {
+    return correlation(std::vector<double>(a.values.begin(), a.values.end()),
+                       std::vector<double>(b.values.begin(), b.values.end()));
 }
 
 /// dB per decade of range of what the Micron shows, from 2 m on.
@@ -45,6 +51,8 @@ void check_noise(Findings& find) {
     find.source("isotropic, like the thermal: equal powers add to 3.01 dB more");
     find.within("self noise as loud as the thermal", "dB", 55.51, 0.2,
                 db(total(silence(42.5).values) / static_cast<double>(e.values.size())));
+    find.source("every ping has its own noise");
+    find.at_most("correlation of the noise of two pings", "", 0.05, std::abs(likeness(e, silence(none, 1))));
     find.source("the gain acts on noise as on echoes");
     find.within("growth of the shown noise over range, gain constant", "dB/decade", 0, 0.6, growth(e, 0));
     find.within("growth of the shown noise over range, gain 40 log R", "dB/decade", 40, 0.6, growth(e, 40));

@@ -1,0 +1,98 @@
+"""echoloop validate: its table, its exit status, and that the committed report is about the same quantities."""
+import json
+import os
+import re
+import subprocess
+import unittest
+
+from program import PROGRAM, ROOT, ProgramTest, run
+
+IDS = [f"V{n}" for n in range(1, 17)]
+HEADINGS = ("id", "quantity", "unit", "published", "ours", "tolerance", "pass", "source")
+
+
+def rows_of(report):
+    """The rows of all tables of a Markdown report."""
+    cells = [[cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
+             for line in report.splitlines() if re.match(r"\| V\d+ \|", line)]
+    return [dict(zip(HEADINGS, row)) for row in cells]
+
+
+class Whole(ProgramTest):
+    """One run of all checks, looked at from several sides."""
+
+    @classmethod
+    def setUpClass(cls):
+        done = run("validate", "--json")
+        cls.status, cls.errors = done.returncode, done.stderr.decode()
+        cls.document = json.loads(done.stdout)
+        cls.quantities = cls.document["quantities"]
+
+    def test_every_quantity_is_within_its_tolerance(self):
+        self.assertEqual([q for q in self.quantities if not q["pass"]], [])
+        self.assertEqual((self.status, self.document["ok"], self.document["failed"], self.errors), (0, True, 0, ""))
+
+    def test_all_of_v1_to_v16_are_there_in_order_each_quantity_once(self):
+        self.assertEqual(list(dict.fromkeys(q["id"] for q in self.quantities)), IDS)
+        names = [(q["id"], q["quantity"]) for q in self.quantities]
+        self.assertEqual(len(set(names)), len(names))
+
+    def test_verdicts_follow_the_figures(self):
+        for q in self.quantities:
+            passed = {"within": abs(q["ours"] - q["published"]) <= q["tolerance"],
+                      "at_most": q["ours"] <= q["published"], "at_least": q["ours"] >= q["published"]}[q["bound"]]
+            self.assertEqual(q["pass"], passed, q)
+            self.assertTrue(q["source"], q)
+            self.assertTrue(q["bound"] != "within" or q["tolerance"] > 0, q)
+
+    def test_the_committed_report_is_about_the_same_quantities(self):
+        text = (ROOT / "docs" / "validation.md").read_text()
+        keys = ("id", "quantity", "unit", "published", "tolerance", "source")
+        signs = {"within": "", "at_most": "<= ", "at_least": ">= "}
+        ours = [{"id": q["id"], "quantity": q["quantity"], "unit": q["unit"], "source": q["source"],
+                 "published": f"{signs[q['bound']]}{q['published']:.8g}",
+                 "tolerance": f"+-{q['tolerance']:.8g}" if q["bound"] == "within" else ""} for q in self.quantities]
+        committed = [{key: row[key] for key in keys} for row in rows_of(text)]
+        self.assertEqual(committed, ours, "run echoloop validate --report docs/validation.md and commit what it writes")
+        self.assertNotIn("**no**", text)
+        for picture in re.findall(r"\]\((pictures/[^)]+)\)", text):
+            self.assertTrue((ROOT / "docs" / picture).is_file(), picture)
+
+
+class Validate(ProgramTest):
+    def test_chosen_checks_as_text(self):
+        text = self.good("validate", "--only", "V2,V14")
+        self.assertRegex(text, r"(?m)^V2 Absorption$")
+        self.assertRegex(text, r"(?m)^  200 kHz, pH 7.8 +54.411284 +54.411284 .*pass$")
+        self.assertNotIn("V5", text)
+        self.assertRegex(text, r"(?m)^(\d+) of \1 quantities are within their tolerance$")
+        self.assertNotIn("\033", text)
+
+    def test_report_with_its_pictures(self):
+        file = self.folder / "report.md"
+        self.good("validate", "--only", "V1,V14", "--report", file)
+        rows = rows_of(file.read_text())
+        self.assertEqual({row["id"] for row in rows}, {"V1", "V14"})
+        (picture,) = re.findall(r"\]\(([^)]+)\)", file.read_text())
+        self.assertEqual((self.folder / picture).read_bytes()[:4], b"\x89PNG")
+
+    def test_wrong_usage(self):
+        self.assertIn("--only: there is no check 'V17'", self.bad(64, "validate", "--only", "V17"))
+        self.assertIn("cannot create", self.bad(73, "validate", "--report", "/proc/x.md"))
+
+    def test_colours_are_for_terminals(self):
+        def on_terminal(**environment):
+            master, slave = os.openpty()
+            subprocess.run([PROGRAM, "validate", "--only", "V14"], stdout=slave, stderr=slave,
+                           env={**os.environ, **environment}, check=True)
+            os.close(slave)
+            text = os.read(master, 65536)
+            os.close(master)
+            return text
+
+        self.assertIn(b"\x1b[32mpass", on_terminal(NO_COLOR=""))
+        self.assertNotIn(b"\x1b[32m", on_terminal(NO_COLOR="1"))
+
+
+if __name__ == "__main__":
+    unittest.main()
