@@ -29,11 +29,12 @@ class Axes {
         : width_(width), height_(height), bottom_(plot.bottom), top_(plot.top) {
         for (const Curve& curve : plot.curves)
             for (const auto& [x, y] : curve.points) begin_ = std::min(begin_, x), end_ = std::max(end_, x);
-        if (!(end_ > begin_) || !(top_ > bottom_))
-            throw std::invalid_argument("plot: an axis has no extent");
+        if (!(end_ > begin_) || !(top_ > bottom_)) throw std::invalid_argument("plot: an axis has no extent");
     }
 
-    double x(double value) const { return left + (value - begin_) / (end_ - begin_) * (width_ - left - right); }
+    double x(double value) const {
+        return left + (value - begin_) / (end_ - begin_) * (width_ - left - right);
+    }
     double y(double value) const {
         return above + (top_ - value) / (top_ - bottom_) * (height_ - above - below);
     }
@@ -75,7 +76,8 @@ void draw_line(Image& image, double x0, double y0, double x1, double y1, Color c
     const double steps = std::ceil(2 * std::max({std::abs(x1 - x0), std::abs(y1 - y0), 0.5}));
     for (double k = 0; k <= steps; ++k) {
         const double x = x0 + (x1 - x0) * k / steps, y = y0 + (y1 - y0) * k / steps;
-        for (const int beside : {0, 1}) image.blend(static_cast<int>(x), static_cast<int>(y) + beside, color, 0.8);
+        for (const int beside : {0, 1})
+            image.blend(static_cast<int>(x), static_cast<int>(y) + beside, color, 0.8);
     }
 }
 

@@ -24,8 +24,9 @@ bench::Settings settings_of(const Arguments& arguments) {
 }
 
 std::vector<bench::Case> cases_of(const Arguments& arguments, const bench::Settings& settings) {
-    const auto cases = settings.scene_file.empty() ? bench::all_cases()
-                                                   : bench::cases_of_scene(settings.scene_file.stem().string());
+    const auto cases = settings.scene_file.empty()
+                           ? bench::all_cases()
+                           : bench::cases_of_scene(settings.scene_file.stem().string());
     return bench::chosen(cases, arguments.text("--cases"));
 }
 

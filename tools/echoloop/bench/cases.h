@@ -13,9 +13,9 @@ namespace echoloop::bench {
 
 /// A figure to reach, in ms of wall time per ping.
 struct Target {
-    double aim = 0;    ///< a tenth of the time of the authors' own code, or what the case is about
-    double least = 0;  ///< the slowest that will do
-    std::string reference;  ///< where the figures are from
+    double aim = 0;
+    double least = 0;       ///< the slowest that will do
+    std::string reference;  ///< what the figures come from
 };
 
 /// One sonar over one scene.
@@ -32,13 +32,14 @@ struct Case {
 std::vector<Case> all_cases();
 std::vector<Case> cases_of_scene(const std::string& scene);
 
-/// Cases whose name, sonar or scene is one of the comma-separated `words`. Throws StartError (usage) with what is
-/// known for a word that fits none.
+/// Cases whose name, sonar or scene is one of the comma-separated `words`. Throws StartError (usage) with
+/// what is known for a word that fits none.
 std::vector<Case> chosen(const std::vector<Case>& cases, const std::string& words);
 
 /// Ping `number` of a case: a head that turns has turned on.
 Shot shot_of(const Case& the_case, std::uint64_t number);
-/// Where the sonar is then: a vehicle that hovers and never stands still, so that nothing of a ping before can serve.
+/// Where the sonar is then: a vehicle that hovers and never stands still, so that nothing of a ping before
+/// can serve.
 Pose pose_of(std::uint64_t number);
 
 }  // namespace echoloop::bench

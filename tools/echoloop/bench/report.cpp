@@ -40,8 +40,9 @@ std::string line_of(const char* label, const Spread& s, const std::string& rest 
 
 std::string target_text(const Row& row) {
     if (!row.the_case.target) return {};
-    return format("%10s%10s%10s", cli::plain(row.the_case.target->aim, 2).c_str(),
-                  cli::plain(row.the_case.target->least, 2).c_str(), reached(row).c_str());
+    const Target& target = *row.the_case.target;
+    return format("%10s%10s%10s   (%s)", cli::plain(target.aim, 2).c_str(),
+                  cli::plain(target.least, 2).c_str(), reached(row).c_str(), target.reference.c_str());
 }
 
 std::string text_of(const Row& row) {
@@ -49,8 +50,8 @@ std::string text_of(const Row& row) {
     std::string text = cli::padded(row.the_case.name(), 24) + rule_name(row.rule) + "\n";
     if (f.failure[0] != '\0') return text + "    failed: " + f.failure + "\n";
     text += line_of("wall", f.wall, target_text(row)) + line_of("cpu", f.cpu);
-    text += format("    cull %.3f, draw %.3f, read-back %.3f, bins %.3f, paths %.3f, acoustics %.3f\n", f.cull,
-                   f.draw, f.read_back, f.bins, f.paths, f.acoustics);
+    text += format("    cull %.3f, draw %.3f, read-back %.3f, bins %.3f, paths %.3f, acoustics %.3f\n",
+                   f.cull, f.draw, f.read_back, f.bins, f.paths, f.acoustics);
     text += format("    %.0f of %.0f triangles, %.0f pixels; start-up %.2f s; memory %.0f MB, peak %.0f MB\n",
                    f.triangles, f.scene_triangles, f.pixels, f.start_up, f.resident, f.peak);
     return text;
@@ -86,13 +87,16 @@ std::vector<Limit> limits_of(const Report& report) {
 }
 
 std::string text_of(const Report& report) {
-    std::string text = format("ms per ping of %zu       minimum    median       p99       aim  at least   reached\n",
-                              report.settings.pings);
+    std::string text =
+        format("ms per ping of %zu       minimum    median       p99       aim  at least   reached\n",
+               report.settings.pings);
     for (const Row& row : report.rows) text += text_of(row);
     for (const Limit& limit : limits_of(report))
-        text += cli::padded(limit.what + ":", 44) + format("%.2f %s, at most %s: %s\n", limit.ours, limit.unit.c_str(),
-                                                          cli::plain(limit.most, 2).c_str(), limit.met() ? "yes" : "no");
-    if (!report.rows.empty()) text += std::string("rendered by ") + report.rows.front().figures.context + "\n";
+        text += cli::padded(limit.what + ":", 44) +
+                format("%.2f %s, at most %s: %s\n", limit.ours, limit.unit.c_str(),
+                       cli::plain(limit.most, 2).c_str(), limit.met() ? "yes" : "no");
+    if (!report.rows.empty())
+        text += std::string("rendered by ") + report.rows.front().figures.context + "\n";
     return text;
 }
 

@@ -1,5 +1,5 @@
-// The scenes of `echoloop bench`, made in memory so that it runs anywhere: boxes, a ball and four walls on a square of
-// seabed. The same geometry as tools/scenes/bench.py; reads no file.
+// The scenes of `echoloop bench`, made in memory so that it runs anywhere: boxes, a ball and four walls on a
+// square of seabed. The same geometry as tools/scenes/bench.py; reads no file.
 #pragma once
 
 #include <span>

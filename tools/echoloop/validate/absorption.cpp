@@ -23,7 +23,9 @@ struct Row {
 
 /// The table has three figures at least, so half a unit of the last is its tolerance.
 void check_table(Findings& find, const char* where, const Water& w, std::initializer_list<Row> rows) {
-    const auto half_unit = [](double value) { return value < 10 ? 0.0051 : value < 60 ? 0.051 : value < 450 ? 0.06 : 0.6; };
+    const auto half_unit = [](double value) {
+        return value < 10 ? 0.0051 : value < 60 ? 0.051 : value < 450 ? 0.06 : 0.6;
+    };
     for (const Row& row : rows) {
         char name[80];
         std::snprintf(name, sizeof name, "Francois-Garrison, %s, %.0f kHz", where, row.kilohertz);
@@ -59,8 +61,15 @@ void check_absorption(Findings& find) {
                 ainslie_mccolm_db_per_km(water(20, 35, 1, 8.1), 700e3) / 1e3);
     find.source("computed from both equations");
     check_table(find, "sea 10 C", water(10, 35, 0, 8),
-                {{30, 6.87, 7.02}, {120, 38.8, 39.7}, {200, 54.4, 56.1}, {330, 79.5, 83.0}, {450, 109.7, 115.8},
-                 {750, 222.4, 238.4}, {900, 299.5, 322.3}, {1200, 495, 536}, {2250, 1621, 1761}});
+                {{30, 6.87, 7.02},
+                 {120, 38.8, 39.7},
+                 {200, 54.4, 56.1},
+                 {330, 79.5, 83.0},
+                 {450, 109.7, 115.8},
+                 {750, 222.4, 238.4},
+                 {900, 299.5, 322.3},
+                 {1200, 495, 536},
+                 {2250, 1621, 1761}});
     check_table(find, "fresh 15 C", water(15, 0, 5, 8),
                 {{115, 3.43, 3.72}, {450, 52.5, 56.9}, {750, 146.0, 158.1}, {900, 210.2, 227.7}});
 }

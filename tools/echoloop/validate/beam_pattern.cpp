@@ -132,7 +132,8 @@ double fan_deviation(Renderer& renderer) {
     const double axis = db(peak(e.beam(20))), length = 0.4429 / std::sin(shot.beam_width / 2);
     double deviation = 0;
     for (std::size_t i = 0; i < e.beams(); ++i) {
-        const double expected = amplitude_db(theory(ApertureShape::line, length * std::sin(shot.bearings[i])));
+        const double expected =
+            amplitude_db(theory(ApertureShape::line, length * std::sin(shot.bearings[i])));
         if (expected > -25) deviation = std::max(deviation, std::abs(db(peak(e.beam(i))) - axis - expected));
     }
     return deviation;
@@ -168,8 +169,12 @@ void check_beam_pattern(Findings& find) {
     find.source("sinc(L sin t / lambda), one way");
     find.within("line: 41 receive beams around a point target, largest deviation", "dB", 0, 0.5,
                 fan_deviation(renderer));
-    find.plot("beam-pattern", {"A head turned past a point target, two ways", "degrees off the axis", "dB re the axis",
-               {turn.expected, thinned(turn.measured)}, -70, 0});
+    find.plot("beam-pattern", {"A head turned past a point target, two ways",
+                               "degrees off the axis",
+                               "dB re the axis",
+                               {turn.expected, thinned(turn.measured)},
+                               -70,
+                               0});
 }
 
 }  // namespace echoloop::validation

@@ -69,12 +69,16 @@ double first_bin_of_open_water() {
 }  // namespace
 
 void check_bookkeeping(Findings& find) {
-    const auto plain = heard(scene(1, 24), 1), more_pixels = heard(scene(1, 24), 2), finer = heard(scene(100, 96), 1);
+    const auto plain = heard(scene(1, 24), 1), more_pixels = heard(scene(1, 24), 2),
+               finer = heard(scene(100, 96), 1);
     find.source("levels belong to the scene");
-    find.within("mean power with twice the pixels", "dB", 0, 0.2, mean_level(more_pixels) - mean_level(plain));
-    find.within("mean over the bins of the change with twice the pixels", "dB", 0, 0.2, mean_difference(more_pixels, plain));
+    find.within("mean power with twice the pixels", "dB", 0, 0.2,
+                mean_level(more_pixels) - mean_level(plain));
+    find.within("mean over the bins of the change with twice the pixels", "dB", 0, 0.2,
+                mean_difference(more_pixels, plain));
     find.within("mean power with a finer mesh", "dB", 0, 0.2, mean_level(finer) - mean_level(plain));
-    find.within("mean over the bins of the change with a finer mesh", "dB", 0, 0.2, mean_difference(finer, plain));
+    find.within("mean over the bins of the change with a finer mesh", "dB", 0, 0.2,
+                mean_difference(finer, plain));
     find.source("open water is silent, also in the first bin");
     find.at_most("power in the first bin where nothing is near", "uPa^2", 0, first_bin_of_open_water());
     find.source("the same seed, scene, shot and pose");

@@ -7,9 +7,12 @@ namespace echoloop::validation {
 
 bool Quantity::passed() const {
     switch (bound) {
-        case Bound::within: return std::abs(ours - published) <= tolerance;
-        case Bound::at_most: return ours <= published;
-        case Bound::at_least: return ours >= published;
+        case Bound::within:
+            return std::abs(ours - published) <= tolerance;
+        case Bound::at_most:
+            return ours <= published;
+        case Bound::at_least:
+            return ours >= published;
     }
     return false;
 }
@@ -28,8 +31,8 @@ void Findings::at_least(std::string name, std::string unit, double limit, double
 }
 
 std::size_t Findings::failed() const {
-    return static_cast<std::size_t>(std::count_if(quantities_.begin(), quantities_.end(),
-                                                  [](const Quantity& q) { return !q.passed(); }));
+    return static_cast<std::size_t>(
+        std::count_if(quantities_.begin(), quantities_.end(), [](const Quantity& q) { return !q.passed(); }));
 }
 
 }  // namespace echoloop::validation

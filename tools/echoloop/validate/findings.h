@@ -1,5 +1,5 @@
-// What the checks of `echoloop validate` find: rows of a published value beside ours, and curves for the report.
-// Checks nothing itself and prints nothing.
+// What the checks of `echoloop validate` find: rows of a published value beside ours, and curves for the
+// report. Checks nothing itself and prints nothing.
 #pragma once
 
 #include <string>

@@ -28,7 +28,7 @@ double unevenness() {
         peaks.push_back(*std::max_element(begin, begin + 40));
     }
     const auto [low, high] = std::minmax_element(peaks.begin(), peaks.end());
-    return *high < micron_full_scale && *low > 0 ? (*high - *low) / 2 : micron_full_scale;
+    return *high<micron_full_scale&& * low> 0 ? (*high - *low) / 2 : micron_full_scale;
 }
 
 constexpr double saturation = 150;  // dB re 1 uPa
@@ -58,7 +58,8 @@ void check_gain(Findings& find) {
     const std::set<float> steps(stepped.begin(), stepped.begin() + 4000);
     find.source("8 bits, one of them the sign: 127 steps up to saturation");
     find.within("distinct values of an 8-bit converter", "", 128, 1, static_cast<double>(steps.size()));
-    find.within("its smallest value re saturation", "dB", -42.08, 0.1, db(*steps.upper_bound(0)) - saturation);
+    find.within("its smallest value re saturation", "dB", -42.08, 0.1,
+                db(*steps.upper_bound(0)) - saturation);
 }
 
 }  // namespace echoloop::validation

@@ -1,5 +1,5 @@
-// The checks V1 to V16, in order. Each asks the parts that the emulator itself uses; the published numbers stand in
-// the checks as literals.
+// The checks V1 to V16, in order. Each asks the parts that the emulator itself uses; the published numbers
+// stand in the checks as literals.
 #pragma once
 
 #include <span>

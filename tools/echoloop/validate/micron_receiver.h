@@ -10,8 +10,8 @@ namespace echoloop::validation {
 
 inline constexpr double micron_full_scale = 80;  ///< dB, 255 counts
 
-/// dB above `reference` as the device shows each bin of the only beam, in its steps of 0.31 dB, after a time-varied
-/// gain of `spreading` dB per decade of range and `absorption` dB/m one way.
+/// dB above `reference` as the device shows each bin of the only beam, in its steps of 0.31 dB, after a
+/// time-varied gain of `spreading` dB per decade of range and `absorption` dB/m one way.
 inline std::vector<double> shown_by_micron(const Echogram& echogram, double spreading, double absorption,
                                            double reference) {
     micron::Settings settings;

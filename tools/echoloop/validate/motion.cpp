@@ -40,7 +40,8 @@ void check_motion(Findings& find) {
     find.source("yaw rate times the time between the two: 2 deg/s, 3.75 s at 10 deg/s; a step of the head");
     const double still = apparent_separation(0);
     find.within("targets 30 deg apart, still vehicle", "deg", 30, step_deg, still);
-    find.within("smear by a vehicle that yaws against the head", "deg", 7.5, 2 * step_deg, apparent_separation(2) - still);
+    find.within("smear by a vehicle that yaws against the head", "deg", 7.5, 2 * step_deg,
+                apparent_separation(2) - still);
 }
 
 }  // namespace echoloop::validation

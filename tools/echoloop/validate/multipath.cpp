@@ -41,7 +41,8 @@ Echo echo_near(const std::vector<float>& values, double range) {
 
 void check_surface(Findings& find) {
     const auto values = under_surface(true, 0), direct_only = under_surface(false, 0);
-    const Echo direct = echo_near(values, 10.05), one = echo_near(values, 11.128), two = echo_near(values, 12.207);
+    const Echo direct = echo_near(values, 10.05), one = echo_near(values, 11.128),
+               two = echo_near(values, 12.207);
     find.source("image source: sonar 3 m deep, target 4 m deep, 10 m away; one bin and a half");
     find.within("direct echo", "m", 10.050, 0.015, direct.range);
     find.within("by way of the surface once", "m", 11.128, 0.015, one.range);

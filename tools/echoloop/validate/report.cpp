@@ -36,8 +36,9 @@ std::string verdict(const Quantity& q, bool coloured) {
 }
 
 std::string row_text(const Quantity& q, std::size_t width, bool coloured) {
-    return "  " + cli::padded(q.name, width) + cli::padded(published_text(q), 14) + cli::padded(ours_text(q), 14) +
-           cli::padded(tolerance_text(q), 10) + cli::padded(q.unit, 16) + verdict(q, coloured) + "\n";
+    return "  " + cli::padded(q.name, width) + cli::padded(published_text(q), 14) +
+           cli::padded(ours_text(q), 14) + cli::padded(tolerance_text(q), 10) + cli::padded(q.unit, 16) +
+           verdict(q, coloured) + "\n";
 }
 
 /// A bar would end the cell.
@@ -54,14 +55,16 @@ std::string row_markdown(const Quantity& q) {
 
 std::string summary(const Findings& findings) {
     const std::size_t all = findings.quantities().size(), failed = findings.failed();
-    return std::to_string(all - failed) + " of " + std::to_string(all) + " quantities are within their tolerance";
+    return std::to_string(all - failed) + " of " + std::to_string(all) +
+           " quantities are within their tolerance";
 }
 
 std::string markdown_of(const Findings& findings, const std::string& pictures) {
     std::string text =
         "# Validation\n\n"
         "Written by `echoloop validate --report docs/validation.md`. Published values are literals in "
-        "`tools/echoloop/validate`;\nours come from the parts that the emulator itself uses, on the machine that "
+        "`tools/echoloop/validate`;\nours come from the parts that the emulator itself uses, on the machine "
+        "that "
         "wrote this file.\n" +
         summary(findings) + ".\n";
     for (const Group& group : groups()) {
@@ -84,13 +87,15 @@ std::string published_text(const Quantity& q) {
     return sign + number(q.published);
 }
 
-std::string tolerance_text(const Quantity& q) { return q.bound == Bound::within ? "+-" + number(q.tolerance) : ""; }
+std::string tolerance_text(const Quantity& q) {
+    return q.bound == Bound::within ? "+-" + number(q.tolerance) : "";
+}
 
 std::string text_of(const Findings& findings, bool coloured) {
     std::size_t width = 0;
     for (const Quantity& q : findings.quantities()) width = std::max(width, q.name.size() + 2);
-    std::string text = "  " + cli::padded("quantity", width) + cli::padded("published", 14) + cli::padded("ours", 14) +
-                       cli::padded("tolerance", 10) + "unit\n";
+    std::string text = "  " + cli::padded("quantity", width) + cli::padded("published", 14) +
+                       cli::padded("ours", 14) + cli::padded("tolerance", 10) + "unit\n";
     for (const Group& group : groups()) {
         bool titled = false;
         for (const Quantity& q : findings.quantities()) {

@@ -15,8 +15,8 @@ std::string tolerance_text(const Quantity& quantity);
 /// The table for a terminal, V by V, and a last line with the sum. `coloured`: green and red verdicts.
 std::string text_of(const Findings& findings, bool coloured);
 
-/// Writes `file` (Markdown) and, in the folder pictures beside it, a PNG for each plot. Throws StartError with the
-/// file and the reason.
+/// Writes `file` (Markdown) and, in the folder pictures beside it, a PNG for each plot. Throws StartError
+/// with the file and the reason.
 void write_report(const Findings& findings, const std::filesystem::path& file);
 
 }  // namespace echoloop::validation

@@ -72,9 +72,8 @@ void check_resolution(Findings& find) {
     const struct {
         const char* name;
         double pulse, bandwidth, published;
-    } pulses[] = {{"CW 25 us", 25e-6, 0, 18.75},
-                  {"CW 100 us", 100e-6, 0, 75},
-                  {"chirp of 20 kHz", 2e-3, 20e3, 37.5}};
+    } pulses[] = {
+        {"CW 25 us", 25e-6, 0, 18.75}, {"CW 100 us", 100e-6, 0, 75}, {"chirp of 20 kHz", 2e-3, 20e3, 37.5}};
     for (const auto& p : pulses) {
         const Shot shot = fine_shot(p.pulse, p.bandwidth);
         const double resolution = p.published / 1e3;

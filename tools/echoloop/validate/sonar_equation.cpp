@@ -50,8 +50,12 @@ void check_sonar_equation(Findings& find) {
     }
     find.source("spherical spreading");
     find.within("slope of level + 2 a R over log10 R, 2 to 50 m", "dB", -40, 0.3, slope(curve.points));
-    find.plot("spreading", {"Level of a point target, absorption taken out", "log10 of the range in m", "dB re 1 m",
-                            {law, curve}, -70, 0});
+    find.plot("spreading", {"Level of a point target, absorption taken out",
+                            "log10 of the range in m",
+                            "dB re 1 m",
+                            {law, curve},
+                            -70,
+                            0});
 }
 
 }  // namespace echoloop::validation

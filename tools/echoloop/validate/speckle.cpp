@@ -51,7 +51,8 @@ double range_correlation(const std::vector<double>& values, std::size_t lag) {
     return sum;
 }
 
-/// Pulse lengths: a rectangular pulse's intensities correlate by (1 - lag / length)^2, a quarter at half its length.
+/// Pulse lengths: a rectangular pulse's intensities correlate by (1 - lag / length)^2, a quarter at half its
+/// length.
 double correlation_length(const std::vector<double>& values) {
     double before = 1;
     for (std::size_t lag = 1; lag < 4 * bins_per_pulse; ++lag) {
@@ -72,8 +73,8 @@ Curve histogram(const std::vector<double>& samples) {
     Curve curve{"measured", {}, true};
     constexpr double width = 0.25;
     for (double x = 0; x < 6; x += width) {
-        const auto in = std::count_if(samples.begin(), samples.end(),
-                                      [&](double v) { return v >= x && v < x + width; });
+        const auto in =
+            std::count_if(samples.begin(), samples.end(), [&](double v) { return v >= x && v < x + width; });
         const double density = static_cast<double>(in) / (width * static_cast<double>(samples.size()));
         if (in > 0) curve.points.emplace_back(x + width / 2, std::log10(density));
     }
@@ -88,7 +89,8 @@ void check_distribution(Findings& find, const std::vector<double>& all) {
     const Moments decibels = moments(mapped(samples, [](double v) { return 10 * std::log10(v); }));
     find.source("Rayleigh amplitude, exponential power (Goodman 2007)");
     find.within("mean power re the mean echo", "dB", 0, 0.1, db(power.mean));
-    find.within("coefficient of variation of the amplitude", "", 0.5227, 0.02, std::sqrt(amplitude.variance) / amplitude.mean);
+    find.within("coefficient of variation of the amplitude", "", 0.5227, 0.02,
+                std::sqrt(amplitude.variance) / amplitude.mean);
     find.within("var(I) / mean(I)^2", "", 1, 0.08, power.variance / (power.mean * power.mean));
     find.within("skewness of I", "", 2, 0.25, power.skewness);
     find.within("standard deviation of the level", "dB", 5.57, 0.15, std::sqrt(decibels.variance));
@@ -97,17 +99,24 @@ void check_distribution(Findings& find, const std::vector<double>& all) {
     find.at_most("distance from the exponential distribution, times sqrt(N)", "", 1.63,
                  distance_from_exponential(samples) * std::sqrt(n));
     Curve law{"exponential", {{0, 0}, {6, -6 * std::log10(std::exp(1.0))}}, false};
-    find.plot("speckle", {"Power of speckle re its mean", "I / mean(I)", "log10 of the density", {law, histogram(samples)}, -3.5, 0.5});
+    find.plot("speckle", {"Power of speckle re its mean",
+                          "I / mean(I)",
+                          "log10 of the density",
+                          {law, histogram(samples)},
+                          -3.5,
+                          0.5});
 }
 
 void check_correlation(Findings& find, const std::vector<double>& all) {
     find.source("a rectangular pulse correlates with itself over its length");
     find.within("correlation length in range", "pulse lengths", 1, 0.15, correlation_length(all));
     find.source("independent cells");
-    find.at_most("correlation of bins two pulses apart", "", 0.05, std::abs(range_correlation(all, 2 * bins_per_pulse)));
+    find.at_most("correlation of bins two pulses apart", "", 0.05,
+                 std::abs(range_correlation(all, 2 * bins_per_pulse)));
     double worst = 0;
     for (std::size_t beam = 0; beam + 1 < beams; ++beam)
-        worst += std::abs(correlation(beam_of(all, beam), beam_of(all, beam + 1))) / static_cast<double>(beams - 1);
+        worst += std::abs(correlation(beam_of(all, beam), beam_of(all, beam + 1))) /
+                 static_cast<double>(beams - 1);
     find.at_most("correlation of neighbouring beams, mean", "", 0.05, worst);
     double mirrored = 0;
     for (std::size_t beam = 0; beam < beams / 2; ++beam)
@@ -126,9 +135,11 @@ void check_speckle(Findings& find) {
     check_distribution(find, still);
     check_correlation(find, still);
     find.source("the same view is the same interference, lambda / 4 on a new one");
-    find.within("correlation of two pings of a static sonar", "", 1, 1e-6, likeness(still, speckled({}, {}, 1)));
+    find.within("correlation of two pings of a static sonar", "", 1, 1e-6,
+                likeness(still, speckled({}, {}, 1)));
     const double step = 1500 / 750e3 / 4;
-    find.at_most("correlation after moving lambda / 4", "", 0.05, std::abs(likeness(still, speckled({{step, 0, 0}, {}}))));
+    find.at_most("correlation after moving lambda / 4", "", 0.05,
+                 std::abs(likeness(still, speckled({{step, 0, 0}, {}}))));
     find.source("K distribution, 1 + 2 / nu (Jakeman 1980)");
     const Moments few = moments(independent(speckled({}, {4})));
     find.within("scintillation, nu = 4", "", 1.5, 0.2, few.variance / (few.mean * few.mean));

@@ -38,8 +38,8 @@ double distance_from_exponential(std::vector<double> samples) {
     double distance = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const double expected = 1 - std::exp(-samples[i]);
-        distance = std::max({distance, expected - static_cast<double>(i) / n,
-                             static_cast<double>(i + 1) / n - expected});
+        distance = std::max(
+            {distance, expected - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - expected});
     }
     return distance;
 }

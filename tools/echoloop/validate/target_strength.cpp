@@ -1,8 +1,8 @@
 // V6: spheres and plates, as point targets of declared strength and as meshes.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <numbers>
+#include <numeric>
 
 #include "tools/echoloop/validate/groups.h"
 #include "tools/echoloop/validate/world.h"
@@ -12,8 +12,8 @@ namespace {
 
 constexpr double range = 40;
 
-/// Target strength that the echo tells, as the mean over places of the pixels: what is in the window, with the loss of
-/// `range` m taken out.
+/// Target strength that the echo tells, as the mean over places of the pixels: what is in the window, with
+/// the loss of `range` m taken out.
 double strength_of(const std::shared_ptr<const Scene>& scene, Effects effects) {
     Renderer renderer(scene, water_of(1500), with(effects));
     Shot shot = fan(2, 2, 1, 60, 2);
@@ -44,7 +44,8 @@ void check_target_strength(Findings& find) {
     find.within("declared plate, 0.1 x 0.1 m, 750 kHz", "dB", 13.98, 0.1,
                 declared(20 * std::log10(0.1 * 0.1 / (1500 / 750e3))));
     find.source("Lambert sphere: 10 log10(2 pi mu a^2 / 3)");
-    find.within("mesh sphere, a 0.5 m, mu 1/pi", "dB", -7.78, 0.3, lambert_ball(db(1 / std::numbers::pi), 32));
+    find.within("mesh sphere, a 0.5 m, mu 1/pi", "dB", -7.78, 0.3,
+                lambert_ball(db(1 / std::numbers::pi), 32));
     const double coarse = lambert_ball(-27, 16), fine = lambert_ball(-27, 64);
     find.within("mesh sphere, a 0.5 m, mu -27 dB", "dB", -29.81, 0.3, lambert_ball(-27, 32));
     find.source("a mesh four times finer is the same sphere");

@@ -1,5 +1,5 @@
-// Scenes, shots and measurements that the checks share: made in memory, with effects chosen one by one. Knows no
-// published value.
+// Scenes, shots and measurements that the checks share: made in memory, with effects chosen one by one. Knows
+// no published value.
 #pragma once
 
 #include <initializer_list>
@@ -26,8 +26,8 @@ RendererOptions with(Effects effects);
 /// `beams` beams side by side over a window of 0 to `range` m; a CW pulse as long as a bin, at c = 1500 m/s.
 Shot fan(double aperture_deg, double height_deg, std::size_t beams, std::size_t bins, double range);
 
-/// A beam of 2 x 2 deg with bins of a quarter of the pulse from 0 to `range` m, so that an echo fills some of them
-/// wholly.
+/// A beam of 2 x 2 deg with bins of a quarter of the pulse from 0 to `range` m, so that an echo fills some of
+/// them wholly.
 Shot pencil(double range, double pulse_length);
 
 double db(double power);
