@@ -13,6 +13,12 @@ double unix_now() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+SharedWater shared_water(const Scenario& scenario, const Scene& scene) {
+    const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
+    const Effects effects = knows_effects ? scenario.render.effects : Effects::none();
+    return {scenario.water, effects, scenario.seed, scene.bounds(), CrossTalk(scenario.water, effects)};
+}
+
 }  // namespace
 
 class Runtime::Impl {
@@ -22,6 +28,7 @@ class Runtime::Impl {
           signals_(io_),
           end_(io_),
           clock_(scenario.clock_rate),
+          water_(shared_water(scenario, *scene_)),
           render_thread_([this, &scenario] {
               auto renderer = std::make_unique<Renderer>(scene_, scenario.water, scenario.render);
               renderer_description_ = renderer->context_description();
@@ -76,7 +83,7 @@ class Runtime::Impl {
         auto device = entry.model->make(config);
         auto transports = make_transports(io_, device->ports(), config, scenario.clock_rate);
         const Pose world_from_sonar = scenario.world_from_body * entry.body_from_sonar;
-        sessions_.push_back(std::make_unique<Session>(io_, clock_, render_thread_, entry.name,
+        sessions_.push_back(std::make_unique<Session>(io_, clock_, render_thread_, water_, entry.name,
                                                       std::move(device), std::move(transports),
                                                       [world_from_sonar](Time) { return world_from_sonar; }));
         running_.push_back({entry.name, entry.model, {}});
@@ -96,6 +103,7 @@ class Runtime::Impl {
     asio::signal_set signals_;
     asio::steady_timer end_;
     Clock clock_;
+    SharedWater water_;
     std::vector<std::unique_ptr<Session>> sessions_;
     std::vector<RunningDevice> running_;
     RenderThread render_thread_;  // last: joined first, so that no ping comes back to a session that is gone

@@ -4,20 +4,32 @@
 
 #include <boost/asio/post.hpp>
 
+#include "emulator/random_key.h"
+
 namespace echoloop {
 namespace {
 
 constexpr std::size_t outbox_limit = 64 << 20;  // bytes; a driver that never reads must not eat the memory
 constexpr Time late_after = std::chrono::milliseconds(1);
 
+/// m, from a point to the corner of the scene's bounds that is farthest from it.
+double farthest_from(Vec3 point, const Bounds& scene) {
+    const auto reach = [&scene](std::size_t axis, double at) {
+        return std::max(std::abs(scene.min[axis] - at), std::abs(scene.max[axis] - at));
+    };
+    return norm({reach(0, point.x), reach(1, point.y), reach(2, point.z)});
+}
+
 }  // namespace
 
-Session::Session(asio::io_context& io, const Clock& clock, RenderThread& renderer, std::string name,
-                 std::unique_ptr<Device> device, std::vector<std::unique_ptr<Transport>> transports,
-                 PoseAt pose_at)
+Session::Session(asio::io_context& io, const Clock& clock, RenderThread& renderer, SharedWater& water,
+                 std::string name, std::unique_ptr<Device> device,
+                 std::vector<std::unique_ptr<Transport>> transports, PoseAt pose_at)
     : io_(io),
       clock_(clock),
       renderer_(renderer),
+      water_(water),
+      sonar_(water.sonars++),
       name_(std::move(name)),
       device_(std::move(device)),
       transports_(std::move(transports)),
@@ -74,27 +86,48 @@ void Session::post_mail(Send send) {
 }
 
 void Session::transmit(Ping ping) {
-    const Pose pose = pose_at_(clock_.now());
-    renderer_.submit(std::move(ping.shot), pose,
-                     [this, &io = io_, due = ping.due, alive = alive_](Echogram echogram, std::string error) {
-                         auto result = std::make_shared<Echogram>(std::move(echogram));
-                         asio::post(io, [this, result, due, alive, error = std::move(error)] {
-                             if (!*alive || closed_) return;
-                             if (!error.empty()) spdlog::error("{}: ping not rendered: {}", name_, error);
-                             asio::co_spawn(io_, deliver(result, due), Serving(name_));
-                         });
-                     });
+    ping.shot.random_key = random_key(water_.seed, name_);
+    const Time now = clock_.now();
+    const Pose pose = pose_at_(now);
+    sequence_ += now > silent_from_ ? 2 : 1;  // a gap in the row, and what is late is forgotten
+    silent_from_ = ping.shot.interval > 0 ? now + from_seconds(1.5 * ping.shot.interval) : Time::max();
+    const UnderWay under_way{{now, sonar_, pose, ping.shot}, sequence_, ping.due};
+    water_.cross_talk.transmitted(under_way.transmission);
+    const double farthest = farthest_from(pose.position, water_.scene);
+    const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
+    render(std::move(ping.shot), pose, [this, under_way](std::shared_ptr<Echogram> echogram) {
+        asio::co_spawn(io_, deliver(std::move(echogram), under_way), Serving(name_));
+    });
+    if (!late) return;
+    render(*late, pose, [this, sequence = sequence_](std::shared_ptr<Echogram> echogram) {
+        late_echoes_.keep(sequence, std::move(*echogram));
+    });
 }
 
-Task<void> Session::deliver(std::shared_ptr<Echogram> echogram, Time due) {
-    const Time lateness = clock_.now() - due;
+void Session::render(Shot shot, const Pose& pose, std::function<void(std::shared_ptr<Echogram>)> then) {
+    renderer_.submit(
+        std::move(shot), pose,
+        [this, &io = io_, then = std::move(then), alive = alive_](Echogram echogram, std::string error) {
+            auto result = std::make_shared<Echogram>(std::move(echogram));
+            asio::post(io, [this, result, then, alive, error = std::move(error)] {
+                if (!*alive || closed_) return;
+                if (!error.empty()) spdlog::error("{}: ping not rendered: {}", name_, error);
+                then(result);
+            });
+        });
+}
+
+Task<void> Session::deliver(std::shared_ptr<Echogram> echogram, UnderWay ping) {
+    const Time lateness = clock_.now() - ping.due;
     if (lateness > late_after) ++summary_.late_pings;
     summary_.worst_lateness = std::max(summary_.worst_lateness, lateness);
     asio::steady_timer timer(io_);
-    co_await wait_until(timer, due);
+    co_await wait_until(timer, ping.due);
     if (closed_) co_return;
     ++summary_.pings;
-    apply(device_->heard(*echogram, std::max(due, clock_.now())));
+    late_echoes_.add_to(ping.sequence, *echogram);
+    water_.cross_talk.add_to(*echogram, ping.transmission);
+    apply(device_->heard(*echogram, std::max(ping.due, clock_.now())));
 }
 
 Task<void> Session::wait_until(asio::steady_timer& timer, Time when) {

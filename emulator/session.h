@@ -10,9 +10,12 @@
 
 #include "emulator/asio.h"
 #include "emulator/clock.h"
+#include "emulator/crosstalk.h"
 #include "emulator/device.h"
 #include "emulator/render_thread.h"
+#include "emulator/second_time_around.h"
 #include "emulator/transport/transport.h"
+#include "render/scene/scene.h"
 
 namespace echoloop {
 
@@ -27,15 +30,25 @@ struct SessionSummary {
     std::uint64_t bytes_in = 0, bytes_out = 0;
 };
 
+/// What the sessions of a run share: the water that they all ping in.
+struct SharedWater {
+    Water water;
+    Effects effects;         ///< none where the renderer's rule knows none
+    std::uint64_t seed = 0;  ///< of the scenario
+    Bounds scene;
+    CrossTalk cross_talk;
+    std::size_t sonars = 0;  ///< sessions so far
+};
+
 class Session {
   public:
     /// Pose of the sonar in the world at a time of the run.
     using PoseAt = std::function<Pose(Time)>;
 
     /// `transports`: one per port of the device, in the order of ports().
-    Session(asio::io_context& io, const Clock& clock, RenderThread& renderer, std::string name,
-            std::unique_ptr<Device> device, std::vector<std::unique_ptr<Transport>> transports,
-            PoseAt pose_at);
+    Session(asio::io_context& io, const Clock& clock, RenderThread& renderer, SharedWater& water,
+            std::string name, std::unique_ptr<Device> device,
+            std::vector<std::unique_ptr<Transport>> transports, PoseAt pose_at);
     ~Session();
 
     void start();
@@ -46,7 +59,15 @@ class Session {
   private:
     void apply(Actions actions);
     void transmit(Ping ping);
-    Task<void> deliver(std::shared_ptr<Echogram> echogram, Time due);
+    /// Calls `then` on the io thread, unless this session is gone or closed by then.
+    void render(Shot shot, const Pose& pose, std::function<void(std::shared_ptr<Echogram>)> then);
+    /// A ping on its way, and its place in the row of this session's pings.
+    struct UnderWay {
+        Transmission transmission;
+        std::uint64_t sequence;
+        Time due;
+    };
+    Task<void> deliver(std::shared_ptr<Echogram> echogram, UnderWay ping);
     Task<void> keep_waking();
     Task<void> keep_writing();
     void post_mail(Send send);
@@ -55,6 +76,8 @@ class Session {
     asio::io_context& io_;
     const Clock& clock_;
     RenderThread& renderer_;
+    SharedWater& water_;
+    std::size_t sonar_;  ///< number of this session
     std::string name_;
     std::unique_ptr<Device> device_;
     std::vector<std::unique_ptr<Transport>> transports_;
@@ -66,6 +89,10 @@ class Session {
     asio::steady_timer alarm_;  ///< rings at wake_
     Time wake_ = Time::max();
     bool closed_ = false;
+
+    SecondTimeAround late_echoes_;
+    std::uint64_t sequence_ = 0;      ///< of the last ping
+    Time silent_from_ = Time::max();  ///< when the echoes of the last ping have died away
     SessionSummary summary_;
     std::shared_ptr<bool> alive_;  ///< false once this session is gone; read by late renders on the io thread
 };

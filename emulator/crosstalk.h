@@ -1,0 +1,53 @@
+// Pulses of other sonars that a ping hears: the direct way from head to head, in bands that overlap. Knows no
+// session and no message.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "emulator/device.h"
+#include "render/effects.h"
+#include "render/water.h"
+
+namespace echoloop {
+
+/// One pulse into the water.
+struct Transmission {
+    Time time{};             ///< when it began
+    std::size_t device = 0;  ///< which sonar's
+    Pose world_from_sonar;
+    Shot shot;  ///< its bins are of no use here
+};
+
+/// Share of the energy of a pulse in the band of a receiver, 0..1: both bands are taken for boxes.
+double band_overlap(const Shot& pulse, const Shot& receiver);
+
+/// Remembers who transmitted when, and adds to a ping the pulses that arrived during its window.
+///
+/// A pulse arrives at SL - 20 log R - a R (R at least 1 m, where the source level holds), weighted by the
+/// transmitter's one-way pattern towards the receiver, by the receiver's one-way pattern in each beam, and by
+/// band_overlap(). Housings radiate beside the aperture: a transmitter is never weaker than side_level below
+/// its axis. It lasts as long as the pulse, and what the receiver's filter makes of it fluctuates like
+/// speckle, keyed by both pings, beam and bin. What is between two heads does not hide them; echoes of
+/// another sonar's pulse are left out, as they are far weaker.
+class CrossTalk {
+  public:
+    static constexpr double side_level = -30;  ///< dB re the axis, own choice
+
+    CrossTalk(Water water, Effects effects) : water_(std::move(water)), effects_(effects) {}
+
+    void transmitted(Transmission transmission);
+
+    /// `own`: the transmission that `echogram` belongs to. Call it when the window is over. Saturation is
+    /// applied again.
+    void add_to(Echogram& echogram, const Transmission& own) const;
+
+  private:
+    void add_pulse(Echogram& echogram, const Transmission& own, const Transmission& other) const;
+
+    Water water_;
+    Effects effects_;
+    std::deque<Transmission> recent_;  ///< by time; shots without their beams between the first and the last
+};
+
+}  // namespace echoloop

@@ -1,0 +1,99 @@
+#include "emulator/second_time_around.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "emulator/random_key.h"
+#include "render/acoustics/chain.h"
+
+namespace echoloop {
+namespace {
+
+constexpr std::size_t most_beams = 128, most_bins = 512;
+constexpr double strongest_target = 20;  ///< dB: a sphere of 20 m
+constexpr double silent_margin = 100;    ///< dB below thermal noise, for pings without noise
+constexpr double longest_window = 60;    ///< s, what a renderer accepts
+
+/// dB re 1 uPa of the strongest echo that can come from `range` m.
+double loudest_echo(const Shot& shot, const Water& water, const Effects& effects, double range) {
+    const double absorption =
+        effects.has(Effect::absorption) ? absorption_db_per_km(water, shot.frequency) / 1e3 : 0;
+    const double spreading = effects.has(Effect::spreading) ? 40 * std::log10(range) : 0;
+    return shot.source_level - spreading - 2 * absorption * range + strongest_target;
+}
+
+double quietest(const Shot& shot, const Effects& effects) {
+    const double band = shot.receiver.bandwidth > 0 ? shot.receiver.bandwidth
+                        : shot.bandwidth > 0        ? shot.bandwidth
+                        : shot.pulse_length > 0     ? 1 / shot.pulse_length
+                                                    : 1;
+    const double noise =
+        thermal_noise_level(shot.frequency) + 10 * std::log10(band) - shot.receiver.directivity_index;
+    return effects.has(Effect::noise) ? noise : noise - silent_margin;
+}
+
+/// Every n-th beam, so that at most `most_beams` are left.
+std::vector<double> thinned(const std::vector<double>& bearings) {
+    const std::size_t step = (bearings.size() + most_beams - 1) / most_beams;
+    std::vector<double> out;
+    for (std::size_t i = step / 2; i < bearings.size(); i += step) out.push_back(bearings[i]);
+    return out;
+}
+
+/// The beam of `late` that looks where each beam of `bearings` does, or nearest to it.
+std::vector<std::size_t> nearest_beams(const std::vector<double>& bearings, const std::vector<double>& late) {
+    std::vector<std::size_t> out;
+    std::size_t nearest = 0;
+    for (const double bearing : bearings) {
+        while (nearest + 1 < late.size() &&
+               std::abs(late[nearest + 1] - bearing) < std::abs(late[nearest] - bearing))
+            ++nearest;
+        out.push_back(nearest);
+    }
+    return out;
+}
+
+}  // namespace
+
+std::optional<Shot> late_shot(const Shot& shot, const Water& water, const Effects& effects, double farthest) {
+    const double window = static_cast<double>(shot.bins) * shot.bin_interval;
+    const double begin = shot.interval + shot.first_bin_time;
+    if (!effects.has(Effect::second_time_around) || !(shot.interval > 0) || begin + window > longest_window)
+        return std::nullopt;
+    const double range = sound_speed(water) / 2 * begin;
+    if (range > farthest || loudest_echo(shot, water, effects, range) < quietest(shot, effects))
+        return std::nullopt;
+    Shot late = shot;
+    late.bearings = thinned(shot.bearings);
+    late.first_bin_time = begin;
+    late.bins = std::min(shot.bins, most_bins);
+    late.bin_interval = window / static_cast<double>(late.bins);
+    late.receiver = {.bandwidth = 1e-12};  // Hz: of no noise
+    late.random_key = split_mix(shot.random_key);
+    return late;
+}
+
+void SecondTimeAround::keep(std::uint64_t sequence, Echogram late) {
+    sequence_ = sequence;
+    late_ = std::move(late);
+}
+
+void SecondTimeAround::add_to(std::uint64_t sequence, Echogram& echogram) {
+    if (!late_ || sequence <= sequence_) return;
+    const bool next = sequence == sequence_ + 1;
+    const Echogram late = std::move(*late_);
+    late_.reset();
+    if (!next) return;
+    const Shot &shot = echogram.shot, &before = late.shot;
+    const auto beam_of = nearest_beams(shot.bearings, before.bearings);
+    for (std::size_t bin = 0; bin < shot.bins; ++bin) {
+        const double time = shot.first_bin_time + (static_cast<double>(bin) + 0.5) * shot.bin_interval;
+        const double place = (before.interval + time - before.first_bin_time) / before.bin_interval;
+        if (!(place >= 0 && place < static_cast<double>(before.bins))) continue;
+        const auto late_bin = static_cast<std::size_t>(place);
+        for (std::size_t beam = 0; beam < beam_of.size(); ++beam)
+            echogram.values[beam * shot.bins + bin] += late.beam(beam_of[beam])[late_bin];
+    }
+}
+
+}  // namespace echoloop

@@ -1,0 +1,38 @@
+// Late echoes: what a ping still sends back when the next one of the same device listens already. Asks for
+// the shot that hears them and adds them to the next ping; renders nothing and knows no device.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "render/echogram.h"
+#include "render/effects.h"
+#include "render/water.h"
+
+namespace echoloop {
+
+/// The shot that listens to the echoes of `shot` in the window of the ping after it, or empty when they
+/// cannot matter: the effect is off, `shot.interval` is 0, nothing within `farthest` m of the sonar is as far
+/// away, or the echo of a target of +20 dB there would be below the thermal noise (100 dB below it where the
+/// effect of noise is off).
+///
+/// It is cheaper than `shot`: at most 128 of its beams and 512 bins over the whole window. It hears no noise,
+/// does not clip and has no converter, as the ping that it is added to has them all.
+std::optional<Shot> late_shot(const Shot& shot, const Water& water, const Effects& effects, double farthest);
+
+/// Keeps the late echoes of one device until its next ping comes.
+class SecondTimeAround {
+  public:
+    /// `late`: the echogram of late_shot() of the ping number `sequence`, counted by the caller.
+    void keep(std::uint64_t sequence, Echogram late);
+
+    /// Adds what was kept of ping `sequence` - 1 to the levels of ping `sequence`: at its time less the
+    /// interval between both, as power, in the beam whose bearing is nearest. What is older is forgotten.
+    void add_to(std::uint64_t sequence, Echogram& echogram);
+
+  private:
+    std::uint64_t sequence_ = 0;  ///< of the ping whose late echoes these are
+    std::optional<Echogram> late_;
+};
+
+}  // namespace echoloop
