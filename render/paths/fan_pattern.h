@@ -36,11 +36,12 @@ class FanPattern {
   private:
     struct Key {
         AxisPattern horizontal, vertical;
-        double beam_width, fan_height, bearing;
-        bool single;
+        double beam_width, fan_height;
+        std::vector<double> bearings;
         friend bool operator==(const Key&, const Key&) = default;
     };
     static Key key_of(const Shot& shot);
+    double from_nearest_beam(double bearing) const;
     static double amplitude(const std::optional<TwoWayPattern>& pattern, double edge, bool side_lobes,
                             double angle);
 
