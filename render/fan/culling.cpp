@@ -38,22 +38,24 @@ std::array<Vec3, 4> side_planes(const View& view, const Pose& world_from_fan, do
 
 }  // namespace
 
-std::vector<std::uint32_t> visible_chunks(const Scene& scene, const View& view, const Pose& world_from_fan,
-                                          double end_range, double margin) {
-    const auto planes = side_planes(view, world_from_fan, margin);
+void find_visible(const Scene& scene, const View& view, const Pose& world_from_fan, const ViewLimits& limits,
+                  std::vector<std::uint32_t>& nodes) {
+    const auto planes = side_planes(view, world_from_fan, limits.margin);
     const Vec3 eye = world_from_fan.position;
-    std::vector<std::pair<double, std::uint32_t>> found;
-    for (std::uint32_t i = 0; i < scene.chunks().size(); ++i) {
-        const Bounds& box = scene.chunks()[i].bounds;
-        const double distance = distance_to(box, eye);
-        if (distance > end_range) continue;
-        if (std::none_of(planes.begin(), planes.end(), [&](Vec3 normal) { return behind(box, eye, normal); }))
-            found.emplace_back(distance, i);
+    std::vector<std::pair<float, std::uint32_t>> found;
+    for (std::uint32_t i = 0; i < scene.nodes().size();) {
+        const SceneNode& node = scene.nodes()[i];
+        const double distance = distance_to(node.bounds, eye);
+        const bool seen = distance <= limits.end_range &&
+                          std::none_of(planes.begin(), planes.end(),
+                                       [&](Vec3 normal) { return behind(node.bounds, eye, normal); });
+        const bool good = static_cast<double>(node.error) <= limits.tolerance * distance;  // also every chunk
+        if (seen && good) found.emplace_back(static_cast<float>(distance), i);
+        i = seen && !good ? i + 1 : node.next;
     }
     std::sort(found.begin(), found.end());  // nearest first, so that depth tests save shading
-    std::vector<std::uint32_t> out;
-    for (const auto& [distance, chunk] : found) out.push_back(chunk);
-    return out;
+    nodes.clear();
+    for (const auto& [distance, node] : found) nodes.push_back(node);
 }
 
 }  // namespace echoloop

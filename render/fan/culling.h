@@ -1,4 +1,5 @@
-// Which chunks of a scene a view can see. Conservative; knows no GL.
+// Which nodes of a scene a view draws: what it can see, as coarse as its pixels allow. Conservative; knows no
+// GL.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +10,14 @@
 
 namespace echoloop {
 
-/// Indices of the chunks that reach into the view's pyramid (grown by `margin` on the image plane) and are
-/// nearer than `end_range`, nearest first.
-std::vector<std::uint32_t> visible_chunks(const Scene& scene, const View& view, const Pose& world_from_fan,
-                                          double end_range, double margin);
+struct ViewLimits {
+    double end_range = 0;  ///< m, nothing farther is wanted
+    double margin = 0;     ///< by which the view's pyramid is grown, on the image plane
+    double tolerance = 0;  ///< rad, by which a surface may be off where that allows a coarser stand-in
+};
+
+/// Indices of nodes that reach into the view and together hold everything that it sees, nearest first.
+void find_visible(const Scene& scene, const View& view, const Pose& world_from_fan, const ViewLimits& limits,
+                  std::vector<std::uint32_t>& nodes);
 
 }  // namespace echoloop

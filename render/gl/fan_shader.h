@@ -6,7 +6,8 @@ namespace echoloop::gl {
 
 /// Attributes: 0 position (world), 1 normal (world), 2 surface number. The image is transposed: clip x runs
 /// along falling elevation, clip y along bearing. Depth is near / distance along the view's axis, so 1 is
-/// nearest.
+/// nearest. The surface number travels with the normal, as the fewer vectors the quicker; it is the same at
+/// all corners, so a half on top keeps rounding from changing it.
 inline constexpr const char* fan_vertex_shader = R"(#version 450 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -15,13 +16,11 @@ uniform mat3 view_from_world;  // rows: starboard, up, forward
 uniform vec3 eye;
 uniform vec4 window;           // centre x, centre y, 2 / width, 2 / height on the image plane
 out vec3 seen;                 // m: starboard, up, forward
-out vec3 seen_normal;
-flat out float seen_surface;
+out vec4 seen_normal;          // and the surface
 const float near = 0.01;
 void main() {
     seen = view_from_world * (position - eye);
-    seen_normal = view_from_world * normal;
-    seen_surface = surface;
+    seen_normal = vec4(view_from_world * normal, surface + 0.5);
     vec2 image = (seen.xy - window.xy * seen.z) * window.zw;
     gl_Position = vec4(-image.y, image.x, near, seen.z);
 }
@@ -32,19 +31,19 @@ void main() {
 /// d(1/z).
 inline constexpr const char* fan_fragment_shader = R"(#version 450 core
 in vec3 seen;
-in vec3 seen_normal;
-flat in float seen_surface;
+in vec4 seen_normal;
 uniform vec2 pixel;            // width along bearing, height along elevation on the image plane
 layout(location = 0) out vec4 sample_out;
 void main() {
-    float range = length(seen);
-    vec3 normal = normalize(gl_FrontFacing ? seen_normal : -seen_normal);
-    float cosine = clamp(-dot(normal, seen) / range, 0.0, 1.0);
-    float z = seen.z;
-    float along_bearing = seen.x * z / range * pixel.x - range * z * dFdy(gl_FragCoord.w);
-    float along_elevation = -seen.y * z / range * pixel.y - range * z * dFdx(gl_FragCoord.w);
-    float footprint = abs(along_elevation) >= abs(along_bearing) ? abs(along_elevation) : -abs(along_bearing);
-    sample_out = vec4(range, cosine, clamp(footprint, -0.5 * range, 0.5 * range), seen_surface);
+    float square = dot(seen, seen), inverse = inversesqrt(square), range = square * inverse;
+    float towards = -dot(seen_normal.xyz, seen) * inverse * inversesqrt(dot(seen_normal.xyz, seen_normal.xyz));
+    float cosine = clamp(gl_FrontFacing ? towards : -towards, 0.0, 1.0);
+    float shrink = seen.z * inverse, slope = range * seen.z;
+    float along_bearing = abs(seen.x * shrink * pixel.x - slope * dFdy(gl_FragCoord.w));
+    float along_elevation = abs(seen.y * shrink * pixel.y + slope * dFdx(gl_FragCoord.w));
+    float footprint = min(max(along_bearing, along_elevation), 0.5 * range);
+    footprint = along_elevation >= along_bearing ? footprint : -footprint;
+    sample_out = vec4(range, cosine, footprint, floor(seen_normal.w));
 }
 )";
 

@@ -33,6 +33,7 @@ namespace echoloop::gl {
     X(PFNGLDISABLEPROC, Disable)                                         \
     X(PFNGLENABLEPROC, Enable)                                           \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)         \
+    X(PFNGLFINISHPROC, Finish)                                           \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)         \
     X(PFNGLGENBUFFERSPROC, GenBuffers)                                   \
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                         \

@@ -1,6 +1,8 @@
 #include "render/gl/scene_drawer.h"
 
-#include "render/fan/culling.h"
+#include <algorithm>
+#include <chrono>
+
 #include "render/gl/fan_shader.h"
 
 namespace echoloop::gl {
@@ -10,6 +12,16 @@ struct GpuVertex {
     SceneVertex vertex;
     float surface;
 };
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// rad, by which a coarse stand-in may be off at most; on average it is a third of that. Pixels of more than
+/// a degree show what side lobes hear.
+double tolerance_of(double pixel) { return (pixel > deg_to_rad(1) ? 1.5 : 0.5) * pixel; }
 
 /// Makes the context current before the members that need it are built.
 Context& current(Context& context) {
@@ -34,6 +46,8 @@ void set_vertex_layout(const Functions& gl) {
 SceneDrawer::SceneDrawer(std::unique_ptr<Context> context, std::shared_ptr<const Scene> scene)
     : context_(std::move(context)), scene_(std::move(scene)), gl_(current(*context_)) {
     program_ = std::make_unique<Program>(gl_, fan_vertex_shader, fan_fragment_shader);
+    uniforms_ = {program_->uniform("view_from_world"), program_->uniform("eye"), program_->uniform("window"),
+                 program_->uniform("pixel")};
     array_ = std::make_unique<VertexArray>(gl_);
     upload();
     gl_.check("upload of the scene");
@@ -48,22 +62,27 @@ SceneDrawer::~SceneDrawer() {
     }
 }
 
+/// The coarse vertices and indices follow the fine ones.
 void SceneDrawer::upload() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> surfaces;  // of object and material
-    std::vector<GpuVertex> vertices;
-    vertices.reserve(scene_->vertices().size());
-    for (const SceneChunk& chunk : scene_->chunks()) {
+    const std::size_t fine = scene_->vertices().size();
+    std::vector<GpuVertex> vertices(fine + scene_->coarse_vertices().size());
+    for (const SceneNode& node : scene_->nodes()) {
         const auto [entry, added] =
-            surfaces.try_emplace({chunk.object, chunk.material}, static_cast<std::uint32_t>(surfaces.size()));
-        if (added) material_of_surface_.push_back(chunk.material);
-        for (const SceneVertex& vertex : scene_->vertices().subspan(chunk.first_vertex, chunk.vertices))
-            vertices.push_back({vertex, static_cast<float>(entry->second + 1)});
+            surfaces.try_emplace({node.object, node.material}, static_cast<std::uint32_t>(surfaces.size()));
+        if (added) material_of_surface_.push_back(node.material);
+        const auto source = node.coarse ? scene_->coarse_vertices() : scene_->vertices();
+        const std::size_t shift = node.coarse ? fine : 0;
+        for (std::size_t i = node.first_vertex; i < node.first_vertex + node.vertices; ++i)
+            vertices[shift + i] = {source[i], static_cast<float>(entry->second + 1)};
     }
     vertices_ =
         std::make_unique<Buffer>(gl_, GL_ARRAY_BUFFER, vertices.data(), vertices.size() * sizeof(GpuVertex));
     set_vertex_layout(gl_);
-    indices_ = std::make_unique<Buffer>(gl_, GL_ELEMENT_ARRAY_BUFFER, scene_->indices().data(),
-                                        scene_->indices().size_bytes());
+    std::vector<std::uint16_t> indices(scene_->indices().begin(), scene_->indices().end());
+    indices.insert(indices.end(), scene_->coarse_indices().begin(), scene_->coarse_indices().end());
+    indices_ = std::make_unique<Buffer>(gl_, GL_ELEMENT_ARRAY_BUFFER, indices.data(),
+                                        indices.size() * sizeof(std::uint16_t));
 }
 
 void SceneDrawer::set_view(const View& view, const Pose& world_from_fan, PixelOffset offset) const {
@@ -75,36 +94,42 @@ void SceneDrawer::set_view(const View& view, const Pose& world_from_fan, PixelOf
         rows[3 * i + 1] = static_cast<float>(axes[i].y);
         rows[3 * i + 2] = static_cast<float>(axes[i].z);
     }
-    gl_.UniformMatrix3fv(program_->uniform("view_from_world"), 1, GL_TRUE, rows);
+    gl_.UniformMatrix3fv(uniforms_.view_from_world, 1, GL_TRUE, rows);
     const Vec3 eye = world_from_fan.position;
-    gl_.Uniform3f(program_->uniform("eye"), static_cast<float>(eye.x), static_cast<float>(eye.y),
+    gl_.Uniform3f(uniforms_.eye, static_cast<float>(eye.x), static_cast<float>(eye.y),
                   static_cast<float>(eye.z));
     const double x = (view.left + view.right) / 2 + offset.line * view.line_width();
     const double y = (view.bottom + view.top) / 2 - offset.sample * view.sample_height();
-    gl_.Uniform4f(program_->uniform("window"), static_cast<float>(x), static_cast<float>(y),
+    gl_.Uniform4f(uniforms_.window, static_cast<float>(x), static_cast<float>(y),
                   static_cast<float>(2 / (view.right - view.left)),
                   static_cast<float>(2 / (view.top - view.bottom)));
-    gl_.Uniform2f(program_->uniform("pixel"), static_cast<float>(view.line_width()),
+    gl_.Uniform2f(uniforms_.pixel, static_cast<float>(view.line_width()),
                   static_cast<float>(view.sample_height()));
     gl_.Viewport(0, static_cast<GLint>(view.first_line), static_cast<GLsizei>(view.samples),
                  static_cast<GLsizei>(view.lines));
 }
 
-void SceneDrawer::draw_chunks(const std::vector<std::uint32_t>& chunks, bool double_sided) const {
-    std::vector<GLsizei> counts;
-    std::vector<const void*> offsets;
-    std::vector<GLint> bases;
-    for (const std::uint32_t index : chunks) {
-        const SceneChunk& chunk = scene_->chunks()[index];
-        if (scene_->materials()[chunk.material].double_sided != double_sided) continue;
-        counts.push_back(static_cast<GLsizei>(chunk.indices));
-        offsets.push_back(reinterpret_cast<const void*>(chunk.first_index * sizeof(std::uint16_t)));
-        bases.push_back(static_cast<GLint>(chunk.first_vertex));
-    }
-    if (counts.empty()) return;
+void SceneDrawer::DrawList::clear() {
+    counts.clear();
+    offsets.clear();
+    bases.clear();
+}
+
+void SceneDrawer::list(const SceneNode& node) {
+    const std::size_t vertex = node.coarse ? scene_->vertices().size() : 0;
+    const std::size_t index = node.coarse ? scene_->indices().size() : 0;
+    DrawList& to = lists_[scene_->materials()[node.material].double_sided ? 1 : 0];
+    to.counts.push_back(static_cast<GLsizei>(node.indices));
+    to.offsets.push_back(reinterpret_cast<const void*>((index + node.first_index) * sizeof(std::uint16_t)));
+    to.bases.push_back(static_cast<GLint>(vertex + node.first_vertex));
+    profile_.triangles += node.indices / 3;
+}
+
+void SceneDrawer::submit(const DrawList& list, bool double_sided) const {
+    if (list.counts.empty()) return;
     double_sided ? gl_.Disable(GL_CULL_FACE) : gl_.Enable(GL_CULL_FACE);
-    gl_.MultiDrawElementsBaseVertex(GL_TRIANGLES, counts.data(), GL_UNSIGNED_SHORT, offsets.data(),
-                                    static_cast<GLsizei>(counts.size()), bases.data());
+    gl_.MultiDrawElementsBaseVertex(GL_TRIANGLES, list.counts.data(), GL_UNSIGNED_SHORT, list.offsets.data(),
+                                    static_cast<GLsizei>(list.counts.size()), list.bases.data());
 }
 
 void SceneDrawer::bind_target(int width, int height) {
@@ -115,10 +140,27 @@ void SceneDrawer::bind_target(int width, int height) {
     targets_[{width, height}] = std::make_unique<FloatTarget>(gl_, width, height);
 }
 
+void SceneDrawer::draw_view(const View& view, const Pose& world_from_fan, double end_range,
+                            PixelOffset offset) {
+    const auto begin = Clock::now();
+    const double pixel = std::max(view.line_width(), view.sample_height());
+    find_visible(*scene_, view, world_from_fan, {end_range, pixel, tolerance_of(pixel)}, visible_);
+    for (DrawList& list : lists_) list.clear();
+    for (const std::uint32_t node : visible_) list(scene_->nodes()[node]);
+    profile_.chunks += visible_.size();
+    profile_.pixels += view.lines * view.samples;
+    profile_.cull += seconds_since(begin);
+    set_view(view, world_from_fan, offset);
+    submit(lists_[0], false);
+    submit(lists_[1], true);
+}
+
 void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, double end_range, PixelOffset offset,
                        std::vector<Pixel>& pixels) {
-    context_->make_current();
+    const auto begin = Clock::now();
+    profile_ = {};
     const int width = static_cast<int>(plan.samples), height = static_cast<int>(plan.image_lines);
+    context_->make_current();
     bind_target(width, height);
     program_->use();
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -127,16 +169,14 @@ void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, double e
     const GLfloat nothing[4] = {0, 0, 0, 0};  // surface 0, and the depth of infinity
     gl_.ClearBufferfv(GL_COLOR, 0, nothing);
     gl_.ClearBufferfv(GL_DEPTH, 0, nothing);
-    for (const View& view : plan.views) {
-        set_view(view, world_from_fan, offset);
-        const double margin = std::max(view.line_width(), view.sample_height());
-        const auto chunks = visible_chunks(*scene_, view, world_from_fan, end_range, margin);
-        draw_chunks(chunks, false);
-        draw_chunks(chunks, true);
-    }
+    for (const View& view : plan.views) draw_view(view, world_from_fan, end_range, offset);
+    gl_.Finish();  // costs nothing, as the next call would wait, and tells drawing from reading
+    profile_.draw = seconds_since(begin) - profile_.cull;
+    const auto drawn = Clock::now();
     pixels.resize(plan.image_lines * plan.samples);
     gl_.ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, pixels.data());
     gl_.check("drawing a fan");
+    profile_.read_back = seconds_since(drawn);
 }
 
 std::string SceneDrawer::description() const {

@@ -9,10 +9,17 @@
 #include <vector>
 
 #include "render/fan/binning.h"
+#include "render/fan/culling.h"
 #include "render/gl/objects.h"
 #include "render/scene/scene.h"
 
 namespace echoloop::gl {
+
+/// Where the time of a draw() went, and what it drew.
+struct DrawProfile {
+    double cull = 0, draw = 0, read_back = 0;  ///< s of wall time; draw ends when the last pixel is there
+    std::size_t triangles = 0, chunks = 0, pixels = 0;  ///< drawn; a chunk in two views counts twice
+};
 
 class SceneDrawer {
   public:
@@ -22,10 +29,12 @@ class SceneDrawer {
     SceneDrawer(const SceneDrawer&) = delete;
     SceneDrawer& operator=(const SceneDrawer&) = delete;
 
-    /// Draws all views of the plan and reads the image back: plan.lines x plan.samples pixels. Surfaces
+    /// Draws all views of the plan and reads the image back: plan.image_lines x plan.samples pixels. Surfaces
     /// beyond `end_range` may be missing. `offset` moves the sample point within every pixel.
     void draw(const FanPlan& plan, const Pose& world_from_fan, double end_range, PixelOffset offset,
               std::vector<Pixel>& pixels);
+
+    const DrawProfile& profile() const { return profile_; }  ///< of the last draw()
 
     /// Index into Scene::materials() of every surface number, which is Pixel::surface - 1.
     const std::vector<std::uint32_t>& material_of_surface() const { return material_of_surface_; }
@@ -33,19 +42,36 @@ class SceneDrawer {
     std::string description() const;
 
   private:
+    /// Ranges of indices that one call draws, single-sided and double-sided surfaces apart.
+    struct DrawList {
+        std::vector<GLsizei> counts;
+        std::vector<const void*> offsets;
+        std::vector<GLint> bases;
+        void clear();
+    };
+    struct Uniforms {
+        GLint view_from_world, eye, window, pixel;
+    };
+
     void upload();
     void bind_target(int width, int height);
+    void draw_view(const View& view, const Pose& world_from_fan, double end_range, PixelOffset offset);
     void set_view(const View& view, const Pose& world_from_fan, PixelOffset offset) const;
-    void draw_chunks(const std::vector<std::uint32_t>& chunks, bool double_sided) const;
+    void list(const SceneNode& node);
+    void submit(const DrawList& list, bool double_sided) const;
 
     std::unique_ptr<Context> context_;
     std::shared_ptr<const Scene> scene_;
     Functions gl_;
     std::unique_ptr<Program> program_;
+    Uniforms uniforms_{};
     std::unique_ptr<VertexArray> array_;
     std::unique_ptr<Buffer> vertices_, indices_;
     std::map<std::pair<int, int>, std::unique_ptr<FloatTarget>> targets_;  ///< by width and height
     std::vector<std::uint32_t> material_of_surface_;
+    std::vector<std::uint32_t> visible_;
+    std::array<DrawList, 2> lists_;
+    DrawProfile profile_;
 };
 
 }  // namespace echoloop::gl

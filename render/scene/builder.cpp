@@ -5,9 +5,10 @@
 #include <limits>
 #include <unordered_map>
 
-#include "render/scene/chunks.h"
+#include "render/scene/corner_normal.h"
 #include "render/scene/fault.h"
 #include "render/scene/limits.h"
+#include "render/scene/stand_ins.h"
 
 namespace echoloop {
 namespace {
@@ -53,13 +54,6 @@ void check_mesh(const Mesh& mesh, const std::string& place) {
     if (!std::isfinite(mesh.material.mu_db)) scene_fault(place, "mu_db is not finite", "give mu_db in dB");
 }
 
-Vec3 face_normal(const Mesh& mesh, const std::uint32_t* corner) {
-    const Vec3 a = mesh.positions[corner[0]], b = mesh.positions[corner[1]], c = mesh.positions[corner[2]];
-    const Vec3 n = cross(b - a, c - a);
-    const double length = norm(n);
-    return length > 0 ? (1 / length) * n : Vec3{};
-}
-
 /// Triangles with no area have no side and would only disturb culling.
 std::vector<std::uint32_t> without_slivers(const Mesh& mesh) {
     std::vector<std::uint32_t> out;
@@ -93,13 +87,11 @@ class ChunkWriter {
 
   private:
     std::uint16_t corner(std::uint32_t index, Vec3 face) {
-        const Vec3 given = mesh_.normals.empty() ? Vec3{} : mesh_.normals[index];
-        const double length = norm(given);
-        const bool smooth = length > 1e-6 && std::isfinite(length) && dot(given, face) > 0;  // else of no use
+        const auto [normal, smooth] = corner_normal(mesh_, index, face);
         if (smooth)
             if (const auto known = known_.find(index); known != known_.end()) return known->second;
         const auto local = static_cast<std::uint16_t>(vertices_.size() - chunk_.first_vertex);
-        vertices_.push_back({floats(mesh_.positions[index]), floats(smooth ? (1 / length) * given : face)});
+        vertices_.push_back({floats(mesh_.positions[index]), floats(normal)});
         grow(chunk_.bounds, vertices_.back().position);
         if (smooth) known_.emplace(index, local);
         return local;
@@ -139,15 +131,55 @@ void SceneBuilder::add(const Mesh& mesh, const std::string& place) {
                     "simplify its meshes");
     if (indices.empty()) return;
     const std::uint32_t object = object_index(mesh.object), material = material_index(mesh.material);
-    for (const auto& triangles : cut_into_chunks(mesh.positions, indices)) {
-        ChunkWriter writer(mesh, scene_->vertices_, scene_->indices_);
-        for (const std::uint32_t t : triangles) writer.triangle(&indices[std::size_t{3} * t]);
-        SceneChunk chunk = writer.finish();
-        chunk.object = object;
-        chunk.material = material;
-        grow(scene_->bounds_, chunk.bounds.min);
-        grow(scene_->bounds_, chunk.bounds.max);
-        scene_->chunks_.push_back(chunk);
+    const ChunkTree tree = cut_into_chunks(mesh.positions, indices);
+    const std::size_t first_node = scene_->nodes_.size();
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        SceneNode node;
+        node.next = static_cast<std::uint32_t>(first_node) + tree.nodes[i].next;
+        node.object = object;
+        node.material = material;
+        node.error = std::numeric_limits<float>::infinity();
+        if (tree.is_chunk(i)) add_chunk(mesh, indices, tree, i, node);
+        scene_->nodes_.push_back(node);
+    }
+    const auto nodes = std::span(scene_->nodes_).subspan(first_node);
+    add_stand_ins(mesh, indices, tree, nodes, scene_->coarse_vertices_, scene_->coarse_indices_);
+    bound(first_node);
+}
+
+void SceneBuilder::add_chunk(const Mesh& mesh, std::span<const std::uint32_t> indices, const ChunkTree& tree,
+                             std::size_t index, SceneNode& node) {
+    ChunkWriter writer(mesh, scene_->vertices_, scene_->indices_);
+    for (const std::uint32_t t :
+         std::span(tree.triangles).subspan(tree.nodes[index].first, tree.nodes[index].count))
+        writer.triangle(&indices[std::size_t{3} * t]);
+    SceneChunk chunk = writer.finish();
+    chunk.object = node.object;
+    chunk.material = node.material;
+    scene_->chunks_.push_back(chunk);
+    grow(scene_->bounds_, chunk.bounds.min);
+    grow(scene_->bounds_, chunk.bounds.max);
+    node.bounds = chunk.bounds;
+    node.first_vertex = chunk.first_vertex;
+    node.vertices = chunk.vertices;
+    node.first_index = chunk.first_index;
+    node.indices = chunk.indices;
+    node.error = 0;
+}
+
+/// Bounds of nodes that hold others, from the last to the first: their own stand-in and all below.
+void SceneBuilder::bound(std::size_t first_node) {
+    auto& nodes = scene_->nodes_;
+    for (std::size_t i = nodes.size(); i-- > first_node;) {
+        SceneNode& node = nodes[i];
+        if (node.next == i + 1) continue;
+        node.bounds = empty_bounds();
+        for (std::size_t child = i + 1; child < node.next; child = nodes[child].next) {
+            grow(node.bounds, nodes[child].bounds.min);
+            grow(node.bounds, nodes[child].bounds.max);
+        }
+        for (std::uint32_t k = 0; k < node.vertices; ++k)
+            grow(node.bounds, scene_->coarse_vertices_[node.first_vertex + k].position);
     }
 }
 

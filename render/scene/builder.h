@@ -3,8 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
+#include "render/scene/chunks.h"
 #include "render/scene/scene.h"
 
 namespace echoloop {
@@ -23,6 +25,9 @@ class SceneBuilder {
   private:
     std::uint32_t object_index(const std::string& name);
     std::uint32_t material_index(const Material& material);
+    void add_chunk(const Mesh& mesh, std::span<const std::uint32_t> indices, const ChunkTree& tree,
+                   std::size_t index, SceneNode& node);
+    void bound(std::size_t first_node);
 
     std::unique_ptr<Scene> scene_;
 };

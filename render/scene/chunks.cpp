@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace echoloop {
 namespace {
@@ -35,33 +36,56 @@ std::size_t longest_axis(Triangles triangles, const std::vector<Point>& centres)
     return longest;
 }
 
-void halve(Triangles triangles, const std::vector<Point>& centres,
-           std::vector<std::vector<std::uint32_t>>& out) {
-    if (triangles.size() <= chunk_triangles) {
-        std::sort(triangles.begin(), triangles.end());  // the order of the file, whatever nth_element did
-        out.emplace_back(triangles.begin(), triangles.end());
-        return;
+class TreeMaker {
+  public:
+    TreeMaker(ChunkTree& tree, const std::vector<Point>& centres) : tree_(tree), centres_(centres) {}
+
+    void add_node(std::size_t first, std::size_t count) {
+        const std::size_t node = tree_.nodes.size();
+        tree_.nodes.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), 0});
+        const auto begin = tree_.triangles.begin() + static_cast<std::ptrdiff_t>(first);
+        if (count <= chunk_triangles)
+            std::sort(begin, begin + static_cast<std::ptrdiff_t>(count));  // the file's order
+        else
+            add_children(first, count);
+        tree_.nodes[node].next = static_cast<std::uint32_t>(tree_.nodes.size());
     }
-    const std::size_t axis = longest_axis(triangles, centres), half = triangles.size() / 2;
-    std::nth_element(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(half),
-                     triangles.end(), [&](std::uint32_t a, std::uint32_t b) {
-                         return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis]
-                                                                     : a < b;
-                     });
-    halve(triangles.first(half), centres, out);
-    halve(triangles.subspan(half), centres, out);
-}
+
+  private:
+    void add_children(std::size_t first, std::size_t count) {
+        const std::size_t half = split(first, count);
+        for (const auto& [begin, size] : {std::pair{first, half}, {first + half, count - half}}) {
+            const std::size_t quarter = split(begin, size);
+            add_node(begin, quarter);
+            add_node(begin + quarter, size - quarter);
+        }
+    }
+
+    /// Moves the lower half along the longest axis to the front and returns its size.
+    std::size_t split(std::size_t first, std::size_t count) {
+        const Triangles triangles = Triangles(tree_.triangles).subspan(first, count);
+        const std::size_t axis = longest_axis(triangles, centres_), half = count / 2;
+        std::nth_element(
+            triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(half), triangles.end(),
+            [&](std::uint32_t a, std::uint32_t b) {
+                return centres_[a][axis] != centres_[b][axis] ? centres_[a][axis] < centres_[b][axis] : a < b;
+            });
+        return half;
+    }
+
+    ChunkTree& tree_;
+    const std::vector<Point>& centres_;
+};
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> cut_into_chunks(std::span<const Vec3> positions,
-                                                        std::span<const std::uint32_t> indices) {
+ChunkTree cut_into_chunks(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
     const auto centres = centroids(positions, indices);
-    std::vector<std::uint32_t> triangles(centres.size());
-    std::iota(triangles.begin(), triangles.end(), 0U);
-    std::vector<std::vector<std::uint32_t>> out;
-    halve(triangles, centres, out);
-    return out;
+    ChunkTree tree;
+    tree.triangles.resize(centres.size());
+    std::iota(tree.triangles.begin(), tree.triangles.end(), 0U);
+    TreeMaker(tree, centres).add_node(0, centres.size());
+    return tree;
 }
 
 }  // namespace echoloop

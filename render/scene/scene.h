@@ -43,7 +43,8 @@ struct Material {
     std::string name;
     double mu_db = -27;         ///< 10 log10 of Lambert's constant; -4.97 (1/pi) is the ceiling
     bool double_sided = false;  ///< false: only the side that its winding faces is there at all, as glTF says
-    std::vector<BackscatterPoint> backscatter{};  ///< strictly ascending grazing angles; empty: Lambert with mu_db
+    std::vector<BackscatterPoint>
+        backscatter{};          ///< strictly ascending grazing angles; empty: Lambert with mu_db
     double reflection = 0.353;  ///< amplitude of a mirrored wave at normal incidence, -1..1 (sand's)
     double roughness = 0.005;   ///< m, rms height, of which a mirrored wave is the weaker (sand's)
 
@@ -77,12 +78,23 @@ struct SceneVertex {
     std::array<float, 3> normal;    ///< unit
 };
 
-/// At most 2000 neighbouring triangles of one object and one material.
+/// A few hundred neighbouring triangles of one object and one material.
 struct SceneChunk {
     std::uint32_t first_vertex = 0, vertices = 0;  ///< in Scene::vertices()
     std::uint32_t first_index = 0, indices = 0;    ///< in Scene::indices(), which count from first_vertex
     std::uint32_t object = 0, material = 0;        ///< in Scene::objects() and Scene::materials()
     Bounds bounds;
+};
+
+/// What can be drawn in one go: a chunk, or a coarse stand-in for all chunks of the nodes below.
+struct SceneNode {
+    Bounds bounds;
+    std::uint32_t next = 0;  ///< index in Scene::nodes() of the first one that is not below this one
+    std::uint32_t object = 0, material = 0;
+    bool coarse = false;  ///< counts in coarse_vertices() and coarse_indices(), not in the fine ones
+    std::uint32_t first_vertex = 0, vertices = 0;
+    std::uint32_t first_index = 0, indices = 0;
+    float error = 0;  ///< m, how far the stand-in is off, at most; infinite where there is none
 };
 
 class Scene {
@@ -96,6 +108,10 @@ class Scene {
     std::span<const SceneVertex> vertices() const { return vertices_; }
     std::span<const std::uint16_t> indices() const { return indices_; }
     std::span<const SceneChunk> chunks() const { return chunks_; }
+    /// Trees of nodes, parents before their children; every chunk is a node that has none below.
+    std::span<const SceneNode> nodes() const { return nodes_; }
+    std::span<const SceneVertex> coarse_vertices() const { return coarse_vertices_; }
+    std::span<const std::uint16_t> coarse_indices() const { return coarse_indices_; }
     std::span<const std::string> objects() const { return objects_; }
     std::span<const Material> materials() const { return materials_; }
     std::span<const PointTarget> point_targets() const { return point_targets_; }
@@ -108,6 +124,9 @@ class Scene {
     std::vector<SceneVertex> vertices_;
     std::vector<std::uint16_t> indices_;
     std::vector<SceneChunk> chunks_;
+    std::vector<SceneNode> nodes_;
+    std::vector<SceneVertex> coarse_vertices_;
+    std::vector<std::uint16_t> coarse_indices_;
     std::vector<std::string> objects_;
     std::vector<Material> materials_;
     std::vector<PointTarget> point_targets_;

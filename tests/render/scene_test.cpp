@@ -193,10 +193,10 @@ TEST(SceneChunks, AreSmallCompactAndComplete) {
     std::size_t triangles = 0;
     for (const SceneChunk& chunk : scene->chunks()) {
         triangles += chunk.indices / 3;
-        EXPECT_LE(chunk.indices / 3, 2000U);
+        EXPECT_LE(chunk.indices / 3, 256U);
         if (scene->objects()[chunk.object] != "floor") continue;
-        EXPECT_GE(chunk.indices / 3, 1000U);
-        EXPECT_LE(chunk.bounds.max[0] - chunk.bounds.min[0], 51);
+        EXPECT_GE(chunk.indices / 3, 64U);
+        EXPECT_LE(chunk.bounds.max[0] - chunk.bounds.min[0], 13);
         for (std::uint32_t i = 0; i < chunk.indices; ++i)
             ASSERT_LT(scene->indices()[chunk.first_index + i], chunk.vertices);
     }
