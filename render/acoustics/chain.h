@@ -37,7 +37,8 @@ class AcousticChain {
     /// output over each bin, uPa^2, in place. Returns the mean noise power in it, uPa^2.
     ///
     /// Pulse on: convolved with the pulse's shape of unit height, so that area scattering has the insonified length
-    /// c tau / 2 (CW) or c / (2 B) (chirp), whatever the bin size; off: left as it is.
+    /// c tau / 2 (CW) or c / (2 B) (chirp), whatever the bin size; off: left as it is. A CW echo begins at its range, a
+    /// compressed chirp lies around it (see PulseShape).
     /// Speckle's random numbers are keyed by shot.random_key, the sonar's place and direction, beam and bin: the same
     /// view gives the same speckle, one that has moved by lambda / 4 an independent one. Noise is keyed by
     /// shot.ping as well.
