@@ -30,6 +30,39 @@ class Check(ProgramTest):
         self.assertEqual(report["seed"], 7)
         self.assertEqual(report["devices"][0]["name"], "front")
 
+    def test_effects_that_are_off_are_named(self):
+        self.assertRegex(self.good("check", DEMO), r"(?m)^effects +all on$")
+        text = self.good("check", DEMO, "--set", "effects.speckle=off", "--set", "effects.tvg=false")
+        self.assertRegex(text, r"(?m)^effects +off: speckle, tvg$")
+        report = self.json("check", DEMO, "--set", "effects={all: off, noise: on}")
+        self.assertEqual([name for name, on in report["effects"].items() if on], ["noise"])
+        self.assertRegex(self.good("check", DEMO, "--set", "render.rule=cerqueira2016"),
+                         r"(?m)^effects +none; the rule cerqueira2016")
+
+    def test_layered_water_prints_how_far_off_straight_rays_are(self):
+        self.assertNotIn("rays", self.good("check", TANK))
+        # Constant gradient of -0.5 /s: a level ray drops by 0.067 m at 20 m, on an arc of 3000 m.
+        layers = ("--set", "water.profile=[[0, 1501], [300, 1351]]", "--set", "water.sound_speed=1500")
+        self.assertRegex(self.good("check", TANK, *layers),
+                         r"(?m)^rays +micron: straight; an echo is at most 0\.0\d+ m from where it is shown")
+        bound = self.json("check", TANK, *layers)["straight_rays"][0]
+        self.assertEqual(bound["device"], "micron")
+        self.assertAlmostEqual(bound["range_m"], 20, delta=0.1)
+        self.assertAlmostEqual(bound["error_m"], 0.067, delta=0.01)
+
+    def test_absorption_beyond_its_fit_is_a_warning(self):
+        self.assertNotIn("warning", self.good("check", TANK))
+        text = self.good("check", TANK, "--set", "devices.micron.profile.frequency=2.25e6")
+        self.assertRegex(text, r"(?m)^warning +micron: absorption at 2250 kHz is extrapolated")
+
+    def test_figures_of_the_profile_can_be_set(self):
+        report = self.json("check", TANK, "--set", "devices.micron.profile={source_level: 200}")
+        self.assertEqual(report["devices"][0]["profile"]["source_level"], 200)
+        self.assertIn("did you mean 'source_level'?",
+                      self.bad(78, "check", TANK, "--set", "devices.micron.profile.sorce_level=200"))
+        self.assertIn("is a figure of the device's profile now; write profile: {source_level: ...}",
+                      self.bad(78, "check", TANK, "--set", "devices.micron.options.source_level=200"))
+
     def test_every_problem_is_reported_with_its_place(self):
         file = self.scenario("scene: TANK\nwater: {temprature: 4}\ndevices:\n"
                              "  - {name: a, model: tritech-micro}\n  - {name: a, model: r2sonic-2024}\n")
@@ -93,6 +126,14 @@ class List(ProgramTest):
                 elif option["type"] in ("integer", "number"):
                     self.assertLessEqual(option.get("minimum", option["default"]), option["default"])
                     self.assertGreaterEqual(option.get("maximum", option["default"]), option["default"])
+
+    def test_acoustic_figures_have_units_and_sources(self):
+        self.assertRegex(self.good("list", "tritech-micron"), r"source_level +206 +dB re 1 uPa at 1 m")
+        for model in self.json("list")["models"]:
+            self.assertGreater(len(model["profile"]), 10)
+            for figure in model["profile"]:
+                self.assertTrue({"name", "value", "unit", "help", "source"} <= set(figure))
+                self.assertGreater(len(figure["source"]), 8, figure)
 
     def test_one_model(self):
         self.assertEqual([m["name"] for m in self.json("list", "r2sonic-2024")["models"]], ["r2sonic-2024"])

@@ -41,6 +41,20 @@ class Documentation(unittest.TestCase):
         for family in ("seanet", "r2sonic"):
             self.assertTrue(list((ROOT / "tests" / "data" / family).glob("*")), family)
 
+    def test_every_model_has_a_profile_whose_figures_are_shown(self):
+        for model in json.loads(output("list", "--json"))["models"]:
+            text = (ROOT / "config" / "devices" / f"{model['name']}.yaml").read_text()
+            written = set(re.findall(r"^(\w+):", text, re.M)) - {"model"}
+            self.assertEqual(written, {figure["name"] for figure in model["profile"]})
+            for figure in model["profile"]:
+                self.assertTrue(figure["source"], figure["name"])
+
+    def test_effects_are_listed_as_the_program_knows_them(self):
+        text = (ROOT / "emulator" / "scenario" / "README.md").read_text()
+        table = text[text.index("| effect |") : text.index("Each device:")]
+        known = json.loads(output("check", str(ROOT / "config" / "tank.yaml"), "--json"))["effects"]
+        self.assertEqual(re.findall(r"^\| `(\w+)` \|", table, re.M), list(known))
+
     def test_every_scenario_of_config_is_good(self):
         for file in (ROOT / "config").glob("*.yaml"):
             with self.subTest(file.name):

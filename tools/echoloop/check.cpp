@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/conditions.h"
 #include "tools/echoloop/json_output.h"
 
 namespace echoloop::cli {
@@ -17,7 +18,10 @@ std::string extent(const Bounds& b) {
 std::string water_line(const Water& w) {
     return plain(w.temperature, 1) + " degC, salinity " + plain(w.salinity, 1) + " g/kg, pH " +
            plain(w.ph, 1) + ", depth " + plain(w.depth, 1) + " m, sound speed " + plain(sound_speed(w), 1) +
-           " m/s" + (w.sound_speed ? "" : " (Mackenzie 1981)");
+           " m/s" +
+           (w.sound_speed       ? ""
+            : w.profile.empty() ? " (Mackenzie 1981)"
+                                : " (profile)");
 }
 
 void print_scene(const Scenario& scenario, const Scene& scene) {
@@ -49,6 +53,8 @@ int run(const Arguments& arguments) {
         std::printf("%s%s: good\n", padded("scenario", 12).c_str(), scenario.file.c_str());
         print_scene(scenario, *scene);
         std::printf("%s%s\n", padded("water", 12).c_str(), water_line(scenario.water).c_str());
+        for (const auto& [name, text] : conditions(scenario))
+            std::printf("%s%s\n", padded(name, 12).c_str(), text.c_str());
         print_devices(scenario);
     } catch (const ScenarioError& error) {
         if (arguments.has("--json")) std::printf("%s\n", problems_json(error.problems()).c_str());

@@ -1,8 +1,11 @@
 #include "tools/echoloop/json_output.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "emulator/scenario/profile_section.h"
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/conditions.h"
 
 namespace echoloop::cli {
 namespace {
@@ -36,6 +39,27 @@ Json option(const Option& o) {
     return json;
 }
 
+Json figure_value(const Figure& figure) {
+    return std::visit([](const auto& v) { return Json(v); }, figure.value);
+}
+
+Json figures(const Model& m) {
+    Json list = Json::array();
+    const Profile profile = own_profile(m);
+    for (const auto& row : m.figures) {
+        const Figure& f = profile.at(row.name);
+        Json json{{"name", row.name}, {"value", figure_value(f)}, {"unit", row.unit},
+                  {"help", row.help}, {"source", f.source}};
+        if (row.choices.empty()) {
+            json.update({{"minimum", row.minimum}, {"maximum", row.maximum}});
+        } else {
+            json["choices"] = row.choices;
+        }
+        list.push_back(json);
+    }
+    return list;
+}
+
 Json model(const Model& m) {
     Json options = Json::array();
     for (const auto& o : m.options) options.push_back(option(o));
@@ -45,17 +69,34 @@ Json model(const Model& m) {
             {"default_endpoints", m.default_endpoints},
             {"endpoint_schemes", m.endpoint_schemes},
             {"turn_steps", m.turn_steps},
-            {"options", options}};
+            {"options", options},
+            {"profile", figures(m)}};
 }
 
 Json device(const ScenarioDevice& d) {
-    Json options = Json::object();
+    Json options = Json::object(), profile = Json::object();
+    for (const auto& [name, figure] : d.config.profile) profile[name] = figure_value(figure);
     for (const auto& [name, value] : d.config.options) options[name] = option_value(value);
     return {{"name", d.name},
             {"model", d.model->name},
             {"mount", pose(d.body_from_sonar)},
             {"endpoints", d.config.endpoints},
-            {"options", options}};
+            {"options", options},
+            {"profile", profile}};
+}
+
+Json effects(const Scenario& s) {
+    Json json = Json::object();
+    const auto off = effects_off(s);
+    for (const auto& row : effect_rows) json[std::string(row.name)] = std::ranges::find(off, row.name) == off.end();
+    return json;
+}
+
+Json straight_rays(const Scenario& s) {
+    Json list = Json::array();
+    for (const auto& b : ray_bounds(s))
+        list.push_back({{"device", b.device}, {"range_m", b.range}, {"error_m", b.error.displacement}});
+    return list;
 }
 
 Json scene_json(const std::string& file, const Scene& scene) {
@@ -133,6 +174,9 @@ std::string check_json(const Scenario& s, const Scene& scene) {
                      {"water", water},
                      {"vehicle", pose(s.world_from_body)},
                      {"clock_rate", s.clock_rate},
+                     {"effects", effects(s)},
+                     {"straight_rays", straight_rays(s)},
+                     {"warnings", warnings(s)},
                      {"devices", devices}});
 }
 

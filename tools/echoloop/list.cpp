@@ -1,7 +1,8 @@
-// echoloop list: the sonars that can be emulated, and their options.
+// echoloop list: the sonars that can be emulated, their options and their acoustic figures with sources.
 #include <cstdio>
 
 #include "emulator/scenario/problems.h"
+#include "emulator/scenario/profile_section.h"
 #include "emulator/scenario/section.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/json_output.h"
@@ -42,6 +43,24 @@ void print_option(const Option& option, std::size_t width) {
                 option.source.empty() ? "" : " -- ", option.source.c_str());
 }
 
+std::string text_of(const Figure& figure) {
+    const auto* number = std::get_if<double>(&figure.value);
+    return number == nullptr ? std::get<std::string>(figure.value) : plain(*number, 9);
+}
+
+void print_figures(const Model& model) {
+    std::size_t width = 0;
+    for (const auto& row : model.figures) width = std::max(width, row.name.size() + 2);
+    const Profile profile = own_profile(model);
+    std::printf("  profile       (figure, value, unit)\n");
+    for (const auto& row : model.figures) {
+        const Figure& figure = profile.at(row.name);
+        const auto value = row.unit.empty() ? text_of(figure) : padded(text_of(figure), 14) + row.unit;
+        std::printf("    %s%s\n", padded(row.name, width).c_str(), value.c_str());
+        std::printf("    %s%s -- %s\n", padded("", width).c_str(), row.help.c_str(), figure.source.c_str());
+    }
+}
+
 void print_model(const Model& model) {
     std::printf("%s%s\n", padded(model.name, 18).c_str(), model.title.c_str());
     std::printf("  protocol      %s\n", model.protocol.c_str());
@@ -51,6 +70,7 @@ void print_model(const Model& model) {
     for (const auto& option : model.options) width = std::max(width, option.name.size() + 2);
     if (!model.options.empty()) std::printf("  options       (name, default, allowed)\n");
     for (const auto& option : model.options) print_option(option, width);
+    if (!model.figures.empty()) print_figures(model);
 }
 
 std::span<const Model> wanted(const Arguments& arguments) {
@@ -82,7 +102,7 @@ int run(const Arguments& arguments) {
 
 Verb list_verb() {
     return {"list",
-            "the sonars that can be emulated, and their options",
+            "the sonars that can be emulated, their options and acoustic figures",
             {{Argument::Kind::optional, "MODEL", "", "show this model only"}, json_argument()},
             "  echoloop list\n"
             "  echoloop list tritech-micron\n"

@@ -79,7 +79,11 @@ class Job {
     }
 
   private:
-    Shot shot(std::size_t step) const { return device_.model->default_shot(device_.config, step, range_); }
+    Shot shot(std::size_t step) const {
+        Shot shot = device_.model->default_shot(device_.config, step, range_);
+        shot.random_key = device_.config.seed;  // as the session does
+        return shot;
+    }
     Pose pose() const { return scenario_.world_from_body * device_.body_from_sonar; }
 
     std::vector<Echogram> render(Renderer& renderer) const {

@@ -4,6 +4,7 @@
 
 #include "emulator/runtime.h"
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/conditions.h"
 #include "tools/echoloop/driver.h"
 #include "tools/echoloop/json_run.h"
 
@@ -13,6 +14,8 @@ namespace {
 void print_start(const Scenario& scenario, const Runtime& runtime) {
     std::printf("echoloop %s: %s, %zu triangles, %s\n", ECHOLOOP_VERSION, scenario.scene.c_str(),
                 runtime.triangles(), runtime.renderer().c_str());
+    for (const auto& [name, text] : conditions(scenario))
+        std::printf("%s%s\n", padded(name, 16).c_str(), text.c_str());
     for (const auto& device : scenario.devices) {
         std::printf("%s%s\n", padded(device.name, 16).c_str(), device.model->title.c_str());
         for (const auto& place : wire_places(device))

@@ -46,9 +46,9 @@ TEST(MicronLine, ReplyEchoesTheCommandAndCarriesTheLevels) {
     EXPECT_EQ(line[39], 31);
     EXPECT_EQ(u16(line, 40), 3200);
     EXPECT_EQ(u16(line, 42), 200);
-    // R = 120.5 * 104 * 640 ns * 1500 / 2 = 6.015 m; 130 + 30 log R + 0.4 R + 80 * 84/210 - 160 = 27.78 dB of
+    // R = 120.5 * 104 * 640 ns * 1500 / 2 = 6.015 m; 130 + 30 log R + 0.4 R + 80 * 84/210 - 163 = 24.78 dB of
     // 80
-    EXPECT_EQ(line[44 + 120], std::lround(255 * 27.784 / 80));
+    EXPECT_EQ(line[44 + 120], std::lround(255 * 24.784 / 80));
     EXPECT_EQ(line[44 + 119], 0);
     EXPECT_EQ(line.back(), 0x0A);
 }

@@ -1,0 +1,94 @@
+#include "tools/echoloop/conditions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/echoloop/common.h"
+
+namespace echoloop::cli {
+namespace {
+
+bool by_paper(const Scenario& scenario) { return scenario.render.rule == EchoRule::cerqueira2016; }
+
+/// Lowest and highest elevation in the world of a device's rays, rad, over a whole turn.
+std::pair<double, double> elevations(const Scenario& scenario, const ScenarioDevice& device) {
+    const Pose world_from_sonar = scenario.world_from_body * device.body_from_sonar;
+    double low = 2, high = -2;
+    for (std::size_t step = 0; step < device.model->turn_steps; ++step) {
+        const Shot shot = device.model->default_shot(device.config, step, 0);
+        for (const double bearing : shot.bearings)
+            for (const double part : {-0.5, 0.0, 0.5}) {
+                const double e = shot.tilt + part * shot.fan_height, b = shot.pan + bearing;
+                const Vec3 ahead{std::cos(e) * std::cos(b), -std::cos(e) * std::sin(b), std::sin(e)};
+                const double up = (world_from_sonar * ahead).z - world_from_sonar.position.z;
+                const double elevation = std::asin(std::clamp(up, -1.0, 1.0));
+                low = std::min(low, elevation);
+                high = std::max(high, elevation);
+            }
+    }
+    return {low, high};
+}
+
+std::string joined(const std::vector<std::string_view>& words) {
+    std::string text;
+    for (const auto word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+    return text;
+}
+
+std::string effects_text(const Scenario& scenario) {
+    if (by_paper(scenario)) return "none; the rule cerqueira2016 knows no effects";
+    const auto off = effects_off(scenario);
+    if (off.empty()) return "all on";
+    return (off.size() == effect_rows.size() ? "all off" : "off: " + joined(off));
+}
+
+std::string ray_text(const RayBound& bound) {
+    return bound.device + ": straight; an echo is at most " + plain(bound.error.displacement, 3) +
+           " m from where it is shown (" + plain(rad_to_deg(bound.error.elevation), 1) + " deg up, " +
+           plain(bound.error.range, 1) + " m; bound for ranges to " + plain(bound.range, 1) + " m)";
+}
+
+}  // namespace
+
+std::vector<std::string_view> effects_off(const Scenario& scenario) {
+    std::vector<std::string_view> off;
+    for (const auto& row : effect_rows)
+        if (by_paper(scenario) || !scenario.render.effects.has(row.effect)) off.push_back(row.name);
+    return off;
+}
+
+std::vector<RayBound> ray_bounds(const Scenario& scenario) {
+    std::vector<RayBound> bounds;
+    if (scenario.water.profile.empty()) return bounds;
+    for (const auto& device : scenario.devices) {
+        const Shot shot = device.model->default_shot(device.config, 0, 0);
+        const double end = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
+        const double range = end * sound_speed(scenario.water) / 2;
+        const auto [low, high] = elevations(scenario, device);
+        bounds.push_back(
+            {device.name, range,
+             straight_ray_error(scenario.water.profile, scenario.water.depth, range, low, high)});
+    }
+    return bounds;
+}
+
+std::vector<std::string> warnings(const Scenario& scenario) {
+    std::vector<std::string> all;
+    if (by_paper(scenario) || !scenario.render.effects.has(Effect::absorption)) return all;
+    for (const auto& device : scenario.devices) {
+        const double frequency = device.model->default_shot(device.config, 0, 0).frequency;
+        if (absorption_is_extrapolated(frequency))
+            all.push_back(device.name + ": absorption at " + plain(frequency / 1e3, 1) +
+                          " kHz is extrapolated; Francois & Garrison fitted data up to 1 MHz");
+    }
+    return all;
+}
+
+std::vector<Condition> conditions(const Scenario& scenario) {
+    std::vector<Condition> lines{{"effects", effects_text(scenario)}};
+    for (const auto& bound : ray_bounds(scenario)) lines.push_back({"rays", ray_text(bound)});
+    for (const auto& warning : warnings(scenario)) lines.push_back({"warning", warning});
+    return lines;
+}
+
+}  // namespace echoloop::cli
