@@ -2,13 +2,37 @@
 
 #include <stdexcept>
 
+#include "render/gl/egl.h"
 #include "render/gl/osmesa.h"
 
 namespace echoloop::gl {
+namespace {
+
+using Maker = std::unique_ptr<Context> (*)();
+
+/// The first that works of those given; else all their complaints.
+std::unique_ptr<Context> first_of(std::initializer_list<Maker> makers) {
+    std::string complaints;
+    for (const Maker make : makers) try {
+            return make();
+        } catch (const std::runtime_error& error) {
+            complaints += (complaints.empty() ? "" : "; or ") + std::string(error.what());
+        }
+    throw std::runtime_error("no OpenGL context can be made: " + complaints);
+}
+
+}  // namespace
 
 std::unique_ptr<Context> make_context(std::string_view name) {
-    if (name == "auto" || name == "osmesa") return make_osmesa_context();
-    throw std::invalid_argument("unknown GL context \"" + std::string(name) + "\"; known are auto, osmesa");
+    if (name == "osmesa") return make_osmesa_context();
+    if (name == "egl-surfaceless") return make_egl_surfaceless_context();
+    if (name == "egl-device") return make_egl_device_context();
+    if (name != "auto")
+        throw std::invalid_argument("unknown GL context \"" + std::string(name) +
+                                    "\"; known are auto, osmesa, egl-surfaceless, egl-device");
+    if (may_have_gpu())
+        return first_of({make_egl_device_context, make_osmesa_context, make_egl_surfaceless_context});
+    return first_of({make_osmesa_context, make_egl_surfaceless_context});
 }
 
 }  // namespace echoloop::gl

@@ -26,9 +26,9 @@ class Context {
     virtual std::string_view kind() const = 0;
 };
 
-/// Makes a context of the named kind ("osmesa") or the first that works ("auto"). Throws
-/// std::invalid_argument for an unknown name, and std::runtime_error naming the package to install when none
-/// can be made.
+/// Makes a context of the named kind: "osmesa", "egl-surfaceless", "egl-device" (a GPU), or "auto": a GPU
+/// where there is one, else OSMesa, else EGL surfaceless. Throws std::invalid_argument for an unknown name,
+/// and std::runtime_error naming the package to install when none can be made.
 std::unique_ptr<Context> make_context(std::string_view name);
 
 }  // namespace echoloop::gl

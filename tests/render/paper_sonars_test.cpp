@@ -148,7 +148,9 @@ TEST(BadOptions, AreRefused) {
 }
 
 TEST(Context, BelongsToItsThread) {
-    Renderer renderer(test::scene_of({test::wall_at(10, 5, -5, 5)}), {}, test::boxes());
+    RendererOptions options = test::boxes();
+    options.context = "osmesa";
+    Renderer renderer(test::scene_of({test::wall_at(10, 5, -5, 5)}), {}, options);
     std::thread([&] { EXPECT_THROW(renderer.render(test::scanning(), {}), std::logic_error); }).join();
     EXPECT_NE(renderer.context_description().find("OSMesa"), std::string::npos);
 }

@@ -1,0 +1,22 @@
+// The EGL implementations of Context: without any display, in memory or on a GPU. Never linked. Tried with
+// Mesa's software renderer only: no GPU was at hand.
+#pragma once
+
+#include <memory>
+
+#include "render/gl/context.h"
+
+namespace echoloop::gl {
+
+/// On Mesa's surfaceless platform; software unless Mesa finds a GPU. Throws std::runtime_error, naming the
+/// Debian packages, when it cannot be had.
+std::unique_ptr<Context> make_egl_surfaceless_context();
+
+/// On the first EGL device that is hardware and offers OpenGL 4.5. Throws std::runtime_error when there is
+/// none.
+std::unique_ptr<Context> make_egl_device_context();
+
+/// False where the kernel offers no GPU at all, so that nothing need be loaded to know.
+bool may_have_gpu();
+
+}  // namespace echoloop::gl

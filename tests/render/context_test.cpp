@@ -1,0 +1,84 @@
+// The kinds of GL contexts: which there are, that they draw the same, and what is said when one cannot be
+// had.
+#include "render/gl/context.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "tests/render/meshes.h"
+#include "tests/render/shots.h"
+
+namespace echoloop {
+namespace {
+
+struct Result {
+    std::string description, problem;
+    std::vector<float> values;
+};
+
+/// One ping, on a thread of its own: two copies of Mesa in one process share what is current on a thread.
+Result render_with(const char* context) {
+    Result result;
+    std::thread([&] {
+        RendererOptions options;
+        options.context = context;
+        try {
+            Renderer renderer(test::scene_of({test::floor_at(-5, 60, 40), test::wall_at(25, 20, -5, 3),
+                                              test::box("box", {12, 3, -4}, {2, 2, 2}, 0.5),
+                                              test::sphere({10, -3, -4}, 0.7, 24)}),
+                              test::water_of(1500), options);
+            result.description = renderer.context_description();
+            Shot shot = test::forward_looking();
+            for (shot.ping = 0; shot.ping < 2; ++shot.ping) {
+                const Echogram e = renderer.render(shot, {});
+                result.values.insert(result.values.end(), e.values.begin(), e.values.end());
+            }
+        } catch (const std::runtime_error& error) {
+            result.problem = error.what();
+        }
+    }).join();
+    return result;
+}
+
+TEST(GlContext, OsMesaAndEglOfTheSameMesaDrawTheSameBytes) {
+    const Result osmesa = render_with("osmesa"), egl = render_with("egl-surfaceless");
+    ASSERT_EQ(osmesa.problem, "");
+    ASSERT_EQ(egl.problem, "");
+    EXPECT_NE(osmesa.description.find("OSMesa"), std::string::npos);
+    EXPECT_NE(egl.description.find("EGL surfaceless"), std::string::npos);
+    const auto version = [](const std::string& text) { return text.substr(text.find(", ") + 2); };
+    if (version(osmesa.description) != version(egl.description))
+        GTEST_SKIP() << osmesa.description << " is not " << egl.description;
+    EXPECT_GT(*std::max_element(osmesa.values.begin(), osmesa.values.end()), 0);
+    EXPECT_TRUE(osmesa.values == egl.values);
+    EXPECT_TRUE(osmesa.values == render_with("osmesa").values) << "EGL has changed what OSMesa draws";
+}
+
+TEST(GlContext, WithoutAGpuTheDeviceContextSaysWhatToDo) {
+    const Result result = render_with("egl-device");
+    if (!result.description.empty()) GTEST_SKIP() << "here is a GPU: " << result.description;
+    EXPECT_NE(result.problem.find("no GPU"), std::string::npos) << result.problem;
+    EXPECT_NE(result.problem.find("osmesa"), std::string::npos) << result.problem;
+    EXPECT_NE(result.problem.find("apt-get install libegl1"), std::string::npos) << result.problem;
+}
+
+TEST(GlContext, AutoFindsOne) {
+    const Result result = render_with("auto");
+    EXPECT_EQ(result.problem, "");
+    EXPECT_FALSE(result.values.empty());
+}
+
+TEST(GlContext, UnknownNamesListTheKnownOnes) {
+    try {
+        gl::make_context("glx");
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        for (const char* name : {"glx", "auto", "osmesa", "egl-surfaceless", "egl-device"})
+            EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace echoloop
