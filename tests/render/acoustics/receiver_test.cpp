@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "render/acoustics/random.h"
-#include "render/acoustics/statistics.h"
 #include "tests/render/acoustics/chain_shots.h"
+#include "tests/render/acoustics/statistics.h"
 
 namespace echoloop {
 namespace {
@@ -131,9 +131,9 @@ TEST(Chain, WithoutEffectsValuesStayAsTheyAre) {
     const auto before = values;
     EXPECT_EQ(AcousticChain(Effects::none()).apply(shot, {}, test::water_speed, {}, values), 0);
     EXPECT_EQ(values, before);
-    const PointEcho point{1, 5.01, 7, 2};
-    AcousticChain(Effects::none()).apply(shot, {}, test::water_speed, {&point, 1}, values);
-    for (std::size_t i = 0; i < 300; ++i) EXPECT_NEAR(values[i] - before[i], i == 150 ? 7 : 0, 40) << i;
+    const auto point = output(Effects::none(), shot, {{1, 5.01, 7, 2}});
+    EXPECT_NEAR(point[150], 7, 1e-5);
+    EXPECT_NEAR(test::sum_of(point), 7, 1e-5);
 }
 
 // Each beam alone gives the bytes that it gives among others, on however many threads they ran.
@@ -170,8 +170,23 @@ TEST(Chain, BytesAreTheSameEverywhere) {
     EXPECT_EQ(hash, 11944399298271696676U);
 }
 
+TEST(Chain, PointsInAnyOrder) {
+    const Shot shot = chain_shot(3, 50, 0.1, 0.075);
+    const auto values = output(Effects::none(), shot, {{2, 1.05, 2, 0}, {0, 3.05, 3, 0}, {1, 2.05, 4, 0}, {0, 4.05, 5, 0}});
+    EXPECT_NEAR(values[110], 2, 1e-5);
+    EXPECT_NEAR(values[30], 3, 1e-5);
+    EXPECT_NEAR(values[70], 4, 1e-5);
+    EXPECT_NEAR(values[40], 5, 1e-5);
+}
+
 TEST(Chain, SeveralGeometriesInTurn) {
     AcousticChain chain{Effects()};
+    for (const std::size_t bins : {300U, 200U, 400U}) {
+        const Shot shot = chain_shot(2, bins, 0.02, 0.075);
+        std::vector<float> values(2 * bins, 1e6F);
+        chain.apply(shot, {}, test::water_speed, {}, values);
+        EXPECT_EQ(values, output(Effects(), shot, 1e6F));
+    }
     for (int round = 0; round < 2; ++round)
         for (std::size_t i = 1; i < 12; ++i) {
             const Shot shot = chain_shot(2, 100 * i, 0.02 * static_cast<double>(i), 0.075);

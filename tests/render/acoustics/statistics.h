@@ -1,4 +1,4 @@
-// What can be said of a set of echo intensities, for comparison with theory. Never part of a ping.
+// What can be said of a set of echo intensities, for comparison with theory. Pure functions.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-#include "render/acoustics/statistics.h"
+#include "tests/render/acoustics/statistics.h"
 
 #include <algorithm>
 #include <cmath>
