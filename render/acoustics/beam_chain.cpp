@@ -56,7 +56,8 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
         if (fine) noise = noise_filter(noise_bandwidth(shot), shot.bin_interval);
     }
     if (speckle) texture_shape = options.shape;
-    if (effects.has(Effect::saturation)) power_limit = static_cast<float>(power_of(shot.receiver.saturation_level));
+    if (effects.has(Effect::saturation))
+        power_limit = static_cast<float>(power_of(shot.receiver.saturation_level));
     if (effects.has(Effect::quantisation)) amplitude_step = step_of(shot.receiver);
 }
 
@@ -100,7 +101,8 @@ void BeamChain::modulate_texture(const AngularCells& cells, std::span<float> val
     for (std::size_t i = 0; i < values.size(); i += plan_->texture_bins) {
         const auto index = static_cast<std::uint32_t>(i / plan_->texture_bins);
         const auto factor = static_cast<float>(random_gamma(stream, index, plan_->texture_shape));
-        for (std::size_t k = i; k < std::min(i + plan_->texture_bins, values.size()); ++k) values[k] *= factor;
+        for (std::size_t k = i; k < std::min(i + plan_->texture_bins, values.size()); ++k)
+            values[k] *= factor;
     }
 }
 
@@ -122,7 +124,9 @@ void BeamChain::place(const PointEcho& point, double where) {
     for (double bin = first; bin <= last; ++bin) {
         const double from = bin * length - where;
         const double share =
-            plan_->pulse ? (plan_->shape.energy_until(from + length) - plan_->shape.energy_until(from)) / length : 1;
+            plan_->pulse
+                ? (plan_->shape.energy_until(from + length) - plan_->shape.energy_until(from)) / length
+                : 1;
         const double amplitude = std::sqrt(point.power * std::max(share, 0.0));
         points_.real[static_cast<std::size_t>(bin)] += static_cast<float>(amplitude * cosine);
         points_.imaginary[static_cast<std::size_t>(bin)] += static_cast<float>(amplitude * sine);
@@ -138,7 +142,8 @@ RandomStream BeamChain::noise_stream(std::size_t beam, std::uint32_t kind) const
 }
 
 void BeamChain::fill_field(const LineFilter& filter, const RandomStream& stream, Field& out) {
-    if (filter.is_identity()) return complex_normals(stream, plan_->bins, out.real.data(), out.imaginary.data());
+    if (filter.is_identity())
+        return complex_normals(stream, plan_->bins, out.real.data(), out.imaginary.data());
     const std::size_t count = filter.before() + plan_->bins;
     const std::size_t room = std::max(filter.room(plan_->bins), random_room(count));
     padded_.resize(room);
@@ -203,8 +208,8 @@ void BeamChain::fine_echo(std::size_t beam, const AngularCells& cells, bool poin
     }
     if (noisy) {
         fill_field(plan_->noise, noise_stream(beam, noise), noise_);
-        kernels::add(static_cast<float>(std::sqrt(plan_->noise_power)), noise_.real.data(), noise_.imaginary.data(), n,
-                     real, imaginary);
+        kernels::add(static_cast<float>(std::sqrt(plan_->noise_power)), noise_.real.data(),
+                     noise_.imaginary.data(), n, real, imaginary);
     }
     kernels::intensity(real, imaginary, n, values.data());
 }
@@ -235,8 +240,8 @@ void BeamChain::coarse_noise(std::size_t beam, std::span<float> values) {
     mean_of_looks(noise_stream(beam, noise), plan_->noise_looks, values.size(), looks_.data());
     random_cosines(noise_stream(beam, noise_phase), values.size(), cosines_.data());
     const double looks = plan_->speckle ? std::max(plan_->looks, plan_->noise_looks) : plan_->noise_looks;
-    kernels::interfere(1, values.data(), static_cast<float>(plan_->noise_power), looks_.data(), cosines_.data(),
-                       static_cast<float>(looks), values.size());
+    kernels::interfere(1, values.data(), static_cast<float>(plan_->noise_power), looks_.data(),
+                       cosines_.data(), static_cast<float>(looks), values.size());
 }
 
 }  // namespace echoloop

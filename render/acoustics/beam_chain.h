@@ -1,5 +1,5 @@
-// One beam's way through the chain: pulse, speckle, noise, receiver. Holds the work memory of one thread; what it
-// computes for a beam depends on that beam and its keys alone.
+// One beam's way through the chain: pulse, speckle, noise, receiver. Holds the work memory of one thread;
+// what it computes for a beam depends on that beam and its keys alone.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct ChainPlan {
     double noise_looks = 1;  ///< of the noise
     double noise_power = 0;  ///< uPa^2, 0: none
     double texture_shape = std::numeric_limits<double>::infinity();
-    std::size_t texture_bins = 1;  ///< bins that share a value of the texture
+    std::size_t texture_bins = 1;                                ///< bins that share a value of the texture
     float power_limit = std::numeric_limits<float>::infinity();  ///< uPa^2
     float amplitude_step = 0;                                    ///< uPa; 0: no steps
 };
@@ -76,7 +76,7 @@ class BeamChain {
     std::array<Field, 2> fields_;
     std::size_t newest_ = 0;
     Field speckle_, noise_;
-    Field points_;                     ///< amplitude of the point echoes, sqrt(uPa^2)
+    Field points_;  ///< amplitude of the point echoes, sqrt(uPa^2)
     std::vector<float> looks_, cosines_, padded_, padded_imaginary_, scratch_;
 };
 

@@ -19,7 +19,8 @@ double intensity(const PulseShape& pulse, double from, double bin_length) {
 double even_intensity(const PulseShape& pulse, int bin, double bin_length) {
     constexpr int places = 32;
     double sum = 0;
-    for (int i = 0; i < places; ++i) sum += intensity(pulse, (bin - (i + 0.5) / places) * bin_length, bin_length);
+    for (int i = 0; i < places; ++i)
+        sum += intensity(pulse, (bin - (i + 0.5) / places) * bin_length, bin_length);
     return sum / places;
 }
 

@@ -41,8 +41,8 @@ class AcousticChain::Impl {
     double apply(const Shot& shot, const Pose& pose, double sound_speed, std::span<const PointEcho> points,
                  std::span<float> values) {
         const ChainPlan& plan = plan_for(shot, sound_speed);
-        const ChainPing ping{shot.random_key, shot.ping, view_of(shot, pose, sound_speed / shot.frequency), shot.pan,
-                             shot.bearings};
+        const ChainPing ping{shot.random_key, shot.ping, view_of(shot, pose, sound_speed / shot.frequency),
+                             shot.pan, shot.bearings};
         points_.assign(points.begin(), points.end());
         std::ranges::stable_sort(points_, {}, [](const PointEcho& point) { return point.beam; });
         const std::size_t beams = shot.bearings.size();
@@ -51,7 +51,8 @@ class AcousticChain::Impl {
         const auto work = [&](std::size_t part) {
             chains_[part].start(plan, ping);
             for (std::size_t beam = beams * part / parts; beam < beams * (part + 1) / parts; ++beam)
-                chains_[part].run(beam, points_of(points_, beam), values.subspan(beam * shot.bins, shot.bins));
+                chains_[part].run(beam, points_of(points_, beam),
+                                  values.subspan(beam * shot.bins, shot.bins));
         };
         workers_.run(parts, work);
         return plan.noise_power;

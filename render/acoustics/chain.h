@@ -1,5 +1,5 @@
-// What becomes of mean echo power on its way to the receiver's output: pulse, speckle, noise, saturation, converter.
-// Plain CPU code, deterministic with any number of threads; knows no GL, no scene and no protocol.
+// What becomes of mean echo power on its way to the receiver's output: pulse, speckle, noise, saturation,
+// converter. Plain CPU code, deterministic with any number of threads; knows no GL, no scene and no protocol.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace echoloop {
 
-/// An echo of one scatterer that does not fluctuate, such as a target of declared strength: it interferes with the
-/// diffuse echo, but has no speckle of its own.
+/// An echo of one scatterer that does not fluctuate, such as a target of declared strength: it interferes
+/// with the diffuse echo, but has no speckle of its own.
 struct PointEcho {
     std::size_t beam = 0;
     double range = 0;  ///< m, slant
@@ -21,7 +21,8 @@ struct PointEcho {
     double phase = 0;  ///< rad
 };
 
-/// Scintillation of the speckle: K distribution with shape nu, var(I)/mean(I)^2 = 1 + 2/nu; infinite: fully developed.
+/// Scintillation of the speckle: K distribution with shape nu, var(I)/mean(I)^2 = 1 + 2/nu; infinite: fully
+/// developed.
 struct SpeckleOptions {
     double shape = std::numeric_limits<double>::infinity();
 };
@@ -32,18 +33,18 @@ class AcousticChain {
     ~AcousticChain();
     AcousticChain(AcousticChain&&) noexcept;
 
-    /// Turns `values` (beams x bins of the shot, beam-major; each the sum of the echo power that arrives within the
-    /// bin as if the pulse were infinitely short and of unit height, uPa^2) into the mean intensity of the receiver's
-    /// output over each bin, uPa^2, in place. Returns the mean noise power in it, uPa^2.
+    /// Turns `values` (beams x bins of the shot, beam-major; each the sum of the echo power that arrives
+    /// within the bin as if the pulse were infinitely short and of unit height, uPa^2) into the mean
+    /// intensity of the receiver's output over each bin, uPa^2, in place. Returns the mean noise power in it,
+    /// uPa^2.
     ///
-    /// Pulse on: convolved with the pulse's shape of unit height, so that area scattering has the insonified length
-    /// c tau / 2 (CW) or c / (2 B) (chirp), whatever the bin size; off: left as it is. A CW echo begins at its range, a
-    /// compressed chirp lies around it (see PulseShape).
-    /// Speckle's random numbers are keyed by shot.random_key, the sonar's place and direction, beam and bin: the same
-    /// view gives the same speckle, one that has moved by lambda / 4 an independent one. Noise is keyed by
-    /// shot.ping as well.
-    double apply(const Shot& shot, const Pose& world_from_sonar, double sound_speed, std::span<const PointEcho> points,
-                 std::span<float> values);
+    /// Pulse on: convolved with the pulse's shape of unit height, so that area scattering has the insonified
+    /// length c tau / 2 (CW) or c / (2 B) (chirp), whatever the bin size; off: left as it is. A CW echo
+    /// begins at its range, a compressed chirp lies around it (see PulseShape). Speckle's random numbers are
+    /// keyed by shot.random_key, the sonar's place and direction, beam and bin: the same view gives the same
+    /// speckle, one that has moved by lambda / 4 an independent one. Noise is keyed by shot.ping as well.
+    double apply(const Shot& shot, const Pose& world_from_sonar, double sound_speed,
+                 std::span<const PointEcho> points, std::span<float> values);
 
   private:
     class Impl;

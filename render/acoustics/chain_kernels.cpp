@@ -24,8 +24,8 @@ ECHOLOOP_CLONES void add(float scale, const float* a, const float* b, std::size_
     }
 }
 
-ECHOLOOP_CLONES void blend(float weight, const float* a, float other_weight, const float* b, std::size_t count,
-                           float* out) {
+ECHOLOOP_CLONES void blend(float weight, const float* a, float other_weight, const float* b,
+                           std::size_t count, float* out) {
     for (std::size_t i = 0; i < count; ++i) out[i] = weight * a[i] + other_weight * b[i];
 }
 
@@ -33,7 +33,8 @@ ECHOLOOP_CLONES void intensity(const float* real, const float* imaginary, std::s
     for (std::size_t i = 0; i < count; ++i) power[i] = real[i] * real[i] + imaginary[i] * imaginary[i];
 }
 
-ECHOLOOP_CLONES void add_intensity(const float* real, const float* imaginary, std::size_t count, float* power) {
+ECHOLOOP_CLONES void add_intensity(const float* real, const float* imaginary, std::size_t count,
+                                   float* power) {
     for (std::size_t i = 0; i < count; ++i) power[i] += real[i] * real[i] + imaginary[i] * imaginary[i];
 }
 
@@ -45,8 +46,8 @@ ECHOLOOP_CLONES void square_root(const float* power, std::size_t count, float* a
     for (std::size_t i = 0; i < count; ++i) amplitude[i] = std::sqrt(power[i]);
 }
 
-ECHOLOOP_CLONES void interfere(float scale, float* power, float other_scale, const float* other, const float* cosine,
-                               float looks, std::size_t count) {
+ECHOLOOP_CLONES void interfere(float scale, float* power, float other_scale, const float* other,
+                               const float* cosine, float looks, std::size_t count) {
     const float cross = 2 / std::sqrt(looks);
     for (std::size_t i = 0; i < count; ++i) {
         // Roots first: the product of two powers may be beyond a float.
@@ -59,7 +60,7 @@ ECHOLOOP_CLONES void receive(float limit, float step, std::size_t count, float* 
     if (limit < INFINITY)
         for (std::size_t i = 0; i < count; ++i) power[i] = std::min(power[i], limit);
     if (!(step > 0)) return;
-    constexpr float finest = 0x1p22F;            // beyond, a float has hardly finer steps
+    constexpr float finest = 0x1p22F;          // beyond, a float has hardly finer steps
     constexpr float rounder = 1.5F * 0x1p23F;  // a float this large has no fraction
     const float per_step = 1 / step;
     for (std::size_t i = 0; i < count; ++i) {

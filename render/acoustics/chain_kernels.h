@@ -6,8 +6,8 @@
 namespace echoloop::kernels {
 
 /// power[i] becomes sqrt(power) times the field, as its two parts.
-void modulate(const float* power, const float* field_real, const float* field_imaginary, std::size_t count, float* real,
-              float* imaginary);
+void modulate(const float* power, const float* field_real, const float* field_imaginary, std::size_t count,
+              float* real, float* imaginary);
 /// real += scale * a, imaginary += scale * b.
 void add(float scale, const float* a, const float* b, std::size_t count, float* real, float* imaginary);
 /// out = weight a + other_weight b.
@@ -19,10 +19,10 @@ void add_intensity(const float* real, const float* imaginary, std::size_t count,
 /// power *= factor.
 void multiply(const float* factor, std::size_t count, float* power);
 void square_root(const float* power, std::size_t count, float* amplitude);
-/// power = |a + b|^2 of two fields of scale * power and other_scale * other in intensity, whose phases differ by the
-/// angle of that cosine, as the mean over so many looks: a + b + 2 sqrt(a b / looks) cosine.
-void interfere(float scale, float* power, float other_scale, const float* other, const float* cosine, float looks,
-               std::size_t count);
+/// power = |a + b|^2 of two fields of scale * power and other_scale * other in intensity, whose phases differ
+/// by the angle of that cosine, as the mean over so many looks: a + b + 2 sqrt(a b / looks) cosine.
+void interfere(float scale, float* power, float other_scale, const float* other, const float* cosine,
+               float looks, std::size_t count);
 /// power = min(power, limit), then in steps of the amplitude where step > 0.
 void receive(float limit, float step, std::size_t count, float* power);
 

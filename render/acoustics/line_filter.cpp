@@ -9,7 +9,8 @@ namespace echoloop {
 namespace {
 
 /// out[j] = sum over k of taps[k] in[j - k]; reads `count` rounded up to whole tiles, and taps - 1 before.
-ECHOLOOP_CLONES void convolve(const float* in, std::size_t count, const float* taps, std::size_t tap_count, float* out) {
+ECHOLOOP_CLONES void convolve(const float* in, std::size_t count, const float* taps, std::size_t tap_count,
+                              float* out) {
     constexpr std::size_t tile = LineFilter::tile;
     for (std::size_t j = 0; j < count; j += tile) {
         float sum[tile] = {};
@@ -21,12 +22,14 @@ ECHOLOOP_CLONES void convolve(const float* in, std::size_t count, const float* t
     }
 }
 
-/// data[j] = weight * (sum of the `length` bins that end at j), in place, by sums from block borders (van Herk, Pattern
-/// Recognition Letters 13 (1992) 517): no term is ever subtracted, so a loud echo leaves no rounding error behind.
+/// data[j] = weight * (sum of the `length` bins that end at j), in place, by sums from block borders (van
+/// Herk, Pattern Recognition Letters 13 (1992) 517): no term is ever subtracted, so a loud echo leaves no
+/// rounding error behind.
 void box_sum(std::vector<float>& data, std::size_t length, float weight, std::vector<float>& scratch) {
     const std::size_t count = data.size();
     scratch.resize(std::max(scratch.size(), 2 * count));
-    float *head = scratch.data(), *tail = head + count;  // sums within blocks, from their beginnings and their ends
+    float *head = scratch.data(),
+          *tail = head + count;  // sums within blocks, from their beginnings and their ends
     for (std::size_t begin = 0; begin < count; begin += length) {
         const std::size_t end = std::min(begin + length, count);
         float sum = 0;
@@ -45,9 +48,11 @@ void box_sum(std::vector<float>& data, std::size_t length, float weight, std::ve
 
 }  // namespace
 
-LineFilter::LineFilter(std::ptrdiff_t first, std::vector<float> taps) : first_(first), taps_(std::move(taps)) {}
+LineFilter::LineFilter(std::ptrdiff_t first, std::vector<float> taps)
+    : first_(first), taps_(std::move(taps)) {}
 
-LineFilter LineFilter::boxed(double length, std::size_t smoothing, std::ptrdiff_t first, std::vector<float> taps) {
+LineFilter LineFilter::boxed(double length, std::size_t smoothing, std::ptrdiff_t first,
+                             std::vector<float> taps) {
     LineFilter out(first, std::move(taps));
     out.box_ = static_cast<std::size_t>(length);
     out.rest_ = static_cast<float>(length - std::floor(length));
@@ -60,9 +65,12 @@ std::size_t LineFilter::before() const {
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(taps, 0)) + box_ + smoothing_;
 }
 
-std::size_t LineFilter::after() const { return static_cast<std::size_t>(std::max<std::ptrdiff_t>(-first_, 0)); }
+std::size_t LineFilter::after() const {
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(-first_, 0));
+}
 
-void LineFilter::apply(std::vector<float>& padded, std::size_t count, float* out, std::vector<float>& scratch) const {
+void LineFilter::apply(std::vector<float>& padded, std::size_t count, float* out,
+                       std::vector<float>& scratch) const {
     if (box_ > 0) {
         scratch.resize(std::max(scratch.size(), 3 * padded.size()));
         std::copy(padded.begin(), padded.end(), scratch.end() - static_cast<std::ptrdiff_t>(padded.size()));

@@ -1,5 +1,5 @@
-// Convolution of one beam with a short kernel or a long box. Deterministic; nothing wraps round the window's ends, and
-// sums of what is not negative are never negative.
+// Convolution of one beam with a short kernel or a long box. Deterministic; nothing wraps round the window's
+// ends, and sums of what is not negative are never negative.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +13,18 @@ class LineFilter {
     LineFilter() : LineFilter(0, {1.0F}) {}
     /// out[j] = sum over k of taps[k] in[j - first - k].
     LineFilter(std::ptrdiff_t first, std::vector<float> taps);
-    /// As above, but of an input that a box of `length` >= 1 bins and height 1, then one of `smoothing` bins and sum
-    /// 1, have gone over: O(1) a bin.
-    static LineFilter boxed(double length, std::size_t smoothing, std::ptrdiff_t first, std::vector<float> taps);
+    /// As above, but of an input that a box of `length` >= 1 bins and height 1, then one of `smoothing` bins
+    /// and sum 1, have gone over: O(1) a bin.
+    static LineFilter boxed(double length, std::size_t smoothing, std::ptrdiff_t first,
+                            std::vector<float> taps);
 
     /// Bins of input that the first output needs before itself, and the last one behind itself.
     std::size_t before() const;
     std::size_t after() const;
     bool is_identity() const { return box_ == 0 && first_ == 0 && taps_.size() == 1 && taps_[0] == 1.0F; }
 
-    /// `padded` holds before() bins, then `count` bins that belong to the output, then after() bins, and has room for
-    /// room(count) floats; it is overwritten. `out` has room for `count`.
+    /// `padded` holds before() bins, then `count` bins that belong to the output, then after() bins, and has
+    /// room for room(count) floats; it is overwritten. `out` has room for `count`.
     void apply(std::vector<float>& padded, std::size_t count, float* out, std::vector<float>& scratch) const;
     std::size_t room(std::size_t count) const { return before() + count + after() + tile; }
 

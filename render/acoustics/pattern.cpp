@@ -18,10 +18,11 @@ double dirichlet(double x, int n) {
     return std::sin(n * x) / (n * s);
 }
 
-/// 2 J1(x) / x by Abramowitz & Stegun, Handbook of Mathematical Functions (1964), 9.4.4 and 9.4.6, |error| < 1e-7.
+/// 2 J1(x) / x by Abramowitz & Stegun, Handbook of Mathematical Functions (1964), 9.4.4 and 9.4.6, |error| <
+/// 1e-7.
 double airy(double x) {
     x = std::abs(x);
-    const auto polynomial = [](double y, const double (&c)[7]) {
+    const auto polynomial = [](double y, const double(&c)[7]) {
         double sum = 0;
         for (int i = 6; i >= 0; --i) sum = sum * y + c[i];
         return sum;
@@ -30,8 +31,8 @@ double airy(double x) {
         return 2 * polynomial(x * x / 9, {0.5, -0.56249985, 0.21093573, -0.03954289, 0.00443319, -0.00031761,
                                           0.00001109});
     const double y = 3 / x;
-    const double f = polynomial(
-        y, {0.79788456, 0.00000156, 0.01659667, 0.00017105, -0.00249511, 0.00113653, -0.00020033});
+    const double f =
+        polynomial(y, {0.79788456, 0.00000156, 0.01659667, 0.00017105, -0.00249511, 0.00113653, -0.00020033});
     const double theta = x + polynomial(y, {-2.35619449, 0.12499612, 0.00005650, -0.00637879, 0.00074348,
                                             0.00079824, -0.00029166});
     return 2 * f * std::cos(theta) / (x * std::sqrt(x));
@@ -47,9 +48,12 @@ double hamming(double u, int n) {
 /// Amplitude at u = (L or D) / lambda sin t.
 double shape_at(ApertureShape shape, double u, int elements) {
     switch (shape) {
-        case ApertureShape::line: return sinc(u);
-        case ApertureShape::hamming: return hamming(u, elements);
-        case ApertureShape::piston: return airy(pi * u);
+        case ApertureShape::line:
+            return sinc(u);
+        case ApertureShape::hamming:
+            return hamming(u, elements);
+        case ApertureShape::piston:
+            return airy(pi * u);
     }
     return 0;
 }
@@ -89,8 +93,8 @@ AperturePattern AperturePattern::of_length(ApertureShape shape, double length) {
 }
 
 AperturePattern AperturePattern::through(ApertureShape shape, double angle, double level) {
-    // More elements make the main lobe of a shaded array of one length narrower, never wider: so the number that
-    // the first estimate asks for is enough.
+    // More elements make the main lobe of a shaded array of one length narrower, never wider: so the number
+    // that the first estimate asks for is enough.
     const double s = std::sin(angle);
     const int elements = elements_of(where(shape, level, fewest_elements) / s);
     return {shape, where(shape, level, elements) / s, elements};

@@ -1,4 +1,5 @@
-// Beam patterns of apertures: lines, shaded lines, pistons. Pure functions of angle; knows no scene and no bins.
+// Beam patterns of apertures: lines, shaded lines, pistons. Pure functions of angle; knows no scene and no
+// bins.
 #pragma once
 
 #include "render/echogram.h"
@@ -7,19 +8,23 @@ namespace echoloop {
 
 /// One-way pattern of an aperture whose -3 dB full width is given.
 ///
-/// line: sinc(L sin t / lambda); hamming: a line with Hamming shading; piston: 2 J1(x)/x, x = pi D sin t / lambda
-/// (Urick, Principles of Underwater Sound, 1983, chapter 3). A line with Hamming shading is an array of N = 32
-/// elements, more where they would be farther apart than lambda / 2; its length is N times their spacing.
+/// line: sinc(L sin t / lambda); hamming: a line with Hamming shading; piston: 2 J1(x)/x, x = pi D sin t /
+/// lambda (Urick, Principles of Underwater Sound, 1983, chapter 3). A line with Hamming shading is an array
+/// of N = 32 elements, more where they would be farther apart than lambda / 2; its length is N times their
+/// spacing.
 class AperturePattern {
   public:
     /// `width`: rad, -3 dB full width, one way, 0 < width < pi.
     AperturePattern(ApertureShape shape, double width);
-    /// `length`: L / lambda or D / lambda, more than 0; a short aperture falls by less than 3 dB up to 90 deg.
+    /// `length`: L / lambda or D / lambda, more than 0; a short aperture falls by less than 3 dB up to 90
+    /// deg.
     static AperturePattern of_length(ApertureShape shape, double length);
-    /// The aperture whose amplitude is `level`, 0 < level < 1, at `angle` rad off the axis, 0 < angle <= pi / 2.
+    /// The aperture whose amplitude is `level`, 0 < level < 1, at `angle` rad off the axis, 0 < angle <= pi
+    /// / 2.
     static AperturePattern through(ApertureShape shape, double angle, double level);
 
-    /// Amplitude relative to the axis, -1..1 (side lobes alternate in sign), at `angle` rad off the axis. Beyond
+    /// Amplitude relative to the axis, -1..1 (side lobes alternate in sign), at `angle` rad off the axis.
+    /// Beyond
     /// +-90 deg the aperture is behind its baffle: back_amplitude times the mirrored value.
     double amplitude(double angle) const;
     /// L / lambda or D / lambda.

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double chirp_reach = 6;  ///< resolutions on either side
 constexpr int steps_per_resolution = 64;
-/// The integral of hamming(u)^2, (0.54^2 + 0.46^2 / 2) / 0.54^2: a pulse of u = x / (stretch c / (2 B)) has the
-/// integral c / (2 B).
+/// The integral of hamming(u)^2, (0.54^2 + 0.46^2 / 2) / 0.54^2: a pulse of u = x / (stretch c / (2 B)) has
+/// the integral c / (2 B).
 constexpr double stretch = 1 / (1 + 0.46 * 0.46 / (2 * 0.54 * 0.54));
 constexpr double first_null = 2;
 

@@ -1,4 +1,5 @@
-// How one scatterer's echo is spread along range by the pulse and the receiver. Pure functions; knows no bins.
+// How one scatterer's echo is spread along range by the pulse and the receiver. Pure functions; knows no
+// bins.
 #pragma once
 
 #include <vector>
@@ -11,15 +12,15 @@ namespace echoloop {
 ///
 /// CW: it begins at the target's range; its power rises and, c tau / 2 later, falls linearly within half the
 /// resolution c / (2 B) of the receiver's bandwidth B (1 / tau where not given; at most c tau / 2).
-/// Chirp: after compression with Hamming weights, centred on the target's range: side lobes -42.7 dB, -3 dB width
-/// 0.956 c / (2 B), cut off at six resolutions.
+/// Chirp: after compression with Hamming weights, centred on the target's range: side lobes -42.7 dB, -3 dB
+/// width 0.956 c / (2 B), cut off at six resolutions.
 class PulseShape {
   public:
     PulseShape(const Shot& shot, double sound_speed);
 
-    double length() const { return length_; }      ///< m, the integral
-    double begin() const { return begin_; }        ///< m, against the target's range
-    double end() const { return end_; }            ///< m
+    double length() const { return length_; }          ///< m, the integral
+    double begin() const { return begin_; }            ///< m, against the target's range
+    double end() const { return end_; }                ///< m
     double main_begin() const { return main_begin_; }  ///< m, of the main lobe
     double main_end() const { return main_end_; }      ///< m
     bool is_chirp() const { return !table_.empty(); }

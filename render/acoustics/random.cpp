@@ -11,7 +11,7 @@ namespace {
 using vector_math::direction;
 using vector_math::uniform;
 
-constexpr int angle_shift = 20;  ///< leaves 12 bits for the angle
+constexpr int angle_shift = 20;                  ///< leaves 12 bits for the angle
 constexpr std::size_t blocks = random_tile / 4;  ///< of a tile
 
 /// Word w of block i.
@@ -57,7 +57,8 @@ ECHOLOOP_INLINE Key key_of(const RandomStream& stream) {
 }
 
 /// Numbers of one layer of a stream, from a block on.
-ECHOLOOP_INLINE void fill(const RandomStream& stream, std::uint32_t layer, std::size_t first_block, Words& out) {
+ECHOLOOP_INLINE void fill(const RandomStream& stream, std::uint32_t layer, std::size_t first_block,
+                          Words& out) {
     const Key key = key_of(stream);
     const auto first = static_cast<std::uint32_t>(first_block);
     for (std::uint32_t i = 0; i < blocks; ++i) {
@@ -99,8 +100,9 @@ ECHOLOOP_INLINE void multiply(const Words& words, float* product) {
 }
 
 /// Adds the exponentials of `layers` uniform numbers each. The logarithm of up to four is taken at once.
-ECHOLOOP_INLINE void add_exponentials(const RandomStream& stream, std::size_t first_block, std::uint32_t first_layer,
-                                      std::uint32_t layers, float weight, float* sum) {
+ECHOLOOP_INLINE void add_exponentials(const RandomStream& stream, std::size_t first_block,
+                                      std::uint32_t first_layer, std::uint32_t layers, float weight,
+                                      float* sum) {
     Words words;
     float product[4 * blocks];
     for (std::uint32_t done = 0; done < layers;) {
@@ -113,7 +115,8 @@ ECHOLOOP_INLINE void add_exponentials(const RandomStream& stream, std::size_t fi
     }
 }
 
-ECHOLOOP_CLONES void fill_complex(const RandomStream& stream, std::size_t count, float* real, float* imaginary) {
+ECHOLOOP_CLONES void fill_complex(const RandomStream& stream, std::size_t count, float* real,
+                                  float* imaginary) {
     Words words;
     for (std::size_t i = 0; i < count; i += 4 * blocks) {
         fill(stream, 0, i / 4, words);
@@ -122,7 +125,8 @@ ECHOLOOP_CLONES void fill_complex(const RandomStream& stream, std::size_t count,
     }
 }
 
-ECHOLOOP_CLONES void fill_few_looks(const RandomStream& stream, LookWeights weights, std::size_t count, float* power) {
+ECHOLOOP_CLONES void fill_few_looks(const RandomStream& stream, LookWeights weights, std::size_t count,
+                                    float* power) {
     float sum[4 * blocks];
     for (std::size_t i = 0; i < count; i += 4 * blocks) {
         std::fill_n(sum, 4 * blocks, 0.0F);
@@ -133,7 +137,8 @@ ECHOLOOP_CLONES void fill_few_looks(const RandomStream& stream, LookWeights weig
 }
 
 /// Wilson & Hilferty: the cube root of a gamma variable is nearly Gaussian.
-ECHOLOOP_CLONES void fill_many_looks(const RandomStream& stream, float looks, std::size_t count, float* power) {
+ECHOLOOP_CLONES void fill_many_looks(const RandomStream& stream, float looks, std::size_t count,
+                                     float* power) {
     const float ninth = 1 / (9 * looks), deviation = std::sqrt(2 * ninth);  // a real part has variance 1 / 2
     float normal[8 * blocks];
     Words words;
@@ -155,14 +160,16 @@ ECHOLOOP_CLONES void fill_cosines(const RandomStream& stream, std::size_t count,
         fill(stream, 0, i / 4, words);
         float tile[4 * blocks];
         for (std::size_t w = 0; w < 4; ++w)
-            for (std::size_t k = 0; k < blocks; ++k) tile[w * blocks + k] = direction(words.word[w][k]).cosine;
+            for (std::size_t k = 0; k < blocks; ++k)
+                tile[w * blocks + k] = direction(words.word[w][k]).cosine;
         std::copy_n(tile, std::min(4 * blocks, count - i), cosine + i);
     }
 }
 
 }  // namespace
 
-std::array<std::uint32_t, 4> threefry(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 4> key) {
+std::array<std::uint32_t, 4> threefry(std::array<std::uint32_t, 4> counter,
+                                      std::array<std::uint32_t, 4> key) {
     const Counter c = threefry_rounds({counter[0], counter[1], counter[2], counter[3]},
                                       extended(key[0], key[1], key[2], key[3]));
     return {c.x0, c.x1, c.x2, c.x3};
@@ -182,7 +189,8 @@ void random_cosines(const RandomStream& stream, std::size_t count, float* cosine
 }
 
 std::array<float, 2> random_direction(const RandomStream& stream, std::uint32_t index) {
-    const auto [cosine, sine] = direction(threefry_rounds({index, stream.lane, stream.kind, 0}, key_of(stream)).x0);
+    const auto [cosine, sine] =
+        direction(threefry_rounds({index, stream.lane, stream.kind, 0}, key_of(stream)).x0);
     return {cosine, sine};
 }
 
@@ -198,8 +206,8 @@ double random_gamma(const RandomStream& stream, std::uint32_t index, double shap
         if (root <= 0) continue;
         const double accept = std::log(static_cast<double>(uniform(word.x2)));
         if (accept >= normal * normal / 2 + d - d * v + d * std::log(v)) continue;
-        const double boost =
-            shape < 1 ? std::exp(std::log(static_cast<double>(uniform(word.x3))) / shape) : 1;  // their section 6
+        const double boost = shape < 1 ? std::exp(std::log(static_cast<double>(uniform(word.x3))) / shape)
+                                       : 1;  // their section 6
         return d * v * boost / shape;
     }
 }

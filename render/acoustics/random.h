@@ -1,10 +1,10 @@
 // Random numbers that are a function of their key alone: who asks first, or on which thread, changes nothing.
 // Holds no state and knows no clock.
 //
-// Threefry4x32 with 13 rounds: Salmon, Moraes, Dror & Shaw, Parallel Random Numbers: As Easy as 1, 2, 3 (SC 2011);
-// from 12 rounds on it passes TestU01's BigCrush. Counter-based, so that neighbouring keys give independent numbers;
-// made of 32-bit additions, rotations and exclusive ors, which every SIMD unit has (Philox needs twice the time, as
-// its 64-bit products must be shuffled).
+// Threefry4x32 with 13 rounds: Salmon, Moraes, Dror & Shaw, Parallel Random Numbers: As Easy as 1, 2, 3 (SC
+// 2011); from 12 rounds on it passes TestU01's BigCrush. Counter-based, so that neighbouring keys give
+// independent numbers; made of 32-bit additions, rotations and exclusive ors, which every SIMD unit has
+// (Philox needs twice the time, as its 64-bit products must be shuffled).
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@ namespace echoloop {
 
 /// Names a sequence of random numbers; sequences of different names are independent.
 struct RandomStream {
-    std::uint64_t key = 0;   ///< of seed and device
+    std::uint64_t key = 0;    ///< of seed and device
     std::uint64_t place = 0;  ///< of the sonar's view or the ping
     std::uint32_t lane = 0;   ///< of the beam or the angular cell
     std::uint32_t kind = 0;   ///< of what the numbers are for
 };
 
-/// Spreads every bit of `value` over the result, and mixes it with `hash` (the finaliser of SplitMix64, Steele, Lea &
-/// Flood, OOPSLA 2014).
+/// Spreads every bit of `value` over the result, and mixes it with `hash` (the finaliser of SplitMix64,
+/// Steele, Lea & Flood, OOPSLA 2014).
 constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
     std::uint64_t z = (hash ^ value) + 0x9E3779B97F4A7C15ULL;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
@@ -35,14 +35,16 @@ std::array<std::uint32_t, 4> threefry(std::array<std::uint32_t, 4> counter, std:
 
 /// Buffers for complex_normals() have room for a whole number of these.
 inline constexpr std::size_t random_tile = 128;
-constexpr std::size_t random_room(std::size_t count) { return (count + random_tile - 1) / random_tile * random_tile; }
+constexpr std::size_t random_room(std::size_t count) {
+    return (count + random_tile - 1) / random_tile * random_tile;
+}
 
-/// Complex Gaussian numbers of mean 0 and mean square 1 (Box & Muller, 1958), each from one word: 23 bits of radius, 4096
-/// angles.
+/// Complex Gaussian numbers of mean 0 and mean square 1 (Box & Muller, 1958), each from one word: 23 bits of
+/// radius, 4096 angles.
 void complex_normals(const RandomStream& stream, std::size_t count, float* real, float* imaginary);
 
-/// The mean of `looks` >= 1 independent exponential variables of mean 1: mean 1, variance 1 / looks. Between 1 and
-/// 2 the second one weighs less; beyond 2 by Wilson & Hilferty, PNAS 17 (1931) 684.
+/// The mean of `looks` >= 1 independent exponential variables of mean 1: mean 1, variance 1 / looks. Between
+/// 1 and 2 the second one weighs less; beyond 2 by Wilson & Hilferty, PNAS 17 (1931) 684.
 void mean_of_looks(const RandomStream& stream, double looks, std::size_t count, float* power);
 
 /// Cosines of uniform angles.

@@ -22,8 +22,9 @@ double curve_db(const std::vector<BackscatterPoint>& curve, double grazing_deg) 
         return first.strength_db +
                2 * decibel(std::sin(grazing_deg * degree) / std::sin(first.grazing_deg * degree));
     }
-    const auto after = std::upper_bound(curve.begin(), curve.end(), grazing_deg,
-                                        [](double angle, const auto& point) { return angle < point.grazing_deg; });
+    const auto after =
+        std::upper_bound(curve.begin(), curve.end(), grazing_deg,
+                         [](double angle, const auto& point) { return angle < point.grazing_deg; });
     const auto before = after - 1;
     const double share = (grazing_deg - before->grazing_deg) / (after->grazing_deg - before->grazing_deg);
     return before->strength_db + share * (after->strength_db - before->strength_db);
@@ -38,8 +39,9 @@ Material generic_seabed(const char* name, double nadir_db, double oblique_db, co
     out.mu_db = oblique_db;
     out.reflection = properties.reflection;
     out.roughness = properties.roughness;
-    for (const double g : {1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0,
-                           65.0, 68.0, 70.0, 72.0, 74.0, 76.0, 78.0, 80.0, 82.0, 84.0, 86.0, 88.0, 90.0}) {
+    for (const double g :
+         {1.0,  2.0,  3.0,  5.0,  7.0,  10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0,
+          60.0, 65.0, 68.0, 70.0, 72.0, 74.0, 76.0, 78.0, 80.0, 82.0, 84.0, 86.0, 88.0, 90.0}) {
         const double facets = std::pow(10, nadir_db / 10) * std::exp(-(90 - g) * (90 - g) / (2 * 7.0 * 7.0));
         const double oblique = std::pow(10, oblique_db / 10) * std::pow(std::sin(g * degree), 2);
         out.backscatter.push_back({g, decibel(facets + oblique)});
@@ -47,9 +49,9 @@ Material generic_seabed(const char* name, double nadir_db, double oblique_db, co
     return out;
 }
 
-/// Strengths at 200 kHz: C such that Sb at 45 deg is in the middle of what was measured, -36 to -37.5 dB for sand
-/// and -45 to -47 dB for mud. Gravel and rock: by the impedance table, as materials.cpp does from sand's. The rise
-/// at nadir, A 12 dB above C, is an own choice.
+/// Strengths at 200 kHz: C such that Sb at 45 deg is in the middle of what was measured, -36 to -37.5 dB for
+/// sand and -45 to -47 dB for mud. Gravel and rock: by the impedance table, as materials.cpp does from
+/// sand's. The rise at nadir, A 12 dB above C, is an own choice.
 const std::vector<Material>& seabeds() {
     static const std::vector<Material> all = [] {
         const double sand = -36.75 + 3.01, mud = -46 + 3.01, sand_mu = *mu_db_by_name("sand");
@@ -79,7 +81,8 @@ StrengthTable::StrengthTable(const Material& material) {
         throw std::invalid_argument("backscatter of " + material.name + ": grazing angles must ascend");
     for (std::size_t i = 1; i <= cells; ++i) {
         const double cosine = static_cast<double>(i) / cells;  // of incidence: the sine of the grazing angle
-        values_[i] = static_cast<float>(std::pow(10, backscatter_db(material, std::asin(cosine)) / 10) / cosine);
+        values_[i] =
+            static_cast<float>(std::pow(10, backscatter_db(material, std::asin(cosine)) / 10) / cosine);
     }
     values_[0] = curve.empty() || curve.front().grazing_deg > 0 ? 0 : values_[1];
 }

@@ -1,5 +1,5 @@
-// How strongly a surface scatters back at a grazing angle: Lambert's law or a measured curve. Pure functions of
-// angle; knows no scene file and no pixels.
+// How strongly a surface scatters back at a grazing angle: Lambert's law or a measured curve. Pure functions
+// of angle; knows no scene file and no pixels.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,13 @@ namespace echoloop {
 
 /// Backscattering strength Sb in dB re 1 m^2 per m^2. `grazing`: rad, 0..pi/2.
 ///
-/// Lambert: mu_db + 20 log10 sin g (Urick, Principles of Underwater Sound, 1983, chapter 8). A curve is linear in dB
-/// over the angle, constant beyond its last point, and falls as sin^2 g below its first.
+/// Lambert: mu_db + 20 log10 sin g (Urick, Principles of Underwater Sound, 1983, chapter 8). A curve is
+/// linear in dB over the angle, constant beyond its last point, and falls as sin^2 g below its first.
 double backscatter_db(const Material& material, double grazing);
 
-/// sigma(i) / cos(i) of a material over the cosine of incidence, 0..1, with sigma = 10^(Sb / 10): times the solid
-/// angle and R^-2 it is the echo of a pixel. Exact for Lambert's law (mu cos i), else linear between its points.
+/// sigma(i) / cos(i) of a material over the cosine of incidence, 0..1, with sigma = 10^(Sb / 10): times the
+/// solid angle and R^-2 it is the echo of a pixel. Exact for Lambert's law (mu cos i), else linear between
+/// its points.
 class StrengthTable {
   public:
     static constexpr std::size_t cells = 1024;

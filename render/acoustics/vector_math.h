@@ -1,12 +1,13 @@
-// Logarithm, sine and cosine for loops that the compiler turns into SIMD, made of operations that IEEE 754 rounds
-// exactly: with contraction to FMA off, every processor gives the same bits. Never calls the C library.
+// Logarithm, sine and cosine for loops that the compiler turns into SIMD, made of operations that IEEE 754
+// rounds exactly: with contraction to FMA off, every processor gives the same bits. Never calls the C
+// library.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 
-// Hot loops exist for AVX-512, for AVX2 and for any x86-64; the loader picks. Sanitizers and clang get one plain version
-// (the resolvers run before a sanitizer is ready).
+// Hot loops exist for AVX-512, for AVX2 and for any x86-64; the loader picks. Sanitizers and clang get one
+// plain version (the resolvers run before a sanitizer is ready).
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && \
     !defined(__SANITIZE_ADDRESS__)
 #define ECHOLOOP_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
@@ -22,13 +23,14 @@ ECHOLOOP_INLINE float uniform(std::uint32_t word) {
     return static_cast<float>(static_cast<std::int32_t>(word >> 9) * 2 + 1) * 0x1p-24F;
 }
 
-/// Natural logarithm of a normal float x > 0, |error| < 2e-7 relative to max(1, |ln x|). Polynomial: S. Moshier's
-/// Cephes library, logf (1989).
+/// Natural logarithm of a normal float x > 0, |error| < 2e-7 relative to max(1, |ln x|). Polynomial: S.
+/// Moshier's Cephes library, logf (1989).
 ECHOLOOP_INLINE float log(float x) {
     const auto bits = std::bit_cast<std::int32_t>(x);
     const std::int32_t shifted = bits - 0x3F3504F3;  // of sqrt(1/2): m is within sqrt(1/2)..sqrt(2)
     const std::int32_t exponent = shifted >> 23;
-    const float m = std::bit_cast<float>(bits - exponent * (1 << 23)) - 1.0F, e = static_cast<float>(exponent);
+    const float m = std::bit_cast<float>(bits - exponent * (1 << 23)) - 1.0F,
+                e = static_cast<float>(exponent);
     float p = 7.0376836292e-2F;
     p = p * m - 1.1514610310e-1F;
     p = p * m + 1.1676998740e-1F;

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-std::uint64_t step_of(double value, double step) { return static_cast<std::uint64_t>(std::llround(value / step)); }
+std::uint64_t step_of(double value, double step) {
+    return static_cast<std::uint64_t>(std::llround(value / step));
+}
 
 bool far_apart(const Shot& shot) {
     for (std::size_t i = 1; i < shot.bearings.size(); ++i)
@@ -23,10 +25,11 @@ bool far_apart(const Shot& shot) {
 
 ViewKey view_of(const Shot& shot, const Pose& world_from_sonar, double wavelength) {
     const Vec3 up = rotate(world_from_sonar.orientation, {0, 0, 1}), p = world_from_sonar.position;
-    // The turn about the sonar's z axis is undefined where that points straight down, so heads that hang upside down
-    // count theirs from a half roll. The border between the two is where few are mounted.
+    // The turn about the sonar's z axis is undefined where that points straight down, so heads that hang
+    // upside down count theirs from a half roll. The border between the two is where few are mounted.
     const bool hangs = up.z < -0.3;
-    const Quat upright = hangs ? world_from_sonar.orientation * Quat{0, 1, 0, 0} : world_from_sonar.orientation;
+    const Quat upright =
+        hangs ? world_from_sonar.orientation * Quat{0, 1, 0, 0} : world_from_sonar.orientation;
     const double twist = 2 * std::atan2(upright.z, upright.w), step = shot.fan_height / 4;
     std::uint64_t hash = hangs ? 1 : 0;
     for (const double coordinate : {p.x, p.y, p.z}) hash = mix(hash, step_of(coordinate, wavelength / 8));
@@ -43,7 +46,8 @@ AngularCells AngularGrid::cells_of(double bearing) const {
     if (!blends_) return {static_cast<std::uint32_t>(std::llround(place)) % count_, 0, 1, 0};
     const auto cell = std::min(static_cast<std::uint32_t>(place), count_ - 1);
     const double share = place - cell, norm = std::hypot(1 - share, share);
-    return {cell, (cell + 1) % count_, static_cast<float>((1 - share) / norm), static_cast<float>(share / norm)};
+    return {cell, (cell + 1) % count_, static_cast<float>((1 - share) / norm),
+            static_cast<float>(share / norm)};
 }
 
 }  // namespace echoloop

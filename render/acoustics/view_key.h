@@ -7,14 +7,15 @@
 
 namespace echoloop {
 
-/// The same place and direction give the same view, one moved by lambda / 8 or more along any axis another one.
+/// The same place and direction give the same view, one moved by lambda / 8 or more along any axis another
+/// one.
 struct ViewKey {
     std::uint64_t place = 0;  ///< hash of position, inclination and tilt
     double turn = 0;          ///< rad, of the sonar about its own z axis in the world, clockwise positive
 };
 
-/// Position in steps of lambda / 8; the direction of the sonar's z axis and the tilt in steps of a quarter of the
-/// fan's height. `wavelength` in m.
+/// Position in steps of lambda / 8; the direction of the sonar's z axis and the tilt in steps of a quarter of
+/// the fan's height. `wavelength` in m.
 ViewKey view_of(const Shot& shot, const Pose& world_from_sonar, double wavelength);
 
 /// Speckle of a direction: of one angular cell, or between two, with weights whose squares add up to 1.
@@ -23,8 +24,9 @@ struct AngularCells {
     float first_weight = 1, second_weight = 0;
 };
 
-/// How a shot's beams share angular cells of half a beam width round the circle, so that directions farther apart than
-/// a beam width are independent and nearer ones are partly correlated. Beams 0.9 widths apart or more get a cell each.
+/// How a shot's beams share angular cells of half a beam width round the circle, so that directions farther
+/// apart than a beam width are independent and nearer ones are partly correlated. Beams 0.9 widths apart or
+/// more get a cell each.
 class AngularGrid {
   public:
     explicit AngularGrid(const Shot& shot);

@@ -70,7 +70,8 @@ void read_curve(const JsonView& value, Material& out) {
 }
 
 void read_reflection(const JsonView& value, Material& out) {
-    out.reflection = within(value, -1, 1, "-1..1", "give the amplitude of the echo of a mirror, for example 0.35");
+    out.reflection =
+        within(value, -1, 1, "-1..1", "give the amplitude of the echo of a mirror, for example 0.35");
 }
 
 void read_roughness(const JsonView& value, Material& out) {

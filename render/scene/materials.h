@@ -1,5 +1,5 @@
-// The acoustic material of a glTF material's name: Lambert's constant and mirror-like reflection from published
-// densities and sound speeds. Knows no file.
+// The acoustic material of a glTF material's name: Lambert's constant and mirror-like reflection from
+// published densities and sound speeds. Knows no file.
 #pragma once
 
 #include <optional>

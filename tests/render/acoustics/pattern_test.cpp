@@ -101,7 +101,8 @@ TEST(TwoWayPattern, BothWaysAddInDecibels) {
     EXPECT_NEAR(10 * std::log10(pattern.power(highest)), -26.52, 0.02);
 }
 
-// The integrals of sinc^2 and sinc^4 over u are 1 and 2/3, so the box of a narrow beam is that times lambda / L.
+// The integrals of sinc^2 and sinc^4 over u are 1 and 2/3, so the box of a narrow beam is that times lambda /
+// L.
 TEST(TwoWayPattern, EquivalentWidthOfALine) {
     for (const double width : {0.0002, 0.01, 0.1}) {
         const TwoWayPattern one({ApertureShape::line, 1}, width), two({ApertureShape::line, 2}, width);

@@ -34,8 +34,8 @@ TEST(Pulse, ResolutionOfCwAndChirp) {
     EXPECT_NEAR(range_resolution(shot, 1500), 0.025, 1e-12);
 }
 
-/// dB by which the level falls between two equal echoes `apart` m from each other; 0 where there is one peak. A phase of
-/// 90 deg between them adds their powers, as the mean over all phases does.
+/// dB by which the level falls between two equal echoes `apart` m from each other; 0 where there is one peak.
+/// A phase of 90 deg between them adds their powers, as the mean over all phases does.
 double dip_between(const Shot& shot, double apart, double phase) {
     const double at = 2.0;
     const auto values = output(pulse_only, shot, {{0, at, 1, 0}, {0, at + apart, 1, phase}});
@@ -61,7 +61,8 @@ TEST(Pulse, AreaScatteringDoesNotDependOnTheBins) {
             for (const Shot& shot : {chain_shot(1, bins, bin, length), chirp(bins, bin, length)}) {
                 const auto values = output(pulse_only, shot, static_cast<float>(bin));  // power 1 per metre
                 EXPECT_NEAR(to_db(static_cast<double>(values[bins / 2 + 8])), to_db(length), 0.02)
-                    << "bins of " << bin << " m, " << length << " m" << (shot.bandwidth > 0 ? " chirp" : " CW");
+                    << "bins of " << bin << " m, " << length << " m"
+                    << (shot.bandwidth > 0 ? " chirp" : " CW");
             }
         }
 }
@@ -134,8 +135,10 @@ TEST(Pulse, LongPulsesAreTheSameConvolution) {
     const PulseShape shape(shot, test::water_speed);
     for (std::size_t j = 0; j < power.size(); ++j)
         for (std::size_t i = 0; i < power.size(); ++i) {
-            const double from = (static_cast<double>(j) - static_cast<double>(i) - 0.5) * 0.01;  // echo in mid-bin
-            expected[j] += static_cast<double>(power[i]) * (shape.energy_until(from + 0.01) - shape.energy_until(from)) / 0.01;
+            const double from =
+                (static_cast<double>(j) - static_cast<double>(i) - 0.5) * 0.01;  // echo in mid-bin
+            expected[j] += static_cast<double>(power[i]) *
+                           (shape.energy_until(from + 0.01) - shape.energy_until(from)) / 0.01;
         }
     AcousticChain(pulse_only).apply(shot, {}, test::water_speed, {}, power);
     for (std::size_t j = 0; j < power.size(); ++j)

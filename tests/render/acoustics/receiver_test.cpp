@@ -74,7 +74,9 @@ TEST(Noise, OfABandNarrowerThanTheBinsIsCorrelated) {
     Shot shot = chain_shot(1, 50'000, 0.0075, 0.075);  // 10 us bins, 100 us pulse
     const auto values = output(only({Effect::pulse, Effect::noise}), shot, 0);
     const std::span<const float> all(values);
-    const auto lagged = [&](std::size_t lag) { return correlation(all.first(49'000), all.subspan(lag, 49'000)); };
+    const auto lagged = [&](std::size_t lag) {
+        return correlation(all.first(49'000), all.subspan(lag, 49'000));
+    };
     EXPECT_NEAR(lagged(5), 0.25, 0.04);  // (1 - 5 / 10)^2
     EXPECT_NEAR(lagged(12), 0, 0.04);
 }
@@ -110,7 +112,8 @@ TEST(Receiver, ConverterHasEqualStepsOfAmplitude) {
     shot.receiver.converter_bits = 8;     // a sign and 127 steps
     const double step = 1000.0 / 127;
     const auto amplitude = [&](double in) {
-        return std::sqrt(static_cast<double>(output(only({Effect::quantisation}), shot, static_cast<float>(in * in))[3]));
+        return std::sqrt(
+            static_cast<double>(output(only({Effect::quantisation}), shot, static_cast<float>(in * in))[3]));
     };
     EXPECT_NEAR(amplitude(10.4 * step), 10 * step, 0.01);
     EXPECT_NEAR(amplitude(10.6 * step), 11 * step, 0.01);
@@ -155,8 +158,9 @@ TEST(Chain, BeamsDependOnThemselvesOnly) {
     }
 }
 
-// A hash that all processors, compilers and numbers of threads agree on. It changes when the random numbers, the filters
-// or the order of a sum do; then recorded pings are no longer repeatable, which is worth a line in the history.
+// A hash that all processors, compilers and numbers of threads agree on. It changes when the random numbers,
+// the filters or the order of a sum do; then recorded pings are no longer repeatable, which is worth a line
+// in the history.
 TEST(Chain, BytesAreTheSameEverywhere) {
     std::uint64_t hash = 0;
     for (const double bin : {0.01, 0.05, 0.1, 0.4})
@@ -172,7 +176,8 @@ TEST(Chain, BytesAreTheSameEverywhere) {
 
 TEST(Chain, PointsInAnyOrder) {
     const Shot shot = chain_shot(3, 50, 0.1, 0.075);
-    const auto values = output(Effects::none(), shot, {{2, 1.05, 2, 0}, {0, 3.05, 3, 0}, {1, 2.05, 4, 0}, {0, 4.05, 5, 0}});
+    const auto values =
+        output(Effects::none(), shot, {{2, 1.05, 2, 0}, {0, 3.05, 3, 0}, {1, 2.05, 4, 0}, {0, 4.05, 5, 0}});
     EXPECT_NEAR(values[110], 2, 1e-5);
     EXPECT_NEAR(values[30], 3, 1e-5);
     EXPECT_NEAR(values[70], 4, 1e-5);

@@ -52,7 +52,8 @@ TEST(Scattering, TheTableFollowsTheCurve) {
     const StrengthTable table(material);
     for (double g = 1; g <= 90; g += 0.7) {
         const double cosine = std::sin(g * degree);
-        const double strength = 10 * std::log10(static_cast<double>(table.at(static_cast<float>(cosine))) * cosine);
+        const double strength =
+            10 * std::log10(static_cast<double>(table.at(static_cast<float>(cosine))) * cosine);
         const double tolerance = g < 87 ? 0.05 : 0.4;  // the last cell is 2.5 deg wide
         EXPECT_NEAR(strength, backscatter_db(material, g * degree), tolerance) << "at " << g << " deg";
     }

@@ -20,7 +20,8 @@ constexpr double wavelength = 0.002;  ///< m, 750 kHz
 std::vector<float> thinned(const std::vector<float>& values, const Shot& shot, std::size_t step) {
     std::vector<float> out;
     for (std::size_t beam = 0; beam < shot.bearings.size(); ++beam)
-        for (std::size_t bin = 60; bin < shot.bins; bin += step) out.push_back(values[beam * shot.bins + bin]);
+        for (std::size_t bin = 60; bin < shot.bins; bin += step)
+            out.push_back(values[beam * shot.bins + bin]);
     return out;
 }
 
@@ -64,8 +65,8 @@ TEST(Speckle, LongBinsAverageLooks) {
     }
 }
 
-// Correlation length in range = pulse length: that of intensity falls below 1/2 within half to a whole pulse, and to
-// nothing beyond it.
+// Correlation length in range = pulse length: that of intensity falls below 1/2 within half to a whole pulse,
+// and to nothing beyond it.
 TEST(Speckle, CorrelatesOverThePulse) {
     const Shot shot = chain_shot(200, 2000, 0.01, 0.1);
     const auto values = output(speckled, shot);
@@ -112,14 +113,17 @@ TEST(Speckle, CellsAreIndependent) {
     for (const double bin : {0.02, 0.15}) {
         const Shot shot = chain_shot(64, 4000, bin, 0.075);
         const auto values = output(speckled, shot);
-        const auto beam = [&](std::size_t i) { return thinned({&values[i * 4000], &values[i * 4000] + 4000},
-                                                              chain_shot(1, 4000, bin, 0.075), bin < 0.1 ? 8 : 1); };
+        const auto beam = [&](std::size_t i) {
+            return thinned({&values[i * 4000], &values[i * 4000] + 4000}, chain_shot(1, 4000, bin, 0.075),
+                           bin < 0.1 ? 8 : 1);
+        };
         const double limit = bin < 0.1 ? 0.16 : 0.06;  // 3.6 standard errors of one pair
         double pairs = 0, mirrored = 0;
         for (std::size_t i = 0; i < 32; ++i) {
             EXPECT_LT(std::abs(correlation(beam(i), beam(i + 1))), limit) << "beams " << i << " and the next";
             EXPECT_LT(std::abs(correlation(beam(i), beam(63 - i))), limit) << "port and starboard of " << i;
-            pairs += correlation(beam(i), beam(i + 1)) / 32, mirrored += correlation(beam(i), beam(63 - i)) / 32;
+            pairs += correlation(beam(i), beam(i + 1)) / 32,
+                mirrored += correlation(beam(i), beam(63 - i)) / 32;
         }
         EXPECT_NEAR(pairs, 0, 0.05);
         EXPECT_NEAR(mirrored, 0, 0.05);
@@ -204,7 +208,8 @@ TEST(Speckle, APointInterferesWithTheBottom) {
 TEST(Random, ThreefryKnownAnswers) {  // Random123's kat_vectors, threefry4x32, 13 rounds
     EXPECT_EQ(threefry({0, 0, 0, 0}, {0, 0, 0, 0}),
               (std::array<std::uint32_t, 4>{0x531c7e4f, 0x39491ee5, 0x2c855a92, 0x3d6abf9a}));
-    EXPECT_EQ(threefry({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0, 0x082efa98, 0xec4e6c89}),
+    EXPECT_EQ(threefry({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344},
+                       {0xa4093822, 0x299f31d0, 0x082efa98, 0xec4e6c89}),
               (std::array<std::uint32_t, 4>{0x4aa71d8f, 0x734738c2, 0x431fc6a8, 0xae6debf1}));
 }
 
@@ -215,7 +220,8 @@ TEST(Random, ComplexNormals) {
     double mean = 0, square = 0, fourth = 0, cross = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const double x = static_cast<double>(real[i]), y = static_cast<double>(imaginary[i]);
-        mean += x / count, square += (x * x + y * y) / count, fourth += x * x * x * x / count, cross += x * y / count;
+        mean += x / count, square += (x * x + y * y) / count, fourth += x * x * x * x / count,
+            cross += x * y / count;
     }
     EXPECT_NEAR(mean, 0, 0.003);
     EXPECT_NEAR(square, 1, 0.004);

@@ -19,7 +19,8 @@ double distance_from_exponential(std::span<const float> x, double mean) {
     double largest = 0;
     const auto n = static_cast<double>(sorted.size());
     for (std::size_t i = 0; i < sorted.size(); ++i) {
-        const double expected = 1 - std::exp(-static_cast<double>(sorted[i]) / mean), at = static_cast<double>(i);
+        const double expected = 1 - std::exp(-static_cast<double>(sorted[i]) / mean),
+                     at = static_cast<double>(i);
         largest = std::max({largest, expected - at / n, (at + 1) / n - expected});
     }
     return largest;
