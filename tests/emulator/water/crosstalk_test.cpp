@@ -133,7 +133,7 @@ TEST(CrossTalk, FluctuatesWithTheRightMeanAndTheSameAgain) {
     Effects effects;
     effects.set(Effect::absorption, false);
     double sum = 0, squares = 0;
-    constexpr int pings = 4000;
+    constexpr int pings = 2000;
     for (int i = 0; i < pings; ++i) {
         Transmission ping = own;
         ping.shot.ping = static_cast<std::uint64_t>(i);
@@ -142,8 +142,8 @@ TEST(CrossTalk, FluctuatesWithTheRightMeanAndTheSameAgain) {
         squares += power * power / pings;
     }
     const double mean = std::pow(10, 20 - 2 * std::log10(3));
-    EXPECT_NEAR(sum / mean, 1, 0.06);
-    EXPECT_NEAR(squares / (sum * sum), 2, 0.15);  // exponential
+    EXPECT_NEAR(sum / mean, 1, 0.08);
+    EXPECT_NEAR(squares / (sum * sum), 2, 0.3);  // exponential
     EXPECT_EQ(heard(other(), effects).values, heard(other(), effects).values);
 }
 
