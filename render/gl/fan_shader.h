@@ -7,7 +7,7 @@ namespace echoloop::gl {
 /// Attributes: 0 position (world), 1 normal (world), 2 surface number. The image is transposed: clip x runs
 /// along falling elevation, clip y along bearing. Depth is near / distance along the view's axis, so 1 is
 /// nearest. The surface number travels with the normal, as the fewer vectors the quicker; it is the same at
-/// all corners, so a half on top keeps rounding from changing it.
+/// all corners, and a quarter on top keeps rounding from changing it. Its fraction is half the roughness.
 inline constexpr const char* fan_vertex_shader = R"(#version 450 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -20,12 +20,15 @@ out vec4 seen_normal;          // and the surface
 const float near = 0.01;
 void main() {
     seen = view_from_world * (position - eye);
-    seen_normal = vec4(view_from_world * normal, surface + 0.5);
+    seen_normal = vec4(view_from_world * normal, surface + 0.25);
     vec2 image = (seen.xy - window.xy * seen.z) * window.zw;
     gl_Position = vec4(-image.y, image.x, near, seen.z);
 }
 )";
 
+/// The mean echo of a rough surface is that of its mean normal and more: facets that lean towards us scatter
+/// more and show more of themselves, E[(n v)^2] / E[n v].
+///
 /// 1/z is linear on the screen for any plane, also in the helper lanes beside a triangle, so the footprint
 /// from its derivative stays on the triangle's plane: R = z L with L = |(x, y, 1)|, hence dR = z x/L dx - R z
 /// d(1/z).
@@ -38,6 +41,8 @@ void main() {
     float square = dot(seen, seen), inverse = inversesqrt(square), range = square * inverse;
     float towards = -dot(seen_normal.xyz, seen) * inverse * inversesqrt(dot(seen_normal.xyz, seen_normal.xyz));
     float cosine = clamp(gl_FrontFacing ? towards : -towards, 0.0, 1.0);
+    float lean = max(fract(seen_normal.w) - 0.25, 0.0);  // variance of the normal in the direction that we look along
+    cosine = min(cosine + lean * (1.0 - cosine * cosine) / max(cosine, 0.1), 1.0);
     float shrink = seen.z * inverse, slope = range * seen.z;
     float along_bearing = abs(seen.x * shrink * pixel.x - slope * dFdy(gl_FragCoord.w));
     float along_elevation = abs(seen.y * shrink * pixel.y + slope * dFdx(gl_FragCoord.w));

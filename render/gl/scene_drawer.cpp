@@ -10,7 +10,7 @@ namespace {
 
 struct GpuVertex {
     SceneVertex vertex;
-    float surface;
+    float surface;  ///< its number and, as a fraction, half the roughness
 };
 
 using Clock = std::chrono::steady_clock;
@@ -71,10 +71,14 @@ void SceneDrawer::upload() {
         const auto [entry, added] =
             surfaces.try_emplace({node.object, node.material}, static_cast<std::uint32_t>(surfaces.size()));
         if (added) material_of_surface_.push_back(node.material);
-        const auto source = node.coarse ? scene_->coarse_vertices() : scene_->vertices();
-        const std::size_t shift = node.coarse ? fine : 0;
+        const auto surface = static_cast<float>(entry->second + 1);
         for (std::size_t i = node.first_vertex; i < node.first_vertex + node.vertices; ++i)
-            vertices[shift + i] = {source[i], static_cast<float>(entry->second + 1)};
+            if (node.coarse) {
+                const auto& [vertex, roughness] = scene_->coarse_vertices()[i];
+                vertices[fine + i] = {vertex, surface + 0.5F * roughness};
+            } else {
+                vertices[i] = {scene_->vertices()[i], surface};
+            }
     }
     vertices_ =
         std::make_unique<Buffer>(gl_, GL_ARRAY_BUFFER, vertices.data(), vertices.size() * sizeof(GpuVertex));

@@ -179,7 +179,7 @@ void SceneBuilder::bound(std::size_t first_node) {
             grow(node.bounds, nodes[child].bounds.max);
         }
         for (std::uint32_t k = 0; k < node.vertices; ++k)
-            grow(node.bounds, scene_->coarse_vertices_[node.first_vertex + k].position);
+            grow(node.bounds, scene_->coarse_vertices_[node.first_vertex + k].vertex.position);
     }
 }
 

@@ -30,6 +30,8 @@ class Clusters {
     std::uint32_t place_of(std::uint32_t vertex) const { return shades_[vertex].place; }
     Vec3 position(std::uint32_t vertex) const { return places_[place_of(vertex)].position; }
     Vec3 normal(std::uint32_t vertex) const { return shades_[vertex].normal; }
+    /// Variance of the normals that facets around the vertex stand for, 0..1.
+    float roughness(std::uint32_t vertex) const { return shades_[vertex].roughness; }
     /// m, about how far the merged surface is off around the vertex.
     double error(std::uint32_t vertex) const { return places_[place_of(vertex)].error; }
 
@@ -57,6 +59,7 @@ class Clusters {
         Vec3 sum;  ///< of area times normal
         double area = 0;
         Vec3 normal;
+        float roughness = 0;
     };
 
     std::uint32_t place_in(Numbering<Cell>& cells, Cell cell);
@@ -64,6 +67,7 @@ class Clusters {
     void add_triangle(const Mesh& mesh, const std::uint32_t* corners, const Vec3* borders,
                       Numbering<Cell>& cells);
     void settle();
+    void measure_roughness();
 
     double cell_;  ///< m
     int exponent_;

@@ -86,6 +86,12 @@ struct SceneChunk {
     Bounds bounds;
 };
 
+/// A vertex of a stand-in.
+struct CoarseVertex {
+    SceneVertex vertex;
+    float roughness = 0;  ///< variance of the normals that facets around it stand for, 0..1
+};
+
 /// What can be drawn in one go: a chunk, or a coarse stand-in for all chunks of the nodes below.
 struct SceneNode {
     Bounds bounds;
@@ -110,7 +116,7 @@ class Scene {
     std::span<const SceneChunk> chunks() const { return chunks_; }
     /// Trees of nodes, parents before their children; every chunk is a node that has none below.
     std::span<const SceneNode> nodes() const { return nodes_; }
-    std::span<const SceneVertex> coarse_vertices() const { return coarse_vertices_; }
+    std::span<const CoarseVertex> coarse_vertices() const { return coarse_vertices_; }
     std::span<const std::uint16_t> coarse_indices() const { return coarse_indices_; }
     std::span<const std::string> objects() const { return objects_; }
     std::span<const Material> materials() const { return materials_; }
@@ -125,7 +131,7 @@ class Scene {
     std::vector<std::uint16_t> indices_;
     std::vector<SceneChunk> chunks_;
     std::vector<SceneNode> nodes_;
-    std::vector<SceneVertex> coarse_vertices_;
+    std::vector<CoarseVertex> coarse_vertices_;
     std::vector<std::uint16_t> coarse_indices_;
     std::vector<std::string> objects_;
     std::vector<Material> materials_;

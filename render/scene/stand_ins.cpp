@@ -96,7 +96,7 @@ class MergedTriangles {
 class StandInWriter {
   public:
     StandInWriter(const Clusters& clusters, const MergedTriangles& triangles,
-                  std::vector<SceneVertex>& vertices, std::vector<std::uint16_t>& indices)
+                  std::vector<CoarseVertex>& vertices, std::vector<std::uint16_t>& indices)
         : clusters_(clusters),
           triangles_(triangles),
           vertices_(vertices),
@@ -143,7 +143,8 @@ class StandInWriter {
     std::uint16_t local(std::uint32_t vertex) {
         if (local_[vertex] == 0) {
             touched_.push_back(vertex);
-            vertices_.push_back({floats(clusters_.position(vertex)), floats(clusters_.normal(vertex))});
+            vertices_.push_back({{floats(clusters_.position(vertex)), floats(clusters_.normal(vertex))},
+                                 clusters_.roughness(vertex)});
             local_[vertex] = static_cast<std::uint32_t>(vertices_.size() - first_vertex_);
             error_ = std::max(error_, clusters_.error(vertex));
         }
@@ -152,7 +153,7 @@ class StandInWriter {
 
     const Clusters& clusters_;
     const MergedTriangles& triangles_;
-    std::vector<SceneVertex>& vertices_;
+    std::vector<CoarseVertex>& vertices_;
     std::vector<std::uint16_t>& indices_;
     std::vector<std::uint32_t> local_, touched_;  ///< 1 + number within the node, or 0
     std::vector<std::uint32_t> written_;          ///< the node that had a triangle last
@@ -164,7 +165,7 @@ class StandInWriter {
 }  // namespace
 
 void add_stand_ins(const Mesh& mesh, std::span<const std::uint32_t> mesh_indices, const ChunkTree& tree,
-                   std::span<SceneNode> nodes, std::vector<SceneVertex>& vertices,
+                   std::span<SceneNode> nodes, std::vector<CoarseVertex>& vertices,
                    std::vector<std::uint16_t>& indices) {
     std::optional<Clusters> clusters;
     for (const auto& [exponent, members] : nodes_by_exponent(mesh, mesh_indices, tree)) {
