@@ -9,6 +9,7 @@ namespace {
 constexpr double right_angle_tolerance = 0.0175;  ///< rad, one degree
 constexpr double weakest = 1e-2;                  ///< amplitude of all reflections together
 constexpr std::size_t most = 8;
+constexpr int most_thirds = 32;  ///< rays in search of a third face
 
 bool square(Vec3 a, Vec3 b) { return std::abs(dot(a, b)) < right_angle_tolerance; }
 
@@ -38,6 +39,7 @@ void CornerList::note(const Encounter& first, const Encounter& second, Vec3 onwa
     const Plane a = plane_of(first), b = plane_of(second);
     const Vec3 edge = cross(a.normal, b.normal);
     add({common_point(a, b, {edge, dot(edge, ping_.sonar)}), 2});
+    if (++thirds_ > most_thirds) return;
     const Vec3 back = onward - 2 * dot(onward, second.normal) * second.normal;
     const auto third = ping_.space.meet(second.point, back, 2 * ping_.end_range);
     if (third && square(third->normal, a.normal) && square(third->normal, b.normal))

@@ -31,6 +31,7 @@ class CornerList {
 
     const PathPing& ping_;
     std::vector<Corner>& corners_;
+    int thirds_ = 0;
 };
 
 }  // namespace echoloop

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 
 #include "render/paths/corners.h"
@@ -10,6 +11,13 @@ namespace {
 
 constexpr double weakest_reflection = 1e-2;  ///< amplitude; what is weaker is not followed
 constexpr double weakest_pattern = 1e-3;     ///< the same of the two patterns together
+
+struct Lengths {
+    double ray, other;  ///< m, the way of a cell's ray and the other one
+};
+
+/// At the lower and the upper edge of a cell: between them lies what the cell's echo covers.
+using Stretch = std::array<Lengths, 2>;
 
 /// What a cell's rays see if its surfaces went on as planes, for the stretch of range that the cell's echo
 /// covers.
@@ -28,9 +36,6 @@ class Tangent {
         normal_ = normal_ - 2 * dot(normal_, mirror_normal_) * mirror_normal_;
     }
 
-    struct Lengths {
-        double ray, other;  ///< m, the ray's own way and the other one
-    };
     /// Of a ray near one of the length `near`, which bounds what is taken from a plane that it grazes.
     Lengths at(Vec3 direction, double near) const {
         const double slope = dot(direction, normal_);
@@ -77,8 +82,11 @@ class DiffuseSearch {
         if (met->mu == 0) return;
         const Way way{ping_.seen(direction), mirror.range + met->range, mirror.reflection,
                       -dot(onward, met->normal), 1};
-        const Tangent tangent(ping_, *met, mirror.point, mirror.normal, true);
-        add_echoes(cell, way, facing(direct_way(ping_, met->point), *met, ping_.sonar), *met, tangent);
+        const auto stretch =
+            stretch_of(cell, Tangent(ping_, *met, mirror.point, mirror.normal, true), way.length);
+        add_same(cell, way, way, *met, stretch);
+        const auto other = facing(direct_way(ping_, met->point), *met, ping_.sonar);
+        if (other) add_pair(cell, way, *other, *met, stretch);
     }
 
     /// Scatterer first, and the way by the surface leaves outside the cells, so that no ray finds it.
@@ -95,9 +103,9 @@ class DiffuseSearch {
         const auto other = facing(surface_way(ping_, met.point), met, image);
         if (!other) return;
         const Way way{here, met.range, 1, -dot(direction, met.normal), 0};
-        const Tangent tangent(ping_, met, on, down, false);
-        add_pair(cell, way, *other, met, tangent);
-        add_same(cell, way, *other, met, tangent);
+        const auto stretch = stretch_of(cell, Tangent(ping_, met, on, down, false), met.range);
+        add_pair(cell, way, *other, met, stretch);
+        add_same(cell, way, *other, met, stretch);
     }
 
     /// With the cosine of incidence from `from`; empty where that is behind the surface.
@@ -107,29 +115,29 @@ class DiffuseSearch {
         return way->cosine > 0 ? way : std::nullopt;
     }
 
-    void add_echoes(const LobeCell& cell, const Way& way, const std::optional<Way>& other,
-                    const Encounter& met, const Tangent& tangent) {
-        add_same(cell, way, way, met, tangent);
-        if (other) add_pair(cell, way, *other, met, tangent);
-    }
-
     /// There and back by `used`; the cell's ray went by `way` and so measures the area.
     void add_same(const LobeCell& cell, const Way& way, const Way& used, const Encounter& met,
-                  const Tangent& tangent) {
+                  const Stretch& stretch) {
         const double strength = met.mu * used.cosine * used.cosine * area(cell, way);
         const bool own = &used == &way;
         ping_.echo(used, [&](const PairEcho& echo) {
-            add(cell, way, tangent, echo, strength,
-                [own](Tangent::Lengths l) { return own ? l.ray : l.other; });
+            add(cell, stretch, echo, strength, [own](Lengths l) { return own ? l.ray : l.other; });
         });
     }
 
     void add_pair(const LobeCell& cell, const Way& way, const Way& other, const Encounter& met,
-                  const Tangent& tangent) {
+                  const Stretch& stretch) {
         const double strength = met.mu * way.cosine * other.cosine * area(cell, way);
         ping_.echo(way, other, [&](const PairEcho& echo) {
-            add(cell, way, tangent, echo, strength, [](Tangent::Lengths l) { return (l.ray + l.other) / 2; });
+            add(cell, stretch, echo, strength, [](Lengths l) { return (l.ray + l.other) / 2; });
         });
+    }
+
+    Stretch stretch_of(const LobeCell& cell, const Tangent& tangent, double near) const {
+        const auto edge = [&](double elevation) {
+            return tangent.at(rotate(ping_.world_from_fan, fan_direction(cell.bearing, elevation)), near);
+        };
+        return {edge(cell.low), edge(cell.high)};
     }
 
     static double area(const LobeCell& cell, const Way& way) {
@@ -137,14 +145,12 @@ class DiffuseSearch {
     }
 
     template <typename Apparent>
-    void add(const LobeCell& cell, const Way& way, const Tangent& tangent, const PairEcho& echo,
-             double strength, Apparent&& apparent) {
+    void add(const LobeCell& cell, const Stretch& stretch, const PairEcho& echo, double strength,
+             Apparent&& apparent) {
         double near = echo.range, far = echo.range;
-        for (const double elevation : {cell.low, cell.high}) {
-            const Vec3 edge = rotate(ping_.world_from_fan, fan_direction(cell.bearing, elevation));
-            const double range = apparent(tangent.at(edge, way.length));
-            near = std::min(near, range);
-            far = std::max(far, range);
+        for (const Lengths& edge : stretch) {
+            near = std::min(near, apparent(edge));
+            far = std::max(far, apparent(edge));
         }
         const double power = echo.amplitude * echo.amplitude * strength;
         if (power > 0)

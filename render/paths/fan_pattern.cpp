@@ -31,13 +31,16 @@ double FanPattern::amplitude(const std::optional<TwoWayPattern>& pattern, double
     return inside || side_lobes ? pattern->amplitude(angle) : 0;
 }
 
-double FanPattern::from_nearest_beam(double bearing) const {
+bool FanPattern::is_behind(double bearing) const {
     const auto& beams = key_.bearings;
-    const auto turn = [bearing](double beam) { return std::remainder(bearing - beam, 2 * std::numbers::pi); };
+    const auto turned = [bearing](double beam) {
+        return std::abs(std::remainder(bearing - beam, 2 * std::numbers::pi)) > std::numbers::pi / 2;
+    };
     const auto after = std::ranges::lower_bound(beams, bearing);
-    const double next = turn(after == beams.end() ? beams.front() : *after);
-    const double last = turn(after == beams.begin() ? beams.back() : *(after - 1));
-    return std::abs(next) < std::abs(last) ? next : last;
+    const bool between = after != beams.begin() && after != beams.end();
+    if (between && *after - *(after - 1) < std::numbers::pi) return false;
+    return turned(after == beams.end() ? beams.front() : *after) &&
+           turned(after == beams.begin() ? beams.back() : *(after - 1));
 }
 
 FanDirection FanPattern::at(Vec3 d) const {
@@ -46,16 +49,16 @@ FanDirection FanPattern::at(Vec3 d) const {
     const double elevation = std::asin(std::clamp(d.z, -1.0, 1.0));
     out.transmit = amplitude(vertical_, half_height_, side_lobes_, elevation);
     out.receive = key_.vertical.ways == 2 || !vertical_ ? out.transmit : 1;
-    const double beside = from_nearest_beam(out.bearing);
     if (key_.bearings.size() > 1) {
         // An axis that is directive one way only is broad the other way, but not broader than the baffle lets
         // it.
-        if (std::abs(beside) > std::numbers::pi / 2) {
+        if (is_behind(out.bearing)) {
             const double behind = horizontal_ && side_lobes_ ? AperturePattern::back_amplitude : 0;
             out.transmit *= behind, out.receive *= behind;
         }
         return out;
     }
+    const double beside = std::remainder(out.bearing - key_.bearings.front(), 2 * std::numbers::pi);
     const double across = amplitude(horizontal_, half_width_, side_lobes_, beside);
     out.receive *= across;
     if (key_.horizontal.ways == 2 || !horizontal_) out.transmit *= across;

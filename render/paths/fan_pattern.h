@@ -41,7 +41,8 @@ class FanPattern {
         friend bool operator==(const Key&, const Key&) = default;
     };
     static Key key_of(const Shot& shot);
-    double from_nearest_beam(double bearing) const;
+    /// A quarter turn or more from every beam.
+    bool is_behind(double bearing) const;
     static double amplitude(const std::optional<TwoWayPattern>& pattern, double edge, bool side_lobes,
                             double angle);
 
