@@ -74,16 +74,15 @@ std::optional<Shot> late_shot(const Shot& shot, const Water& water, const Effect
 }
 
 void SecondTimeAround::keep(std::uint64_t sequence, Echogram late) {
-    sequence_ = sequence;
-    late_ = std::move(late);
+    late_.insert_or_assign(sequence, std::move(late));
 }
 
 void SecondTimeAround::add_to(std::uint64_t sequence, Echogram& echogram) {
-    if (!late_ || sequence <= sequence_) return;
-    const bool next = sequence == sequence_ + 1;
-    const Echogram late = std::move(*late_);
-    late_.reset();
-    if (!next) return;
+    // Those of the ping itself may be known before it is delivered; they wait for the next.
+    late_.erase(late_.begin(), late_.lower_bound(sequence - 1));
+    const auto found = late_.extract(sequence - 1);
+    if (found.empty()) return;
+    const Echogram& late = found.mapped();
     const Shot &shot = echogram.shot, &before = late.shot;
     const auto beam_of = nearest_beams(shot.bearings, before.bearings);
     for (std::size_t bin = 0; bin < shot.bins; ++bin) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 
 #include "render/echogram.h"
@@ -31,8 +32,7 @@ class SecondTimeAround {
     void add_to(std::uint64_t sequence, Echogram& echogram);
 
   private:
-    std::uint64_t sequence_ = 0;  ///< of the ping whose late echoes these are
-    std::optional<Echogram> late_;
+    std::map<std::uint64_t, Echogram> late_;  ///< by the number of the ping whose late echoes they are
 };
 
 }  // namespace echoloop

@@ -83,6 +83,11 @@ TEST(SecondTimeAround, LateEchoesAreHeardOnceAndByTheNextPingOnly) {
     kept.add_to(6, after);
     EXPECT_EQ(next.values[100], 7);
     EXPECT_EQ(after.values[100], 0);
+    kept.keep(6, late);
+    kept.keep(7, echogram_of(late.shot));  // its own late echoes are rendered before ping 7 is delivered
+    Echogram seventh = echogram_of(shot);
+    kept.add_to(7, seventh);
+    EXPECT_EQ(seventh.values[100], 7);
     kept.keep(7, late);
     kept.add_to(9, after);  // the one between was not delivered
     EXPECT_EQ(after.values[100], 0);

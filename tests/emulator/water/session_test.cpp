@@ -1,0 +1,119 @@
+// What a session makes of a ping beside rendering it: its key, late echoes of the ping before, pulses of
+// others.
+#include "emulator/session.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "emulator/random_key.h"
+#include "render/renderer.h"
+#include "tests/render/meshes.h"
+
+namespace echoloop {
+namespace {
+
+constexpr double c = 1500, interval = 1;  // s: 750 m
+
+/// Pings twice, a second apart, and keeps what it hears.
+class Pinger : public Device {
+  public:
+    Pinger(std::vector<Echogram>& heard, std::function<void()> done)
+        : heard_(heard), done_(std::move(done)) {}
+    std::vector<Port> ports() const override { return {}; }
+    Actions started(Time now) override { return ping(now, now + from_seconds(interval)); }
+    Actions woken(Time now) override { return ping(now, {}); }
+    Actions received(const Received&, Time) override { return {}; }
+    Actions heard(const Echogram& echogram, Time) override {
+        heard_.push_back(echogram);
+        if (heard_.size() == 2) done_();
+        return {};
+    }
+    void reconnected(std::size_t) override {}
+    DeviceCounters counters() const override { return {}; }
+
+  private:
+    static Actions ping(Time now, std::optional<Time> wake) {
+        Shot shot;
+        shot.bearings = {0};
+        shot.beam_width = shot.fan_height = deg_to_rad(10);
+        shot.bins = 500;
+        shot.bin_interval = 2 * 50 / c / 500;
+        shot.frequency = 100e3;
+        shot.pulse_length = 1e-4;
+        shot.source_level = 200;
+        shot.interval = interval;
+        return {{}, Ping{shot, now + from_seconds(2 * 50 / c)}, wake};
+    }
+    std::vector<Echogram>& heard_;
+    std::function<void()> done_;
+};
+
+/// Two sonars 30 m apart; the first looks at a wall 760 m away, the second looks away from it.
+class TwoSonars : public testing::Test {
+  protected:
+    std::array<std::vector<Echogram>, 2> run(const Effects& effects) {
+        const auto scene = test::scene_of({test::wall_at(760, 200, -200, 200, -5)});
+        Water water;
+        water.sound_speed = c;
+        RendererOptions options;
+        options.effects = effects;
+        options.surface.reset();
+        asio::io_context io;
+        const Clock clock;
+        SharedWater shared{water, effects, 1, scene->bounds(), CrossTalk(water, effects)};
+        std::array<std::vector<Echogram>, 2> heard;
+        std::vector<std::unique_ptr<Session>> sessions;
+        RenderThread renderer([&] { return std::make_unique<Renderer>(scene, water, options); });
+        int busy = 2;
+        const auto done = [&] {
+            if (--busy == 0) io.stop();
+        };
+        const Pose poses[2] = {{}, {{-30, 0, 0}, axis_angle({0, 0, 1}, std::numbers::pi)}};
+        for (std::size_t i = 0; i < 2; ++i)
+            sessions.push_back(std::make_unique<Session>(
+                io, clock, renderer, shared, i == 0 ? "one" : "two", std::make_unique<Pinger>(heard[i], done),
+                std::vector<std::unique_ptr<Transport>>{}, [pose = poses[i]](Time) { return pose; }));
+        for (auto& session : sessions) session->start();
+        io.run();
+        return heard;
+    }
+
+    static Effects only(std::initializer_list<Effect> on) {
+        Effects effects = Effects::none();
+        for (const Effect effect : on) effects.set(effect);
+        return effects;
+    }
+    static double power(const Echogram& echogram) {
+        return std::accumulate(echogram.values.begin(), echogram.values.end(), 0.0);
+    }
+};
+
+TEST_F(TwoSonars, HearNothingOfEachOtherAndOfTheLastPing) {
+    const auto heard = run(Effects::none());
+    for (const auto& pings : heard)
+        for (const Echogram& echogram : pings) EXPECT_EQ(power(echogram), 0);
+    EXPECT_EQ(heard[0][0].shot.random_key, random_key(1, "one"));
+    EXPECT_EQ(heard[1][1].shot.random_key, random_key(1, "two"));
+}
+
+// The wall at 760 m shows in the second ping, 750 m nearer.
+TEST_F(TwoSonars, SecondPingHearsTheLateEchoOfTheFirst) {
+    const auto heard = run(only({Effect::second_time_around}));
+    EXPECT_EQ(power(heard[0][0]), 0);
+    const auto levels = heard[0][1].beam(0);
+    const auto strongest = std::max_element(levels.begin(), levels.end()) - levels.begin();
+    EXPECT_GT(levels[static_cast<std::size_t>(strongest)], 0);
+    EXPECT_NEAR(heard[0][1].bin_range(static_cast<std::size_t>(strongest)), 10,
+                3);  // the beam is 10 degrees wide
+    EXPECT_EQ(power(heard[1][1]), 0);
+}
+
+TEST_F(TwoSonars, HearEachOthersPulses) {
+    const auto heard = run(only({Effect::cross_talk, Effect::beam_pattern, Effect::side_lobes}));
+    for (const auto& pings : heard)
+        EXPECT_GT(power(pings[0]), 0);  // those were sent one right after the other
+}
+
+}  // namespace
+}  // namespace echoloop
