@@ -4,6 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "emulator/random_key.h"
 #include "emulator/scenario/problems.h"
 #include "render/renderer.h"
 #include "tools/draw/draw.h"
@@ -81,7 +82,7 @@ class Job {
   private:
     Shot shot(std::size_t step) const {
         Shot shot = device_.model->default_shot(device_.config, step, range_);
-        shot.random_key = device_.config.seed;  // as the session does
+        shot.random_key = random_key(scenario_.seed, device_.name);  // as the session does
         return shot;
     }
     Pose pose() const { return scenario_.world_from_body * device_.body_from_sonar; }

@@ -49,8 +49,8 @@ TEST(Profiles, FiguresReachThePing) {
     EXPECT_EQ(shot.horizontal, (AxisPattern{ApertureShape::line, 2}));
     EXPECT_EQ(shot.vertical, (AxisPattern{ApertureShape::line, 2}));
     EXPECT_EQ(shot.receiver.directivity_index, 22);
-    EXPECT_EQ(shot.receiver.self_noise, 25);
-    EXPECT_EQ(shot.receiver.saturation_level, 200);
+    EXPECT_EQ(shot.receiver.self_noise, 47);
+    EXPECT_EQ(shot.receiver.saturation_level, 190);
     EXPECT_EQ(shot.receiver.converter_bits, 24);
     EXPECT_DOUBLE_EQ(shot.receiver.bandwidth, 1 / shot.pulse_length) << "a matched filter";
     config.profile["source_level"].value = 190.0;
