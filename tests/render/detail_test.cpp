@@ -41,6 +41,12 @@ Mesh seabed(int cells) {
     return mesh;
 }
 
+/// Two million triangles, made once.
+std::shared_ptr<const Scene> fine_seabed() {
+    static const std::shared_ptr<const Scene> scene = test::scene_of({seabed(1000)});
+    return scene;
+}
+
 Shot shallow_fan() {
     Shot shot = test::fan(120, 20, 256, 500, 50);
     shot.tilt = deg_to_rad(-20);
@@ -72,7 +78,7 @@ std::vector<double> levels_of_regions(const std::shared_ptr<const Scene>& scene,
 // V16, with two million triangles against a quarter of them.
 TEST(Detail, FinerMeshKeepsTheLevelOfEveryRegion) {
     const auto coarse = levels_of_regions(test::scene_of({seabed(500)}));
-    const auto fine = levels_of_regions(test::scene_of({seabed(1000)}));
+    const auto fine = levels_of_regions(fine_seabed());
     for (std::size_t region = 0; region < fine.size(); ++region)
         EXPECT_NEAR(fine[region], coarse[region], 0.2) << "region " << region;
 }
@@ -112,7 +118,7 @@ Drawn draw(gl::SceneDrawer& drawer, const Effects& effects, const Pose& pose) {
 
 // All that the fan sees is seabed, up to its upper corners, which look down by 20 degrees.
 TEST(Detail, LeavesNoGaps) {
-    gl::SceneDrawer drawer(gl::make_context("auto"), test::scene_of({seabed(1000)}));
+    gl::SceneDrawer drawer(gl::make_context("auto"), fine_seabed());
     for (int i = 0; i < 5; ++i) {
         const Pose pose{{3.0 * i, 5.0 * i, -2},
                         axis_angle({0, 0, 1}, 0.8 * i) * axis_angle({0, 1, 0}, deg_to_rad(15))};
@@ -127,7 +133,7 @@ TEST(Detail, LeavesNoGaps) {
 TEST(Detail, DrawsHardlyMoreOfAFinerMesh) {
     for (const Effects& effects : {Effects::none(), Effects{}}) {
         gl::SceneDrawer coarse(gl::make_context("auto"), test::scene_of({seabed(250)}));
-        gl::SceneDrawer fine(gl::make_context("auto"), test::scene_of({seabed(1000)}));
+        gl::SceneDrawer fine(gl::make_context("auto"), fine_seabed());
         const Pose pose{{0, 0, -2}, {}};
         const gl::DrawProfile few = draw(coarse, effects, pose).profile,
                               many = draw(fine, effects, pose).profile;
