@@ -45,6 +45,12 @@ class Whole(ProgramTest):
             self.assertTrue(q["source"], q)
             self.assertTrue(q["bound"] != "within" or q["tolerance"] > 0, q)
 
+    def test_one_thread_of_mesa_on_one_processor_gives_the_same_figures(self):
+        done = subprocess.run([PROGRAM, "validate", "--json"], capture_output=True, check=True,
+                              env={**os.environ, "LP_NUM_THREADS": "0"},
+                              preexec_fn=lambda: os.sched_setaffinity(0, {min(os.sched_getaffinity(0))}))
+        self.assertEqual(json.loads(done.stdout)["quantities"], self.quantities)
+
     def test_the_committed_report_is_about_the_same_quantities(self):
         text = (ROOT / "docs" / "validation.md").read_text()
         keys = ("id", "quantity", "unit", "published", "tolerance", "source")
