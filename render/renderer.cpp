@@ -145,6 +145,8 @@ class Renderer::Impl {
         validate(pose);
         const FanPlan& plan = plans_.plan_for(geometry_of(shot, effects()));
         drawer_.draw(plan, world_from_fan(shot, pose), end_range(shot), offset_of(shot), pixels_);
+        const gl::DrawProfile& drawn = drawer_.profile();
+        profile_ = {drawn.cull, drawn.draw, drawn.read_back, 0, 0, 0, drawn.triangles, drawn.chunks, drawn.pixels};
         return plan;
     }
 

@@ -64,6 +64,8 @@ void PixelRow::load(const Pixel* pixels, std::size_t count) {
         footprint_[i + 1] = pixels[i].footprint;
         surface_[i + 1] = pixels[i].surface;
     }
+    range_.front() = range_[1];  // the limit of the view is no outline
+    range_.back() = range_[count];
 }
 
 void Extents::resize(std::size_t count) {
