@@ -36,7 +36,7 @@ struct AxisPattern {
 struct Receiver {
     double bandwidth = 0;          ///< Hz, for the noise; 0: that of the pulse
     double directivity_index = 0;  ///< dB, against isotropic noise
-    /// dB re 1 uPa^2/Hz at the receiver, beside the thermal noise; -inf: none
+    /// dB re 1 uPa^2/Hz, beside the thermal noise and like it before the directivity index; -inf: none
     double self_noise = -std::numeric_limits<double>::infinity();
     double saturation_level = std::numeric_limits<double>::infinity();  ///< dB re 1 uPa, where its input clips
     int converter_bits = 0;  ///< of the amplitude up to saturation_level; 0: no steps

@@ -23,9 +23,11 @@ struct RendererOptions {
     bool jitter = true;  ///< move the sample inside its pixel from ping to ping (by Shot::ping), so that the
                          ///< mean over pings has no error from the pixel grid
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
-    Effects effects;               ///< of EchoRule::radiometric; the paper's rule knows none
-    SpeckleOptions speckle;
-    std::optional<WaterSurface> surface = WaterSurface{};  ///< for multipath; empty: no surface near
+    Effects effects{};             ///< of EchoRule::radiometric; the paper's rule knows none
+    SpeckleOptions speckle{};
+    /// For multipath: rippled by a light air to begin with, which leaves no mirror at sonar frequencies; empty: none
+    /// near.
+    std::optional<WaterSurface> surface = WaterSurface{0, 0.01};
 };
 
 /// Where the time of the last render() went, and what it drew.

@@ -1,6 +1,7 @@
 #include "emulator/scenario/water_section.h"
 
 #include <algorithm>
+#include "render/renderer.h"
 
 namespace echoloop::scenario {
 namespace {
@@ -62,7 +63,7 @@ std::optional<WaterSurface> read_surface(const Section& section, Problems& probl
         return {};
     }
     const Section surface(value, section.path_of("surface"), {"height", "roughness"}, problems);
-    WaterSurface read;
+    WaterSurface read = *RendererOptions{}.surface;
     read.height = surface.number("height", read.height, {-12000, 12000, "m"});
     read.roughness = surface.number("roughness", read.roughness, {0, 10, "m"});
     return read;

@@ -37,6 +37,7 @@ void weigh_line(FanPlan& plan, const View& view, std::size_t line, const FanLobe
         const double from = std::max(lower, -edge), to = std::min(upper, edge);
         double power = covered > 0 && from < to && !lobes.vertical.is_box() ? lobes.vertical.mean(from, to) : 1.0;
         if (lobes.piston && covered > 0) power = lobes.of_single(bearing, (from + to) / 2);
+        if (lobes.surround) power *= level_share(lobes, (from + to) / 2);
         upper = lower;
         plan.coverage.push_back(static_cast<float>(covered));
         plan.weight.push_back(static_cast<float>(covered * power * view.solid_angle(x2, sample)));

@@ -39,6 +39,7 @@ double vertical_edge_power(const FanGeometry& g) { return g.side_lobes ? 0.05 : 
 FanLobes::FanLobes(const FanGeometry& g)
     : horizontal(lobe_of(g, g.horizontal, g.beam_width, 0.003)),
       vertical(lobe_of(g, g.vertical, g.fan_height, vertical_edge_power(g))),
+      surround(g.side_lobes),
       single(g.bearings.size() == 1 && g.patterns),
       piston(single && g.vertical.shape == ApertureShape::piston) {}
 

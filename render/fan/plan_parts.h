@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/fan/lobe.h"
 #include "render/fan/plan.h"
@@ -13,6 +14,7 @@ struct FanLobes {
     explicit FanLobes(const FanGeometry& geometry);
 
     Lobe horizontal, vertical;
+    bool surround;  ///< level views hand over to it at their upper and lower limits
     bool single;  ///< one beam: surround pixels are weighed with its whole pattern
     bool piston;  ///< the pattern depends on the angle off the axis only
 
@@ -22,6 +24,14 @@ struct FanLobes {
 
 /// rad; level views reach so far above and below the fan's plane.
 inline double drawn_half_height(const FanLobes& lobes) { return std::min(lobes.vertical.edge(), deg_to_rad(60)); }
+
+/// Share 0..1 of a direction's echo that the level views take: it falls to nothing over the last 5 deg, and the surround
+/// takes the rest, so that their pixels of different size leave no seam.
+inline double level_share(const FanLobes& lobes, double elevation) {
+    const double edge = drawn_half_height(lobes), off = std::abs(elevation);
+    if (!lobes.surround) return off <= edge ? 1 : 0;
+    return std::clamp((edge - off) / std::min(deg_to_rad(5), edge / 3), 0.0, 1.0);
+}
 
 /// Near side lobes are summed line by line up to this many beam widths off the axis: five lobes of a line aperture,
 /// down to -25 dB one way.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "render/fan/far_lobes.h"
 #include "render/fan/plan_parts.h"
@@ -12,7 +13,7 @@ namespace echoloop {
 namespace {
 
 constexpr double pixels_per_side = 64, pixels_of_single_beam = 40;
-constexpr double least_power = 1e-8;  ///< two ways; below, a direction is not heard
+constexpr double least_power = 1e-6;  ///< two ways; below, a direction is not heard
 constexpr double widest_part = deg_to_rad(170);  ///< a ring of transducers has no plane and no surround
 
 struct Direction {
@@ -43,51 +44,66 @@ class Surround {
   public:
     Surround(FanPlan& plan, const FanPart& part, const FanLobes& lobes) : plan_(plan), part_(part), lobes_(lobes) {}
 
-    /// Appends the face unless the array hears nothing from it.
-    bool add(View view, double relative_bearing) {
-        const std::size_t first = plan_.weight.size();
-        float sum = 0;
+    /// Appends what the array hears of the face: the rectangle of pixels that have weight, if any.
+    bool add(const View& face, double relative_bearing) {
+        const std::optional<View> heard = cropped(face, relative_bearing);
+        if (!heard) return false;
+        View view = *heard;
+        view.first_pixel = plan_.weight.size();
+        view.first_line = plan_.image_lines;
         for (std::size_t line = 0; line < view.lines; ++line)
             for (std::size_t sample = 0; sample < view.samples; ++sample)
-                sum += add_pixel(view, relative_bearing, line, sample);
-        if (sum == 0) {
-            plan_.coverage.resize(first), plan_.weight.resize(first);
-            plan_.sector.resize(first - plan_.first_surround_pixel);
-            return false;
-        }
-        view.first_pixel = first;
-        view.first_line = plan_.image_lines;
+                add_pixel(view, relative_bearing, line, sample);
         plan_.image_lines += view.lines;
         plan_.views.push_back(view);
         return true;
     }
 
   private:
-    float add_pixel(const View& view, double bearing, std::size_t line, std::size_t sample) {
+    std::optional<View> cropped(const View& face, double bearing) const {
+        std::size_t first_line = face.lines, last_line = 0, first_sample = face.samples, last_sample = 0;
+        for (std::size_t line = 0; line < face.lines; ++line)
+            for (std::size_t sample = 0; sample < face.samples; ++sample) {
+                if (mean_power(face, bearing, line, sample) == 0) continue;
+                first_line = std::min(first_line, line), last_line = line + 1;
+                first_sample = std::min(first_sample, sample), last_sample = std::max(last_sample, sample + 1);
+            }
+        if (last_line <= first_line) return std::nullopt;
+        View view = face;
+        view.left = face.x(static_cast<double>(first_line)), view.right = face.x(static_cast<double>(last_line));
+        view.top = face.y(static_cast<double>(first_sample)), view.bottom = face.y(static_cast<double>(last_sample));
+        view.lines = last_line - first_line, view.samples = last_sample - first_sample;
+        return view;
+    }
+
+    double mean_power(const View& view, double bearing, std::size_t line, std::size_t sample) const {
         constexpr int parts = 3;  // per side, so that the limit of the level views cuts pixels smoothly
         double power = 0;
         for (int i = 0; i < parts * parts; ++i)
             power += power_at(direction_at(view, bearing, static_cast<double>(line) + (i / parts + 0.5) / parts,
                                            static_cast<double>(sample) + (i % parts + 0.5) / parts));
+        return power / (parts * parts);
+    }
+
+    void add_pixel(const View& view, double bearing, std::size_t line, std::size_t sample) {
         const double at = static_cast<double>(line) + 0.5;
         const Direction middle = direction_at(view, bearing, at, static_cast<double>(sample) + 0.5);
-        const auto weight =
-            static_cast<float>(power / (parts * parts) * view.solid_angle(view.x(at) * view.x(at), sample));
         plan_.coverage.push_back(1);
-        plan_.weight.push_back(weight);
+        plan_.weight.push_back(static_cast<float>(mean_power(view, bearing, line, sample) *
+                                                  view.solid_angle(view.x(at) * view.x(at), sample)));
         const bool beside = std::abs(middle.elevation) <= edge();
         plan_.sector.push_back(sector_at(part_, beside ? SectorKind::beside : SectorKind::off_plane,
                                          cone_angle(middle.bearing, middle.elevation)));
-        return weight;
     }
 
     double power_at(Direction d) const {
-        const bool fine = std::abs(d.elevation) <= edge() && part_.centre + d.bearing >= part_.first_edge && part_.centre + d.bearing <= part_.last_edge;
-        if (fine) return 0;
-        if (lobes_.piston) return lobes_.of_single(d.bearing, d.elevation);
+        const bool ahead = part_.centre + d.bearing >= part_.first_edge && part_.centre + d.bearing <= part_.last_edge;
+        const double left = ahead ? 1 - level_share(lobes_, d.elevation) : 1;
+        if (left == 0) return 0;
+        if (lobes_.piston) return left * lobes_.of_single(d.bearing, d.elevation);
         const double across = lobes_.single ? lobes_.horizontal.power(cone_angle(d.bearing, d.elevation)) : 1;
         const double power = across * lobes_.vertical.power(d.elevation);
-        return power < least_power ? 0 : power;
+        return power < least_power ? 0 : left * power;
     }
 
     double edge() const { return drawn_half_height(lobes_); }

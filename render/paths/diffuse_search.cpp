@@ -10,6 +10,7 @@ namespace echoloop {
 namespace {
 
 constexpr double weakest_reflection = 1e-2;  ///< amplitude; what is weaker is not followed
+constexpr int most_copies = 16;              ///< of an echo, over the beams that its cell is wide
 constexpr double weakest_pattern = 1e-3;     ///< the same of the two patterns together
 
 struct Lengths {
@@ -67,7 +68,7 @@ class DiffuseSearch {
             const Vec3 direction = rotate(ping_.world_from_fan, fan_direction(cell.bearing, cell.elevation));
             const auto first = ping_.space.meet(ping_.sonar, direction, 2 * ping_.end_range);
             if (!first) continue;
-            if (std::abs(first->reflection) > weakest_reflection) follow_mirror(cell, direction, *first);
+            if (std::abs(first->reflection * first->flatness) > weakest_reflection) follow_mirror(cell, direction, *first);
             if (first->mu > 0) return_by_surface(cell, direction, *first);
         }
     }
@@ -80,7 +81,7 @@ class DiffuseSearch {
         if (!met) return;
         corners_.note(mirror, *met, onward);
         if (met->mu == 0) return;
-        const Way way{ping_.seen(direction), mirror.range + met->range, mirror.reflection,
+        const Way way{ping_.seen(direction), mirror.range + met->range, mirror.reflection * mirror.flatness,
                       -dot(onward, met->normal), 1};
         const auto stretch =
             stretch_of(cell, Tangent(ping_, *met, mirror.point, mirror.normal, true), way.length);
@@ -161,7 +162,7 @@ class DiffuseSearch {
     /// A cell is wider than a beam: its echo comes from all its bearings.
     void fill_beams(const LobeCell& cell, double bearing, PathEcho echo) {
         const double width = cell.last_bearing - cell.first_bearing;
-        const int copies = spacing_ > 0 ? std::clamp(static_cast<int>(std::ceil(width / spacing_)), 1, 4) : 1;
+        const int copies = spacing_ > 0 ? std::clamp(static_cast<int>(std::ceil(width / spacing_)), 1, most_copies) : 1;
         const double first = bearing - (cell.bearing - cell.first_bearing);
         echo.power /= static_cast<float>(copies);
         for (int i = 0; i < copies; ++i) {

@@ -5,7 +5,7 @@
 namespace echoloop {
 namespace {
 
-constexpr std::size_t most_columns = 128, fan_cells = 512, most_rows = 32;
+constexpr std::size_t most_columns = 32, fan_cells = 512, most_rows = 32;
 
 /// k-th value of the sequence in 0..1: the fraction of k / g or k / g^2, g = 1.32471795724.
 double r2(std::uint64_t k, int axis) {

@@ -1,6 +1,8 @@
 #include "render/paths/path_space.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "render/water.h"
 
@@ -36,8 +38,10 @@ std::optional<Encounter> PathSpace::meet(Vec3 origin, Vec3 direction, double end
     if (!hit) return out;
     const Material& material = scene_->materials()[hit->material];
     const double loss = coherent_loss(wavenumber_, material.roughness, -dot(direction, hit->normal));
+    // The facet's smaller side against the diameter of the first Fresnel zone: a pipe's facets mirror little.
+    const double zone = 2 * std::sqrt(std::numbers::pi * hit->range / wavenumber_);
     return Encounter{origin + hit->range * direction, hit->normal, hit->range, material.reflection * loss,
-                     mu_[hit->material]};
+                     mu_[hit->material], std::min(1.0, hit->height / zone)};
 }
 
 }  // namespace echoloop

@@ -91,8 +91,9 @@ class RayScene::Impl {
         rtcIntersect1(tree_.get(), &context, &query);
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
         Vec3 normal{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
-        normal = (dot(normal, direction) > 0 ? -1 : 1) / norm(normal) * normal;
-        return RayHit{query.ray.tfar, normal, material_of(query.hit)};
+        const double twice_area = norm(normal);
+        normal = (dot(normal, direction) > 0 ? -1 : 1) / twice_area * normal;
+        return RayHit{query.ray.tfar, normal, material_of(query.hit), twice_area / longest_side(query.hit)};
     }
 
     bool blocked(Vec3 from, Vec3 to) const {
@@ -126,6 +127,16 @@ class RayScene::Impl {
         }
         rtcCommitGeometry(mesh.get());
         rtcAttachGeometryByID(tree_.get(), mesh.get(), double_sided);
+    }
+
+    double longest_side(const RTCHit& hit) const {
+        const std::uint32_t* corner = &sets_[hit.geomID].corners[3 * std::size_t{hit.primID}];
+        double longest = 0;
+        for (int i = 0; i < 3; ++i) {
+            const auto &a = scene_->vertices()[corner[i]].position, &b = scene_->vertices()[corner[(i + 1) % 3]].position;
+            longest = std::max(longest, std::hypot(double{a[0]} - b[0], double{a[1]} - b[1], double{a[2]} - b[2]));
+        }
+        return longest;
     }
 
     std::uint32_t material_of(const RTCHit& hit) const {

@@ -12,6 +12,7 @@ struct RayHit {
     double range = 0;            ///< m, along the ray
     Vec3 normal;                 ///< of the triangle, unit, towards the ray's origin
     std::uint32_t material = 0;  ///< in Scene::materials()
+    double height = 0;           ///< m, of the triangle over its longest side
 };
 
 class RayScene {
