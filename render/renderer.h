@@ -18,7 +18,7 @@ namespace echoloop {
 
 struct RendererOptions {
     EchoRule rule = EchoRule::radiometric;
-    double columns_per_beam = 1.25;  ///< rendered bearings across one beam, 1..64
+    double columns_per_beam = 1.5;  ///< rendered bearings across one beam, 1..64
     double pixel_density = 1;     ///< factor on the number of pixels, 0.1..64
     bool jitter = true;  ///< move the sample inside its pixel from ping to ping (by Shot::ping), so that the
                          ///< mean over pings has no error from the pixel grid

@@ -23,7 +23,8 @@ inline float range_step(Neighbour previous, float range, Neighbour next, float f
 }
 
 ECHOLOOP_SIMD
-void extents_of(const float* __restrict range, const float* __restrict footprint, const float* __restrict surface,
+void extents_of(const float* __restrict range, const float* __restrict cosine, const float* __restrict footprint,
+                const float* __restrict surface,
                 const float* __restrict range_before, const float* __restrict surface_before,
                 const float* __restrict range_after, const float* __restrict surface_after,
                 const float* __restrict coverage, float line_offset, float sample_offset, int count, float both_ways,
@@ -45,7 +46,7 @@ void extents_of(const float* __restrict range, const float* __restrict footprint
         const float begin = outline ? -0.0625F : centre - 0.5F + upper, end = outline ? 0.0625F : centre + 0.5F - lower;
         const float square = r * r;
         const float first = square / (r - step * begin), last = square / (r - step * end);
-        near[i] = std::min(first, last);
+        near[i] = std::max(std::min(first, last), r * cosine[i]);  // no point of the plane is nearer than its foot
         far[i] = std::max(first, last);
         middle[i] = square / (r - step * (0.5F * (begin + end)));
     }
@@ -79,7 +80,7 @@ void find_extents(const PixelRow& before, const PixelRow& row, const PixelRow& a
     static thread_local std::vector<float> nothing;
     nothing.assign(count, 0.0F);
     const float* no_surface = nothing.data();
-    extents_of(row.range(), row.footprint(), row.surface(), before.range(),
+    extents_of(row.range(), row.cosine(), row.footprint(), row.surface(), before.range(),
                &before == &row ? no_surface : before.surface(), after.range(),
                &after == &row ? no_surface : after.surface(), coverage, static_cast<float>(offset.line),
                static_cast<float>(offset.sample), static_cast<int>(count), both_ways ? 1.0F : 0.0F, extents.near.data(), extents.middle.data(),

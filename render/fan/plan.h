@@ -12,7 +12,7 @@
 namespace echoloop {
 
 struct PlanDensity {
-    double columns_per_beam = 1.25;
+    double columns_per_beam = 1.5;
     double pixels = 1;  ///< factor on the number of pixels
 };
 
