@@ -19,6 +19,13 @@ SharedWater shared_water(const Scenario& scenario, const Scene& scene) {
     return {scenario.water, effects, scenario.seed, scene.bounds(), CrossTalk(scenario.water, effects)};
 }
 
+/// Plans, shaders and trees are made at the first ping of their kind: before anybody waits for one.
+void warm_up(Renderer& renderer, const Scenario& scenario) {
+    for (const ScenarioDevice& device : scenario.devices)
+        renderer.render(device.model->default_shot(device.config, 0, 0),
+                        scenario.world_from_body * device.body_from_sonar);
+}
+
 }  // namespace
 
 class Runtime::Impl {
@@ -32,6 +39,7 @@ class Runtime::Impl {
           render_thread_([this, &scenario] {
               auto renderer = std::make_unique<Renderer>(scene_, scenario.water, scenario.render);
               renderer_description_ = renderer->context_description();
+              warm_up(*renderer, scenario);
               return renderer;
           }) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.

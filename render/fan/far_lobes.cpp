@@ -9,14 +9,32 @@ constexpr std::size_t most_nodes = 64;
 
 constexpr double sector_spacing = std::numbers::pi / (sectors_per_part - 1);
 
+/// A beam's power by angle, sampled more finely than any lobe that is drawn: means over sectors ask for it often.
+class PowerTable {
+  public:
+    explicit PowerTable(const Lobe& lobe) {
+        for (std::size_t i = 0; i <= 2 * half; ++i)
+            values_.push_back(lobe.power((static_cast<double>(i) - static_cast<double>(half)) * step));
+    }
+    /// `angle`: within +-pi.
+    double at(double angle) const {
+        return values_[static_cast<std::size_t>(std::clamp(angle / step + half + 0.5, 0.0, 2.0 * half))];
+    }
+
+  private:
+    static constexpr std::size_t half = 5000;
+    static constexpr double step = std::numbers::pi / half;
+    std::vector<double> values_;
+};
+
 /// Mean pattern of a beam over a sector's tent, without the bearings from `skip_first` to `skip_last`.
-double mean_over_sector(const FanLobes& lobes, double beam, std::size_t sector, double skip_first, double skip_last) {
+double mean_over_sector(const PowerTable& power, double beam, std::size_t sector, double skip_first, double skip_last) {
     constexpr int steps = 65;
     double sum = 0, weights = 0;
     for (int i = 0; i < steps; ++i) {
         const double place = 2 * (i + 0.5) / steps - 1, angle = sector_middle(sector) + place * sector_spacing;
         if (angle >= skip_first && angle <= skip_last) continue;
-        sum += (1 - std::abs(place)) * lobes.horizontal.power(angle - beam);
+        sum += (1 - std::abs(place)) * power.at(angle - beam);
         weights += 1 - std::abs(place);
     }
     return weights > 0 ? sum / weights : 0;
@@ -28,28 +46,28 @@ double bearing_of(const FanPlan& plan, std::size_t line) {
 }
 
 /// What a beam hears of the part's lines beyond its own ones, as a mean per sector.
-void weigh_lines(const FanPlan& plan, const FanPart& part, const FanLobes& lobes, const BeamLines& own, double beam,
-                 float* far) {
+void weigh_lines(const FanPlan& plan, const FanPart& part, const PowerTable& power, const BeamLines& own,
+                 double beam, float* far) {
     std::vector<double> sums(sectors_per_part), lines(sectors_per_part);
     for (std::size_t line = part.first_line; line < part.first_line + part.lines; ++line) {
         const bool near = line >= own.first_line && line < own.first_line + own.lines;
-        const double power = near ? 0 : lobes.horizontal.power(bearing_of(plan, line) - beam);
+        const double heard = near ? 0 : power.at(bearing_of(plan, line) - beam);
         const SectorShare share = plan.line_sector[line];
         const std::size_t sector = share.sector - part.first_sector;
         lines[sector] += 1 - share.next, lines[sector + 1] += share.next;
-        sums[sector] += (1 - share.next) * power, sums[sector + 1] += share.next * power;
+        sums[sector] += (1 - share.next) * heard, sums[sector + 1] += share.next * heard;
     }
     for (std::size_t s = 0; s < sectors_per_part; ++s)
         if (lines[s] > 0) far[s] = static_cast<float>(sums[s] / lines[s]);
 }
 
-void weigh_surround(const FanPart& part, const FanLobes& lobes, double beam, float* far) {
+void weigh_surround(const FanPart& part, const PowerTable& power, double beam, float* far) {
     const double first = part.first_edge - part.centre, last = part.last_edge - part.centre;
     for (std::size_t s = 0; s < sectors_per_part; ++s) {
         far[static_cast<std::size_t>(SectorKind::beside) * sectors_per_part + s] =
-            static_cast<float>(mean_over_sector(lobes, beam, s, first, last));
+            static_cast<float>(mean_over_sector(power, beam, s, first, last));
         far[static_cast<std::size_t>(SectorKind::off_plane) * sectors_per_part + s] =
-            static_cast<float>(mean_over_sector(lobes, beam, s, 1, 0));
+            static_cast<float>(mean_over_sector(power, beam, s, 1, 0));
     }
 }
 
@@ -67,14 +85,15 @@ void add_far_lobes(FanPlan& plan, FanPart& part, const FanGeometry& g, const Fan
     }
     for (std::size_t line = part.first_line; line < part.first_line + part.lines; ++line)
         plan.line_sector[line] = sector_at(part, SectorKind::lines, bearing_of(plan, line) - part.centre);
+    const PowerTable power(lobes.horizontal);
     part.beams_per_node = (part.beams + most_nodes - 1) / most_nodes;
     part.nodes = (part.beams - 1 + part.beams_per_node - 1) / part.beams_per_node + 1;
     part.far.assign(part.nodes * part.sectors, 0.0F);
     for (std::size_t node = 0; node < part.nodes; ++node) {
         const std::size_t beam = part.first_beam + std::min(node * part.beams_per_node, part.beams - 1);
         float* far = &part.far[node * part.sectors];
-        weigh_lines(plan, part, lobes, plan.beams[beam], g.bearings[beam], far);
-        weigh_surround(part, lobes, g.bearings[beam] - part.centre, far);
+        weigh_lines(plan, part, power, plan.beams[beam], g.bearings[beam], far);
+        weigh_surround(part, power, g.bearings[beam] - part.centre, far);
     }
 }
 

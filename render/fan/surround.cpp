@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "render/fan/far_lobes.h"
 #include "render/fan/plan_parts.h"
@@ -20,11 +19,10 @@ struct Direction {
     double bearing, elevation;  ///< rad, relative to the array's axis
 };
 
-Direction direction_at(const View& view, double bearing, double line, double sample) {
-    View turned = view;
-    turned.bearing = bearing;
-    const Vec3 d = rotate(turned.fan_from_view(), {1, -view.x(line), view.y(sample)});
-    return {std::atan2(-d.y, d.x), std::atan2(d.z, std::hypot(d.x, d.y))};
+/// `array_from_view`: the view's rotation relative to the array's axis.
+Direction direction_at(const View& view, Quat array_from_view, double line, double sample) {
+    const Vec3 d = rotate(array_from_view, {1, -view.x(line), view.y(sample)});
+    return {std::atan2(-d.y, d.x), std::atan2(d.z, std::sqrt(d.x * d.x + d.y * d.y))};
 }
 
 /// The faces, level ones with bearings relative to the array's axis.
@@ -45,51 +43,66 @@ class Surround {
     Surround(FanPlan& plan, const FanPart& part, const FanLobes& lobes) : plan_(plan), part_(part), lobes_(lobes) {}
 
     /// Appends what the array hears of the face: the rectangle of pixels that have weight, if any.
-    bool add(const View& face, double relative_bearing) {
-        const std::optional<View> heard = cropped(face, relative_bearing);
-        if (!heard) return false;
-        View view = *heard;
+    bool add(const View& face, double bearing) {
+        View turned = face;
+        turned.bearing = bearing;
+        array_from_view_ = turned.fan_from_view();
+        power_.clear();
+        for (std::size_t line = 0; line < face.lines; ++line)
+            for (std::size_t sample = 0; sample < face.samples; ++sample)
+                power_.push_back(mean_power(face, line, sample));
+        const Rectangle heard = rectangle(face);
+        if (heard.last_line <= heard.first_line) return false;
+        View view = cropped(face, heard);
         view.first_pixel = plan_.weight.size();
         view.first_line = plan_.image_lines;
-        for (std::size_t line = 0; line < view.lines; ++line)
-            for (std::size_t sample = 0; sample < view.samples; ++sample)
-                add_pixel(view, relative_bearing, line, sample);
+        for (std::size_t line = heard.first_line; line < heard.last_line; ++line)
+            for (std::size_t sample = heard.first_sample; sample < heard.last_sample; ++sample)
+                add_pixel(face, line, sample);
         plan_.image_lines += view.lines;
         plan_.views.push_back(view);
         return true;
     }
 
   private:
-    std::optional<View> cropped(const View& face, double bearing) const {
-        std::size_t first_line = face.lines, last_line = 0, first_sample = face.samples, last_sample = 0;
+    /// Lines and samples first..last - 1.
+    struct Rectangle {
+        std::size_t first_line, last_line, first_sample, last_sample;
+    };
+
+    Rectangle rectangle(const View& face) const {
+        Rectangle r{face.lines, 0, face.samples, 0};
         for (std::size_t line = 0; line < face.lines; ++line)
-            for (std::size_t sample = 0; sample < face.samples; ++sample) {
-                if (mean_power(face, bearing, line, sample) == 0) continue;
-                first_line = std::min(first_line, line), last_line = line + 1;
-                first_sample = std::min(first_sample, sample), last_sample = std::max(last_sample, sample + 1);
-            }
-        if (last_line <= first_line) return std::nullopt;
+            for (std::size_t sample = 0; sample < face.samples; ++sample)
+                if (power_[line * face.samples + sample] > 0)
+                    r = {std::min(r.first_line, line), line + 1, std::min(r.first_sample, sample),
+                         std::max(r.last_sample, sample + 1)};
+        return r;
+    }
+
+    static View cropped(const View& face, const Rectangle& r) {
         View view = face;
-        view.left = face.x(static_cast<double>(first_line)), view.right = face.x(static_cast<double>(last_line));
-        view.top = face.y(static_cast<double>(first_sample)), view.bottom = face.y(static_cast<double>(last_sample));
-        view.lines = last_line - first_line, view.samples = last_sample - first_sample;
+        view.left = face.x(static_cast<double>(r.first_line)), view.right = face.x(static_cast<double>(r.last_line));
+        view.top = face.y(static_cast<double>(r.first_sample));
+        view.bottom = face.y(static_cast<double>(r.last_sample));
+        view.lines = r.last_line - r.first_line, view.samples = r.last_sample - r.first_sample;
         return view;
     }
 
-    double mean_power(const View& view, double bearing, std::size_t line, std::size_t sample) const {
+    double mean_power(const View& view, std::size_t line, std::size_t sample) const {
         constexpr int parts = 3;  // per side, so that the limit of the level views cuts pixels smoothly
         double power = 0;
         for (int i = 0; i < parts * parts; ++i)
-            power += power_at(direction_at(view, bearing, static_cast<double>(line) + (i / parts + 0.5) / parts,
+            power += power_at(direction_at(view, array_from_view_, static_cast<double>(line) + (i / parts + 0.5) / parts,
                                            static_cast<double>(sample) + (i % parts + 0.5) / parts));
         return power / (parts * parts);
     }
 
-    void add_pixel(const View& view, double bearing, std::size_t line, std::size_t sample) {
+    void add_pixel(const View& view, std::size_t line, std::size_t sample) {
         const double at = static_cast<double>(line) + 0.5;
-        const Direction middle = direction_at(view, bearing, at, static_cast<double>(sample) + 0.5);
+        const Direction middle = direction_at(view, array_from_view_, at, static_cast<double>(sample) + 0.5);
         plan_.coverage.push_back(1);
-        plan_.weight.push_back(static_cast<float>(mean_power(view, bearing, line, sample) *
+        plan_.weight.push_back(static_cast<float>(power_[line * view.samples + sample] *
                                                   view.solid_angle(view.x(at) * view.x(at), sample)));
         const bool beside = std::abs(middle.elevation) <= edge();
         plan_.sector.push_back(sector_at(part_, beside ? SectorKind::beside : SectorKind::off_plane,
@@ -111,6 +124,8 @@ class Surround {
     FanPlan& plan_;
     const FanPart& part_;
     const FanLobes& lobes_;
+    Quat array_from_view_;       ///< of the face at hand
+    std::vector<double> power_;  ///< of its pixels
 };
 
 }  // namespace
