@@ -12,7 +12,7 @@ namespace echoloop {
 namespace {
 
 constexpr double pixels_per_side = 64, pixels_of_single_beam = 40;
-constexpr double least_power = 1e-6;  ///< two ways; below, a direction is not heard
+constexpr double least_power = 3e-6;  ///< two ways; below, a direction is not heard
 constexpr double widest_part = deg_to_rad(170);  ///< a ring of transducers has no plane and no surround
 
 struct Direction {
