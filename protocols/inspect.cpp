@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "protocols/ping/inspect.h"
 #include "protocols/r2sonic/inspect.h"
 #include "protocols/seanet/inspect.h"
 
@@ -16,6 +17,8 @@ constexpr std::array table = {
            r2sonic::tables},
     Family{"seanet", "Tritech SeaNet, serial", Framing::stream, seanet::decode, seanet::recognise,
            seanet::tables},
+    Family{"ping", "Blue Robotics Ping, serial and UDP", Framing::stream, ping::decode, ping::recognise,
+           ping::tables},
 };
 
 std::optional<double> number_of(const wire::Value& value) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "protocols/inspect.h"
+#include "protocols/ping/codec.h"
+#include "protocols/ping/framer.h"
 #include "protocols/r2sonic/codec.h"
 #include "protocols/seanet/codec.h"
 #include "protocols/seanet/framer.h"
@@ -32,6 +34,13 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
     if (family == "r2sonic") {
         const auto packet = r2sonic::parse(bytes);
         return packet ? r2sonic::serialise(*packet) : wire::Bytes{};
+    }
+    if (family == "ping") {
+        ping::Framer framer;
+        framer.feed(bytes);
+        const auto frame = framer.next();
+        const auto message = frame ? ping::parse(*frame) : wire::Result<ping::Message>(wire::Error{});
+        return message ? ping::encode(*message, frame->header.source) : wire::Bytes{};
     }
     seanet::Framer framer;
     framer.feed(bytes);

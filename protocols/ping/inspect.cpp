@@ -1,0 +1,122 @@
+#include "protocols/ping/inspect.h"
+
+#include "protocols/ping/codec.h"
+#include "protocols/ping/framer.h"
+#include "protocols/ping/ping1d_layouts.h"
+#include "protocols/ping/ping360_layouts.h"
+#include "protocols/wire/visit.h"
+
+namespace echoloop::ping {
+namespace {
+
+constexpr std::size_t chunk = 4096;
+
+void add_fields(inspect::Message& message, const auto& part) {
+    wire::visit_fields(part, [&](const wire::FieldView& view) {
+        message.fields.push_back(inspect::to_field(view, message.offset));
+    });
+}
+
+inspect::Message inspected(const Frame& frame, std::size_t offset) {
+    inspect::Message out;
+    out.offset = offset;
+    out.size = frame.payload.size() + min_frame_bytes;
+    out.name = name_of(frame.header.id);
+    add_fields(out, frame.header);
+    if (is_short_request(frame)) {
+        out.name += " request";
+    } else if (const auto message = parse(frame)) {
+        std::visit([&](const auto& m) { add_fields(out, m); }, *message);
+    } else {
+        out.reason = message.error().what();
+    }
+    return out;
+}
+
+inspect::Message noise(std::size_t from, std::size_t to) {
+    return {.offset = from, .size = to - from, .name = "", .fields = {}, .reason = "no complete frame"};
+}
+
+}  // namespace
+
+std::vector<inspect::Message> decode(wire::ByteView bytes) {
+    std::vector<inspect::Message> out;
+    Framer framer;
+    std::size_t covered = 0;
+    const auto take = [&] {
+        while (const auto frame = framer.next()) {
+            const std::size_t at = framer.frame_offset();
+            if (at > covered) out.push_back(noise(covered, at));
+            out.push_back(inspected(*frame, at));
+            covered = at + out.back().size;
+        }
+    };
+    for (std::size_t from = 0; from < bytes.size(); from += chunk) {
+        framer.feed(bytes.subspan(from, std::min(chunk, bytes.size() - from)));
+        take();
+    }
+    framer.finish();
+    take();
+    if (covered < bytes.size()) out.push_back(noise(covered, bytes.size()));
+    return out;
+}
+
+bool recognise(wire::ByteView bytes) {
+    Framer framer;
+    for (std::size_t from = 0; from < bytes.size(); from += chunk) {
+        framer.feed(bytes.subspan(from, std::min(chunk, bytes.size() - from)));
+        if (framer.next()) return true;
+    }
+    framer.finish();
+    return framer.next().has_value();
+}
+
+std::vector<wire::Table> tables() {
+    using wire::table_of;
+    return {table_of<Frame>(),
+            table_of<Header>(),
+            table_of<Ack>(),
+            table_of<Nack>(),
+            table_of<AsciiText>(),
+            table_of<DeviceInformation>(),
+            table_of<ProtocolVersion>(),
+            table_of<GeneralRequest>(),
+            table_of<SetDeviceId>(),
+            table_of<Ping1dSetDeviceId>(),
+            table_of<SetRange>(),
+            table_of<SetSpeedOfSound>(),
+            table_of<SetModeAuto>(),
+            table_of<SetPingInterval>(),
+            table_of<SetGainSetting>(),
+            table_of<SetPingEnable>(),
+            table_of<SetOssProfileConfiguration>(),
+            table_of<GotoBootloader>(),
+            table_of<FirmwareVersion>(),
+            table_of<DeviceId>(),
+            table_of<Voltage5>(),
+            table_of<SpeedOfSound>(),
+            table_of<Range>(),
+            table_of<ModeAuto>(),
+            table_of<PingInterval>(),
+            table_of<GainSetting>(),
+            table_of<TransmitDuration>(),
+            table_of<GeneralInfo>(),
+            table_of<DistanceSimple>(),
+            table_of<Distance>(),
+            table_of<ProcessorTemperature>(),
+            table_of<PcbTemperature>(),
+            table_of<PingEnable>(),
+            table_of<Profile>(),
+            table_of<OssProfileConfiguration>(),
+            table_of<ContinuousStart>(),
+            table_of<ContinuousStop>(),
+            table_of<Ping360SetDeviceId>(),
+            table_of<DeviceData>(),
+            table_of<AutoDeviceData>(),
+            table_of<Reset>(),
+            table_of<Transducer>(),
+            table_of<AutoTransmit>(),
+            table_of<MotorOff>()};
+}
+
+}  // namespace echoloop::ping
