@@ -1,0 +1,300 @@
+#include "emulator/devices/ping360/ping360.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "emulator/devices/ping360/ranges.h"
+#include "emulator/devices/ping360/samples.h"
+
+namespace echoloop::ping360 {
+namespace {
+
+using ping::Id;
+
+constexpr std::size_t most_waiting = 16;
+constexpr Time restart_time = std::chrono::seconds(1), boot_loader_time = std::chrono::seconds(5);
+constexpr std::string_view unknown_command = "command not recognised";
+
+bool is_discovery(const Port& port) { return port.kind == Port::Kind::datagram; }
+
+}  // namespace
+
+Ping360::Ping360(const Settings& settings, std::vector<Port> ports)
+    : settings_(settings),
+      ports_(std::move(ports)),
+      link_(ports_.size(), 2, settings.marks_are_breaks),
+      last_(boot_settings()) {}
+
+std::vector<Port> Ping360::ports() const { return ports_; }
+
+Actions Ping360::started(Time now) {
+    last_move_ = now;
+    return take_actions();
+}
+
+Actions Ping360::received(const Received& data, Time now) {
+    if (now < silent_until_) return take_actions();
+    if (is_discovery(ports_.at(data.port))) {
+        discover(data, now);
+        return take_actions();
+    }
+    const auto heard = link_.receive(data);
+    if (heard.line_break) stop();
+    for (const ping::Frame& frame : heard.frames) obey(frame, {data.port, data.from}, now);
+    return take_actions();
+}
+
+Actions Ping360::woken(Time now) {
+    if (now >= transmit_at_) transmit(now);
+    return take_actions();
+}
+
+/// Hosts that have no other way to a line break close the port and open it again.
+void Ping360::reconnected(std::size_t port) {
+    link_.reset(port);
+    stop();
+}
+
+DeviceCounters Ping360::counters() const {
+    DeviceCounters counters = counters_;
+    counters.skipped_bytes = link_.skipped_bytes();
+    return counters;
+}
+
+void Ping360::obey(const ping::Frame& frame, const Peer& peer, Time now) {
+    const Id id = frame.header.id;
+    if (ping::is_short_request(frame) && send_message(id, peer, now)) {
+        ++counters_.messages;
+        return;
+    }
+    const auto message = ping::parse(frame);
+    if (!message) {
+        refuse(id, unknown_command, peer, now);
+        return;
+    }
+    std::visit(
+        [&](const auto& m) {
+            if constexpr (requires { on(m, peer, now); }) {
+                ++counters_.messages;
+                on(m, peer, now);
+            } else if constexpr (std::is_same_v<std::decay_t<decltype(m)>, ping::Ack> ||
+                                 std::is_same_v<std::decay_t<decltype(m)>, ping::Nack>) {
+                ++counters_.rejected;  // never answered, else two devices on one line would not end
+            } else {
+                refuse(id, unknown_command, peer, now);
+            }
+        },
+        *message);
+}
+
+void Ping360::on(const ping::GeneralRequest& request, const Peer& peer, Time now) {
+    const auto requested = static_cast<Id>(request.requested_id);
+    if (send_message(requested, peer, now)) return;
+    refuse(settings_.nack_requested_id ? requested : Id::general_request, unknown_command, peer, now);
+}
+
+/// False if there is no such message.
+bool Ping360::send_message(Id id, const Peer& peer, Time now) {
+    const auto& f = settings_.firmware;
+    const auto& p = settings_.protocol;
+    if (id == Id::device_information) {
+        reply(ping::DeviceInformation{settings_.device_type, settings_.device_revision, f[0], f[1], f[2], 0},
+              peer, now);
+    } else if (id == Id::protocol_version) {
+        reply(ping::ProtocolVersion{p[0], p[1], p[2], 0}, peer, now);
+    } else if (id == Id::device_data) {
+        ping::DeviceData data = last_;
+        if (!settings_.last_data_on_request) data.data.clear();
+        reply(data, peer, now);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void Ping360::on(const ping::Transducer& command, const Peer& peer, Time now) {
+    if (const auto wrong = out_of_range(command); wrong && !settings_.accept_anything) {
+        refuse(Id::transducer, *wrong, peer, now);
+        return;
+    }
+    Job job{peer,
+            {command.mode,
+             command.gain_setting,
+             command.angle,
+             command.transmit_duration,
+             command.sample_period,
+             command.transmit_frequency,
+             command.number_of_samples,
+             {}},
+            command.transmit != 0};
+    if (scan_) stop();
+    if (job_) {
+        if (waiting_.size() < most_waiting) waiting_.push_back(std::move(job));
+        return;
+    }
+    job_ = std::move(job);
+    begin(now);
+}
+
+void Ping360::on(const ping::AutoTransmit& command, const Peer& peer, Time now) {
+    if (const auto wrong = out_of_range(command); wrong && !settings_.accept_anything) {
+        refuse(Id::auto_transmit, *wrong, peer, now);
+        return;
+    }
+    stop();
+    scan_.emplace(command, settings_.ends_twice);
+    job_ = Job{peer,
+               {command.mode,
+                command.gain_setting,
+                0,
+                command.transmit_duration,
+                command.sample_period,
+                command.transmit_frequency,
+                command.number_of_samples,
+                {}},
+               true,
+               command};
+    begin(now);
+}
+
+void Ping360::on(const ping::MotorOff&, const Peer& peer, Time now) {
+    stop();
+    motor_on_ = false;
+    reply(ping::Ack{static_cast<std::uint16_t>(Id::motor_off)}, peer, now);
+}
+
+void Ping360::on(const ping::Reset& command, const Peer&, Time now) {
+    stop();
+    last_ = boot_settings();
+    angle_ = 0;
+    motor_on_ = true;
+    last_move_ = now;
+    silent_until_ = now + (command.bootloader != 0 ? boot_loader_time : restart_time);
+}
+
+void Ping360::on(const ping::Ping360SetDeviceId& command, const Peer& peer, Time now) {
+    if (command.id == 0 || command.id == 255) {
+        refuse(Id::ping360_set_device_id, "id out of range", peer, now);
+        return;
+    }
+    link_.set_id(command.id);
+    if (settings_.ack_set_id)
+        reply(ping::Ack{static_cast<std::uint16_t>(Id::ping360_set_device_id)}, peer, now);
+}
+
+void Ping360::on(const ping::SetDeviceId& command, const Peer& peer, Time now) {
+    if (!settings_.accept_common_id || command.device_id == 0 || command.device_id == 255) {
+        refuse(Id::set_device_id, unknown_command, peer, now);
+        return;
+    }
+    link_.set_id(command.device_id);
+    reply(ping::Ack{static_cast<std::uint16_t>(Id::set_device_id)}, peer, now);
+}
+
+void Ping360::discover(const Received& data, Time now) {
+    const std::string_view text(reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size());
+    if (!text.starts_with("Discovery")) return;
+    const std::string words = discovery_reply(settings_.discovery);
+    actions_.send.push_back({data.port, {words.begin(), words.end()}, data.from, now});
+    ++counters_.messages;
+}
+
+void Ping360::reply(const ping::Message& message, const Peer& peer, Time now) {
+    actions_.send.push_back(link_.reply(message, peer));
+    if (settings_.baud <= 0) return;
+    const double seconds = 10.0 * static_cast<double>(actions_.send.back().bytes.size()) / settings_.baud;
+    line_free_ = std::max(line_free_, now) + from_seconds(seconds);
+}
+
+void Ping360::refuse(Id id, std::string_view text, const Peer& peer, Time now) {
+    ++counters_.rejected;
+    reply(ping_device::nack(id, text), peer, now);
+}
+
+/// Drops everything at hand; the echo of a ping in the water is stale from now on.
+void Ping360::stop() {
+    job_.reset();
+    scan_.reset();
+    waiting_.clear();
+    under_way_ = false;
+    transmit_at_ = Time::max();
+}
+
+/// The job at hand turns the head as soon as the line is free, and no earlier than `earliest`.
+void Ping360::begin(Time earliest) {
+    if (scan_) job_->settings.angle = static_cast<std::uint16_t>(scan_->angle());
+    const Time start = std::max(earliest, line_free_);
+    transmit_at_ = start + turn_duration(job_->settings.angle % circle, start);
+}
+
+/// The short way round; from the home position if the motor was off.
+Time Ping360::turn_duration(int to, Time now) const {
+    const int apart = std::abs(to - angle_), homed = std::min(to, circle - to);
+    if (apart == 0) return {};
+    const bool idle = settings_.idle_off > 0 && to_seconds(now - last_move_) > settings_.idle_off;
+    const int steps = idle || !motor_on_ ? circle + homed : std::min(apart, circle - apart);
+    return from_seconds(settings_.turn_time * steps / circle);
+}
+
+void Ping360::transmit(Time now) {
+    transmit_at_ = Time::max();
+    if (!job_) return;
+    motor_on_ = true;
+    angle_ = job_->settings.angle % circle;
+    last_move_ = now;
+    if (!job_->transmit) {
+        answer({}, now);
+        return;
+    }
+    Shot shot = shot_from(job_->settings, angle_, settings_);
+    shot.ping = ++ping_;
+    const double window = static_cast<double>(shot.bins) * shot.bin_interval;
+    const int step = scan_ ? job_->automatic->num_steps : 1;
+    shot.interval = window + settings_.turn_time * step / circle;  // if the host asks in time
+    under_way_ = true;
+    actions_.ping = Ping{std::move(shot), now + from_seconds(window)};
+}
+
+Actions Ping360::heard(const Echogram& echogram, Time now) {
+    if (!under_way_ || !job_ || echogram.shot.ping != ping_) return take_actions();
+    under_way_ = false;
+    ++counters_.pings;
+    answer(samples_8bit(echogram, settings_, job_->settings.gain_setting), now);
+    return take_actions();
+}
+
+void Ping360::answer(std::vector<std::uint8_t> samples, Time now) {
+    ping::DeviceData data = job_->settings;
+    if (!settings_.echo_400) data.angle = static_cast<std::uint16_t>(data.angle % circle);
+    data.data = std::move(samples);
+    last_ = data;
+    if (const auto& a = job_->automatic) {
+        reply(ping::AutoDeviceData{data.mode, data.gain_setting, data.angle, data.transmit_duration,
+                                   data.sample_period, data.transmit_frequency, a->start_angle, a->stop_angle,
+                                   a->num_steps, a->delay, data.number_of_samples, std::move(data.data)},
+              job_->peer, now);
+    } else {
+        reply(std::move(data), job_->peer, now);
+    }
+    next_job(now);
+}
+
+void Ping360::next_job(Time now) {
+    if (scan_) {
+        scan_->advance();
+        begin(std::max(now, line_free_) + std::chrono::milliseconds(job_->automatic->delay));
+        return;
+    }
+    job_.reset();
+    if (waiting_.empty()) return;
+    job_ = std::move(waiting_.front());
+    waiting_.pop_front();
+    begin(now);
+}
+
+Actions Ping360::take_actions() {
+    actions_.wake = transmit_at_;
+    return std::exchange(actions_, {});
+}
+
+}  // namespace echoloop::ping360

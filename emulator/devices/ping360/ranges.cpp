@@ -1,0 +1,47 @@
+#include "emulator/devices/ping360/ranges.h"
+
+#include <cstdio>
+
+namespace echoloop::ping360 {
+namespace {
+
+/// What both commands have.
+template <class Command>
+std::optional<std::string_view> common_ranges(const Command& c) {
+    const auto outside = [](int value, int low, int high) { return value < low || value > high; };
+    if (outside(c.mode, 0, 1)) return "mode out of range";
+    if (outside(c.gain_setting, 0, 2)) return "gain out of range";
+    if (outside(c.transmit_duration, 1, 1000)) return "transmit duration out of range";
+    if (outside(c.sample_period, 80, 40000)) return "sample period out of range";
+    if (outside(c.transmit_frequency, 500, 1000)) return "transmit frequency out of range";
+    if (outside(c.number_of_samples, 200, 1200)) return "number of samples out of range";
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string_view> out_of_range(const ping::Transducer& c) {
+    if (c.angle > 400) return "angle out of range";
+    return common_ranges(c);
+}
+
+std::optional<std::string_view> out_of_range(const ping::AutoTransmit& c) {
+    if (c.start_angle > 400) return "start angle out of range";
+    if (c.stop_angle > 400) return "stop angle out of range";
+    if (c.num_steps < 1 || c.num_steps > 10) return "number of steps out of range";
+    if (c.delay > 100) return "delay out of range";
+    return common_ranges(c);
+}
+
+std::string discovery_reply(const std::string& address) {
+    unsigned o[4]{};
+    std::sscanf(address.c_str(), "%3u.%3u.%3u.%3u", &o[0], &o[1], &o[2], &o[3]);
+    char padded[32];
+    std::snprintf(padded, sizeof padded, "%03u.%03u.%03u.%03u", o[0] % 256, o[1] % 256, o[2] % 256,
+                  o[3] % 256);
+    return std::string(
+               "SONAR PING360  \r\nBlue Robotics\r\nMAC Address:- 54-10-EC-00-00-01\r\nIP Address:- ") +
+           padded + "\r\n";
+}
+
+}  // namespace echoloop::ping360
