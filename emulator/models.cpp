@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "emulator/devices/ping1d/ping1d.h"
 #include "emulator/devices/ping360/ping360.h"
 #include "emulator/devices/r2sonic/r2sonic.h"
 #include "emulator/devices/tritech-micron/micron.h"
@@ -12,6 +13,7 @@ namespace {
 std::vector<Model> make_models() {
     std::vector<Model> all;
     all.push_back(micron::model());
+    all.push_back(ping1d::model());
     all.push_back(ping360::model());
     all.push_back(r2sonic_device::model());
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });

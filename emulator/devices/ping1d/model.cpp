@@ -1,0 +1,37 @@
+#include "emulator/devices/ping1d/ping1d.h"
+
+namespace echoloop::ping1d {
+namespace {
+
+std::unique_ptr<Device> make(const DeviceConfig& config) {
+    const Settings settings = read_settings(config);
+    return std::make_unique<Ping1d>(settings, ping_device::link_ports(config.endpoints, settings.baud));
+}
+
+Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
+    State state;
+    state.speed_of_sound = static_cast<std::uint32_t>(config.sound_speed * 1e3);
+    if (range > 0) state.length = static_cast<std::uint32_t>(range * 1e3);
+    Shot shot = shot_from(state, read_settings(config));
+    shot.ping = step + 1;
+    return shot;
+}
+
+}  // namespace
+
+Model model() {
+    Model m;
+    m.name = "ping1d";
+    m.title = "Blue Robotics Ping1D / Ping2 echosounder";
+    m.protocol = "Ping protocol, serial or UDP";
+    m.default_endpoints = {"pty:/tmp/echoloop/ping1d"};
+    m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
+    m.options = option_table();
+    m.figures = figure_table();
+    m.profile = built_in_profile(m.name);
+    m.make = make;
+    m.default_shot = default_shot;
+    return m;
+}
+
+}  // namespace echoloop::ping1d
