@@ -14,7 +14,7 @@ def output(*arguments):
 
 class Documentation(unittest.TestCase):
     def test_message_tables_are_those_of_the_codecs(self):
-        for family in ("seanet", "r2sonic"):
+        for family in ("seanet", "r2sonic", "ping"):
             with self.subTest(family):
                 text = (ROOT / "docs" / f"messages-{family}.md").read_text()
                 tables = text[text.index("## ") :]
@@ -38,7 +38,7 @@ class Documentation(unittest.TestCase):
     def test_every_device_folder_has_a_readme_and_golden_bytes(self):
         for folder in (ROOT / "emulator" / "devices").iterdir():
             self.assertTrue((folder / "README.md").exists(), folder.name)
-        for family in ("seanet", "r2sonic"):
+        for family in ("seanet", "r2sonic", "ping"):
             self.assertTrue(list((ROOT / "tests" / "data" / family).glob("*")), family)
 
     def test_every_model_has_a_profile_whose_figures_are_shown(self):
