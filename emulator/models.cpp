@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "emulator/devices/nmea-echosounder/echosounder.h"
 #include "emulator/devices/ping1d/ping1d.h"
 #include "emulator/devices/ping360/ping360.h"
 #include "emulator/devices/r2sonic/r2sonic.h"
@@ -13,6 +14,7 @@ namespace {
 std::vector<Model> make_models() {
     std::vector<Model> all;
     all.push_back(micron::model());
+    all.push_back(nmea_echosounder::model());
     all.push_back(ping1d::model());
     all.push_back(ping360::model());
     all.push_back(r2sonic_device::model());
