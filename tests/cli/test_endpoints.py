@@ -1,8 +1,10 @@
 """echoloop endpoints: what is printed is what a driver needs."""
 import unittest
+from pathlib import Path
 
 from program import DEMO, TANK, ProgramTest
 
+ECHOSOUNDER = str(Path(DEMO).with_name("echosounder.yaml"))
 MICRON = "devices.micron.endpoints="
 
 
@@ -14,6 +16,14 @@ class Endpoints(ProgramTest):
         self.assertRegex(text, r"sends bathymetry to +127\.0\.0\.1:65400")
         self.assertRegex(text, r"sends status to +127\.0\.0\.1:65402")
         self.assertRegex(text, r"sends images to +127\.0\.0\.1:65403")
+
+    def test_a_device_that_only_sends(self):
+        line = self.good("endpoints", ECHOSOUNDER)
+        self.assertRegex(line, r"line +/tmp/echoloop/echosounder, 4800 bit/s 8N1")
+        fast = self.good("endpoints", ECHOSOUNDER, "--set", "devices.echosounder.options.baud=38400")
+        self.assertRegex(fast, r"line +/tmp/echoloop/echosounder, 38400 bit/s 8N1")
+        datagrams = self.good("endpoints", ECHOSOUNDER, "--set", "devices.echosounder.endpoints=[udp://127.0.0.1:10110]")
+        self.assertRegex(datagrams, r"sends sentences to +127\.0\.0\.1:10110")
 
     def test_ros1(self):
         text = self.good("endpoints", DEMO, "--format", "ros1")

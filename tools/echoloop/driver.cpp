@@ -12,6 +12,14 @@ constexpr std::uint16_t image_offset = 3;
 
 std::string address_text(const std::string& host, int port) { return host + ":" + std::to_string(port); }
 
+/// Of a device's serial line; what it is not paced by may as well be the usual rate.
+int line_rate(const ScenarioDevice& device) {
+    constexpr int usual_rate = 115200;
+    const auto found = device.config.options.find("baud");
+    const double* rate = found == device.config.options.end() ? nullptr : std::get_if<double>(&found->second);
+    return rate != nullptr && *rate > 0 ? static_cast<int>(*rate) : usual_rate;
+}
+
 bool is_r2sonic(const ScenarioDevice& device) { return device.model->name.starts_with("r2sonic-"); }
 bool is_seanet(const ScenarioDevice& device) { return device.model->name.starts_with("tritech-"); }
 
@@ -48,12 +56,15 @@ const std::vector<std::string>& driver_formats() {
 
 std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
     std::vector<WirePlace> places;
+    const auto first = parse_endpoint(device.config.endpoints.at(0));
     for (const Port& port : device.model->make(device.config)->ports()) {
-        if (port.kind == Port::Kind::datagram) {
+        if (port.kind == Port::Kind::datagram && places.empty() && first.scheme == Endpoint::Scheme::udp) {
+            places.push_back({"sends " + port.name + " to", address_text(first.host, first.port)});
+        } else if (port.kind == Port::Kind::datagram) {
             places.push_back({"listens for " + port.name, text_of(port.bind)});
         } else {
             const auto end = parse_endpoint(device.config.endpoints.at(places.size()));
-            places.push_back({port.name, stream_address(end)});
+            places.push_back({port.name, stream_address(end, line_rate(device))});
         }
     }
     if (!is_r2sonic(device)) return places;

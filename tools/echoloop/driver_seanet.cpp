@@ -58,13 +58,14 @@ std::vector<std::string> ros2_lines(const std::string& path) {
 
 }  // namespace
 
-std::string stream_address(const Endpoint& end) {
+std::string stream_address(const Endpoint& end, int rate) {
+    const auto bits = std::to_string(end.baud != 0 ? static_cast<int>(end.baud) : rate) + " bit/s 8N1";
     const std::string place = end.host + ":" + std::to_string(end.port);
     switch (end.scheme) {
         case Scheme::pty:
-            return end.path + ", " + line_rate + " bit/s 8N1";
+            return end.path + ", " + bits;
         case Scheme::serial:
-            return "the other end of the cable on " + end.path + ", " + line_rate + " bit/s 8N1";
+            return "the other end of the cable on " + end.path + ", " + bits;
         case Scheme::tcp_listen:
             return "TCP, connect to " + place;
         case Scheme::tcp:
