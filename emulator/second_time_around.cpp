@@ -68,7 +68,8 @@ std::optional<Shot> late_shot(const Shot& shot, const Water& water, const Effect
     late.first_bin_time = begin;
     late.bins = std::min(shot.bins, most_bins);
     late.bin_interval = window / static_cast<double>(late.bins);
-    late.receiver = {.bandwidth = 1e-12};  // Hz: of no noise
+    // The ping that hears it has noise of its own: this one gets next to none, in the same band.
+    late.receiver = Receiver{.bandwidth = shot.receiver.bandwidth, .directivity_index = 400};
     late.random_key = split_mix(shot.random_key);
     return late;
 }

@@ -1,6 +1,7 @@
 #include "render/workers.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace echoloop {
 
@@ -27,10 +28,16 @@ void Workers::run(std::size_t count, const std::function<void(std::size_t)>& wor
     take_pieces();
     std::unique_lock lock(mutex_);
     end_.wait(lock, [this] { return active_ == 0; });
+    if (const std::exception_ptr fault = std::exchange(fault_, nullptr)) std::rethrow_exception(fault);
 }
 
 void Workers::take_pieces() {
-    for (std::size_t i = next_++; i < count_; i = next_++) (*work_)(i);
+    try {
+        for (std::size_t i = next_++; i < count_; i = next_++) (*work_)(i);
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        if (!fault_) fault_ = std::current_exception();
+    }
 }
 
 void Workers::serve(std::stop_token stop) {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -21,7 +22,7 @@ class Workers {
     Workers& operator=(const Workers&) = delete;
 
     /// Calls work(i) once for every i below `count`, in any order and on any thread, and returns when all are done.
-    /// `work` must not throw.
+    /// Throws what one of the calls threw, once all have ended.
     void run(std::size_t count, const std::function<void(std::size_t)>& work);
 
     /// Threads that may help on this machine, the caller's included: one per processor, four at most.
@@ -40,6 +41,7 @@ class Workers {
     const std::function<void(std::size_t)>* work_ = nullptr;
     std::size_t count_ = 0;
     std::atomic<std::size_t> next_{0};
+    std::exception_ptr fault_;  ///< the first one, under mutex_
     std::vector<std::jthread> threads_;
 };
 

@@ -63,7 +63,7 @@ Value* walk(Value& root, std::string_view path, const Place& place, Problems& pr
     while (true) {
         const auto key = path.substr(0, path.find('.'));
         if (key.empty()) {
-            problems.add(place, "the path has an empty part; write e.g. devices.micron.options.gain=50");
+            problems.add(place, "the path has an empty part; write e.g. devices.micron.options.replies=1");
             return nullptr;
         }
         at = step(*at, key, walked.empty() ? "the scenario" : walked, place, problems);

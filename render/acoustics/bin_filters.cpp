@@ -71,10 +71,13 @@ LineFilter field_filter(const PulseShape& pulse, double bin_length) {
     return {0, unit_energy(std::move(taps))};
 }
 
+/// Bins; noise that hardly changes over so many hardly changes at all.
+constexpr double longest_box = 1e6;
+
 LineFilter noise_filter(double bandwidth, double interval) {
     const double length = 1 / (bandwidth * interval);
     if (length <= 1) return {};
-    if (length > static_cast<double>(most_taps)) return unit_box(length);
+    if (length > static_cast<double>(most_taps)) return unit_box(std::min(length, longest_box));
     std::vector<double> taps(static_cast<std::size_t>(length), 1.0);
     if (const double rest = length - std::floor(length); rest > 0) taps.push_back(rest);
     return {0, unit_energy(std::move(taps))};

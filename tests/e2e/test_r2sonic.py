@@ -69,6 +69,12 @@ class Bathymetry(R2SonicCase):
             self.check_depths(ping, 8.0)
             self.assertIsNotNone(ping.intensity)
 
+    def test_a_long_pulse_does_not_shift_the_bottom(self):
+        host, _ = self.start(z=-12.0, options=", range: 40, pulse: 0.00038")
+        for ping in self.pings(host, 4):
+            depths = [p["depth"] for p in soundings(ping) if abs(p["angle"]) <= math.radians(60)]
+            self.assertLess(abs(sum(depths) / len(depths) - 8.0) / 8.0, 0.005)
+
     def test_commands_change_the_next_ping(self):
         host, _ = self.start(options=", range: 40")
         self.pings(host, 1)

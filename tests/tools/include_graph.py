@@ -33,7 +33,7 @@ RULES = [
     Rule(r"render/(echogram|effects|pose)\.h", r"render/pose\.h", STANDARD),
     Rule(r"render/.*", r"render/.*", forbidden=f"{NETWORK}|{USER_INTERFACE}"),
     Rule(r"emulator/(device|model|option_rows|options|endpoint|profile)\.h", PURE, STANDARD),
-    Rule(r"emulator/devices/([^/]+)/.*", rf"{PURE}|protocols/.*|emulator/devices/\1/.*", STANDARD),
+    Rule(r"emulator/devices/([^/]+)/.*", rf"{PURE}|protocols/.*|emulator/devices/(\1|family)/.*", STANDARD),
     Rule(r"emulator/models\.cpp", rf"{PURE}|emulator/devices/.*", STANDARD),
     Rule(r"emulator/transport/.*", r"emulator/.*", forbidden=rf"emulator/(devices|scenario)/.*|{GRAPHICS}"),
     Rule(r"emulator/scenario/.*", r"(emulator|render)/.*", forbidden=rf"emulator/(devices|transport)/.*|{GRAPHICS}"),

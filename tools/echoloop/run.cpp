@@ -22,7 +22,7 @@ void print_start(const Scenario& scenario, const Runtime& runtime) {
             std::printf("  %s%s\n", padded(place.what, 30).c_str(), place.address.c_str());
     }
     std::printf(
-        "running; Ctrl-C ends it. For your driver: echoloop endpoints %s --format ros1|ros2|moos|rock\n",
+        "running; Ctrl-C ends it. For a driver: echoloop endpoints %s --format ros1 (or ros2, moos, rock)\n",
         scenario.file.c_str());
     std::fflush(stdout);
 }

@@ -20,7 +20,7 @@ Argument scenario_argument() {
 
 Argument set_argument() {
     return {Argument::Kind::repeated, "--set", "PATH=VALUE",
-            "change a value of the scenario, e.g. devices.micron.options.gain=50; may be repeated"};
+            "change a value of the scenario, e.g. devices.micron.options.replies=1; may be repeated"};
 }
 
 Argument json_argument() {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "emulator/devices/ping1d/settings.h"
-#include "emulator/devices/ping360/link.h"
+#include "emulator/devices/family/ping_link.h"
 
 namespace echoloop::ping1d {
 

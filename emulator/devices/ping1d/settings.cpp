@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "emulator/devices/ping360/link.h"
+#include "emulator/devices/family/ping_link.h"
 #include "emulator/option_rows.h"
 #include "emulator/options.h"
 

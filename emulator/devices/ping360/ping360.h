@@ -4,7 +4,7 @@
 #include <deque>
 #include <optional>
 
-#include "emulator/devices/ping360/link.h"
+#include "emulator/devices/family/ping_link.h"
 #include "emulator/devices/ping360/scan.h"
 #include "emulator/devices/ping360/settings.h"
 

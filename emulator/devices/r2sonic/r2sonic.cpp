@@ -131,6 +131,9 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
     for (std::size_t n = 0; n < beams; ++n) {
         const TimeGate gate = beam_gate(ping_.controls, ping_.beams.angles[n], c, last_depth_, window);
         detections[n] = detect(echogram, n, gate, settings_.acoustics.detection_margin);
+        // The middle of an echo comes half a pulse after that of the bottom; a head knows its pulse.
+        if (settings_.pulse && detections[n].quality != 0)
+            detections[n].time = std::max(0.0, detections[n].time - echogram.shot.pulse_length / 2);
     }
     const TimeGate axis_gate = beam_gate(ping_.controls, 0, c, last_depth_, window);
     last_depth_ = median_depth(detections, ping_.beams.angles, c);

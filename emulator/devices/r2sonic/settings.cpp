@@ -103,6 +103,7 @@ Settings read_settings(const DeviceConfig& config) {
     c.projector = text(o, "projector") == "wide" ? 2 : 1;
     s.acoustics = read_acoustics(config.profile);
     s.tvg = config.effects.has(Effect::tvg);
+    s.pulse = config.effects.has(Effect::pulse);
     s.datagram_gap = number(o, "datagram_gap");
     s.answer_discovery = text(o, "discovery_reply") != "none";
     s.discovery_to_sender = text(o, "discovery_reply") == "sender";

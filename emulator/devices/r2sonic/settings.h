@@ -26,6 +26,7 @@ struct Settings {
     Controls start;  ///< the controls at power-up
     Acoustics acoustics;
     bool tvg = true;          ///< the effect of that name
+    bool pulse = true;        ///< the effect of that name: echoes are as long as the pulse
     double datagram_gap = 0;  ///< s between the datagrams of an image
     bool discovery_to_sender = true;
     bool answer_discovery = true;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "emulator/random_key.h"
+#include "render/acoustics/chain.h"
 
 namespace echoloop {
 namespace {
@@ -128,6 +129,19 @@ TEST(SecondTimeAround, IsNotAskedForWhereItCannotMatter) {
     weak.frequency = 2.25e6;
     EXPECT_FALSE(late_shot(weak, water(), {}, far_away));
     EXPECT_TRUE(late_shot(weak, water(), Effects{}.set(Effect::noise, false), far_away));
+}
+
+// A pulse of many bins: the chain must not be asked for the impossible to keep the late ping silent.
+TEST(SecondTimeAround, ALongPulsePassesTheAcousticChain) {
+    Shot shot = shot_of(64, 500);
+    shot.pulse_length = 2e-3;
+    const auto late = late_shot(shot, water(), {}, far_away);
+    ASSERT_TRUE(late);
+    ASSERT_GT(late->pulse_length, 3 * late->bin_interval);
+    std::vector<float> values(late->bearings.size() * late->bins, 1.0F);
+    const double noise = AcousticChain(Effects{}).apply(*late, {}, c, {}, values);
+    EXPECT_LT(noise, 1e-12);
+    for (const float value : values) ASSERT_TRUE(std::isfinite(value));
 }
 
 TEST(RandomKey, DiffersByNameAndBySeed) {

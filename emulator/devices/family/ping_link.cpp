@@ -1,4 +1,4 @@
-#include "emulator/devices/ping360/link.h"
+#include "emulator/devices/family/ping_link.h"
 
 #include <cstdio>
 #include <stdexcept>
