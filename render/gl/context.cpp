@@ -31,7 +31,7 @@ std::unique_ptr<Context> make_context(std::string_view name) {
         throw std::invalid_argument("unknown GL context \"" + std::string(name) +
                                     "\"; known are auto, osmesa, egl-surfaceless, egl-device");
     if (may_have_gpu())
-        return first_of({make_egl_device_context, make_osmesa_context, make_egl_surfaceless_context});
+        return first_of({make_gpu_context, make_osmesa_context, make_egl_surfaceless_context});
     return first_of({make_osmesa_context, make_egl_surfaceless_context});
 }
 

@@ -138,6 +138,21 @@ bool is_hardware(const Library& lib, EGLDeviceEXT device) {
            std::string_view(extensions).find("EGL_MESA_device_software") == std::string_view::npos;
 }
 
+/// The first device of that sort that works, or null; what the others say goes to `refusals`.
+std::unique_ptr<Context> first_device(bool hardware, std::string& refusals) {
+    const Library& lib = library();
+    for (const EGLDeviceEXT device : devices(lib)) {
+        if (is_hardware(lib, device) != hardware) continue;
+        try {
+            return std::make_unique<EglContext>(
+                "EGL device", lib.get_platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+        } catch (const std::runtime_error& error) {
+            refusals += std::string(" (") + error.what() + ")";
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 std::unique_ptr<Context> make_egl_surfaceless_context() {
@@ -146,19 +161,17 @@ std::unique_ptr<Context> make_egl_surfaceless_context() {
         library().get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
 }
 
-std::unique_ptr<Context> make_egl_device_context() {
-    const Library& lib = library();
+std::unique_ptr<Context> make_gpu_context() {
     std::string refusals;
-    for (const EGLDeviceEXT device : devices(lib)) {
-        if (!is_hardware(lib, device)) continue;
-        try {
-            return std::make_unique<EglContext>(
-                "EGL device", lib.get_platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
-        } catch (const std::runtime_error& error) {
-            refusals += std::string(" (") + error.what() + ")";
-        }
-    }
+    if (auto context = first_device(true, refusals)) return context;
     fail("there is no GPU that can be used" + refusals + "; the context \"osmesa\" needs none");
+}
+
+std::unique_ptr<Context> make_egl_device_context() {
+    std::string refusals;
+    for (const bool hardware : {true, false})
+        if (auto context = first_device(hardware, refusals)) return context;
+    fail("there is no device that can be used" + refusals + "; the context \"osmesa\" needs none");
 }
 
 bool may_have_gpu() {

@@ -1,5 +1,5 @@
 // The EGL implementations of Context: without any display, in memory or on a GPU. Never linked. Tried with
-// Mesa's software renderer only: no GPU was at hand.
+// Mesa's software device only: no GPU was at hand.
 #pragma once
 
 #include <memory>
@@ -12,9 +12,11 @@ namespace echoloop::gl {
 /// Debian packages, when it cannot be had.
 std::unique_ptr<Context> make_egl_surfaceless_context();
 
-/// On the first EGL device that is hardware and offers OpenGL 4.5. Throws std::runtime_error when there is
-/// none.
+/// On the first EGL device that offers OpenGL 4.5, hardware before Mesa's software device. Throws
+/// std::runtime_error when there is none.
 std::unique_ptr<Context> make_egl_device_context();
+/// The same on hardware only.
+std::unique_ptr<Context> make_gpu_context();
 
 /// False where the kernel offers no GPU at all, so that nothing need be loaded to know.
 bool may_have_gpu();
