@@ -39,6 +39,9 @@ def stream(sonar, message, start=True):
     sonar.write(m.msg_data)
 
 
+PATIENCE = 20  # s, on a machine that compiles something else
+
+
 class Echosounder(unittest.TestCase):
     def connected(self, height, pitch):
         port = free_base_port(1)
@@ -61,7 +64,7 @@ class Echosounder(unittest.TestCase):
         stream(sonar, definitions.PING1D_PROFILE)
         found = []
         for _ in range(200):
-            profile = sonar.wait_message([definitions.PING1D_PROFILE], 2)
+            profile = sonar.wait_message([definitions.PING1D_PROFILE], PATIENCE)
             self.assertIsNotNone(profile)
             if (profile.scan_start, profile.scan_length) == (start, length):
                 found.append(profile)
@@ -101,7 +104,7 @@ class Echosounder(unittest.TestCase):
         self.assertTrue(sonar.set_mode_auto(1))
         self.assertFalse(sonar.set_range(0, 7000), "refused while it is automatic")
         stream(sonar, definitions.PING1D_DISTANCE_SIMPLE)
-        readings = [sonar.wait_message([definitions.PING1D_DISTANCE_SIMPLE], 2) for _ in range(15)]
+        readings = [sonar.wait_message([definitions.PING1D_DISTANCE_SIMPLE], PATIENCE) for _ in range(15)]
         self.assertAlmostEqual(readings[-1].distance, 2000, delta=100)
         self.assertGreaterEqual(readings[-1].confidence, 90)
         self.assertLessEqual(sonar.get_range()["scan_length"], 5000)
