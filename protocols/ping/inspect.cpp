@@ -1,21 +1,15 @@
 #include "protocols/ping/inspect.h"
 
+#include "protocols/inspect_stream.h"
 #include "protocols/ping/codec.h"
 #include "protocols/ping/framer.h"
 #include "protocols/ping/ping1d_layouts.h"
 #include "protocols/ping/ping360_layouts.h"
-#include "protocols/wire/visit.h"
 
 namespace echoloop::ping {
 namespace {
 
-constexpr std::size_t chunk = 4096;
-
-void add_fields(inspect::Message& message, const auto& part) {
-    wire::visit_fields(part, [&](const wire::FieldView& view) {
-        message.fields.push_back(inspect::to_field(view, message.offset));
-    });
-}
+using inspect::add_fields;
 
 inspect::Message inspected(const Frame& frame, std::size_t offset) {
     inspect::Message out;
@@ -33,43 +27,13 @@ inspect::Message inspected(const Frame& frame, std::size_t offset) {
     return out;
 }
 
-inspect::Message noise(std::size_t from, std::size_t to) {
-    return {.offset = from, .size = to - from, .name = "", .fields = {}, .reason = "no complete frame"};
-}
-
 }  // namespace
 
 std::vector<inspect::Message> decode(wire::ByteView bytes) {
-    std::vector<inspect::Message> out;
-    Framer framer;
-    std::size_t covered = 0;
-    const auto take = [&] {
-        while (const auto frame = framer.next()) {
-            const std::size_t at = framer.frame_offset();
-            if (at > covered) out.push_back(noise(covered, at));
-            out.push_back(inspected(*frame, at));
-            covered = at + out.back().size;
-        }
-    };
-    for (std::size_t from = 0; from < bytes.size(); from += chunk) {
-        framer.feed(bytes.subspan(from, std::min(chunk, bytes.size() - from)));
-        take();
-    }
-    framer.finish();
-    take();
-    if (covered < bytes.size()) out.push_back(noise(covered, bytes.size()));
-    return out;
+    return inspect::decode_stream<Framer>(bytes, inspected);
 }
 
-bool recognise(wire::ByteView bytes) {
-    Framer framer;
-    for (std::size_t from = 0; from < bytes.size(); from += chunk) {
-        framer.feed(bytes.subspan(from, std::min(chunk, bytes.size() - from)));
-        if (framer.next()) return true;
-    }
-    framer.finish();
-    return framer.next().has_value();
-}
+bool recognise(wire::ByteView bytes) { return inspect::recognise_stream<Framer>(bytes); }
 
 std::vector<wire::Table> tables() {
     using wire::table_of;

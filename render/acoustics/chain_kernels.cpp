@@ -7,7 +7,7 @@
 
 namespace echoloop::kernels {
 
-ECHOLOOP_CLONES void modulate(const float* power, const float* field_real, const float* field_imaginary,
+ECHOLOOP_SIMD void modulate(const float* power, const float* field_real, const float* field_imaginary,
                               std::size_t count, float* real, float* imaginary) {
     for (std::size_t i = 0; i < count; ++i) {
         const float amplitude = std::sqrt(power[i]);
@@ -16,7 +16,7 @@ ECHOLOOP_CLONES void modulate(const float* power, const float* field_real, const
     }
 }
 
-ECHOLOOP_CLONES void add(float scale, const float* a, const float* b, std::size_t count, float* real,
+ECHOLOOP_SIMD void add(float scale, const float* a, const float* b, std::size_t count, float* real,
                          float* imaginary) {
     for (std::size_t i = 0; i < count; ++i) {
         real[i] += scale * a[i];
@@ -24,29 +24,29 @@ ECHOLOOP_CLONES void add(float scale, const float* a, const float* b, std::size_
     }
 }
 
-ECHOLOOP_CLONES void blend(float weight, const float* a, float other_weight, const float* b,
+ECHOLOOP_SIMD void blend(float weight, const float* a, float other_weight, const float* b,
                            std::size_t count, float* out) {
     for (std::size_t i = 0; i < count; ++i) out[i] = weight * a[i] + other_weight * b[i];
 }
 
-ECHOLOOP_CLONES void intensity(const float* real, const float* imaginary, std::size_t count, float* power) {
+ECHOLOOP_SIMD void intensity(const float* real, const float* imaginary, std::size_t count, float* power) {
     for (std::size_t i = 0; i < count; ++i) power[i] = real[i] * real[i] + imaginary[i] * imaginary[i];
 }
 
-ECHOLOOP_CLONES void add_intensity(const float* real, const float* imaginary, std::size_t count,
+ECHOLOOP_SIMD void add_intensity(const float* real, const float* imaginary, std::size_t count,
                                    float* power) {
     for (std::size_t i = 0; i < count; ++i) power[i] += real[i] * real[i] + imaginary[i] * imaginary[i];
 }
 
-ECHOLOOP_CLONES void multiply(const float* factor, std::size_t count, float* power) {
+ECHOLOOP_SIMD void multiply(const float* factor, std::size_t count, float* power) {
     for (std::size_t i = 0; i < count; ++i) power[i] *= factor[i];
 }
 
-ECHOLOOP_CLONES void square_root(const float* power, std::size_t count, float* amplitude) {
+ECHOLOOP_SIMD void square_root(const float* power, std::size_t count, float* amplitude) {
     for (std::size_t i = 0; i < count; ++i) amplitude[i] = std::sqrt(power[i]);
 }
 
-ECHOLOOP_CLONES void interfere(float scale, float* power, float other_scale, const float* other,
+ECHOLOOP_SIMD void interfere(float scale, float* power, float other_scale, const float* other,
                                const float* cosine, float looks, std::size_t count) {
     const float cross = 2 / std::sqrt(looks);
     for (std::size_t i = 0; i < count; ++i) {
@@ -56,7 +56,7 @@ ECHOLOOP_CLONES void interfere(float scale, float* power, float other_scale, con
     }
 }
 
-ECHOLOOP_CLONES void receive(float limit, float step, std::size_t count, float* power) {
+ECHOLOOP_SIMD void receive(float limit, float step, std::size_t count, float* power) {
     if (limit < INFINITY)
         for (std::size_t i = 0; i < count; ++i) power[i] = std::min(power[i], limit);
     if (!(step > 0)) return;

@@ -9,7 +9,7 @@ namespace echoloop {
 namespace {
 
 /// out[j] = sum over k of taps[k] in[j - k]; reads `count` rounded up to whole tiles, and taps - 1 before.
-ECHOLOOP_CLONES void convolve(const float* in, std::size_t count, const float* taps, std::size_t tap_count,
+ECHOLOOP_SIMD void convolve(const float* in, std::size_t count, const float* taps, std::size_t tap_count,
                               float* out) {
     constexpr std::size_t tile = LineFilter::tile;
     for (std::size_t j = 0; j < count; j += tile) {

@@ -115,7 +115,7 @@ ECHOLOOP_INLINE void add_exponentials(const RandomStream& stream, std::size_t fi
     }
 }
 
-ECHOLOOP_CLONES void fill_complex(const RandomStream& stream, std::size_t count, float* real,
+ECHOLOOP_SIMD void fill_complex(const RandomStream& stream, std::size_t count, float* real,
                                   float* imaginary) {
     Words words;
     for (std::size_t i = 0; i < count; i += 4 * blocks) {
@@ -125,7 +125,7 @@ ECHOLOOP_CLONES void fill_complex(const RandomStream& stream, std::size_t count,
     }
 }
 
-ECHOLOOP_CLONES void fill_few_looks(const RandomStream& stream, LookWeights weights, std::size_t count,
+ECHOLOOP_SIMD void fill_few_looks(const RandomStream& stream, LookWeights weights, std::size_t count,
                                     float* power) {
     float sum[4 * blocks];
     for (std::size_t i = 0; i < count; i += 4 * blocks) {
@@ -137,7 +137,7 @@ ECHOLOOP_CLONES void fill_few_looks(const RandomStream& stream, LookWeights weig
 }
 
 /// Wilson & Hilferty: the cube root of a gamma variable is nearly Gaussian.
-ECHOLOOP_CLONES void fill_many_looks(const RandomStream& stream, float looks, std::size_t count,
+ECHOLOOP_SIMD void fill_many_looks(const RandomStream& stream, float looks, std::size_t count,
                                      float* power) {
     const float ninth = 1 / (9 * looks), deviation = std::sqrt(2 * ninth);  // a real part has variance 1 / 2
     float normal[8 * blocks];
@@ -154,7 +154,7 @@ ECHOLOOP_CLONES void fill_many_looks(const RandomStream& stream, float looks, st
     }
 }
 
-ECHOLOOP_CLONES void fill_cosines(const RandomStream& stream, std::size_t count, float* cosine) {
+ECHOLOOP_SIMD void fill_cosines(const RandomStream& stream, std::size_t count, float* cosine) {
     Words words;
     for (std::size_t i = 0; i < count; i += 4 * blocks) {
         fill(stream, 0, i / 4, words);

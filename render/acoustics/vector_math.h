@@ -6,14 +6,8 @@
 #include <bit>
 #include <cstdint>
 
-// Hot loops exist for AVX-512, for AVX2 and for any x86-64; the loader picks. Sanitizers and clang get one
-// plain version (the resolvers run before a sanitizer is ready).
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define ECHOLOOP_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define ECHOLOOP_CLONES
-#endif
+#include "render/simd.h"
+
 #define ECHOLOOP_INLINE inline __attribute__((always_inline))
 
 namespace echoloop::vector_math {
