@@ -1,7 +1,9 @@
 #include "emulator/devices/family/ping_link.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 namespace echoloop::ping_device {
 namespace {
@@ -28,14 +30,23 @@ Heard Link::receive(const Received& data) {
     return heard;
 }
 
-Send Link::reply(const ping::Message& message, const Peer& to) const {
-    return {to.port, ping::encode(message, id_), to.address, {}};
-}
-
 std::uint64_t Link::skipped_bytes() const {
     std::uint64_t skipped = 0;
     for (const ping::Framer& framer : framers_) skipped += framer.skipped_bytes();
     return skipped;
+}
+
+std::vector<Send> in_pieces(wire::Bytes frame, const Peer& to, std::size_t piece) {
+    std::vector<Send> sends;
+    if (piece == 0 || frame.size() <= piece) {
+        sends.push_back({to.port, std::move(frame), to.address, {}});
+        return sends;
+    }
+    for (auto left = wire::ByteView(frame); !left.empty(); left = left.subspan(sends.back().bytes.size())) {
+        const auto next = left.first(std::min(piece, left.size()));
+        sends.push_back({to.port, {next.begin(), next.end()}, to.address, {}});
+    }
+    return sends;
 }
 
 std::vector<Port> link_ports(const std::vector<std::string>& endpoints, double baud) {

@@ -35,7 +35,18 @@ class Link {
     /// A datagram without bytes is a line break, as with the vehicle's bridges.
     Heard receive(const Received& data);
     void reset(std::size_t port) { framers_.at(port).clear(); }
-    Send reply(const ping::Message& message, const Peer& to) const;
+    /// A message of any codec on this framing, which encode(message, source) of its own namespace turns into
+    /// a frame.
+    template <class Message>
+    Send reply(const Message& message, const Peer& to) const {
+        return {to.port, encode(message, id_), to.address, {}};
+    }
+    /// As above for what may not fit one datagram: each message begins one, longer ones go on in further
+    /// datagrams of at most `piece` bytes. On a byte stream, `piece` 0, it stays whole.
+    template <class Message>
+    std::vector<Send> reply_in_pieces(const Message& message, const Peer& to, std::size_t piece) const {
+        return in_pieces(encode(message, id_), to, piece);
+    }
     std::uint64_t skipped_bytes() const;
     void set_id(std::uint8_t id) { id_ = id; }
     std::uint8_t id() const { return id_; }
@@ -45,6 +56,9 @@ class Link {
     std::uint8_t id_;
     bool marks_are_breaks_;
 };
+
+/// A frame as datagrams of at most `piece` bytes; 0 leaves it whole.
+std::vector<Send> in_pieces(wire::Bytes frame, const Peer& to, std::size_t piece);
 
 /// A port per endpoint. std::invalid_argument if there are none, more than four, or datagrams with a line
 /// rate.
