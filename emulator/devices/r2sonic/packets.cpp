@@ -8,6 +8,8 @@
 namespace echoloop::r2sonic_device {
 namespace {
 
+using multibeam::Detection;
+
 const float time_step = static_cast<float>(1 / (4 * sample_rate));  // R0's scale in all real pings
 
 /// Amplitudes in uPa with the smallest scale that holds the largest.
@@ -20,6 +22,16 @@ r2sonic::I1 make_intensities(const std::vector<Detection>& detections) {
         section.intensity.push_back(
             static_cast<std::uint16_t>(std::min(65535.0F, std::sqrt(d.power) / section.scale)));
     return section;
+}
+
+/// Bits of Q0. The bright are those that stand well above the least that is a bottom.
+std::uint8_t quality_nibble(const Detection& d) {
+    namespace quality = r2sonic::quality;
+    if (!d.found()) return 0;
+    std::uint8_t bits = d.method == multibeam::Method::phase ? quality::phase : quality::magnitude;
+    bits |= quality::colinearity;
+    if (d.excess > 10) bits |= quality::brightness;
+    return bits;
 }
 
 }  // namespace
@@ -52,7 +64,7 @@ r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings) {
 }
 
 r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
-                        const std::vector<Detection>& detections, TimeGate gate) {
+                        const std::vector<Detection>& detections, multibeam::TimeGate gate) {
     r2sonic::Bth0 packet;
     packet.h0 = make_h0(ping, settings);
     packet.angles = ping.beams.section;
@@ -60,7 +72,7 @@ r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
     std::vector<std::uint8_t> nibbles;
     for (const Detection& d : detections) {
         times.push_back(d.time);
-        nibbles.push_back(d.quality);
+        nibbles.push_back(quality_nibble(d));
     }
     // A window longer than 65535 steps needs a coarser scale.
     const double longest = *std::max_element(times.begin(), times.end());

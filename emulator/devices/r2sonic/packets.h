@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "emulator/devices/r2sonic/bottom.h"
+#include "emulator/devices/family/multibeam_bottom.h"
 #include "emulator/devices/r2sonic/ping.h"
 #include "protocols/r2sonic/messages.h"
 #include "render/echogram.h"
@@ -22,7 +22,7 @@ struct PingRecord {
 r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings);
 
 r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
-                        const std::vector<Detection>& detections, TimeGate gate);
+                        const std::vector<multibeam::Detection>& detections, multibeam::TimeGate gate);
 
 /// The image of AID0: the first datagram, then the sections with all beams and ascending bins. Empty without
 /// an image.

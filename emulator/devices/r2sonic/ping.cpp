@@ -83,6 +83,18 @@ Beams beam_angles(const Controls& controls) {
     return controls.equi_distant ? equi_distant(controls) : equi_angle(controls);
 }
 
+multibeam::Gates bottom_gates(const Controls& c, double last_depth) {
+    multibeam::Gates gates;
+    const std::uint32_t mode = c.gate_mode & 0xFF;
+    if (mode == 1) gates.depth = {c.gate_min, c.gate_max, c.gate_slope};
+    if ((mode == 2 || mode == 3) && last_depth > 0) {
+        const double part = std::clamp<double>(c.gate_mode >> 8, 5, 90) / 100;
+        gates.depth = {last_depth * (1 - part), last_depth * (1 + part), 0};
+    }
+    if (c.range_gate) gates.range = {c.range_gate_min, c.range_gate_max};
+    return gates;
+}
+
 Shot make_shot(const Controls& controls, const Settings& settings, const Beams& fan, std::uint32_t ping) {
     const std::size_t total = samples(controls, settings), per_bin = samples_per_bin(total);
     Shot shot;

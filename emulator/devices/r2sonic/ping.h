@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "emulator/devices/family/multibeam_bottom.h"
 #include "emulator/devices/r2sonic/settings.h"
 #include "protocols/r2sonic/messages.h"
 #include "render/echogram.h"
@@ -32,6 +33,9 @@ struct Beams {
     std::vector<double> angles;
 };
 Beams beam_angles(const Controls& controls);
+
+/// Depth and range gates as set; `last_depth` (m, 0: unknown) serves the automatic gates.
+multibeam::Gates bottom_gates(const Controls& controls, double last_depth);
 
 Shot make_shot(const Controls& controls, const Settings& settings, const Beams& beams, std::uint32_t ping);
 

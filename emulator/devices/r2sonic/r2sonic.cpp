@@ -127,16 +127,14 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
     ++counters_.pings;
     const double c = working_sound_speed(ping_.controls, settings_);
     const double window = static_cast<double>(echogram.shot.bins) * echogram.shot.bin_interval;
-    std::vector<Detection> detections(beams);
-    for (std::size_t n = 0; n < beams; ++n) {
-        const TimeGate gate = beam_gate(ping_.controls, ping_.beams.angles[n], c, last_depth_, window);
-        detections[n] = detect(echogram, n, gate, settings_.acoustics.detection_margin);
-        // The middle of an echo comes half a pulse after that of the bottom; a head knows its pulse.
-        if (settings_.pulse && detections[n].quality != 0)
-            detections[n].time = std::max(0.0, detections[n].time - echogram.shot.pulse_length / 2);
-    }
-    const TimeGate axis_gate = beam_gate(ping_.controls, 0, c, last_depth_, window);
-    last_depth_ = median_depth(detections, ping_.beams.angles, c);
+    const multibeam::Gates set = bottom_gates(ping_.controls, last_depth_);
+    std::vector<multibeam::TimeGate> gates;
+    for (const double angle : ping_.beams.angles)
+        gates.push_back(multibeam::time_gate(set, angle, c, window));
+    const auto detections =
+        multibeam::detect(echogram, gates, {settings_.acoustics.detection_margin, settings_.pulse});
+    const auto axis_gate = multibeam::time_gate(set, 0, c, window);
+    last_depth_ = multibeam::median_depth(detections, ping_.beams.angles, c);
     send(head_commands, make_bth0(ping_, settings_, detections, axis_gate), gui(bathymetry));
     send_image(echogram, now);
     plan_next_ping(now);

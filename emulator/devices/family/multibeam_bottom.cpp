@@ -1,12 +1,10 @@
-#include "emulator/devices/r2sonic/bottom.h"
+#include "emulator/devices/family/multibeam_bottom.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace echoloop::r2sonic_device {
+namespace echoloop::multibeam {
 namespace {
-
-namespace quality = r2sonic::quality;
 
 /// Bins [first, last) of the window that overlap the gate.
 std::pair<std::size_t, std::size_t> gated_bins(const Shot& shot, TimeGate gate) {
@@ -68,60 +66,59 @@ double least_power(const Echogram& echogram, double margin) {
     return echogram.noise_power * std::pow(10.0, margin / 10);
 }
 
-}  // namespace
-
-TimeGate beam_gate(const Controls& c, double angle, double sound_speed, double last_depth, double window) {
-    TimeGate gate{0, window};
-    double min = c.gate_min, max = c.gate_max;
-    const std::uint32_t mode = c.gate_mode & 0xFF;
-    const bool automatic = mode == 2 || mode == 3;
-    if (automatic) {
-        const double part = std::clamp<double>(c.gate_mode >> 8, 5, 90) / 100;
-        min = last_depth * (1 - part);
-        max = last_depth * (1 + part);
-    }
-    if (mode == 1 || (automatic && last_depth > 0)) {
-        // A plane at depth d that slopes by s: the ray at `angle` meets it at d cos s / cos(angle - s).
-        const double slope = automatic ? 0 : c.gate_slope;
-        const double to_slant = std::cos(slope) / std::max(std::cos(angle - slope), 0.05);
-        gate = {2 * min * to_slant / sound_speed, 2 * max * to_slant / sound_speed};
-    }
-    if (c.range_gate) {
-        gate.min = std::max(gate.min, 2 * c.range_gate_min / sound_speed);
-        gate.max = std::min(gate.max, 2 * c.range_gate_max / sound_speed);
-    }
-    return gate;
-}
-
-Detection detect(const Echogram& echogram, std::size_t index, TimeGate gate, double margin) {
+Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, const Rule& rule) {
     const Shot& shot = echogram.shot;
     const auto beam = echogram.beam(index);
     const auto [first, last] = gated_bins(shot, gate);
     if (first >= last) return {};
     const auto mean = over_footprints(shot, beam, shot.bearings[index], first, last);
     const auto peak = static_cast<std::size_t>(std::max_element(mean.begin(), mean.end()) - mean.begin());
-    const double least = least_power(echogram, margin);
+    const double least = least_power(echogram, rule.margin);
     if (!(mean[peak] > least)) return {};
     const auto [from, to] = run_around(mean, peak, echogram.noise_power);
     Detection detection;
     detection.time = centre_time(echogram, beam, first + from, first + to);
     detection.power = *std::max_element(beam.begin() + first + from, beam.begin() + first + to);
+    detection.excess = level_db(static_cast<float>(mean[peak] / least));
     // Interferometry needs an echo that is long against the pulse: the outer beams.
     const auto half = half_footprint(shot, shot.bearings[index], detection.time);
     const double length =
         (static_cast<double>(to - from) - 2 * static_cast<double>(half)) * shot.bin_interval;
     const bool by_phase = length > 4 * std::max(shot.pulse_length, shot.bin_interval);
-    detection.quality = by_phase ? quality::phase : quality::magnitude;
-    detection.quality |= quality::colinearity;
-    if (mean[peak] > 10 * least) detection.quality |= quality::brightness;
+    detection.method = by_phase ? Method::phase : Method::magnitude;
+    if (rule.echoes_last) detection.time = std::max(0.0, detection.time - shot.pulse_length / 2);
     return detection;
 }
 
-double median_depth(const std::vector<Detection>& detections, const std::vector<double>& angles,
+}  // namespace
+
+TimeGate time_gate(const Gates& gates, double angle, double sound_speed, double window) {
+    TimeGate gate{0, window};
+    if (gates.depth) {
+        // A plane at depth d that slopes by s: the ray at `angle` meets it at d cos s / cos(angle - s).
+        const double slope = gates.depth->slope;
+        const double to_slant = std::cos(slope) / std::max(std::cos(angle - slope), 0.05);
+        gate = {2 * gates.depth->min * to_slant / sound_speed, 2 * gates.depth->max * to_slant / sound_speed};
+    }
+    if (gates.range) {
+        gate.min = std::max(gate.min, 2 * gates.range->min / sound_speed);
+        gate.max = std::min(gate.max, 2 * gates.range->max / sound_speed);
+    }
+    return gate;
+}
+
+std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate> gates, const Rule& rule) {
+    std::vector<Detection> detections(std::min(echogram.beams(), gates.size()));
+    for (std::size_t n = 0; n < detections.size(); ++n)
+        detections[n] = detect_in(echogram, n, gates[n], rule);
+    return detections;
+}
+
+double median_depth(std::span<const Detection> detections, std::span<const double> angles,
                     double sound_speed) {
     std::vector<double> depths;
     for (std::size_t n = 0; n < detections.size(); ++n)
-        if (detections[n].quality != 0 && std::abs(angles[n]) < deg_to_rad(30))
+        if (detections[n].found() && std::abs(angles[n]) < deg_to_rad(30))
             depths.push_back(detections[n].time * sound_speed / 2 * std::cos(angles[n]));
     if (depths.empty()) return 0;
     const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
@@ -129,4 +126,4 @@ double median_depth(const std::vector<Detection>& detections, const std::vector<
     return *middle;
 }
 
-}  // namespace echoloop::r2sonic_device
+}  // namespace echoloop::multibeam

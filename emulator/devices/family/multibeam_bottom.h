@@ -1,0 +1,68 @@
+// Bottom detection as a multibeam does it: one arrival time per beam, by magnitude near the specular
+// direction and by the middle of the footprint further out. Pure functions of the echogram; knows no device's
+// settings.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/echogram.h"
+
+namespace echoloop::multibeam {
+
+/// Two-way times between which a bottom is looked for, s.
+struct TimeGate {
+    double min = 0, max = 0;
+};
+
+/// A layer in which the bottom is looked for; `min` and `max` m below the head.
+struct DepthGate {
+    double min = 0, max = 0;
+    double slope = 0;  ///< rad, positive: shallower to starboard
+};
+
+/// Slant ranges between which the bottom is looked for, m.
+struct RangeGate {
+    double min = 0, max = 0;
+};
+
+/// What a host has set; gates that are absent exclude nothing.
+struct Gates {
+    std::optional<DepthGate> depth;
+    std::optional<RangeGate> range;
+};
+
+/// The gate of one beam: its `angle` in rad from straight down, starboard positive; `sound_speed` m/s as the
+/// head believes; `window` s, what it listens at all.
+TimeGate time_gate(const Gates& gates, double angle, double sound_speed, double window);
+
+enum class Method { none, magnitude, phase };
+
+struct Detection {
+    double time = 0;  ///< two-way, s; 0: no bottom
+    float power = 0;  ///< uPa^2 at the peak
+    float excess =
+        0;  ///< dB of the echo, averaged over the footprint, above the least that counts as a bottom
+    Method method = Method::none;
+
+    bool found() const { return method != Method::none; }
+};
+
+/// What counts as a bottom, and what a head knows of its pulse.
+struct Rule {
+    double margin = 10;  ///< dB above the echogram's noise; an echo below is no bottom
+    bool echoes_last =
+        true;  ///< echoes are as long as the pulse: the bottom came half of it before their middle
+};
+
+/// Detections of all beams, with one gate each: the strongest stretch as long as the beam's footprint on a
+/// flat bottom, so that speckle does not break it up.
+std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate> gates, const Rule& rule);
+
+/// Depth below the head of the beams within 30 deg of the axis: their median, m; 0 if there is none. `angles`
+/// in rad from straight down.
+double median_depth(std::span<const Detection> detections, std::span<const double> angles,
+                    double sound_speed);
+
+}  // namespace echoloop::multibeam
