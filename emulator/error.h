@@ -16,6 +16,7 @@ enum class Exit : int {
     software = 70,
     cannot_create = 73,
     io = 74,
+    late = 75,  ///< EX_TEMPFAIL: a deadline was missed; a less busy machine may meet it
     no_permission = 77,
     config = 78,
 };

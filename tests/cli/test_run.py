@@ -18,8 +18,9 @@ class Run(ProgramTest):
         link = self.folder / "micron"
         text = self.good("run", TANK, "--duration", "0.2", *self.micron(f"pty:{link}"))
         self.assertRegex(text, rf"(?m)^  line +{link}, 115200 bit/s 8N1$")
-        self.assertIn("running; Ctrl-C ends it", text)
-        self.assertRegex(text, r"(?m)^micron +\d+ pings")
+        self.assertIn("running for 0.2 s; Ctrl-C ends it", text)
+        self.assertRegex(text, r"(?m)^micron +0 pings, none late$")
+        self.assertRegex(text, r"(?m)^  from the driver: 0 bytes, 0 messages understood, 0 refused")
         self.assertFalse(link.is_symlink())
 
     def test_a_signal_ends_it_cleanly(self):
@@ -37,6 +38,11 @@ class Run(ProgramTest):
             self.assertEqual(ended["event"], "ended")
             self.assertEqual(ended["devices"][0]["name"], "micron")
             self.assertFalse(link.is_symlink())
+
+    def test_a_missed_deadline_fails_a_run_only_on_request(self):
+        hasty = ("--set", "clock={mode: scaled, rate: 1000}", "--duration", "0.5")  # no machine is that fast
+        self.assertRegex(self.good("run", FLOOR, *hasty), r"\d late, the worst by [\d.]+ ms")
+        self.bad(75, "run", FLOOR, *hasty, "--fail-late")
 
     def test_a_port_in_use_ends_with_69(self):
         with socket.socket() as taken:

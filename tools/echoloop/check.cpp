@@ -26,11 +26,12 @@ std::string water_line(const Water& w) {
 
 void print_scene(const Scenario& scenario, const Scene& scene) {
     std::printf("%s%s\n", padded("scene", 12).c_str(), scenario.scene.c_str());
-    std::printf("%s%zu triangles, %zu objects, %s\n", padded("", 12).c_str(), scene.triangles(),
-                scene.objects().size(), extent(scene.bounds()).c_str());
+    std::printf("%s%s, %s, %s\n", padded("", 12).c_str(), counted(scene.triangles(), "triangle").c_str(),
+                counted(scene.objects().size(), "object").c_str(), extent(scene.bounds()).c_str());
     for (const auto& material : scene.materials())
-        std::printf("%s%s %s dB%s\n", padded("material", 12).c_str(), padded(material.name, 20).c_str(),
-                    plain(material.mu_db, 2).c_str(), material.double_sided ? ", both sides" : "");
+        std::printf("%s%s scatters %s dB%s\n", padded("material", 12).c_str(),
+                    padded(material.name, 20).c_str(), plain(material.mu_db, 2).c_str(),
+                    material.double_sided ? ", both sides" : "");
 }
 
 void print_devices(const Scenario& scenario) {

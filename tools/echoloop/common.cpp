@@ -38,4 +38,8 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
+std::string counted(std::uint64_t number, const std::string& noun) {
+    return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
 }  // namespace echoloop::cli

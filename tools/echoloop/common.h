@@ -24,4 +24,7 @@ std::string plain(double number, int decimals);
 /// `text` with spaces up to `width`, and at least one.
 std::string padded(std::string text, std::size_t width);
 
+/// "1 ping", "3 pings".
+std::string counted(std::uint64_t number, const std::string& noun);
+
 }  // namespace echoloop::cli

@@ -54,6 +54,8 @@ const std::vector<std::string>& driver_formats() {
     return formats;
 }
 
+std::string place_line(const WirePlace& place) { return padded(place.what, 32) + place.address; }
+
 std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
     std::vector<WirePlace> places;
     const auto first = parse_endpoint(device.config.endpoints.at(0));

@@ -15,6 +15,9 @@ struct WirePlace {
     std::string address;
 };
 
+/// "commands                  127.0.0.1:65502", in columns.
+std::string place_line(const WirePlace& place);
+
 /// Where a device can be reached and where it sends to.
 std::vector<WirePlace> wire_places(const ScenarioDevice& device);
 

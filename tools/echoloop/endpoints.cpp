@@ -9,8 +9,7 @@ namespace {
 
 void print_places(const DeviceEndpoints& entry) {
     std::printf("%s%s\n", padded(entry.device->name, 16).c_str(), entry.device->model->name.c_str());
-    for (const auto& place : entry.places)
-        std::printf("  %s%s\n", padded(place.what, 30).c_str(), place.address.c_str());
+    for (const auto& place : entry.places) std::printf("  %s\n", place_line(place).c_str());
 }
 
 void print_hint(const DeviceEndpoints& entry) {

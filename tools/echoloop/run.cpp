@@ -11,36 +11,55 @@
 namespace echoloop::cli {
 namespace {
 
-void print_start(const Scenario& scenario, const Runtime& runtime) {
-    std::printf("echoloop %s: %s, %zu triangles, %s\n", ECHOLOOP_VERSION, scenario.scene.c_str(),
-                runtime.triangles(), runtime.renderer().c_str());
-    for (const auto& [name, text] : conditions(scenario))
+void print_start(const Scenario& scenario, const Runtime& runtime, std::optional<double> duration) {
+    const auto line = [](const std::string& name, const std::string& text) {
         std::printf("%s%s\n", padded(name, 16).c_str(), text.c_str());
+    };
+    line("echoloop", ECHOLOOP_VERSION);
+    line("scene", scenario.scene.string() + ", " + counted(runtime.triangles(), "triangle"));
+    line("renderer", runtime.renderer());
+    for (const auto& [name, text] : conditions(scenario)) line(name, text);
     for (const auto& device : scenario.devices) {
-        std::printf("%s%s\n", padded(device.name, 16).c_str(), device.model->title.c_str());
-        for (const auto& place : wire_places(device))
-            std::printf("  %s%s\n", padded(place.what, 30).c_str(), place.address.c_str());
+        line(device.name, device.model->title);
+        for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
     }
-    std::printf(
-        "running; Ctrl-C ends it. For a driver: echoloop endpoints %s --format ros1 (or ros2, moos, rock)\n",
-        scenario.file.c_str());
+    std::printf("For a driver: echoloop endpoints %s --format ros1 (or ros2, moos, rock)\n",
+                scenario.file.c_str());
+    std::printf("running%s; Ctrl-C ends it\n",
+                duration ? (" for " + plain(*duration, 1) + " s").c_str() : "");
     std::fflush(stdout);
+}
+
+std::string punctuality(const SessionSummary& s) {
+    if (s.late_pings == 0) return counted(s.pings, "ping") + ", none late";
+    return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late, the worst by " +
+           plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: this machine is too busy or too slow for it";
 }
 
 void print_summary(const std::vector<SessionSummary>& sessions) {
     for (const auto& s : sessions) {
-        std::printf(
-            "%s%llu pings, %llu late (worst %s ms), %llu messages, %llu rejected, %llu bytes skipped, "
-            "%llu dropped, %llu bytes in, %llu out\n",
-            padded(s.name, 16).c_str(), static_cast<unsigned long long>(s.pings),
-            static_cast<unsigned long long>(s.late_pings),
-            plain(to_seconds(s.worst_lateness) * 1e3, 1).c_str(),
-            static_cast<unsigned long long>(s.device.messages),
-            static_cast<unsigned long long>(s.device.rejected),
-            static_cast<unsigned long long>(s.device.skipped_bytes),
-            static_cast<unsigned long long>(s.dropped), static_cast<unsigned long long>(s.bytes_in),
-            static_cast<unsigned long long>(s.bytes_out));
+        std::printf("%s%s\n", padded(s.name, 16).c_str(), punctuality(s).c_str());
+        std::printf("  from the driver: %s, %s understood, %s refused, %s of noise skipped\n",
+                    counted(s.bytes_in, "byte").c_str(), counted(s.device.messages, "message").c_str(),
+                    std::to_string(s.device.rejected).c_str(),
+                    counted(s.device.skipped_bytes, "byte").c_str());
+        std::printf("  to the driver: %s%s\n", counted(s.bytes_out, "byte").c_str(),
+                    s.dropped == 0 ? ""
+                                   : ("; " + counted(s.dropped, "message") +
+                                      " dropped, because the driver did not read them")
+                                         .c_str());
     }
+}
+
+/// Throws StartError if a deadline was missed.
+void demand_punctuality(const std::vector<SessionSummary>& sessions) {
+    for (const auto& s : sessions)
+        if (s.late_pings > 0 || s.dropped > 0)
+            throw StartError(Exit::late,
+                             s.name + ": " + counted(s.late_pings, "late ping") + " and " +
+                                 counted(s.dropped, "dropped message") +
+                                 ", and --fail-late allows none; run fewer sonars at once, or see "
+                                 "where the time goes with echoloop bench");
 }
 
 int run(const Arguments& arguments) {
@@ -54,14 +73,16 @@ int run(const Arguments& arguments) {
             std::printf("%s\n", run_started_json(scenario, runtime).c_str());
             std::fflush(stdout);
         } else {
-            print_start(scenario, runtime);
+            print_start(scenario, runtime, duration);
         }
         runtime.run(duration);
+        const auto sessions = runtime.summary();
         if (json) {
-            std::printf("%s\n", run_summary_json(runtime.summary()).c_str());
+            std::printf("%s\n", run_summary_json(sessions).c_str());
         } else {
-            print_summary(runtime.summary());
+            print_summary(sessions);
         }
+        if (arguments.has("--fail-late")) demand_punctuality(sessions);
     } catch (const StartError&) {
         throw;
     } catch (const SceneError& error) {
@@ -83,6 +104,8 @@ Verb run_verb() {
         {scenario_argument(),
          {Argument::Kind::value, "--duration", "SECONDS",
           "end after this time; without it: run until Ctrl-C"},
+         {Argument::Kind::flag, "--fail-late", "",
+          "end with status 75 if a ping was late or a message dropped"},
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop run config/demo.yaml\n"
