@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "protocols/cerulean/inspect.h"
+#include "protocols/oculus/inspect.h"
+#include "protocols/imagenex/inspect.h"
 #include "protocols/ping/inspect.h"
 #include "protocols/r2sonic/inspect.h"
 #include "protocols/seanet/inspect.h"
@@ -17,8 +20,15 @@ constexpr std::array table = {
            r2sonic::tables},
     Family{"seanet", "Tritech SeaNet, serial", Framing::stream, seanet::decode, seanet::recognise,
            seanet::tables},
+    Family{"oculus", "Blueprint Subsea Oculus, TCP and UDP", Framing::stream, oculus::decode,
+           oculus::recognise, oculus::tables},
+    // Before ping: it wants a message that no Ping device has, while a ping frame is any whole one.
+    Family{"cerulean", "Cerulean sonars, TCP and UDP", Framing::stream, cerulean::decode, cerulean::recognise,
+           cerulean::tables},
     Family{"ping", "Blue Robotics Ping, serial and UDP", Framing::stream, ping::decode, ping::recognise,
            ping::tables},
+    Family{"imagenex", "Imagenex 881A and 852, serial and files", Framing::stream, imagenex::decode,
+           imagenex::recognise, imagenex::tables},
 };
 
 std::optional<double> number_of(const wire::Value& value) {
