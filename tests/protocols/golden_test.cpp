@@ -10,6 +10,7 @@
 #include "protocols/seanet/codec.h"
 #include "protocols/seanet/framer.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/imagenex_rewritten.h"
 
 namespace echoloop {
 namespace {
@@ -42,6 +43,7 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
         const auto message = frame ? ping::parse(*frame) : wire::Result<ping::Message>(wire::Error{});
         return message ? ping::encode(*message, frame->header.source) : wire::Bytes{};
     }
+    if (family == "imagenex") return imagenex::rewritten(bytes);
     seanet::Framer framer;
     framer.feed(bytes);
     const auto frame = framer.next();

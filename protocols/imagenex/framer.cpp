@@ -1,0 +1,106 @@
+#include "protocols/imagenex/framer.h"
+
+#include <algorithm>
+
+#include "protocols/imagenex/codec.h"
+
+namespace echoloop::imagenex {
+namespace {
+
+using wire::ByteView;
+/// Bytes of the frame that starts here, 0 if none can start here, or nothing if more bytes must come first.
+using Found = std::optional<std::size_t>;
+
+constexpr std::size_t max_pending = std::size_t{128} << 10;
+constexpr std::uint8_t command_end = 0xFD, reply_end = 0xFC;
+
+/// The first FD ends what a head collects, whether it belongs there or not.
+Found find_command(ByteView bytes) {
+    if (bytes.size() > 1 && bytes[1] != 0x44) return 0;
+    const auto seen = bytes.first(std::min(bytes.size(), command_bytes));
+    const auto end = std::find(seen.begin(), seen.end(), command_end);
+    if (end != seen.end()) return end - seen.begin() + 1 == command_bytes ? command_bytes : 0;
+    return bytes.size() < command_bytes ? Found() : 0;
+}
+
+Found find_reply(ByteView bytes) {
+    constexpr std::size_t count_at = 10;
+    constexpr std::string_view letters = "MGPA";
+    if (bytes.size() > 1 && letters.find(static_cast<char>(bytes[1])) == std::string_view::npos) return 0;
+    if (bytes.size() > 2 && bytes[2] != 'X') return 0;
+    if (bytes.size() < reply_overhead) return std::nullopt;
+    std::size_t size = reply_overhead;
+    if (bytes[1] == 'A') {
+        if (bytes[3] != azimuth_head_id) return 0;
+    } else {
+        if (((bytes[count_at] | bytes[count_at + 1]) & 0x80) != 0) return 0;
+        const std::size_t data = static_cast<std::size_t>(bytes[count_at + 1]) << 7 | bytes[count_at];
+        if (!is_legal_data_size(data)) return 0;
+        size += data;
+    }
+    if (bytes.size() < size) return std::nullopt;
+    return bytes[size - 1] == reply_end ? size : 0;
+}
+
+/// Whether the reply in a whole shot has a name and an end.
+bool holds_reply(ByteView shot) {
+    const std::size_t size = static_cast<std::size_t>(shot[6]) << 8 | shot[7];
+    const ByteView reply = shot.subspan(shot_header_bytes, size);
+    return size >= reply_overhead && reply[0] == 'I' && reply[2] == 'X' && reply[size - 1] == reply_end;
+}
+
+Found find_shot(ByteView bytes) {
+    const Found size = shot_bytes(bytes);
+    if (!size || *size == 0) return size;
+    if (*size > bytes.size()) return std::nullopt;
+    return holds_reply(bytes) ? size : 0;
+}
+
+}  // namespace
+
+Found Framer::frame_bytes(ByteView bytes) const {
+    if (bytes[0] == 0xFE) return find_command(bytes);
+    if (takes_ == Takes::commands) return 0;
+    if (bytes[0] == 'I') return find_reply(bytes);
+    if (bytes[0] == '8') return find_shot(bytes);
+    return 0;
+}
+
+void Framer::feed(ByteView bytes) {
+    finished_ = false;
+    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
+    begin_ = 0;
+    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+    if (pending_bytes() > max_pending) skip(pending_bytes() - max_pending);
+}
+
+void Framer::skip(std::size_t count) {
+    begin_ += count;
+    position_ += count;
+    skipped_ += count;
+}
+
+std::optional<wire::Bytes> Framer::next() {
+    while (pending_bytes() > 0) {
+        const auto size = frame_bytes(ByteView(buffer_).subspan(begin_));
+        if (size && *size > 0) return take(*size);
+        if (!size && !finished_) return std::nullopt;
+        skip(1);
+    }
+    return std::nullopt;
+}
+
+wire::Bytes Framer::take(std::size_t size) {
+    const ByteView bytes = ByteView(buffer_).subspan(begin_, size);
+    frame_offset_ = position_;
+    begin_ += size;
+    position_ += size;
+    return {bytes.begin(), bytes.end()};
+}
+
+void Framer::clear() {
+    position_ += pending_bytes();
+    begin_ = buffer_.size();
+}
+
+}  // namespace echoloop::imagenex

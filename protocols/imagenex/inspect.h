@@ -1,0 +1,13 @@
+// The Imagenex row in the table of families. Never used by devices.
+#pragma once
+
+#include "protocols/inspect.h"
+
+namespace echoloop::imagenex {
+
+/// Commands and replies of a line, and the shots of .81A and .852 files with the replies in them.
+std::vector<inspect::Message> decode(wire::ByteView bytes);
+bool recognise(wire::ByteView bytes);
+std::vector<wire::Table> tables();
+
+}  // namespace echoloop::imagenex
