@@ -1,5 +1,6 @@
 #include "protocols/r2sonic/codec.h"
 
+#include "protocols/r2sonic/known_sections.h"
 #include "protocols/r2sonic/layouts.h"
 #include "protocols/wire/read.h"
 #include "protocols/wire/write.h"
@@ -15,6 +16,40 @@ Result<Packet> parse_as(ByteView datagram) {
     return Packet(*std::move(packet));
 }
 
+/// The layout knows the first snippet; others may follow.
+template <>
+Result<Packet> parse_as<Sni0>(ByteView datagram) {
+    wire::Reader reader{.bytes = datagram};
+    Sni0 packet;
+    if (!read_fields(reader, packet)) return reader.error;
+    while (reader.left() > 0) {
+        reader.counts = {};  // each snippet has its own number of samples
+        S1 snippet;
+        if (!starts_with(reader, wire::layout<S1>.tag)) {
+            reader.fail(wire::Reason::wrong_section, "SNI0", "s1");
+            return reader.error;
+        }
+        if (!read_section(reader, snippet)) return reader.error;
+        packet.others.push_back(std::move(snippet));
+    }
+    return Packet(std::move(packet));
+}
+
+wire::Bytes bytes_of(const auto& packet) { return wire::serialise(packet); }
+
+wire::Bytes bytes_of(const Sni0& packet) {
+    wire::Writer writer;
+    writer.counts.message(packet);
+    write_fields(writer, packet);
+    for (const S1& snippet : packet.others) {
+        writer.counts = {};
+        writer.counts.message(snippet);
+        write_section(writer, snippet);
+    }
+    writer.set_size(writer.out, writer.size_at);
+    return std::move(writer.out);
+}
+
 bool has_text(ByteView bytes, std::size_t offset, std::string_view text) {
     return bytes.size() >= offset + text.size() &&
            std::equal(text.begin(), text.end(), bytes.begin() + offset);
@@ -25,14 +60,24 @@ struct Row {
     std::string_view section;  ///< that stands at byte 12, if the name alone does not tell
     Result<Packet> (*parse)(ByteView);
 };
-constexpr Row rows[] = {{"BTH0", "", parse_as<Bth0>},     {"AID0", "H0", parse_as<Aid0Head>},
-                        {"AID0", "", parse_as<Aid0Data>}, {"STH0", "", parse_as<Sth0>},
-                        {"STS0", "", parse_as<Sts0>},     {"R2DS", "", parse_as<R2ds>},
-                        {"R2DD", "", parse_as<R2dd>},     {"R2DI", "", parse_as<R2di>},
-                        {"R2DC", "", parse_as<R2dc>},     {"CMD0", "", parse_as<Cmd0>}};
+constexpr Row rows[] = {
+    {"BTH0", "", parse_as<Bth0>},       {"AID0", "H0", parse_as<Aid0Head>}, {"AID0", "", parse_as<Aid0Data>},
+    {"WCD0", "H0", parse_as<Wcd0Head>}, {"WCD0", "", parse_as<Wcd0Data>},   {"SNI0", "", parse_as<Sni0>},
+    {"TPX0", "", parse_as<Tpx0>},       {"STH0", "", parse_as<Sth0>},       {"STS0", "", parse_as<Sts0>},
+    {"R2DS", "", parse_as<R2ds>},       {"R2DD", "", parse_as<R2dd>},       {"R2DI", "", parse_as<R2di>},
+    {"R2DC", "", parse_as<R2dc>},       {"CMD0", "", parse_as<Cmd0>}};
 
 bool is_of(const Row& row, ByteView datagram) {
     return has_text(datagram, 0, row.name) && (row.section.empty() || has_text(datagram, 12, row.section));
+}
+
+/// Sections in the usual order, no others among them.
+Result<Packet> parse_as_it_stands(ByteView datagram) {
+    for (const Row& row : rows) {
+        if (is_of(row, datagram)) return row.parse(datagram);
+    }
+    return wire::Error{"R2Sonic", "name", 0,
+                       datagram.size() < 4 ? wire::Reason::truncated : wire::Reason::unknown_message};
 }
 
 }  // namespace
@@ -42,15 +87,16 @@ bool recognise(wire::ByteView bytes) {
 }
 
 wire::Result<Packet> parse(wire::ByteView datagram) {
-    for (const Row& row : rows) {
-        if (is_of(row, datagram)) return row.parse(datagram);
-    }
-    return wire::Error{"R2Sonic", "name", 0,
-                       datagram.size() < 4 ? wire::Reason::truncated : wire::Reason::unknown_message};
+    auto packet = parse_as_it_stands(datagram);
+    if (packet) return packet;
+    const auto known = known_sections(datagram);
+    if (!known) return packet;
+    auto of_known = parse_as_it_stands(*known);
+    return of_known ? of_known : packet;
 }
 
 wire::Bytes serialise(const Packet& packet) {
-    return std::visit([](const auto& p) { return wire::serialise(p); }, packet);
+    return std::visit([](const auto& p) { return bytes_of(p); }, packet);
 }
 
 std::string_view name_of(const Packet& packet) {

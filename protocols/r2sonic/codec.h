@@ -11,7 +11,8 @@
 namespace echoloop::r2sonic {
 
 /// The packet in a datagram, told by its first characters. Sections stand in the order that readers walk;
-/// their sizes, their padding and the PacketSize must be right.
+/// their sizes, their padding and the PacketSize must be right. Unknown sections are skipped and another
+/// order of the known ones is accepted, as the maker lets parsers do.
 wire::Result<Packet> parse(wire::ByteView datagram);
 
 /// True if the datagram starts with the name of a packet that has a layout.

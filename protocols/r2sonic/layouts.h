@@ -4,6 +4,7 @@
 #include "protocols/r2sonic/messages.h"
 #include "protocols/r2sonic/section_layouts.h"
 #include "protocols/r2sonic/status_layouts.h"
+#include "protocols/r2sonic/water_layouts.h"
 
 namespace echoloop::r2sonic {
 
@@ -31,6 +32,29 @@ constexpr auto wire_layout(Tag<Aid0Data>) {
     return make_layout<Aid0Data>(packet_of("AID0 data", "part of an acoustic image"), packet_name("AID0"),
                                  packet_size(), field(&Aid0Data::stream_id, "stream_id", "", "0"),
                                  section(&Aid0Data::m0, "m0", "samples"));
+}
+constexpr auto wire_layout(Tag<Wcd0Head>) {
+    return make_layout<Wcd0Head>(
+        packet_of("WCD0 head", "first datagram of a water column"), packet_name("WCD0"), packet_size(),
+        field(&Wcd0Head::stream_id, "stream_id", "", "0"), section(&Wcd0Head::h0, "h0", "settings"),
+        section(&Wcd0Head::a1, "a1", "beam angles"));
+}
+constexpr auto wire_layout(Tag<Wcd0Data>) {
+    return make_layout<Wcd0Data>(packet_of("WCD0 data", "part of a water column"), packet_name("WCD0"),
+                                 packet_size(), field(&Wcd0Data::stream_id, "stream_id", "", "0"),
+                                 section(&Wcd0Data::samples, "samples", "one of both"));
+}
+constexpr auto wire_layout(Tag<Sni0>) {
+    return make_layout<Sni0>(packet_of("SNI0", "snippets"), packet_name("SNI0"), packet_size(),
+                             field(&Sni0::stream_id, "stream_id", "", "0"),
+                             section(&Sni0::h0, "h0", "settings, in the first datagram of a ping"),
+                             section(&Sni0::s1, "s1", "one snippet or more"));
+}
+constexpr auto wire_layout(Tag<Tpx0>) {
+    return make_layout<Tpx0>(packet_of("TPX0", "part of a TruePix ping"), packet_name("TPX0"), packet_size(),
+                             field(&Tpx0::stream_id, "stream_id", "", "0"),
+                             section(&Tpx0::h0, "h0", "settings, in the first datagram of a ping"),
+                             section(&Tpx0::samples, "samples", "one of both"));
 }
 constexpr auto wire_layout(Tag<Sth0>) {
     return make_layout<Sth0>(packet_of("STH0", "status of the head"), packet_name("STH0"), packet_size(),

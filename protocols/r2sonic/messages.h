@@ -11,6 +11,7 @@
 
 #include "protocols/r2sonic/sections.h"
 #include "protocols/r2sonic/status.h"
+#include "protocols/r2sonic/water_sections.h"
 
 namespace echoloop::r2sonic {
 
@@ -44,6 +45,41 @@ struct Aid0Data {
     M0 m0;
 
     friend bool operator==(const Aid0Data&, const Aid0Data&) = default;
+};
+
+/// First datagram of a water column. H0.points is written as the number of angles.
+struct Wcd0Head {
+    std::uint32_t stream_id = 0;
+    H0 h0;
+    A1 a1;
+
+    friend bool operator==(const Wcd0Head&, const Wcd0Head&) = default;
+};
+/// Every other datagram of a water column.
+struct Wcd0Data {
+    std::uint32_t stream_id = 0;
+    std::variant<M1, M2> samples;
+
+    friend bool operator==(const Wcd0Data&, const Wcd0Data&) = default;
+};
+
+/// Snippets: one or more in a datagram, the settings in the first datagram of a ping.
+struct Sni0 {
+    std::uint32_t stream_id = 0;
+    std::optional<LongH0> h0;
+    S1 s1;
+    std::vector<S1> others;  ///< that follow s1
+
+    friend bool operator==(const Sni0&, const Sni0&) = default;
+};
+
+/// Part of a TruePix ping, the settings in its first datagram.
+struct Tpx0 {
+    std::uint32_t stream_id = 0;
+    std::optional<LongH0> h0;
+    std::variant<D0, D1> samples;
+
+    friend bool operator==(const Tpx0&, const Tpx0&) = default;
 };
 
 /// Status of the head.
@@ -132,6 +168,7 @@ struct Cmd0 {
     friend bool operator==(const Cmd0&, const Cmd0&) = default;
 };
 
-using Packet = std::variant<Bth0, Aid0Head, Aid0Data, Sth0, Sts0, R2ds, R2dd, R2di, R2dc, Cmd0>;
+using Packet = std::variant<Bth0, Aid0Head, Aid0Data, Wcd0Head, Wcd0Data, Sni0, Tpx0, Sth0, Sts0, R2ds, R2dd,
+                            R2di, R2dc, Cmd0>;
 
 }  // namespace echoloop::r2sonic

@@ -20,6 +20,13 @@ HEAD = [(14, "H", "hd_ctrl"), (16, "B", "hd_type"), (17, "I", "tx_n1"), (21, "I"
 V3B = [(0, "B", "ad_span1"), (1, "B", "ad_span2"), (2, "B", "ad_low1"), (3, "B", "ad_low2"),
        (4, "B", "initial_gain1"), (5, "B", "initial_gain2"), (6, "B", "adc_set_point1"), (7, "B", "adc_set_point2"),
        (8, "H", "adv_slope1"), (10, "H", "adv_slope2"), (12, "H", "slope_delay1"), (14, "H", "slope_delay2")]
+# A profiler's commands: the same places, other meanings.
+PROFILER = [(offset, fmt, {"ad_span": "ad_threshold", "ad_low": "filt_gain", "initial_gain1": "agc_max",
+                           "initial_gain2": "agc_set_point", "ad_interval": "scan_time", "bins": "prf_spl",
+                           "max_ad_buffer": "prf_ctl2"}.get(name, name)) for offset, fmt, name in HEAD]
+GAINS = [(0, "B", "ad_threshold1"), (1, "B", "ad_threshold2"), (2, "B", "filt_gain1"), (3, "B", "filt_gain2"),
+         (4, "B", "agc_max1"), (5, "B", "agc_max2"), (6, "B", "agc_set_point1"), (7, "B", "agc_set_point2"),
+         (8, "H", "adv_slope1"), (10, "H", "adv_slope2"), (12, "H", "slope_delay1"), (14, "H", "slope_delay2")]
 PORT = ["baud_low", "baud_high", "parity_low", "parity_high", "data_bits_low", "data_bits_high"]
 
 
@@ -57,6 +64,14 @@ SEANET = {  # name: (id, total bytes or None, fields)
                            (35, "H", "left_limit"), (37, "H", "right_limit"), (39, "B", "step_size"),
                            (40, "H", "bearing"), (42, "H", "data_bytes")]),
     "AuxData": (8, None, [(13, "H", "count")]),
+    "ProfilerCommand": (19, 82, [(13, "B", "type")] + prefixed(PROFILER, "parameters.")
+                        + prefixed(GAINS, "gains.", 65)),
+    "ProfilerGainCommand": (19, 31, [(13, "B", "type")] + prefixed(GAINS, "gains.", 14)),
+    "ProfilerData": (2, None, [(15, "B", "device_type"), (16, "B", "head_status"), (17, "B", "sweep_code"),
+                               (18, "H", "hd_ctrl"), (20, "H", "range_scale"), (22, "I", "tx_n"), (26, "B", "gain"),
+                               (27, "H", "slope"), (29, "B", "ad_threshold"), (30, "B", "filt_gain"),
+                               (31, "H", "left_limit"), (33, "H", "right_limit"), (35, "B", "step_size"),
+                               (36, "H", "scan_time"), (38, "H", "count")]),
 }
 
 
@@ -79,13 +94,20 @@ def seanet(name, data):
     assert data[10] == message_id and data[11] == 0x80, "id or sequence"
     assert total is None or total == len(data), "size"
     command = message_id in (16, 19, 23, 24, 25, 66)
-    assert (data[7], data[8], data[12]) == ((255, 2, 2) if command else (2, 255, 2)), "nodes"
-    assert data[9] == (0 if name == "HeadData" else (length - 5) & 0xFF), "byte 9"
+    sonar = 20 if name.startswith("Profiler") else 2
+    assert (data[7], data[8], data[12]) == ((255, sonar, sonar) if command else (sonar, 255, sonar)), "nodes"
+    assert data[9] == (0 if message_id == 2 else (length - 5) & 0xFF), "byte 9"
     out = read(data, "<", fields)
     if name == "HeadData":
         count = out["data_bytes"]
         assert len(data) == count + 45 and out["total_count"] == count + 31, "Dbytes"
         out["bins"] = list(data[44:44 + count])
+    if name == "ProfilerData":
+        count = out["count"]
+        total = int.from_bytes(data[13:15], "little")
+        assert len(data) == 2 * count + 51 == total + 14, "count"
+        out["echo_times"] = [int.from_bytes(data[40 + 2 * i:42 + 2 * i], "little") for i in range(count)]
+        out["trailer"] = list(data[40 + 2 * count:-1])
     if name == "AuxData":
         assert len(data) == out["count"] + 16, "count"
         out["data"] = list(data[15:-1])
@@ -130,6 +152,42 @@ PLAIN = {
 }
 
 
+PARTS = ("M1", "M2", "S1", "D0", "D1")
+
+
+def part_fields(tag, body):
+    """Sections of which a ping has many; their counts stand in themselves."""
+    if tag in ("M1", "M2"):
+        samples, beams = struct.unpack_from(">H", body, 20)[0], struct.unpack_from(">H", body, 26)[0]
+        fields = [(4, "I", "ping_number"), (8, "f", "reserved8"), (12, "I", "total_samples"),
+                  (16, "I", "first_sample"), (20, "H", "samples"), (22, "H", "total_beams"), (24, "H", "first_beam"),
+                  (26, "H", "beams"), (28, "I", "reserved28"), (32, "I", "reserved32")]
+        if tag == "M1":
+            return fields + array(36, beams * samples, "H", "data")
+        return fields + pairs(36, beams * samples, [("H", "magnitude"), ("h", "phase")])
+    if tag == "S1":
+        count = struct.unpack_from(">H", body, 10)[0]
+        return [(4, "I", "ping_number"), (8, "H", "snippet"), (10, "H", "samples"), (12, "I", "first_sample"),
+                (16, "f", "angle"), (20, "f", "scale_first"), (24, "f", "scale_last"),
+                (28, "I", "reserved28")] + array(32, count, "H", "magnitude")
+    count = struct.unpack_from(">H", body, 16)[0]
+    fields = [(4, "I", "ping_number"), (8, "I", "total_samples"), (12, "I", "first_sample"), (16, "H", "samples"),
+              (18, "H", "reserved18"), (20, "8f", "scaling")]
+    if tag == "D0":
+        return fields + pairs(52, count, [("H", "port"), ("H", "starboard")])
+    return fields + [(52, "f", "angle_scale")] + pairs(56, count, [("H", "port"), ("h", "port_angle"),
+                                                                  ("H", "starboard"), ("h", "starboard_angle")])
+
+
+def pairs(offset, count, members):
+    out = []
+    for i in range(count):
+        for fmt, name in members:
+            out.append((offset, fmt, f"data[{i}].{name}"))
+            offset += 2
+    return out
+
+
 def section_fields(tag, n, m0=None):
     more = (4, "6f", "more")
     if tag == "M0":
@@ -166,10 +224,12 @@ def sections(data):
         if tag == "H0":
             n = struct.unpack_from(">H", body, 114)[0]
         m0 = struct.unpack_from(">H", body, 30) + struct.unpack_from(">H", body, 24) if tag == "M0" else None
-        fields = section_fields(tag, n, m0)
+        fields = part_fields(tag, body) if tag in PARTS else section_fields(tag, n, m0)
+        if tag == "H0" and size == 140:  # of SNI0 and TPX0
+            fields = [(at_, fmt, f"settings.{name}") for at_, fmt, name in H0] + [(116, "6f", "more")]
         used = max([4] + [offset + struct.calcsize(">" + fmt) for offset, fmt, _ in fields])
         assert used <= size < used + 4 and not any(body[used:]), "padding"
-        name = tag if tag in ("A0", "A2") else tag.lower()
+        name = tag if tag in ("A0", "A2", "M1", "M2", "D0", "D1") else tag.lower()
         out.update({f"{name}.{k}": v for k, v in read(body, ">", fields).items()})
         at += size
     return out
