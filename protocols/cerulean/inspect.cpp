@@ -5,6 +5,7 @@
 #include "protocols/cerulean/layouts.h"
 #include "protocols/cerulean/omniscan_codec.h"
 #include "protocols/cerulean/s500_codec.h"
+#include "protocols/cerulean/surveyor_codec.h"
 #include "protocols/inspect_stream.h"
 #include "protocols/ping/framer.h"
 
@@ -17,6 +18,7 @@ constexpr std::size_t frame_overhead = ping::min_frame_bytes;
 constexpr bool (*devices[])(const ping::Frame&, inspect::Message&) = {
     omniscan::add_fields,
     s500::add_fields,
+    surveyor::add_fields,
 };
 
 std::string name_of(ping::Id id) {
@@ -88,7 +90,8 @@ bool recognise(wire::ByteView bytes) {
 std::vector<wire::Table> tables() {
     std::vector<wire::Table> all{table_of<Header>(), table_of<JsonWrapper>(), table_of<SetSpeedOfSound>(),
                                  table_of<GeneralSpeedOfSound>()};
-    for (auto more : {omniscan::tables(), s500::tables()}) all.insert(all.end(), more.begin(), more.end());
+    for (auto more : {omniscan::tables(), s500::tables(), surveyor::tables()})
+        all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 

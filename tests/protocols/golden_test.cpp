@@ -9,6 +9,7 @@
 #include "protocols/r2sonic/codec.h"
 #include "protocols/seanet/codec.h"
 #include "protocols/seanet/framer.h"
+#include "tests/protocols/cerulean_rewritten.h"
 #include "tests/protocols/data.h"
 #include "tests/protocols/imagenex_rewritten.h"
 
@@ -44,6 +45,7 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
         return message ? ping::encode(*message, frame->header.source) : wire::Bytes{};
     }
     if (family == "imagenex") return imagenex::rewritten(bytes);
+    if (family == "cerulean") return cerulean::rewritten(bytes);
     seanet::Framer framer;
     framer.feed(bytes);
     const auto frame = framer.next();
