@@ -19,11 +19,14 @@ struct RunningDevice {
     std::vector<std::string> places;  ///< what its transports call themselves
 };
 
+class Recording;
+
 class Runtime {
   public:
     /// Loads the scene, makes the renderer and opens every endpoint; nothing is said on any of them yet.
     /// Throws SceneError, StartError or std::runtime_error, and then has left nothing behind.
-    explicit Runtime(const Scenario& scenario);
+    /// `recording`, if there is one, gets the traffic of every port and outlives this.
+    explicit Runtime(const Scenario& scenario, Recording* recording = nullptr);
     ~Runtime();
 
     std::vector<RunningDevice> devices() const;

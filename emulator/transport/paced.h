@@ -15,6 +15,7 @@ class Paced final : public Transport {
     Task<void> write(ByteView bytes, Address to) override;
     void close() override;
     std::string describe() const override { return line_->describe(); }
+    Wire wire() const override { return line_->wire(); }
     std::uint64_t bytes_in() const override { return line_->bytes_in(); }
     std::uint64_t bytes_out() const override { return line_->bytes_out(); }
 

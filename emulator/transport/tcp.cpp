@@ -38,6 +38,11 @@ Task<std::size_t> write_or_lose(Tcp::socket& socket, ByteView bytes) {
     co_return sent;
 }
 
+Wire ends_of(const Tcp::socket& socket, Wire::Kind kind) {
+    error_code ec;
+    return {kind, to_address(socket.local_endpoint(ec)), to_address(socket.remote_endpoint(ec))};
+}
+
 void prepare(Tcp::socket& socket) {
     error_code ignored;
     socket.set_option(Tcp::no_delay(true), ignored);
@@ -101,6 +106,12 @@ std::string TcpListener::describe() const {
     return "tcp-listen://" + to_text(to_address(acceptor_.local_endpoint(ec)));
 }
 
+Wire TcpListener::wire() const {
+    error_code ec;
+    if (!driver_) return {Wire::Kind::tcp_server, to_address(acceptor_.local_endpoint(ec)), {}};
+    return ends_of(*driver_, Wire::Kind::tcp_server);
+}
+
 TcpClient::TcpClient(asio::io_context& io, std::string host, std::uint16_t port)
     : socket_(io), retry_(io), host_(std::move(host)), port_(port) {}
 
@@ -151,5 +162,7 @@ void TcpClient::close() {
 }
 
 std::string TcpClient::describe() const { return "tcp://" + host_ + ":" + std::to_string(port_); }
+
+Wire TcpClient::wire() const { return ends_of(socket_, Wire::Kind::tcp_client); }
 
 }  // namespace echoloop

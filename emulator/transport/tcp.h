@@ -18,6 +18,7 @@ class TcpListener final : public CountingTransport {
     Task<void> write(ByteView bytes, Address to) override;
     void close() override;
     std::string describe() const override;
+    Wire wire() const override;
 
   private:
     Task<void> accept_drivers();
@@ -37,6 +38,7 @@ class TcpClient final : public CountingTransport {
     Task<void> write(ByteView bytes, Address to) override;
     void close() override;
     std::string describe() const override;
+    Wire wire() const override;
 
   private:
     Task<void> keep_connected();

@@ -10,6 +10,13 @@
 
 namespace echoloop {
 
+/// What kind of wire it is, and its two ends where it is a network.
+struct Wire {
+    enum class Kind { serial, udp, tcp_server, tcp_client };
+    Kind kind = Kind::serial;
+    Address local, remote;  ///< remote: of the driver, or of whom is written to by default; zero if not known
+};
+
 class Transport {
   public:
     /// What a transport tells its session.
@@ -31,6 +38,7 @@ class Transport {
     virtual void close() = 0;
     /// What a person calls this place, e.g. "pty:/tmp/echoloop/micron -> /dev/pts/3".
     virtual std::string describe() const = 0;
+    virtual Wire wire() const { return {}; }
     virtual std::uint64_t bytes_in() const = 0;
     virtual std::uint64_t bytes_out() const = 0;
 };

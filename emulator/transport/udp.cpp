@@ -70,4 +70,9 @@ std::string Udp::describe() const {
     return "udp-listen://" + to_text(to_address(socket_.local_endpoint(ec)));
 }
 
+Wire Udp::wire() const {
+    error_code ec;
+    return {Wire::Kind::udp, to_address(socket_.local_endpoint(ec)), reply_to_};
+}
+
 }  // namespace echoloop

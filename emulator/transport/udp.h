@@ -17,6 +17,7 @@ class Udp final : public CountingTransport {
     Task<void> write(ByteView bytes, Address to) override;
     void close() override;
     std::string describe() const override;
+    Wire wire() const override;
 
   private:
     Task<void> read_datagrams();

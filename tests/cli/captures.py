@@ -1,7 +1,7 @@
 """Capture files made by hand, byte by byte from the pcap and IP header layouts."""
 import struct
 
-ETHERNET, RAW, SLL, NULL = 1, 101, 113, 0
+ETHERNET, RAW, SLL, NULL, RTAC_SERIAL = 1, 101, 113, 0, 250
 
 
 def pcap(packets, link=ETHERNET, snaplen=262144):
@@ -31,6 +31,39 @@ def fragments(body, size):
         more = 0x2000 if at + size < len(body) else 0
         pieces.append(ipv4(body[at:at + size], more | at // 8))
     return pieces
+
+
+def tcp(payload, sequence, flags=0x18, ports=(4000, 65500)):
+    return struct.pack(">HHIIBBHHH", *ports, sequence & 0xFFFFFFFF, 0, 5 << 4, flags, 65535, 0, 0) + payload
+
+
+def rtac(payload, event, seconds=1000):
+    """LINKTYPE_RTAC_SERIAL: event 1 is data that the capturing side sent, 2 data that it received."""
+    return struct.pack(">IIBBH", seconds, 0, event, 0, 0) + payload
+
+
+class Pcapng:
+    """Blocks of a pcapng file in either byte order."""
+
+    def __init__(self, order="<"):
+        self.order = order
+        self.data = self.block(0x0A0D0D0A, struct.pack(order + "IHHq", 0x1A2B3C4D, 1, 0, -1))
+
+    def block(self, kind, body):
+        body += bytes(-len(body) % 4)
+        size = struct.pack(self.order + "I", len(body) + 12)
+        return struct.pack(self.order + "I", kind) + size + body + size
+
+    def interface(self, link, name=b"", resolution=9):
+        options = struct.pack(self.order + "HH", 2, len(name)) + name + bytes(-len(name) % 4) if name else b""
+        options += struct.pack(self.order + "HHB3x", 9, 1, resolution) + bytes(4)
+        self.data += self.block(1, struct.pack(self.order + "HHI", link, 0, 0) + options)
+        return self
+
+    def packet(self, interface, data, ticks):
+        head = struct.pack(self.order + "IIIII", interface, ticks >> 32, ticks & 0xFFFFFFFF, len(data), len(data))
+        self.data += self.block(6, head + data)
+        return self
 
 
 # R2Sonic commands: "CMD0", then name and value. SeaNet mtReBoot, host to sonar.

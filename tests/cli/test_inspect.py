@@ -67,8 +67,8 @@ class Inspect(ProgramTest):
         lost = self.file(pcap([ethernet(ipv4(udp(COMMANDS)))] + pieces[1:]))
         self.assertEqual(self.json("inspect", lost)["summary"]["incomplete_datagrams"], 1)
 
-    def test_what_is_no_udp_is_counted(self):
-        packets = [ethernet(ipv4(udp(COMMANDS))), ethernet(ipv4(b"tcp" * 10, protocol=6)), b"short",
+    def test_what_is_not_understood_is_counted(self):
+        packets = [ethernet(ipv4(udp(COMMANDS))), ethernet(ipv4(b"icmp" * 10, protocol=1)), b"short",
                    bytes(12) + b"\x86\xdd" + bytes(60)]
         self.assertEqual(self.json("inspect", self.file(pcap(packets)))["summary"]["skipped_packets"], 3)
 

@@ -10,6 +10,8 @@
 
 #include "emulator/error.h"
 #include "emulator/scenario/file.h"
+#include "tools/echoloop/pcapng_reader.h"
+#include "tools/echoloop/tcp_streams.h"
 
 namespace echoloop::cli {
 namespace {
@@ -98,7 +100,56 @@ std::FILE* Input::release() {
     return stream;
 }
 
-CaptureCounts read_capture(Input& input, const std::function<void(double, const Datagram&)>& each) {
+namespace {
+
+/// Hands the content of packets on, stream bytes in their order.
+class Sorter {
+  public:
+    Sorter(const CaptureEvents& events, CaptureCounts& counts) : events_(events), counts_(counts) {}
+
+    void add(int link_type, const std::string& interface, double time, ByteView bytes) {
+        ++counts_.packets;
+        time_ = time;
+        const Packet packet = reader_.read(link_type, bytes);
+        if (const auto* datagram = std::get_if<Datagram>(&packet)) events_.datagram(time, *datagram);
+        if (const auto* segment = std::get_if<TcpSegment>(&packet)) tcp_.add(*segment, tcp_bytes());
+        if (const auto* serial = std::get_if<SerialBytes>(&packet))
+            events_.stream(time, {interface, serial->sent, {}, {}, serial->payload});
+    }
+
+    void finish() {
+        tcp_.finish(tcp_bytes());
+        counts_.skipped = reader_.skipped();
+        counts_.incomplete = reader_.incomplete();
+    }
+
+  private:
+    TcpStreams::Each tcp_bytes() {
+        return [this](Address from, Address to, ByteView bytes, bool gap) {
+            events_.stream(time_, {"", false, from, to, bytes, gap});
+        };
+    }
+
+    const CaptureEvents& events_;
+    CaptureCounts& counts_;
+    double time_ = 0;
+    PacketReader reader_;
+    TcpStreams tcp_;
+};
+
+void read_pcapng(Input& input, Sorter& sorter, CaptureCounts& counts) {
+    PcapngReader file([&input](std::size_t count) { return input.read(count); });
+    while (const auto packet = file.next()) {
+        const double time = std::chrono::duration<double>(packet->time).count();
+        sorter.add(packet->link_type, packet->interface, time, packet->bytes);
+    }
+    counts.fault = file.fault();
+    if (counts.packets == 0 && !counts.fault.empty())
+        throw StartError(Exit::data, scenario::in_quotes(input.name()) +
+                                         " is no capture that can be read: " + counts.fault);
+}
+
+void read_pcap(Input& input, Sorter& sorter, CaptureCounts& counts) {
     char error[PCAP_ERRBUF_SIZE] = "";
     std::FILE* stream = input.release();
     const std::unique_ptr<pcap_t, decltype(&pcap_close)> capture(
@@ -115,18 +166,26 @@ CaptureCounts read_capture(Input& input, const std::function<void(double, const 
                                          (link_name == nullptr ? std::to_string(link) : link_name) +
                                          " are not understood; capture on Ethernet, loopback or \"any\"");
     }
-    PacketReader reader(link);
-    CaptureCounts counts;
     pcap_pkthdr* header = nullptr;
     const std::uint8_t* bytes = nullptr;
     int status = 0;
-    while ((status = pcap_next_ex(capture.get(), &header, &bytes)) == 1) {
-        ++counts.packets;
-        if (const auto datagram = reader.read({bytes, header->caplen})) each(seconds(header->ts), *datagram);
-    }
+    while ((status = pcap_next_ex(capture.get(), &header, &bytes)) == 1)
+        sorter.add(link, "", seconds(header->ts), {bytes, header->caplen});
     if (status == PCAP_ERROR) counts.fault = scenario::printable(pcap_geterr(capture.get()));
-    counts.skipped = reader.skipped();
-    counts.incomplete = reader.incomplete();
+}
+
+}  // namespace
+
+CaptureCounts read_capture(Input& input, const CaptureEvents& events) {
+    CaptureCounts counts;
+    Sorter sorter(events, counts);
+    constexpr std::uint8_t pcapng_starts = 0x0A;
+    const Bytes& start = input.peek(magic_size);
+    if (!start.empty() && start[0] == pcapng_starts)
+        read_pcapng(input, sorter, counts);
+    else
+        read_pcap(input, sorter, counts);
+    sorter.finish();
     return counts;
 }
 

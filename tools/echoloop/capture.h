@@ -36,13 +36,28 @@ class Input {
 
 struct CaptureCounts {
     std::uint64_t packets = 0;
-    std::uint64_t skipped = 0;   ///< no UDP over IPv4, or broken
+    std::uint64_t skipped = 0;   ///< no UDP or TCP over IPv4, no serial line, or broken
     std::size_t incomplete = 0;  ///< datagrams of which fragments are missing
     std::string fault;           ///< why reading ended before the end of the file; empty: it did not
 };
 
-/// Calls `each` with the time (s since 1970) and content of every UDP datagram. Throws StartError (data) if
-/// the file is no capture that can be read.
-CaptureCounts read_capture(Input& input, const std::function<void(double, const Datagram&)>& each);
+/// Bytes that come next on a serial line or in one direction of a TCP connection.
+struct StreamPiece {
+    std::string line;   ///< name of a serial line's interface; "" for TCP
+    bool sent = false;  ///< serial: by the capturing side
+    Address from, to;   ///< TCP
+    ByteView bytes;
+    bool gap = false;  ///< the capture lacks bytes before these
+};
+
+/// What a capture holds, in its order; times in s since 1970.
+struct CaptureEvents {
+    std::function<void(double, const Datagram&)> datagram;
+    std::function<void(double, const StreamPiece&)> stream;
+};
+
+/// pcap files through libpcap; pcapng files with interfaces of any link. Throws StartError (data) if the file
+/// is no capture that can be read.
+CaptureCounts read_capture(Input& input, const CaptureEvents& events);
 
 }  // namespace echoloop::cli

@@ -8,6 +8,7 @@
 #include "tools/echoloop/capture.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/json_output.h"
+#include "tools/echoloop/stream_decoder.h"
 #include "tools/echoloop/stream_windows.h"
 #include "tools/echoloop/terminal.h"
 
@@ -18,8 +19,9 @@ constexpr std::size_t largest_datagram = 65535;
 
 /// Where a message comes from, as people and as JSON see it.
 std::string origin_text(const InspectOrigin& origin) {
-    if (!origin.from) return {};
-    return "  t=" + plain(origin.time, 6) + " s  " + text_of(*origin.from) + " -> " + text_of(*origin.to);
+    if (!origin.from && origin.line.empty()) return {};
+    const auto who = origin.from ? text_of(*origin.from) + " -> " + text_of(*origin.to) : origin.line;
+    return "  t=" + plain(origin.time, 6) + " s  " + who;
 }
 
 /// "16 (ReBoot)", "31.948 m", "29176 x 0.01 K". Bytes of the capture that would steer a terminal are
@@ -83,7 +85,7 @@ class Output {
         std::printf("messages: %s; broken %zu; not decoded %zu bytes", names.empty() ? "none" : names.c_str(),
                     summary_.broken, summary_.undecoded_bytes);
         if (summary_.packets)
-            std::printf("; packets %llu, not UDP over IPv4 %llu, missing fragments %zu",
+            std::printf("; packets %llu, not understood %llu, missing fragments %zu",
                         static_cast<unsigned long long>(*summary_.packets),
                         static_cast<unsigned long long>(summary_.skipped_packets), summary_.incomplete);
         std::printf("\n");
@@ -121,12 +123,71 @@ void inspect_datagram(const Datagram& datagram, double time, const inspect::Fami
         for (const auto& message : family->decode(datagram.payload)) output.add(origin, message);
 }
 
+/// Names of the two who speak on a captured serial line.
+std::string line_text(const StreamPiece& piece) {
+    return (piece.line.empty() ? "serial line" : piece.line) + (piece.sent ? ", sent" : ", received");
+}
+
+/// The streams of a capture, each decoded by itself.
+class Streams {
+  public:
+    Streams(const inspect::Family* family, Output& output) : family_(family), output_(output) {}
+
+    void add(double time, const StreamPiece& piece) {
+        constexpr std::size_t most = 4096;
+        const auto line = piece.from.port == 0 ? line_text(piece) : std::string();
+        const Key key{line, piece.from, piece.to};
+        if (!streams_.contains(key) && streams_.size() >= most) finish();
+        Stream& stream = streams_.try_emplace(key, Stream{StreamDecoder(family_), time}).first->second;
+        if (piece.gap) stream.decoder.finish(printer(key, stream.time));
+        stream.time = time;
+        stream.decoder.add(piece.bytes, printer(key, time));
+    }
+    void finish() {
+        for (auto& [key, stream] : streams_) stream.decoder.finish(printer(key, stream.time));
+        streams_.clear();
+    }
+
+  private:
+    using Key = std::tuple<std::string, Address, Address>;
+    struct Stream {
+        StreamDecoder decoder;
+        double time = 0;  ///< of the last bytes
+    };
+
+    StreamDecoder::Each printer(const Key& key, double time) {
+        const auto& [line, from, to] = key;
+        InspectOrigin origin{"", time, {}, {}, line};
+        if (line.empty()) {
+            origin.from = from;
+            origin.to = to;
+        }
+        return [this, origin](const inspect::Family* family, const inspect::Message& message) mutable {
+            origin.family = family == nullptr ? "" : std::string(family->name);
+            output_.add(origin, message);
+        };
+    }
+
+    const inspect::Family* family_;
+    Output& output_;
+    std::map<Key, Stream> streams_;
+};
+
 void inspect_capture(Input& input, const inspect::Family* family, Output& output) {
     std::optional<double> start;
-    const auto counts = read_capture(input, [&](double time, const Datagram& datagram) {
+    Streams streams(family, output);
+    const auto since_start = [&start](double time) {
         if (!start) start = time;
-        inspect_datagram(datagram, time - *start, family, output);
-    });
+        return time - *start;
+    };
+    const auto counts = read_capture(
+        input,
+        {.datagram =
+             [&](double time, const Datagram& datagram) {
+                 inspect_datagram(datagram, since_start(time), family, output);
+             },
+         .stream = [&](double time, const StreamPiece& piece) { streams.add(since_start(time), piece); }});
+    streams.finish();
     output.summary().packets = counts.packets;
     output.summary().skipped_packets = counts.skipped;
     output.summary().incomplete = counts.incomplete;

@@ -263,6 +263,7 @@ std::string message_json(const InspectOrigin& origin, const inspect::Message& me
     Json json;
     if (origin.from)
         json.update({{"time", origin.time}, {"from", text_of(*origin.from)}, {"to", text_of(*origin.to)}});
+    if (!origin.line.empty()) json.update({{"time", origin.time}, {"line", origin.line}});
     json.update({{"family", origin.family},
                  {"name", message.name},
                  {"offset", message.offset},

@@ -44,6 +44,7 @@ struct InspectOrigin {
     std::string family{};
     double time = 0;
     std::optional<Address> from{}, to{};
+    std::string line{};  ///< serial: which, and who speaks
 };
 struct InspectSummary {
     std::map<std::string, std::size_t> messages;  ///< decoded ones by name

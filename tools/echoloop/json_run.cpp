@@ -25,7 +25,7 @@ std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
                     {"devices", devices}});
 }
 
-std::string run_summary_json(const std::vector<SessionSummary>& sessions) {
+std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Recording* recording) {
     Json devices = Json::array();
     for (const auto& s : sessions)
         devices.push_back({{"name", s.name},
@@ -38,7 +38,17 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions) {
                            {"dropped", s.dropped},
                            {"bytes_in", s.bytes_in},
                            {"bytes_out", s.bytes_out}});
-    return line_of({{"event", "ended"}, {"devices", devices}});
+    Json ended{{"event", "ended"}, {"devices", devices}};
+    if (recording != nullptr) {
+        const RecordingSummary s = recording->summary();
+        ended["recording"] = {{"file", recording->file().string()},
+                              {"files", s.files},
+                              {"packets", s.packets},
+                              {"bytes", s.bytes},
+                              {"lost", s.lost},
+                              {"stopped", s.stopped}};
+    }
+    return line_of(ended);
 }
 
 }  // namespace echoloop::cli

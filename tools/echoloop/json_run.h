@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "emulator/capture/recording.h"
 #include "emulator/runtime.h"
 
 namespace echoloop::cli {
 
 std::string run_started_json(const Scenario& scenario, const Runtime& runtime);
-std::string run_summary_json(const std::vector<SessionSummary>& sessions);
+/// `recording`: nullptr if there is none.
+std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Recording* recording);
 
 }  // namespace echoloop::cli

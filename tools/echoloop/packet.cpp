@@ -11,7 +11,8 @@ constexpr std::size_t most_partials = 64;
 constexpr std::size_t most_pieces = 1024;
 constexpr std::size_t udp_header = 8;
 constexpr std::size_t smallest_ipv4_header = 20;
-constexpr std::uint8_t udp_protocol = 17;
+constexpr std::uint8_t udp_protocol = 17, tcp_protocol = 6;
+constexpr int linktype_raw = 101, rtac_serial = 250;  // numbers in files, where a DLT_ may differ
 constexpr std::uint16_t ipv4_type = 0x0800;
 
 /// Big-endian; the caller has checked that the bytes are there.
@@ -56,6 +57,7 @@ std::optional<ByteView> ip_packet(int link_type, ByteView packet) {
         case DLT_LOOP:
             return behind_null(packet);
         case DLT_RAW:
+        case linktype_raw:
         case DLT_IPV4:
             return packet;
         default:
@@ -75,40 +77,69 @@ std::optional<Datagram> datagram_of(Address from, Address to, Bytes udp) {
     return datagram;
 }
 
+std::optional<TcpSegment> segment_of(Address from, Address to, ByteView tcp) {
+    constexpr std::size_t smallest_header = 20;
+    constexpr std::uint8_t syn = 2;
+    if (tcp.size() < smallest_header) return {};
+    const std::size_t header = (tcp[12] >> 4) * std::size_t{4};
+    if (header < smallest_header || header > tcp.size()) return {};
+    TcpSegment segment{from, to, u32(tcp, 4), (tcp[13] & syn) != 0, {}};
+    segment.from.port = u16(tcp, 0);
+    segment.to.port = u16(tcp, 2);
+    const ByteView payload = tcp.subspan(header);
+    segment.payload.assign(payload.begin(), payload.end());
+    return segment;
+}
+
+/// Twelve bytes of time, event and modem lines; data of the capturing side or of the other.
+std::optional<SerialBytes> serial_of(ByteView packet) {
+    constexpr std::size_t header = 12;
+    constexpr std::uint8_t sent = 1, received = 2, last = 4;
+    if (packet.size() < header || packet[8] < sent || packet[8] > last) return {};
+    const ByteView payload = packet.subspan(header);
+    return SerialBytes{packet[8] % received == sent, {payload.begin(), payload.end()}};
+}
+
 }  // namespace
 
 bool PacketReader::reads(int link_type) {
-    constexpr int known[] = {DLT_EN10MB, DLT_LINUX_SLL, DLT_LINUX_SLL2, DLT_NULL,
-                             DLT_LOOP,   DLT_RAW,       DLT_IPV4};
+    constexpr int known[] = {DLT_EN10MB, DLT_LINUX_SLL, DLT_LINUX_SLL2, DLT_NULL,   DLT_LOOP,
+                             DLT_RAW,    DLT_IPV4,      linktype_raw,   rtac_serial};
     return std::ranges::find(known, link_type) != std::end(known);
 }
 
-std::optional<Datagram> PacketReader::read(ByteView packet) {
-    ++clock_;
-    const auto ip = ip_packet(link_type_, packet);
-    if (!ip) {
-        ++skipped_;
-        return {};
-    }
-    return read_ipv4(*ip);
+Packet PacketReader::skip() {
+    ++skipped_;
+    return {};
 }
 
-std::optional<Datagram> PacketReader::read_ipv4(ByteView packet) {
-    const auto skip = [this]() -> std::optional<Datagram> {
-        ++skipped_;
-        return {};
-    };
+Packet PacketReader::read(int link_type, ByteView packet) {
+    ++clock_;
+    if (link_type == rtac_serial) {
+        auto bytes = serial_of(packet);
+        return bytes ? Packet(std::move(*bytes)) : skip();
+    }
+    const auto ip = ip_packet(link_type, packet);
+    return ip ? read_ipv4(*ip) : skip();
+}
+
+Packet PacketReader::read_ipv4(ByteView packet) {
     if (packet.size() < smallest_ipv4_header || packet[0] >> 4 != 4) return skip();
     const std::size_t header = (packet[0] & 0xF) * std::size_t{4};
     const std::size_t length = u16(packet, 2);
+    const bool tcp = packet[9] == tcp_protocol;
     if (header < smallest_ipv4_header || length < header || packet.size() < header ||
-        packet[9] != udp_protocol)
+        (packet[9] != udp_protocol && !tcp))
         return skip();
     const auto body = packet.subspan(header, std::min(length, packet.size()) - header);
     const std::size_t at = (u16(packet, 6) & 0x1FFF) * std::size_t{8};
     const bool more = (u16(packet, 6) & 0x2000) != 0;
     const Address from{u32(packet, 12), 0};
     const Address to{u32(packet, 16), 0};
+    if (tcp) {
+        auto segment = at == 0 && !more ? segment_of(from, to, body) : std::nullopt;
+        return segment ? Packet(std::move(*segment)) : skip();
+    }
     std::optional<Bytes> whole;
     if (at == 0 && !more) {
         whole.emplace(body.begin(), body.end());
@@ -117,7 +148,7 @@ std::optional<Datagram> PacketReader::read_ipv4(ByteView packet) {
         if (!whole) return {};
     }
     auto datagram = datagram_of(from, to, std::move(*whole));
-    return datagram ? std::move(datagram) : skip();
+    return datagram ? Packet(std::move(*datagram)) : skip();
 }
 
 std::optional<Bytes> PacketReader::assemble(const Key& key, ByteView piece, std::size_t at, bool more) {

@@ -1,5 +1,6 @@
-// UDP datagrams out of captured packets: link, IPv4 and UDP headers, fragments put together. Takes any bytes:
-// what is no UDP over IPv4, or is broken, is counted and skipped. Opens nothing.
+// UDP datagrams, TCP segments and bytes of serial lines out of captured packets: link, IPv4, UDP and TCP
+// headers, fragments put together. Takes any bytes: what is none of these, or is broken, is counted and
+// skipped. Opens nothing.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 #include "emulator/device.h"
@@ -19,14 +21,28 @@ struct Datagram {
     bool cut = false;  ///< the capture holds fewer bytes than were sent
 };
 
+struct TcpSegment {
+    Address from, to;
+    std::uint32_t sequence = 0;  ///< of the first byte
+    bool begins = false;         ///< SYN: a new connection
+    Bytes payload;
+};
+
+/// What a driver or a device put on a serial line.
+struct SerialBytes {
+    bool sent = false;  ///< by the capturing side
+    Bytes payload;
+};
+
+using Packet = std::variant<std::monostate, Datagram, TcpSegment, SerialBytes>;
+
 class PacketReader {
   public:
     /// `link_type`: DLT_* of libpcap. False if packets of that link cannot be read.
     static bool reads(int link_type);
-    explicit PacketReader(int link_type) : link_type_(link_type) {}
 
-    /// The datagram that the packet holds or completes.
-    std::optional<Datagram> read(ByteView packet);
+    /// What the packet holds or completes; nothing if it is skipped or waits for more fragments.
+    Packet read(int link_type, ByteView packet);
 
     std::uint64_t skipped() const { return skipped_; }  ///< other protocols and broken packets
     /// Datagrams of which fragments are missing so far.
@@ -42,11 +58,11 @@ class PacketReader {
         std::uint64_t age = 0;
     };
 
-    std::optional<Datagram> read_ipv4(ByteView packet);
+    Packet read_ipv4(ByteView packet);
+    Packet skip();
     std::optional<Bytes> assemble(const Key& key, ByteView piece, std::size_t at, bool more);
     void forget_oldest();
 
-    int link_type_;
     std::uint64_t skipped_ = 0;
     std::uint64_t clock_ = 0;
     std::map<Key, Partial> partials_;

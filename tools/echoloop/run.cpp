@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "emulator/capture/recording.h"
 #include "emulator/runtime.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
@@ -62,12 +63,35 @@ void demand_punctuality(const std::vector<SessionSummary>& sessions) {
                                  "where the time goes with echoloop bench");
 }
 
+/// nullptr without --record.
+std::unique_ptr<Recording> recording_from(const Arguments& arguments) {
+    if (!arguments.has("--record")) {
+        if (arguments.has("--record-size"))
+            throw StartError(Exit::usage, "--record-size needs --record FILE, which it splits into several");
+        return nullptr;
+    }
+    constexpr double megabyte = 1e6;
+    RecordingLimits limits;
+    limits.file_bytes = static_cast<std::uint64_t>(arguments.number("--record-size", 0, 0, 1e9) * megabyte);
+    return std::make_unique<Recording>(arguments.text("--record"), limits);
+}
+
+void print_recording(const Recording& recording) {
+    const RecordingSummary s = recording.summary();
+    std::printf("%s%s: %s, %s in %s%s%s\n", padded("recorded", 16).c_str(), recording.file().c_str(),
+                counted(s.packets, "packet").c_str(), counted(s.bytes, "byte").c_str(),
+                counted(s.files, "file").c_str(),
+                s.lost == 0 ? "" : ("; the disk was too slow for " + counted(s.lost, "more packet")).c_str(),
+                s.stopped ? "; it stopped early, see above" : "");
+}
+
 int run(const Arguments& arguments) {
     const Scenario scenario = scenario_from(arguments);
     std::optional<double> duration;
     if (arguments.has("--duration")) duration = arguments.number("--duration", 0, 0, 1e9);
+    auto recording = recording_from(arguments);
     try {
-        Runtime runtime(scenario);
+        Runtime runtime(scenario, recording.get());
         const bool json = arguments.has("--json");
         if (json) {
             std::printf("%s\n", run_started_json(scenario, runtime).c_str());
@@ -76,11 +100,13 @@ int run(const Arguments& arguments) {
             print_start(scenario, runtime, duration);
         }
         runtime.run(duration);
+        if (recording) recording->finish();
         const auto sessions = runtime.summary();
         if (json) {
-            std::printf("%s\n", run_summary_json(sessions).c_str());
+            std::printf("%s\n", run_summary_json(sessions, recording.get()).c_str());
         } else {
             print_summary(sessions);
+            if (recording) print_recording(*recording);
         }
         if (arguments.has("--fail-late")) demand_punctuality(sessions);
     } catch (const StartError&) {
@@ -104,12 +130,15 @@ Verb run_verb() {
         {scenario_argument(),
          {Argument::Kind::value, "--duration", "SECONDS",
           "end after this time; without it: run until Ctrl-C"},
+         {Argument::Kind::value, "--record", "FILE",
+          "write what every port hears and says to a pcapng capture"},
+         {Argument::Kind::value, "--record-size", "MB", "begin another capture file after so many megabytes"},
          {Argument::Kind::flag, "--fail-late", "",
           "end with status 75 if a ping was late or a message dropped"},
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop run config/demo.yaml\n"
-        "  echoloop run config/tank.yaml --duration 60\n"
+        "  echoloop run config/tank.yaml --duration 60 --record dive.pcapng\n"
         "  echoloop run config/demo.yaml --set devices.micron.endpoints='[\"tcp-listen://127.0.0.1:9090\"]'",
         run};
 }

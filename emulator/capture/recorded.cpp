@@ -1,0 +1,62 @@
+#include "emulator/capture/recorded.h"
+
+namespace echoloop {
+
+using pcapng::Direction;
+
+Recorded::Recorded(std::unique_ptr<Transport> line, Recording& recording, const std::string& name)
+    : line_(std::move(line)),
+      recording_(recording),
+      kind_(line_->wire().kind),
+      interface_(recording.add_interface(
+          kind_ == Wire::Kind::serial ? pcapng::LinkType::rtac_serial : pcapng::LinkType::raw_ip, name,
+          line_->describe())) {}
+
+void Recorded::start(Events events) {
+    line_->start({.received =
+                      [this, received = std::move(events.received)](ByteView bytes, Address from) {
+                          record(bytes, Direction::received, from);
+                          received(bytes, from);
+                      },
+                  .reconnected =
+                      [this, reconnected = std::move(events.reconnected)] {
+                          begin_conversation();
+                          reconnected();
+                      }});
+}
+
+void Recorded::begin_conversation() {
+    const Wire wire = line_->wire();
+    if (kind_ != Wire::Kind::tcp_server && kind_ != Wire::Kind::tcp_client) return;
+    conversation_.emplace(wire.local, wire.remote, kind_ == Wire::Kind::tcp_server);
+    for (const auto& segment : conversation_->opening())
+        add(recording_.now(), segment.direction, segment.packet);
+}
+
+Task<void> Recorded::write(ByteView bytes, Address to) {
+    const std::uint64_t before = line_->bytes_out();
+    co_await line_->write(bytes, to);
+    const std::uint64_t gone = line_->bytes_out() - before;
+    if (gone > 0) record(bytes.first(std::min<std::size_t>(bytes.size(), gone)), Direction::sent, to);
+}
+
+void Recorded::record(ByteView bytes, Direction direction, Address other) {
+    const auto time = recording_.now();
+    if (kind_ == Wire::Kind::serial) {
+        add(time, direction, rtac_serial_packet(bytes, time, direction));
+    } else if (kind_ == Wire::Kind::udp) {
+        const Wire wire = line_->wire();
+        if (other.port == 0) other = wire.remote;
+        const bool sent = direction == Direction::sent;
+        add(time, direction, udp_packet(bytes, sent ? Route{wire.local, other} : Route{other, wire.local}));
+    } else if (conversation_) {
+        for (const auto& segment : conversation_->data(bytes, direction))
+            add(time, direction, segment.packet);
+    }
+}
+
+void Recorded::add(pcapng::WallTime time, Direction direction, ByteView packet) {
+    recording_.add({interface_, time, direction, {}}, packet);
+}
+
+}  // namespace echoloop

@@ -1,0 +1,72 @@
+// One pcapng file of everything that the ports of a run hear and say. A thread of its own writes it, so that
+// a slow disk delays nobody; a full one ends the recording and never the emulation.
+#pragma once
+
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include "emulator/capture/pcapng.h"
+
+namespace echoloop {
+
+struct RecordingLimits {
+    std::uint64_t file_bytes = 0;              ///< begin another file after so many; 0: one file
+    std::uint64_t keep_free = 256ULL << 20;    ///< bytes of the disk that are left to others
+    std::uint64_t most_waiting = 64ULL << 20;  ///< bytes that wait for the disk; packets beyond are lost
+};
+
+struct RecordingSummary {
+    std::uint64_t packets = 0, bytes = 0;
+    std::uint64_t lost = 0;  ///< packets, to a slow disk
+    std::size_t files = 1;
+    bool stopped = false;  ///< the disk was full or failed
+};
+
+class Recording {
+  public:
+    /// Overwrites `file`; further ones are called `file`-2.pcapng and so on. Throws StartError if it cannot
+    /// be made.
+    explicit Recording(std::filesystem::path file, RecordingLimits limits = {});
+    ~Recording();
+    Recording(const Recording&) = delete;
+    Recording& operator=(const Recording&) = delete;
+
+    /// Before the first packet. Returns the number for Packet::interface.
+    std::uint32_t add_interface(pcapng::LinkType type, const std::string& name,
+                                const std::string& description);
+    /// From any thread.
+    void add(const pcapng::Packet& packet, ByteView bytes);
+    /// Writes what still waits; nothing is added after it.
+    void finish();
+    /// Never goes backwards, whatever happens to the system's clock during a run.
+    pcapng::WallTime now() const;
+
+    RecordingSummary summary() const;
+    const std::filesystem::path& file() const { return file_; }
+
+  private:
+    void open_file();
+    void keep_writing(std::stop_token stop);
+    void write(const Bytes& blocks);
+    bool room_for(std::size_t bytes) const;
+    void give_up(const std::string& reason);
+
+    std::filesystem::path file_;
+    RecordingLimits limits_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    pcapng::WallTime start_time_;
+
+    mutable std::mutex mutex_;  // of all that follows up to summary_
+    std::condition_variable_any more_;
+    Bytes prologue_, waiting_;  ///< blocks that every file begins with; blocks for the disk
+    std::uint32_t interfaces_ = 0;
+    RecordingSummary summary_;
+
+    int descriptor_ = -1;  // of the writing thread
+    std::uint64_t written_ = 0;
+    std::jthread thread_;  // last: ends first
+};
+
+}  // namespace echoloop

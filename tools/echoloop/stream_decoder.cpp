@@ -1,0 +1,47 @@
+#include "tools/echoloop/stream_decoder.h"
+
+namespace echoloop::cli {
+namespace {
+
+constexpr std::size_t longest_frame = std::size_t{512} << 10;
+
+/// Bytes that must come before a long tail is worth another look, so that one byte at a time costs no square.
+std::size_t worth_a_look(std::size_t tried) { return tried < 4096 ? 1 : tried / 8; }
+
+}  // namespace
+
+void StreamDecoder::add(ByteView bytes, const Each& each) {
+    waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+    if (waiting_.size() >= tried_ + worth_a_look(tried_)) decode(waiting_.size() > longest_frame, each);
+}
+
+void StreamDecoder::finish(const Each& each) {
+    if (!waiting_.empty()) decode(true, each);
+}
+
+void StreamDecoder::drop(std::size_t count) {
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
+    offset_ += count;
+}
+
+void StreamDecoder::decode(bool last, const Each& each) {
+    if (family_ == nullptr) family_ = inspect::guess_family(waiting_);
+    std::size_t done = 0;
+    if (family_ == nullptr && last) {
+        each(nullptr, {.offset = offset_, .size = waiting_.size(), .reason = "no known protocol"});
+        done = waiting_.size();
+    } else if (family_ != nullptr) {
+        for (auto& message : family_->decode(waiting_)) {
+            const bool incomplete = message.name.empty() || !message.reason.empty();
+            if (!last && incomplete && message.offset + message.size == waiting_.size()) break;
+            done = message.offset + message.size;
+            message.offset += offset_;
+            for (auto& field : message.fields) field.offset += offset_;
+            each(family_, message);
+        }
+    }
+    drop(done);
+    tried_ = waiting_.size();
+}
+
+}  // namespace echoloop::cli
