@@ -4,6 +4,7 @@
 #include "emulator/devices/ping1d/ping1d.h"
 #include "emulator/devices/ping360/ping360.h"
 #include "emulator/devices/r2sonic/r2sonic.h"
+#include "emulator/devices/tritech-echosounder/echosounder.h"
 #include "emulator/devices/tritech-micron/micron.h"
 #include "emulator/model.h"
 
@@ -18,6 +19,7 @@ std::vector<Model> make_models() {
     all.push_back(ping1d::model());
     all.push_back(ping360::model());
     all.push_back(r2sonic_device::model());
+    all.push_back(tritech_echosounder::model());
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });
     return all;
 }

@@ -23,9 +23,10 @@ std::vector<double> strengths(const Echogram& echogram, std::size_t beam, double
     const auto powers = echogram.beam(beam);
     std::vector<double> all(powers.size(), silence);
     for (std::size_t bin = 0; bin < powers.size(); ++bin) {
-        const double time = bin_time(echogram.shot, static_cast<double>(bin) + 0.5);
+        const double time = bin_time(echogram.shot, static_cast<double>(bin));
         if (time < rule.blanking || !(powers[bin] > least)) continue;
-        all[bin] = level_db(powers[bin]) + rule.spreading * std::log10(time) + rule.absorption * time;
+        const double middle = time + echogram.shot.bin_interval / 2;
+        all[bin] = level_db(powers[bin]) + rule.spreading * std::log10(middle) + rule.absorption * middle;
     }
     return all;
 }

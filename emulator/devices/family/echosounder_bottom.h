@@ -11,7 +11,7 @@ namespace echoloop::echosounder {
 /// How a sounder looks for the bottom. What spreading and absorption take is given back before echoes are
 /// compared; 20 dB per decade is what the echo of a flat bottom loses.
 struct BottomRule {
-    double blanking = 0;    ///< s, two-way time; bins whose middle is earlier do not count
+    double blanking = 0;    ///< s, two-way time; bins that begin earlier do not count
     double margin = 15;     ///< dB above the noise, from where a bin may be an echo; -inf: every bin may
     double edge = 10;       ///< dB below the strongest echo, where its leading edge counts
     double spreading = 20;  ///< dB per decade of time

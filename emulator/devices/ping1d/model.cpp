@@ -9,10 +9,11 @@ std::unique_ptr<Device> make(const DeviceConfig& config) {
 }
 
 Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
-    State state;
+    const Settings settings = read_settings(config);
+    State state = settings.power_up;
     state.speed_of_sound = static_cast<std::uint32_t>(config.sound_speed * 1e3);
     if (range > 0) state.length = static_cast<std::uint32_t>(range * 1e3);
-    Shot shot = shot_from(state, read_settings(config));
+    Shot shot = shot_from(state, settings);
     shot.ping = step + 1;
     return shot;
 }

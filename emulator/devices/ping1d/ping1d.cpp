@@ -16,10 +16,12 @@ constexpr Time boot_loader_time = std::chrono::seconds(5);
 }  // namespace
 
 Ping1d::Ping1d(const Settings& settings, std::vector<Port> ports)
-    : settings_(settings), ports_(std::move(ports)), link_(ports_.size(), 1, settings.marks_are_breaks) {}
+    : settings_(settings),
+      ports_(std::move(ports)),
+      link_(ports_.size(), settings.device_id, settings.marks_are_breaks) {}
 
 void Ping1d::power_up(Time now) {
-    state_ = {};
+    state_ = settings_.power_up;
     last_ = {};
     streams_.clear();
     if (settings_.stream_at_start) streams_[Id::profile] = {};
@@ -182,7 +184,7 @@ std::optional<ping::Message> Ping1d::message(Id id) const {
         case Id::protocol_version:
             return ping::ProtocolVersion{p[0], p[1], p[2], 0};
         case Id::firmware_version:
-            return ping::FirmwareVersion{settings_.device_type, 1, major, minor};
+            return ping::FirmwareVersion{settings_.device_type, settings_.device_model, major, minor};
         case Id::device_id:
             return ping::DeviceId{link_.id()};
         case Id::voltage5:
@@ -259,7 +261,7 @@ Actions Ping1d::heard(const Echogram& echogram, Time now) {
              pinged_.length,
              pinged_.gain,
              profile_points(echogram, pinged_, settings_)};
-    if (state_.automatic) follow(state_, bottom, last_.profile_data);
+    if (state_.automatic) follow(state_, bottom, loudest(last_.profile_data, pinged_, settings_));
     for (const auto& [id, peer] : streams_) send_message(id, peer);
     if (state_.enabled)
         next_ping_ = std::max(pinged_at_ + std::chrono::milliseconds(state_.interval), now + shortest_pause);

@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "emulator/devices/ping1d/settings.h"
 #include "emulator/devices/family/ping_link.h"
+#include "emulator/devices/ping1d/settings.h"
 
 namespace echoloop::ping1d {
 

@@ -1,6 +1,7 @@
 #include "emulator/devices/ping1d/settings.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "emulator/devices/family/ping_link.h"
 #include "emulator/option_rows.h"
@@ -18,6 +19,7 @@ Acoustics read_acoustics(const Profile& p, bool tvg) {
     a.beam_width = deg_to_rad(figure(p, "beam_width"));
     a.aperture = axis_pattern(p, "horizontal");
     a.receiver = receiver(p);
+    a.ring_down = {figure(p, "ring_down_level"), 1e3 * figure(p, "ring_down_decay")};
     a.nearest_range = figure(p, "nearest_range");
     a.reference_level = figure(p, "reference_level");
     a.full_scale = figure(p, "full_scale");
@@ -26,11 +28,22 @@ Acoustics read_acoustics(const Profile& p, bool tvg) {
     return a;
 }
 
+State read_power_up(const Options& o) {
+    State state;
+    state.automatic = flag(o, "mode_auto");
+    state.length = static_cast<std::uint32_t>(integer(o, "scan_length"));
+    state.gain = static_cast<std::uint8_t>(integer(o, "gain"));
+    state.interval = static_cast<std::uint16_t>(integer(o, "ping_interval"));
+    state.speed_of_sound = static_cast<std::uint32_t>(std::lround(1e3 * number(o, "speed_of_sound")));
+    return state;
+}
+
 }  // namespace
 
 std::uint16_t State::transmit_duration() const {
     const double range = start + static_cast<double>(length), speed = speed_of_sound;
-    return static_cast<std::uint16_t>(std::clamp(8000 * range / speed, 20.0, 1000.0));
+    return static_cast<std::uint16_t>(
+        std::clamp<double>(8000 * range / speed, shortest_pulse, longest_pulse));
 }
 
 std::vector<FigureRow> figure_table() {
@@ -38,7 +51,10 @@ std::vector<FigureRow> figure_table() {
         {"frequency", "Hz", "of the pulse", 10e3, 10e6},
         {"source_level", "dB re 1 uPa at 1 m", "on the axis", 100, 240},
         {"beam_width", "deg", "-3 dB full width of the cone, two-way", 0.1, 120},
-        {"nearest_range", "m", "nothing closer is taken for the bottom", 0, 10},
+        {"nearest_range", "m", "nothing closer is taken for the bottom; a longer pulse adds half its length",
+         0, 10},
+        {"ring_down_level", "dB re 1 uPa", "what it hears of its own pulse while it sends", -100, 300},
+        {"ring_down_decay", "dB/ms", "by which that dies away afterwards", 1, 10000},
         {"tvg_spreading", "dB per decade of range", "time-varied gain", 0, 60},
         {"tvg_absorption", "dB/m", "time-varied gain, one way", 0, 2},
         {"reference_level", "dB re 1 uPa", "level after time-varied gain that reads 0 at a gain of 1", 0,
@@ -51,17 +67,26 @@ std::vector<FigureRow> figure_table() {
 }
 
 std::vector<Option> option_table() {
+    const char* const own = "own choice; the official firmware's is not public";
     return {
         text_row("firmware", "3.28.0", "version; one host's test needs major 3 and minor 27 or more", spec),
         text_row("protocol_version", "1.0.0", "version of the message set; one host's test stops on 1.1.0",
                  spec),
+        integer_row("device_id", "", 1, 0, 254, "at power-up, as source of every frame", spec),
         integer_row("device_type", "", 1, 1, 255, "in device_information and firmware_version", spec),
+        integer_row("device_model", "", 1, 0, 255, "in firmware_version", spec),
         integer_row("device_revision", "", 1, 1, 255, "in device_information", spec),
+        flag_row("mode_auto", true, "range and gain follow the bottom at power-up", own),
+        integer_row("scan_length", "mm", 10000, shortest_length, longest_length, "range at power-up", own),
+        integer_row("gain", "", 3, 0, 6, "gain setting at power-up", own),
+        integer_row("ping_interval", "ms", 100, 0, 65535, "from ping to ping at power-up", own),
+        number_row("speed_of_sound", "m/s", 1500, 100, 10000,
+                   "by which times become distances, at power-up; the water has its own", own),
+        flag_row("stream_at_start", false, "send profiles from power-up, as the open firmware does", spec),
         choice_row("nacked_id", {"request", "requested"},
                    "id in the nack of a general_request: 6, or the id that was asked for", spec),
         flag_row("ack_continuous", true, "acknowledge continuous_start and continuous_stop", spec),
         choice_row("streamed", {"as-asked", "profile"}, "message after continuous_start", spec),
-        flag_row("stream_at_start", false, "send profiles from power-up, as the open firmware does", spec),
         flag_row("marks_are_breaks", true, "0x55 where a frame should begin forgets half a frame", spec),
         number_row("baud", "bit/s", 0, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", spec),
         integer_row("voltage", "mV", 5000, 0, 65535, "5 V rail", "free choice"),
@@ -75,6 +100,9 @@ Settings read_settings(const DeviceConfig& config) {
     Settings s;
     s.firmware = ping_device::read_version(text(o, "firmware"), "firmware");
     s.protocol = ping_device::read_version(text(o, "protocol_version"), "protocol_version");
+    s.device_id = static_cast<std::uint8_t>(integer(o, "device_id"));
+    s.device_model = static_cast<std::uint8_t>(integer(o, "device_model"));
+    s.power_up = read_power_up(o);
     s.device_type = static_cast<std::uint8_t>(integer(o, "device_type"));
     s.device_revision = static_cast<std::uint8_t>(integer(o, "device_revision"));
     s.nack_requested_id = text(o, "nacked_id") == "requested";

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "emulator/devices/family/ring_down.h"
 #include "emulator/model.h"
 
 namespace echoloop::ping1d {
@@ -18,26 +19,12 @@ struct Acoustics {
     double beam_width = 0;
     AxisPattern aperture;
     Receiver receiver;
-    double nearest_range = 0;    ///< m, nothing closer is taken for the bottom
+    echosounder::RingDown ring_down;
+    double nearest_range = 0;    ///< m, that the ring-down of the shortest pulse lasts
     double reference_level = 0;  ///< dB re 1 uPa after TVG: reads 0 at gain 1
     double full_scale = 0;       ///< dB from 0 to 255
     double tvg_spreading = 0;    ///< dB per decade of range; 0 with the effect tvg off
     double tvg_absorption = 0;   ///< dB/m one way; 0 with the effect tvg off
-};
-
-/// Emulator options; README.md of this folder explains each.
-struct Settings {
-    std::uint8_t device_type = 1, device_revision = 1;
-    std::array<std::uint8_t, 3> firmware{3, 28, 0}, protocol{1, 0, 0};
-    bool nack_requested_id = false;
-    bool ack_continuous = true;
-    bool always_profile = false;  ///< stream 1300 whatever was asked for
-    bool stream_at_start = false;
-    bool marks_are_breaks = true;
-    double baud = 0;                                                     ///< 0: not paced
-    std::uint16_t voltage = 5000;                                        ///< mV
-    std::uint16_t processor_temperature = 4000, pcb_temperature = 3500;  ///< 0.01 degC
-    Acoustics acoustics;
 };
 
 /// What a host can change.
@@ -51,10 +38,27 @@ struct State {
     std::uint16_t points = 200;
     bool normalise = false;
 
-    std::uint16_t transmit_duration() const;  ///< us
+    std::uint16_t transmit_duration() const;  ///< us, at least shortest_pulse
+};
+
+/// Emulator options; README.md of this folder explains each.
+struct Settings {
+    std::uint8_t device_id = 1, device_type = 1, device_model = 1, device_revision = 1;
+    State power_up;
+    std::array<std::uint8_t, 3> firmware{3, 28, 0}, protocol{1, 0, 0};
+    bool nack_requested_id = false;
+    bool ack_continuous = true;
+    bool always_profile = false;  ///< stream 1300 whatever was asked for
+    bool stream_at_start = false;
+    bool marks_are_breaks = true;
+    double baud = 0;                                                     ///< 0: not paced
+    std::uint16_t voltage = 5000;                                        ///< mV
+    std::uint16_t processor_temperature = 4000, pcb_temperature = 3500;  ///< 0.01 degC
+    Acoustics acoustics;
 };
 
 inline constexpr std::uint32_t shortest_length = 1000, longest_length = 100000;  ///< mm
+inline constexpr std::uint16_t shortest_pulse = 20, longest_pulse = 1000;        ///< us
 
 /// From complete options and a complete profile. std::invalid_argument if a version is none.
 Settings read_settings(const DeviceConfig& config);

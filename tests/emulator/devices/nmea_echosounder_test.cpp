@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "emulator/devices/nmea-echosounder/bottom.h"
 #include "tests/emulator/devices/driver.h"
 
 namespace echoloop::test {
@@ -156,55 +155,6 @@ TEST(NmeaEchosounder, HasAConicalBeam) {
     EXPECT_EQ(shot.vertical, (AxisPattern{ApertureShape::piston, 2}));
     EXPECT_EQ(shot.bearings, std::vector<double>{0});
     EXPECT_NEAR(static_cast<double>(shot.bins) * shot.bin_interval, 2 * 100 / 1500.0, 1e-9);
-}
-
-/// 1000 bins of 20 us of noise of mean power 1, and a rule that blanks the first 50.
-Echogram quiet() {
-    Shot shot;
-    shot.bearings = {0};
-    shot.bins = 1000;
-    shot.bin_interval = 20e-6;
-    Echogram echogram = echo_of(shot, 0, 1);
-    echogram.noise_power = 1;
-    for (float& v : echogram.values) v = 1;
-    return echogram;
-}
-const nmea_echosounder::BottomRule rule{1e-3, 15, 10};
-
-TEST(NmeaBottom, IsTheLeadingEdgeOfTheFirstStrongEcho) {
-    Echogram echogram = quiet();
-    for (std::size_t bin = 400; bin < 420; ++bin) echogram.values[bin] = 1e4F;
-    for (std::size_t bin = 800; bin < 820; ++bin)
-        echogram.values[bin] = 1e3F;  // by way of surface and bottom
-    EXPECT_NEAR(bottom_time(echogram, rule).value(), 400 * 20e-6, 1e-9);
-    for (std::size_t bin = 200; bin < 203; ++bin) echogram.values[bin] = 100;  // a few fish
-    EXPECT_NEAR(bottom_time(echogram, rule).value(), 400 * 20e-6, 1e-9);
-}
-
-TEST(NmeaBottom, IsNotInTheNoise) {
-    Echogram echogram = quiet();
-    echogram.values[500] = 31;  // 14.9 dB
-    EXPECT_FALSE(bottom_time(echogram, rule));
-    echogram.values[500] = 32;  // 15.05 dB
-    EXPECT_NEAR(bottom_time(echogram, rule).value(), 500 * 20e-6, 1e-9);
-}
-
-TEST(NmeaBottom, IsNotInTheBlanking) {
-    Echogram echogram = quiet();
-    echogram.values[49] = 1e9F;
-    EXPECT_FALSE(bottom_time(echogram, rule));
-    echogram.values[51] = 1e9F;
-    EXPECT_NEAR(bottom_time(echogram, rule).value(), 51 * 20e-6, 1e-9);
-}
-
-TEST(NmeaBottom, IsFoundInThePapersEchoesToo) {
-    Echogram echogram = quiet();
-    echogram.rule = EchoRule::cerqueira2016;
-    echogram.noise_power = 0;
-    for (float& v : echogram.values) v = 0;
-    EXPECT_FALSE(bottom_time(echogram, rule));
-    echogram.values[600] = 0.8F;
-    EXPECT_NEAR(bottom_time(echogram, rule).value(), 600 * 20e-6, 1e-9);
 }
 
 }  // namespace

@@ -149,10 +149,10 @@ TEST(Ping1d, InAutomaticModeTheRangeFollowsTheBottom) {
     Bench bench = ping1d();
     bench.run_to(1s);
     EXPECT_EQ(u32(answer(bench, frame(1204)), 12), 100000) << "no bottom: as far as it goes";
-    bench.echo_bin = 20;
+    bench.echo_bin = 70;  // of 200: more than a third of every range
     bench.echo_power = 1e15F;
-    bench.run_to(2s);
-    EXPECT_LT(u32(answer(bench, frame(1204)), 12), 3000);
+    bench.run_to(3s);
+    EXPECT_EQ(u32(answer(bench, frame(1204)), 12), 2000);
     EXPECT_LT(u32(answer(bench, frame(1207)), 8), 6) << "less gain for a loud echo";
 }
 
@@ -188,6 +188,91 @@ TEST(Ping1d, DisabledItDoesNotPingAndAgainEnabledItDoes) {
     bench.say(frame(1006, "01"));
     bench.run_to(2s);
     EXPECT_GT(bench.shots.size(), 5u);
+}
+
+TEST(Ping1d, TheProfileBeginsWithTheRingDownWhichIsNoBottom) {
+    Bench bench = ping1d({{"mode_auto", false}, {"scan_length", std::int64_t{2000}}});  // 10 mm a point
+    bench.run_to(50ms);
+    const Bytes profile = answer(bench, frame(1300));
+    const auto point = [&](double metres) {
+        return int{profile.at(34 + static_cast<std::size_t>(metres * 100))};
+    };
+    EXPECT_EQ(u32(profile, 8), 0) << "no echo, no distance";
+    EXPECT_EQ(u16(profile, 12), 0) << "no confidence";
+    EXPECT_EQ(point(0.0), 255);
+    EXPECT_NEAR(point(0.1), 164, 5) << "190 dB - 280 dB/ms x 0.12 ms + 20 log 12.9 - 140 dB = 38.6 dB of 60";
+    // 190 dB - 280 dB/ms x (0.27 - 0.02 ms) + 20 log 12.9 - 140 dB = 2.2 dB of 60
+    EXPECT_NEAR(point(0.2), 0, 10);
+    EXPECT_EQ(point(0.3), 0);
+    EXPECT_EQ(u32(answer(bench, frame(1207)), 8), 3) << "the gain is as set";
+}
+
+TEST(Ping1d, TheRingDownLastsAsMuchLongerAsThePulse) {
+    Bench bench = ping1d({{"mode_auto", false}, {"scan_length", std::int64_t{100000}}});  // 533 us: 0.4 m
+    bench.echo_bin = 1;                                                                   // 0.5 to 1 m
+    bench.echo_power = 1e15F;
+    bench.run_to(300ms);
+    EXPECT_EQ(answer(bench, frame(1211))[12], 0) << "0.5 m are in the ring-down";
+    bench.echo_bin = 2;
+    bench.run_to(600ms);
+    EXPECT_EQ(answer(bench, frame(1211))[12], 100);
+}
+
+TEST(Ping1d, IsAtPowerUpWhatItsOptionsSay) {
+    Bench bench = ping1d({{"firmware", std::string("0.0.0")},
+                          {"device_id", std::int64_t{0}},
+                          {"device_type", std::int64_t{9}},
+                          {"device_revision", std::int64_t{19}},
+                          {"mode_auto", false},
+                          {"scan_length", std::int64_t{1000}},
+                          {"gain", std::int64_t{6}},
+                          {"ping_interval", std::int64_t{1000}},
+                          {"speed_of_sound", 342.0},
+                          {"stream_at_start", true},
+                          {"ack_continuous", false},
+                          {"streamed", std::string("profile")}});
+    bench.run_to(5500ms);
+    const auto stream = bench.sent();
+    EXPECT_EQ(ids(stream), std::vector<int>(6, 1300)) << "profiles once a second";
+    EXPECT_EQ(stream[0].bytes[6], 0) << "from id 0";
+    EXPECT_EQ(to_hex(answer(bench, frame(4))).substr(16, 12), "091300000000");
+    EXPECT_EQ(to_hex(answer(bench, frame(1200))).substr(16, 12), "090100000000");
+    EXPECT_EQ(u32(answer(bench, frame(1203)), 8), 342000);
+    EXPECT_EQ(u32(answer(bench, frame(1204)), 12), 1000);
+    EXPECT_EQ(u16(answer(bench, frame(1206)), 8), 1000);
+    EXPECT_EQ(u32(answer(bench, frame(1207)), 8), 6);
+    EXPECT_EQ(answer(bench, frame(1205))[8], 0);
+    bench.say(frame(1401, "1405"));
+    EXPECT_TRUE(bench.sent().empty()) << "no word about it";
+}
+
+/// What hosts put on a serial line before their first frame, as far as a pseudo-terminal carries it.
+TEST(Ping1d, EveryHostsWayToBeginEndsWithAnAnswer) {
+    const char* const beginnings[] = {"",
+                                      "55",                      // the maker's Python package, an Arduino
+                                      "5555555555555555555500",  // the maker's C++ library
+                                      "55555555555555555555",    // its viewer
+                                      "5a48000048b8a5",          // its look for a boot loader
+                                      "55555555555555555555555a48000048b8a5",
+                                      "42520a00",  // half a frame, then nothing for long
+                                      "425202000600000005555555555555"};  // half a frame and a break
+    for (const char* const beginning : beginnings) {
+        Bench bench = ping1d();
+        bench.run_to(50ms);
+        bench.say(beginning);
+        bench.run_to(60ms);
+        EXPECT_EQ(to_hex(answer(bench, frame(6, "0500"))), "4252040005000100010000009f00") << beginning;
+        EXPECT_EQ(u16(answer(bench, frame(4)), 4), 4) << beginning;
+    }
+}
+
+TEST(Ping1d, AHostThatClosesAndOpensTheLineIsServedAtOnce) {
+    Bench bench = ping1d();
+    for (int rate = 0; rate < 10; ++rate) {
+        bench.say("42520200");  // half a request at a wrong rate
+        bench.device().reconnected(0);
+        EXPECT_EQ(u16(answer(bench, frame(6, "0400")), 4), 4);
+    }
 }
 
 TEST(Ping1d, InTheBootLoaderItIsSilentThenAsAtPowerUp) {

@@ -1,0 +1,68 @@
+#include "emulator/devices/tritech-echosounder/echosounder.h"
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "protocols/nmea/sentences.h"
+
+namespace echoloop::tritech_echosounder {
+namespace {
+
+constexpr double metres_per_foot = 0.3048, feet_per_fathom = 6;
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+    char text[96];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+std::vector<std::string> lines(const Settings& settings, std::optional<double> depth) {
+    const std::string line = reading(settings, depth);
+    return line.empty() ? std::vector<std::string>{} : std::vector{line};
+}
+
+}  // namespace
+
+std::string reading(const Settings& settings, std::optional<double> depth) {
+    if (!depth && settings.no_echo == NoEcho::silent) return {};
+    const double without = settings.no_echo == NoEcho::maximum ? settings.sounding.range : 0;
+    const double metres = depth.value_or(without);
+    switch (settings.format) {
+        case Format::two_decimals:
+            return formatted("%06.2fm\r\n", metres);
+        case Format::millimetres:
+            return formatted("%ldmm\n", std::lround(1000 * metres));
+        case Format::nmea: {
+            const double feet = metres / metres_per_foot;
+            return nmea::sentence(
+                formatted("PADBT,%06.2f,f,%06.2f,M,%06.2f,F", feet, metres, feet / feet_per_fathom));
+        }
+        case Format::three_decimals:
+            break;
+    }
+    return formatted("%07.3fm\r\n", metres);
+}
+
+Echosounder::Echosounder(const Settings& settings, echosounder::Wiring wiring)
+    : TalkingSounder(
+          settings.sounding, std::move(wiring),
+          [settings](std::optional<double> depth) { return lines(settings, depth); }, settings.free_running) {
+}
+
+Actions Echosounder::received(const Received& data, Time now) {
+    Actions actions;
+    for (const std::uint8_t byte : data.bytes) {
+        if (byte != 'Z' && byte != 'F') {
+            ++counters_.skipped_bytes;
+            continue;
+        }
+        ++counters_.messages;
+        if (Actions next = byte == 'Z' ? ask(now) : run_freely(now); next.ping || next.wake)
+            actions = std::move(next);
+    }
+    return actions;
+}
+
+}  // namespace echoloop::tritech_echosounder

@@ -1,0 +1,28 @@
+#include "emulator/devices/tritech-echosounder/echosounder.h"
+
+namespace echoloop::tritech_echosounder {
+namespace {
+
+std::unique_ptr<Device> make(const DeviceConfig& config) {
+    return std::make_unique<Echosounder>(read_settings(config),
+                                         echosounder::read_wiring(config.endpoints, "tritech-echosounder"));
+}
+
+}  // namespace
+
+Model model() {
+    Model m;
+    m.name = "tritech-echosounder";
+    m.title = "Tritech Micron Echosounder (altimeter)";
+    m.protocol = "ASCII lines, serial 9600 8N1";
+    m.default_endpoints = {"pty:/tmp/echoloop/altimeter"};
+    m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp"};
+    m.options = option_table();
+    m.figures = echosounder::figure_table();
+    m.profile = built_in_profile(m.name);
+    m.make = make;
+    m.default_shot = echosounder::plain_shot;
+    return m;
+}
+
+}  // namespace echoloop::tritech_echosounder
