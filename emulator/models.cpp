@@ -1,9 +1,11 @@
 #include <algorithm>
 
 #include "emulator/devices/nmea-echosounder/echosounder.h"
+#include "emulator/devices/omniscan450/omniscan450.h"
 #include "emulator/devices/ping1d/ping1d.h"
 #include "emulator/devices/ping360/ping360.h"
 #include "emulator/devices/r2sonic/r2sonic.h"
+#include "emulator/devices/s500/s500.h"
 #include "emulator/devices/tritech-echosounder/echosounder.h"
 #include "emulator/devices/tritech-micron/micron.h"
 #include "emulator/model.h"
@@ -16,10 +18,12 @@ std::vector<Model> make_models() {
     std::vector<Model> all;
     all.push_back(micron::model());
     all.push_back(nmea_echosounder::model());
+    all.push_back(omniscan450::model());
     all.push_back(ping1d::model());
     all.push_back(ping360::model());
     all.push_back(r2sonic_device::model());
     all.push_back(tritech_echosounder::model());
+    all.push_back(s500::model());
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });
     return all;
 }

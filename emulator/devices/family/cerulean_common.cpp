@@ -35,7 +35,7 @@ std::vector<Option> identity_options(int listed_type, const std::string& name) {
         integer_row("device_revision", "", 1, 0, 255, "in device_information", spec),
         integer_row("source_id", "", 0, 0, 255, "source in the header of what the device sends",
                     "maker's manual: reserved, 0"),
-        flag_row("acknowledge", true, "ack or nack messages that set something",
+        flag_row("acknowledge", true, "ack messages that set something",
                  "as the Ping1D, Ping specification notes"),
         choice_row("nacked_id", {"request", "requested"},
                    "id in the nack of a general_request: 6, or the id that was asked for", spec),
@@ -77,6 +77,11 @@ ping::ProtocolVersion protocol_version(const Identity& i) {
 
 ping::Id refused_id(const Identity& identity, ping::Id requested) {
     return identity.nack_requested_id ? requested : ping::Id::general_request;
+}
+
+bool is_speed_of_sound(std::uint32_t speed) {
+    constexpr std::uint32_t lowest = 1000000, highest = 2000000;  // mm/s
+    return speed >= lowest && speed <= highest;
 }
 
 std::vector<Port> make_ports(const std::vector<std::string>& endpoints, const Identity& identity) {

@@ -16,7 +16,7 @@ struct Identity {
     std::uint8_t device_type = 198, device_revision = 1;
     std::array<std::uint8_t, 3> firmware{1, 0, 0}, protocol{1, 0, 0};
     std::uint8_t source = 0;  ///< in the header of what the device sends
-    bool acknowledge = true;  ///< ack or nack what sets something
+    bool acknowledge = true;  ///< ack what sets something
     bool nack_requested_id = false;
     std::size_t datagram = 1472;  ///< bytes, at most
     double baud = 0;              ///< 0: not paced
@@ -33,6 +33,9 @@ ping::DeviceInformation device_information(const Identity& identity);
 ping::ProtocolVersion protocol_version(const Identity& identity);
 /// Id of the nack for a request that is refused.
 ping::Id refused_id(const Identity& identity, ping::Id requested);
+
+/// Whether a host's speed of sound, in mm/s, can be one; some hosts send m/s.
+bool is_speed_of_sound(std::uint32_t speed);
 
 /// The ports of a device: one per endpoint, and one for discovery if it is wanted. std::invalid_argument as
 /// link_ports, or if the address to announce is none.

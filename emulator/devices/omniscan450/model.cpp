@@ -1,0 +1,40 @@
+#include "emulator/devices/omniscan450/omniscan450.h"
+
+namespace echoloop::omniscan450 {
+namespace {
+
+std::unique_ptr<Device> make(const DeviceConfig& config) {
+    return std::make_unique<Omniscan450>(read_settings(config), config.endpoints);
+}
+
+/// Typical parameters, over 20 m unless asked otherwise.
+Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
+    constexpr double default_range = 20;  // m
+    if (!(range > 0)) range = default_range;
+    State state;
+    state.params = typical_params();
+    state.params.length_mm = static_cast<std::uint32_t>(range * 1e3);
+    state.speed_of_sound = static_cast<std::uint32_t>(config.sound_speed * 1e3);
+    Shot shot = shot_from(state, read_settings(config));
+    shot.ping = step + 1;
+    return shot;
+}
+
+}  // namespace
+
+Model model() {
+    Model m;
+    m.name = "omniscan450";
+    m.title = "Cerulean Omniscan 450 side-scan or forward-looking sonar";
+    m.protocol = "Ping protocol, TCP or UDP";
+    m.default_endpoints = {"tcp-listen://127.0.0.1:51200", "udp-listen://127.0.0.1:51200"};
+    m.endpoint_schemes = {"tcp-listen", "udp-listen", "tcp", "udp", "pty", "serial"};
+    m.options = option_table();
+    m.figures = figure_table();
+    m.profile = built_in_profile(m.name);
+    m.make = make;
+    m.default_shot = default_shot;
+    return m;
+}
+
+}  // namespace echoloop::omniscan450
