@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "protocols/inspect.h"
+#include "protocols/oculus/codec.h"
+#include "protocols/oculus/framer.h"
 #include "protocols/ping/codec.h"
 #include "protocols/ping/framer.h"
 #include "protocols/r2sonic/codec.h"
@@ -43,6 +45,14 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
         const auto frame = framer.next();
         const auto message = frame ? ping::parse(*frame) : wire::Result<ping::Message>(wire::Error{});
         return message ? ping::encode(*message, frame->header.source) : wire::Bytes{};
+    }
+    if (family == "oculus") {
+        oculus::Framer framer;
+        framer.feed(bytes);
+        const auto frame = framer.next();
+        const auto message = frame ? oculus::parse(*frame) : wire::Result<oculus::Message>(wire::Error{});
+        if (!message) return {};
+        return oculus::encode(*message, frame->header.source, frame->header.destination);
     }
     if (family == "imagenex") return imagenex::rewritten(bytes);
     if (family == "cerulean") return cerulean::rewritten(bytes);

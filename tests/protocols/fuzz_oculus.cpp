@@ -1,0 +1,55 @@
+// libFuzzer: a byte stream in pieces whose sizes the input chooses. What comes out is a message that is
+// written back unchanged, all bytes are accounted for, and an image lies within its message.
+#include <cstdlib>
+
+#include "protocols/oculus/codec.h"
+#include "protocols/oculus/framer.h"
+#include "protocols/oculus/inspect.h"
+
+using namespace echoloop::oculus;
+
+namespace {
+
+void check_image(const auto& message) {
+    if constexpr (requires { image_of(message); }) {
+        const auto image = image_of(message);
+        if (image && image->bytes.size() != message.ranges * image->row_bytes) std::abort();
+    }
+}
+
+void check(const Frame& frame) {
+    const auto message = parse(frame);
+    if (!message) return;
+    std::visit([](const auto& m) { check_image(m); }, *message);
+    const auto& h = frame.header;
+    auto bytes = encode(*message, h.source, h.destination, h.id);
+    bytes[8] = static_cast<std::uint8_t>(h.version);  // 0 and 1 are the same
+    if (bytes != encode(frame)) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    const std::size_t longest = data[0] % 2 == 0 ? max_payload : host_payload;
+    Framer framer(longest);
+    const std::size_t piece = data[0] / 2 + 1U;
+    std::uint64_t framed = 0;
+    const auto drain = [&] {
+        while (const auto frame = framer.next()) {
+            framed += 16 + frame->payload.size();
+            check(*frame);
+        }
+    };
+    for (std::size_t at = 1; at < size; at += piece) {
+        framer.feed({data + at, std::min(piece, size - at)});
+        drain();
+        if (framer.pending_bytes() > longest + 16) std::abort();
+    }
+    framer.finish();
+    drain();
+    if (framed + framer.skipped_bytes() != size - 1 || framer.pending_bytes() != 0) std::abort();
+    decode({data, size});
+    recognise({data, size});
+    return 0;
+}
