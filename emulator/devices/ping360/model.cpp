@@ -1,23 +1,13 @@
-#include <stdexcept>
-
 #include "emulator/devices/ping360/ping360.h"
-#include "emulator/endpoint.h"
 
 namespace echoloop::ping360 {
 namespace {
 
-constexpr std::uint16_t discovery_port = 30303;
 constexpr double default_range = 10;  // m
 
 std::unique_ptr<Device> make(const DeviceConfig& config) {
     const Settings settings = read_settings(config);
-    std::vector<Port> ports = ping_device::link_ports(config.endpoints, settings.baud);
-    if (!settings.discovery.empty()) {
-        const Endpoint at =
-            parse_endpoint("udp-listen://" + settings.discovery + ":" + std::to_string(discovery_port));
-        ports.push_back({"discovery", Port::Kind::datagram, {at.ip, at.port}, true});
-    }
-    return std::make_unique<Ping360>(settings, std::move(ports));
+    return std::make_unique<Ping360>(settings, ping_device::link_ports(config.endpoints, settings.baud));
 }
 
 /// Boot settings with 1200 samples over the range.

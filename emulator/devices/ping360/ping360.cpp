@@ -13,17 +13,43 @@ using ping::Id;
 
 constexpr std::size_t most_waiting = 16;
 constexpr Time restart_time = std::chrono::seconds(1), boot_loader_time = std::chrono::seconds(5);
-constexpr std::string_view unknown_command = "command not recognised";
 
 bool is_discovery(const Port& port) { return port.kind == Port::Kind::datagram; }
 
+/// Settings of an automatic scan of which nobody has asked yet: a full circle.
+ping::AutoTransmit boot_scan() {
+    ping::AutoTransmit scan;
+    scan.stop_angle = circle - 1;
+    scan.num_steps = 1;
+    return scan;
+}
+
 }  // namespace
 
-Ping360::Ping360(const Settings& settings, std::vector<Port> ports)
+ping::AutoDeviceData automatic(ping::DeviceData d, const ping::AutoTransmit& scan) {
+    return {d.mode,
+            d.gain_setting,
+            d.angle,
+            d.transmit_duration,
+            d.sample_period,
+            d.transmit_frequency,
+            scan.start_angle,
+            scan.stop_angle,
+            scan.num_steps,
+            scan.delay,
+            d.number_of_samples,
+            std::move(d.data)};
+}
+
+Ping360::Ping360(const Settings& settings, std::vector<Port> lines)
     : settings_(settings),
-      ports_(std::move(ports)),
+      ports_(std::move(lines)),
       link_(ports_.size(), 2, settings.marks_are_breaks),
-      last_(boot_settings()) {}
+      discovery_(settings.discovery),
+      last_(boot_settings()),
+      last_scan_(boot_scan()) {
+    for (Port& port : discovery_.ports()) ports_.push_back(std::move(port));
+}
 
 std::vector<Port> Ping360::ports() const { return ports_; }
 
@@ -35,7 +61,7 @@ Actions Ping360::started(Time now) {
 Actions Ping360::received(const Received& data, Time now) {
     if (now < silent_until_) return take_actions();
     if (is_discovery(ports_.at(data.port))) {
-        discover(data, now);
+        hear_discovery(data, now);
         return take_actions();
     }
     const auto heard = link_.receive(data);
@@ -59,57 +85,6 @@ DeviceCounters Ping360::counters() const {
     DeviceCounters counters = counters_;
     counters.skipped_bytes = link_.skipped_bytes();
     return counters;
-}
-
-void Ping360::obey(const ping::Frame& frame, const Peer& peer, Time now) {
-    const Id id = frame.header.id;
-    if (ping::is_short_request(frame) && send_message(id, peer, now)) {
-        ++counters_.messages;
-        return;
-    }
-    const auto message = ping::parse(frame);
-    if (!message) {
-        refuse(id, unknown_command, peer, now);
-        return;
-    }
-    std::visit(
-        [&](const auto& m) {
-            if constexpr (requires { on(m, peer, now); }) {
-                ++counters_.messages;
-                on(m, peer, now);
-            } else if constexpr (std::is_same_v<std::decay_t<decltype(m)>, ping::Ack> ||
-                                 std::is_same_v<std::decay_t<decltype(m)>, ping::Nack>) {
-                ++counters_.rejected;  // never answered, else two devices on one line would not end
-            } else {
-                refuse(id, unknown_command, peer, now);
-            }
-        },
-        *message);
-}
-
-void Ping360::on(const ping::GeneralRequest& request, const Peer& peer, Time now) {
-    const auto requested = static_cast<Id>(request.requested_id);
-    if (send_message(requested, peer, now)) return;
-    refuse(settings_.nack_requested_id ? requested : Id::general_request, unknown_command, peer, now);
-}
-
-/// False if there is no such message.
-bool Ping360::send_message(Id id, const Peer& peer, Time now) {
-    const auto& f = settings_.firmware;
-    const auto& p = settings_.protocol;
-    if (id == Id::device_information) {
-        reply(ping::DeviceInformation{settings_.device_type, settings_.device_revision, f[0], f[1], f[2], 0},
-              peer, now);
-    } else if (id == Id::protocol_version) {
-        reply(ping::ProtocolVersion{p[0], p[1], p[2], 0}, peer, now);
-    } else if (id == Id::device_data) {
-        ping::DeviceData data = last_;
-        if (!settings_.last_data_on_request) data.data.clear();
-        reply(data, peer, now);
-    } else {
-        return false;
-    }
-    return true;
 }
 
 void Ping360::on(const ping::Transducer& command, const Peer& peer, Time now) {
@@ -142,6 +117,7 @@ void Ping360::on(const ping::AutoTransmit& command, const Peer& peer, Time now) 
         return;
     }
     stop();
+    last_scan_ = command;
     scan_.emplace(command, settings_.ends_twice);
     job_ = Job{peer,
                {command.mode,
@@ -166,37 +142,11 @@ void Ping360::on(const ping::MotorOff&, const Peer& peer, Time now) {
 void Ping360::on(const ping::Reset& command, const Peer&, Time now) {
     stop();
     last_ = boot_settings();
+    last_scan_ = boot_scan();
     angle_ = 0;
     motor_on_ = true;
     last_move_ = now;
     silent_until_ = now + (command.bootloader != 0 ? boot_loader_time : restart_time);
-}
-
-void Ping360::on(const ping::Ping360SetDeviceId& command, const Peer& peer, Time now) {
-    if (command.id == 0 || command.id == 255) {
-        refuse(Id::ping360_set_device_id, "id out of range", peer, now);
-        return;
-    }
-    link_.set_id(command.id);
-    if (settings_.ack_set_id)
-        reply(ping::Ack{static_cast<std::uint16_t>(Id::ping360_set_device_id)}, peer, now);
-}
-
-void Ping360::on(const ping::SetDeviceId& command, const Peer& peer, Time now) {
-    if (!settings_.accept_common_id || command.device_id == 0 || command.device_id == 255) {
-        refuse(Id::set_device_id, unknown_command, peer, now);
-        return;
-    }
-    link_.set_id(command.device_id);
-    reply(ping::Ack{static_cast<std::uint16_t>(Id::set_device_id)}, peer, now);
-}
-
-void Ping360::discover(const Received& data, Time now) {
-    const std::string_view text(reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size());
-    if (!text.starts_with("Discovery")) return;
-    const std::string words = discovery_reply(settings_.discovery);
-    actions_.send.push_back({data.port, {words.begin(), words.end()}, data.from, now});
-    ++counters_.messages;
 }
 
 void Ping360::reply(const ping::Message& message, const Peer& peer, Time now) {
@@ -269,10 +219,7 @@ void Ping360::answer(std::vector<std::uint8_t> samples, Time now) {
     data.data = std::move(samples);
     last_ = data;
     if (const auto& a = job_->automatic) {
-        reply(ping::AutoDeviceData{data.mode, data.gain_setting, data.angle, data.transmit_duration,
-                                   data.sample_period, data.transmit_frequency, a->start_angle, a->stop_angle,
-                                   a->num_steps, a->delay, data.number_of_samples, std::move(data.data)},
-              job_->peer, now);
+        reply(automatic(std::move(data), *a), job_->peer, now);
     } else {
         reply(std::move(data), job_->peer, now);
     }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "emulator/devices/family/ping_link.h"
+#include "emulator/devices/ping360/discovery.h"
 #include "emulator/devices/ping360/scan.h"
 #include "emulator/devices/ping360/settings.h"
 
@@ -12,9 +13,13 @@ namespace echoloop::ping360 {
 
 using ping_device::Peer;
 
+/// A ping as automatic scans tell it.
+ping::AutoDeviceData automatic(ping::DeviceData data, const ping::AutoTransmit& scan);
+
 class Ping360 final : public Device {
   public:
-    Ping360(const Settings& settings, std::vector<Port> ports);
+    /// `lines`: one per endpoint; ports of discovery come behind them.
+    Ping360(const Settings& settings, std::vector<Port> lines);
 
     std::vector<Port> ports() const override;
     Actions started(Time now) override;
@@ -43,7 +48,8 @@ class Ping360 final : public Device {
     void on(const ping::SetDeviceId& command, const Peer& peer, Time now);
 
     bool send_message(ping::Id id, const Peer& peer, Time now);
-    void discover(const Received& data, Time now);
+    ping::DeviceData last_on_request() const;
+    void hear_discovery(const Received& data, Time now);
     void reply(const ping::Message& message, const Peer& peer, Time now);
     void refuse(ping::Id id, std::string_view text, const Peer& peer, Time now);
     void stop();
@@ -57,11 +63,13 @@ class Ping360 final : public Device {
     Settings settings_;
     std::vector<Port> ports_;
     ping_device::Link link_;
+    Discovery discovery_;
     std::optional<Job> job_;   ///< at hand
     std::deque<Job> waiting_;  ///< transducer commands that came meanwhile
     std::optional<Scan> scan_;
     ping::DeviceData last_;  ///< what 2300 tells when it is asked for
-    int angle_ = 0;          ///< of the head, 0..399
+    ping::AutoTransmit last_scan_;
+    int angle_ = 0;  ///< of the head, 0..399
     bool motor_on_ = true;
     bool under_way_ = false;          ///< a ping is in the water
     std::uint64_t ping_ = 0;          ///< number of the last ping; echoes of others are stale

@@ -1,7 +1,5 @@
 #include "emulator/devices/ping360/ranges.h"
 
-#include <cstdio>
-
 namespace echoloop::ping360 {
 namespace {
 
@@ -31,17 +29,6 @@ std::optional<std::string_view> out_of_range(const ping::AutoTransmit& c) {
     if (c.num_steps < 1 || c.num_steps > 10) return "number of steps out of range";
     if (c.delay > 100) return "delay out of range";
     return common_ranges(c);
-}
-
-std::string discovery_reply(const std::string& address) {
-    unsigned o[4]{};
-    std::sscanf(address.c_str(), "%3u.%3u.%3u.%3u", &o[0], &o[1], &o[2], &o[3]);
-    char padded[32];
-    std::snprintf(padded, sizeof padded, "%03u.%03u.%03u.%03u", o[0] % 256, o[1] % 256, o[2] % 256,
-                  o[3] % 256);
-    return std::string(
-               "SONAR PING360  \r\nBlue Robotics\r\nMAC Address:- 54-10-EC-00-00-01\r\nIP Address:- ") +
-           padded + "\r\n";
 }
 
 }  // namespace echoloop::ping360

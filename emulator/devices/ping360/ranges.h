@@ -1,8 +1,7 @@
-// What a Ping360 takes and what it says of itself on the network. Pure functions.
+// What a Ping360 takes. Pure functions.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "protocols/ping/messages.h"
@@ -12,8 +11,5 @@ namespace echoloop::ping360 {
 /// The sentence of a nack if a value lies outside the documented ranges; angle 400 is taken for 0.
 std::optional<std::string_view> out_of_range(const ping::Transducer& command);
 std::optional<std::string_view> out_of_range(const ping::AutoTransmit& command);
-
-/// Four lines for who asks "Discovery"; `address` is dotted IPv4.
-std::string discovery_reply(const std::string& address);
 
 }  // namespace echoloop::ping360

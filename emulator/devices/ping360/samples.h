@@ -12,8 +12,7 @@ namespace echoloop::ping360 {
 /// 0..255, one per bin of the echogram's only beam. `gain` is 0, 1 or 2.
 std::vector<std::uint8_t> samples_8bit(const Echogram& echogram, const Settings& settings, std::uint8_t gain);
 
-/// 0..255 of the transmitter's own sound, `t` s after the transmission began: up to 254 within 55 us, then
-/// down with 165 us. Fits the means of two recordings (170 over 0 to 220 us, 52 over 220 to 440 us).
-double ring_down(double t);
+/// 0..255 of the transmitter's own sound, `t` s after the transmission began; 0 if it is switched off.
+double ring_down(double t, const RingDown& ring);
 
 }  // namespace echoloop::ping360

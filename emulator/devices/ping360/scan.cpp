@@ -8,7 +8,7 @@ Scan::Scan(const ping::AutoTransmit& command, bool twice)
     : start_(command.start_angle % circle),
       span_((command.stop_angle % circle - start_ + circle) % circle),
       step_(std::max<int>(1, command.num_steps)),
-      full_(span_ == circle - 1),
+      full_(span_ == circle - 1 || command.stop_angle - command.start_angle == circle),
       twice_(twice) {}
 
 void Scan::advance() {

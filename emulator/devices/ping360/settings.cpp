@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <numbers>
+#include <stdexcept>
 
 #include "emulator/devices/family/ping_link.h"
+#include "emulator/devices/ping360/discovery.h"
+#include "emulator/endpoint.h"
 #include "emulator/option_rows.h"
 #include "emulator/options.h"
 
@@ -20,7 +23,10 @@ std::vector<Option> identity_options() {
                  spec),
         integer_row("device_type", "", 2, 1, 255, "in device_information", spec),
         integer_row("device_revision", "", 1, 1, 255, "in device_information", spec),
-        text_row("discovery", "", "IPv4 address to announce on UDP 30303 of that interface; empty: silent",
+        text_row("discovery", "auto",
+                 "IPv4 address to announce on UDP 30303; auto: that of an endpoint "
+                 "udp-listen://ADDRESS:12345, where "
+                 "hosts go then, and silent without one; off: silent",
                  spec),
         number_row("baud", "bit/s", 0, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", spec),
         flag_row("marks_are_breaks", true,
@@ -54,7 +60,7 @@ std::vector<Option> head_options() {
     };
 }
 
-Acoustics read_acoustics(const Profile& p, bool tvg) {
+Acoustics read_acoustics(const Profile& p, bool tvg, bool ring_down) {
     Acoustics a;
     a.centre_frequency = figure(p, "centre_frequency");
     a.response_width = figure(p, "response_width");
@@ -69,7 +75,27 @@ Acoustics read_acoustics(const Profile& p, bool tvg) {
     a.gain_step = figure(p, "gain_step");
     a.tvg_spreading = tvg ? figure(p, "tvg_spreading") : 0;
     a.tvg_absorption = tvg ? figure(p, "tvg_absorption") : 0;
+    if (ring_down)
+        a.ring_down = {figure(p, "ring_down_first"), figure(p, "ring_down_top"), figure(p, "ring_down_rise"),
+                       figure(p, "ring_down_decay"), figure(p, "ring_down_hold")};
     return a;
+}
+
+/// The address to announce, 0 for none.
+std::uint32_t announced(const std::string& word, const std::vector<std::string>& endpoints) {
+    if (word == "off") return 0;
+    if (word == "auto") {
+        for (const std::string& uri : endpoints) {
+            const Endpoint e = parse_endpoint(uri);
+            if (e.scheme == Endpoint::Scheme::udp_listen && e.port == found_port) return e.ip;
+        }
+        return 0;
+    }
+    const auto address = read_address(word);
+    if (!address || *address == 0)
+        throw std::invalid_argument("option 'discovery': '" + word +
+                                    "' is no address; write auto, off, or one like 192.168.2.3");
+    return *address;
 }
 
 /// dB that are lost away from the transducer's own frequency, there and back: 3 dB each way at the band's
@@ -92,6 +118,11 @@ std::vector<FigureRow> figure_table() {
         {"tvg_absorption", "dB/m", "time-varied gain, one way", 0, 2},
         {"reference_level", "dB re 1 uPa", "level after time-varied gain that reads 0 at low gain", 0, 300},
         {"full_scale", "dB", "from 0 to 255", 10, 120},
+        {"ring_down_first", "counts", "first sample, of the transmitter's own sound", 0, 255},
+        {"ring_down_top", "counts", "its loudest sample", 0, 255},
+        {"ring_down_rise", "s", "time constant from the first to the loudest", 1e-7, 0.01},
+        {"ring_down_hold", "s", "from the first sample until it decays", 0, 0.01},
+        {"ring_down_decay", "s", "time constant of the counts afterwards", 1e-7, 0.1},
         {"gain_step", "dB", "from low to normal and from normal to high gain", 0, 40},
     };
     auto common = common_figures();
@@ -113,7 +144,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.protocol = ping_device::read_version(text(o, "protocol_version"), "protocol_version");
     s.device_type = static_cast<std::uint8_t>(integer(o, "device_type"));
     s.device_revision = static_cast<std::uint8_t>(integer(o, "device_revision"));
-    s.discovery = text(o, "discovery");
+    s.discovery = announced(text(o, "discovery"), config.endpoints);
     s.baud = number(o, "baud");
     s.marks_are_breaks = flag(o, "marks_are_breaks");
     s.echo_400 = text(o, "echoed_400") == "400";
@@ -127,8 +158,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.ends_twice = text(o, "turn_around") == "twice";
     s.turn_time = number(o, "turn_time");
     s.idle_off = number(o, "idle_off");
-    s.ring_down = flag(o, "ring_down");
-    s.acoustics = read_acoustics(config.profile, config.effects.has(Effect::tvg));
+    s.acoustics = read_acoustics(config.profile, config.effects.has(Effect::tvg), flag(o, "ring_down"));
     return s;
 }
 

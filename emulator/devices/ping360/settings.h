@@ -4,13 +4,19 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "emulator/model.h"
 #include "protocols/ping/messages.h"
 
 namespace echoloop::ping360 {
+
+/// The transmitter's own sound in the first samples: towards the top, a while there, then down.
+struct RingDown {
+    double first = 0, top = 0;   ///< counts; both 0: switched off
+    double rise = 0, decay = 0;  ///< s, time constants
+    double hold = 0;             ///< s, from the first sample until it decays
+};
 
 /// Figures of the profile, in radians where they are angles.
 struct Acoustics {
@@ -24,6 +30,7 @@ struct Acoustics {
     double gain_step = 0;        ///< dB
     double tvg_spreading = 0;    ///< dB per decade of range; 0 with the effect tvg off
     double tvg_absorption = 0;   ///< dB/m one way; 0 with the effect tvg off
+    RingDown ring_down;
 };
 
 /// Emulator options; README.md of this folder explains each.
@@ -43,14 +50,13 @@ struct Settings {
     double idle_off = 30;    ///< s; 0: never
     double baud = 0;         ///< 0: not paced
     bool marks_are_breaks = true;
-    bool ring_down = true;
-    std::string discovery;  ///< address to announce; empty: not discoverable
+    std::uint32_t discovery = 0;  ///< IPv4 address to announce; 0: not discoverable
     Acoustics acoustics;
 };
 
-/// From complete options and a complete profile. std::invalid_argument if a version is none.
+/// From complete options and a complete profile. std::invalid_argument if a version or an address is none.
 Settings read_settings(const DeviceConfig& config);
-/// The tables that `echoloop list` shows.
+/// The tables that `echoloop list MODEL` shows.
 std::vector<Option> option_table();
 std::vector<FigureRow> figure_table();
 

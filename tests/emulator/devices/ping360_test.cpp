@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "tests/emulator/devices/driver.h"
+#include "tests/emulator/devices/ping360_bench.h"
 
 namespace echoloop::test {
 namespace {
@@ -14,51 +14,6 @@ namespace {
 using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::ElementsAreArray;
-
-int u16(const Bytes& bytes, std::size_t at) { return bytes.at(at) | bytes.at(at + 1) << 8; }
-
-/// Payload in hex to a frame from host 0 to device 0.
-Bytes frame(int id, const std::string& payload = "") {
-    Bytes bytes{'B', 'R', 0, 0, static_cast<std::uint8_t>(id), static_cast<std::uint8_t>(id >> 8), 0, 0};
-    const Bytes content = from_hex(payload);
-    bytes[2] = static_cast<std::uint8_t>(content.size());
-    bytes.insert(bytes.end(), content.begin(), content.end());
-    const int sum = std::accumulate(bytes.begin(), bytes.end(), 0);
-    bytes.push_back(static_cast<std::uint8_t>(sum));
-    bytes.push_back(static_cast<std::uint8_t>(sum >> 8));
-    return bytes;
-}
-
-std::string le16(int value) {
-    const Bytes bytes{static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value >> 8)};
-    return to_hex(bytes);
-}
-
-// 2 m: 11 us, 88 ticks, 750 kHz, 1200 samples
-const std::string two_metres = "0b005800ee02b004";
-Bytes transducer(int angle, const std::string& settings = two_metres, int transmit = 1) {
-    return frame(2601, "0000" + le16(angle) + settings + (transmit ? "0100" : "0000"));
-}
-Bytes auto_transmit(int start, int stop, int step, int delay = 0) {
-    const Bytes tail{static_cast<std::uint8_t>(step), static_cast<std::uint8_t>(delay)};
-    return frame(2602, "0100" + two_metres + le16(start) + le16(stop) + to_hex(tail));
-}
-const Bytes motor_off = frame(2903);
-
-Bench ping360(const Options& changes = {}) { return Bench(make_device("ping360", {}, changes)); }
-
-std::vector<int> ids(const std::vector<Send>& sent) {
-    std::vector<int> found;
-    for (const Send& s : sent) found.push_back(u16(s.bytes, 4));
-    return found;
-}
-
-std::vector<int> angles(const std::vector<Send>& sent) {
-    std::vector<int> found;
-    for (const Send& s : sent)
-        if (u16(s.bytes, 4) == 2300 || u16(s.bytes, 4) == 2301) found.push_back(u16(s.bytes, 10));
-    return found;
-}
 
 TEST(Ping360, AnswersRequestsOfBothKindsAsDevice2) {
     Bench bench = ping360();
@@ -294,21 +249,6 @@ TEST(Ping360, AResetIsFollowedBySilenceAndTheSettingsOfPowerUp) {
               "20005000e4020004");
 }
 
-TEST(Ping360, NoiseBeforeAndDamageWithinCostNoLaterRequest) {
-    Bench bench = ping360();
-    bench.say("5a48000048b8a5");  // boot loader probe
-    bench.say("00ff");
-    bench.say(
-        "55555555555555555555"
-        "00");
-    Bytes damaged = frame(4);
-    damaged[2] = 0x20;  // claims 32 bytes that never come
-    bench.say(damaged);
-    EXPECT_TRUE(bench.sent().empty());
-    bench.say(frame(5));
-    EXPECT_THAT(ids(bench.sent()), ElementsAre(5));
-}
-
 TEST(Ping360, AnswersWhoAskedAndScansForWhoStarted) {
     const Model& row = *find_model("ping360");
     DeviceConfig config = make_config(row);
@@ -326,18 +266,6 @@ TEST(Ping360, AnswersWhoAskedAndScansForWhoStarted) {
     config.options.at("baud") = 0.0;
     config.options.at("firmware") = std::string("3.x");
     EXPECT_THROW(row.make(config), std::invalid_argument);
-}
-
-TEST(Ping360, DiscoveryIsFourLinesThatHostsTakeApart) {
-    Bench bench = ping360({{"discovery", std::string("127.0.0.1")}});
-    const std::string words = "Discovery";
-    bench.say(Bytes(words.begin(), words.end()), 1, {0x7F000001, 6000});
-    const auto sent = bench.sent();
-    ASSERT_EQ(sent.size(), 1u);
-    const std::string text(sent[0].bytes.begin(), sent[0].bytes.end());
-    EXPECT_THAT(text,
-                testing::MatchesRegex("SONAR PING360  \r\nBlue Robotics\r\nMAC Address:- ([0-9A-F]+-?)+\r\n"
-                                      "IP Address:- 127.000.000.001\r\n"));
 }
 
 }  // namespace
