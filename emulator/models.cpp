@@ -1,13 +1,20 @@
 #include <algorithm>
 
+#include "emulator/devices/imagenex-852/sounder.h"
+#include "emulator/devices/imagenex-881a/sonar.h"
 #include "emulator/devices/nmea-echosounder/echosounder.h"
+#include "emulator/devices/oculus/oculus.h"
 #include "emulator/devices/omniscan450/omniscan450.h"
 #include "emulator/devices/ping1d/ping1d.h"
 #include "emulator/devices/ping360/ping360.h"
 #include "emulator/devices/r2sonic/r2sonic.h"
+#include "emulator/devices/surveyor240/surveyor240.h"
 #include "emulator/devices/s500/s500.h"
+#include "emulator/devices/surveyor240/surveyor240.h"
 #include "emulator/devices/tritech-echosounder/echosounder.h"
 #include "emulator/devices/tritech-micron/micron.h"
+#include "emulator/devices/tritech-profiler/profiler.h"
+#include "emulator/devices/tritech-seaking/seaking.h"
 #include "emulator/model.h"
 
 namespace echoloop {
@@ -16,12 +23,18 @@ namespace {
 // An explicit table: a self-registering object in a static library would silently be dropped by the linker.
 std::vector<Model> make_models() {
     std::vector<Model> all;
+    all.push_back(imagenex852::model());
+    all.push_back(imagenex881a::model());
     all.push_back(micron::model());
+    all.push_back(profiler::model());
+    all.push_back(seaking::model());
     all.push_back(nmea_echosounder::model());
+    for (Model& model : oculus_device::models()) all.push_back(std::move(model));
     all.push_back(omniscan450::model());
     all.push_back(ping1d::model());
     all.push_back(ping360::model());
     all.push_back(r2sonic_device::model());
+    all.push_back(surveyor240::model());
     all.push_back(tritech_echosounder::model());
     all.push_back(s500::model());
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });

@@ -13,12 +13,13 @@ namespace echoloop::seanet {
 enum class HeadDataRemaining { zero, low_byte };
 
 struct EncodeOptions {
-    std::uint8_t sonar_node = nodes::imaging;  ///< receiver of a command, sender of a reply
+    /// Receiver of a command, sender of a reply. Messages of a profiler are always those of node 20.
+    std::uint8_t sonar_node = nodes::imaging;
     HeadDataRemaining head_data_remaining = HeadDataRemaining::zero;
 };
 
-/// The message in a frame. Errors carry offsets from the '@'. The sizes of the specification are enforced;
-/// byte 9, nodes and sequence are not looked at.
+/// The message in a frame. HeadCommand and HeadData of node 20 are a profiler's. Errors carry offsets from
+/// the '@'. The sizes of the specification are enforced; byte 9, nodes and sequence are not looked at.
 wire::Result<Message> parse(const Frame& frame);
 
 /// Header and payload of a message; the direction follows from the message.
@@ -31,6 +32,8 @@ wire::Bytes encode(const Message& message, const EncodeOptions& options = {});
 Id id_of(const Message& message);
 /// True for commands, which go from the host to the sonar.
 bool from_host(const Message& message);
+/// True for messages whose bytes mean what they say with node 20 only.
+bool is_profiler(const Message& message);
 
 /// "HeadData", or "id 99" for an id without a name.
 std::string name_of(Id id);

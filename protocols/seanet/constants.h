@@ -97,6 +97,27 @@ inline constexpr std::uint16_t reply_thr = 0x4000;
 inline constexpr std::uint16_t ignore_sensor = 0x8000;
 }  // namespace hd_ctrl
 
+/// Bits of ProfilerParameters::hd_ctrl and ProfilerData::hd_ctrl; those that are missing mean the same as in
+/// hd_ctrl.
+namespace profiler_ctrl {
+inline constexpr std::uint16_t agc = 0x0001;  ///< adaptive gain
+inline constexpr std::uint16_t alt = 0x0002;  ///< passes alternate in direction
+inline constexpr std::uint16_t scanright = 0x0004;
+inline constexpr std::uint16_t invert = 0x0008;
+inline constexpr std::uint16_t motoff = 0x0010;
+inline constexpr std::uint16_t txoff = 0x0020;
+inline constexpr std::uint16_t t10 = 0x0040;
+inline constexpr std::uint16_t chan2 = 0x0080;
+inline constexpr std::uint16_t first = 0x0100;  ///< the first echo above the threshold
+inline constexpr std::uint16_t hasmot = 0x0200;
+inline constexpr std::uint16_t pingsync = 0x0400;
+inline constexpr std::uint16_t scansync = 0x0800;
+inline constexpr std::uint16_t stare_llim = 0x1000;
+inline constexpr std::uint16_t master = 0x2000;
+inline constexpr std::uint16_t mirror = 0x4000;
+inline constexpr std::uint16_t ignore_sensor = 0x8000;
+}  // namespace profiler_ctrl
+
 /// Bits of HeadData::head_status.
 namespace head_status {
 inline constexpr std::uint8_t power_loss = 0x01;   ///< in reset

@@ -60,7 +60,12 @@ std::vector<wire::Table> tables() {
             table_of<FpgaCalData>(),
             table_of<FpgaVersionData>(),
             table_of<HeadData>(),
-            table_of<AuxData>()};
+            table_of<AuxData>(),
+            table_of<ProfilerCommand>(),
+            table_of<ProfilerGainCommand>(),
+            table_of<ProfilerParameters>(),
+            table_of<ProfilerGains>(),
+            table_of<ProfilerData>()};
 }
 
 }  // namespace echoloop::seanet

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "protocols/seanet/constants.h"
+#include "protocols/seanet/profiler_messages.h"
 
 namespace echoloop::seanet {
 
@@ -235,8 +236,9 @@ struct AuxData {
 };
 
 /// Every message that has a layout.
-using Message = std::variant<ReBoot, SendVersion, SendBBUser, StopAlives, SendData, HeadCommand,
-                             HeadCommandDual, HeadCommandReverse, HeadCommandGain, Alive, VersionData,
-                             BBUserData, FpgaCalData, FpgaVersionData, HeadData, AuxData>;
+using Message =
+    std::variant<ReBoot, SendVersion, SendBBUser, StopAlives, SendData, HeadCommand, HeadCommandDual,
+                 HeadCommandReverse, HeadCommandGain, Alive, VersionData, BBUserData, FpgaCalData,
+                 FpgaVersionData, HeadData, AuxData, ProfilerCommand, ProfilerGainCommand, ProfilerData>;
 
 }  // namespace echoloop::seanet

@@ -70,6 +70,23 @@ inline constexpr wire::NamedValue hd_ctrl_names[] = {{hd_ctrl::adc8on, "adc8on"}
                                                      {hd_ctrl::reply_thr, "ReplyThr"},
                                                      {hd_ctrl::ignore_sensor, "IgnoreSensor"}};
 
+inline constexpr wire::NamedValue profiler_ctrl_names[] = {{profiler_ctrl::agc, "AGC"},
+                                                           {profiler_ctrl::alt, "alt"},
+                                                           {profiler_ctrl::scanright, "scanright"},
+                                                           {profiler_ctrl::invert, "invert"},
+                                                           {profiler_ctrl::motoff, "motoff"},
+                                                           {profiler_ctrl::txoff, "txoff"},
+                                                           {profiler_ctrl::t10, "t10"},
+                                                           {profiler_ctrl::chan2, "chan2"},
+                                                           {profiler_ctrl::first, "first"},
+                                                           {profiler_ctrl::hasmot, "hasmot"},
+                                                           {profiler_ctrl::pingsync, "pingsync"},
+                                                           {profiler_ctrl::scansync, "scansync"},
+                                                           {profiler_ctrl::stare_llim, "stareLLim"},
+                                                           {profiler_ctrl::master, "master"},
+                                                           {profiler_ctrl::mirror, "mirror"},
+                                                           {profiler_ctrl::ignore_sensor, "IgnoreSensor"}};
+
 inline constexpr wire::NamedValue head_status_names[] = {{head_status::power_loss, "HdPwrLoss"},
                                                          {head_status::motor_error, "MotErr"},
                                                          {head_status::data_8bit, "8-bit"},

@@ -1,4 +1,4 @@
-// libFuzzer: a payload under any id. What parses is written back to the same payload.
+// libFuzzer: a payload under any id, of an imaging sonar and of a profiler. What parses is written back to the same payload.
 #include <cstdlib>
 
 #include "protocols/seanet/codec.h"
@@ -7,7 +7,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace echoloop::seanet;
     if (size == 0) return 0;
     Frame frame;
-    frame.header.id = static_cast<Id>(data[0]);
+    frame.header.id = static_cast<Id>(data[0] & 0x7F);
+    if (data[0] & 0x80) frame.header.rx_node = frame.header.tx_node = nodes::profiler;
     frame.payload.assign(data + 1, data + size);
     describe(frame);
     const auto message = parse(frame);

@@ -16,7 +16,8 @@ TYPED_TEST_SUITE(SeanetMessage, SeanetTypes);
 TYPED_TEST(SeanetMessage, SurvivesARoundTripThroughAFrame) {
     EXPECT_TRUE(rc::check([] {
         const auto message = arbitrary<TypeParam>();
-        const auto node = *rc::gen::arbitrary<std::uint8_t>();
+        // Node 20 is the profiler's, whose messages have other tables.
+        const auto node = *rc::gen::distinctFrom(rc::gen::arbitrary<std::uint8_t>(), seanet::nodes::profiler);
         const wire::Bytes bytes = seanet::encode(seanet::Message(message), {.sonar_node = node});
         const auto frame = wire::parse<seanet::Frame>(bytes);
         RC_ASSERT(frame.has_value());

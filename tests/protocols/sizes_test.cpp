@@ -70,7 +70,9 @@ INSTANTIATE_TEST_SUITE_P(Specification, SeanetSizes,
                                            SeanetSize{seanet::FpgaVersionData{}, 28, "0016", 0x11},
                                            SeanetSize{seanet::HeadData{.bins = wire::Bytes(4)}, 49, "002B",
                                                       0x00},
-                                           SeanetSize{seanet::AuxData{wire::Bytes(6)}, 22, "0010", 0x0B}));
+                                           SeanetSize{seanet::AuxData{wire::Bytes(6)}, 22, "0010", 0x0B},
+                                           SeanetSize{seanet::ProfilerCommand{}, 82, "004C", 0x47},
+                                           SeanetSize{seanet::ProfilerGainCommand{}, 31, "0019", 0x14}));
 
 TEST(SeanetSizes, Byte9OfHeadDataCanBeTheLowByteOfLengthMinus5) {
     const seanet::Message line = seanet::HeadData{.bins = wire::Bytes(400)};

@@ -1,5 +1,5 @@
-// What the Micron's tests share: commands as drivers send them and a look at replies by the offsets of the
-// SeaNet notes, without the project's own codec.
+// What the tests of SeaNet heads share: commands as drivers send them and a look at replies by the offsets of
+// the SeaNet notes, without the project's own codec.
 #pragma once
 
 #include <ostream>
@@ -71,13 +71,19 @@ inline std::vector<int> bearings(const std::vector<Send>& sent) {
     return found;
 }
 
-inline Bench powered_up(const Options& changes = {}) {
-    return Bench(make_device("tritech-micron", {}, changes));
+inline Bench powered_up(const Options& changes = {}, const std::string& model = "tritech-micron") {
+    return Bench(make_device(model, {}, changes));
+}
+
+/// A command with some bytes replaced; `at` counts from the '@'.
+inline std::string changed(std::string command, std::size_t at, const std::string& hex) {
+    return command.replace(2 * at, hex.size(), hex);
 }
 
 /// Centred, with parameters, nothing pending.
-inline Bench scanning(const std::string& command, const Options& changes = {}) {
-    Bench bench = powered_up(changes);
+inline Bench scanning(const std::string& command, const Options& changes = {},
+                      const std::string& model = "tritech-micron") {
+    Bench bench = powered_up(changes, model);
     bench.run_to(4s);
     bench.say(command);
     bench.sent();

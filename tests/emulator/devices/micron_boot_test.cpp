@@ -92,7 +92,7 @@ TEST(MicronBoot, UserBlockIsFollowedByFpgaMessagesOnDstOnly) {
     dst.run_to(5s);
     EXPECT_THAT(alives(dst.sent()), ElementsAre(Alive{0x80, 0xCA})) << "NoParams and SentCfg";
 
-    Bench miniking = powered_up({{"profile", std::string("miniking")}});
+    Bench miniking = powered_up({}, "tritech-seaking");
     miniking.run_to(4s);
     miniking.sent();
     miniking.say(send_bb_user);

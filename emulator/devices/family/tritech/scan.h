@@ -7,7 +7,7 @@
 
 #include "protocols/seanet/constants.h"
 
-namespace echoloop::micron {
+namespace echoloop::tritech {
 
 /// How the head treats what the specification leaves open.
 struct ScanRules {
@@ -59,4 +59,4 @@ class Scan {
     bool pinged_limit_ = false;  ///< the limit under the head has had its first of two pings
 };
 
-}  // namespace echoloop::micron
+}  // namespace echoloop::tritech

@@ -1,15 +1,28 @@
-// Power-up of a Micron and its once-a-second mtAlive: re-centring, then waiting for parameters. Knows no
-// echoes.
+// Power-up of a SeaNet head and its once-a-second mtAlive: re-centring, then waiting for parameters; and the
+// motor, which may fall asleep. Knows no echoes.
 #pragma once
 
-#include "emulator/device.h"
-#include "emulator/devices/tritech-micron/settings.h"
+#include <string>
 
-namespace echoloop::micron {
+#include "emulator/device.h"
+#include "protocols/seanet/messages.h"
+
+namespace echoloop::tritech {
+
+/// What the specification leaves open about the start.
+struct BootRules {
+    double first_alive = 1;                        ///< s after power-up or reboot
+    int recentring_alives = 3;                     ///< alives with InCentre after a reboot
+    std::vector<std::uint8_t> homing{0x5D, 0x4D};  ///< their HeadInf; the last one repeats
+    bool alives_while_scanning = false;
+    std::string sent_cfg_by = "both";
+    double motor_off_after = 0;  ///< s without a ping; 0: never
+    double motor_start = 1;      ///< s from power-down to the next ping
+};
 
 class Boot {
   public:
-    explicit Boot(const Settings& settings) : settings_(settings) {}
+    explicit Boot(BootRules rules) : rules_(std::move(rules)) {}
 
     /// Power-up or mtReBoot: everything forgotten, re-centring begins.
     void restart(Time now);
@@ -24,6 +37,9 @@ class Boot {
     /// A line was requested and served: the line is busy, the next alive is a second away.
     void line_served(Time now);
 
+    /// When the motor can move for a ping that is asked for now. A motor that sleeps is woken.
+    Time wake_motor(Time now);
+
     /// When the next alive is due; Time::max() if never.
     Time next_alive() const { return stopped_ ? Time::max() : next_alive_; }
     /// Parameters came: the next alive comes at once, but not in bursts, since one host repeats its
@@ -34,11 +50,15 @@ class Boot {
 
   private:
     Time first_alive() const;
+    bool motor_on(Time now) const;
+    std::uint8_t motion(Time now) const;
     std::uint8_t head_inf(Time now) const;
     bool no_params(Time now) const { return !has_parameters_ || acknowledging_ || !centred(now); }
 
-    const Settings& settings_;
+    BootRules rules_;
     Time start_{}, centred_at_{}, next_alive_{}, last_alive_{};
+    Time motor_used_{};    ///< last known use of the motor
+    Time motor_ready_{};   ///< when it was or will be awake
     Time clock_offset_{};  ///< head time minus run time
     bool has_parameters_ = false;
     bool acknowledging_ =
@@ -47,4 +67,4 @@ class Boot {
     bool stopped_ = false;
 };
 
-}  // namespace echoloop::micron
+}  // namespace echoloop::tritech

@@ -1,8 +1,8 @@
-#include "emulator/devices/tritech-micron/scan.h"
+#include "emulator/devices/family/tritech/scan.h"
 
 #include <algorithm>
 
-namespace echoloop::micron {
+namespace echoloop::tritech {
 namespace {
 
 constexpr int circle = seanet::angle_units;
@@ -77,4 +77,4 @@ seanet::SweepCode Scan::sweep_code() const {
     return SweepCode::normal;
 }
 
-}  // namespace echoloop::micron
+}  // namespace echoloop::tritech

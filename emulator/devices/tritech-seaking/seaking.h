@@ -1,0 +1,10 @@
+// The row of the Tritech SeaKing, SeaPrince and MiniKing in the table of models.
+#pragma once
+
+#include "emulator/model.h"
+
+namespace echoloop::seaking {
+
+Model model();
+
+}  // namespace echoloop::seaking
