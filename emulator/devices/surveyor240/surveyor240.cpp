@@ -1,0 +1,267 @@
+#include "emulator/devices/surveyor240/surveyor240.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocols/cerulean/surveyor_codec.h"
+
+namespace echoloop::surveyor240 {
+namespace {
+
+namespace wire_messages = cerulean::surveyor;
+using cerulean::Id;
+
+constexpr Time processing = std::chrono::milliseconds(5);  // from the last range step to the points
+constexpr Time look = std::chrono::milliseconds(50);       // for a look at the attitude between pings
+constexpr Time water_period = std::chrono::seconds(1);
+constexpr float no_sensor = -1000;  // the maker's definition
+
+std::uint32_t milliseconds(Time time) {
+    return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
+}
+
+/// A first time `period` from now; never for a period of 0.
+Time after(Time now, double period) { return period > 0 ? now + from_seconds(period) : Time::max(); }
+
+}  // namespace
+
+Surveyor240::Surveyor240(const Settings& settings, const std::vector<std::string>& endpoints)
+    : settings_(settings),
+      endpoints_(endpoints),
+      ports_(cerulean_device::make_ports(endpoints, settings.identity)),
+      pieces_(cerulean_device::pieces(endpoints, settings.identity)),
+      link_(endpoints.size(), settings.identity.source, true),
+      hosts_(endpoints.size()),
+      parameters_(default_parameters()) {
+    // Looking straight down until the first echogram says better.
+    pose_.orientation = from_rpy(0, deg_to_rad(90), 0);
+    yz_.up_vec = up_vector(pose_, settings_);
+    yz_.water_degC = yz_.water_bar = no_sensor;
+}
+
+Actions Surveyor240::started(Time now) {
+    look_at_attitude(now);
+    return take_actions();
+}
+
+Actions Surveyor240::received(const Received& data, Time now) {
+    if (data.port >= endpoints_.size()) {  // discovery
+        auto answer = cerulean_device::discovery_reply(data.bytes, endpoints_, settings_.identity);
+        if (!answer.empty()) actions_.send.push_back({data.port, std::move(answer), data.from, {}});
+        return take_actions();
+    }
+    for (const ping::Frame& frame : link_.receive(data).frames) obey(frame, {data.port, data.from}, now);
+    return take_actions();
+}
+
+void Surveyor240::reconnected(std::size_t port) {
+    if (port >= endpoints_.size()) return;
+    link_.reset(port);
+    hosts_.at(port).reset();
+}
+
+DeviceCounters Surveyor240::counters() const {
+    DeviceCounters counters = counters_;
+    counters.skipped_bytes = link_.skipped_bytes();
+    return counters;
+}
+
+/// The first word of a host: reports begin, and the time of day is asked for.
+void Surveyor240::greet(const Peer& peer, Time now) {
+    const bool first = !hosts_.at(peer.port);
+    hosts_[peer.port] = peer.address;
+    if (!first) return;
+    if (next_attitude_ == Time::max()) next_attitude_ = after(now, settings_.attitude_period);
+    if (next_water_ == Time::max() && (settings_.pressure_sensor || settings_.temperature > no_sensor))
+        next_water_ = now + water_period;
+    if (settings_.utc_request_period > 0) next_utc_request_ = now;
+}
+
+/// What a Surveyor does not know it drops without a word.
+void Surveyor240::obey(const ping::Frame& frame, const Peer& peer, Time now) {
+    greet(peer, now);
+    const auto id = static_cast<std::uint16_t>(frame.header.id);
+    if (wire_messages::is_short_request(frame) && send_message(id, peer)) {
+        ++counters_.messages;
+        return;
+    }
+    const auto parsed = wire_messages::parse(frame);
+    if (!parsed) {
+        ++counters_.rejected;
+        return;
+    }
+    ++counters_.messages;
+    std::visit(
+        [&](const auto& message) {
+            if constexpr (requires { on(message, peer, now); }) on(message, peer, now);
+        },
+        *parsed);
+}
+
+void Surveyor240::on(const ping::GeneralRequest& request, const Peer& peer, Time) {
+    if (send_message(request.requested_id, peer)) return;
+    ++counters_.rejected;
+    const auto refused = cerulean_device::refused_id(settings_.identity, ping::Id{request.requested_id});
+    reply(ping_device::nack(refused, "command not recognised"), peer);
+}
+
+void Surveyor240::on(const wire_messages::PingParameters& wanted, const Peer& peer, Time now) {
+    const auto why = refusal(wanted, settings_);
+    acknowledge(Id::surveyor_ping_parameters, why, peer);
+    if (why) return;
+    parameters_ = wanted;
+    if (parameters_.ping_enable != 0)
+        pacer_.start(now, period());
+    else
+        pacer_.stop();
+}
+
+void Surveyor240::on(const wire_messages::UtcResponse& response, const Peer&, Time now) {
+    utc_at_power_up_ = response.utc_msec - milliseconds(now);
+}
+
+/// A time server is not asked; the host is.
+void Surveyor240::on(const wire_messages::SetNetInfo&, const Peer& peer, Time) {
+    acknowledge(Id::set_net_info, std::nullopt, peer);
+}
+
+void Surveyor240::acknowledge(Id id, std::optional<std::string_view> refusal, const Peer& peer) {
+    const auto number = static_cast<std::uint16_t>(id);
+    if (refusal) ++counters_.rejected;
+    if (!settings_.identity.acknowledge) return;
+    if (refusal)
+        reply(ping_device::nack(ping::Id{number}, *refusal), peer);
+    else
+        reply(ping::Ack{number}, peer);
+}
+
+bool Surveyor240::send_message(std::uint16_t id, const Peer& peer) {
+    switch (Id{id}) {
+        case Id::device_information:
+            reply(cerulean_device::device_information(settings_.identity), peer);
+            return true;
+        case Id::protocol_version:
+            reply(cerulean_device::protocol_version(settings_.identity), peer);
+            return true;
+        case Id::water_stats:
+            reply(water(), peer);
+            return true;
+        case Id::attitude_report:
+            reply(attitude(), peer);
+            return true;
+        case Id::yz_point_data:
+            reply(yz_, peer);
+            return true;
+        case Id::atof_point_data:
+            reply(atof_, peer);
+            return true;
+        default:
+            return false;
+    }
+}
+
+Time Surveyor240::period() const {
+    return from_seconds(make_plan(parameters_, automatic_, settings_).period);
+}
+
+void Surveyor240::transmit(Time now) {
+    plan_ = make_plan(parameters_, automatic_, settings_);
+    transmitted_ = now;
+    actions_.ping =
+        Ping{make_shot(plan_, settings_, ++ping_), now + from_seconds(plan_.listening()) + processing};
+}
+
+void Surveyor240::look_at_attitude(Time now) {
+    looked_ = now;
+    actions_.ping = Ping{silent_shot(settings_), now + look};
+}
+
+Actions Surveyor240::heard(const Echogram& echogram, Time now) {
+    if (echogram.shot.ping == 0) {
+        take_pose(echogram, looked_);
+        if (next_attitude_ != Time::max()) tell(attitude());
+        return take_actions();
+    }
+    if (!pacer_.under_way() || echogram.shot.ping != ping_) return take_actions();
+    ++counters_.pings;
+    take_pose(echogram, transmitted_);
+    send_points(echogram);
+    pacer_.end(now, period());
+    return take_actions();
+}
+
+void Surveyor240::send_points(const Echogram& echogram) {
+    const auto points = find_points(echogram, settings_);
+    const PingRecord record{
+        plan_, ping_, milliseconds(transmitted_), utc(transmitted_), up_vector(pose_, settings_), water()};
+    atof_ = atof_message(record, points);
+    yz_ = yz_message(record, points);
+    if (plan_.atof) tell(atof_);
+    if (plan_.yz) tell(yz_);
+    double farthest = 0;
+    for (const Point& point : points) farthest = std::max(farthest, slant_range(point, plan_));
+    const float loudest = *std::max_element(echogram.values.begin(), echogram.values.end());
+    automatic_ = follow(plan_, automatic_, farthest, level_db(loudest), settings_);
+}
+
+void Surveyor240::take_pose(const Echogram& echogram, Time at) {
+    pose_ = echogram.world_from_sonar;
+    pose_at_ = at;
+}
+
+wire_messages::AttitudeReport Surveyor240::attitude() const {
+    return {up_vector(pose_, settings_), {}, utc(pose_at_), milliseconds(pose_at_)};
+}
+
+wire_messages::WaterStats Surveyor240::water() const {
+    return {static_cast<float>(settings_.temperature),
+            settings_.pressure_sensor ? static_cast<float>(water_pressure(pose_)) : no_sensor};
+}
+
+std::uint64_t Surveyor240::utc(Time time) const {
+    return utc_at_power_up_ ? *utc_at_power_up_ + milliseconds(time) : 0;
+}
+
+/// While it pings, the attitude of the last ping is told; else it is looked at first.
+void Surveyor240::report(Time now) {
+    const bool alone = std::none_of(hosts_.begin(), hosts_.end(), [](const auto& host) { return !!host; });
+    if (alone) next_attitude_ = next_water_ = next_utc_request_ = Time::max();
+    if (now >= next_attitude_) {
+        next_attitude_ = after(now, settings_.attitude_period);
+        if (parameters_.ping_enable != 0)
+            tell(attitude());
+        else
+            look_at_attitude(now);
+    }
+    if (now >= next_water_) {
+        next_water_ = now + water_period;
+        tell(water());
+    }
+    if (now >= next_utc_request_) {
+        next_utc_request_ = after(now, settings_.utc_request_period);
+        tell(wire_messages::UtcRequest{});
+    }
+}
+
+Actions Surveyor240::woken(Time now) {
+    report(now);
+    if (pacer_.begin(now)) transmit(now);
+    return take_actions();
+}
+
+void Surveyor240::reply(const wire_messages::Message& message, const Peer& to) {
+    for (Send& send : link_.reply_in_pieces(message, to, pieces_.at(to.port)))
+        actions_.send.push_back(std::move(send));
+}
+
+void Surveyor240::tell(const wire_messages::Message& message) {
+    for (std::size_t port = 0; port < hosts_.size(); ++port)
+        if (hosts_[port]) reply(message, {port, *hosts_[port]});
+}
+
+Actions Surveyor240::take_actions() {
+    actions_.wake = std::min({pacer_.wake(), next_attitude_, next_utc_request_, next_water_});
+    return std::exchange(actions_, {});
+}
+
+}  // namespace echoloop::surveyor240
