@@ -108,10 +108,19 @@ class Check(ProgramTest):
 
 
 class List(ProgramTest):
-    def test_models_with_their_options(self):
-        text = self.good("list")
-        self.assertIn("tritech-micron    Tritech Micron", text)
+    def test_a_line_per_model_and_the_way_to_more(self):
+        lines = self.good("list").splitlines()
+        names = [m["name"] for m in self.json("list")["models"]]
+        self.assertEqual([line.split()[0] for line in lines[: len(names)]], names)
+        self.assertRegex(lines[names.index("tritech-micron")], r"^tritech-micron +Tritech Micron.* {2,}SeaNet")
+        self.assertEqual(len(lines), len(names) + 2)
+        self.assertIn("echoloop list MODEL", lines[-1])
+
+    def test_all_models_with_their_options(self):
+        text = self.good("list", "--all")
+        self.assertRegex(text, r"(?m)^tritech-micron +Tritech Micron")
         self.assertIn("udp-listen://127.0.0.1:65500", text)
+        self.assertIn(self.good("list", "tritech-micron"), text)
 
     def test_json_gives_type_unit_default_and_source_of_every_option(self):
         models = {m["name"]: m for m in self.json("list")["models"]}

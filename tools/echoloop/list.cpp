@@ -1,4 +1,5 @@
-// echoloop list: the sonars that can be emulated, their options and their acoustic figures with sources.
+// echoloop list: the sonars that can be emulated; of one or all, the options and the acoustic figures with
+// sources.
 #include <cstdio>
 
 #include "emulator/scenario/problems.h"
@@ -73,6 +74,20 @@ void print_model(const Model& model) {
     if (!model.figures.empty()) print_figures(model);
 }
 
+/// One line per model, and the way to more.
+void print_names(std::span<const Model> shown) {
+    std::size_t name = 0, title = 0;
+    for (const auto& model : shown) {
+        name = std::max(name, model.name.size() + 2);
+        title = std::max(title, model.title.size() + 2);
+    }
+    for (const auto& model : shown)
+        std::printf("%s%s%s\n", padded(model.name, name).c_str(), padded(model.title, title).c_str(),
+                    model.protocol.c_str());
+    std::printf(
+        "\n`echoloop list MODEL` shows the options and acoustic figures of one, with their sources.\n");
+}
+
 std::span<const Model> wanted(const Arguments& arguments) {
     if (!arguments.has("MODEL")) return models();
     const auto name = arguments.text("MODEL");
@@ -91,6 +106,10 @@ int run(const Arguments& arguments) {
         std::printf("%s\n", list_json(shown).c_str());
         return 0;
     }
+    if (!arguments.has("MODEL") && !arguments.has("--all")) {
+        print_names(shown);
+        return 0;
+    }
     for (const auto& model : shown) {
         print_model(model);
         if (&model != &shown.back()) std::printf("\n");
@@ -103,9 +122,12 @@ int run(const Arguments& arguments) {
 Verb list_verb() {
     return {"list",
             "the sonars that can be emulated, their options and acoustic figures",
-            {{Argument::Kind::optional, "MODEL", "", "show this model only"}, json_argument()},
+            {{Argument::Kind::optional, "MODEL", "", "show the options and figures of this model"},
+             {Argument::Kind::flag, "--all", "", "show the options and figures of every model"},
+             json_argument()},
             "  echoloop list\n"
             "  echoloop list tritech-micron\n"
+            "  echoloop list --all\n"
             "  echoloop list --json | jq -r '.models[].name'",
             run};
 }
