@@ -69,6 +69,11 @@ class Install(Script):
         self.assertEqual(self.run_script("install", "test"), 0, self.output)
         self.assertEqual(self.installs(), ["libpng-dev libgtest-dev"])
 
+    def test_adds_what_fuzzing_needs(self):
+        self.put("missing", "libpng-dev\nlibgtest-dev\nclang-16\n")
+        self.assertEqual(self.run_script("install", "fuzz"), 0, self.output)
+        self.assertEqual(self.installs(), ["libpng-dev libgtest-dev clang-16"])
+
     def test_says_and_does_nothing_when_all_is_there(self):
         self.put("missing")
         self.assertEqual(self.run_script("install", "test"), 0)

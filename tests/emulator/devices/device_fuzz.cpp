@@ -1,6 +1,11 @@
-// Any bytes at any time to every model: it must not crash, hang, or ask for a ping that cannot be rendered.
-// The first byte picks the model, each further record is {port, pause in 10 ms, length, bytes}.
+// Any bytes at any time to every model: it must not crash, hang, send where no port is, or ask for a ping
+// that cannot be rendered. ECHOLOOP_MODEL=NAME tries one model only, ECHOLOOP_MODEL=list names them. The
+// input is {model, options, echo}, then records of {port, pause in 10 ms, length, bytes}; a pause of 255 is
+// another driver at the same port.
+#include <cmath>
 #include <cstdlib>
+#include <random>
+#include <stdexcept>
 
 #include "tests/emulator/devices/driver.h"
 
@@ -12,6 +17,14 @@ void require(bool good) {
     if (!good) std::abort();
 }
 
+const Model* wanted_model() {
+    const char* name = std::getenv("ECHOLOOP_MODEL");
+    if (name == nullptr) return nullptr;
+    if (const Model* model = find_model(name)) return model;
+    for (const Model& model : models()) std::printf("%s\n", model.name.c_str());
+    std::exit(std::string_view(name) == "list" ? 0 : 64);
+}
+
 void check(const Shot& shot) {
     require(shot.bins > 0 && shot.bins * shot.bearings.size() <= (std::size_t{16} << 20));
     require(std::isfinite(shot.bin_interval) && shot.bin_interval > 0);
@@ -21,27 +34,88 @@ void check(const Shot& shot) {
     for (std::size_t n = 1; n < shot.bearings.size(); ++n) require(shot.bearings[n] > shot.bearings[n - 1]);
 }
 
+/// Switches and words other than the defaults, drawn by `seed`; none for 0.
+Options some_options(const Model& model, unsigned seed) {
+    Options changes;
+    std::mt19937 random(seed);
+    for (const Option& option : model.options) {
+        if (seed == 0 || random() % 4 != 0) continue;
+        if (!option.choices.empty()) changes[option.name] = option.choices[random() % option.choices.size()];
+        if (const bool* value = std::get_if<bool>(&option.default_value)) changes[option.name] = !*value;
+    }
+    return changes;
+}
+
+/// A device on a bench that hears a few pings only: one that pings by itself must not eat the time.
+class ShortBench {
+  public:
+    ShortBench(std::unique_ptr<Device> device, std::uint8_t echo)
+        : bench_(std::move(device)), ports_(bench_.device().ports()) {
+        bench_.echo_bin = echo * 8U;
+        bench_.echo_power = echo % 4 == 0 ? 0.0F : std::pow(10.0F, static_cast<float>(echo % 32));
+        require(!ports_.empty());
+    }
+
+    /// Lets time pass until `effort` is spent on echoes.
+    void run_for(Time time, std::size_t effort) {
+        const Time end = bench_.now + time;
+        for (std::size_t spent = 0; spent < effort;) {
+            bench_.wake = std::max(bench_.wake, bench_.now);
+            const Time due = bench_.ping ? bench_.ping->due : Time::max();
+            const Time next = std::max(bench_.now, std::min(bench_.wake, due));
+            if (next > end) {
+                bench_.now = end;
+                return;
+            }
+            if (due <= next) spent += 2000 + bench_.ping->shot.bearings.size() * bench_.ping->shot.bins;
+            bench_.run_to(next);
+            take();
+        }
+    }
+
+    void say(std::size_t port, ByteView bytes) {
+        bench_.say(bytes, port % ports_.size(), {0x7F000001, 40000});
+        take();
+    }
+    void reconnect(std::size_t port) {
+        port %= ports_.size();
+        if (ports_[port].kind == Port::Kind::stream) bench_.device().reconnected(port);
+    }
+
+  private:
+    void take() {
+        if (bench_.ping) check(bench_.ping->shot);
+        for (const Send& send : bench_.sent()) require(send.port < ports_.size() && !send.bytes.empty());
+        bench_.shots.clear();
+    }
+
+    test::Bench bench_;
+    std::vector<Port> ports_;
+};
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const Model* const only = wanted_model();
     ByteView input(data, size);
-    if (input.empty()) return 0;
-    const Model& model = models()[input[0] % models().size()];
-    input = input.subspan(1);
-    // A multibeam that runs freely would spend the time on silent echograms.
-    Options changes;
-    if (model.name.starts_with("r2sonic")) changes["trigger"] = std::string("command");
-    test::Bench bench(test::make_device(model.name, {}, changes));
-    const std::size_t ports = bench.device().ports().size();
-    bench.run_to(std::chrono::seconds(4));
-    while (input.size() >= 3) {
-        const std::size_t port = input[0] % ports, length = std::min<std::size_t>(input[2], input.size() - 3);
-        bench.run_to(bench.now + input[1] * std::chrono::milliseconds(10));
-        bench.say(input.subspan(3, length), port, {0x7F000001, 40000});
-        input = input.subspan(3 + length);
-        if (bench.ping) check(bench.ping->shot);
-        bench.sent();
-        bench.shots.clear();
+    if (input.size() < 3) return 0;
+    const Model& model = only != nullptr ? *only : models()[input[0] % models().size()];
+    std::unique_ptr<Device> device;
+    try {
+        device = test::make_device(model.name, {}, some_options(model, input[1]));
+    } catch (const std::invalid_argument&) {
+        return 0;  // options that do not fit together are refused before a run
     }
+    ShortBench bench(std::move(device), input[2]);
+    input = input.subspan(3);
+    bench.run_for(std::chrono::seconds(4), 50000);
+    for (int records = 0; input.size() >= 3 && records < 64; ++records) {
+        const std::size_t port = input[0], length = std::min<std::size_t>(input[2], input.size() - 3);
+        bench.run_for(input[1] * std::chrono::milliseconds(10), 100000);
+        if (input[1] == 255) bench.reconnect(port);
+        bench.say(port, input.subspan(3, length));
+        input = input.subspan(3 + length);
+    }
+    bench.run_for(std::chrono::seconds(2), 300000);
     return 0;
 }
