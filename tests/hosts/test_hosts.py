@@ -7,7 +7,14 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-MODULES = ["test_byte_line", "test_seanet_host", "test_r2sonic_host", "test_r2sonic_control"]
+MODULES = [
+    "test_byte_line",
+    "test_seanet_host",
+    "test_r2sonic_host",
+    "test_r2sonic_control",
+    "test_imagenex_wire",
+    "test_oculus_wire",
+]
 
 
 def load_tests(loader, _standard, _pattern):

@@ -1,0 +1,91 @@
+#include <stdexcept>
+
+#include "emulator/devices/oculus/oculus.h"
+#include "emulator/endpoint.h"
+
+namespace echoloop::oculus_device {
+namespace {
+
+constexpr std::uint16_t status_port = 52102;
+constexpr std::uint32_t loopback_broadcast = 0x7FFFFFFF;  // 127.255.255.255
+constexpr double default_range = 10;                      // m
+
+bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
+
+Endpoint read_listener(const std::string& uri) {
+    const Endpoint listener = parse_endpoint(uri);
+    if (listener.scheme != Endpoint::Scheme::tcp_listen)
+        throw std::invalid_argument(uri + ": the first endpoint must be tcp-listen://ADDRESS:52100");
+    if (listener.ip == 0)
+        throw std::invalid_argument(
+            uri + ": the status tells drivers the address to connect to; name one of this machine's");
+    return listener;
+}
+
+/// A loopback sonar sends to loopback only.
+Address read_status(const std::string& uri, const Endpoint& listener) {
+    const Endpoint status = parse_endpoint(uri);
+    if (status.scheme != Endpoint::Scheme::udp)
+        throw std::invalid_argument(uri +
+                                    ": the second endpoint, for the status, must be udp://ADDRESS:52102");
+    if (is_loopback(listener.ip) && !is_loopback(status.ip))
+        throw std::invalid_argument(
+            uri +
+            ": a sonar on a loopback address sends its status to loopback only; give the first endpoint "
+            "an address of that network");
+    return {status.ip, status.port};
+}
+
+Wiring read_wiring(const std::vector<std::string>& endpoints) {
+    if (endpoints.empty() || endpoints.size() > 2)
+        throw std::invalid_argument(
+            "an Oculus has one or two endpoints, its data port and where its status goes, e.g. "
+            "[\"tcp-listen://192.168.2.4:52100\", \"udp://192.168.2.255:52102\"]");
+    const Endpoint listener = read_listener(endpoints[0]);
+    if (endpoints.size() == 1 && !is_loopback(listener.ip))
+        throw std::invalid_argument(endpoints[0] +
+                                    ": say where the status goes, e.g. \"udp://192.168.2.255:52102\"");
+    Wiring wiring{{listener.ip, listener.port}, {loopback_broadcast, status_port}};
+    if (endpoints.size() == 2) wiring.status = read_status(endpoints[1], listener);
+    return wiring;
+}
+
+std::unique_ptr<Device> make(const DeviceConfig& config) {
+    return std::make_unique<Oculus>(read_settings(config), read_wiring(config.endpoints));
+}
+
+/// Low frequency, all beams.
+Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
+    const Settings settings = read_settings(config);
+    Request request;
+    request.wish.fire.flags = oculus::flag::range_in_metres | oculus::flag::beams_512;
+    request.wish.fire.range = range > 0 ? range : default_range;
+    request.wish.fire.sound_speed = config.sound_speed;
+    return make_shot(request, make_plan(request, settings), settings, static_cast<std::uint32_t>(step + 1));
+}
+
+Model row(const std::string& name, const std::string& title) {
+    Model m;
+    m.name = name;
+    m.title = title;
+    m.protocol = "Oculus: status on UDP, fire messages and images on TCP";
+    m.default_endpoints = {"tcp-listen://127.0.0.1:52100", "udp://127.255.255.255:52102"};
+    m.endpoint_schemes = {"tcp-listen"};
+    m.options = option_table();
+    m.figures = figure_table();
+    m.profile = built_in_profile(m.name);
+    m.make = make;
+    m.default_shot = default_shot;
+    return m;
+}
+
+}  // namespace
+
+std::vector<Model> models() {
+    return {row("oculus-m370s", "Blueprint Subsea Oculus M370s imaging sonar"),
+            row("oculus-m750d", "Blueprint Subsea Oculus M750d imaging sonar"),
+            row("oculus-m1200d", "Blueprint Subsea Oculus M1200d imaging sonar"),
+            row("oculus-m3000d", "Blueprint Subsea Oculus M3000d imaging sonar")};
+}
+
+}  // namespace echoloop::oculus_device

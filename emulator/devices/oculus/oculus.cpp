@@ -1,0 +1,134 @@
+#include "emulator/devices/oculus/oculus.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocols/oculus/codec.h"
+
+namespace echoloop::oculus_device {
+namespace {
+
+using namespace std::chrono_literals;
+
+enum PortIndex : std::size_t { data_port, status_port };
+
+constexpr Time dummy_period = 1s;
+constexpr std::uint32_t over_temperature = 1U << 15;
+constexpr std::uint32_t loopback = 0x7F000001;
+
+bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
+
+}  // namespace
+
+Oculus::Oculus(const Settings& settings, const Wiring& wiring) : settings_(settings), wiring_(wiring) {}
+
+std::vector<Port> Oculus::ports() const {
+    return {{"data", Port::Kind::stream, {}, false},
+            {"status", Port::Kind::datagram, {wiring_.own.ip, 0}, false}};
+}
+
+Actions Oculus::started(Time now) {
+    next_status_ = next_tick_ = now;
+    return take_actions();
+}
+
+/// The settings of a host that has gone are not those of the next one.
+void Oculus::reconnected(std::size_t port) {
+    if (port != data_port) return;
+    framer_.clear();
+    request_.reset();
+    ping_under_way_ = false;
+    next_ping_ = Time::max();
+    // A stream says who is there only when it speaks; what connects to loopback comes from there.
+    client_ = is_loopback(wiring_.own.ip) ? loopback : 0;
+}
+
+Actions Oculus::received(const Received& data, Time now) {
+    if (data.port != data_port) return take_actions();
+    if (data.from.ip != 0) client_ = data.from.ip;
+    framer_.feed(data.bytes);
+    while (const auto frame = framer_.next()) obey(*frame, now);
+    return take_actions();
+}
+
+/// Other messages than fires change nothing.
+void Oculus::obey(const oculus::Frame& frame, Time now) {
+    const auto message = oculus::parse(frame);
+    ++(message ? counters_.messages : counters_.rejected);
+    if (!message) return;
+    if (const auto* v1 = std::get_if<oculus::Fire>(&*message))
+        fire(read_request(*v1), now);
+    else if (const auto* v2 = std::get_if<oculus::FireV2>(&*message))
+        fire(read_request(*v2), now);
+}
+
+void Oculus::fire(const std::optional<Request>& request, Time now) {
+    if (!request) {
+        ++counters_.rejected;
+        return;
+    }
+    request_ = request;
+    if (!ping_under_way_) plan_next_ping(now);
+}
+
+bool Oculus::pinging() const {
+    return request_ && !request_->standby() && (settings_.status_bits & over_temperature) == 0;
+}
+
+void Oculus::plan_next_ping(Time now) {
+    next_ping_ = Time::max();
+    if (!pinging()) return;
+    const Time period = from_seconds(make_plan(*request_, settings_).period);
+    next_ping_ = last_transmission_ ? std::max(now, *last_transmission_ + period) : now;
+}
+
+void Oculus::transmit(Time now) {
+    next_ping_ = Time::max();
+    ping_under_way_ = true;
+    last_transmission_ = now;
+    ping_ = {*request_, make_plan(*request_, settings_), ping_.number + 1, now};
+    actions_.ping = Ping{make_shot(ping_.request, ping_.plan, settings_, ping_.number),
+                         now + from_seconds(ping_.plan.due)};
+}
+
+Actions Oculus::heard(const Echogram& echogram, Time now) {
+    const bool expected = ping_under_way_ && echogram.shot.ping == ping_.number &&
+                          echogram.shot.bins == ping_.plan.rows && echogram.beams() == ping_.plan.beams;
+    if (!expected) return take_actions();
+    ping_under_way_ = false;
+    ++counters_.pings;
+    depth_ = -echogram.world_from_sonar.position.z;
+    send(make_result(ping_, settings_, echogram));
+    plan_next_ping(now);
+    return take_actions();
+}
+
+/// Once a second: a host that hears nothing gives up.
+void Oculus::tick(Time now) {
+    next_tick_ = now + dummy_period;
+    if (!pinging()) send(make_dummy(settings_));
+}
+
+Actions Oculus::woken(Time now) {
+    if (now >= next_status_) {
+        next_status_ = now + from_seconds(settings_.status_period);
+        Bytes status = make_status(settings_, wiring_.own.ip, client_, depth_);
+        actions_.send.push_back({status_port, std::move(status), wiring_.status, {}});
+    }
+    if (now >= next_tick_) tick(now);
+    if (now >= next_ping_) transmit(now);
+    return take_actions();
+}
+
+DeviceCounters Oculus::counters() const {
+    DeviceCounters counters = counters_;
+    counters.skipped_bytes = framer_.skipped_bytes();
+    return counters;
+}
+
+Actions Oculus::take_actions() {
+    actions_.wake = std::min({next_ping_, next_status_, next_tick_});
+    return std::exchange(actions_, {});
+}
+
+}  // namespace echoloop::oculus_device

@@ -1,0 +1,57 @@
+// A Blueprint Subsea Oculus imaging sonar: status by UDP, commands and images by TCP. A pure state machine.
+#pragma once
+
+#include <optional>
+
+#include "emulator/devices/oculus/messages.h"
+#include "protocols/oculus/framer.h"
+
+namespace echoloop::oculus_device {
+
+struct Wiring {
+    Address own;     ///< where the TCP listener is, as the status tells it
+    Address status;  ///< where the status goes
+};
+
+class Oculus final : public Device {
+  public:
+    Oculus(const Settings& settings, const Wiring& wiring);
+
+    std::vector<Port> ports() const override;
+    Actions started(Time now) override;
+    Actions received(const Received& data, Time now) override;
+    Actions heard(const Echogram& echogram, Time now) override;
+    Actions woken(Time now) override;
+    void reconnected(std::size_t port) override;
+    DeviceCounters counters() const override;
+
+  private:
+    void obey(const oculus::Frame& frame, Time now);
+    void fire(const std::optional<Request>& request, Time now);
+    bool pinging() const;
+    void plan_next_ping(Time now);
+    void transmit(Time now);
+    void tick(Time now);
+    void send(Bytes bytes) { actions_.send.push_back({0, std::move(bytes), {}, {}}); }
+    Actions take_actions();
+
+    Settings settings_;
+    Wiring wiring_;
+    oculus::Framer framer_{oculus::host_payload};
+    std::optional<Request> request_;  ///< of the connected host; none: standby
+    PingRecord ping_;                 ///< the ping under way, or the last one
+    bool ping_under_way_ = false;
+    std::optional<Time> last_transmission_;
+    std::uint32_t client_ = 0;  ///< who is connected
+    double depth_ = 0;          ///< m, at the last ping
+    Time next_ping_ = Time::max();
+    Time next_status_ = Time::max();
+    Time next_tick_ = Time::max();  ///< of the second that dummies keep
+    Actions actions_;
+    DeviceCounters counters_;
+};
+
+/// The rows of the table of models.
+std::vector<Model> models();
+
+}  // namespace echoloop::oculus_device

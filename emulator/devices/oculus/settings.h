@@ -1,0 +1,69 @@
+// The options and the profile of an Oculus as typed values. Data only.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "emulator/model.h"
+#include "protocols/oculus/messages.h"
+
+namespace echoloop::oculus_device {
+
+/// Figures of one frequency mode; angles in rad.
+struct ModeFigures {
+    double frequency = 0;          ///< Hz
+    double beam_width = 0;         ///< of one beam, -3 dB
+    double fan_height = 0;         ///< -3 dB
+    double aperture = 0;           ///< of the sector
+    double range = 0;              ///< m, the longest
+    double rate = 0;               ///< Hz, the most pings
+    double sample_rate = 0;        ///< Hz, of the finest rows
+    double bandwidth = 0;          ///< Hz, of the chirp
+    double source_level = 0;       ///< dB re 1 uPa at 1 m
+    double directivity_index = 0;  ///< dB
+    double tvg_absorption = 0;     ///< dB/m, one way
+};
+
+struct Acoustics {
+    ModeFigures low, high;
+    AxisPattern horizontal, vertical;
+    Receiver receiver;           ///< its directivity index is that of the mode
+    double pulse_length = 0;     ///< s
+    double shortest_range = 0;   ///< m
+    std::size_t rows = 0;        ///< the most of an image
+    std::size_t beams = 0;       ///< the most of an image
+    double processing = 0;       ///< s from the last echo to the message
+    double reference_level = 0;  ///< dB re 1 uPa: reads full scale at 0 % gain within a metre
+    double gain_span = 0;        ///< dB from 0 to 100 %
+    double tvg_spreading = 0;    ///< dB per decade of range
+    double tvg_limit = 0;        ///< dB
+};
+
+struct Settings {
+    std::uint16_t device_id = 0;
+    std::uint16_t part_number = 0;
+    std::uint16_t status_id = 0;  ///< message id of the status
+    std::uint32_t status_bits = 0;
+    double status_period = 1;  ///< s
+    oculus::Ipv4 mask{};
+    double temperature = 10;         ///< degC, at the sonar's own sensor
+    double link_speed = 1000;        ///< Mbit/s
+    bool data_16_bit_set = true;     ///< flag bit 1 set means 16 bit
+    bool percent_in_32_bit = false;  ///< range is a percentage whatever bit 0 says
+    bool float_gain_words = false;
+    bool scaled_gain_echo = true;  ///< 0 to 100 % is 40 to 100 % in mode 2
+    bool echo_used_sound_speed = false;
+    bool useless_rate_echo = false;
+    bool starboard_negative = false;
+    bool garbage_sensors = false;
+    bool tvg = true;  ///< the effect of that name
+    Acoustics acoustics;
+};
+
+std::vector<Option> option_table();
+std::vector<FigureRow> figure_table();
+/// From complete options and a complete profile.
+Settings read_settings(const DeviceConfig& config);
+
+}  // namespace echoloop::oculus_device
