@@ -10,7 +10,6 @@
 #include "emulator/devices/r2sonic/r2sonic.h"
 #include "emulator/devices/surveyor240/surveyor240.h"
 #include "emulator/devices/s500/s500.h"
-#include "emulator/devices/surveyor240/surveyor240.h"
 #include "emulator/devices/tritech-echosounder/echosounder.h"
 #include "emulator/devices/tritech-micron/micron.h"
 #include "emulator/devices/tritech-profiler/profiler.h"

@@ -69,6 +69,15 @@ inline Bytes frame(const Set& set) {
 
 inline Bench surveyor(const Options& changes = {}) { return Bench(make_device("surveyor240", {}, changes)); }
 
+/// The shot of the first ping after these settings.
+inline Shot shot_of(const Set& settings, const Options& changes = {}) {
+    Bench bench = surveyor(changes);
+    bench.say(frame(settings));
+    bench.run_to(bench.now);
+    EXPECT_TRUE(bench.ping);
+    return bench.ping ? bench.ping->shot : Shot{};
+}
+
 inline std::vector<Send> of_id(const std::vector<Send>& sent, int id) {
     std::vector<Send> found;
     for (const Send& s : sent)
