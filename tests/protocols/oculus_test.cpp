@@ -102,6 +102,9 @@ TEST(OculusFramer, ALyingSizeIsNoise) {
     wire::Bytes lie = golden("fire_v1");
     lie[10] = 0x26;  // one byte more than a v1 fire has
     EXPECT_EQ(frames_of(joined({lie, golden("dummy")})).size(), 1U);
+    wire::Bytes spare = golden("fire_v1");
+    spare[14] = 1;
+    EXPECT_EQ(frames_of(joined({spare, golden("dummy")})).size(), 1U) << "always 0";
     wire::Bytes huge = golden("result_v1");
     huge[13] = 0x7F;  // 2 GB
     EXPECT_EQ(frames_of(joined({huge, golden("dummy")})).size(), 1U);
