@@ -1,0 +1,41 @@
+// libFuzzer: any payload under any id, and any byte stream. What the codecs of an Omniscan 450 and an S500
+// read, they write back unchanged; a message is either read or asked for, never both.
+#include <algorithm>
+#include <cstdlib>
+
+#include "protocols/cerulean/inspect.h"
+#include "protocols/cerulean/omniscan_codec.h"
+#include "protocols/cerulean/s500_codec.h"
+#include "protocols/ping/codec.h"
+#include "protocols/ping/framer.h"
+
+namespace {
+
+void check(const echoloop::ping::Frame& frame, auto parse, auto encode, auto is_short_request) {
+    const auto message = parse(frame);
+    if (!message) return;
+    if (is_short_request(frame)) std::abort();
+    const auto written = encode(*message, frame.header.source, frame.header.destination);
+    if (written.size() != frame.payload.size() + echoloop::ping::min_frame_bytes) std::abort();
+    if (!std::equal(frame.payload.begin(), frame.payload.end(), written.begin() + 8)) std::abort();
+}
+
+void check(const echoloop::ping::Frame& frame) {
+    namespace omniscan = echoloop::cerulean::omniscan;
+    namespace s500 = echoloop::cerulean::s500;
+    check(frame, omniscan::parse, omniscan::encode, omniscan::is_short_request);
+    check(frame, s500::parse, s500::encode, s500::is_short_request);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size < 2) return 0;
+    check({{static_cast<echoloop::ping::Id>(data[0] | data[1] << 8), 1, 0}, {data + 2, data + size}, 0});
+    echoloop::ping::Framer framer(echoloop::ping::Framer::Waiting::impatient);
+    framer.feed({data, size});
+    while (const auto frame = framer.next()) check(*frame);
+    echoloop::cerulean::decode({data, size});
+    echoloop::cerulean::recognise({data, size});
+    return 0;
+}
