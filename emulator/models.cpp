@@ -32,7 +32,7 @@ std::vector<Model> make_models() {
     all.push_back(omniscan450::model());
     all.push_back(ping1d::model());
     all.push_back(ping360::model());
-    all.push_back(r2sonic_device::model());
+    for (Model& model : r2sonic_device::models()) all.push_back(std::move(model));
     all.push_back(surveyor240::model());
     all.push_back(tritech_echosounder::model());
     all.push_back(s500::model());

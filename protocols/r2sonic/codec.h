@@ -22,6 +22,10 @@ bool recognise(wire::ByteView bytes);
 /// array whose size does not fit the others (say I1 shorter than R0) is cut or filled with zeros.
 wire::Bytes serialise(const Packet& packet);
 
+/// Where the data of M0, M1 and M2 begins in a datagram that holds nothing else: behind 12 bytes of packet
+/// header and 36 of the section. Big images are written there straight away.
+inline constexpr std::size_t part_data_offset = 48;
+
 /// "BTH0", "AID0", ...
 std::string_view name_of(const Packet& packet);
 

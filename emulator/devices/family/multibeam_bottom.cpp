@@ -6,6 +6,23 @@
 namespace echoloop::multibeam {
 namespace {
 
+/// Length of the pulse, s, of a chirp after compression.
+double pulse_length(const Shot& shot) { return shot.bandwidth > 0 ? 1 / shot.bandwidth : shot.pulse_length; }
+
+/// Shortest time that the receiver tells apart, s.
+double resolution(const Shot& shot) {
+    const double band = shot.receiver.bandwidth > 0 ? 1 / shot.receiver.bandwidth : 0;
+    return std::max({pulse_length(shot), band, shot.bin_interval});
+}
+
+/// By how much the middle of an echo comes after the bottom: half the pulse, and what the receiver's band
+/// adds. A compressed chirp lies around its range.
+double echo_delay(const Shot& shot, bool echoes_last) {
+    if (!echoes_last || shot.bandwidth > 0) return 0;
+    const double half = shot.pulse_length / 2;
+    return half + std::min(half, shot.receiver.bandwidth > 0 ? 0.25 / shot.receiver.bandwidth : half / 2);
+}
+
 /// Bins [first, last) of the window that overlap the gate.
 std::pair<std::size_t, std::size_t> gated_bins(const Shot& shot, TimeGate gate) {
     const auto bin_of = [&](double time) {
@@ -15,48 +32,111 @@ std::pair<std::size_t, std::size_t> gated_bins(const Shot& shot, TimeGate gate) 
     return {bin_of(gate.min), std::min(bin_of(gate.max) + 1, shot.bins)};
 }
 
-/// Half the number of bins over which the beam's echo from a flat bottom spreads at a two-way time; no less
-/// than three pulses, so that speckle averages out.
-std::size_t half_footprint(const Shot& shot, double angle, double time) {
-    const double slant = time * shot.beam_width * std::abs(std::tan(angle));
-    const double length = slant + 3 * std::max(shot.pulse_length, shot.bin_interval);
-    return static_cast<std::size_t>(std::ceil(length / shot.bin_interval / 2));
-}
-
-/// The bins [first, last) of a beam, each the mean over the footprint around it.
-std::vector<float> over_footprints(const Shot& shot, std::span<const float> beam, double angle,
-                                   std::size_t first, std::size_t last) {
-    std::vector<double> sum(last - first + 1);
-    for (std::size_t bin = first; bin < last; ++bin) sum[bin - first + 1] = sum[bin - first] + beam[bin];
-    std::vector<float> mean(last - first);
-    for (std::size_t i = 0; i < mean.size(); ++i) {
-        const double time = shot.first_bin_time + static_cast<double>(first + i) * shot.bin_interval;
-        const std::size_t half = half_footprint(shot, angle, time);
-        const std::size_t from = i - std::min(i, half), to = std::min(i + half + 1, mean.size());
-        mean[i] = static_cast<float>((sum[to] - sum[from]) / static_cast<double>(2 * half + 1));
+/// Sums of a beam's bins, for means over stretches of it.
+class Stretches {
+  public:
+    /// The bins [first, last) of beam `index`.
+    void start(const Echogram& echogram, std::size_t index, std::size_t first, std::size_t last) {
+        const Shot& shot = echogram.shot;
+        const auto beam = echogram.beam(index).subspan(first, last - first);
+        sum_.resize(beam.size() + 1);
+        double sum = sum_[0] = 0;
+        for (std::size_t i = 0; i < beam.size(); ++i) sum_[i + 1] = sum += beam[i];
+        // A flat bottom's echo lasts t * beam width * tan(angle); three pulses at least, so that speckle
+        // averages.
+        slope_ = shot.beam_width * std::abs(std::tan(shot.bearings[index])) / 2;
+        const double pulses = 3 * std::max(pulse_length(shot), shot.bin_interval);
+        const double before = shot.first_bin_time / shot.bin_interval + static_cast<double>(first);
+        first_half_ = pulses / 2 / shot.bin_interval + before * slope_;
     }
-    return mean;
-}
+    std::size_t size() const { return sum_.size() - 1; }
+    /// Half the bins of a footprint around bin `i`.
+    std::size_t half(std::size_t i) const {
+        return static_cast<std::size_t>(first_half_ + slope_ * static_cast<double>(i)) + 1;
+    }
+    /// Mean over the footprint around bin `i`.
+    double mean(std::size_t i) const {
+        const std::size_t h = half(i);
+        const std::size_t from = i - std::min(i, h), to = std::min(i + h + 1, size());
+        return (sum_[to] - sum_[from]) / static_cast<double>(2 * h + 1);
+    }
+    /// Bin around which the mean is greatest: found at a coarse step, then nearby.
+    std::size_t peak() const {
+        std::size_t best = 0;
+        double most = -1;
+        const auto look = [&](std::size_t i) {
+            const double value = mean(i);
+            if (value > most) most = value, best = i;
+        };
+        for (std::size_t i = 0; i < size(); i += std::max<std::size_t>(1, half(i) / 4)) look(i);
+        const std::size_t near = half(best) / 4, from = best - std::min(best, near), to = best + near + 1;
+        for (std::size_t i = from; i < std::min(to, size()); ++i) look(i);
+        return best;
+    }
+    /// The run around a peak within 10 dB of it and clear of the noise.
+    std::pair<std::size_t, std::size_t> run_around(std::size_t peak, double noise_power) const {
+        const double floor = std::max(mean(peak) / 10.0, 2 * noise_power);
+        std::size_t from = peak, to = peak + 1;
+        while (from > 0 && mean(from - 1) > floor) --from;
+        while (to < size() && mean(to) > floor) ++to;
+        return {from, to};
+    }
 
-/// The run around the peak within 10 dB of it and clear of the noise: the beam's footprint on the bottom.
-std::pair<std::size_t, std::size_t> run_around(const std::vector<float>& mean, std::size_t peak,
-                                               double noise_power) {
-    const double floor = std::max(mean[peak] / 10.0, 2 * noise_power);
-    std::size_t from = peak, to = peak + 1;
-    while (from > 0 && mean[from - 1] > floor) --from;
-    while (to < mean.size() && mean[to] > floor) ++to;
-    return {from, to};
-}
+  private:
+    std::vector<double> sum_;
+    double slope_ = 0, first_half_ = 0;
+};
 
-/// Middle of the echo weighted by power above the noise, as two-way time.
-double centre_time(const Echogram& echogram, std::span<const float> beam, std::size_t from, std::size_t to) {
-    double weight = 0, moment = 0;
+/// An echo by its power above the noise, in bins.
+struct Extent {
+    double centre = 0;
+    double length = 0;  ///< of an even echo with the same second moment
+    float peak = 0;     ///< uPa^2
+};
+
+Extent measure(const Echogram& echogram, std::size_t index, std::size_t from, std::size_t to) {
+    const auto beam = echogram.beam(index);
+    double weight = 0, moment = 0, second = 0;
+    Extent extent;
     for (std::size_t bin = from; bin < to; ++bin) {
         const double power = std::max(beam[bin] - echogram.noise_power, 0.0);
+        const double at = static_cast<double>(bin - from) + 0.5;
         weight += power;
-        moment += power * (static_cast<double>(bin) + 0.5);
+        moment += power * at;
+        second += power * at * at;
+        extent.peak = std::max(extent.peak, beam[bin]);
     }
-    return echogram.shot.first_bin_time + echogram.shot.bin_interval * moment / weight;
+    const double centre = moment / weight;
+    extent.centre = static_cast<double>(from) + centre;
+    extent.length = std::sqrt(12 * std::max(0.0, second / weight - centre * centre));
+    return extent;
+}
+
+/// Bin where an echo passes the beam's axis: a line through the balance of power between the beams on either
+/// side, which stands for the phase between the halves of an array. Nothing if it does not pass within the
+/// echo. The outermost beams lack such neighbours and take the middle.
+std::optional<double> axis_crossing(const Echogram& echogram, std::size_t index, std::size_t from,
+                                    std::size_t to, const Extent& extent) {
+    if (index == 0 || index + 1 >= echogram.beams()) return extent.centre;
+    const auto port = echogram.beam(index - 1), own = echogram.beam(index),
+               starboard = echogram.beam(index + 1);
+    const auto noise = static_cast<float>(echogram.noise_power);
+    double weight = 0, time = 0, balance = 0, times = 0, both = 0;
+    for (std::size_t bin = from; bin < to; ++bin) {
+        const double p = std::max(port[bin] - noise, 0.0F), s = std::max(starboard[bin] - noise, 0.0F);
+        const double sum = p + s + std::max(own[bin] - noise, 0.0F);
+        const double at = static_cast<double>(bin) + 0.5 - extent.centre;
+        weight += sum;
+        time += sum * at;
+        times += sum * at * at;
+        balance += s - p;
+        both += (s - p) * at;
+    }
+    const double spread = weight * times - time * time, slope = weight * both - time * balance;
+    if (!(spread > 0) || slope == 0) return std::nullopt;
+    const double crossing = time / weight - balance / weight * spread / slope;
+    if (!(std::abs(crossing) < extent.length / 2)) return std::nullopt;
+    return extent.centre + crossing;
 }
 
 /// Least power of a bottom; the paper's rule has neither power nor noise.
@@ -66,27 +146,31 @@ double least_power(const Echogram& echogram, double margin) {
     return echogram.noise_power * std::pow(10.0, margin / 10);
 }
 
-Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, const Rule& rule) {
+Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, const Rule& rule,
+                    Stretches& stretches) {
     const Shot& shot = echogram.shot;
-    const auto beam = echogram.beam(index);
     const auto [first, last] = gated_bins(shot, gate);
     if (first >= last) return {};
-    const auto mean = over_footprints(shot, beam, shot.bearings[index], first, last);
-    const auto peak = static_cast<std::size_t>(std::max_element(mean.begin(), mean.end()) - mean.begin());
+    stretches.start(echogram, index, first, last);
+    const std::size_t peak = stretches.peak();
     const double least = least_power(echogram, rule.margin);
-    if (!(mean[peak] > least)) return {};
-    const auto [from, to] = run_around(mean, peak, echogram.noise_power);
-    Detection detection;
-    detection.time = centre_time(echogram, beam, first + from, first + to);
-    detection.power = *std::max_element(beam.begin() + first + from, beam.begin() + first + to);
-    detection.excess = level_db(static_cast<float>(mean[peak] / least));
+    if (!(stretches.mean(peak) > least)) return {};
+    const auto [from, to] = stretches.run_around(peak, echogram.noise_power);
+    const Extent extent = measure(echogram, index, first + from, first + to);
+    if (!(extent.peak > 0) || !std::isfinite(extent.centre)) return {};
     // Interferometry needs an echo that is long against the pulse: the outer beams.
-    const auto half = half_footprint(shot, shot.bearings[index], detection.time);
-    const double length =
-        (static_cast<double>(to - from) - 2 * static_cast<double>(half)) * shot.bin_interval;
-    const bool by_phase = length > 4 * std::max(shot.pulse_length, shot.bin_interval);
-    detection.method = by_phase ? Method::phase : Method::magnitude;
-    if (rule.echoes_last) detection.time = std::max(0.0, detection.time - shot.pulse_length / 2);
+    std::optional<double> crossing;
+    if (extent.length * shot.bin_interval > rule.least_phase_length * resolution(shot))
+        crossing = axis_crossing(echogram, index, first + from, first + to, extent);
+    const auto time_of = [&](double bin) { return shot.first_bin_time + bin * shot.bin_interval; };
+    const double delay = echo_delay(shot, rule.echoes_last);
+    Detection detection;
+    detection.time = std::max(0.0, time_of(crossing.value_or(extent.centre)) - delay);
+    detection.begin = std::max(0.0, time_of(static_cast<double>(first + from)));
+    detection.end = time_of(static_cast<double>(first + to));
+    detection.power = extent.peak;
+    detection.excess = level_db(static_cast<float>(stretches.mean(peak) / least));
+    detection.method = crossing ? Method::phase : Method::magnitude;
     return detection;
 }
 
@@ -109,21 +193,11 @@ TimeGate time_gate(const Gates& gates, double angle, double sound_speed, double 
 
 std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate> gates, const Rule& rule) {
     std::vector<Detection> detections(std::min(echogram.beams(), gates.size()));
+    Stretches stretches;
     for (std::size_t n = 0; n < detections.size(); ++n)
-        detections[n] = detect_in(echogram, n, gates[n], rule);
+        detections[n] = detect_in(echogram, n, gates[n], rule, stretches);
+    mark_in_line(detections, echogram.shot.bearings);
     return detections;
-}
-
-double median_depth(std::span<const Detection> detections, std::span<const double> angles,
-                    double sound_speed) {
-    std::vector<double> depths;
-    for (std::size_t n = 0; n < detections.size(); ++n)
-        if (detections[n].found() && std::abs(angles[n]) < deg_to_rad(30))
-            depths.push_back(detections[n].time * sound_speed / 2 * std::cos(angles[n]));
-    if (depths.empty()) return 0;
-    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-    std::nth_element(depths.begin(), middle, depths.end());
-    return *middle;
 }
 
 }  // namespace echoloop::multibeam

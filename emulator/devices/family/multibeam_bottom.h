@@ -40,11 +40,12 @@ TimeGate time_gate(const Gates& gates, double angle, double sound_speed, double 
 enum class Method { none, magnitude, phase };
 
 struct Detection {
-    double time = 0;  ///< two-way, s; 0: no bottom
-    float power = 0;  ///< uPa^2 at the peak
-    float excess =
-        0;  ///< dB of the echo, averaged over the footprint, above the least that counts as a bottom
+    double time = 0;            ///< two-way, s; 0: no bottom
+    double begin = 0, end = 0;  ///< two-way, s; between them the echo is within 10 dB of its peak
+    float power = 0;            ///< uPa^2 at the peak
+    float excess = 0;           ///< dB of the footprint's mean above the least that counts as a bottom
     Method method = Method::none;
+    bool in_line = false;  ///< with its neighbours, to 2 % of its time
 
     bool found() const { return method != Method::none; }
 };
@@ -52,13 +53,18 @@ struct Detection {
 /// What counts as a bottom, and what a head knows of its pulse.
 struct Rule {
     double margin = 10;  ///< dB above the echogram's noise; an echo below is no bottom
-    bool echoes_last =
-        true;  ///< echoes are as long as the pulse: the bottom came half of it before their middle
+    /// Echoes last as long as the pulse: their middle comes half of it after the bottom.
+    bool echoes_last = true;
+    /// Echoes that many times longer than the pulse are detected by phase; real heads change over there.
+    double least_phase_length = 3.5;
 };
 
 /// Detections of all beams, with one gate each: the strongest stretch as long as the beam's footprint on a
 /// flat bottom, so that speckle does not break it up.
 std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate> gates, const Rule& rule);
+
+/// Marks the detections that lie in line with two of their neighbours. `angles`: rad, one a detection.
+void mark_in_line(std::span<Detection> detections, std::span<const double> angles);
 
 /// Depth below the head of the beams within 30 deg of the axis: their median, m; 0 if there is none. `angles`
 /// in rad from straight down.

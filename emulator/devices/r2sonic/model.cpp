@@ -32,33 +32,40 @@ Wiring read_wiring(const std::vector<std::string>& endpoints) {
     return wiring;
 }
 
+/// A model's functions hold no state, so each of the series has its own, by its place in variants().
+template <std::size_t Index>
 std::unique_ptr<Device> make(const DeviceConfig& config) {
-    return std::make_unique<R2Sonic>(read_settings(config), read_wiring(config.endpoints));
+    return std::make_unique<R2Sonic>(read_settings(config, variants()[Index]), read_wiring(config.endpoints));
 }
 
+template <std::size_t Index>
 Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
-    Settings settings = read_settings(config);
+    Settings settings = read_settings(config, variants()[Index]);
     if (range > 0) settings.start.range = range;
     const auto number = static_cast<std::uint32_t>(step + 1);
-    return make_shot(settings.start, settings, beam_angles(settings.start), number);
+    return make_shot(settings.start, settings, beam_angles(settings.start, 0), 0, number);
+}
+
+template <std::size_t Index>
+Model model() {
+    const Variant& variant = variants()[Index];
+    Model m;
+    m.name = variant.name;
+    m.title = variant.title;
+    m.protocol = "R2Sonic UDP: BTH0, AID0, WCD0, SNI0, TPX0, status, commands, discovery";
+    m.default_endpoints = {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400"};
+    m.endpoint_schemes = {"udp-listen"};
+    m.options = option_table(variant);
+    m.figures = figure_table();
+    m.profile = built_in_profile(m.name);
+    m.moved = {{"image_reference", "image_reference"}, {"detection_threshold", "detection_margin"}};
+    m.make = make<Index>;
+    m.default_shot = default_shot<Index>;
+    return m;
 }
 
 }  // namespace
 
-Model model() {
-    Model m;
-    m.name = "r2sonic-2024";
-    m.title = "R2Sonic Sonic 2024 multibeam echosounder";
-    m.protocol = "R2Sonic UDP: BTH0, AID0, status, commands, discovery";
-    m.default_endpoints = {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400"};
-    m.endpoint_schemes = {"udp-listen"};
-    m.options = option_table();
-    m.figures = figure_table();
-    m.profile = built_in_profile(m.name);
-    m.moved = {{"image_reference", "image_reference"}, {"detection_threshold", "detection_margin"}};
-    m.make = make;
-    m.default_shot = default_shot;
-    return m;
-}
+std::vector<Model> models() { return {model<0>(), model<1>(), model<2>(), model<3>()}; }
 
 }  // namespace echoloop::r2sonic_device

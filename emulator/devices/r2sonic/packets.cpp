@@ -25,13 +25,28 @@ r2sonic::I1 make_intensities(const std::vector<Detection>& detections) {
 }
 
 /// Bits of Q0. The bright are those that stand well above the least that is a bottom.
-std::uint8_t quality_nibble(const Detection& d) {
+std::uint8_t quality_nibble(const Detection& d, TestBits tests) {
     namespace quality = r2sonic::quality;
     if (!d.found()) return 0;
     std::uint8_t bits = d.method == multibeam::Method::phase ? quality::phase : quality::magnitude;
-    bits |= quality::colinearity;
-    if (d.excess > 10) bits |= quality::brightness;
+    if (tests == TestBits::clear) return bits;
+    if (tests == TestBits::set || d.in_line) bits |= quality::colinearity;
+    if (tests == TestBits::set || d.excess > 10) bits |= quality::brightness;
     return bits;
+}
+
+/// All gates in steps of the largest.
+r2sonic::G1 make_gates(const std::vector<multibeam::TimeGate>& gates) {
+    double longest = 0;
+    for (const auto& gate : gates) longest = std::max(longest, gate.max);
+    r2sonic::G1 section;
+    section.scale = static_cast<float>(longest / 255);
+    const auto steps = [&](double time) {
+        return static_cast<std::uint8_t>(longest > 0 ? std::lround(std::clamp(time / longest, 0.0, 1.0) * 255)
+                                                     : 0);
+    };
+    for (const auto& gate : gates) section.gate.push_back({steps(gate.min), steps(gate.max)});
+    return section;
 }
 
 }  // namespace
@@ -51,7 +66,12 @@ r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings) {
     h.tx_power = f(c.power);
     h.tx_pulse_width = f(c.pulse);
     h.tx_beam_width_vertical = f(transmit_beam_width(c, settings.acoustics));
+    h.tx_steering_vertical = f(steering(c, ping.attitude.pitch));
     h.tx_beam_width_horizontal = f(receive_beam_width(c, settings.acoustics));
+    if (settings.variant->has_thermometer) {
+        h.projector_temperature = 29175;  // of real pings
+        h.vtx_offset = -15;
+    }
     h.rx_bandwidth = f(settings.acoustics.receiver.bandwidth);
     h.rx_sample_rate = f(sample_rate);
     h.rx_range = f(c.range);
@@ -63,8 +83,15 @@ r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings) {
     return h;
 }
 
+r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
+    r2sonic::H0 h = make_h0(ping, settings);
+    h.rx_sample_rate = static_cast<float>(1 / echogram.shot.bin_interval);
+    return h;
+}
+
 r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
-                        const std::vector<Detection>& detections, multibeam::TimeGate gate) {
+                        const std::vector<Detection>& detections,
+                        const std::vector<multibeam::TimeGate>& gates, multibeam::TimeGate axis_gate) {
     r2sonic::Bth0 packet;
     packet.h0 = make_h0(ping, settings);
     packet.angles = ping.beams.section;
@@ -72,14 +99,15 @@ r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
     std::vector<std::uint8_t> nibbles;
     for (const Detection& d : detections) {
         times.push_back(d.time);
-        nibbles.push_back(quality_nibble(d));
+        nibbles.push_back(quality_nibble(d, settings.test_bits));
     }
     // A window longer than 65535 steps needs a coarser scale.
     const double longest = *std::max_element(times.begin(), times.end());
     packet.r0 = r2sonic::pack_times(times, std::max(time_step, static_cast<float>(longest / 65535.0)));
     if (ping.controls.intensity) packet.i1 = make_intensities(detections);
-    packet.g0 = {static_cast<float>(gate.min), static_cast<float>(gate.max),
+    packet.g0 = {static_cast<float>(axis_gate.min), static_cast<float>(axis_gate.max),
                  static_cast<float>(ping.controls.gate_mode == 1 ? ping.controls.gate_slope : 0.0)};
+    if (settings.verbose_gates) packet.g1 = make_gates(gates);
     packet.q0 = r2sonic::pack_quality(nibbles);
     return packet;
 }

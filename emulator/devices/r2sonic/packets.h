@@ -1,4 +1,4 @@
-// The datagrams that a Sonic 2024 sends about one ping, and its status. Pure functions; no sockets, no clock.
+// The datagrams that a Sonic 20xx sends about one ping, and its status. Pure functions; no sockets, no clock.
 #pragma once
 
 #include <vector>
@@ -16,20 +16,48 @@ struct PingRecord {
     std::uint32_t number = 0;  ///< since power-up
     double time = 0;           ///< s, Unix
     double period = 0;         ///< s since the ping before
+    Attitude attitude;         ///< as the head knew it
     Beams beams;
 };
 
 r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings);
+/// That of packets whose samples are the bins of the echogram: its sample rate is theirs.
+r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings, const Echogram& echogram);
 
 r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
-                        const std::vector<multibeam::Detection>& detections, multibeam::TimeGate gate);
+                        const std::vector<multibeam::Detection>& detections,
+                        const std::vector<multibeam::TimeGate>& gates, multibeam::TimeGate axis_gate);
 
-/// The image of AID0: the first datagram, then the sections with all beams and ascending bins. Empty without
-/// an image.
-std::vector<r2sonic::Packet> make_image(const PingRecord& ping, const Settings& settings,
-                                        const Echogram& echogram);
+/// AID0: the first datagram, then the sections with all beams and ascending bins. Empty without an image.
+std::vector<Bytes> image_datagrams(const PingRecord& ping, const Settings& settings,
+                                   const Echogram& echogram);
 
-r2sonic::Sth0 head_status(const Settings& settings, double unix_time);
-r2sonic::Sts0 sim_status(const Settings& settings, double unix_time);
+/// WCD0: the first datagram, then sections with all beams and ascending samples. Empty if it is off.
+std::vector<Bytes> water_column_datagrams(const PingRecord& ping, const Settings& settings,
+                                          const Echogram& echogram);
+
+/// SNI0: a snippet for every point with a bottom, its number that of the point. Empty if they are off.
+std::vector<Bytes> snippet_datagrams(const PingRecord& ping, const Settings& settings,
+                                     const Echogram& echogram,
+                                     const std::vector<multibeam::Detection>& detections);
+
+/// TPX0: what is strongest on either side at each range, within the depth gate if TPG0 says so. Empty if it
+/// is off.
+std::vector<Bytes> truepix_datagrams(const PingRecord& ping, const Settings& settings,
+                                     const Echogram& echogram, multibeam::TimeGate axis_gate);
+
+/// What a status tells of the moment.
+struct Health {
+    double unix_time = 0;
+    Attitude attitude;
+    std::uint32_t received = 0, sent = 0;  ///< datagrams
+    bool head_on = true;
+    bool sync_pulses = false;
+};
+r2sonic::Sth0 head_status(const Settings& settings, const Health& health);
+r2sonic::Sts0 sim_status(const Settings& settings, const Health& health);
+
+/// Largest datagram that fits an Ethernet frame, bytes.
+inline constexpr std::size_t frame_payload = 1472;
 
 }  // namespace echoloop::r2sonic_device

@@ -11,32 +11,34 @@ namespace {
 constexpr double free_running_pause = 10e-3;  // s beyond the range time, measured on a real 2026
 constexpr std::size_t most_bins = 4096;
 
-r2sonic::More more_of(const Controls& controls) {
-    return {0, static_cast<float>(controls.projector_z), 0, 0, 0, 0};
+r2sonic::More more_of(const Controls& c, double roll) {
+    const auto f = [](double value) { return static_cast<float>(value); };
+    return {f(roll), f(c.projector_z), f(c.projector_y), f(c.projector_x), 0, 0};
 }
 
 /// First and last angle of the sector, kept within +-80 deg.
-std::pair<double, double> sector(const Controls& controls) {
-    const double edge = deg_to_rad(80);
-    const double first = std::max(controls.sector_rotation - controls.sector_width / 2, -edge);
-    const double last = std::min(controls.sector_rotation + controls.sector_width / 2, edge);
+std::pair<double, double> sector(const Controls& controls, double roll) {
+    const double edge = deg_to_rad(80), middle = controls.sector_rotation + roll;
+    const double first = std::clamp(middle - controls.sector_width / 2, -edge, edge - deg_to_rad(1));
+    const double last = std::clamp(middle + controls.sector_width / 2, first + deg_to_rad(1), edge);
     return {first, last};
 }
 
-Beams equi_angle(const Controls& controls) {
-    const auto [first, last] = sector(controls);
-    r2sonic::A0 section{static_cast<float>(first), static_cast<float>(last), more_of(controls)};
-    return {section, r2sonic::angles(section, beams)};
+Beams equi_angle(const Controls& controls, double roll) {
+    const auto [first, last] = sector(controls, roll);
+    r2sonic::A0 section{static_cast<float>(first), static_cast<float>(last), more_of(controls, roll)};
+    return {section, r2sonic::angles(section, beam_count(controls))};
 }
 
 /// Equal distances on a flat bottom: angles equally spaced in tan.
-Beams equi_distant(const Controls& controls) {
-    const auto [first, last] = sector(controls);
-    const double left = std::tan(first), spacing = (std::tan(last) - left) / (beams - 1);
+Beams equi_distant(const Controls& controls, double roll) {
+    const std::size_t beams = beam_count(controls);
+    const auto [first, last] = sector(controls, roll);
+    const double left = std::tan(first), spacing = (std::tan(last) - left) / static_cast<double>(beams - 1);
     std::vector<double> ideal(beams);
     for (std::size_t n = 0; n < beams; ++n) ideal[n] = std::atan(left + spacing * static_cast<double>(n));
     r2sonic::A2 section = r2sonic::pack_angles(ideal);
-    section.more = more_of(controls);
+    section.more = more_of(controls, roll);
     auto angles = r2sonic::angles(section);
     return {std::move(section), std::move(angles)};
 }
@@ -49,6 +51,18 @@ Receiver receiver_at(double frequency, const Acoustics& acoustics) {
 }
 
 }  // namespace
+
+Attitude attitude_of(const Pose& world_from_sonar) {
+    Attitude attitude;
+    attitude.depth = std::max(0.0, -world_from_sonar.position.z);
+    const Vec3 down = rotate(conjugate(world_from_sonar.orientation), {0, 0, -1});
+    if (std::hypot(down.x, down.y) < 0.7 || down.x <= 0) return attitude;  // looks ahead, to the side or up
+    attitude.roll = std::atan2(-down.y, down.x);
+    attitude.pitch = std::atan2(down.z, std::hypot(down.x, down.y));
+    return attitude;
+}
+
+std::size_t beam_count(const Controls& controls) { return controls.ultra_high_density ? 1024 : 256; }
 
 double working_sound_speed(const Controls& controls, const Settings& settings) {
     return controls.use_sound_speed ? controls.sound_speed : settings.sound_speed;
@@ -79,8 +93,18 @@ double transmit_beam_width(const Controls& controls, const Acoustics& acoustics)
     return width * acoustics.reference_frequency / controls.frequency;
 }
 
-Beams beam_angles(const Controls& controls) {
-    return controls.equi_distant ? equi_distant(controls) : equi_angle(controls);
+Beams beam_angles(const Controls& controls, double roll) {
+    const double turned = controls.roll_stabilised ? roll : 0;
+    return controls.equi_distant ? equi_distant(controls, turned) : equi_angle(controls, turned);
+}
+
+r2sonic::More more_of(const Beams& beams) {
+    return std::visit([](const auto& section) { return section.more; }, beams.section);
+}
+
+double steering(const Controls& controls, double pitch) {
+    const double most = deg_to_rad(10) * 400e3 / controls.frequency;  // the limit of TXS0
+    return std::clamp(controls.steering + (controls.pitch_stabilised ? pitch : 0), -most, most);
 }
 
 multibeam::Gates bottom_gates(const Controls& c, double last_depth) {
@@ -95,12 +119,14 @@ multibeam::Gates bottom_gates(const Controls& c, double last_depth) {
     return gates;
 }
 
-Shot make_shot(const Controls& controls, const Settings& settings, const Beams& fan, std::uint32_t ping) {
+Shot make_shot(const Controls& controls, const Settings& settings, const Beams& fan, double pitch,
+               std::uint32_t ping) {
+    constexpr double kaiser_loss = 2.3;  // dB, TXW0 in the manual
     const std::size_t total = samples(controls, settings), per_bin = samples_per_bin(total);
     Shot shot;
     shot.ping = ping;
     shot.bearings = fan.angles;
-    shot.tilt = controls.receiver_tilt;
+    shot.tilt = controls.receiver_tilt + steering(controls, pitch);
     shot.beam_width = receive_beam_width(controls, settings.acoustics);
     shot.fan_height = transmit_beam_width(controls, settings.acoustics);
     shot.bins = (total + per_bin - 1) / per_bin;
@@ -110,6 +136,10 @@ Shot make_shot(const Controls& controls, const Settings& settings, const Beams& 
     shot.source_level = controls.power > 0 ? controls.power : -300;
     shot.horizontal = settings.acoustics.horizontal;
     shot.vertical = settings.acoustics.vertical;
+    if (controls.window == 1) {
+        shot.source_level -= kaiser_loss;
+        shot.vertical.shape = ApertureShape::hamming;  // low side lobes, as a Kaiser window gives them
+    }
     shot.receiver = receiver_at(controls.frequency, settings.acoustics);
     if (controls.trigger == 0) shot.interval = ping_period(controls, settings);
     return shot;

@@ -1,4 +1,4 @@
-// The ping that follows from the controls of a Sonic 2024: beams, samples, times. Pure functions.
+// The ping that follows from the controls of a Sonic 20xx: beams, samples, times. Pure functions.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,18 @@
 
 namespace echoloop::r2sonic_device {
 
-inline constexpr std::size_t beams = 256;
 inline constexpr double sample_rate = 65280;  ///< Hz, of all real pings seen
 
+/// How the head hangs in the water, as motion sensors would tell it.
+struct Attitude {
+    double roll = 0;   ///< rad, positive: starboard down; 0 of a head that looks to the side or ahead
+    double pitch = 0;  ///< rad, by which the fan lies abaft of straight down
+    double depth = 0;  ///< m
+};
+Attitude attitude_of(const Pose& world_from_sonar);
+
+/// Points of a ping: 256, or 1024 in ultra-high density.
+std::size_t beam_count(const Controls& controls);
 /// Sound speed that the head works with: commanded, or of its own sensor.
 double working_sound_speed(const Controls& controls, const Settings& settings);
 /// Range setting as two-way time, s.
@@ -32,11 +41,17 @@ struct Beams {
     std::variant<r2sonic::A0, r2sonic::A2> section;
     std::vector<double> angles;
 };
-Beams beam_angles(const Controls& controls);
+/// Roll and projector offsets, as A0, A1 and A2 carry them.
+r2sonic::More more_of(const Beams& beams);
+/// `roll`, rad, turns the sector where it is stabilised.
+Beams beam_angles(const Controls& controls, double roll);
+/// Elevation of the transmit fan, rad: steered, and stabilised against `pitch`.
+double steering(const Controls& controls, double pitch);
 
 /// Depth and range gates as set; `last_depth` (m, 0: unknown) serves the automatic gates.
 multibeam::Gates bottom_gates(const Controls& controls, double last_depth);
 
-Shot make_shot(const Controls& controls, const Settings& settings, const Beams& beams, std::uint32_t ping);
+Shot make_shot(const Controls& controls, const Settings& settings, const Beams& beams, double pitch,
+               std::uint32_t ping);
 
 }  // namespace echoloop::r2sonic_device

@@ -11,40 +11,17 @@ namespace {
 
 using namespace std::chrono_literals;
 
-enum PortIndex : std::size_t { head_commands, discovery, sim_commands };
-enum Offset : std::uint16_t { bathymetry = 0, commands = 2, status = 2, image = 3 };
-
 constexpr Time processing = 2ms;  // from the last sample to the datagram
 constexpr Time status_period = 1s;
-constexpr std::uint32_t loopback_broadcast = 0x7FFFFFFF;  // 127.255.255.255
-
-bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
-
-Address with_offset(Address base, std::uint16_t offset) {
-    return {base.ip, static_cast<std::uint16_t>(base.port + offset)};
-}
+constexpr Time sync_delay = 10ms;  // from the edge to the middle of the pulse, manual on SYI0
 
 }  // namespace
 
 R2Sonic::R2Sonic(const Settings& settings, const Wiring& wiring)
-    : settings_(settings), wiring_(wiring), controls_(settings.start) {}
-
-/// A loopback head hears discovery on its own address and on loopback's broadcast address; one on a real
-/// interface listens everywhere, since broadcasts come to no address of its own.
-std::vector<Port> R2Sonic::ports() const {
-    constexpr auto datagram = Port::Kind::datagram;
-    const bool local = is_loopback(wiring_.head.ip);
-    const Address hears{local ? wiring_.head.ip : 0, r2sonic::discovery_port};
-    std::vector<Port> ports{{"commands", datagram, with_offset(wiring_.head, commands), false},
-                            {"discovery", datagram, hears, true}};
-    if (wiring_.sim) ports.push_back({"SIM commands", datagram, with_offset(*wiring_.sim, commands), false});
-    if (local)
-        ports.push_back(
-            {"discovery broadcast", datagram, {loopback_broadcast, r2sonic::discovery_port}, true});
-    return ports;
-}
-
-Address R2Sonic::gui(std::uint16_t offset) const { return with_offset(wiring_.gui, offset); }
+    : settings_(settings),
+      network_(wiring, settings),
+      controls_(settings.start),
+      sync_edge_(wiring.sim ? 0 : 1) {}  // without a SIM nobody can set it
 
 Actions R2Sonic::started(Time now) {
     next_status_ = now;
@@ -53,6 +30,7 @@ Actions R2Sonic::started(Time now) {
 }
 
 Actions R2Sonic::received(const Received& data, Time now) {
+    ++datagrams_received_;
     if (const auto packet = r2sonic::parse(data.bytes))
         obey(*packet, data, now);
     else
@@ -62,48 +40,60 @@ Actions R2Sonic::received(const Received& data, Time now) {
 
 void R2Sonic::obey(const r2sonic::Packet& packet, const Received& data, Time now) {
     ++counters_.messages;
-    if (const auto* set = std::get_if<r2sonic::Cmd0>(&packet); set && data.port == head_commands)
-        obey_commands(*set, now);
-    else if (const auto* request = std::get_if<r2sonic::R2dd>(&packet))
-        answer_discovery(*request, data.from);
-    else if (const auto* config = std::get_if<r2sonic::R2dc>(&packet))
-        configure(*config);
+    if (const auto* set = std::get_if<r2sonic::Cmd0>(&packet)) {
+        if (data.port == head_commands && head_on_) obey_head(*set);
+        if (data.port == sim_commands && network_.has_sim()) obey_sim(*set);
+        if (!ping_under_way_) plan_next_ping(now);
+    } else if (const auto* request = std::get_if<r2sonic::R2dd>(&packet)) {
+        for (Send& answer : network_.answers(*request, data.from)) actions_.send.push_back(std::move(answer));
+    } else if (const auto* config = std::get_if<r2sonic::R2dc>(&packet)) {
+        if (!network_.configure(*config)) ++counters_.rejected;
+    }
 }
 
-void R2Sonic::obey_commands(const r2sonic::Cmd0& set, Time now) {
+void R2Sonic::obey_head(const r2sonic::Cmd0& set) {
     for (const r2sonic::Command& command : set.commands) {
-        const Applied applied = apply(controls_, command);
+        const Applied applied = apply(controls_, command, *settings_.variant);
         if (applied == Applied::ping && controls_.trigger == 2) ping_asked_ = true;
         if (applied == Applied::refused) ++counters_.rejected;
     }
-    if (!ping_under_way_) plan_next_ping(now);
 }
 
-void R2Sonic::answer_discovery(const r2sonic::R2dd& request, Address from) {
-    if (!settings_.answer_discovery) return;
-    const Address to = settings_.discovery_to_sender ? from : Address{request.gui_ip, request.gui_port};
-    send(discovery, r2sonic::R2di{settings_.serial, "15000001", settings_.model, {}}, to);
-    if (wiring_.sim) send(discovery, r2sonic::R2di{settings_.sim_serial, "15000003", "SIM", {}}, to);
-}
-
-/// A head on loopback sends to loopback only, whatever the host's program says.
-void R2Sonic::configure(const r2sonic::R2dc& config) {
-    const bool for_sim = wiring_.sim && config.serial == settings_.sim_serial;
-    if (config.serial != settings_.serial && !for_sim) return;
-    (for_sim ? sim_config_ : head_config_) = config.config_id;
-    if (is_loopback(wiring_.head.ip) && !is_loopback(config.gui_ip)) {
-        ++counters_.rejected;
-        return;
+void R2Sonic::obey_sim(const r2sonic::Cmd0& set) {
+    for (const r2sonic::Command& command : set.commands) {
+        const std::string_view name = command.name.view();
+        if (name == "SPO0") switch_head(command.as_u32() != 0);
+        if (name == "SYI0") sync_edge_ = std::min(command.as_u32(), 2U);
+        if (name == "STM0") sim_status_ = command.as_u32();
     }
-    if (config.gui_port != 0) wiring_.gui = {config.gui_ip, config.gui_port};
+}
+
+/// A head that gets its power back has forgotten everything.
+void R2Sonic::switch_head(bool on) {
+    if (on == head_on_) return;
+    head_on_ = on;
+    controls_ = settings_.start;
+    ping_ = {};
+    ping_under_way_ = ping_asked_ = false;
+    last_transmission_.reset();
+    last_depth_ = 0;
+}
+
+/// The first ping after `from` that a pulse at the sync input fires; pulses last half their period.
+Time R2Sonic::next_sync(Time from) const {
+    if (sync_edge_ == 0 || settings_.sync_in <= 0) return Time::max();
+    const double period = 1 / settings_.sync_in,
+                 offset = to_seconds(sync_delay) + (sync_edge_ == 2 ? period / 2 : 0);
+    const double edge = std::max(0.0, std::ceil((to_seconds(from) - offset) / period - 1e-6));
+    return from_seconds(edge * period + offset);
 }
 
 void R2Sonic::plan_next_ping(Time now) {
     next_ping_ = Time::max();
-    if (controls_.trigger == 1 || (controls_.trigger == 2 && !ping_asked_)) return;
+    if (!head_on_ || (controls_.trigger == 2 && !ping_asked_)) return;
     const Time period = from_seconds(ping_period(controls_, settings_));
-    const Time earliest = last_transmission_ ? *last_transmission_ + period : now;
-    next_ping_ = std::max(now, earliest);
+    const Time earliest = std::max(now, last_transmission_ ? *last_transmission_ + period : now);
+    next_ping_ = controls_.trigger == 1 ? next_sync(earliest) : earliest;
 }
 
 void R2Sonic::transmit(Time now) {
@@ -112,55 +102,87 @@ void R2Sonic::transmit(Time now) {
     ping_under_way_ = true;
     ping_.period = last_transmission_ ? to_seconds(now - *last_transmission_) : 0;
     ping_.controls = controls_;
+    if (settings_.mode_sets > 0) ping_.controls = with_set(controls_, ping_.number % settings_.mode_sets);
     ping_.time = unix_time(now);
+    ping_.attitude = attitude_;
     ++ping_.number;
-    ping_.beams = beam_angles(controls_);
+    ping_.beams = beam_angles(ping_.controls, attitude_.roll);
     last_transmission_ = now;
-    const Time due = now + from_seconds(range_time(controls_, settings_)) + processing;
-    actions_.ping = Ping{make_shot(controls_, settings_, ping_.beams, ping_.number), due};
+    const Time due = now + from_seconds(range_time(ping_.controls, settings_)) + processing;
+    actions_.ping =
+        Ping{make_shot(ping_.controls, settings_, ping_.beams, attitude_.pitch, ping_.number), due};
 }
 
 Actions R2Sonic::heard(const Echogram& echogram, Time now) {
-    if (!ping_under_way_ || echogram.shot.ping != ping_.number || echogram.beams() != beams)
+    const auto& angles = ping_.beams.angles;
+    if (!ping_under_way_ || echogram.shot.ping != ping_.number || echogram.beams() != angles.size())
         return take_actions();
     ping_under_way_ = false;
     ++counters_.pings;
+    attitude_ = attitude_of(echogram.world_from_sonar);
     const double c = working_sound_speed(ping_.controls, settings_);
     const double window = static_cast<double>(echogram.shot.bins) * echogram.shot.bin_interval;
     const multibeam::Gates set = bottom_gates(ping_.controls, last_depth_);
     std::vector<multibeam::TimeGate> gates;
-    for (const double angle : ping_.beams.angles)
-        gates.push_back(multibeam::time_gate(set, angle, c, window));
-    const auto detections =
-        multibeam::detect(echogram, gates, {settings_.acoustics.detection_margin, settings_.pulse});
+    for (const double angle : angles) gates.push_back(multibeam::time_gate(set, angle, c, window));
+    const auto detections = multibeam::detect(
+        echogram, gates, {.margin = settings_.acoustics.detection_margin, .echoes_last = settings_.pulse});
     const auto axis_gate = multibeam::time_gate(set, 0, c, window);
-    last_depth_ = multibeam::median_depth(detections, ping_.beams.angles, c);
-    send(head_commands, make_bth0(ping_, settings_, detections, axis_gate), gui(bathymetry));
-    send_image(echogram, now);
+    last_depth_ = multibeam::median_depth(detections, angles, c);
+    send(head_commands, make_bth0(ping_, settings_, detections, gates, axis_gate), Product::bathymetry);
+    send_products(echogram, detections, axis_gate, now);
+    if (controls_.auto_range & 0x10000) follow_bottom(detections);
     plan_next_ping(now);
     return take_actions();
 }
 
-/// Spread over time, since receivers lose bursts, but never beyond the next ping.
-void R2Sonic::send_image(const Echogram& echogram, Time now) {
-    const auto packets = make_image(ping_, settings_, echogram);
-    if (packets.empty()) return;
-    const double room = 0.8 * ping_period(ping_.controls, settings_) / static_cast<double>(packets.size());
-    const Time gap = from_seconds(std::min(settings_.datagram_gap, room));
-    Time when = now;
-    for (const r2sonic::Packet& packet : packets) {
-        send(head_commands, packet, gui(image), when);
-        when += gap;
+/// Keeps the farthest of the points, but for stray ones, within the range; without a bottom it looks farther.
+void R2Sonic::follow_bottom(const std::vector<multibeam::Detection>& detections) {
+    std::vector<double> times;
+    for (const auto& d : detections)
+        if (d.found()) times.push_back(d.time);
+    double range = 2 * controls_.range;
+    if (times.size() > detections.size() / 4) {
+        const auto farthest = times.begin() + static_cast<std::ptrdiff_t>(times.size() * 49 / 50);
+        std::nth_element(times.begin(), farthest, times.end());
+        range = 1.2 * *farthest * working_sound_speed(controls_, settings_) / 2;
     }
+    if (std::abs(range - controls_.range) > 0.05 * controls_.range)
+        controls_.range = std::clamp(range, 2.0, 1200.0);
+}
+
+/// Spread over time, since receivers lose bursts, but never beyond the next ping.
+void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibeam::Detection>& detections,
+                            multibeam::TimeGate axis_gate, Time now) {
+    const std::size_t first = actions_.send.size();
+    const auto add = [&](std::vector<Bytes> datagrams, Product product) {
+        for (Bytes& bytes : datagrams)
+            actions_.send.push_back({head_commands, std::move(bytes), network_.destination(product), now});
+    };
+    add(image_datagrams(ping_, settings_, echogram), Product::image);
+    add(snippet_datagrams(ping_, settings_, echogram, detections), Product::snippets);
+    add(truepix_datagrams(ping_, settings_, echogram, axis_gate), Product::truepix);
+    add(water_column_datagrams(ping_, settings_, echogram), Product::water_column);
+    const std::size_t count = actions_.send.size() - first;
+    if (count == 0) return;
+    const double room = 0.8 * ping_period(ping_.controls, settings_) / static_cast<double>(count);
+    const Time gap = from_seconds(std::min(settings_.datagram_gap, room));
+    for (std::size_t i = 0; i < count; ++i)
+        actions_.send[first + i].not_before = now + static_cast<int>(i) * gap;
+    datagrams_sent_ += static_cast<std::uint32_t>(count);
 }
 
 void R2Sonic::send_status(Time now) {
     next_status_ = now + status_period;
-    send(head_commands, r2sonic::R2ds{settings_.serial, head_config_, 0}, gui(status));
-    if (controls_.status != 0) send(head_commands, head_status(settings_, unix_time(now)), gui(status));
-    if (!wiring_.sim) return;
-    send(sim_commands, r2sonic::R2ds{settings_.sim_serial, sim_config_, 0}, gui(status));
-    if (controls_.status != 0) send(sim_commands, sim_status(settings_, unix_time(now)), gui(status));
+    const Health health{unix_time(now),  attitude_, datagrams_received_,
+                        datagrams_sent_, head_on_,  settings_.sync_in > 0};
+    if (head_on_) {
+        send(head_commands, r2sonic::R2ds{settings_.serial, network_.head_config(), 0}, Product::status);
+        if (controls_.status != 0) send(head_commands, head_status(settings_, health), Product::status);
+    }
+    if (!network_.has_sim()) return;
+    send(sim_commands, r2sonic::R2ds{settings_.sim_serial, network_.sim_config(), 0}, Product::status);
+    if (sim_status_ != 0) send(sim_commands, sim_status(settings_, health), Product::status);
 }
 
 Actions R2Sonic::woken(Time now) {
@@ -169,8 +191,9 @@ Actions R2Sonic::woken(Time now) {
     return take_actions();
 }
 
-void R2Sonic::send(std::size_t port, const r2sonic::Packet& packet, Address to, Time not_before) {
-    actions_.send.push_back({port, r2sonic::serialise(packet), to, not_before});
+void R2Sonic::send(std::size_t port, const r2sonic::Packet& packet, Product product) {
+    actions_.send.push_back({port, r2sonic::serialise(packet), network_.destination(product), {}});
+    ++datagrams_sent_;
 }
 
 Actions R2Sonic::take_actions() {

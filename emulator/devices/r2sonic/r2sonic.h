@@ -1,26 +1,20 @@
-// An R2Sonic Sonic 2024 multibeam head, with its SIM if it is given one, behind UDP. A pure state machine.
+// An R2Sonic Sonic 20xx multibeam head, with its SIM if it is given one, behind UDP. A pure state machine.
 #pragma once
 
 #include <optional>
 
+#include "emulator/devices/r2sonic/network.h"
 #include "emulator/devices/r2sonic/packets.h"
 #include "emulator/devices/r2sonic/settings.h"
 #include "emulator/model.h"
 
 namespace echoloop::r2sonic_device {
 
-/// Addresses of the parts of a system: base ports as R2Sonic counts them.
-struct Wiring {
-    Address head;                ///< own address, base port
-    Address gui;                 ///< host, base port: where data goes
-    std::optional<Address> sim;  ///< own address of the SIM, base port
-};
-
 class R2Sonic final : public Device {
   public:
     R2Sonic(const Settings& settings, const Wiring& wiring);
 
-    std::vector<Port> ports() const override;
+    std::vector<Port> ports() const override { return network_.ports(); }
     Actions started(Time now) override;
     Actions received(const Received& data, Time now) override;
     Actions heard(const Echogram& echogram, Time now) override;
@@ -30,34 +24,40 @@ class R2Sonic final : public Device {
 
   private:
     void obey(const r2sonic::Packet& packet, const Received& data, Time now);
-    void obey_commands(const r2sonic::Cmd0& commands, Time now);
-    void answer_discovery(const r2sonic::R2dd& request, Address from);
-    void configure(const r2sonic::R2dc& config);
+    void obey_head(const r2sonic::Cmd0& commands);
+    void obey_sim(const r2sonic::Cmd0& commands);
+    void switch_head(bool on);
     void plan_next_ping(Time now);
+    Time next_sync(Time from) const;
     void transmit(Time now);
+    void follow_bottom(const std::vector<multibeam::Detection>& detections);
     void send_status(Time now);
-    void send_image(const Echogram& echogram, Time now);
-    void send(std::size_t port, const r2sonic::Packet& packet, Address to, Time not_before = {});
-    Address gui(std::uint16_t offset) const;
+    void send_products(const Echogram& echogram, const std::vector<multibeam::Detection>& detections,
+                       multibeam::TimeGate axis_gate, Time now);
+    void send(std::size_t port, const r2sonic::Packet& packet, Product product);
     double unix_time(Time now) const { return settings_.unix_start + to_seconds(now); }
     Actions take_actions();
 
     Settings settings_;
-    Wiring wiring_;
+    Network network_;
     Controls controls_;
-    PingRecord ping_;  ///< the ping under way, or the last one
+    bool head_on_ = true;           ///< SPO0
+    std::uint32_t sync_edge_;       ///< SYI0: 0 off, 1 rising, 2 falling
+    std::uint32_t sim_status_ = 2;  ///< STM0 of the SIM
+    PingRecord ping_;               ///< the ping under way, or the last one
     bool ping_under_way_ = false;
     bool ping_asked_ = false;  ///< PNG0 came
     std::optional<Time> last_transmission_;
+    Attitude attitude_;      ///< of the last ping
     double last_depth_ = 0;  ///< m, for automatic gates
-    std::uint32_t head_config_ = 0, sim_config_ = 0;
+    std::uint32_t datagrams_received_ = 0, datagrams_sent_ = 0;
     Time next_ping_ = Time::max();
     Time next_status_ = Time::max();
     Actions actions_;
     DeviceCounters counters_;
 };
 
-/// The row of the table of models.
-Model model();
+/// The rows of the table of models: one for each of the series.
+std::vector<Model> models();
 
 }  // namespace echoloop::r2sonic_device

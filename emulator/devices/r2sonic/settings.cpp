@@ -1,5 +1,7 @@
 #include "emulator/devices/r2sonic/settings.h"
 
+#include <algorithm>
+
 #include "emulator/option_rows.h"
 #include "emulator/options.h"
 
@@ -26,41 +28,27 @@ Acoustics read_acoustics(const Profile& p) {
     a.receiver = receiver(p);
     a.receiver.bandwidth = figure(p, "receiver_bandwidth");
     a.image_reference = figure(p, "image_reference");
+    a.magnitude_reference = figure(p, "magnitude_reference");
     a.detection_margin = figure(p, "detection_margin");
     return a;
 }
 
-}  // namespace
-
-std::vector<FigureRow> figure_table() {
-    std::vector<FigureRow> rows{
-        {"reference_frequency", "Hz", "at which beam widths and directivity index are given", 10e3, 10e6},
-        {"receive_beam_width", "deg", "-3 dB full width across track, one way", 0.05, 20},
-        {"transmit_beam_width", "deg", "-3 dB full width along track, one way, narrow projector", 0.05, 20},
-        {"wide_transmit_beam_width", "deg", "the same, wide projector", 0.05, 25},
-        {"receiver_bandwidth", "Hz", "for the noise; in H0", 100, 1e6},
-        {"image_reference", "dB re 1 uPa", "level after gain that reads 255 at 0 dB brightness", 0, 300},
-        {"detection_margin", "dB", "echoes that are not so far above the noise are no bottom", 0, 60},
-    };
-    auto common = common_figures();
-    std::move(common.begin(), common.end(), std::back_inserter(rows));
-    return rows;
-}
-
-std::vector<Option> option_table() {
+/// What commands change, as it is at power-up.
+std::vector<Option> start_rows(const Variant& variant) {
     return {
         choice_row("trigger", {"free", "external", "command"}, "TRG0 at power-up", example),
         number_row("range", "m", 20, 2, 1200, "RNG0 at power-up", example),
         number_row("frequency", "Hz", 400e3, 90e3, 700e3, "FRQ0 at power-up", example),
         number_row("power", "dB re 1 uPa at 1 m", 191, 0, 221, "TXP0 at power-up; 0 transmits nothing",
                    example),
-        number_row("pulse", "s", 20e-6, 10e-6, 1115e-6, "TXL0 at power-up", example),
+        number_row("pulse", "s", 20e-6, 10e-6, variant.longest_pulse, "TXL0 at power-up", example),
         number_row("gain", "half dB", 13, 1, 45, "GAN0 at power-up; times 2 is dB", example),
         number_row("spreading", "dB per decade of range", 30, 0, 60, "SPR0 at power-up", example),
         number_row("absorption", "dB/km", 80, 0, 200, "ABS0 at power-up", example),
         number_row("ping_rate", "Hz", 0, 0, 60,
                    "upper limit of the ping rate at power-up; 0: none (PRU0 = 0)", example),
-        number_row("sector_width", "deg", 120, 10, 160, "SEW0 at power-up", example),
+        number_row("sector_width", "deg", 120, 10, rad_to_deg(variant.widest_sector), "SEW0 at power-up",
+                   example),
         number_row("sector_rotation", "deg", 0, -70, 70, "SER0 at power-up, positive to starboard", example),
         choice_row("bottom_mode", {"equi-angle", "equi-distant"}, "BOS0 at power-up", example),
         flag_row("intensity", false, "BIE0 at power-up: BTH0 carries intensities", example),
@@ -69,22 +57,55 @@ std::vector<Option> option_table() {
         number_row("image_brightness", "dB", 6, 0, 60, "AIB0 at power-up", example),
         choice_row("projector", {"narrow", "wide"},
                    "PROJ at power-up: narrow 1 deg, wide 20 deg (forward looking)", example),
+        choice_row("water_column", {"off", "magnitude", "phase"}, "WCM0 at power-up", example),
+        flag_row("snippets", false, "SNIP at power-up", example),
+        choice_row("truepix", {"off", "magnitude", "direction"}, "TPM0 at power-up", example),
+    };
+}
+
+/// What no command changes.
+std::vector<Option> wire_rows() {
+    return {
         text_row("serial", "100017", "serial number of the head, at most 12 characters", "manual's example"),
         text_row("sim_serial", "100117", "serial number of the SIM, at most 12 characters",
                  "manual's example"),
         number_row("datagram_gap", "s", 0.3e-3, 0, 0.1, "pause between the datagrams of one image",
                    "receivers with default buffers lose faster bursts"),
         choice_row("discovery_reply", {"sender", "gui", "none"}, "where R2DI goes", manual),
+        choice_row(
+            "quality_bits", {"tests", "set", "clear"},
+            "bits 1 and 0 of Q0 of good points: as the tests of colinearity and brightness say, always set, "
+            "or clear",
+            "manual v3.0; set in all real pings; reserved in v5.0 and v6.3"),
+        flag_row("verbose_gates", false, "BTH0 carries the gate of every beam (G1)", manual),
+        choice_row("image_order", {"beams", "bins"},
+                   "what comes first in the data of AID0: all bins of a beam, or all beams of a bin",
+                   "known readers; earlier versions of them read bins first"),
+        choice_row("truepix_header", {"v6.3", "v5.0"},
+                   "bytes 108 to 115 of TPX0's H0: reserved, or with the transmit voltage offset",
+                   "manuals of these versions"),
+        choice_row(
+            "data_hosts", {"gui", "configured"},
+            "where water column, snippets and TruePix go: to the host, or to R2DC's data acquisition hosts, "
+            "the first for TruePix and snippets, the second for the water column",
+            "normally the host itself; the order of the others is an own choice"),
+        integer_row("multimode_sets", "", 0, 0, 4,
+                    "pings take that many sets of MultiMode in turn (ABS1, FRQ1, ...); 0: none",
+                    "manual; the command that starts it is not public"),
+        number_row("sync_in", "Hz", 0, 0, 60, "pulses at the SIM's sync input, for TRG0 = 1; 0: none",
+                   "own choice"),
     };
 }
 
-Settings read_settings(const DeviceConfig& config) {
-    const Options& o = config.options;
-    Settings s;
-    s.serial = serial_number(text(o, "serial"));
-    s.sim_serial = serial_number(text(o, "sim_serial"));
-    Controls& c = s.start;
-    c.trigger = text(o, "trigger") == "free" ? 0 : text(o, "trigger") == "external" ? 1 : 2;
+/// The place of an option's word among `words`.
+std::uint32_t place(const Options& o, const char* name, std::initializer_list<std::string_view> words) {
+    const auto* found = std::find(words.begin(), words.end(), std::string_view(text(o, name)));
+    return static_cast<std::uint32_t>(found - words.begin());
+}
+
+Controls read_start(const Options& o, const Variant& variant) {
+    Controls c;
+    c.trigger = place(o, "trigger", {"free", "external", "command"});
     c.range = number(o, "range");
     c.frequency = number(o, "frequency");
     c.power = number(o, "power");
@@ -100,15 +121,67 @@ Settings read_settings(const DeviceConfig& config) {
     c.intensity = flag(o, "intensity");
     c.image_height = static_cast<std::uint32_t>(integer(o, "image_height"));
     c.image_brightness = number(o, "image_brightness");
-    c.projector = text(o, "projector") == "wide" ? 2 : 1;
-    s.acoustics = read_acoustics(config.profile);
-    s.tvg = config.effects.has(Effect::tvg);
-    s.pulse = config.effects.has(Effect::pulse);
+    c.projector = 1 + place(o, "projector", {"narrow", "wide"});
+    c.water_column = place(o, "water_column", {"off", "magnitude", "phase"});
+    c.snippets = flag(o, "snippets");
+    c.truepix = place(o, "truepix", {"off", "magnitude", "direction"});
+    fit(c, variant);
+    return c;
+}
+
+void read_wire(const Options& o, Settings& s) {
     s.datagram_gap = number(o, "datagram_gap");
     s.answer_discovery = text(o, "discovery_reply") != "none";
     s.discovery_to_sender = text(o, "discovery_reply") == "sender";
+    s.test_bits = static_cast<TestBits>(place(o, "quality_bits", {"tests", "set", "clear"}));
+    s.verbose_gates = flag(o, "verbose_gates");
+    s.bins_first = text(o, "image_order") == "bins";
+    s.old_truepix_header = text(o, "truepix_header") == "v5.0";
+    s.configured_hosts = text(o, "data_hosts") == "configured";
+    s.mode_sets = static_cast<std::size_t>(integer(o, "multimode_sets"));
+    s.sync_in = number(o, "sync_in");
+}
+
+}  // namespace
+
+std::vector<FigureRow> figure_table() {
+    std::vector<FigureRow> rows{
+        {"reference_frequency", "Hz", "at which beam widths and directivity index are given", 10e3, 10e6},
+        {"receive_beam_width", "deg", "-3 dB full width across track, one way", 0.05, 20},
+        {"transmit_beam_width", "deg", "-3 dB full width along track, one way, narrow projector", 0.05, 20},
+        {"wide_transmit_beam_width", "deg", "the same, wide projector", 0.05, 25},
+        {"receiver_bandwidth", "Hz", "for the noise; in H0", 100, 1e6},
+        {"image_reference", "dB re 1 uPa", "level after gain that reads 255 at 0 dB brightness", 0, 300},
+        {"magnitude_reference", "dB re 1 uPa", "level after gain that reads 65535 in WCD0, SNI0 and TPX0", 0,
+         300},
+        {"detection_margin", "dB", "echoes that are not so far above the noise are no bottom", 0, 60},
+    };
+    auto common = common_figures();
+    std::move(common.begin(), common.end(), std::back_inserter(rows));
+    return rows;
+}
+
+std::vector<Option> option_table(const Variant& variant) {
+    std::vector<Option> rows = start_rows(variant);
+    auto others = wire_rows();
+    std::move(others.begin(), others.end(), std::back_inserter(rows));
+    return rows;
+}
+
+Settings read_settings(const DeviceConfig& config, const Variant& variant) {
+    const Options& o = config.options;
+    Settings s;
+    s.variant = &variant;
+    s.model = variant.number;
+    s.serial = serial_number(text(o, "serial"));
+    s.sim_serial = serial_number(text(o, "sim_serial"));
+    s.start = read_start(o, variant);
+    s.acoustics = read_acoustics(config.profile);
+    s.tvg = config.effects.has(Effect::tvg);
+    s.pulse = config.effects.has(Effect::pulse);
     s.sound_speed = config.sound_speed;
     s.unix_start = config.unix_start;
+    read_wire(o, s);
     return s;
 }
 

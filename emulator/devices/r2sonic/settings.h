@@ -15,28 +15,41 @@ struct Acoustics {
     double reference_frequency = 0;  ///< Hz
     double receive_beam_width = 0, transmit_beam_width = 0, wide_transmit_beam_width = 0;
     AxisPattern horizontal, vertical;
-    Receiver receiver;            ///< its directivity index at the reference frequency
-    double image_reference = 0;   ///< dB re 1 uPa after gain: reads 255 in the image at 0 dB brightness
+    Receiver receiver;           ///< its directivity index at the reference frequency
+    double image_reference = 0;  ///< dB re 1 uPa after gain: reads 255 in the image at 0 dB brightness
+    double magnitude_reference =
+        0;                        ///< dB re 1 uPa after gain: reads 65535 in water column, snippets, TruePix
     double detection_margin = 0;  ///< dB above the noise; an echo below is no bottom
 };
 
+/// Bits 1 and 0 of a good point's quality.
+enum class TestBits { tests, set, clear };
+
 struct Settings {
-    wire::Text<12> model = "2024";
+    const Variant* variant = nullptr;
+    wire::Text<12> model;
     wire::Text<12> serial = "100017", sim_serial = "100117";
     Controls start;  ///< the controls at power-up
     Acoustics acoustics;
     bool tvg = true;          ///< the effect of that name
     bool pulse = true;        ///< the effect of that name: echoes are as long as the pulse
-    double datagram_gap = 0;  ///< s between the datagrams of an image
+    double datagram_gap = 0;  ///< s between the datagrams of one ping
+    TestBits test_bits = TestBits::tests;
+    bool verbose_gates = false;       ///< BTH0 has a G1
+    bool bins_first = false;          ///< AID0's data is bin-major
+    bool old_truepix_header = false;  ///< of the manual v5.0
+    bool configured_hosts = false;    ///< water column, snippets and TruePix go where R2DC says
+    std::size_t mode_sets = 0;        ///< of MultiMode that pings take in turn
+    double sync_in = 0;               ///< Hz of pulses at the sync input, 0: none
     bool discovery_to_sender = true;
     bool answer_discovery = true;
     double sound_speed = 1500;  ///< m/s, at the head's own sensor: the true one
     double unix_start = 0;      ///< s
 };
 
-std::vector<Option> option_table();
+std::vector<Option> option_table(const Variant& variant);
 std::vector<FigureRow> figure_table();
 /// From complete options and a complete profile.
-Settings read_settings(const DeviceConfig& config);
+Settings read_settings(const DeviceConfig& config, const Variant& variant);
 
 }  // namespace echoloop::r2sonic_device

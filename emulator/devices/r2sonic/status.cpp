@@ -17,37 +17,44 @@ std::pair<std::uint32_t, std::uint32_t> gps_time(double unix_time) {
 
 const char* const firmware = "19-Dec-2011-17:19:29";  // the manual's example
 
+constexpr std::uint32_t options = option_bits::truepix_snippets | option_bits::forward_looking |
+                                  option_bits::water_column | option_bits::ultra_high_resolution;
+
 }  // namespace
 
-Sth0 head_status(const Settings& settings, double unix_time) {
-    const auto [seconds, fraction] = gps_time(unix_time);
+Sth0 head_status(const Settings& settings, const Health& health) {
+    const auto [seconds, fraction] = gps_time(health.unix_time);
     SenA sensors;
     sensors.gps_seconds = seconds;
     sensors.gps_fraction = fraction;
+    sensors.roll = static_cast<float>(health.attitude.roll);
+    sensors.pitch = static_cast<float>(health.attitude.pitch);
     sensors.sound_speed = static_cast<float>(settings.sound_speed);
+    sensors.depth = sensors.depth_uncalibrated = static_cast<float>(health.attitude.depth);
     sensors.fpga_temperature = 35;
     Sth0 status;
-    status.sections = {Ser3{settings.serial},
-                       Prt3{"15000001"},
-                       Mdl3{settings.model},
-                       Fwv6{firmware},
-                       Fwt6{firmware},
-                       Prj9{settings.serial, "15000002", settings.model},
-                       Opt1{option_bits::forward_looking},
-                       sensors,
-                       Adc3{48, 0.8F, 60},
-                       Eth6{1000, 0, 0, 0, {0, 0, 0x02, 0, 0, 0, 0, 0x01}},
-                       Tim2{0.0001F, 0}};
+    status.sections = {
+        Ser3{settings.serial}, Prt3{"15000001"},
+        Mdl3{settings.model},  Fwv6{firmware},
+        Fwt6{firmware},        Prj9{settings.serial, "15000002", settings.model},
+        Opt1{options},         sensors,
+        Adc3{48, 0.8F, 60},    Eth6{1000, health.received, health.sent, 0, {0, 0, 0x02, 0, 0, 0, 0, 0x01}},
+        Tim2{0.0001F, 0}};
     return status;
 }
 
-Sts0 sim_status(const Settings& settings, double unix_time) {
-    const auto [seconds, fraction] = gps_time(unix_time);
+Sts0 sim_status(const Settings& settings, const Health& health) {
+    const auto [seconds, fraction] = gps_time(health.unix_time);
     Sen7 sensors;
     sensors.gps_seconds = seconds;
     sensors.gps_fraction = fraction;
+    sensors.roll = static_cast<float>(health.attitude.roll);
+    sensors.pitch = static_cast<float>(health.attitude.pitch);
     sensors.sound_speed = static_cast<float>(settings.sound_speed);
-    constexpr std::uint32_t head_on_good = 3U << 22;
+    constexpr std::uint32_t good = 3, off = 0;
+    const std::uint32_t lamps =
+        good | good << 2 | good << 6 | good << 16 | (health.sync_pulses ? good : off) << 18 |
+        (health.head_on ? good : off) << 22;  // gps, motion, svp, pps, sync in, head on
     Sts0 status;
     status.sections = {Ser3{settings.sim_serial},
                        Prt3{"15000003"},
@@ -55,8 +62,8 @@ Sts0 sim_status(const Settings& settings, double unix_time) {
                        Fwv6{firmware},
                        sensors,
                        Adc2{48, 0.5F},
-                       Eth6{1000, 0, 0, 0, {0, 0, 0x02, 0, 0, 0, 0, 0x02}},
-                       Led1{head_on_good}};
+                       Eth6{1000, health.received, health.sent, 0, {0, 0, 0x02, 0, 0, 0, 0, 0x02}},
+                       Led1{lamps}};
     return status;
 }
 

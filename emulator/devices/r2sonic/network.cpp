@@ -1,0 +1,103 @@
+#include "emulator/devices/r2sonic/network.h"
+
+#include "protocols/r2sonic/codec.h"
+
+namespace echoloop::r2sonic_device {
+namespace {
+
+constexpr std::uint16_t commands = 2;                     // above the base port of head and SIM
+constexpr std::uint32_t loopback_broadcast = 0x7FFFFFFF;  // 127.255.255.255
+
+bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
+
+Address with_offset(Address base, std::uint16_t offset) {
+    return {base.ip, static_cast<std::uint16_t>(base.port + offset)};
+}
+
+/// Above the host's base port.
+std::uint16_t offset_of(Product product) {
+    switch (product) {
+        case Product::bathymetry:
+            return 0;
+        case Product::truepix:
+            return 1;
+        case Product::status:
+            return 2;
+        case Product::image:
+            return 3;
+        case Product::water_column:
+            return 5;
+        case Product::snippets:
+            return 6;
+    }
+    return 0;
+}
+
+}  // namespace
+
+Network::Network(const Wiring& wiring, const Settings& settings)
+    : wiring_(wiring),
+      model_(settings.model),
+      serial_(settings.serial),
+      sim_serial_(settings.sim_serial),
+      answer_(settings.answer_discovery),
+      answer_sender_(settings.discovery_to_sender),
+      configured_hosts_(settings.configured_hosts) {}
+
+std::vector<Port> Network::ports() const {
+    constexpr auto datagram = Port::Kind::datagram;
+    const bool local = is_loopback(wiring_.head.ip);
+    const Address hears{local ? wiring_.head.ip : 0, r2sonic::discovery_port};
+    std::vector<Port> ports{{"commands", datagram, with_offset(wiring_.head, commands), false},
+                            {"discovery", datagram, hears, true}};
+    if (wiring_.sim) ports.push_back({"SIM commands", datagram, with_offset(*wiring_.sim, commands), false});
+    if (local)
+        ports.push_back(
+            {"discovery broadcast", datagram, {loopback_broadcast, r2sonic::discovery_port}, true});
+    return ports;
+}
+
+Address Network::destination(Product product) const {
+    const bool column = product == Product::water_column;
+    const bool acquired = column || product == Product::truepix || product == Product::snippets;
+    const Address& daq = daq_[column ? 1 : 0];
+    const bool to_daq = configured_hosts_ && acquired && daq.port != 0;
+    return with_offset(to_daq ? daq : wiring_.gui, offset_of(product));
+}
+
+std::vector<Send> Network::answers(const r2sonic::R2dd& request, Address from) const {
+    if (!answer_) return {};
+    const Address to = answer_sender_ ? from : Address{request.gui_ip, request.gui_port};
+    const auto answer = [&](const r2sonic::R2di& packet) {
+        return Send{discovery_port, r2sonic::serialise(packet), to, {}};
+    };
+    std::vector<Send> out{answer({serial_, "15000001", model_, {}})};
+    if (wiring_.sim) out.push_back(answer({sim_serial_, "15000003", "SIM", {}}));
+    return out;
+}
+
+/// A head on loopback sends to loopback only, whatever the host's program says; an address of 0 is none.
+bool Network::is_allowed(const r2sonic::R2dc& config, bool for_sim) const {
+    const bool local = is_loopback(wiring_.head.ip);
+    if (local && config.gui_port != 0 && !is_loopback(config.gui_ip)) return false;
+    for (std::size_t i = 0; i < daq_.size(); ++i)
+        if (configured_hosts_ && local && config.daq_port[i] != 0 && !is_loopback(config.daq_ip[i]))
+            return false;
+    const Address own = for_sim ? *wiring_.sim : wiring_.head;
+    const std::size_t system = std::min<std::size_t>(config.system_index, config.head_ip.size() - 1);
+    const Address asked = for_sim ? Address{config.sim_ip[system], config.sim_port[system]}
+                                  : Address{config.head_ip[system], config.head_port[system]};
+    return asked.port == 0 || asked == own;
+}
+
+bool Network::configure(const r2sonic::R2dc& config) {
+    const bool for_sim = wiring_.sim && config.serial == sim_serial_;
+    if (config.serial != serial_ && !for_sim) return true;
+    if (!is_allowed(config, for_sim)) return false;
+    (for_sim ? sim_config_ : head_config_) = config.config_id;
+    if (config.gui_port != 0) wiring_.gui = {config.gui_ip, config.gui_port};
+    for (std::size_t i = 0; i < daq_.size(); ++i) daq_[i] = {config.daq_ip[i], config.daq_port[i]};
+    return true;
+}
+
+}  // namespace echoloop::r2sonic_device

@@ -1,0 +1,53 @@
+// Addresses of an R2Sonic system: where it listens, where its data goes, discovery and configuration. Opens
+// no socket.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "emulator/devices/r2sonic/settings.h"
+#include "protocols/r2sonic/messages.h"
+
+namespace echoloop::r2sonic_device {
+
+/// Addresses of the parts of a system: base ports as R2Sonic counts them.
+struct Wiring {
+    Address head;                ///< own address, base port
+    Address gui;                 ///< host, base port: where data goes
+    std::optional<Address> sim;  ///< own address of the SIM, base port
+};
+
+/// Places of the device's ports in ports().
+enum PortIndex : std::size_t { head_commands, discovery_port, sim_commands };
+
+/// What a datagram holds decides where it goes.
+enum class Product { bathymetry, truepix, status, image, water_column, snippets };
+
+class Network {
+  public:
+    Network(const Wiring& wiring, const Settings& settings);
+
+    std::vector<Port> ports() const;
+    Address destination(Product product) const;
+    /// Answers to R2DD: of the head, and of the SIM if there is one.
+    std::vector<Send> answers(const r2sonic::R2dd& request, Address from) const;
+    /// Takes over what concerns head or SIM. False if it asks for what cannot be: another address of the
+    /// device itself (its endpoint says where it listens), or of the host beyond loopback for a device on
+    /// loopback.
+    bool configure(const r2sonic::R2dc& config);
+
+    bool has_sim() const { return wiring_.sim.has_value(); }
+    std::uint32_t head_config() const { return head_config_; }
+    std::uint32_t sim_config() const { return sim_config_; }
+
+  private:
+    bool is_allowed(const r2sonic::R2dc& config, bool for_sim) const;
+    Wiring wiring_;
+    wire::Text<12> model_, serial_, sim_serial_;
+    bool answer_ = true, answer_sender_ = true, configured_hosts_ = false;
+    std::array<Address, 2> daq_{};  ///< as configured; port 0: none
+    std::uint32_t head_config_ = 0, sim_config_ = 0;
+};
+
+}  // namespace echoloop::r2sonic_device
