@@ -6,6 +6,7 @@
 #include "protocols/cerulean/inspect.h"
 #include "protocols/oculus/inspect.h"
 #include "protocols/imagenex/inspect.h"
+#include "protocols/nmea/inspect.h"
 #include "protocols/ping/inspect.h"
 #include "protocols/r2sonic/inspect.h"
 #include "protocols/seanet/inspect.h"
@@ -29,6 +30,8 @@ constexpr std::array table = {
            ping::tables},
     Family{"imagenex", "Imagenex 881A and 852, serial and files", Framing::stream, imagenex::decode,
            imagenex::recognise, imagenex::tables},
+    Family{"nmea", "NMEA 0183 sentences, serial and UDP", Framing::stream, nmea::decode, nmea::recognise,
+           nmea::tables},
 };
 
 std::optional<double> number_of(const wire::Value& value) {

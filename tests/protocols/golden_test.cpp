@@ -6,6 +6,7 @@
 #include "protocols/inspect.h"
 #include "protocols/oculus/codec.h"
 #include "protocols/oculus/framer.h"
+#include "protocols/nmea/sentence.h"
 #include "protocols/ping/codec.h"
 #include "protocols/ping/framer.h"
 #include "protocols/r2sonic/codec.h"
@@ -56,6 +57,12 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
     }
     if (family == "imagenex") return imagenex::rewritten(bytes);
     if (family == "cerulean") return cerulean::rewritten(bytes);
+    if (family == "nmea") {
+        const std::string line(bytes.begin(), bytes.end());
+        const auto sentence = nmea::read_sentence(line.substr(0, line.size() - 2));
+        const std::string text = sentence ? nmea::write_sentence(*sentence) : "";
+        return {text.begin(), text.end()};
+    }
     seanet::Framer framer;
     framer.feed(bytes);
     const auto frame = framer.next();
