@@ -222,13 +222,19 @@ std::uint64_t Surveyor240::utc(Time time) const {
     return utc_at_power_up_ ? *utc_at_power_up_ + milliseconds(time) : 0;
 }
 
-/// While it pings, the attitude of the last ping is told; else it is looked at first.
+/// Pings tell the attitude where they are frequent; else it is looked at first.
+bool Surveyor240::is_attitude_fresh(Time now) const {
+    if (pacer_.under_way()) return true;
+    const bool of_a_ping = parameters_.ping_enable != 0 && pose_at_ == transmitted_;
+    return of_a_ping && now - pose_at_ < from_seconds(1.5 * settings_.attitude_period);
+}
+
 void Surveyor240::report(Time now) {
     const bool alone = std::none_of(hosts_.begin(), hosts_.end(), [](const auto& host) { return !!host; });
     if (alone) next_attitude_ = next_water_ = next_utc_request_ = Time::max();
     if (now >= next_attitude_) {
         next_attitude_ = after(now, settings_.attitude_period);
-        if (parameters_.ping_enable != 0)
+        if (is_attitude_fresh(now))
             tell(attitude());
         else
             look_at_attitude(now);

@@ -41,6 +41,7 @@ class Surveyor240 final : public Device {
     /// Asks for the head's pose with a ping that sends nothing.
     void look_at_attitude(Time now);
     void send_points(const Echogram& echogram);
+    bool is_attitude_fresh(Time now) const;
     /// What the periods ask for.
     void report(Time now);
     void reply(const cerulean::surveyor::Message& message, const Peer& to);

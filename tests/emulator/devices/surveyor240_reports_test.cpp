@@ -84,6 +84,21 @@ TEST(Surveyor240Attitude, WhilePingingItIsThatOfTheLastPing) {
     EXPECT_NEAR(asked_up_vector(bench)[0], std::sin(deg_to_rad(10)), 1e-6);
 }
 
+TEST(Surveyor240Attitude, BetweenRarePingsItIsLookedAt) {
+    Bench bench = surveyor();
+    Set rare;
+    rare.period = 1000;
+    bench.say(frame(rare));
+    bench.run_to(5s + 60ms);
+    std::vector<std::uint32_t> times;
+    for (const Send& report : of_id(bench.sent(), attitude_report)) times.push_back(u32(report.bytes, 40));
+    EXPECT_GE(times.size(), 45U);
+    EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    EXPECT_GE(times.size(), 40U);
+    EXPECT_EQ(bench.device().counters().pings, 6U);
+}
+
 TEST(Surveyor240Attitude, CanBeLeftToRequests) {
     Bench bench = surveyor({{"attitude_period", 0.0}});
     bench.say(frame(6, "0500"));
