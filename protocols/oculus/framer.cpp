@@ -48,7 +48,7 @@ std::optional<Frame> Framer::next() {
             continue;
         }
         const std::size_t size = header_bytes + header->payload_size;
-        const auto known = pending.first(std::min(size, pending.size()));
+
         // An image may hold anything, leftovers of older headers too.
         const bool short_one = header->payload_size <= status_payload;
         if (const auto inner = short_one ? header_within(pending, size, longest_) : std::nullopt) {
