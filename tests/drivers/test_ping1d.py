@@ -2,21 +2,16 @@
 
 import math
 import os
-import re
-import socket
-import struct
 import subprocess
 import sys
-import time
 import unittest
 
 import public_driver
 
 public_driver.use("ping1d", "brping")
 
-import serial  # noqa: E402
 from brping import Ping1D, definitions, pingmessage  # noqa: E402
-from program import Emulator, free_base_port, free_tcp_port  # noqa: E402
+from program import Emulator, free_base_port  # noqa: E402
 
 TANK = """
 scene: {scenes}/tank.glb
@@ -120,51 +115,6 @@ class Echosounder(unittest.TestCase):
             ).stdout
             self.assertEqual(output.count("> > pass: True"), 23, output)
             self.assertNotIn("pass: False", output)
-
-
-def ping_frame(number, payload):
-    """As an autopilot sends it: to device 1, without a line break before it."""
-    frame = b"BR" + struct.pack("<HHBB", len(payload), number, 0, 1) + payload
-    return frame + struct.pack("<H", sum(frame) & 0xFFFF)
-
-
-class Rangefinder(unittest.TestCase):
-    """The exchange of an autopilot's rangefinder: ping interval, continuous_start of distance_simple, then it listens."""
-
-    def exchange(self, scheme, endpoint, connect):
-        with Emulator(TANK % (-2, DOWN, endpoint)) as emulator, connect(emulator) as line:
-            write, read = (line.send, line.recv) if isinstance(line, socket.socket) else (line.write, line.read)
-            write(ping_frame(1004, struct.pack("<H", 50)))
-            write(ping_frame(1400, struct.pack("<H", 1211)))
-            heard, readings = b"", []
-            end = time.monotonic() + 10
-            while len(readings) < 20 and time.monotonic() < end:
-                heard += read(64 if scheme == "pty" else 4096)
-                readings = re.findall(rb"BR\x05\x00\xbb\x04\x01\x00(.{5})(..)", heard, re.S)
-            self.assertEqual(len(readings[:20]), 20)
-            distance, confidence = struct.unpack("<IB", readings[19][0])
-            self.assertAlmostEqual(distance, 2000, delta=60)
-            self.assertGreaterEqual(confidence, 90)
-
-    def test_over_a_serial_line(self):
-        self.exchange("pty", "pty:{folder}/ping1d", lambda e: serial.Serial(str(e.folder / "ping1d"), 115200, timeout=0.1))
-
-    def test_over_tcp(self):
-        port = free_tcp_port()
-        self.exchange(
-            "tcp", f"tcp-listen://127.0.0.1:{port}", lambda _: socket.create_connection(("127.0.0.1", port), timeout=5)
-        )
-
-    def test_over_udp(self):
-        port = free_base_port(1)
-
-        def connect(_):
-            line = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-            line.settimeout(5)
-            line.connect(("127.0.0.1", port))
-            return line
-
-        self.exchange("udp", f"udp-listen://127.0.0.1:{port}", connect)
 
 
 if __name__ == "__main__":

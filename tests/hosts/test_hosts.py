@@ -9,6 +9,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 MODULES = [
     "test_byte_line",
+    "test_blping_host",
     "test_surveyor_wire",
     "test_seanet_host",
     "test_r2sonic_host",

@@ -1,5 +1,5 @@
 // The Micron Echosounder on a bench: literal lines at given times, echoes made up by the test. Depths follow
-// from bins of 50 m / 3334.
+// from bins of 50 m / 8334.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using testing::IsEmpty;
 
 Bench altimeter(const Options& changes = {}, std::vector<std::string> endpoints = {}) {
     Bench bench(make_device("tritech-echosounder", std::move(endpoints), changes));
-    bench.echo_bin = 533;  // 533 x 50 m / 3334 = 7.993 m
+    bench.echo_bin = 1333;  // 1333 x 50 m / 8334 = 7.997 m
     bench.echo_power = 1e13F;
     return bench;
 }
@@ -31,7 +31,7 @@ TEST(TritechEchosounder, SaysTenBytesFourTimesASecond) {
     bench.run_to(86ms);  // 2 x 50 m / 1500 m/s + 20 ms = 86.7 ms
     EXPECT_THAT(lines(bench), IsEmpty());
     bench.run_to(87ms);
-    EXPECT_THAT(lines(bench), ElementsAre("007.993m\r\n"));
+    EXPECT_THAT(lines(bench), ElementsAre("007.997m\r\n"));
     bench.run_to(10100ms);
     EXPECT_EQ(lines(bench).size(), 40u);
 }
@@ -42,10 +42,10 @@ TEST(TritechEchosounder, HasTheFormatsOfItsHosts) {
         bench.run_to(100ms);
         return lines(bench);
     };
-    EXPECT_THAT(first("3P2"), ElementsAre("007.99m\r\n"));
-    EXPECT_THAT(first("mm"), ElementsAre("7993mm\n"));
-    // 7.9934 m / 0.3048 = 26.225 ft, / 6 = 4.371 fathoms; the checksum is another program's.
-    EXPECT_THAT(first("nmea"), ElementsAre("$PADBT,026.23,f,007.99,M,004.37,F*32\r\n"));
+    EXPECT_THAT(first("3P2"), ElementsAre("008.00m\r\n"));
+    EXPECT_THAT(first("mm"), ElementsAre("7997mm\n"));
+    // 7.9974 m / 0.3048 = 26.238 ft, / 6 = 4.373 fathoms; the checksum is another program's.
+    EXPECT_THAT(first("nmea"), ElementsAre("$PADBT,026.24,f,008.00,M,004.37,F*3A\r\n"));
 }
 
 TEST(TritechEchosounder, WithoutAnEchoFailsLowOrHighOrIsSilent) {
@@ -63,7 +63,7 @@ TEST(TritechEchosounder, WithoutAnEchoFailsLowOrHighOrIsSilent) {
 
 TEST(TritechEchosounder, SeesNothingInItsBlanking) {
     Bench bench = altimeter();
-    bench.echo_bin = 19;  // 0.285 m
+    bench.echo_bin = 47;  // 0.282 m
     bench.run_to(100ms);
     EXPECT_THAT(lines(bench), ElementsAre("000.000m\r\n"));
 }
@@ -77,7 +77,7 @@ TEST(TritechEchosounder, InterrogatedSaysOneReadingForEachZ) {
     bench.run_to(1086ms);
     EXPECT_THAT(lines(bench), IsEmpty());
     bench.run_to(3s);
-    EXPECT_THAT(lines(bench), ElementsAre("007.993m\r\n"));
+    EXPECT_THAT(lines(bench), ElementsAre("007.997m\r\n"));
     bench.say("5a5a5a");
     bench.run_to(4s);
     EXPECT_EQ(lines(bench).size(), 1u) << "a ping under way answers them all";
