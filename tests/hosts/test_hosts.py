@@ -12,6 +12,7 @@ MODULES = [
     "test_blping_host",
     "test_surveyor_wire",
     "test_seanet_host",
+    "test_seanet_profiler",
     "test_r2sonic_host",
     "test_r2sonic_control",
     "test_imagenex_wire",

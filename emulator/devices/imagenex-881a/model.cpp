@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "emulator/devices/imagenex-881a/sonar.h"
+#include "emulator/option_rows.h"
+#include "emulator/options.h"
+
+namespace echoloop::imagenex881a {
+namespace {
+
+constexpr std::size_t turn_steps = 400;  // 0.9 deg each
+constexpr double default_range = 10;     // m
+const char* const spec = "Imagenex specification notes";
+
+std::vector<Option> option_table() {
+    auto all = imagenex_head::option_table({.head_id = 0x10,
+                                            .lowest_id = 0x10,
+                                            .highest_id = 0x1F,
+                                            .status = {"41", "40"},
+                                            .ceilings = {"127", "255"}});
+    const std::vector<Option> own{
+        choice_row("imx_bytes", {"252", "250"}, "8-bit echo data of an IMX reply; 250: old firmware", spec),
+        choice_row(
+            "sector_edge", {"before", "clip"},
+            "the head turns round before it would pass a sector's edge, or makes its last step end there",
+            spec),
+        number_row("start_angle", "deg", 0, -180, 179.7, "where the head points at power-up", "own choice"),
+        flag_row("azimuth_drive", false, "an azimuth drive, id 1F, turns the head about the same axis",
+                 "Imagenex specification notes; the axis: own choice"),
+    };
+    all.insert(all.end(), own.begin(), own.end());
+    return all;
+}
+
+Settings read_settings(const DeviceConfig& config) {
+    const Options& o = config.options;
+    Settings s;
+    s.head = imagenex_head::read_settings(config);
+    s.head.imx_bytes = text(o, "imx_bytes") == "250" ? 250 : 252;
+    s.clip = text(o, "sector_edge") == "clip";
+    s.start_position = static_cast<int>(std::lround(number(o, "start_angle") / 0.3)) + ahead;
+    s.start_position %= circle;
+    s.azimuth_drive = flag(o, "azimuth_drive");
+    if (s.azimuth_drive && s.head.head_id == imagenex::azimuth_head_id)
+        throw std::invalid_argument(
+            "head_id 31 (1F) is the azimuth drive's; choose another id or switch the drive off");
+    return s;
+}
+
+std::unique_ptr<Device> make(const DeviceConfig& config) {
+    return std::make_unique<Sonar>(read_settings(config));
+}
+
+/// A plain host's command: 500 points of 8 bits at 675 kHz.
+Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
+    if (!(range > 0)) range = default_range;
+    const Settings settings = read_settings(config);
+    imagenex::SwitchCommand command;
+    command.range = static_cast<std::uint8_t>(std::clamp(std::ceil(range), 1.0, 200.0));
+    command.data_points = 50;
+    command.pulse_length = 6;
+    command.frequency = 100;
+    const auto format = imagenex_head::format_of(command, settings.head);
+    Shot shot = imagenex_head::plain_shot(command, format, range / 500, settings.head);
+    set_sound(command, settings.head.acoustics.frequency, shot);
+    const int position = static_cast<int>(step % turn_steps * (circle / turn_steps));
+    shot.pan = std::remainder(angle_of(position), 2 * std::numbers::pi);
+    shot.bin_interval = 2 * range / config.sound_speed / static_cast<double>(shot.bins);
+    shot.ping = step + 1;
+    return shot;
+}
+
+}  // namespace
+
+Model model() {
+    Model m;
+    m.name = "imagenex-881a";
+    m.title = "Imagenex 881A multi-frequency scanning sonar";
+    m.protocol = "Imagenex switch data, serial 115200 8N1";
+    m.default_endpoints = {"pty:/tmp/echoloop/imagenex-881a"};
+    m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
+    m.turn_steps = turn_steps;
+    m.options = option_table();
+    m.figures = imagenex_head::figure_table();
+    m.profile = built_in_profile(m.name);
+    m.make = make;
+    m.default_shot = default_shot;
+    return m;
+}
+
+}  // namespace echoloop::imagenex881a

@@ -1,0 +1,46 @@
+// An Imagenex 881A scanning sonar on its RS-485 pair, and by option the azimuth drive that carries it. A pure
+// state machine.
+#pragma once
+
+#include "emulator/devices/family/imagenex_head.h"
+#include "emulator/devices/imagenex-881a/scan.h"
+
+namespace echoloop::imagenex881a {
+
+/// Emulator options beside those of all Imagenex heads; README.md of this folder explains each.
+struct Settings {
+    imagenex_head::Settings head;
+    bool clip = false;
+    int start_position = ahead;
+    bool azimuth_drive = false;
+};
+
+class Sonar final : public imagenex_head::Head {
+  public:
+    explicit Sonar(const Settings& settings);
+
+  protected:
+    imagenex::SwitchCommand usable(imagenex::SwitchCommand command) const override;
+    double resolution(const imagenex::SwitchCommand& command) const override;
+    Time aim(const imagenex::SwitchCommand& command, Shot& shot) override;
+    imagenex::Packed14 position_bytes() const override;
+    std::uint64_t profile_units(double range, const imagenex::SwitchCommand& command) const override;
+    bool obey_other(const wire::Bytes& frame, Time now) override;
+
+  private:
+    Scan scan_;
+    bool azimuth_drive_;
+    int azimuth_ = ahead;  ///< of the drive, positions
+};
+
+/// Frequency of byte 25 in Hz.
+double frequency_of(const imagenex::SwitchCommand& command);
+/// rad clockwise from ahead
+double angle_of(int position);
+/// What the frequency and the pulse of a command make of a shot.
+void set_sound(const imagenex::SwitchCommand& command, double design_frequency, Shot& shot);
+
+/// The row of the table of models.
+Model model();
+
+}  // namespace echoloop::imagenex881a
