@@ -63,7 +63,7 @@ class PingViewer(unittest.TestCase):
             if not 120 <= degrees:
                 continue
             step = near.bin_length(SOUND_SPEED)
-            self.assertAlmostEqual(edge(ping, near), wall(degrees), delta=2 * step + 0.02 * wall(degrees), msg=ping.angle)
+            self.assertAlmostEqual(edge(ping, near), wall(degrees), delta=2 * step + 0.02 * wall(degrees))
 
         wide = Settings(gain=1).for_range(20, SOUND_SPEED)
         host.scan(wide, 340, 379)
