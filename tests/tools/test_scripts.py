@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/install and tools/demo, run with made-up system commands: what they install, and how they refuse."""
+"""tools/install, tools/demo and tools/fuzz, run with made-up system commands: what they install, and how they refuse."""
 import pathlib
 import shutil
 import subprocess
@@ -133,6 +133,18 @@ class Demo(Script):
     def test_explains_itself(self):
         self.assertEqual(self.run_script("demo", "--help"), 0)
         self.assertIn("until Ctrl-C", self.output)
+
+
+class Fuzz(Script):
+    def test_refuses_a_wrong_argument_before_it_installs_anything(self):
+        for arguments in (("--forever",), ("1m",)):
+            self.assertEqual(self.run_script("fuzz", *arguments), 64, arguments)
+            self.assertIn("tools/fuzz [SECONDS] [NAME...]", self.output)
+        self.assertEqual(self.log, [])
+
+    def test_explains_itself(self):
+        self.assertEqual(self.run_script("fuzz", "--help"), 0)
+        self.assertIn("devices/MODEL", self.output)
 
 
 if __name__ == "__main__":
