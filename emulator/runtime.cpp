@@ -4,6 +4,7 @@
 
 #include "emulator/capture/recorded.h"
 #include "emulator/error.h"
+#include "emulator/pose/vehicle.h"
 #include "emulator/transport/make.h"
 #include "render/renderer.h"
 
@@ -36,6 +37,7 @@ class Runtime::Impl {
           signals_(io_),
           end_(io_),
           clock_(scenario.clock_rate),
+          vehicle_(scenario, io_, clock_),
           water_(shared_water(scenario, *scene_)),
           render_thread_([this, &scenario] {
               auto renderer = std::make_unique<Renderer>(scene_, scenario.water, scenario.render);
@@ -72,6 +74,7 @@ class Runtime::Impl {
             });
         }
         clock_ = Clock(clock_.rate());
+        vehicle_.start();
         for (auto& session : sessions_) session->start();
         io_.run();
     }
@@ -82,6 +85,7 @@ class Runtime::Impl {
         return all;
     }
 
+    std::optional<PoseSummary> poses() const { return vehicle_.summary(); }
     std::size_t triangles() const { return scene_->triangles(); }
     const std::string& renderer_description() const { return renderer_description_; }
 
@@ -95,14 +99,16 @@ class Runtime::Impl {
             for (std::size_t i = 0; i < transports.size(); ++i)
                 transports[i] = std::make_unique<Recorded>(std::move(transports[i]), *recording,
                                                            entry.name + " " + device->ports()[i].name);
-        const Pose world_from_sonar = scenario.world_from_body * entry.body_from_sonar;
-        sessions_.push_back(std::make_unique<Session>(io_, clock_, render_thread_, water_, entry.name,
-                                                      std::move(device), std::move(transports),
-                                                      [world_from_sonar](Time) { return world_from_sonar; }));
+        sessions_.push_back(std::make_unique<Session>(
+            io_, clock_, render_thread_, water_, entry.name, std::move(device), std::move(transports),
+            [this, body_from_sonar = entry.body_from_sonar](Time time) {
+                return vehicle_.world_from_body(time) * body_from_sonar;
+            }));
         running_.push_back({entry.name, entry.model, {}});
     }
 
     void stop() {
+        vehicle_.close();
         for (auto& session : sessions_) session->close();
         error_code ignored;
         signals_.cancel(ignored);
@@ -116,6 +122,7 @@ class Runtime::Impl {
     asio::signal_set signals_;
     asio::steady_timer end_;
     Clock clock_;
+    Vehicle vehicle_;
     SharedWater water_;
     std::vector<std::unique_ptr<Session>> sessions_;
     std::vector<RunningDevice> running_;
@@ -128,6 +135,7 @@ Runtime::~Runtime() = default;
 std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
 std::size_t Runtime::triangles() const { return impl_->triangles(); }
 std::string Runtime::renderer() const { return impl_->renderer_description(); }
+std::optional<PoseSummary> Runtime::poses() const { return impl_->poses(); }
 void Runtime::run(std::optional<double> duration) { impl_->run(duration); }
 std::vector<SessionSummary> Runtime::summary() const { return impl_->summary(); }
 

@@ -20,6 +20,7 @@ struct RunningDevice {
 };
 
 class Recording;
+struct PoseSummary;
 
 class Runtime {
   public:
@@ -36,6 +37,8 @@ class Runtime {
     /// Powers the devices up and serves them until SIGINT, SIGTERM or `duration` seconds of real time.
     void run(std::optional<double> duration = {});
     std::vector<SessionSummary> summary() const;
+    /// What came from outside about the vehicle; empty if nothing is asked from there.
+    std::optional<PoseSummary> poses() const;
 
   private:
     class Impl;

@@ -1,5 +1,6 @@
 #include "emulator/scenario/scenario.h"
 
+#include "emulator/endpoint.h"
 #include "emulator/scenario/device_section.h"
 #include "emulator/scenario/effects_section.h"
 #include "emulator/scenario/file.h"
@@ -54,15 +55,41 @@ std::uint64_t read_seed(const Section& top, Problems& problems) {
     return seed.value_or(1);
 }
 
-Pose read_vehicle(const Section& top, Problems& problems) {
+/// An endpoint that somebody outside can send poses to, "" if there is none.
+std::string read_pose_input(const Section& vehicle, Problems& problems) {
+    const Value* value = vehicle.get("input");
+    if (value == nullptr) return {};
+    const std::string uri = vehicle.text("input", "");
+    using Scheme = Endpoint::Scheme;
+    try {
+        const Scheme scheme = parse_endpoint(uri).scheme;
+        if (scheme == Scheme::udp_listen || scheme == Scheme::tcp_listen || scheme == Scheme::tcp) return uri;
+        problems.add(
+            value->place,
+            "vehicle.input: poses come over udp-listen://, tcp-listen:// or tcp://, not " + in_quotes(uri));
+    } catch (const std::invalid_argument& error) {
+        problems.add(value->place, std::string("vehicle.input: ") + error.what());
+    }
+    return {};
+}
+
+void read_vehicle(const Section& top, Scenario& scenario, Problems& problems) {
     const Section vehicle(top.get("vehicle"), "vehicle", {"pose", "trajectory", "input"}, problems);
-    for (const auto* key : {"trajectory", "input"})
-        if (const Value* value = vehicle.get(key))
-            problems.add(value->key_place,
-                         vehicle.path_of(key) +
-                             " is not in this version: the vehicle stands still; remove the key "
-                             "and set vehicle.pose");
-    return read_pose(vehicle.get("pose"), "vehicle.pose", problems);
+    scenario.world_from_body = read_pose(vehicle.get("pose"), "vehicle.pose", problems);
+    scenario.pose_input = read_pose_input(vehicle, problems);
+    const Value* value = vehicle.get("trajectory");
+    if (value == nullptr) return;
+    for (const auto* other : {"pose", "input"})
+        if (vehicle.get(other) != nullptr)
+            problems.add(
+                value->key_place,
+                "vehicle.trajectory says where the vehicle is; remove it or vehicle." + std::string(other));
+    scenario.trajectory = scenario.file.parent_path() / vehicle.text("trajectory", "");
+    if (const auto fault = file_fault(scenario.trajectory))
+        problems.add(value->place,
+                     "vehicle.trajectory: " + in_quotes(scenario.trajectory.string()) + ": " +
+                         fault->message + "; a relative name begins at the scenario's folder",
+                     fault->kind);
 }
 
 void read_clock(const Section& top, Scenario& scenario, Problems& problems) {
@@ -107,7 +134,7 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     scenario.file = file;
     scenario.scene = read_scene(top, file, problems);
     scenario.seed = read_seed(top, problems);
-    scenario.world_from_body = read_vehicle(top, problems);
+    read_vehicle(top, scenario, problems);
     read_clock(top, scenario, problems);
     scenario.render = read_render(top, problems);
     read_effects(top.get("effects"), scenario.render, problems);

@@ -34,8 +34,10 @@ struct Scenario {
     std::filesystem::path file;   ///< as given
     std::filesystem::path scene;  ///< absolute, or relative to the working directory as `file` is
     std::uint64_t seed = 1;
-    Water water;  ///< depth defaults to the vehicle's depth below the surface
-    Pose world_from_body;
+    Water water;           ///< depth defaults to the vehicle's depth below the surface
+    Pose world_from_body;  ///< with an input: until its first message; with a trajectory: nothing yet
+    std::filesystem::path trajectory;  ///< as `scene`; empty: none
+    std::string pose_input;            ///< endpoint that poses come from; "": none
     ClockMode clock = ClockMode::real;
     double clock_rate = 1;
     RendererOptions render;  ///< from `render: {rule, context, pixels}`, `effects` and `water.surface`

@@ -56,6 +56,10 @@ std::unique_ptr<Transport> open_line(asio::io_context& io, const std::string& ur
 
 }  // namespace
 
+std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri) {
+    return open_stream(io, parse_endpoint(uri), 0);
+}
+
 std::vector<std::unique_ptr<Transport>> make_transports(asio::io_context& io, const std::vector<Port>& ports,
                                                         const DeviceConfig& config, double clock_rate) {
     std::vector<std::unique_ptr<Transport>> transports;

@@ -11,6 +11,9 @@
 
 namespace echoloop {
 
+/// A byte pipe to an endpoint of a scenario, not paced. Throws StartError.
+std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri);
+
 /// One transport per port: a datagram port binds its own address, stream port i is endpoint i of the
 /// configuration. Streams over anything but a real serial port are paced by the option "baud", where the
 /// model has one. Throws StartError.

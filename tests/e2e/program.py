@@ -43,14 +43,17 @@ def free_tcp_port():
 
 
 class Emulator:
-    """`echoloop run` on a scenario text; {folder} and {scenes} in it are filled in. Use as a context manager."""
+    """`echoloop run` on a scenario text; {folder} and {scenes} in it are filled in, `files` lie beside it. Use as a
+    context manager."""
 
-    def __init__(self, scenario, *arguments):
+    def __init__(self, scenario, *arguments, files=()):
         self.folder = Path(tempfile.mkdtemp(prefix="echoloop-e2e-"))
         self.file = self.folder / "scenario.yaml"
         self.file.write_text(
             scenario.replace("{folder}", str(self.folder)).replace("{scenes}", str(ROOT / "config" / "scenes"))
         )
+        for name, text in dict(files).items():
+            (self.folder / name).write_text(text)
         self.output = ""
         self.process = subprocess.Popen(
             [PROGRAM, "run", str(self.file), *arguments],

@@ -2,10 +2,15 @@
 
 #include <cstdio>
 
+#include "emulator/pose/trajectory_file.h"
+
 namespace echoloop::cli {
 
 Scenario scenario_from(const Arguments& arguments) {
-    return load_scenario(arguments.text("FILE"), arguments.all("--set"), models());
+    Scenario scenario = load_scenario(arguments.text("FILE"), arguments.all("--set"), models());
+    if (!scenario.trajectory.empty())
+        scenario.world_from_body = read_trajectory(scenario.trajectory).at({})->pose;
+    return scenario;
 }
 
 std::shared_ptr<const Scene> scene_of(const Scenario& scenario) {

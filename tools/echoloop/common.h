@@ -9,7 +9,8 @@
 
 namespace echoloop::cli {
 
-/// The scenario of the FILE and --set arguments against the table of models. Throws ScenarioError.
+/// The scenario of the FILE and --set arguments against the table of models, at the beginning of its
+/// trajectory. Throws StartError.
 Scenario scenario_from(const Arguments& arguments);
 
 /// Throws StartError with the scene's own message.

@@ -25,7 +25,8 @@ std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
                     {"devices", devices}});
 }
 
-std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Recording* recording) {
+std::string run_summary_json(const std::vector<SessionSummary>& sessions,
+                             const std::optional<PoseSummary>& poses, const Recording* recording) {
     Json devices = Json::array();
     for (const auto& s : sessions)
         devices.push_back({{"name", s.name},
@@ -39,6 +40,10 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
                            {"bytes_in", s.bytes_in},
                            {"bytes_out", s.bytes_out}});
     Json ended{{"event", "ended"}, {"devices", devices}};
+    if (poses)
+        ended["vehicle"] = {{"place", poses->place},     {"poses", poses->accepted},
+                            {"refused", poses->refused}, {"last_refusal", poses->last_refusal},
+                            {"jumps", poses->jumps},     {"stale_pings", poses->stale_pings}};
     if (recording != nullptr) {
         const RecordingSummary s = recording->summary();
         ended["recording"] = {{"file", recording->file().string()},

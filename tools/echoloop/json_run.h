@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "emulator/capture/recording.h"
+#include "emulator/pose/input.h"
 #include "emulator/runtime.h"
 
 namespace echoloop::cli {
 
 std::string run_started_json(const Scenario& scenario, const Runtime& runtime);
-/// `recording`: nullptr if there is none.
-std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Recording* recording);
+/// `poses`: empty if none come from outside; `recording`: nullptr if there is none.
+std::string run_summary_json(const std::vector<SessionSummary>& sessions,
+                             const std::optional<PoseSummary>& poses, const Recording* recording);
 
 }  // namespace echoloop::cli

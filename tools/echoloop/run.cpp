@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "emulator/capture/recording.h"
+#include "emulator/pose/input.h"
 #include "emulator/runtime.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
@@ -20,6 +21,8 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
     line("scene", scenario.scene.string() + ", " + counted(runtime.triangles(), "triangle"));
     line("renderer", runtime.renderer());
     for (const auto& [name, text] : conditions(scenario)) line(name, text);
+    if (!scenario.pose_input.empty()) line("vehicle", "takes poses from " + scenario.pose_input);
+    if (!scenario.trajectory.empty()) line("vehicle", "moves by " + scenario.trajectory.string());
     for (const auto& device : scenario.devices) {
         line(device.name, device.model->title);
         for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
@@ -76,6 +79,14 @@ std::unique_ptr<Recording> recording_from(const Arguments& arguments) {
     return std::make_unique<Recording>(arguments.text("--record"), limits);
 }
 
+void print_poses(const PoseSummary& s) {
+    std::printf("%s%s from %s, %llu refused%s, %s, %s with a stale pose\n", padded("vehicle", 16).c_str(),
+                counted(s.accepted, "pose").c_str(), s.place.c_str(),
+                static_cast<unsigned long long>(s.refused),
+                s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str(),
+                counted(s.jumps, "jump").c_str(), counted(s.stale_pings, "ping").c_str());
+}
+
 void print_recording(const Recording& recording) {
     const RecordingSummary s = recording.summary();
     std::printf("%s%s: %s, %s in %s%s%s\n", padded("recorded", 16).c_str(), recording.file().c_str(),
@@ -103,9 +114,10 @@ int run(const Arguments& arguments) {
         if (recording) recording->finish();
         const auto sessions = runtime.summary();
         if (json) {
-            std::printf("%s\n", run_summary_json(sessions, recording.get()).c_str());
+            std::printf("%s\n", run_summary_json(sessions, runtime.poses(), recording.get()).c_str());
         } else {
             print_summary(sessions);
+            if (const auto poses = runtime.poses()) print_poses(*poses);
             if (recording) print_recording(*recording);
         }
         if (arguments.has("--fail-late")) demand_punctuality(sessions);

@@ -1,0 +1,105 @@
+#include "emulator/pose/message.h"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace echoloop {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double farthest = 1e6, longest = 1e10;  // m, s
+
+/// Thrown inside this file only.
+struct Refusal {
+    std::string reason;
+};
+
+double number(const Json& value, const char* key) {
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+        throw Refusal{std::string(key) + ": expected a finite number"};
+    return value.get<double>();
+}
+
+template <std::size_t n>
+std::array<double, n> numbers(const Json& object, const char* key) {
+    const Json& list = object.at(key);
+    if (!list.is_array() || list.size() != n)
+        throw Refusal{std::string(key) + ": expected a list of " + std::to_string(n) + " numbers"};
+    std::array<double, n> values;
+    for (std::size_t i = 0; i < n; ++i) values[i] = number(list[i], key);
+    return values;
+}
+
+Vec3 position(const Json& object) {
+    const auto [x, y, z] = numbers<3>(object, "position");
+    if (norm({x, y, z}) > farthest) throw Refusal{"position: more than 1000 km from the origin"};
+    return {x, y, z};
+}
+
+Quat quaternion(const Json& object, const char* key) {
+    constexpr double tolerance = 0.01;
+    const auto [w, x, y, z] = numbers<4>(object, key);
+    const double length = std::sqrt(w * w + x * x + y * y + z * z);
+    if (std::abs(length - 1) > tolerance)
+        throw Refusal{std::string(key) + ": the quaternion's length is not 1"};
+    return {w / length, x / length, y / length, z / length};
+}
+
+std::optional<double> time(const Json& object, const char* key) {
+    if (!object.contains(key)) return {};
+    const double t = number(object.at(key), key);
+    if (std::abs(t) > longest) throw Refusal{std::string(key) + ": no time in seconds"};
+    return t;
+}
+
+PoseMessage of_ardupilot(const Json& object) {
+    PoseMessage message{time(object, "timestamp"), {}};
+    message.pose.position = position(object);
+    if (object.contains("quaternion")) {
+        message.pose.orientation = quaternion(object, "quaternion");
+    } else {
+        const auto [roll, pitch, yaw] = numbers<3>(object, "attitude");
+        message.pose.orientation = from_rpy(roll, pitch, yaw);
+    }
+    message.pose = enu_from_ned(message.pose);
+    return message;
+}
+
+PoseMessage of_echoloop(const Json& object) {
+    PoseMessage message{time(object, "t"), {}};
+    message.pose.position = position(object);
+    if (object.contains("orientation")) message.pose.orientation = quaternion(object, "orientation");
+    if (object.contains("rpy_deg")) {
+        if (object.contains("orientation")) throw Refusal{"orientation and rpy_deg: give one of them"};
+        const auto [roll, pitch, yaw] = numbers<3>(object, "rpy_deg");
+        message.pose.orientation = from_rpy(deg_to_rad(roll), deg_to_rad(pitch), deg_to_rad(yaw));
+    }
+    return message;
+}
+
+}  // namespace
+
+Pose enu_from_ned(const Pose& ned_from_frd) {
+    const double half = std::sqrt(0.5);
+    const Quat enu_from_ned{0, half, half, 0};  // half a turn about the line between north and east
+    const Quat frd_from_flu{0, 1, 0, 0};
+    const Vec3 p = ned_from_frd.position;
+    return {{p.y, p.x, -p.z}, enu_from_ned * ned_from_frd.orientation * frd_from_flu};
+}
+
+PoseText parse_pose_line(std::string_view line) {
+    const Json object = Json::parse(line, nullptr, false);
+    if (object.is_discarded()) return {{}, "no JSON"};
+    if (!object.is_object()) return {{}, "expected a JSON object in braces"};
+    if (!object.contains("position")) return {{}, "\"position\": [x, y, z] is missing"};
+    const bool ardupilot = object.contains("attitude") || object.contains("quaternion");
+    try {
+        return {ardupilot ? of_ardupilot(object) : of_echoloop(object), ""};
+    } catch (const Refusal& refusal) {
+        return {{}, refusal.reason};
+    }
+}
+
+}  // namespace echoloop

@@ -1,0 +1,33 @@
+// One line of JSON that says where the vehicle is, in echoloop's own words or in those of ArduPilot's JSON
+// simulator interface. A pure function of hostile text.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "render/pose.h"
+
+namespace echoloop {
+
+struct PoseMessage {
+    std::optional<double> time;  ///< s on the sender's clock; empty: when it arrives
+    Pose pose;                   ///< world_from_body, ENU and FLU
+};
+
+struct PoseText {
+    std::optional<PoseMessage> message;
+    std::string reason;  ///< why there is no message
+};
+
+/// Own: {"t": 1.5, "position": [x, y, z], "orientation": [w, x, y, z]}; "rpy_deg": [r, p, y] may stand for
+/// the orientation, both and t may be missing. ArduPilot's: {"timestamp": 1.5, "position": [n, e, d],
+/// "attitude": [r, p, y]} in rad, or "quaternion": [w, x, y, z], NED and FRD. Other keys are passed over.
+/// Refused are numbers that are not finite, positions beyond 1000 km, quaternions whose length is not 1
+/// within 1 %.
+PoseText parse_pose_line(std::string_view line);
+
+/// ENU and FLU from north-east-down and forward-right-down.
+Pose enu_from_ned(const Pose& ned_from_frd);
+
+}  // namespace echoloop

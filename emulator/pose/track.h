@@ -1,0 +1,59 @@
+// Where a body was and is: poses at times, and the pose between them. Knows no clock and reads nothing.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+
+#include "emulator/device.h"
+#include "render/pose.h"
+
+namespace echoloop {
+
+/// Shortest rotation from `a` to `b`, `part` of the way; unit quaternions.
+Quat slerp(Quat a, Quat b, double part);
+/// Position on the straight line, orientation by slerp; `part` beyond 0..1 goes on in the same way.
+Pose between(const Pose& a, const Pose& b, double part);
+
+struct TrackRules {
+    double extrapolation = 1.5;  ///< times the last interval: for how long a body is taken to move on
+    double steady = 0.5;         ///< s, poses further apart than this do not tell how it moves
+    double stale_after = 1;      ///< s without a pose
+    double fastest = 20;         ///< m/s; a faster change is a jump, and nothing lies between its ends
+    std::size_t most = 100000;   ///< poses that are kept; the oldest go first
+};
+
+class Track {
+  public:
+    explicit Track(TrackRules rules = {}) : rules_(rules) {}
+
+    /// Times must grow: an earlier one than the last begins a new track. Returns false for a jump.
+    bool add(Time time, const Pose& pose);
+
+    struct Answer {
+        Pose pose;
+        bool stale = false;  ///< the last pose is too old to be trusted
+    };
+    /// Before the first pose: the first. After the last: on for a while in the same way, then where
+    /// it was last. Empty
+    /// if there are no poses.
+    std::optional<Answer> at(Time time) const;
+
+    bool empty() const { return poses_.empty(); }
+    std::size_t size() const { return poses_.size(); }
+    Time first() const { return poses_.front().time; }
+    Time last() const { return poses_.back().time; }
+
+  private:
+    struct Entry {
+        Time time;
+        Pose pose;
+        bool jumped = false;  ///< from the one before
+    };
+    Answer after_last(Time time) const;
+
+    TrackRules rules_;
+    std::deque<Entry> poses_;
+};
+
+}  // namespace echoloop

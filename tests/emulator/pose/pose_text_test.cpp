@@ -1,0 +1,122 @@
+// Poses as text: lines of JSON and trajectory files, good ones by literal values and bad ones by their
+// reasons.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "emulator/error.h"
+#include "emulator/pose/message.h"
+#include "emulator/pose/trajectory_file.h"
+
+namespace echoloop::test {
+namespace {
+
+using testing::HasSubstr;
+
+void expect_near(Vec3 a, Vec3 b) { EXPECT_LT(norm(a - b), 1e-9) << a.x << ' ' << a.y << ' ' << a.z; }
+
+Vec3 nose(const Pose& pose) { return rotate(pose.orientation, {1, 0, 0}); }
+Vec3 roof(const Pose& pose) { return rotate(pose.orientation, {0, 0, 1}); }
+
+PoseMessage good(std::string_view line) {
+    const PoseText text = parse_pose_line(line);
+    EXPECT_EQ(text.reason, "") << line;
+    return text.message.value_or(PoseMessage{});
+}
+
+TEST(PoseLine, OwnWords) {
+    const auto full =
+        good(R"({"t": 2.5, "position": [1, -2, -3.5], "orientation": [0.70710678, 0, 0, 0.70710678]})");
+    EXPECT_EQ(full.time, 2.5);
+    expect_near(full.pose.position, {1, -2, -3.5});
+    expect_near(nose(full.pose), {0, 1, 0});  // yaw 90 deg looks north
+    const auto angles = good(R"({"position": [0, 0, 0], "rpy_deg": [0, 90, 0], "comment": "looks down"})");
+    EXPECT_FALSE(angles.time);
+    expect_near(nose(angles.pose), {0, 0, -1});
+}
+
+TEST(PoseLine, ArduPilotSpeaksNorthEastDown) {
+    // 10 m north, 5 m east, 3 m down, heading east, level.
+    const auto east =
+        good(R"({"timestamp": 7, "imu": {}, "position": [10, 5, 3], "attitude": [0, 0, 1.5707963267948966],
+                               "velocity": [0, 0, 0]})");
+    EXPECT_EQ(east.time, 7);
+    expect_near(east.pose.position, {5, 10, -3});
+    expect_near(nose(east.pose), {1, 0, 0});
+    expect_near(roof(east.pose), {0, 0, 1});
+    // Positive pitch lifts the nose there, positive roll drops the right side.
+    expect_near(nose(good(R"({"position": [0, 0, 0], "attitude": [0, 1.5707963267948966, 0]})").pose),
+                {0, 0, 1});
+    expect_near(roof(good(R"({"position": [0, 0, 0], "attitude": [1.5707963267948966, 0, 0]})").pose),
+                {1, 0, 0});
+    const auto same = good(
+        R"({"timestamp": 7, "position": [10, 5, 3], "quaternion": [0.7071067811865476, 0, 0, 0.7071067811865476]})");
+    expect_near(nose(same.pose), nose(east.pose));
+}
+
+TEST(PoseLine, RefusesWithAReason) {
+    const std::pair<const char*, const char*> lines[] = {
+        {"", "no JSON"},
+        {"{\"position\": [1, 2", "no JSON"},
+        {"[1, 2, 3]", "expected a JSON object"},
+        {"{}", "\"position\""},
+        {R"({"position": [1, 2]})", "3 numbers"},
+        {R"({"position": [1, 2, "3"]})", "finite number"},
+        {R"({"position": [1, 2, 1e999]})", "no JSON"},
+        {R"({"position": [0, 0, 2e6]})", "1000 km"},
+        {R"({"position": [0, 0, 0], "orientation": [1, 1, 0, 0]})", "length is not 1"},
+        {R"({"position": [0, 0, 0], "orientation": [0, 0, 0, 0]})", "length is not 1"},
+        {R"({"position": [0, 0, 0], "orientation": [1, 0, 0, 0], "rpy_deg": [0, 0, 0]})", "one of them"},
+        {R"({"position": [0, 0, 0], "t": "now"})", "finite number"},
+        {R"({"position": [0, 0, 0], "t": 1e300})", "no time"},
+        {R"({"position": [0, 0, 0], "attitude": [0, 0]})", "3 numbers"},
+    };
+    for (const auto& [line, reason] : lines) {
+        const PoseText text = parse_pose_line(line);
+        EXPECT_FALSE(text.message) << line;
+        EXPECT_THAT(text.reason, HasSubstr(reason)) << line;
+    }
+    parse_pose_line(std::string(100000, '['));  // must come back
+}
+
+TEST(Trajectory, CsvWithAndWithoutAHeaderAndTumSayTheSame) {
+    const char* texts[] = {
+        "t,x,y,z,qw,qx,qy,qz\n100,0,0,-3,1,0,0,0\n102,4,0,-3,0.70710678,0,0,0.70710678\n",
+        "100, 0, 0, -3, 1, 0, 0, 0\r\n102, 4, 0, -3, 0.70710678, 0, 0, 0.70710678\r\n",
+        "x,y,z,t,qx,qy,qz,qw\n0,0,-3,100,0,0,0,1\n4,0,-3,102,0,0,0.70710678,0.70710678",
+        "# timestamp tx ty tz qx qy qz qw\n100 0 0 -3 0 0 0 1\n\n102 4 0 -3  0 0 0.70710678 0.70710678\n",
+    };
+    for (const char* text : texts) {
+        const Track track = parse_trajectory(text, "dive.csv");
+        EXPECT_EQ(track.last(), std::chrono::seconds(2));
+        const Pose middle = track.at(std::chrono::seconds(1))->pose;
+        expect_near(middle.position, {2, 0, -3});
+        EXPECT_LT(norm(nose(middle) - Vec3{std::sqrt(0.5), std::sqrt(0.5), 0}), 1e-7);
+        const auto after = track.at(std::chrono::seconds(100));
+        expect_near(after->pose.position, {4, 0, -3});
+        EXPECT_FALSE(after->stale);
+    }
+}
+
+TEST(Trajectory, FaultsNameFileLineAndReason) {
+    const std::pair<const char*, const char*> texts[] = {
+        {"", "dive.csv:0: there are no poses"},
+        {"0 0 0 0 0 0 1", "dive.csv:1: expected 8 numbers"},
+        {"0,0,0,0,1,0,0,0\n1,0,0,zero,1,0,0,0", "dive.csv:2: 'zero' is not a finite number"},
+        {"0,0,0,nan,1,0,0,0", "'nan' is not a finite number"},
+        {"0,0,0,0,1,0,0,0\n0,0,0,0,1,0,0,0", "dive.csv:2: the time must be later"},
+        {"0,0,0,0,1,1,0,0", "length is not 1"},
+        {"0,0,0,9e9,1,0,0,0", "1000 km"},
+        {"t,x,y,z,qw,qx,qy,roll\n", "it has 'roll'"},
+        {"t,x,y\n", "the header must name"},
+    };
+    for (const auto& [text, reason] : texts) try {
+            parse_trajectory(text, "dive.csv");
+            ADD_FAILURE() << text;
+        } catch (const StartError& error) {
+            EXPECT_THAT(error.what(), HasSubstr(reason));
+            EXPECT_EQ(error.exit(), Exit::data);
+        }
+}
+
+}  // namespace
+}  // namespace echoloop::test
