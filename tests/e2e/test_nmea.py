@@ -9,10 +9,14 @@ import select
 import shutil
 import socket
 import subprocess
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
-from program import Emulator, free_base_port, free_tcp_port
+from program import PROGRAM, Emulator, free_base_port, free_tcp_port
+
+import byte_line
 
 try:
     import pynmea2
@@ -29,7 +33,7 @@ devices:
     model: nmea-echosounder
     mount: {rpy_deg: [0, 90, 0]}
     endpoints: ["%s"]
-    options: {rate: 4, baud: 38400, temperature: 7.5, sentences: DPT DBT MTW DBS, offset: 1.25, range: %g}
+    options: {rate: 4, baud: 38400, temperature: 7.5, sentences: DPT DBT MTW DBS, offset: 1.25, range: %g, no_bottom: %s}
 """
 PULSE = 0.075  # m, half of 100 us of sound: what the sounder can resolve
 
@@ -87,8 +91,8 @@ class Gpsd:
 
 
 class NmeaCase(unittest.TestCase):
-    def start(self, endpoint, z=-12.0, sound_speed=1500.0, reach=50.0):
-        emulator = Emulator(FLOOR % (sound_speed, z, endpoint, reach))
+    def start(self, endpoint, *arguments, z=-12.0, sound_speed=1500.0, reach=50.0, no_bottom="empty"):
+        emulator = Emulator(FLOOR % (sound_speed, z, endpoint, reach, no_bottom), *arguments)
         self.addCleanup(emulator.__exit__, None, None, None)
         return emulator.__enter__()
 
@@ -184,6 +188,49 @@ class WithPynmea2(NmeaCase):
         for s in self.sentences(8, z=-8.0, reach=10.0):
             if s.sentence_type in ("DPT", "DBT", "DBS"):
                 self.assertEqual(s.data[0], "", str(s))
+
+    def test_no_bottom_may_mean_no_depth_sentence(self):
+        found = {s.sentence_type for s in self.sentences(4, z=-8.0, reach=10.0, no_bottom="silent")}
+        self.assertEqual(found, {"MTW"})
+
+
+class Inspected(NmeaCase):
+    """`echoloop inspect` on what a line and a socket carried."""
+
+    def inspect(self, *arguments):
+        command = [PROGRAM, "inspect", *map(str, arguments)]
+        return subprocess.run(command, capture_output=True, text=True, timeout=60, check=True).stdout
+
+    def test_a_log_of_a_serial_line(self):
+        emulator = self.start("pty:{folder}/line")
+        line = byte_line.open_line(str(emulator.folder / "line"), 38400)
+        self.addCleanup(line.close)
+        data, end = b"", time.monotonic() + 20
+        while data.count(b"\n") < 9 and time.monotonic() < end:
+            data += line.read(0.5)
+        log = emulator.folder / "line.log"
+        log.write_bytes(b"\x00half,a,sentence*00\r\n" + data + sentence("GPGLL,5400.0,N,01000.0,E,,A"))
+        messages = json.loads(self.inspect(log, "--json"))["messages"]
+        depths = [f for m in messages if m["name"] == "DPT" for f in m["fields"] if f["name"] == "depth"]
+        self.assertGreaterEqual(len(depths), 2)
+        for depth in depths:
+            self.assertEqual(depth["unit"], "m")
+            self.check_depth(float(depth["value"]), 8.0)
+        self.assertIn("GPGLL", [m["name"] for m in messages])
+
+    def test_a_recorded_run_with_datagrams(self):
+        folder = tempfile.TemporaryDirectory(prefix="echoloop-record-")
+        self.addCleanup(folder.cleanup)
+        capture = Path(folder.name) / "run.pcapng"
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as host:
+            host.bind(("127.0.0.1", 0))
+            host.settimeout(30)
+            emulator = self.start(f"udp://127.0.0.1:{host.getsockname()[1]}", "--record", str(capture))
+            for _ in range(8):
+                host.recv(4096)
+            emulator.stop()
+        summary = self.inspect(capture, "--summary")
+        self.assertRegex(summary, r"DBS \d+, DBT \d+, DPT \d+, MTW \d+; broken 0")
 
 
 if __name__ == "__main__":
