@@ -168,19 +168,16 @@ class Tank(OculusCase):
 
 class Timing(OculusCase):
     def period(self, host, pings=8, **settings):
-        """Seconds per ping, by the sonar's own clock in the results."""
+        """Seconds per ping, by the sonar's own clock in the results; one that a busy machine delays does not count."""
         host.fire(version=2, flags=wire.METRES | wire.SIMPLE, **settings)
         asked = (settings["rate"], settings["range"])
         same = lambda ping: (ping.settings["rate"], ping.settings["range"]) == asked
         host.ping(20, same)
-        first = host.ping(20, same)
-        begin = time.monotonic()
-        for _ in range(pings):
-            last = host.ping(20, same)
-        arrived = (time.monotonic() - begin) / pings
-        own = (last.start - first.start) / (last.ping - first.ping)
-        self.assertAlmostEqual(arrived, own, delta=0.25 * own)
-        return own
+        begin, first = time.monotonic(), host.ping(20, same)
+        seen = [first] + [host.ping(20, same) for _ in range(pings)]
+        own = [after.start - before.start for before, after in zip(seen, seen[1:])]
+        self.assertAlmostEqual(time.monotonic() - begin, sum(own), delta=0.3 * sum(own) + 0.1)
+        return statistics.median(own)
 
     def test_rate_and_range_set_the_period(self):
         host = self.start("flat", [0, 0, -12])
