@@ -140,11 +140,6 @@ class OverPty(MicronCase):
                 line = open_line(str(emulator.folder / "micron"))
                 self.read_lines(line, style, Settings(range=10.0, bins=200), 20)
 
-    def test_miniking_profile_for_hosts_that_know_no_dst(self):
-        with Emulator(TANK % (PTY, ", baud: 0, profile: miniking, device_type: 2")) as emulator:
-            line = open_line(str(emulator.folder / "micron"))
-            self.read_lines(line, "hostC", Settings(range=10.0, bins=200), 20, profile="miniking")
-
     def test_sector_reverse_and_gain(self):
         with Emulator(TANK % (PTY, ", baud: 0")) as emulator:
             line = open_line(str(emulator.folder / "micron"))

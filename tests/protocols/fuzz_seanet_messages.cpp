@@ -1,4 +1,5 @@
-// libFuzzer: a payload under any id, of an imaging sonar and of a profiler. What parses is written back to the same payload.
+// libFuzzer: a payload under any id, of an imaging sonar and of a profiler. What parses is written back to
+// the same payload.
 #include <cstdlib>
 
 #include "protocols/seanet/codec.h"
