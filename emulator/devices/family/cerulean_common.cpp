@@ -25,7 +25,7 @@ std::uint16_t data_port(const std::vector<std::string>& endpoints) {
 
 }  // namespace
 
-std::vector<Option> identity_options(int listed_type, const std::string& name) {
+std::vector<Option> identity_options(int listed_type, const std::string& name, bool acknowledge) {
     return {
         text_row("firmware", "1.0.0", "version in device_information", "own choice: hosts do not look at it"),
         text_row("protocol_version", "1.0.0", "version of the message set", spec),
@@ -35,8 +35,8 @@ std::vector<Option> identity_options(int listed_type, const std::string& name) {
         integer_row("device_revision", "", 1, 0, 255, "in device_information", spec),
         integer_row("source_id", "", 0, 0, 255, "source in the header of what the device sends",
                     "maker's manual: reserved, 0"),
-        flag_row("acknowledge", true, "ack messages that set something",
-                 "as the Ping1D, Ping specification notes"),
+        flag_row("acknowledge", acknowledge, "ack messages that set something",
+                 "own choice: the manual names no ack for them, and each delays some public hosts by a ping"),
         choice_row("nacked_id", {"request", "requested"},
                    "id in the nack of a general_request: 6, or the id that was asked for", spec),
         integer_row("datagram", "B", 1472, 64, 65507,

@@ -25,7 +25,8 @@ struct Identity {
 };
 
 /// `listed_type`: what the maker's list of device types says. `name`: the first line of the announcement.
-std::vector<Option> identity_options(int listed_type, const std::string& name);
+/// `acknowledge`: the default of that option.
+std::vector<Option> identity_options(int listed_type, const std::string& name, bool acknowledge = true);
 /// std::invalid_argument if a version is none.
 Identity read_identity(const Options& options);
 

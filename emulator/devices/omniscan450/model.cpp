@@ -27,7 +27,7 @@ Model model() {
     m.name = "omniscan450";
     m.title = "Cerulean Omniscan 450 side-scan or forward-looking sonar";
     m.protocol = "Ping protocol, TCP or UDP";
-    m.default_endpoints = {"tcp-listen://127.0.0.1:51200", "udp-listen://127.0.0.1:51200"};
+    m.default_endpoints = {"tcp-listen://127.0.0.1:51200"};
     m.endpoint_schemes = {"tcp-listen", "udp-listen", "tcp", "udp", "pty", "serial"};
     m.options = option_table();
     m.figures = figure_table();

@@ -58,7 +58,7 @@ std::vector<FigureRow> figure_table() {
 
 std::vector<Option> option_table() {
     constexpr int listed_type = 101;
-    auto all = cerulean_device::identity_options(listed_type, "SONAR OMNISCAN450");
+    auto all = cerulean_device::identity_options(listed_type, "SONAR OMNISCAN450", false);
     const Option own[] = {
         choice_row("speed_of_sound_id", {"both", "1002", "116"}, "message that sets the speed of sound",
                    spec),

@@ -26,7 +26,7 @@ Model model() {
     m.name = "s500";
     m.title = "Cerulean S500 echosounder";
     m.protocol = "Ping protocol, TCP, UDP or serial";
-    m.default_endpoints = {"tcp-listen://127.0.0.1:51210", "udp-listen://127.0.0.1:51210"};
+    m.default_endpoints = {"tcp-listen://127.0.0.1:51210"};
     m.endpoint_schemes = {"tcp-listen", "udp-listen", "tcp", "udp", "pty", "serial"};
     m.options = option_table();
     m.figures = figure_table();

@@ -77,7 +77,7 @@ std::vector<FigureRow> figure_table() {
 
 std::vector<Option> option_table() {
     constexpr int listed_type = 112;
-    auto all = cerulean_device::identity_options(listed_type, "SONAR S500");
+    auto all = cerulean_device::identity_options(listed_type, "SONAR S500", false);
     const Option own[] = {
         choice_row("invalid_settings", {"nack", "accept"},
                    "values outside the documented ranges: refused, or cut to what can be pinged",

@@ -7,6 +7,12 @@
 
 namespace echoloop::test {
 
+/// On TCP and on UDP.
+inline Bench cerulean_sonar(const std::string& model, const Options& changes) {
+    return Bench(
+        make_device(model, {"tcp-listen://127.0.0.1:51200", "udp-listen://127.0.0.1:51200"}, changes));
+}
+
 /// os_ping_params; what a test does not name has the value that hosts usually send.
 struct OmniscanParams {
     int start = 0, length = 15000, msec = 0;  // mm, ms
