@@ -5,7 +5,7 @@ import unittest
 
 from program import PROGRAM, TANK, ProgramTest, run
 
-VERBS = ["run", "check", "list", "endpoints", "render", "inspect", "bench", "validate"]
+VERBS = ["run", "check", "list", "endpoints", "render", "inspect", "convert", "bench", "validate"]
 
 
 class Usage(ProgramTest):
