@@ -40,8 +40,7 @@ class Stretches {
         const Shot& shot = echogram.shot;
         const auto beam = echogram.beam(index).subspan(first, last - first);
         sum_.resize(beam.size() + 1);
-        double sum = sum_[0] = 0;
-        for (std::size_t i = 0; i < beam.size(); ++i) sum_[i + 1] = sum += beam[i];
+        add_up(beam);
         // A flat bottom's echo lasts t * beam width * tan(angle); three pulses at least, so that speckle
         // averages.
         slope_ = shot.beam_width * std::abs(std::tan(shot.bearings[index])) / 2;
@@ -62,16 +61,12 @@ class Stretches {
     }
     /// Bin around which the mean is greatest: found at a coarse step, then nearby.
     std::size_t peak() const {
-        std::size_t best = 0;
-        double most = -1;
-        const auto look = [&](std::size_t i) {
-            const double value = mean(i);
-            if (value > most) most = value, best = i;
-        };
-        for (std::size_t i = 0; i < size(); i += std::max<std::size_t>(1, half(i) / 4)) look(i);
-        const std::size_t near = half(best) / 4, from = best - std::min(best, near), to = best + near + 1;
-        for (std::size_t i = from; i < std::min(to, size()); ++i) look(i);
-        return best;
+        Best best;
+        for (std::size_t i = 0; i < size();) i = look(i, size(), std::max<std::size_t>(1, half(i) / 4), best);
+        const std::size_t near = half(best.bin) / 4, from = best.bin - std::min(best.bin, near);
+        const std::size_t end = std::min(best.bin + near + 1, size());
+        for (std::size_t i = from; i < end;) i = look(i, end, 1, best);
+        return best.bin;
     }
     /// The run around a peak within 10 dB of it and clear of the noise.
     std::pair<std::size_t, std::size_t> run_around(std::size_t peak, double noise_power) const {
@@ -83,6 +78,40 @@ class Stretches {
     }
 
   private:
+    struct Best {
+        std::size_t bin = 0;
+        double mean = -1;
+    };
+
+    /// Every `step`th bin from `i` on, as long as the footprint has the same number of bins; where it went on
+    /// to.
+    std::size_t look(std::size_t i, std::size_t end, std::size_t step, Best& best) const {
+        const std::size_t h = half(i);
+        const double until = slope_ > 0 ? std::ceil((static_cast<double>(h) - first_half_) / slope_) : 1e9;
+        const std::size_t same = std::clamp(static_cast<std::size_t>(std::min(until, 1e9)), i + 1, end);
+        const double weight = 1 / static_cast<double>(2 * h + 1);
+        for (; i < same; i += step) {
+            const std::size_t from = i > h ? i - h : 0, to = std::min(i + h + 1, size());
+            const double value = (sum_[to] - sum_[from]) * weight;
+            if (value > best.mean) best = {i, value};
+        }
+        return i;
+    }
+
+    /// Four quarters at a time: one sum would wait for itself at every bin.
+    void add_up(std::span<const float> beam) {
+        const std::size_t quarter = beam.size() / 4;
+        double sums[4] = {};
+        for (std::size_t i = 0; i < quarter; ++i)
+            for (std::size_t q = 0; q < 4; ++q) sum_[q * quarter + i + 1] = sums[q] += beam[q * quarter + i];
+        double before = sum_[0] = 0;
+        for (std::size_t q = 1; q < 4; ++q) {
+            before += sums[q - 1];
+            for (std::size_t i = 1; i <= quarter; ++i) sum_[q * quarter + i] += before;
+        }
+        for (std::size_t i = 4 * quarter; i < beam.size(); ++i) sum_[i + 1] = sum_[i] + beam[i];
+    }
+
     std::vector<double> sum_;
     double slope_ = 0, first_half_ = 0;
 };

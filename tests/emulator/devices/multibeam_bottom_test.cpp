@@ -54,12 +54,11 @@ TEST_P(MultibeamFloor, IsWithinHalfAPerCentInsideSixtyDegrees) {
     }
 }
 
-// ends.
 INSTANTIATE_TEST_SUITE_P(Shapes, MultibeamFloor,
                          testing::Values(Floor{"flat", flat(15)}, Floor{"slope", sloping(15, deg_to_rad(15))},
                                          Floor{"slope to port", sloping(12, deg_to_rad(-20))}),
-                         [](const auto& info) {
-                             return std::string(info.param.name).substr(0, 5) + std::to_string(info.index);
+                         [](const testing::TestParamInfo<Floor>& which) {
+                             return std::string(which.param.name).substr(0, 5) + std::to_string(which.index);
                          });
 
 TEST(MultibeamStep, BothSidesAreRightAndTheWallLiesBetween) {
