@@ -79,7 +79,7 @@ Json check_accessor(const JsonView& accessor, const DocumentCounts& counts) {
                 {"count", need(accessor, "count").integer(1, buffer_bytes)},
                 {"type", need(accessor, "type").text().substr(0, 16)}};
     static const std::vector<std::string> types{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
-    if (std::find(types.begin(), types.end(), out["type"]) == types.end())
+    if (std::find(types.begin(), types.end(), out["type"].get<std::string>()) == types.end())
         scene_fault(accessor.place() + ".type", "is not a glTF type", "export the scene again as glTF 2.0");
     copy_index(accessor, "bufferView", counts.views, "bufferViews", out);
     copy_integer(accessor, "byteOffset", buffer_bytes, out);
