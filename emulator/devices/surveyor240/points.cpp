@@ -8,12 +8,11 @@
 namespace echoloop::surveyor240 {
 namespace {
 
-/// Whether all of the echo lies in the window: at its ends only a part of a beam's footprint is heard, whose
-/// middle is not that of the bottom.
-bool is_whole(const multibeam::Detection& found, const Shot& shot, double bearing) {
-    const double half = found.time * shot.beam_width * std::abs(std::tan(bearing)) / 2 + shot.bin_interval;
+/// Whether all of the echo lies in the window: where it may be cut, its middle is not that of the bottom.
+bool is_whole(const multibeam::Detection& found, const Shot& shot) {
     const double end = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
-    return found.time - half > shot.first_bin_time && found.time + half + shot.pulse_length < end;
+    const double edge = shot.bin_interval / 2;
+    return found.begin > shot.first_bin_time + edge && found.end < end - edge;
 }
 
 /// Whether another direction is so much louder at the same time that this one hears it by its side lobes: the
@@ -40,7 +39,7 @@ std::vector<Point> find_points(const Echogram& echogram, const Settings& setting
     std::size_t last_part = echogram.beams();  // none
     float strongest = 0;
     for (std::size_t n = 0; n < found.size(); ++n) {
-        if (!found[n].found() || !is_whole(found[n], shot, shot.bearings[n])) continue;
+        if (!found[n].found() || !is_whole(found[n], shot)) continue;
         if (is_drowned(echogram, found[n])) continue;
         const std::size_t part = n * settings.points / found.size();
         if (part == last_part && found[n].power <= strongest) continue;

@@ -210,7 +210,8 @@ void Surveyor240::take_pose(const Echogram& echogram, Time at) {
 }
 
 wire_messages::AttitudeReport Surveyor240::attitude() const {
-    return {up_vector(pose_, settings_), {}, utc(pose_at_), milliseconds(pose_at_)};
+    const Time at = pose_at_.value_or(Time{});
+    return {up_vector(pose_, settings_), {}, utc(at), milliseconds(at)};
 }
 
 wire_messages::WaterStats Surveyor240::water() const {
@@ -224,9 +225,10 @@ std::uint64_t Surveyor240::utc(Time time) const {
 
 /// Pings tell the attitude where they are frequent; else it is looked at first.
 bool Surveyor240::is_attitude_fresh(Time now) const {
+    if (!pose_at_) return false;
     if (pacer_.under_way()) return true;
     const bool of_a_ping = parameters_.ping_enable != 0 && pose_at_ == transmitted_;
-    return of_a_ping && now - pose_at_ < from_seconds(1.5 * settings_.attitude_period);
+    return of_a_ping && now - *pose_at_ < from_seconds(1.5 * settings_.attitude_period);
 }
 
 void Surveyor240::report(Time now) {

@@ -68,7 +68,7 @@ class Surveyor240 final : public Device {
     cerulean::surveyor::AtofPointData atof_;
     cerulean::surveyor::YzPointData yz_;            ///< both of the last ping heard
     Pose pose_;                                     ///< of the last look or ping
-    Time pose_at_{};                                ///< when that was
+    std::optional<Time> pose_at_;                   ///< when that was; nothing before the first
     Time looked_{};                                 ///< when the last look began
     std::optional<std::uint64_t> utc_at_power_up_;  ///< ms since 1970
     std::uint32_t ping_ = 0;

@@ -50,17 +50,34 @@ TEST(Surveyor240, PointsAreAnglesToPortAndTimesOfFlight) {
     EXPECT_NEAR(f32(a, 48), deg_to_rad(40), deg_to_rad(6));
 }
 
-TEST(Surveyor240, OneDirectionIsOnePointOnItsSide) {
+TEST(Surveyor240, OneDirectionIsOnePointOnItsSideByTheHostsSpeedOfSound) {
     Bench bench = surveyor();
-    bench.say(frame(Set{}));
+    Set set;
+    set.yz = true;
+    set.sound_speed = 1480;
+    bench.say(frame(set));
     bench.run_to(bench.now);
-    bench.sent();
     Echogram echogram = echo_of(bench.ping->shot, 0, 0);
     echogram.values[70 * echogram.shot.bins + 200] = 1e13F;  // 30 deg to starboard
-    for (const Send& send : bench.device().heard(echogram, bench.now + 20ms).send) {
-        if (u16(send.bytes, 4) != atof_points) continue;
-        ASSERT_EQ(u16(send.bytes, 44), 1);
-        EXPECT_NEAR(f32(send.bytes, 48), deg_to_rad(-30), 1e-6);
+    const auto sent = bench.device().heard(echogram, bench.now + 20ms).send;
+    const Bytes atof = of_id(sent, atof_points).at(0).bytes, yz = of_id(sent, yz_points).at(0).bytes;
+    ASSERT_EQ(u16(atof, 44), 1);
+    EXPECT_NEAR(f32(atof, 48), deg_to_rad(-30), 1e-6);
+    EXPECT_NEAR(std::atan2(f32(yz, 108), -f32(yz, 112)), deg_to_rad(-30), 1e-6);
+    EXPECT_NEAR(std::hypot(f32(yz, 108), f32(yz, 112)), 1480 * f32(atof, 52) / 2, 1e-5);
+}
+
+TEST(Surveyor240, EachKindOfPointsIsSentIfItIsEnabled) {
+    for (const bool yz : {false, true}) {
+        Bench bench = surveyor();
+        Set set;
+        set.yz = yz;
+        set.atof = !yz;
+        bench.say(frame(set));
+        bench.run_to(50ms);
+        const auto sent = bench.sent();
+        EXPECT_EQ(of_id(sent, yz_points).size(), yz ? 1U : 0U);
+        EXPECT_EQ(of_id(sent, atof_points).size(), yz ? 0U : 1U);
     }
 }
 
@@ -83,6 +100,24 @@ TEST(Surveyor240, WhatSideLobesHearIsNoPoint) {
     ASSERT_EQ(angles.size(), 2U);
     EXPECT_NEAR(angles[0], deg_to_rad(30), 1e-6);
     EXPECT_NEAR(angles[1], 0, 1e-6);
+}
+
+/// Points of an echo over eight range steps, 35 deg to port.
+int points_of_echo_at(std::size_t first_bin) {
+    Bench bench = surveyor();
+    bench.say(frame(Set{}));
+    bench.run_to(bench.now);
+    Echogram echogram = echo_of(bench.ping->shot, 0, 0);
+    for (std::size_t bin = first_bin; bin < first_bin + 8; ++bin)
+        echogram.values[5 * echogram.shot.bins + bin] = 1e13F;
+    const auto sent = of_id(bench.device().heard(echogram, bench.now + 20ms).send, atof_points);
+    return u16(sent.at(0).bytes, 44);
+}
+
+TEST(Surveyor240, AnEchoThatTheRangeMayHaveCutIsNoPoint) {
+    EXPECT_EQ(points_of_echo_at(300), 1);
+    EXPECT_EQ(points_of_echo_at(392), 0) << "its middle is not that of the bottom";
+    EXPECT_EQ(points_of_echo_at(0), 0);
 }
 
 TEST(Surveyor240, HowManyPointsIsAnOption) {

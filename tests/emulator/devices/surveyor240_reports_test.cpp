@@ -99,6 +99,17 @@ TEST(Surveyor240Attitude, BetweenRarePingsItIsLookedAt) {
     EXPECT_EQ(bench.device().counters().pings, 6U);
 }
 
+TEST(Surveyor240Attitude, IsNotReportedBeforeItIsKnown) {
+    Bench bench = surveyor();
+    bench.ping->due = 10s;  // a renderer that is slow to start
+    bench.say(frame(6, "0500"));
+    for (int i = 0; i < 20; ++i) {
+        bench.run_to(bench.wake);
+        bench.ping.reset();
+    }
+    EXPECT_TRUE(of_id(bench.sent(), attitude_report).empty());
+}
+
 TEST(Surveyor240Attitude, CanBeLeftToRequests) {
     Bench bench = surveyor({{"attitude_period", 0.0}});
     bench.say(frame(6, "0500"));

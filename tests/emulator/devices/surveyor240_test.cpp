@@ -109,6 +109,10 @@ TEST(Surveyor240, StoppedIsStopped) {
     bench.run_to(2s);
     EXPECT_TRUE(of_id(bench.sent(), atof_points).empty()) << "not even the ping under way";
     bench.say(frame(Set{}));
+    bench.run_to(2s);
+    Shot abandoned = bench.ping->shot;
+    abandoned.ping = 1;
+    EXPECT_TRUE(bench.device().heard(echo_of(abandoned, 0, 0), bench.now).send.empty()) << "nor too late";
     bench.run_to(2s + 50ms);
     EXPECT_EQ(of_id(bench.sent(), atof_points).size(), 1U);
 }
