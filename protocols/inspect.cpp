@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "protocols/altimeter/inspect.h"
 #include "protocols/cerulean/inspect.h"
 #include "protocols/oculus/inspect.h"
 #include "protocols/imagenex/inspect.h"
@@ -32,6 +33,8 @@ constexpr std::array table = {
            imagenex::recognise, imagenex::tables},
     Family{"nmea", "NMEA 0183 sentences, serial and UDP", Framing::stream, nmea::decode, nmea::recognise,
            nmea::tables},
+    Family{"altimeter", "Tritech Micron Echosounder, serial", Framing::stream, altimeter::decode,
+           altimeter::recognise, altimeter::tables},
 };
 
 std::optional<double> number_of(const wire::Value& value) {

@@ -122,12 +122,14 @@ class Behaviour(Altimeter):
         self.lines(4)
 
     def test_what_it_says_can_be_inspected(self):
-        emulator = self.start(8.0, "format: nmea")
-        log = emulator.folder / "log.txt"
-        log.write_bytes(b"\n".join(self.lines(3)) + b"\n")
-        output = subprocess.run([PROGRAM, "inspect", str(log)], capture_output=True, text=True, timeout=30).stdout
-        self.assertIn("messages: DBT 3; broken 0", output)
-        self.assertIn("metres", output)
+        for options, found in (("", "Reading 3"), ("format: mm", "Reading 3"), ("format: nmea", "DBT 3")):
+            with self.subTest(options):
+                emulator = self.start(8.0, options)
+                log = emulator.folder / "log.txt"
+                log.write_bytes(b"\n".join(self.lines(3)) + b"\n")
+                command = [PROGRAM, "inspect", str(log)]
+                output = subprocess.run(command, capture_output=True, text=True, timeout=30).stdout
+                self.assertIn(f"messages: {found}; broken 0; not decoded 0 bytes", output)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "protocols/altimeter/line.h"
 #include "protocols/inspect.h"
 #include "protocols/oculus/codec.h"
 #include "protocols/oculus/framer.h"
@@ -57,6 +58,11 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
     }
     if (family == "imagenex") return imagenex::rewritten(bytes);
     if (family == "cerulean") return cerulean::rewritten(bytes);
+    if (family == "altimeter") {
+        const auto reading = altimeter::read_line(std::string(bytes.begin(), bytes.end()));
+        const std::string text = reading ? altimeter::write_line(*reading) : "";
+        return {text.begin(), text.end()};
+    }
     if (family == "nmea") {
         const std::string line(bytes.begin(), bytes.end());
         const auto sentence = nmea::read_sentence(line.substr(0, line.size() - 2));

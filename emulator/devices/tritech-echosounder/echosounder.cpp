@@ -1,6 +1,5 @@
 #include "emulator/devices/tritech-echosounder/echosounder.h"
 
-#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -11,11 +10,12 @@ namespace {
 
 constexpr double metres_per_foot = 0.3048, feet_per_fathom = 6;
 
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    char text[96];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
+std::string padbt(double metres) {
+    const double feet = metres / metres_per_foot;
+    char body[96];
+    std::snprintf(body, sizeof body, "PADBT,%06.2f,f,%06.2f,M,%06.2f,F", feet, metres,
+                  feet / feet_per_fathom);
+    return nmea::sentence(body);
 }
 
 std::vector<std::string> lines(const Settings& settings, std::optional<double> depth) {
@@ -29,20 +29,7 @@ std::string reading(const Settings& settings, std::optional<double> depth) {
     if (!depth && settings.no_echo == NoEcho::silent) return {};
     const double without = settings.no_echo == NoEcho::maximum ? settings.sounding.range : 0;
     const double metres = depth.value_or(without);
-    switch (settings.format) {
-        case Format::two_decimals:
-            return formatted("%06.2fm\r\n", metres);
-        case Format::millimetres:
-            return formatted("%ldmm\n", std::lround(1000 * metres));
-        case Format::nmea: {
-            const double feet = metres / metres_per_foot;
-            return nmea::sentence(
-                formatted("PADBT,%06.2f,f,%06.2f,M,%06.2f,F", feet, metres, feet / feet_per_fathom));
-        }
-        case Format::three_decimals:
-            break;
-    }
-    return formatted("%07.3fm\r\n", metres);
+    return settings.format ? altimeter::write_line({*settings.format, metres}) : padbt(metres);
 }
 
 Echosounder::Echosounder(const Settings& settings, echosounder::Wiring wiring)

@@ -48,7 +48,9 @@ Settings read_settings(const DeviceConfig& config) {
     const Options& o = config.options;
     Settings s;
     s.sounding = echosounder::read_sounding(config);
-    s.format = choice<Format>(formats, text(o, "format"));
+    s.format = text(o, "format") == "nmea"
+                   ? std::nullopt
+                   : std::optional(choice<altimeter::Format>(formats, text(o, "format")));
     s.no_echo = choice<NoEcho>(no_echoes, text(o, "no_bottom"));
     s.free_running = text(o, "mode") == "free-running";
     return s;

@@ -1,24 +1,19 @@
 // The options of a Tritech Micron Echosounder as typed values. Data only.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "emulator/devices/family/sounding.h"
+#include "protocols/altimeter/line.h"
 
 namespace echoloop::tritech_echosounder {
-
-enum class Format {
-    three_decimals,  ///< "xxx.xxxm" CR LF
-    two_decimals,    ///< "xxx.xxm" CR LF
-    millimetres,     ///< "dmm" LF
-    nmea,            ///< $PADBT
-};
 
 enum class NoEcho { zero, maximum, silent };
 
 struct Settings {
     echosounder::Sounding sounding;
-    Format format = Format::three_decimals;
+    std::optional<altimeter::Format> format = altimeter::Format::three_decimals;  ///< none: NMEA, $PADBT
     NoEcho no_echo = NoEcho::zero;
     bool free_running = true;  ///< false: it waits to be asked
 };

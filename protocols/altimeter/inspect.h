@@ -1,0 +1,13 @@
+// The altimeter's row in the table of families. Never used by devices.
+#pragma once
+
+#include "protocols/inspect.h"
+
+namespace echoloop::altimeter {
+
+/// Readings, with noise between them.
+std::vector<inspect::Message> decode(wire::ByteView bytes);
+bool recognise(wire::ByteView bytes);
+std::vector<wire::Table> tables();
+
+}  // namespace echoloop::altimeter

@@ -1,0 +1,34 @@
+// libFuzzer: a byte stream in pieces whose sizes the input chooses. What is read is written and read as the
+// same again, and all bytes are accounted for.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "protocols/altimeter/inspect.h"
+#include "protocols/altimeter/line.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace echoloop::altimeter;
+    if (size == 0) return 0;
+    Framer framer;
+    const std::size_t piece = data[0] + 1U;
+    std::uint64_t framed = 0;
+    const auto drain = [&] {
+        while (const auto line = framer.next()) {
+            framed += line->size;
+            const auto again = read_line(write_line(line->reading));
+            if (!again || again->format != line->reading.format) std::abort();
+            if (std::abs(again->metres - std::min(line->reading.metres, 999.99)) > 1e-9) std::abort();
+        }
+    };
+    for (std::size_t at = 1; at < size; at += piece) {
+        framer.feed({data + at, std::min(piece, size - at)});
+        drain();
+        if (framer.pending_bytes() > 16) std::abort();
+    }
+    framer.finish();
+    drain();
+    if (framed + framer.skipped_bytes() != size - 1 || framer.pending_bytes() != 0) std::abort();
+    decode({data, size});
+    return 0;
+}
