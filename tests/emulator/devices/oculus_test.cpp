@@ -146,20 +146,20 @@ TEST(OculusTiming, FollowsRangeAndRate) {
         int mode, rate;
         double range, period;
     };
-    // Longest of 1 / rate and 2 R / c + 2 ms, at 1500 m/s.
+    // Longest of 1 / rate and 2 R / c + 8 ms, at 1500 m/s.
     const Row rows[] = {{"oculus-m1200d", 2, 0, 2, 0.1},
                         {"oculus-m1200d", 2, 1, 2, 1 / 15.0},
                         {"oculus-m1200d", 2, 2, 2, 0.025},
                         {"oculus-m1200d", 1, 3, 40, 0.2},
                         {"oculus-m1200d", 1, 4, 40, 0.5},
-                        {"oculus-m1200d", 1, 2, 40, 80 / 1500.0 + 0.002},
-                        {"oculus-m370s", 1, 0, 200, 400 / 1500.0 + 0.002}};
+                        {"oculus-m1200d", 1, 2, 40, 80 / 1500.0 + 0.008},
+                        {"oculus-m370s", 1, 0, 200, 400 / 1500.0 + 0.008}};
     for (const Row& row : rows) {
         OculusBench bench({}, row.model);
         bench.say(fire({.mode = row.mode, .rate = row.rate, .range = row.range}));
         bench.run_to(bench.now);
         ASSERT_TRUE(bench.ping) << "at once";
-        EXPECT_NEAR(to_seconds(bench.ping->due), 2 * row.range / 1500 + 0.002, 1e-6) << row.model << row.rate;
+        EXPECT_NEAR(to_seconds(bench.ping->due), 2 * row.range / 1500 + 0.008, 1e-6) << row.model << row.rate;
         const Time before = bench.ping->due;
         bench.next();
         bench.next();
