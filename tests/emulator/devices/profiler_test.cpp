@@ -110,6 +110,17 @@ TEST(Profiler, TimeOfAPassIsWindowAndMotor) {
     EXPECT_EQ(lines(bench.sent()).size(), 1u);
 }
 
+TEST(Profiler, NoAliveComesWhileAPassIsUnderWay) {
+    Bench bench = profiling(changed(command, 50, "08"));  // 201 pings of 22.3 ms
+    bench.say(profiler_send_data);
+    bench.run_to(bench.now + 4400ms);
+    EXPECT_TRUE(bench.sent().empty());
+    bench.run_to(bench.now + 1500ms);
+    const auto sent = bench.sent();
+    EXPECT_EQ(lines(sent).size(), 1u);
+    EXPECT_EQ(alives(sent).size(), 1u);
+}
+
 /// Echoes of two strengths in one ping.
 std::vector<int> times_of_two_echoes(const std::string& mode) {
     Bench bench = profiling(mode);
