@@ -1,5 +1,7 @@
 #include "emulator/devices/oculus/settings.h"
 
+#include <stdexcept>
+
 #include "emulator/devices/oculus/request.h"
 #include "emulator/endpoint.h"
 #include "emulator/option_rows.h"
@@ -43,6 +45,14 @@ Acoustics read_acoustics(const Profile& p) {
     a.tvg_spreading = figure(p, "tvg_spreading");
     a.tvg_limit = figure(p, "tvg_limit");
     return a;
+}
+
+oculus::Ipv4 read_mask(const std::string& text) {
+    try {
+        return to_ipv4(parse_endpoint("udp-listen://" + text + ":0").ip);
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument("option mask: '" + text + "' is no IPv4 mask; write e.g. 255.255.255.0");
+    }
 }
 
 std::vector<FigureRow> mode_rows(const std::string& mode) {
@@ -130,7 +140,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.device_id = static_cast<std::uint16_t>(integer(o, "device_id"));
     s.part_number = static_cast<std::uint16_t>(integer(o, "part_number"));
     if (s.part_number == 0) s.part_number = static_cast<std::uint16_t>(figure(config.profile, "part_number"));
-    s.mask = to_ipv4(parse_endpoint("udp-listen://" + text(o, "mask") + ":0").ip);
+    s.mask = read_mask(text(o, "mask"));
     s.temperature = number(o, "temperature");
     s.link_speed = number(o, "link_speed");
     s.status_period = number(o, "status_period");

@@ -58,6 +58,10 @@ TEST(OculusEndpoints, ThatLeadNowhereAreRefused) {
     refused({"tcp-listen://127.0.0.1:52100", "udp-listen://127.0.0.1:52102"});
 }
 
+TEST(OculusOptions, AMaskThatIsNoneIsRefused) {
+    EXPECT_THROW(make_device("oculus-m750d", {}, {{"mask", std::string("255.255")}}), std::invalid_argument);
+}
+
 TEST(OculusStandby, IsTheStateBeforeTheFirstFireAndKeepsADummyASecond) {
     OculusBench bench;
     auto sends = bench.sent_within(3500ms);
