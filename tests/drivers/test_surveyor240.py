@@ -1,4 +1,4 @@
-"""The maker's own Python package drives the Surveyor 240-16 over TCP and UDP, as a library and as its example program."""
+"""The maker's own Python package drives the Surveyor 240-16 over TCP and UDP, as a library and by its example."""
 
 import contextlib
 import io
@@ -104,7 +104,8 @@ class AsALibrary(SurveyorCase):
                 flat = Surveyor240.create_yz_point_data(data)
                 self.check_points(list(zip(flat[::2], flat[1::2])), roll, pitch)
                 self.assertAlmostEqual(math.asin(data.up_vec_x), pitch, places=5)
-            self.assertLess(abs(sonar.get_atof_point_data()["utc_msec"] / 1000 - time.time()), 30, "it was told the time")
+            told = sonar.get_atof_point_data()["utc_msec"] / 1000
+            self.assertLess(abs(told - time.time()), 30, "it was told the time")
             self.assertGreater(sonar.get_yz_point_data()["num_points"], 9)
             sonar.control_set_ping_parameters(ping_enable=False)
 

@@ -3,13 +3,10 @@
 import base64
 import json
 import math
-import shutil
 import struct
-import tempfile
 import unittest
-from pathlib import Path
 
-from program import ROOT, Emulator, free_base_port, free_tcp_port
+from program import Emulator, free_base_port, free_tcp_port
 
 import surveyor_wire as wire
 from surveyor_host import Host
@@ -18,7 +15,7 @@ SCENARIO = """
 scene: %s
 seed: 3
 water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
-vehicle: {pose: {position: [0, 0, %g], rpy_deg: [%g, %g, 30]}}
+vehicle: {%s}
 devices:
   - name: surveyor
     model: surveyor240
@@ -26,11 +23,11 @@ devices:
     endpoints: ["%s"]
     options: {%s}
 """
-FLAT = ROOT / "config" / "scenes" / "flat.glb"
-FLAT_Z = -20.0
+FLAT = "{scenes}/flat.glb"
+OWN = "{folder}/floor.gltf"
 
 
-def glTF(quads):
+def gltf(quads):
     """A scene of sand from quadrilaterals of ENU corners, counter-clockwise from above."""
     corners = [(x, z, -y) for quad in quads for x, y, z in quad]
     indices = [4 * n + i for n in range(len(quads)) for i in (0, 1, 2, 0, 2, 3)]
@@ -59,22 +56,16 @@ def footprint(y, z):
 
 
 class SurveyorCase(unittest.TestCase):
-    def start(self, scene=FLAT, z=-12.0, roll=0, pitch=0, options="", datagrams=False, utc=None):
+    def start(self, scene=FLAT, z=-12.0, roll=0, pitch=0, vehicle="", options="", datagrams=False, utc=None, files=()):
         port = free_base_port(1) if datagrams else free_tcp_port()
         endpoint = f"{'udp' if datagrams else 'tcp'}-listen://127.0.0.1:{port}"
-        emulator = Emulator(SCENARIO % (scene, z, roll, pitch, endpoint, options))
+        vehicle = vehicle or f"pose: {{position: [0, 0, {z}], rpy_deg: [{roll}, {pitch}, 30]}}"
+        emulator = Emulator(SCENARIO % (scene, vehicle, endpoint, options), files=files)
         self.addCleanup(emulator.__exit__, None, None, None)
         emulator.__enter__()
         host = Host(port, datagrams, utc)
         self.addCleanup(host.close)
         return host
-
-    def scene(self, quads):
-        folder = Path(tempfile.mkdtemp(prefix="echoloop-scene-"))
-        self.addCleanup(shutil.rmtree, folder)
-        file = folder / "floor.gltf"
-        file.write_text(glTF(quads))
-        return file
 
     def check_depths(self, ping, depth):
         self.assertGreaterEqual(len(ping.points), 10)
@@ -171,7 +162,7 @@ class Shapes(SurveyorCase):
             return x * c - port * s, x * s + port * c, -10 + port * math.tan(slope)
 
         quad = [corner(-far, -20), corner(far, -20), corner(far, 20), corner(-far, 20)]
-        host = self.start(self.scene([quad]), z=-1.0)
+        host = self.start(OWN, z=-1.0, files={"floor.gltf": gltf([quad])})
         host.set(end_mm=20000)
         for ping in host.pings(4):
             self.assertGreaterEqual(len(ping.points), 10)
@@ -189,7 +180,8 @@ class Shapes(SurveyorCase):
             corners = [(-far, low), (far, low), (far, high), (-far, high)]
             return [(x * c - p * s, x * s + p * c, z) for x, p in corners]
 
-        host = self.start(self.scene([level(-40, edge, -10), level(edge, 40, -8.5)]), z=-2.0)
+        floor = gltf([level(-40, edge, -10), level(edge, 40, -8.5)])
+        host = self.start(OWN, z=-2.0, files={"floor.gltf": floor})
         host.set()
         points = sorted(point for ping in host.pings(20) for point in ping.points)
         deep, shallow = ([p for p in points if abs(p[1] + d) < 0.1] for d in (8.0, 6.5))
@@ -221,10 +213,31 @@ class Attitude(SurveyorCase):
             self.assertLess(abs(-z - along), max(0.005 * 8, footprint(*point) + 0.1), str(point))
 
 
+class OnAMovingVehicle(SurveyorCase):
+    def test_attitude_follows_with_frequent_rare_and_no_pings(self):
+        rate = math.radians(2.0)  # of roll, for 20 s
+        rows = ["t,x,y,z,qw,qx,qy,qz"]
+        for second in range(0, 21):
+            half = rate * second / 2
+            rows.append(f"{second},0,0,-12,{math.cos(half):.9f},{math.sin(half):.9f},0,0")
+        host = self.start(vehicle="trajectory: roll.csv", files={"roll.csv": "\n".join(rows)})
+        for parameters in ({"ping_enable": False}, {"msec_per_ping": 100}, {"msec_per_ping": 2000}):
+            with self.subTest(parameters):
+                host.set(**parameters)
+                host.next(wire.ATTITUDE)
+                times = set()
+                for _ in range(8):
+                    roll, pitch, _, at = wire.read_attitude(host.next(wire.ATTITUDE).payload)
+                    self.assertAlmostEqual(math.degrees(roll), 2.0 * at / 1000, delta=0.1)
+                    self.assertAlmostEqual(pitch, 0, delta=1e-3)
+                    times.add(at)
+                self.assertGreater(len(times), 4, "not one and the same again and again")
+
+
 class Gain(SurveyorCase):
     def test_too_little_gain_hides_a_far_bottom(self):
         floor = [[(-200, -200, -90), (200, -200, -90), (200, 200, -90), (-200, 200, -90)]]
-        host = self.start(self.scene(floor), z=-15.0)
+        host = self.start(OWN, z=-15.0, files={"floor.gltf": gltf(floor)})
         host.set(end_mm=100000, msec_per_ping=0)
         self.check_depths(host.pings(4)[-1], 75.0)
         left = host.first_ping(end_mm=100000, msec_per_ping=0, gain_index=0).points
