@@ -10,11 +10,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 MODULES = [
     "test_byte_line",
     "test_blping_host",
+    "test_cerulean_wire",
     "test_surveyor_wire",
     "test_seanet_host",
     "test_seanet_profiler",
     "test_r2sonic_host",
     "test_r2sonic_control",
+    "test_r2sonic_water",
     "test_imagenex_wire",
     "test_oculus_wire",
 ]

@@ -89,6 +89,15 @@ TEST(Omniscan, ParametersComeInTwoLengthsAndNoOther) {
     }
 }
 
+TEST(S500, AChirpOf6000ResultsIsOneMessage) {
+    s500::Profile6 profile;
+    profile.pwr_results.resize(6000);
+    const auto messages = inspect::find_family("cerulean")->decode(s500::encode(profile));
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_EQ(messages[0].name, "Profile6");
+    EXPECT_EQ(messages[0].size, 12076U);
+}
+
 TEST(Cerulean, ACountThatLiesIsRefused) {
     omniscan::OsMonoProfile profile;
     profile.pwr_results = {1, 2, 3};

@@ -101,6 +101,14 @@ std::vector<std::size_t> pieces(const std::vector<std::string>& endpoints, const
     return all;
 }
 
+Time line_time(const std::vector<Send>& sent, const Identity& identity) {
+    constexpr double bits = 10;  // of a byte, with start and stop
+    if (identity.baud <= 0) return {};
+    std::size_t bytes = 0;
+    for (const Send& send : sent) bytes += send.bytes.size();
+    return from_seconds(bits * static_cast<double>(bytes) / identity.baud);
+}
+
 wire::Bytes discovery_reply(wire::ByteView question, const std::vector<std::string>& endpoints,
                             const Identity& identity) {
     const std::string_view asked(reinterpret_cast<const char*>(question.data()), question.size());

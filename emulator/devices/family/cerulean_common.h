@@ -43,6 +43,9 @@ bool is_speed_of_sound(std::uint32_t speed);
 std::vector<Port> make_ports(const std::vector<std::string>& endpoints, const Identity& identity);
 /// Per port, what reply_in_pieces wants: the largest datagram, or 0 for a byte stream.
 std::vector<std::size_t> pieces(const std::vector<std::string>& endpoints, const Identity& identity);
+/// How long all of this takes on a line with a rate; 0 where it is not paced. No ping goes out before its
+/// forerunner has left, so that a slow line never queues.
+Time line_time(const std::vector<Send>& sent, const Identity& identity);
 /// The announcement, with the data port of the first endpoint that has one; empty for any other bytes than
 /// the question.
 wire::Bytes discovery_reply(wire::ByteView question, const std::vector<std::string>& endpoints,

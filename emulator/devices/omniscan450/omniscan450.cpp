@@ -152,13 +152,14 @@ void Omniscan450::transmit(Time now) {
 }
 
 Actions Omniscan450::heard(const Echogram& echogram, Time now) {
-    if (echogram.shot.ping != pings_ || !pacer_.end(now, interval_of(state_))) return take_actions();
+    if (echogram.shot.ping != pings_ || !pacer_.under_way()) return take_actions();
     ++counters_.pings;
     last_ = profile(echogram);
     if (state_.params.gain_index < 0)
         state_.gain =
             cerulean_device::fitting_gain(echogram.beam(0), settings_.acoustics.full_scales, pinged_.gain);
     reply(last_, listener_);
+    pacer_.end(now + cerulean_device::line_time(actions_.send, settings_.identity), interval_of(state_));
     return take_actions();
 }
 

@@ -185,11 +185,12 @@ void S500::transmit(Time now) {
 }
 
 Actions S500::heard(const Echogram& echogram, Time now) {
-    if (echogram.shot.ping != pings_ || !pacer_.end(now, interval_of(state_))) return take_actions();
+    if (echogram.shot.ping != pings_ || !pacer_.under_way()) return take_actions();
     ++counters_.pings;
     keep(echogram);
     follow(echogram);
     send_message(static_cast<ping::Id>(pinged_.params.report_id), listener_);
+    pacer_.end(now + cerulean_device::line_time(actions_.send, settings_.identity), interval_of(state_));
     return take_actions();
 }
 

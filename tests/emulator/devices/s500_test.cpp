@@ -236,6 +236,14 @@ TEST(S500, RefusesWhatIsOutOfRange) {
     EXPECT_TRUE(bench.ping);
 }
 
+TEST(S500, ASlowLineSlowsThePingsDownInsteadOfQueueing) {
+    Bench bench(make_device("s500", {"pty:/tmp/echoloop/s500"}, {{"baud", 115200.0}}));
+    bench.say(frame(S500Params{.msec = 50}));
+    bench.run_to(1s + 20ms);
+    // 2124 bytes take 184.4 ms, 2R/c and thought 12 ms.
+    EXPECT_EQ(messages(bench.sent(), profile_id).size(), 6U) << "12, 208, 405, 601, 798 and 994 ms";
+}
+
 TEST(S500, OnUdpALongProfileGoesOnInTheNextDatagram) {
     Bench bench = s500();
     bench.say(frame(S500Params{.length = 7500, .chirp = 1}), udp, host);
