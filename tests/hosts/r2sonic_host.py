@@ -20,11 +20,11 @@ import time
 import r2sonic_control as control
 from r2sonic_reader import Reader, soundings
 
-OFFSETS = (0, 2, 3)
+OFFSETS = (0, 1, 2, 3, 5, 6)
 
 
 class Host:
-    """Sockets of one GUI: BTH0 at base + 0, status at + 2, AID0 at + 3. Every wait has a limit."""
+    """Sockets of one GUI, at its base port and what R2Sonic counts from it. Every wait has a limit."""
 
     def __init__(self, gui, head=None, sim=None):
         self.gui, self.head, self.sim, self.reader = gui, head, sim, Reader()
@@ -203,6 +203,12 @@ def tell(event, started, args):
         line |= describe_ping(ping, args.floor)
         if args.print_points:
             line["soundings"] = [[round(v, 5) for v in point.values()] for point in soundings(ping)]
+    elif "gathered" in event:
+        gathered = line.pop("gathered")
+        if event["event"] == "part" and not event["faults"]:
+            return
+        line |= {"ping": gathered.header["ping"], "samples": gathered.total, "rows": len(gathered.rows)}
+        line |= {"snippets": len(gathered.snippets)}
     elif event["event"] == "part" and not event["faults"]:
         return
     print(json.dumps(line), flush=True)

@@ -5,6 +5,7 @@ import time
 
 import r2sonic_control as control
 import r2sonic_wire as wire
+from r2sonic_water import WaterReader
 
 
 def soundings(ping):
@@ -60,7 +61,8 @@ class Image:
 class Reader:
     """Takes datagrams by the offset of their port from the GUI base; returns events as dictionaries.
 
-    Keys of every event: event, faults. Ping events carry "ping" (a Bathymetry), image events "image".
+    Keys of every event: event, faults. Ping events carry "ping" (a Bathymetry), image events "image", those of
+    the water column, snippets and TruePix "gathered".
     """
 
     MOST_IMAGE_CELLS = 4096 * 32768
@@ -68,6 +70,7 @@ class Reader:
     def __init__(self, clock=time.time):
         self._clock, self._last, self._header, self._image, self._image_ping = clock, {}, None, None, None
         self.datagrams, self.faults, self.lost, self.stale = {}, 0, 0, 0
+        self._water = WaterReader()
 
     def datagram(self, offset, data):
         """Events of one datagram that came to GUI base + offset."""
@@ -76,6 +79,9 @@ class Reader:
         reader = {
             (0, "BTH0"): self._bathymetry,
             (3, "AID0"): self._part_of_image,
+            (5, "WCD0"): self._water.column,
+            (6, "SNI0"): self._water.snippets,
+            (1, "TPX0"): self._water.truepix,
             (2, "R2DS"): self._alive,
             (2, "STH0"): self._status,
             (2, "STS0"): self._status,

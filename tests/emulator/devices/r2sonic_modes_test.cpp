@@ -1,0 +1,265 @@
+// What the models of the Sonic series can, and the modes in which they ping: triggers, MultiMode,
+// stabilisation, density, the SIM, addresses.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "tests/emulator/devices/r2sonic_bench.h"
+#include "tests/emulator/devices/seabed_echo.h"
+
+namespace echoloop::test {
+namespace {
+
+const std::vector<std::string> with_sim{"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400",
+                                        "udp-listen://127.0.0.1:65300"};
+constexpr std::size_t sim_port = 2;
+
+struct Row {
+    const char* model;
+    double beam, fan;           // deg at 400 kHz
+    double asked, transmitted;  // Hz
+    double widest;              // deg
+    double longest_pulse;       // s
+};
+void PrintTo(const Row& row, std::ostream* out) { *out << row.model << " " << row.asked; }
+
+class SonicSeries : public testing::TestWithParam<Row> {};
+
+TEST_P(SonicSeries, HasItsOwnNameBeamsBandSectorAndPulse) {
+    const Row& row = GetParam();
+    Bench bench(make_device(row.model));
+    bench.run_to(1ms);
+    EXPECT_NEAR(rad_to_deg(bench.ping->shot.beam_width), row.beam, 1e-9);
+    EXPECT_NEAR(rad_to_deg(bench.ping->shot.fan_height), row.fan, 1e-9);
+    bench.say(command("FRQ0", static_cast<float>(row.asked)));
+    bench.say(command("SEW0", 3.0F));
+    bench.say(command("TXL0", 1.0F));
+    bench.run_to(150ms);
+    const Shot& shot = bench.shots.back();
+    EXPECT_NEAR(shot.frequency, row.transmitted, 1);
+    EXPECT_NEAR(rad_to_deg(shot.beam_width), row.beam * 400e3 / row.transmitted, 1e-6);
+    EXPECT_NEAR(rad_to_deg(shot.bearings.back()), row.widest / 2, 1e-3);
+    EXPECT_NEAR(shot.pulse_length, row.longest_pulse, 1e-9);
+    EXPECT_EQ(name(named(bench.sent(), "BTH0").back().bytes, 16, 4), std::string(row.model).substr(8));
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, SonicSeries,
+                         testing::Values(Row{"r2sonic-2020", 2, 2, 90e3, 200e3, 130, 1115e-6},
+                                         Row{"r2sonic-2022", 1, 1, 650e3, 700e3, 160, 1115e-6},
+                                         Row{"r2sonic-2024", 0.5, 1, 500e3, 400e3, 160, 1115e-6},
+                                         Row{"r2sonic-2026", 0.5, 1, 92e3, 90e3, 160, 2000e-6},
+                                         Row{"r2sonic-2026", 0.5, 1, 130e3, 100e3, 160, 2000e-6}));
+
+TEST(R2SonicTrigger, ExternalPulsesFireTenMillisecondsLater) {
+    Bench bench = head({{"trigger", std::string("external")}, {"range", 15.0}, {"sync_in", 4.0}}, with_sim);
+    bench.run_to(1s);
+    EXPECT_TRUE(bench.shots.empty()) << "SYI0 is off at power-up";
+    bench.say(command("SYI0", std::uint32_t{1}), sim_port);
+    bench.sent();
+    bench.run_to(2010ms);
+    // Rising edges at 1.0, 1.25, 1.5 and 1.75 s; each heard 20 ms of range and 2 ms of processing after its
+    // ping.
+    EXPECT_EQ(bench.shots.size(), 4u);
+    const auto sent = named(bench.sent(), "BTH0");
+    const double time = u32(sent.at(1).bytes, 12 + 28) + u32(sent[1].bytes, 12 + 32) * 1e-9;
+    EXPECT_NEAR(std::fmod(time, 0.25), 0.010, 1e-6);
+    bench.say(command("SYI0", std::uint32_t{2}), sim_port);
+    bench.run_to(2500ms);
+    bench.sent();
+    bench.run_to(3s);
+    const auto falling = named(bench.sent(), "BTH0");
+    const double later = u32(falling.at(0).bytes, 12 + 28) + u32(falling[0].bytes, 12 + 32) * 1e-9;
+    EXPECT_NEAR(std::fmod(later, 0.25), 0.125 + 0.010, 1e-6);
+}
+
+TEST(R2SonicMultiMode, PingsTakeTheSetsInTurn) {
+    Bench bench =
+        head({{"range", 15.0}, {"trigger", std::string("command")}, {"multimode_sets", std::int64_t{2}}});
+    bench.say(command("FRQ1", 200e3F));
+    bench.say(command("GAN2", 20.0F));
+    bench.say(command("SEW2", 1.0F));
+    bench.say(command("TRG0", std::uint32_t{0}));
+    bench.run_to(200ms);
+    ASSERT_GT(bench.shots.size(), 3u);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const bool first = i % 2 == 0;
+        EXPECT_NEAR(bench.shots[i].frequency, first ? 200e3 : 400e3, 1);
+        EXPECT_NEAR(bench.shots[i].bearings.back(), first ? 2.094395 / 2 : 0.5, 1e-5);
+    }
+    const auto sent = named(bench.sent(), "BTH0");
+    EXPECT_FLOAT_EQ(f32(sent.at(0).bytes, 12 + 92), 13.0F);
+    EXPECT_FLOAT_EQ(f32(sent.at(1).bytes, 12 + 92), 20.0F);
+}
+
+TEST(R2SonicDensity, UltraHighDensityHas1024Points) {
+    Bench bench = head({{"range", 15.0}, {"intensity", true}});
+    bench.say(command("UHD0", std::uint32_t{1}));
+    bench.run_to(100ms);
+    EXPECT_EQ(bench.shots.back().bearings.size(), 1024u);
+    const Bytes b = named(bench.sent(), "BTH0").back().bytes;
+    EXPECT_EQ(u16(b, 12 + 114), 1024);
+    EXPECT_EQ(b.size(), 12u + 116 + (8 + 2048) + 36 + (8 + 2048) + 16 + (4 + 512));
+}
+
+/// A head that hangs from a vehicle with its port side `roll` rad up and its nose `pitch` rad down.
+Echogram hanging(const Shot& shot, double roll, double pitch) {
+    Echogram e = echo_of(shot, 99999, 0);
+    e.world_from_sonar = {{0, 0, -7}, from_rpy(roll, pitch, 0) * from_rpy(0, deg_to_rad(90), 0)};
+    return e;
+}
+
+TEST(R2SonicStabilisation, TurnsTheSectorAgainstTheRollAndTheFanAgainstThePitch) {
+    Bench bench = head({{"range", 15.0}});
+    const auto ping = [&](double roll, double pitch) {
+        bench.run_to(bench.now + 10ms);
+        const Ping done = *bench.ping;
+        bench.ping.reset();
+        auto actions = bench.device().heard(hanging(done.shot, roll, pitch), done.due);
+        bench.now = done.due;
+        bench.wake = *actions.wake;
+        return std::pair{done.shot, named(actions.send, "BTH0").at(0).bytes};
+    };
+    bench.run_to(1ms);
+    bench.say(command("ROS0", std::uint32_t{1}));
+    bench.say(command("PTS0", std::uint32_t{1}));
+    ping(0.1, 0.05);
+    const auto [shot, b] = ping(0.1, 0.05);
+    // Starboard is down, so the array looks to port: what lies straight below is to starboard of its axis.
+    EXPECT_NEAR(shot.bearings.front(), -2.094395 / 2 + 0.1, 2e-3);
+    EXPECT_NEAR(f32(b, 652), shot.bearings.front(), 1e-5) << "A0 first";
+    EXPECT_NEAR(f32(b, 648 + 12), 0.1, 2e-3) << "roll";
+    // The nose is down, so the fan lies abaft: it must be raised towards the bow, which is up in the head's
+    // frame.
+    EXPECT_NEAR(shot.tilt, 0.05, 2e-3);
+    EXPECT_NEAR(f32(b, 12 + 68), 0.05, 2e-3) << "steering";
+    bench.say(command("ROS0", std::uint32_t{0}));
+    ping(0.1, 0.05);
+    const auto [free, plain] = ping(0.1, 0.05);
+    EXPECT_NEAR(free.bearings.front(), -2.094395 / 2, 1e-5);
+    EXPECT_EQ(f32(plain, 648 + 12), 0.0F);
+}
+
+TEST(R2SonicAutoRange, FollowsTheBottom) {
+    Bench bench = head({{"range", 40.0}, {"trigger", std::string("command")}});
+    bench.say(command("AUT0", 0x10000u));
+    bench.echo_bin = static_cast<std::size_t>(2 * 20.0 / 1500 * 65280);  // 20 m in every beam
+    bench.echo_power = 1e12F;
+    bench.say(command("TRG0", std::uint32_t{0}));
+    bench.run_to(1s);
+    const auto sent = named(bench.sent(), "BTH0");
+    EXPECT_FLOAT_EQ(f32(sent.front().bytes, 12 + 88), 40.0F);
+    EXPECT_NEAR(f32(sent.back().bytes, 12 + 88), 24, 0.5) << "a fifth more than the farthest point";
+}
+
+TEST(R2SonicSim, SwitchesTheHeadOffAndOn) {
+    Bench bench = head({{"range", 15.0}}, with_sim);
+    bench.run_to(500ms);
+    bench.say(command("RNG0", 30.0F));
+    bench.say(command("SPO0", std::uint32_t{0}), sim_port);
+    bench.run_to(600ms);
+    bench.sent();
+    bench.run_to(3s);
+    const auto off = bench.sent();
+    EXPECT_TRUE(named(off, "BTH0").empty());
+    EXPECT_TRUE(named(off, "STH0").empty());
+    EXPECT_FALSE(named(off, "STS0").empty()) << "the SIM lives on";
+    bench.say(command("SPO0", std::uint32_t{1}), sim_port);
+    bench.run_to(3500ms);
+    const auto on = named(bench.sent(), "BTH0");
+    ASSERT_FALSE(on.empty());
+    EXPECT_EQ(u32(on[0].bytes, 12 + 36), 1u) << "ping numbers begin again";
+    EXPECT_FLOAT_EQ(f32(on[0].bytes, 12 + 88), 15.0F) << "settings are those of power-up";
+}
+
+TEST(R2SonicSim, ACommandIsForWhomItIsSentTo) {
+    Bench bench = head({{"range", 15.0}}, with_sim);
+    bench.run_to(1ms);
+    bench.say(command("RNG0", 30.0F), sim_port);
+    bench.say(command("PTS0", 4100u), sim_port);  // there it is a port
+    bench.run_to(100ms);
+    EXPECT_FLOAT_EQ(f32(named(bench.sent(), "BTH0").back().bytes, 12 + 88), 15.0F);
+    EXPECT_EQ(bench.shots.back().tilt, 0);
+}
+
+Bytes configuration(std::uint16_t head_port, std::uint16_t daq_port) {
+    Bytes b;
+    put(b, "R2DC", 4);
+    put(b, "100017", 12);
+    put(b, 99u);
+    put(b, 0u);
+    put(b, 0u);
+    put(b, 0x7F000001u);
+    put(b, 65400u << 16);
+    put(b, 0x7F000001u);  // 36: head
+    for (int i = 0; i < 3; ++i) put(b, 0u);
+    put(b, std::uint32_t{head_port} << 16);  // 52
+    put(b, 0u);
+    for (int i = 0; i < 6; ++i) put(b, 0u);  // 60: SIMs
+    put(b, 0x7F000001u);                     // 84: data acquisition
+    put(b, 0x7F000001u);
+    for (int i = 0; i < 6; ++i) put(b, 0u);
+    put(b, std::uint32_t{daq_port} << 16 | (daq_port + 100u));  // 116
+    while (b.size() < 164) b.push_back(0);
+    return b;
+}
+
+TEST(R2SonicAddresses, DataAcquisitionHostsGetTheirOwn) {
+    Bench bench = head({{"range", 15.0}, {"data_hosts", std::string("configured")}});
+    for (const char* what : {"WCM0", "TPM0"}) bench.say(command(what, std::uint32_t{1}));
+    bench.say(configuration(65500, 4100), 1);
+    bench.echo_bin = 500;
+    bench.echo_power = 1e12F;
+    bench.run_to(100ms);
+    const auto sent = bench.sent();
+    EXPECT_EQ(named(sent, "TPX0").back().to.port, 4101);
+    EXPECT_EQ(named(sent, "WCD0").back().to.port, 4205);
+    EXPECT_EQ(named(sent, "BTH0").back().to, gui);
+}
+
+TEST(R2SonicAddresses, AnotherAddressForTheHeadItselfIsNotTakenOver) {
+    Bench bench = head({{"range", 15.0}});
+    const auto config_id = [&] {
+        bench.sent();
+        bench.run_to(bench.now + 1100ms);
+        return u32(named(bench.sent(), "R2DS").back().bytes, 16);
+    };
+    bench.say(configuration(60000, 4100), 1);
+    EXPECT_EQ(config_id(), 0u) << "the control program asks again rather than believe it";
+    EXPECT_EQ(bench.device().counters().rejected, 1u);
+    bench.say(configuration(65500, 4100), 1);
+    EXPECT_EQ(config_id(), 99u);
+}
+
+TEST(R2SonicGates, VerboseOnesStandBehindTheOthersForEveryPoint) {
+    Bench bench = head({{"range", 15.0}, {"verbose_gates", true}});
+    for (const auto& [what, value] : {std::pair{"DGA0", 8.0F}, {"DGB0", 12.0F}})
+        bench.say(command(what, value));
+    bench.say(command("DGO0", std::uint32_t{1}));
+    bench.run_to(100ms);
+    const Bytes b = named(bench.sent(), "BTH0").back().bytes;
+    const std::size_t g0 = 648 + 36, g1 = g0 + 16;
+    EXPECT_EQ(name(b, g0, 2) + name(b, g1, 2) + name(b, g1 + 520, 2), "G0G1Q0");
+    const double scale = f32(b, g1 + 4);
+    EXPECT_NEAR(b.at(g1 + 8 + 2 * 128) * scale, 2 * 8 / 1500.0, scale);
+    EXPECT_NEAR(b.at(g1 + 9 + 2 * 128) * scale, 2 * 12 / 1500.0, scale);
+    EXPECT_NEAR(b.at(g1 + 9) * scale, 2 * 12 / 1500.0 / std::cos(deg_to_rad(60)), scale) << "60 deg to port";
+}
+
+TEST(R2SonicQuality, TellsOfTestsUnlessTheOptionSaysOtherwise) {
+    for (const auto& [word, stray, plain] :
+         {std::tuple{"tests", 5u, 7u}, {"set", 7u, 7u}, {"clear", 4u, 4u}}) {
+        Bench bench = head({{"range", 40.0}, {"quality_bits", std::string(word)}});
+        bench.run_to(1ms);
+        Echogram e = bottom_echo(bench.ping->shot, flat(15), {});
+        add_pulse(e, 124, 2 * 20.0 / 1500, 40e-6, 1e9);  // one beam hears something louder behind the floor
+        const auto sent = named(bench.device().heard(e, bench.ping->due).send, "BTH0");
+        const Bytes& b = sent.at(0).bytes;
+        const std::size_t word_of_120 = b.size() - 128 + 120 / 8 * 4;
+        EXPECT_EQ(u32(b, word_of_120) >> 28, plain) << word;
+        EXPECT_EQ(u32(b, word_of_120) >> (28 - 4 * 4) & 0xF, stray) << word;
+    }
+}
+
+}  // namespace
+}  // namespace echoloop::test
