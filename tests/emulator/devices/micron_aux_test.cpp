@@ -64,6 +64,17 @@ TEST(MicronAux, DepthIsAppendedToALineWhoseStatusSaysSo) {
     EXPECT_GT(lines(sent).size(), 10u);
 }
 
+TEST(MicronAux, AnEchosounderThatIsNeverDoneLeavesRoomForLines) {
+    Bench bench =
+        scanning(clockwise, {{"aux_echosounder", true}, {"aux_range", 300.0}, {"aux_period", 0.05}});
+    for (int i = 0; i < 5; ++i) {
+        bench.say(send_data);
+        bench.run_to(bench.now + 1s);
+    }
+    EXPECT_GE(lines(bench.sent()).size(), 8u);
+    EXPECT_GE(bench.shots.size(), 12u) << "and lines leave room for the echosounder";
+}
+
 TEST(MicronAux, NoBottomNoMessage) {
     Bench bench = scanning(clockwise, connected);
     bench.run_to(bench.now + 3100ms);

@@ -124,7 +124,9 @@ void Head::schedule(Time now) {
 void Head::begin_due(Time now) {
     next_begin_ = Time::max();
     if (under_way_ || !ready(now)) return;
-    if (now >= side_work_due()) {
+    const bool turn_of_line = requests_.any() && side_work_last_;  // slow side work must not starve lines
+    side_work_last_ = now >= side_work_due() && !turn_of_line;
+    if (side_work_last_) {
         begin_side_work(now);
     } else if (requests_.any()) {
         requests_.take();

@@ -71,6 +71,7 @@ class Head : public Device {
     Requests requests_;
     bool has_parameters_ = false;
     bool under_way_ = false;
+    bool side_work_last_ = false;    ///< rather than a line
     std::uint64_t ping_ = 0;         ///< number of the ping under way; echoes of others are stale
     Time line_free_{};               ///< when the last reply has left the serial port
     Time next_begin_ = Time::max();  ///< of a reply or of side work
