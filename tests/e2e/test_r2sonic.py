@@ -10,12 +10,12 @@ from r2sonic_host import Host
 from r2sonic_reader import soundings
 
 FLOOR = """
-scene: {scenes}/flat.glb
+scene: %s
 water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
-vehicle: {pose: {position: [0, 0, %g]}}
+vehicle: {pose: {position: [0, 0, %g], rpy_deg: [%g, 0, 0]}}
 devices:
   - name: multibeam
-    model: r2sonic-2024
+    model: %s
     mount: {rpy_deg: [0, 90, 0]}
     endpoints: ["udp-listen://127.0.0.1:%d", "udp://127.0.0.1:%d", "udp-listen://127.0.0.1:%d"]
     options: {ping_rate: 5%s}
@@ -24,13 +24,13 @@ FLAT_Z = -20.0
 
 
 class R2SonicCase(unittest.TestCase):
-    def start(self, z=-12.0, options=""):
+    def start(self, z=-12.0, options="", model="r2sonic-2024", scene="{scenes}/flat.glb", roll=0.0):
         gui, head, sim = free_base_port(), None, None
         host = Host(("127.0.0.1", gui), None, None)
         self.addCleanup(host.close)
         head = free_base_port()
         sim = head + 16
-        emulator = Emulator(FLOOR % (z, head, gui, sim, options))
+        emulator = Emulator(FLOOR % (scene, z, roll, model, head, gui, sim, options))
         self.addCleanup(emulator.__exit__, None, None, None)
         emulator.__enter__()
         host.head, host.sim = ("127.0.0.1", head), ("127.0.0.1", sim)
