@@ -48,6 +48,7 @@ class Ping1d final : public Device {
     bool send_message(ping::Id id, const Peer& peer);
     void reply(const ping::Message& message, const Peer& peer);
     void transmit(Time now);
+    Time line_time() const;
     Actions take_actions();
 
     Settings settings_;

@@ -38,6 +38,19 @@ State read_power_up(const Options& o) {
     return state;
 }
 
+/// A real port is as slow as its endpoint says, or the option, or as usual.
+double line_rate(const std::vector<std::string>& endpoints, double baud) {
+    constexpr double usual = 115200;
+    double slowest = baud;
+    for (const std::string& uri : endpoints) {
+        const Endpoint e = parse_endpoint(uri);
+        if (e.scheme != Endpoint::Scheme::serial) continue;
+        const double own = e.baud > 0 ? e.baud : baud > 0 ? baud : usual;
+        slowest = slowest > 0 ? std::min(slowest, own) : own;
+    }
+    return slowest;
+}
+
 }  // namespace
 
 std::uint16_t State::transmit_duration() const {
@@ -111,6 +124,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.stream_at_start = flag(o, "stream_at_start");
     s.marks_are_breaks = flag(o, "marks_are_breaks");
     s.baud = number(o, "baud");
+    s.line_rate = line_rate(config.endpoints, s.baud);
     s.voltage = static_cast<std::uint16_t>(integer(o, "voltage"));
     s.processor_temperature = static_cast<std::uint16_t>(integer(o, "processor_temperature"));
     s.pcb_temperature = static_cast<std::uint16_t>(integer(o, "pcb_temperature"));

@@ -38,6 +38,8 @@ struct State {
     std::uint16_t points = 200;
     bool normalise = false;
 
+    /// s from the pulse to the end of the range.
+    double window() const { return 2.0 * (start + static_cast<double>(length)) / speed_of_sound; }
     std::uint16_t transmit_duration() const;  ///< us, at least shortest_pulse
 };
 
@@ -51,8 +53,9 @@ struct Settings {
     bool always_profile = false;  ///< stream 1300 whatever was asked for
     bool stream_at_start = false;
     bool marks_are_breaks = true;
-    double baud = 0;                                                     ///< 0: not paced
-    std::uint16_t voltage = 5000;                                        ///< mV
+    double baud = 0;               ///< bit/s, of ptys and TCP; 0: not paced
+    double line_rate = 0;          ///< bit/s, of the slowest line; 0: none is paced
+    std::uint16_t voltage = 5000;  ///< mV
     std::uint16_t processor_temperature = 4000, pcb_temperature = 3500;  ///< 0.01 degC
     Acoustics acoustics;
 };
