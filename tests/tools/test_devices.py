@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Every model of the program has what a stranger and the next developer look for: README, profile, scenario, golden
+bytes, a device test, a fuzz target of its protocol, a row in the main README."""
+import importlib.machinery
+import importlib.util
+import json
+import os
+import pathlib
+import re
+import subprocess
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("ECHOLOOP", str(ROOT / "build" / "release" / "bin" / "echoloop"))
+SECTIONS = (r"^## What is (emulated|different)", r"^## What is not", r"^## Options")
+
+
+def load(name):
+    """A script of tools/ as a module."""
+    loader = importlib.machinery.SourceFileLoader(name, str(ROOT / "tools" / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    loader.exec_module(module)
+    return module
+
+
+device_table = load("device_table")
+MODELS = device_table.models()
+FOLDERS = [(model["name"], device_table.folder_of(model["name"])) for model in MODELS]
+
+
+def families(folder):
+    """The protocols whose headers a device's folder includes, also by way of other folders of devices."""
+    found, waiting, seen = set(), list(folder.glob("*.*")), set()
+    while waiting:
+        file = waiting.pop()
+        if file in seen:
+            continue
+        seen.add(file)
+        text = file.read_text()
+        found |= set(re.findall(r'#include "protocols/(\w+)/', text)) - {"wire"}
+        for header in re.findall(r'#include "(emulator/devices/[^"]+)\.h"', text):
+            waiting += (ROOT / header).parent.glob(f"{pathlib.Path(header).name}.*")
+    return found
+
+
+def reads_bytes(family):
+    return any(re.search(r"\b(parse|decode|read)\w*\(|class Framer", header.read_text())
+               for header in (ROOT / "protocols" / family).glob("*.h"))
+
+
+class EveryModel(unittest.TestCase):
+    def test_has_a_readme_that_says_what_is_emulated_what_not_and_from_where(self):
+        for name, folder in FOLDERS:
+            with self.subTest(name):
+                text = (folder / "README.md").read_text()
+                for section in SECTIONS:
+                    self.assertRegex(text, re.compile(section, re.M))
+                self.assertRegex(text, r"(?i)\bsource", f"{name}: where do the numbers come from?")
+                self.assertLess(len(device_table.few_words(folder / "README.md")), 160, "few words for the main README")
+
+    def test_has_a_profile_with_a_source_for_every_figure(self):
+        for model in MODELS:
+            with self.subTest(model["name"]):
+                self.assertTrue((ROOT / "config" / "devices" / f"{model['name']}.yaml").exists())
+                self.assertTrue(model["profile"])
+                for figure in model["profile"]:
+                    self.assertGreater(len(figure["source"]), 8, figure["name"])
+
+    def test_has_a_scenario_that_check_accepts(self):
+        for name, _ in FOLDERS:
+            with self.subTest(name):
+                used = [f for f in sorted((ROOT / "config").glob("*.yaml"))
+                        if re.search(rf"model: *{re.escape(name)}\b(?!-)", f.read_text())]
+                self.assertTrue(used, "no scenario in config has it")
+                done = subprocess.run([PROGRAM, "check", used[0], "--json"], capture_output=True, text=True, timeout=60)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn(name, [d["model"] for d in json.loads(done.stdout)["devices"]])
+
+    def test_has_golden_bytes_of_its_protocol(self):
+        for name, folder in FOLDERS:
+            with self.subTest(name):
+                spoken = families(folder)
+                self.assertTrue(spoken, "it includes no protocol")
+                for family in spoken:
+                    files = list((ROOT / "tests" / "data" / family).glob("*.hex"))
+                    self.assertTrue(files, f"no tests/data/{family}/*.hex")
+                    for file in files:
+                        self.assertIn("#", file.read_text(), f"{file.name}: what is it, and from where?")
+
+    def test_has_a_device_test(self):
+        tests = {f.name: f.read_text() for f in (ROOT / "tests" / "emulator" / "devices").glob("*")
+                 if f.suffix in (".cpp", ".h") and f.name not in ("device_fuzz.cpp", "profile_test.cpp")}
+        for name, _ in FOLDERS:
+            with self.subTest(name):
+                self.assertTrue([f for f, text in tests.items() if f'"{name}"' in text], "no test makes one")
+
+    def test_has_a_fuzz_target_of_its_protocol(self):
+        built = (ROOT / "tests" / "protocols" / "CMakeLists.txt").read_text()
+        targets = {f.stem: f.read_text() for f in (ROOT / "tests" / "protocols").glob("fuzz_*.cpp")
+                   if re.search(rf"\b{f.stem.removeprefix('fuzz_')}\b", built)}
+        for name, folder in FOLDERS:
+            with self.subTest(name):
+                for family in filter(reads_bytes, families(folder)):
+                    own = [t for t, text in targets.items() if f'"protocols/{family}/' in text]
+                    self.assertTrue(own, f"no fuzz target includes protocols/{family}")
+
+    def test_has_a_row_in_the_main_readme(self):
+        text = (ROOT / "README.md").read_text()
+        begin, end = device_table.in_text(text)
+        self.assertEqual(text[begin:end], device_table.table(MODELS), "run tools/device_table --write")
+
+
+if __name__ == "__main__":
+    unittest.main()
