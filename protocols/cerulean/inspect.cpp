@@ -28,6 +28,16 @@ std::string name_of(ping::Id id) {
     return "id " + std::to_string(number);
 }
 
+/// Words instead of numbers; bytes that are none become dots.
+void show_text(const ping::Frame& frame, inspect::Message& out) {
+    if (static_cast<Id>(frame.header.id) != Id::json_wrapper) return;
+    inspect::Field& field = out.fields.back();
+    field.numbers.clear();
+    field.text.clear();
+    for (const std::uint8_t c : frame.payload)
+        field.text += c == '\n' ? ' ' : c >= ' ' && c < 127 ? static_cast<char>(c) : '.';
+}
+
 inspect::Message inspected(const ping::Frame& frame, std::size_t offset) {
     inspect::Message out;
     out.offset = offset;
@@ -38,6 +48,7 @@ inspect::Message inspected(const ping::Frame& frame, std::size_t offset) {
     const bool known = std::any_of(std::begin(devices), std::end(devices),
                                    [&](const auto add_fields) { return add_fields(frame, out); });
     if (!known) out.reason = Error{"Frame", "id", 4, Reason::unknown_message}.what();
+    show_text(frame, out);
     return out;
 }
 

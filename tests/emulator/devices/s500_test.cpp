@@ -81,6 +81,18 @@ TEST(S500, WithoutABottomThereIsNoConfidence) {
     EXPECT_EQ(distances[0][19], 0);
 }
 
+TEST(S500, TheBottomIsTheStrongestEchoOnceWhatTheWaterTookIsGivenBack) {
+    Bench bench = s500();
+    bench.say(frame(S500Params{.length = 150000, .report = 1223}));
+    bench.run_to(bench.now);
+    // A fish at 50 m, 8 dB louder than the bottom at 100 m, which lost 6 dB by spreading and 14 dB more on
+    // its way.
+    Echogram echogram = echo_of(bench.ping->shot, 683, 1e9F);
+    echogram.values[341] = 6.3e9F;
+    const auto heard = bench.device().heard(echogram, bench.ping->due);
+    EXPECT_NEAR(u32(heard.send.at(0).bytes, 8), 100000, 150);
+}
+
 TEST(S500, DepthFollowsTheHostsSpeedOfSound) {
     Bench bench = s500();
     bench.say(frame(1002, le(1450000, 4)));
