@@ -80,6 +80,16 @@ TEST(MultibeamStep, BothSidesAreRightAndTheWallLiesBetween) {
     }
 }
 
+TEST(MultibeamPulse, DoesNotShiftTheBottomHoweverLongItIs) {
+    for (const double length : {20e-6, 100e-6, 380e-6}) {
+        Shot shot = wide_fan(45);
+        shot.pulse_length = length;
+        const auto all = detect(bottom_echo(shot, flat(15), {.speckle = false}));
+        for (const std::size_t n : {100U, 128U, 150U})
+            EXPECT_NEAR(slant(all[n]) * std::cos(shot.bearings[n]), 15, 0.008) << length;
+    }
+}
+
 TEST(MultibeamPhase, TakesOverWhereFootprintsAreLongAgainstThePulse) {
     const Shot shot = wide_fan(45);
     const auto all = detect(bottom_echo(shot, flat(15), {}));

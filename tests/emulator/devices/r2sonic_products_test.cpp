@@ -52,6 +52,22 @@ TEST(R2SonicWaterColumn, CoversAllSamplesOfAllBeams) {
     EXPECT_GT(*std::max_element(middle.begin(), middle.end()), 20 * middle.at(middle.size() / 4));
 }
 
+TEST(R2SonicWaterColumn, EverySampleIsInItsPlace) {
+    Bench bench = head({{"range", 40.0}, {"water_column", std::string("magnitude")}});
+    bench.echo_bin = 1000;
+    bench.echo_power = 1e14F;
+    bench.run_to(80ms);
+    const auto sent = named(bench.sent(), "WCD0");
+    ASSERT_GT(sent.size(), 30u);
+    for (std::size_t i = 1; i < sent.size(); ++i) {
+        const Bytes& b = sent[i].bytes;
+        const std::size_t samples = u16(b, 12 + 20), first = u32(b, 12 + 16);
+        for (std::size_t s = 0; s < samples; ++s)
+            for (const std::size_t beam : {0U, 100U, 255U})
+                ASSERT_EQ(u16(b, 12 + 36 + 2 * (beam * samples + s)) > 0, first + s == 1000) << first + s;
+    }
+}
+
 TEST(R2SonicWaterColumn, PhaseSaysOnWhichSideOfTheBeamAnEchoLies) {
     Bench bench = head({{"range", 60.0}, {"water_column", std::string("phase")}});
     const auto sent = named(ping_over_floor(bench), "WCD0");
