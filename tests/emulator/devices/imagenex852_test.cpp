@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/emulator/devices/imagenex_bench.h"
@@ -105,6 +106,19 @@ TEST(Imagenex852, AShotTakesTheEchoTheWorkAndTheLine) {
     Bench paced = sounder({{"baud", 115200.0}});
     ask(paced, command({{range, 5}}));
     EXPECT_NEAR(to_seconds(paced.now), 2 * 5 / 1500.0 + 4.7e-3, 1e-6) << "the line takes the rest";
+}
+
+TEST(Imagenex852, WhateverTheSwitchesOneLegalReplyComes) {
+    std::mt19937 random(4);
+    Bench bench = sounder({{"trigger_rate", 25.0}});
+    for (int i = 0; i < 3000; ++i) {
+        Bytes words = with_any_switches(command(), random);
+        words[trigger] &= 0xFB;  // not automatic
+        const auto reply = ask(bench, words);
+        ASSERT_THAT(reply.size(), testing::AnyOf(13, 265, 513)) << to_hex(words);
+        ASSERT_TRUE(reply.at(7) >= 1 && reply.at(7) <= 50);
+        ASSERT_EQ(std::count(reply.begin(), reply.end(), 0xFC), 1) << to_hex(words);
+    }
 }
 
 TEST(Imagenex852Trigger, WithoutTheInputTheByteMeansNothing) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/emulator/devices/imagenex_bench.h"
@@ -132,6 +133,24 @@ TEST(Imagenex881a, WhatItCannotDoIsNotAccepted) {
     EXPECT_EQ(ask(bench, command()).at(4), 0x41);
     Bench older = sonar({{"status", std::string("40")}});
     EXPECT_EQ(ask(older, command()).at(4), 0x40);
+}
+
+TEST(Imagenex881a, WhateverTheSwitchesOneLegalReplyComes) {
+    std::mt19937 random(3);
+    Bench bench = sonar();
+    bench.echo_bin = 100;
+    for (int i = 0; i < 3000; ++i) {
+        const Bytes words = with_any_switches(command(), random);
+        bench.echo_power = static_cast<float>(random());
+        const Time before = bench.now;
+        const auto reply = ask(bench, words);
+        ASSERT_THAT(reply.size(), testing::AnyOf(13, 141, 265, 513)) << to_hex(words);
+        ASSERT_EQ(reply.size(), 13u + static_cast<std::size_t>(u14(reply, 10)));
+        ASSERT_LT(position(reply), 1200);
+        ASSERT_EQ(std::count(reply.begin(), reply.end(), 0xFC), 1) << to_hex(words);
+        ASSERT_LT(to_seconds(bench.now - before), 2.5);
+        ASSERT_LE(bench.shots.back().bins, 5000u);
+    }
 }
 
 TEST(Imagenex881aScan, ASectorIsSweptToAndFroWithoutPassingItsEdges) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <random>
 #include <string>
 
 #include "tests/emulator/devices/driver.h"
@@ -31,6 +32,15 @@ inline Bytes ask(Bench& bench, const Bytes& command) {
     if (bench.ping) bench.hear();
     const auto sent = bench.sent();
     return sent.empty() ? Bytes{} : sent.front().bytes;
+}
+
+/// The command with every setting drawn by chance; 253 is only its end.
+inline Bytes with_any_switches(Bytes command, std::mt19937& random) {
+    for (std::size_t at = 3; at + 1 < command.size(); ++at) {
+        const auto value = static_cast<std::uint8_t>(random());
+        command[at] = value == 0xFD ? std::uint8_t{0} : value;
+    }
+    return command;
 }
 
 }  // namespace echoloop::test
