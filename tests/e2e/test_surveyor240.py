@@ -21,7 +21,7 @@ devices:
     model: surveyor240
     mount: {rpy_deg: [0, 90, 0]}
     endpoints: ["%s"]
-    options: {%s}
+    options: {acknowledge: true, %s}
 """
 FLAT = "{scenes}/flat.glb"
 OWN = "{folder}/floor.gltf"
@@ -143,7 +143,8 @@ class FlatFloor(SurveyorCase):
         host.set()
         host.atof()
         host.set(ping_enable=False)
-        host.waiting.clear()
+        host.next(wire.ATTITUDE)  # what was sent before it may still be on its way
+        host.next(wire.ATTITUDE)
         for _ in range(5):
             frame = host.next(wire.ATTITUDE, wire.ATOF_POINTS, wire.YZ_POINTS)
             self.assertEqual(frame.id, wire.ATTITUDE)

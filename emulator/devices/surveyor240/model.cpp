@@ -23,7 +23,7 @@ Model model() {
     m.name = "surveyor240";
     m.title = "Cerulean Surveyor 240-16 multibeam echosounder";
     m.protocol = "Ping protocol with Cerulean's messages, TCP or UDP";
-    m.default_endpoints = {"tcp-listen://127.0.0.1:62312", "udp-listen://127.0.0.1:62312"};
+    m.default_endpoints = {"tcp-listen://127.0.0.1:62312"};
     m.endpoint_schemes = {"tcp-listen", "tcp", "udp-listen", "udp", "pty", "serial"};
     m.options = option_table();
     m.figures = figure_table();

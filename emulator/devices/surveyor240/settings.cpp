@@ -56,6 +56,11 @@ std::vector<Option> option_table() {
         number_row("attitude_period", "s", 0.1, 0, 60, "between attitude reports; 0: on request only", own),
         number_row("utc_request_period", "s", 10, 0, 3600,
                    "between questions for the time of day; 0: none is asked", own),
+        number_row("message_gap", "s", 0.01, 0, 0.04,
+                   "pause between messages of one moment, as points and attitude",
+                   "own choice: the maker's Python package takes one message a read, and falls behind for "
+                   "good where "
+                   "two arrive at once over TCP"),
         number_row("temperature", "degC", -1000, -1000, 60,
                    "of the water, from the optional sensor; -1000: there is none",
                    "maker's page on YZ_POINT_DATA"),
@@ -63,7 +68,7 @@ std::vector<Option> option_table() {
                  "maker's page on YZ_POINT_DATA"),
     };
     constexpr int listed_type = 103;
-    auto common = cerulean_device::identity_options(listed_type, "SONAR SURVEYOR");
+    auto common = cerulean_device::identity_options(listed_type, "SONAR SURVEYOR", false);
     std::move(common.begin(), common.end(), std::back_inserter(rows));
     return rows;
 }
@@ -76,6 +81,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.points = static_cast<std::size_t>(integer(o, "points"));
     s.attitude_period = number(o, "attitude_period");
     s.utc_request_period = number(o, "utc_request_period");
+    s.message_gap = number(o, "message_gap");
     s.temperature = number(o, "temperature");
     s.pressure_sensor = flag(o, "pressure_sensor");
     s.pulse = config.effects.has(Effect::pulse);

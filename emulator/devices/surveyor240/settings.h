@@ -28,6 +28,7 @@ struct Settings {
     std::size_t points = 15;         ///< at most, in one ping
     double attitude_period = 0.1;    ///< s; 0: on request only
     double utc_request_period = 10;  ///< s; 0: never
+    double message_gap = 0.01;       ///< s
     double temperature = -1000;      ///< degC; -1000: no sensor
     bool pressure_sensor = false;
     bool pulse = true;  ///< the effect of that name: echoes are as long as the pulse

@@ -14,7 +14,8 @@ using cerulean::Id;
 constexpr Time processing = std::chrono::milliseconds(5);  // from the last range step to the points
 constexpr Time look = std::chrono::milliseconds(50);       // for a look at the attitude between pings
 constexpr Time water_period = std::chrono::seconds(1);
-constexpr float no_sensor = -1000;  // the maker's definition
+constexpr Time longest_wait = std::chrono::milliseconds(40);  // of a message behind others
+constexpr float no_sensor = -1000;                            // the maker's definition
 
 std::uint32_t milliseconds(Time time) {
     return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
@@ -32,6 +33,7 @@ Surveyor240::Surveyor240(const Settings& settings, const std::vector<std::string
       pieces_(cerulean_device::pieces(endpoints, settings.identity)),
       link_(endpoints.size(), settings.identity.source, true),
       hosts_(endpoints.size()),
+      free_from_(endpoints.size()),
       parameters_(default_parameters()) {
     // Looking straight down until the first echogram says better.
     pose_.orientation = from_rpy(0, deg_to_rad(90), 0);
@@ -45,6 +47,7 @@ Actions Surveyor240::started(Time now) {
 }
 
 Actions Surveyor240::received(const Received& data, Time now) {
+    now_ = now;
     if (data.port >= endpoints_.size()) {  // discovery
         auto answer = cerulean_device::discovery_reply(data.bytes, endpoints_, settings_.identity);
         if (!answer.empty()) actions_.send.push_back({data.port, std::move(answer), data.from, {}});
@@ -127,12 +130,12 @@ void Surveyor240::on(const wire_messages::SetNetInfo&, const Peer& peer, Time) {
 
 void Surveyor240::acknowledge(Id id, std::optional<std::string_view> refusal, const Peer& peer) {
     const auto number = static_cast<std::uint16_t>(id);
-    if (refusal) ++counters_.rejected;
-    if (!settings_.identity.acknowledge) return;
-    if (refusal)
+    if (refusal) {
+        ++counters_.rejected;
         reply(ping_device::nack(ping::Id{number}, *refusal), peer);
-    else
+    } else if (settings_.identity.acknowledge) {
         reply(ping::Ack{number}, peer);
+    }
 }
 
 bool Surveyor240::send_message(std::uint16_t id, const Peer& peer) {
@@ -177,6 +180,7 @@ void Surveyor240::look_at_attitude(Time now) {
 }
 
 Actions Surveyor240::heard(const Echogram& echogram, Time now) {
+    now_ = now;
     if (echogram.shot.ping == 0) {
         take_pose(echogram, looked_);
         if (next_attitude_ != Time::max()) tell(attitude());
@@ -186,7 +190,7 @@ Actions Surveyor240::heard(const Echogram& echogram, Time now) {
     ++counters_.pings;
     take_pose(echogram, transmitted_);
     send_points(echogram);
-    pacer_.end(now, period());
+    pacer_.end(now + cerulean_device::line_time(actions_.send, settings_.identity), period());
     return take_actions();
 }
 
@@ -252,19 +256,28 @@ void Surveyor240::report(Time now) {
 }
 
 Actions Surveyor240::woken(Time now) {
+    now_ = now;
     report(now);
     if (pacer_.begin(now)) transmit(now);
     return take_actions();
 }
 
-void Surveyor240::reply(const wire_messages::Message& message, const Peer& to) {
-    for (Send& send : link_.reply_in_pieces(message, to, pieces_.at(to.port)))
-        actions_.send.push_back(std::move(send));
-}
+void Surveyor240::reply(const wire_messages::Message& message, const Peer& to) { send(message, to, now_); }
 
 void Surveyor240::tell(const wire_messages::Message& message) {
     for (std::size_t port = 0; port < hosts_.size(); ++port)
-        if (hosts_[port]) reply(message, {port, *hosts_[port]});
+        if (hosts_[port])
+            send(message, {port, *hosts_[port]}, std::clamp(free_from_[port], now_, now_ + longest_wait));
+}
+
+void Surveyor240::send(const wire_messages::Message& message, const Peer& to, Time when) {
+    for (Send& one : link_.reply_in_pieces(message, to, pieces_.at(to.port))) {
+        one.not_before = when;
+        actions_.send.push_back(std::move(one));
+    }
+    Time& free_from = free_from_.at(to.port);
+    free_from =
+        std::max(when, std::min(free_from, now_ + longest_wait)) + from_seconds(settings_.message_gap);
 }
 
 Actions Surveyor240::take_actions() {

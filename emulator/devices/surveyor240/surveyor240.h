@@ -31,7 +31,7 @@ class Surveyor240 final : public Device {
     void on(const cerulean::surveyor::UtcResponse& response, const Peer& peer, Time now);
     void on(const cerulean::surveyor::SetNetInfo& info, const Peer& peer, Time now);
 
-    /// ack(id), or nack(id, text) if there is a reason; nothing where the option says so.
+    /// nack(id, text) if there is a reason, else ack(id) where the option says so.
     void acknowledge(cerulean::Id id, std::optional<std::string_view> refusal, const Peer& peer);
     /// The message of a get id; false if there is none.
     bool send_message(std::uint16_t id, const Peer& peer);
@@ -45,7 +45,8 @@ class Surveyor240 final : public Device {
     /// What the periods ask for.
     void report(Time now);
     void reply(const cerulean::surveyor::Message& message, const Peer& to);
-    /// To every host there is.
+    void send(const cerulean::surveyor::Message& message, const Peer& to, Time when);
+    /// To every host there is, a little behind what goes there already.
     void tell(const cerulean::surveyor::Message& message);
 
     void take_pose(const Echogram& echogram, Time at);
@@ -62,6 +63,7 @@ class Surveyor240 final : public Device {
     std::vector<std::size_t> pieces_;  ///< largest datagram, by port
     ping_device::Link link_;
     std::vector<std::optional<Address>> hosts_;  ///< who spoke last, by port
+    std::vector<Time> free_from_;                ///< when the next message may follow, by port
     Parameters parameters_;
     Automatic automatic_;
     Plan plan_;  ///< of the ping under way, or of the last one
@@ -77,6 +79,7 @@ class Surveyor240 final : public Device {
     Time next_attitude_ = Time::max(), next_utc_request_ = Time::max();
     Time next_water_ = Time::max();
     Actions actions_;  ///< of the call at hand
+    Time now_{};       ///< of the call at hand
     DeviceCounters counters_;
 };
 

@@ -67,7 +67,10 @@ inline Bytes frame(const Set& set) {
                                       i16(set.steps) + "0000" + le(set.pulse));
 }
 
-inline Bench surveyor(const Options& changes = {}) { return Bench(make_device("surveyor240", {}, changes)); }
+inline Bench surveyor(const Options& changes = {}) {
+    return Bench(make_device("surveyor240", {"tcp-listen://127.0.0.1:62312", "udp-listen://127.0.0.1:62312"},
+                             changes));
+}
 
 /// The shot of the first ping after these settings.
 inline Shot shot_of(const Set& settings, const Options& changes = {}) {

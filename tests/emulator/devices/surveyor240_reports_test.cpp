@@ -1,4 +1,6 @@
 // What a Surveyor 240-16 says beside its points: attitude, time of day, sensors in the water, and to whom.
+#include <map>
+
 #include "tests/emulator/devices/surveyor240_bench.h"
 
 namespace echoloop::test {
@@ -178,6 +180,33 @@ TEST(Surveyor240Hosts, ANewHostOnTheStreamHearsNothingBeforeItsFirstWord) {
     EXPECT_EQ(of_id(sent, utc_request).size(), 1U);
     EXPECT_EQ(of_id(sent, atof_points).size(), 5U) << "the pings have gone on";
     EXPECT_EQ(of_id(sent, attitude_report).size(), 4U);
+}
+
+TEST(Surveyor240Hosts, MessagesOfOneMomentKeepApartButNotForLong) {
+    Bench bench = surveyor({{"temperature", 11.5}});
+    Set set;
+    set.yz = true;
+    set.period = 0;
+    set.end = 1000;
+    bench.say(frame(set));
+    std::map<std::size_t, Time> last;
+    for (int step = 0; step < 2000; ++step) {
+        const Time before = bench.now;
+        bench.run_to(bench.now + 1ms);
+        for (const Send& send : bench.sent()) {
+            EXPECT_GE(send.not_before, last[send.port]) << "in order";
+            EXPECT_LE(send.not_before, before + 1ms + 40ms) << "never later than that";
+            last[send.port] = send.not_before;
+        }
+    }
+    Bench calm = surveyor();
+    calm.say(frame(6, "0500"));
+    set.period = 100;
+    calm.say(frame(set));
+    calm.run_to(1s);
+    const auto sent = calm.sent();
+    for (std::size_t n = 1; n < sent.size(); ++n)
+        EXPECT_GE(sent[n].not_before - sent[n - 1].not_before, 10ms) << n;
 }
 
 TEST(Surveyor240Hosts, OnDatagramsTheLastSenderIsTheHost) {
