@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/emulator/devices/noisy_line.h"
 #include "tests/emulator/devices/r2sonic_bench.h"
 
 namespace echoloop::test {
@@ -90,6 +91,29 @@ TEST(R2SonicNoise, GarbageIsCountedAndNotAnswered) {
     bench.say(cut);
     EXPECT_TRUE(bench.sent().empty());
     EXPECT_EQ(bench.device().counters().rejected, 4u);
+}
+
+TEST(R2SonicNoise, AHostIsServedAgainWithinOneRequest) {
+    Bench bench = head({{"range", 15.0}});
+    NoisyHost host;
+    const std::string set = "434d4430";  // CMD0
+    host.words = {
+        set + "524e47304198000053455730" + "3f800000",                       // RNG0 19 m, SEW0 1 rad
+        set + "5452473000000000" + "50524c3041200000" + "5052553000000001",  // TRG0 0, PRL0 10, PRU0 1
+        set + "5452473000000002504e473000000001",                            // TRG0 2, PNG0 1
+        set + "57434d3000000001534e495000000001" + "55484430" + "00000000",  // WCM0, SNIP, UHD0
+        "52324444"
+        "7f000001ff780000" +
+            std::string(64, '0')};  // R2DD
+    host.request = set + "524e473041880000" + "5052553000000000" +
+                   "5452473000000002504e473000000001";  // RNG0 17 m, no limit of the rate, one ping
+    host.is_answer = [](const Send& send) {
+        return name(send.bytes, 0, 4) == "BTH0" && f32(send.bytes, 12 + 88) == 17.0F;
+    };
+    host.patience = 4s;  // a ping of 1200 m may be under way
+    host.from = {0x7F000001, 40000};
+    expect_no_wedge(bench, host, 300);
+    EXPECT_GT(bench.device().counters().messages, 300u);
 }
 
 }  // namespace
