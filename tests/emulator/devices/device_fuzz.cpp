@@ -93,7 +93,7 @@ class ShortBench {
     }
 
   private:
-    static constexpr std::size_t most_effort = 500000;  // bins
+    static constexpr std::size_t most_effort = 300000;  // bins
 
     void take() {
         if (bench_.ping) check(bench_.ping->shot);
