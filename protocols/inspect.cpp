@@ -23,7 +23,7 @@ constexpr std::array table = {
     Family{"seanet", "Tritech SeaNet, serial", Framing::stream, seanet::decode, seanet::recognise,
            seanet::tables},
     Family{"oculus", "Blueprint Subsea Oculus, TCP and UDP", Framing::stream, oculus::decode,
-           oculus::recognise, oculus::tables},
+           oculus::recognise, oculus::tables, std::size_t{9} << 20},
     // Before ping: it wants a message that no Ping device has, while a ping frame is any whole one.
     Family{"cerulean", "Cerulean sonars, TCP and UDP", Framing::stream, cerulean::decode, cerulean::recognise,
            cerulean::tables},

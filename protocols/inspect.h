@@ -48,6 +48,7 @@ struct Family {
     bool (*recognise)(wire::ByteView bytes);
     /// Every message and section of the family.
     std::vector<wire::Table> (*tables)();
+    std::size_t longest_frame = std::size_t{66} << 10;  ///< B; of most families lengths are 16-bit
 };
 
 std::span<const Family> families();

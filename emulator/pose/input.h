@@ -1,5 +1,5 @@
-// Poses that come from outside while the emulator runs: lines of JSON over UDP or TCP. What cannot be read is
-// refused and counted, never guessed.
+// Poses that come from outside while the emulator runs: lines of JSON, or MAVLink, over UDP or TCP. What
+// cannot be read is refused and counted, never guessed.
 #pragma once
 
 #include <memory>
@@ -7,9 +7,11 @@
 
 #include "emulator/asio.h"
 #include "emulator/clock.h"
+#include "emulator/pose/mavlink_pose.h"
 #include "emulator/pose/message.h"
 #include "emulator/pose/track.h"
 #include "emulator/transport/transport.h"
+#include "protocols/mavlink/framer.h"
 
 namespace echoloop {
 
@@ -46,16 +48,24 @@ class PoseInput {
 
   private:
     void received(ByteView bytes);
+    void text(ByteView bytes);
     void line(std::string_view text);
+    void mavlink(ByteView bytes);
+    void take(const PoseText& read);
+    void begin();
 
     const Clock& clock_;
     std::unique_ptr<Transport> transport_;
+    std::string place_;
     bool datagrams_;
     Pose before_;
-    Track track_;
+    Track positions_, attitudes_;  ///< apart, since some messages tell one of them only
     SenderClock sender_;
-    std::string waiting_;  ///< the beginning of a line
+    bool begun_ = false, speaks_mavlink_ = false;  ///< told by the first byte of a connection or datagram
+    std::string waiting_;                          ///< the beginning of a line
     bool overlong_ = false;
+    mavlink::Framer framer_;
+    MavlinkPose mavlink_pose_;
     PoseSummary summary_;
 };
 

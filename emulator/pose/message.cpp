@@ -55,26 +55,24 @@ std::optional<double> time(const Json& object, const char* key) {
 }
 
 PoseMessage of_ardupilot(const Json& object) {
-    PoseMessage message{time(object, "timestamp"), {}};
-    message.pose.position = position(object);
+    Pose ned_from_frd{position(object), {}};
     if (object.contains("quaternion")) {
-        message.pose.orientation = quaternion(object, "quaternion");
+        ned_from_frd.orientation = quaternion(object, "quaternion");
     } else {
         const auto [roll, pitch, yaw] = numbers<3>(object, "attitude");
-        message.pose.orientation = from_rpy(roll, pitch, yaw);
+        ned_from_frd.orientation = from_rpy(roll, pitch, yaw);
     }
-    message.pose = enu_from_ned(message.pose);
-    return message;
+    const Pose pose = enu_from_ned(ned_from_frd);
+    return {time(object, "timestamp"), pose.position, pose.orientation};
 }
 
 PoseMessage of_echoloop(const Json& object) {
-    PoseMessage message{time(object, "t"), {}};
-    message.pose.position = position(object);
-    if (object.contains("orientation")) message.pose.orientation = quaternion(object, "orientation");
+    PoseMessage message{time(object, "t"), position(object), Quat{}};
+    if (object.contains("orientation")) message.attitude = quaternion(object, "orientation");
     if (object.contains("rpy_deg")) {
         if (object.contains("orientation")) throw Refusal{"orientation and rpy_deg: give one of them"};
         const auto [roll, pitch, yaw] = numbers<3>(object, "rpy_deg");
-        message.pose.orientation = from_rpy(deg_to_rad(roll), deg_to_rad(pitch), deg_to_rad(yaw));
+        message.attitude = from_rpy(deg_to_rad(roll), deg_to_rad(pitch), deg_to_rad(yaw));
     }
     return message;
 }

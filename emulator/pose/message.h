@@ -10,9 +10,11 @@
 
 namespace echoloop {
 
+/// What one message tells; ENU and FLU.
 struct PoseMessage {
     std::optional<double> time;  ///< s on the sender's clock; empty: when it arrives
-    Pose pose;                   ///< world_from_body, ENU and FLU
+    std::optional<Vec3> position;
+    std::optional<Quat> attitude;  ///< world_from_body
 };
 
 struct PoseText {

@@ -21,8 +21,8 @@ Tcp::acceptor bind_acceptor(asio::io_context& io, Address bind) {
     return acceptor;
 }
 
-/// Writes of a driver that does not read must not hold up the emulator: what does not fit the socket buffer
-/// is lost.
+/// What does not begin to fit the socket buffer of a driver that does not read is lost; but a message that
+/// has begun is finished, since nobody finds the next one behind half of it.
 Task<std::size_t> write_or_lose(Tcp::socket& socket, ByteView bytes) {
     constexpr std::chrono::milliseconds patience(2000), pause(2);
     const auto give_up = std::chrono::steady_clock::now() + patience;
@@ -31,7 +31,8 @@ Task<std::size_t> write_or_lose(Tcp::socket& socket, ByteView bytes) {
         error_code ec;
         sent += socket.write_some(asio::buffer(bytes.data() + sent, bytes.size() - sent), ec);
         if (!ec) continue;
-        if (ec != asio::error::would_block || std::chrono::steady_clock::now() > give_up) break;
+        if (ec != asio::error::would_block) break;
+        if (sent == 0 && std::chrono::steady_clock::now() > give_up) break;
         asio::steady_timer timer(socket.get_executor(), pause);
         co_await timer.async_wait(into(ec));
     }
@@ -73,26 +74,27 @@ Task<void> TcpListener::accept_drivers() {
             continue;
         }
         prepare(socket);
-        driver_ = std::move(socket);
+        driver_ = std::make_shared<Tcp::socket>(std::move(socket));
         events_.reconnected();
-        asio::co_spawn(acceptor_.get_executor(), serve(), Serving(describe()));
+        asio::co_spawn(acceptor_.get_executor(), serve(driver_), Serving(describe()));
     }
 }
 
-Task<void> TcpListener::serve() {
+Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver) {
     std::array<std::uint8_t, 4096> buffer;
     error_code ec;
-    while (driver_ && driver_->is_open()) {
-        const std::size_t n = co_await driver_->async_read_some(asio::buffer(buffer), into(ec));
+    while (driver->is_open()) {
+        const std::size_t n = co_await driver->async_read_some(asio::buffer(buffer), into(ec));
         if (ec) break;
         count_in(n);
         events_.received(ByteView(buffer).first(n), {});
     }
+    driver->close(ec);
     driver_.reset();
 }
 
 Task<void> TcpListener::write(ByteView bytes, Address) {
-    if (driver_) count_out(co_await write_or_lose(*driver_, bytes));
+    if (const auto driver = driver_) count_out(co_await write_or_lose(*driver, bytes));
 }
 
 void TcpListener::close() {

@@ -2,7 +2,7 @@
 // that keeps trying to reach one.
 #pragma once
 
-#include <optional>
+#include <memory>
 
 #include "emulator/transport/transport.h"
 
@@ -22,10 +22,10 @@ class TcpListener final : public CountingTransport {
 
   private:
     Task<void> accept_drivers();
-    Task<void> serve();
+    Task<void> serve(std::shared_ptr<asio::ip::tcp::socket> driver);
 
     asio::ip::tcp::acceptor acceptor_;
-    std::optional<asio::ip::tcp::socket> driver_;
+    std::shared_ptr<asio::ip::tcp::socket> driver_;  ///< a writer may still hold the one that has gone
     Events events_;
 };
 

@@ -52,12 +52,14 @@ class Depths:
         raise AssertionError(f"depth {depth} did not come, the last was {last}")
 
 
-class Pose(unittest.TestCase):
+class PoseCase(unittest.TestCase):
     def start(self, vehicle, depths, files=()):
         emulator = Emulator(SOUNDER % (vehicle, depths.port), files=files)
         self.addCleanup(emulator.__exit__, None, None, None)
         return emulator.__enter__()
 
+
+class Pose(PoseCase):
     def test_a_trajectory_from_a_file(self):
         depths = Depths(self)
         rows = ["t,x,y,z,qw,qx,qy,qz"] + [f"{t},0,0,{-10 - t},1,0,0,0" for t in range(4)]  # sinks 1 m/s for 3 s

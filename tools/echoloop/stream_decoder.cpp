@@ -3,7 +3,7 @@
 namespace echoloop::cli {
 namespace {
 
-constexpr std::size_t longest_frame = std::size_t{512} << 10;
+constexpr std::size_t enough_to_guess = std::size_t{512} << 10;
 
 /// Bytes that must come before a long tail is worth another look, so that one byte at a time costs no square.
 std::size_t worth_a_look(std::size_t tried) { return tried < 4096 ? 1 : tried / 8; }
@@ -12,7 +12,10 @@ std::size_t worth_a_look(std::size_t tried) { return tried < 4096 ? 1 : tried / 
 
 void StreamDecoder::add(ByteView bytes, const Each& each) {
     waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
-    if (waiting_.size() >= tried_ + worth_a_look(tried_)) decode(waiting_.size() > longest_frame, each);
+    if (waiting_.size() >= tried_ + worth_a_look(tried_)) {
+        const std::size_t most = family_ == nullptr ? enough_to_guess : 2 * family_->longest_frame;
+        decode(waiting_.size() > most, each);
+    }
 }
 
 void StreamDecoder::finish(const Each& each) {

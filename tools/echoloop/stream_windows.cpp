@@ -5,8 +5,7 @@
 namespace echoloop::cli {
 namespace {
 
-constexpr std::size_t window = std::size_t{512} << 10;
-constexpr std::size_t longest_frame = std::size_t{66} << 10;  // of every stream family: lengths are 16-bit
+constexpr std::size_t smallest_window = std::size_t{512} << 10;
 
 /// Joins undecoded spans that touch.
 class Joiner {
@@ -47,6 +46,7 @@ void move_to(inspect::Message& message, std::size_t base) {
 std::size_t decode_windows(Input& input, const inspect::Family& family,
                            const std::function<void(const inspect::Message&)>& each) {
     Joiner joiner(each);
+    const std::size_t window = std::max(smallest_window, 2 * family.longest_frame);
     Bytes bytes;
     std::size_t base = 0;
     while (true) {
@@ -54,7 +54,7 @@ std::size_t decode_windows(Input& input, const inspect::Family& family,
         bytes.insert(bytes.end(), more.begin(), more.end());
         const bool last = more.size() < window;
         // A frame that begins before `safe` lies wholly in the window: the bytes to come cannot change it.
-        const std::size_t safe = last ? bytes.size() : bytes.size() - longest_frame;
+        const std::size_t safe = last ? bytes.size() : bytes.size() - family.longest_frame;
         std::size_t done = 0;
         for (auto& message : family.decode(bytes)) {
             if (message.offset >= safe) break;

@@ -23,7 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
     if (data[0] % 2 == 0) {
-        if (const auto read = echoloop::parse_pose_line(text).message) require(read->pose);
+        if (const auto read = echoloop::parse_pose_line(text).message)
+            require({read->position.value(), read->attitude.value()});
         return 0;
     }
     try {

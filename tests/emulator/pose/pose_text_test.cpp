@@ -14,8 +14,8 @@ using testing::HasSubstr;
 
 void expect_near(Vec3 a, Vec3 b) { EXPECT_LT(norm(a - b), 1e-9) << a.x << ' ' << a.y << ' ' << a.z; }
 
-Vec3 nose(const Pose& pose) { return rotate(pose.orientation, {1, 0, 0}); }
-Vec3 roof(const Pose& pose) { return rotate(pose.orientation, {0, 0, 1}); }
+Vec3 nose(Quat attitude) { return rotate(attitude, {1, 0, 0}); }
+Vec3 roof(Quat attitude) { return rotate(attitude, {0, 0, 1}); }
 
 PoseMessage good(std::string_view line) {
     const PoseText text = parse_pose_line(line);
@@ -27,11 +27,11 @@ TEST(PoseLine, OwnWords) {
     const auto full =
         good(R"({"t": 2.5, "position": [1, -2, -3.5], "orientation": [0.70710678, 0, 0, 0.70710678]})");
     EXPECT_EQ(full.time, 2.5);
-    expect_near(full.pose.position, {1, -2, -3.5});
-    expect_near(nose(full.pose), {0, 1, 0});  // yaw 90 deg looks north
+    expect_near(full.position.value(), {1, -2, -3.5});
+    expect_near(nose(full.attitude.value()), {0, 1, 0});  // yaw 90 deg looks north
     const auto angles = good(R"({"position": [0, 0, 0], "rpy_deg": [0, 90, 0], "comment": "looks down"})");
     EXPECT_FALSE(angles.time);
-    expect_near(nose(angles.pose), {0, 0, -1});
+    expect_near(nose(angles.attitude.value()), {0, 0, -1});
 }
 
 TEST(PoseLine, ArduPilotSpeaksNorthEastDown) {
@@ -40,17 +40,19 @@ TEST(PoseLine, ArduPilotSpeaksNorthEastDown) {
         good(R"({"timestamp": 7, "imu": {}, "position": [10, 5, 3], "attitude": [0, 0, 1.5707963267948966],
                                "velocity": [0, 0, 0]})");
     EXPECT_EQ(east.time, 7);
-    expect_near(east.pose.position, {5, 10, -3});
-    expect_near(nose(east.pose), {1, 0, 0});
-    expect_near(roof(east.pose), {0, 0, 1});
+    expect_near(east.position.value(), {5, 10, -3});
+    expect_near(nose(east.attitude.value()), {1, 0, 0});
+    expect_near(roof(east.attitude.value()), {0, 0, 1});
     // Positive pitch lifts the nose there, positive roll drops the right side.
-    expect_near(nose(good(R"({"position": [0, 0, 0], "attitude": [0, 1.5707963267948966, 0]})").pose),
-                {0, 0, 1});
-    expect_near(roof(good(R"({"position": [0, 0, 0], "attitude": [1.5707963267948966, 0, 0]})").pose),
-                {1, 0, 0});
+    expect_near(
+        nose(good(R"({"position": [0, 0, 0], "attitude": [0, 1.5707963267948966, 0]})").attitude.value()),
+        {0, 0, 1});
+    expect_near(
+        roof(good(R"({"position": [0, 0, 0], "attitude": [1.5707963267948966, 0, 0]})").attitude.value()),
+        {1, 0, 0});
     const auto same = good(
         R"({"timestamp": 7, "position": [10, 5, 3], "quaternion": [0.7071067811865476, 0, 0, 0.7071067811865476]})");
-    expect_near(nose(same.pose), nose(east.pose));
+    expect_near(nose(same.attitude.value()), nose(east.attitude.value()));
 }
 
 TEST(PoseLine, RefusesWithAReason) {
@@ -90,7 +92,7 @@ TEST(Trajectory, CsvWithAndWithoutAHeaderAndTumSayTheSame) {
         EXPECT_EQ(track.last(), std::chrono::seconds(2));
         const Pose middle = track.at(std::chrono::seconds(1))->pose;
         expect_near(middle.position, {2, 0, -3});
-        EXPECT_LT(norm(nose(middle) - Vec3{std::sqrt(0.5), std::sqrt(0.5), 0}), 1e-7);
+        EXPECT_LT(norm(nose(middle.orientation) - Vec3{std::sqrt(0.5), std::sqrt(0.5), 0}), 1e-7);
         const auto after = track.at(std::chrono::seconds(100));
         expect_near(after->pose.position, {4, 0, -3});
         EXPECT_FALSE(after->stale);

@@ -1,0 +1,97 @@
+#include "emulator/pose/mavlink_pose.h"
+
+#include <cmath>
+
+namespace echoloop {
+namespace {
+
+enum Rank { angles = 1, quaternion, global, local, simulator, odometry };
+
+constexpr double farthest = 1e6;  // m
+
+double seconds(std::uint32_t boot_ms) { return boot_ms * 1e-3; }
+
+Quat to_quat(const std::array<float, 4>& q) { return {q[0], q[1], q[2], q[3]}; }
+
+Quat enu_attitude(Quat ned_from_frd) { return enu_from_ned({{}, ned_from_frd}).orientation; }
+
+/// Makes the attitude a unit quaternion. Written so that numbers that are none are found as well.
+std::string fault_of(PoseMessage& message) {
+    if (message.position && !(norm(*message.position) < farthest)) return "a position that cannot be";
+    if (!message.attitude) return {};
+    Quat& q = *message.attitude;
+    const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    if (!(std::abs(length - 1) < 0.01)) return "an attitude that cannot be";
+    q = {q.w / length, q.x / length, q.y / length, q.z / length};
+    return {};
+}
+
+}  // namespace
+
+PoseText MavlinkPose::add(const mavlink::Message& message, std::uint8_t system) {
+    if (system_ && *system_ != system) return {};
+    PoseMessage told = std::visit([this](const auto& m) { return read(m); }, message);
+    if (rank_ < position_rank_) told.position.reset();
+    if (rank_ < attitude_rank_) told.attitude.reset();
+    if (!told.position && !told.attitude) return {};
+    if (const auto fault = fault_of(told); !fault.empty()) return {{}, fault};
+    if (told.position) position_rank_ = rank_;
+    if (told.attitude) attitude_rank_ = rank_;
+    system_ = system;
+    return {told, ""};
+}
+
+/// Along the ellipsoid WGS 84, whose radii of curvature at the first place make metres of angles.
+Vec3 MavlinkPose::near_first(double latitude_deg, double longitude_deg, double altitude) {
+    constexpr double equator = 6378137.0, eccentricity2 = 6.69437999014e-3;
+    const Place place{deg_to_rad(latitude_deg), deg_to_rad(longitude_deg)};
+    if (!first_) first_ = place;
+    const double s = std::sin(first_->latitude), root = std::sqrt(1 - eccentricity2 * s * s);
+    const double meridian = equator * (1 - eccentricity2) / (root * root * root), normal = equator / root;
+    const double turn = std::remainder(place.longitude - first_->longitude, 2 * std::numbers::pi);
+    return {turn * normal * std::cos(first_->latitude), (place.latitude - first_->latitude) * meridian,
+            altitude};
+}
+
+PoseMessage MavlinkPose::read(const mavlink::Attitude& m) {
+    rank_ = angles;
+    return {seconds(m.time_boot_ms), {}, enu_attitude(from_rpy(m.roll, m.pitch, m.yaw))};
+}
+
+PoseMessage MavlinkPose::read(const mavlink::AttitudeQuaternion& m) {
+    rank_ = quaternion;
+    return {seconds(m.time_boot_ms), {}, enu_attitude(to_quat(m.q))};
+}
+
+PoseMessage MavlinkPose::read(const mavlink::LocalPositionNed& m) {
+    rank_ = local;
+    return {seconds(m.time_boot_ms), Vec3{m.y, m.x, -m.z}, {}};
+}
+
+PoseMessage MavlinkPose::read(const mavlink::GlobalPositionInt& m) {
+    rank_ = global;
+    if (position_rank_ > global) return {};  // or its place would be the first
+    return {
+        seconds(m.time_boot_ms), near_first(m.latitude * 1e-7, m.longitude * 1e-7, m.altitude * 1e-3), {}};
+}
+
+/// It tells no time.
+PoseMessage MavlinkPose::read(const mavlink::SimState& m) {
+    rank_ = simulator;
+    if (!std::isfinite(m.latitude) || !std::isfinite(m.longitude)) return {};
+    return {{}, near_first(m.latitude, m.longitude, m.altitude), enu_attitude(to_quat(m.q))};
+}
+
+PoseMessage MavlinkPose::read(const mavlink::Odometry& m) {
+    namespace frames = mavlink::frames;
+    rank_ = odometry;
+    const double time = static_cast<double>(m.time_usec) * 1e-6;
+    const Pose pose{{m.x, m.y, m.z}, to_quat(m.q)};
+    if (m.frame_id == frames::local_enu || m.frame_id == frames::local_flu)  // these have the body up as well
+        return {time, pose.position, pose.orientation};
+    if (m.frame_id != frames::local_ned && m.frame_id != frames::local_frd) return {};
+    const Pose up = enu_from_ned(pose);
+    return {time, up.position, up.orientation};
+}
+
+}  // namespace echoloop

@@ -1,0 +1,40 @@
+// What MAVLink messages tell of a vehicle's pose, of which some know the position only and some the attitude
+// only. Knows no clock and no socket.
+#pragma once
+
+#include <optional>
+
+#include "emulator/pose/message.h"
+#include "protocols/mavlink/messages.h"
+
+namespace echoloop {
+
+class MavlinkPose {
+  public:
+    /// `system`: of the sender; the first that tells a pose is the vehicle, others are passed over. Of
+    /// several messages that tell the same thing the best counts: ODOMETRY, SIM_STATE, LOCAL_POSITION_NED,
+    /// GLOBAL_POSITION_INT; ATTITUDE_QUATERNION before ATTITUDE. Places on the globe become metres east and
+    /// north of the first one; their z is the altitude above mean sea level. Empty if the message tells
+    /// nothing better than what came before. `reason` in the answer: numbers that are not finite or cannot
+    /// be.
+    PoseText add(const mavlink::Message& message, std::uint8_t system);
+
+  private:
+    PoseMessage read(const mavlink::Attitude& m);
+    PoseMessage read(const mavlink::AttitudeQuaternion& m);
+    PoseMessage read(const mavlink::LocalPositionNed& m);
+    PoseMessage read(const mavlink::GlobalPositionInt& m);
+    PoseMessage read(const mavlink::SimState& m);
+    PoseMessage read(const mavlink::Odometry& m);
+    Vec3 near_first(double latitude_deg, double longitude_deg, double altitude);
+
+    struct Place {
+        double latitude = 0, longitude = 0;  ///< rad
+    };
+    std::optional<std::uint8_t> system_;
+    std::optional<Place> first_;
+    int rank_ = 0;  ///< of the message at hand
+    int position_rank_ = 0, attitude_rank_ = 0;
+};
+
+}  // namespace echoloop
