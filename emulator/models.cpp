@@ -10,7 +10,7 @@
 #include "emulator/devices/r2sonic/r2sonic.h"
 #include "emulator/devices/surveyor240/surveyor240.h"
 #include "emulator/devices/s500/s500.h"
-#include "emulator/devices/tritech-echosounder/echosounder.h"
+#include "emulator/devices/micron-echosounder/echosounder.h"
 #include "emulator/devices/tritech-micron/micron.h"
 #include "emulator/devices/tritech-profiler/profiler.h"
 #include "emulator/devices/tritech-seaking/seaking.h"
@@ -34,7 +34,7 @@ std::vector<Model> make_models() {
     all.push_back(ping360::model());
     for (Model& model : r2sonic_device::models()) all.push_back(std::move(model));
     all.push_back(surveyor240::model());
-    all.push_back(tritech_echosounder::model());
+    all.push_back(micron_echosounder::model());
     all.push_back(s500::model());
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });
     return all;

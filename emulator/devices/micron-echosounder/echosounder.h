@@ -3,9 +3,9 @@
 #pragma once
 
 #include "emulator/devices/family/talking_sounder.h"
-#include "emulator/devices/tritech-echosounder/settings.h"
+#include "emulator/devices/micron-echosounder/settings.h"
 
-namespace echoloop::tritech_echosounder {
+namespace echoloop::micron_echosounder {
 
 /// The line of one reading; no depth: no echo. Empty where it then says nothing.
 std::string reading(const Settings& settings, std::optional<double> depth);
@@ -21,4 +21,4 @@ class Echosounder final : public echosounder::TalkingSounder {
 /// The row of the table of models.
 Model model();
 
-}  // namespace echoloop::tritech_echosounder
+}  // namespace echoloop::micron_echosounder

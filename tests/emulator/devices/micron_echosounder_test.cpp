@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 Bench altimeter(const Options& changes = {}, std::vector<std::string> endpoints = {}) {
-    Bench bench(make_device("tritech-echosounder", std::move(endpoints), changes));
+    Bench bench(make_device("micron-echosounder", std::move(endpoints), changes));
     bench.echo_bin = 1333;  // 1333 x 50 m / 8334 = 7.997 m
     bench.echo_power = 1e13F;
     return bench;

@@ -1,11 +1,11 @@
-#include "emulator/devices/tritech-echosounder/echosounder.h"
+#include "emulator/devices/micron-echosounder/echosounder.h"
 
 #include <cstdio>
 #include <utility>
 
 #include "protocols/nmea/sentences.h"
 
-namespace echoloop::tritech_echosounder {
+namespace echoloop::micron_echosounder {
 namespace {
 
 constexpr double metres_per_foot = 0.3048, feet_per_fathom = 6;
@@ -52,4 +52,4 @@ Actions Echosounder::received(const Received& data, Time now) {
     return actions;
 }
 
-}  // namespace echoloop::tritech_echosounder
+}  // namespace echoloop::micron_echosounder

@@ -1,18 +1,18 @@
-#include "emulator/devices/tritech-echosounder/echosounder.h"
+#include "emulator/devices/micron-echosounder/echosounder.h"
 
-namespace echoloop::tritech_echosounder {
+namespace echoloop::micron_echosounder {
 namespace {
 
 std::unique_ptr<Device> make(const DeviceConfig& config) {
     return std::make_unique<Echosounder>(read_settings(config),
-                                         echosounder::read_wiring(config.endpoints, "tritech-echosounder"));
+                                         echosounder::read_wiring(config.endpoints, "micron-echosounder"));
 }
 
 }  // namespace
 
 Model model() {
     Model m;
-    m.name = "tritech-echosounder";
+    m.name = "micron-echosounder";
     m.title = "Tritech Micron Echosounder (altimeter)";
     m.protocol = "ASCII lines, serial 9600 8N1";
     m.default_endpoints = {"pty:/tmp/echoloop/altimeter"};
@@ -25,4 +25,4 @@ Model model() {
     return m;
 }
 
-}  // namespace echoloop::tritech_echosounder
+}  // namespace echoloop::micron_echosounder

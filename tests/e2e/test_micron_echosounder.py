@@ -15,7 +15,7 @@ water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
 vehicle: {pose: {position: [0, 0, %g]}}
 devices:
   - name: altimeter
-    model: tritech-echosounder
+    model: micron-echosounder
     mount: {rpy_deg: [0, 90, 0]}
     endpoints: ["%s"]
     options: {%s}

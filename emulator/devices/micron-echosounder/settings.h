@@ -7,7 +7,7 @@
 #include "emulator/devices/family/sounding.h"
 #include "protocols/altimeter/line.h"
 
-namespace echoloop::tritech_echosounder {
+namespace echoloop::micron_echosounder {
 
 enum class NoEcho { zero, maximum, silent };
 
@@ -23,4 +23,4 @@ Settings read_settings(const DeviceConfig& config);
 /// The table that `echoloop list` shows.
 std::vector<Option> option_table();
 
-}  // namespace echoloop::tritech_echosounder
+}  // namespace echoloop::micron_echosounder

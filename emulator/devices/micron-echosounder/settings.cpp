@@ -1,4 +1,4 @@
-#include "emulator/devices/tritech-echosounder/settings.h"
+#include "emulator/devices/micron-echosounder/settings.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,7 +6,7 @@
 #include "emulator/option_rows.h"
 #include "emulator/options.h"
 
-namespace echoloop::tritech_echosounder {
+namespace echoloop::micron_echosounder {
 namespace {
 
 const char* const spec = "SeaNet specification notes";
@@ -56,4 +56,4 @@ Settings read_settings(const DeviceConfig& config) {
     return s;
 }
 
-}  // namespace echoloop::tritech_echosounder
+}  // namespace echoloop::micron_echosounder
