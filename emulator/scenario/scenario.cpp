@@ -60,13 +60,11 @@ std::string read_pose_input(const Section& vehicle, Problems& problems) {
     const Value* value = vehicle.get("input");
     if (value == nullptr) return {};
     const std::string uri = vehicle.text("input", "");
-    using Scheme = Endpoint::Scheme;
     try {
-        const Scheme scheme = parse_endpoint(uri).scheme;
-        if (scheme == Scheme::udp_listen || scheme == Scheme::tcp_listen || scheme == Scheme::tcp) return uri;
-        problems.add(
-            value->place,
-            "vehicle.input: poses come over udp-listen://, tcp-listen:// or tcp://, not " + in_quotes(uri));
+        if (parse_endpoint(uri).scheme != Endpoint::Scheme::udp) return uri;
+        problems.add(value->place,
+                     "vehicle.input: udp:// only sends; poses come to udp-listen://, tcp-listen://, "
+                     "tcp://, serial:// or pty:");
     } catch (const std::invalid_argument& error) {
         problems.add(value->place, std::string("vehicle.input: ") + error.what());
     }

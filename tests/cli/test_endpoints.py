@@ -23,7 +23,16 @@ class Endpoints(ProgramTest):
         fast = self.good("endpoints", ECHOSOUNDER, "--set", "devices.echosounder.options.baud=38400")
         self.assertRegex(fast, r"line +/tmp/echoloop/echosounder, 38400 bit/s 8N1")
         datagrams = self.good("endpoints", ECHOSOUNDER, "--set", "devices.echosounder.endpoints=[udp://127.0.0.1:10110]")
-        self.assertRegex(datagrams, r"sends sentences to +127\.0\.0\.1:10110")
+        self.assertRegex(datagrams, r"sends datagrams to +127\.0\.0\.1:10110")
+
+    def test_a_device_that_broadcasts(self):
+        text = self.good("endpoints", str(Path(DEMO).with_name("oculus.yaml")))
+        self.assertRegex(text, r"data +TCP, connect to 127\.0\.0\.1:52100")
+        self.assertRegex(text, r"sends status to +127\.255\.255\.255:52102")
+
+    def test_a_profiler_is_no_imaging_head(self):
+        text = self.good("endpoints", str(Path(DEMO).with_name("profiler.yaml")), "--format", "ros1")
+        self.assertIn("no driver of ROS 1 for tritech-profiler is known", text)
 
     def test_ros1(self):
         text = self.good("endpoints", DEMO, "--format", "ros1")

@@ -2,10 +2,14 @@
 
 import math
 import os
+import shutil
 import socket
 import sys
+import tempfile
 import time
+import tty
 import unittest
+from pathlib import Path
 
 from public_driver import ROOT, use
 
@@ -74,6 +78,19 @@ class Mavlink(PoseCase):
             end = time.monotonic() + 20
             while depths.next() < 11.4:  # 11 m / cos 30 deg, less half the beam
                 self.assertLess(time.monotonic(), end)
+
+    def test_an_autopilot_on_a_serial_line(self):
+        folder = Path(tempfile.mkdtemp(prefix="echoloop-mavlink-"))
+        self.addCleanup(shutil.rmtree, folder)
+        depths = Depths(self)
+        self.start("{input: 'pty:%s/autopilot'}" % folder, depths)
+        line = os.open(folder / "autopilot", os.O_RDWR | os.O_NOCTTY)
+        self.addCleanup(os.close, line)
+        tty.setraw(line)
+        mavlink = v2.MAVLink(None, srcSystem=1)
+        for z in (6, 11):
+            os.write(line, v2.MAVLink_local_position_ned_message(1000 * z, 0, 0, z, 0, 0, 0).pack(mavlink))
+            depths.wait_for(-z - FLOOR_Z)
 
     def test_places_on_the_globe(self):
         port = free_tcp_port()

@@ -21,7 +21,10 @@ int line_rate(const ScenarioDevice& device) {
 }
 
 bool is_r2sonic(const ScenarioDevice& device) { return device.model->name.starts_with("r2sonic-"); }
-bool is_seanet(const ScenarioDevice& device) { return device.model->name.starts_with("tritech-"); }
+/// The heads that those drivers can read: the profiler is none of them.
+bool is_seanet(const ScenarioDevice& device) {
+    return device.model->name == "tritech-micron" || device.model->name == "tritech-seaking";
+}
 
 DriverHint r2sonic_ros2(const ScenarioDevice& device) {
     const auto head = parse_endpoint(device.config.endpoints.at(0));
@@ -31,6 +34,15 @@ DriverHint r2sonic_ros2(const ScenarioDevice& device) {
              " -p ports/bathy:=" + std::to_string(host.port) + " -p ports/acoustic_image:=" +
              std::to_string(host.port + image_offset) + " -p sonar_ip:=" + head.host},
             "it only listens: settings come from the scenario, or from a program that sends CMD0"};
+}
+
+/// Where a device sends to that listens on no port of its own for it.
+std::string told_host(const ScenarioDevice& device) {
+    for (const auto& uri : device.config.endpoints) {
+        const auto end = parse_endpoint(uri);
+        if (end.scheme == Endpoint::Scheme::udp) return address_text(end.host, end.port);
+    }
+    return "whom it is told to by options or by its host";
 }
 
 std::string title_of(const std::string& format) {
@@ -62,6 +74,8 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
     for (const Port& port : device.model->make(device.config)->ports()) {
         if (port.kind == Port::Kind::datagram && places.empty() && first.scheme == Endpoint::Scheme::udp) {
             places.push_back({"sends " + port.name + " to", address_text(first.host, first.port)});
+        } else if (port.kind == Port::Kind::datagram && port.bind.port == 0) {
+            places.push_back({"sends " + port.name + " to", told_host(device)});
         } else if (port.kind == Port::Kind::datagram) {
             places.push_back({"listens for " + port.name, text_of(port.bind)});
         } else {

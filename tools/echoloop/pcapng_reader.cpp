@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t largest_block = 16 << 20, most_interfaces = 65536;
 constexpr std::size_t frame = 12;  // type and length, and the length again
-constexpr std::uint32_t section = 0x0A0D0D0A, interface_block = 1, simple_block = 3, enhanced_block = 6;
+constexpr std::uint32_t interface_block = 1, simple_block = 3, enhanced_block = 6;
 
 std::string text_of(ByteView bytes) {
     const auto end = std::ranges::find(bytes, std::uint8_t{0});
