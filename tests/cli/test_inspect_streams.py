@@ -1,10 +1,34 @@
 """echoloop inspect on captures that hold streams: TCP connections, serial lines, pcapng with several kinds of link."""
+import struct
 import unittest
 
 from captures import COMMANDS, ETHERNET, RAW, REBOOT, RTAC_SERIAL, SEND_DATA, Pcapng, ethernet, ipv4, pcap, rtac, tcp, udp
 from program import ProgramTest, run
 
 SYN = 0x02
+PIECE = 1472  # what fits one datagram
+
+
+def ping_frame(number, payload):
+    frame = b"BR" + struct.pack("<HHBB", len(payload), number, 0, 0) + payload
+    return frame + struct.pack("<H", sum(frame) & 0xFFFF)
+
+
+def profile(number):
+    """os_mono_profile of an Omniscan 450 with 1200 results: 2462 bytes, two datagrams."""
+    head = struct.pack("<5I3HBB6f", number, 0, 5000, 0, 450000, 4, 1200, 15000, 0, 0, 1e-4, 1, 0, -90, 0, 0)
+    return ping_frame(2198, head + struct.pack("<1200H", *((number + i) % 65536 for i in range(1200))))
+
+
+ACK = ping_frame(1, struct.pack("<H", 2197))
+
+
+def pieces(frame):
+    return [frame[at:at + PIECE] for at in range(0, len(frame), PIECE)]
+
+
+def damaged(data, at=700):
+    return data[:at] + bytes([data[at] ^ 0x10]) + data[at + 1:]
 
 
 class Streams(ProgramTest):
@@ -51,6 +75,48 @@ class Streams(ProgramTest):
         messages = self.messages(pcap(packets))
         self.assertEqual([m["name"] for m in messages], ["ReBoot", "SendData"])
         self.assertEqual([m["to"][-2:] for m in messages], [":2", ":1"])
+
+    def datagrams(self, *payloads):
+        return pcap([ethernet(ipv4(udp(payload))) for payload in payloads])
+
+    def test_a_message_in_two_datagrams_is_one(self):
+        messages = self.messages(self.datagrams(ACK, *pieces(profile(1)), *pieces(profile(2))))
+        self.assertEqual([m["name"] for m in messages], ["Ack", "OsMonoProfile", "OsMonoProfile"])
+        self.assertEqual([m["time"] for m in messages], [0, 2, 4])
+        numbers = [f["value"] for m in messages[1:] for f in m["fields"] if f["name"] == "ping_number"]
+        self.assertEqual(numbers, [1, 2])
+
+    def test_a_message_in_two_datagrams_of_a_family_that_is_named(self):
+        data = self.datagrams(*pieces(profile(1)), ACK)
+        self.assertEqual(self.names(data, "--family", "cerulean"), ["OsMonoProfile", "Ack"])
+
+    def test_a_datagram_that_is_damaged_or_lost_spoils_its_own_message_only(self):
+        (a, b), (c, d), good = pieces(profile(1)), pieces(profile(2)), ["OsMonoProfile"]
+        whole = [ACK, *pieces(profile(3))]
+        for spoilt in ([damaged(a), b], [a, damaged(b)], [a], [b], [damaged(a, 2), b], [damaged(a, 3), b]):
+            names = self.names(self.datagrams(*spoilt, c, d))
+            self.assertEqual([n for n in names if n], good, spoilt[0][:8])
+            names = self.names(self.datagrams(c, d, *spoilt, *whole))
+            self.assertEqual(names, ["OsMonoProfile", "", "Ack", "OsMonoProfile"], spoilt[0][:8])
+
+    def test_what_a_whole_datagram_ends_has_its_own_time(self):
+        messages = self.messages(self.datagrams(ACK, damaged(ACK, 9), ACK))
+        self.assertEqual([(m.get("name", ""), m["time"]) for m in messages], [("Ack", 0), ("", 1), ("Ack", 2)])
+
+    def test_datagrams_of_several_senders_are_apart(self):
+        def sent(payload, port):
+            return ethernet(ipv4(struct.pack(">HHHH", port, 9, len(payload) + 8, 0) + payload))
+
+        (a, b), (c, d) = pieces(profile(1)), pieces(profile(2))
+        messages = self.messages(pcap([sent(a, 1), sent(c, 2), sent(b, 1), sent(d, 2)]))
+        self.assertEqual([(m["name"], m["from"][-2:]) for m in messages],
+                         [("OsMonoProfile", ":1"), ("OsMonoProfile", ":2")])
+
+    def test_a_family_of_datagrams_is_read_one_by_one(self):
+        halves = [COMMANDS[:10], COMMANDS[10:]]
+        messages = self.messages(self.datagrams(COMMANDS, *halves, COMMANDS), "--family", "r2sonic")
+        self.assertEqual([m["name"] for m in messages if not m.get("reason")], ["CMD0", "CMD0"])
+        self.assertEqual([m["offset"] for m in messages if not m.get("reason")], [0, 0])
 
     def test_a_pcapng_with_a_serial_line_and_a_network_in_either_byte_order(self):
         for order in "<>":

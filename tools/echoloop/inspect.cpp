@@ -1,4 +1,5 @@
 // echoloop inspect: the messages in a capture or in a file of bytes. Reads to the end in bounded memory.
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <optional>
@@ -111,37 +112,37 @@ inspect::Message undecoded(std::size_t size, const char* reason) {
     return {.offset = 0, .size = size, .reason = reason};
 }
 
-void inspect_datagram(const Datagram& datagram, double time, const inspect::Family* family, Output& output) {
-    if (family == nullptr) family = inspect::guess_family(datagram.payload);
-    InspectOrigin origin{family == nullptr ? "" : std::string(family->name), time, datagram.from,
-                         datagram.to};
-    if (family == nullptr)
-        output.add(origin, undecoded(datagram.payload.size(), "no known protocol"));
-    else if (datagram.cut)
-        output.add(origin, undecoded(datagram.payload.size(), "cut short by the capture"));
-    else
-        for (const auto& message : family->decode(datagram.payload)) output.add(origin, message);
-}
-
 /// Names of the two who speak on a captured serial line.
 std::string line_text(const StreamPiece& piece) {
     return (piece.line.empty() ? "serial line" : piece.line) + (piece.sent ? ", sent" : ", received");
 }
 
-/// The streams of a capture, each decoded by itself.
+/// The streams of a capture, or its datagrams as such, each direction decoded by itself.
 class Streams {
   public:
     Streams(const inspect::Family* family, Output& output) : family_(family), output_(output) {}
 
     void add(double time, const StreamPiece& piece) {
-        constexpr std::size_t most = 4096;
         const auto line = piece.from.port == 0 ? line_text(piece) : std::string();
         const Key key{line, piece.from, piece.to};
-        if (!streams_.contains(key) && streams_.size() >= most) finish();
-        Stream& stream = streams_.try_emplace(key, Stream{StreamDecoder(family_), time}).first->second;
-        if (piece.gap) stream.decoder.finish(printer(key, stream.time));
-        stream.time = time;
-        stream.decoder.add(piece.bytes, printer(key, time));
+        if (piece.gap) end(key);
+        continue_with(key, time, piece.bytes);
+    }
+    /// A datagram is read alone where that tells all of it, as nearly always. What is left of others goes on
+    /// in the next one of the same direction.
+    void add(double time, const Datagram& datagram) {
+        const Key key{"", datagram.from, datagram.to};
+        const auto* family = family_ != nullptr ? family_ : inspect::guess_family(datagram.payload);
+        if (datagram.cut) {
+            end(key);
+            const char* reason = family == nullptr ? "no known protocol" : "cut short by the capture";
+            return printer(key, time)(family, undecoded(datagram.payload.size(), reason));
+        }
+        const bool alone = family != nullptr && family->framing == inspect::Framing::datagram;
+        const auto messages = family == nullptr ? Messages{} : family->decode(datagram.payload);
+        if (!alone && !is_whole(messages)) return continue_with(key, time, datagram.payload);
+        if (!alone) end(key);
+        for (const auto& message : messages) printer(key, time)(family, message);
     }
     void finish() {
         for (auto& [key, stream] : streams_) stream.decoder.finish(printer(key, stream.time));
@@ -150,10 +151,29 @@ class Streams {
 
   private:
     using Key = std::tuple<std::string, Address, Address>;
+    using Messages = std::vector<inspect::Message>;
     struct Stream {
         StreamDecoder decoder;
         double time = 0;  ///< of the last bytes
     };
+
+    static bool is_whole(const Messages& messages) {
+        return !messages.empty() &&
+               std::none_of(messages.begin(), messages.end(), [](const auto& m) { return m.name.empty(); });
+    }
+
+    void continue_with(const Key& key, double time, ByteView bytes) {
+        constexpr std::size_t most = 4096;
+        if (!streams_.contains(key) && streams_.size() >= most) finish();
+        Stream& stream = streams_.try_emplace(key, Stream{StreamDecoder(family_), time}).first->second;
+        stream.time = time;
+        stream.decoder.add(bytes, printer(key, time));
+    }
+    /// What did not become complete never will.
+    void end(const Key& key) {
+        const auto found = streams_.find(key);
+        if (found != streams_.end()) found->second.decoder.finish(printer(key, found->second.time));
+    }
 
     StreamDecoder::Each printer(const Key& key, double time) {
         const auto& [line, from, to] = key;
@@ -175,19 +195,18 @@ class Streams {
 
 void inspect_capture(Input& input, const inspect::Family* family, Output& output) {
     std::optional<double> start;
-    Streams streams(family, output);
+    Streams streams(family, output), datagrams(family, output);
     const auto since_start = [&start](double time) {
         if (!start) start = time;
         return time - *start;
     };
     const auto counts = read_capture(
         input,
-        {.datagram =
-             [&](double time, const Datagram& datagram) {
-                 inspect_datagram(datagram, since_start(time), family, output);
-             },
+        {.datagram = [&](double time,
+                         const Datagram& datagram) { datagrams.add(since_start(time), datagram); },
          .stream = [&](double time, const StreamPiece& piece) { streams.add(since_start(time), piece); }});
     streams.finish();
+    datagrams.finish();
     output.summary().packets = counts.packets;
     output.summary().skipped_packets = counts.skipped;
     output.summary().incomplete = counts.incomplete;
