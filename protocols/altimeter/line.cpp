@@ -75,38 +75,16 @@ std::optional<Reading> read_line(std::string_view line) {
     return std::nullopt;
 }
 
-void Framer::feed(wire::ByteView bytes) {
-    finished_ = false;
-    buffer_.erase(0, begin_);
-    begin_ = 0;
-    buffer_.append(bytes.begin(), bytes.end());
-}
-
-void Framer::skip(std::size_t count) {
-    begin_ += count;
-    position_ += count;
-    skipped_ += count;
-}
-
-std::optional<Line> Framer::next() {
-    while (pending_bytes() > 0) {
-        const std::string_view pending = std::string_view(buffer_).substr(begin_);
-        const std::size_t end = pending.find('\n');
-        if (end == std::string_view::npos) {
-            // One more than a line, for what stands before it matters.
-            const std::size_t kept = finished_ ? 0 : longest + 1;
-            if (pending.size() > kept) skip(pending.size() - kept);
-            return std::nullopt;
-        }
-        const Line line = line_at_end(pending.substr(0, end + 1));
-        skip(end + 1 - line.size);
-        if (line.size == 0) continue;
-        frame_offset_ = position_;
-        begin_ += line.size;
-        position_ += line.size;
-        return line;
+TextFound<Line> look(std::string_view pending, bool finished) {
+    const std::size_t end = pending.find('\n');
+    if (end == std::string_view::npos) {
+        // One more than a line, for what stands before it matters.
+        const std::size_t kept = finished ? 0 : longest + 1;
+        return {pending.size() - std::min(pending.size(), kept)};
     }
-    return std::nullopt;
+    const Line line = line_at_end(pending.substr(0, end + 1));
+    if (line.size == 0) return {end + 1};
+    return {end + 1 - line.size, line};
 }
 
 }  // namespace echoloop::altimeter

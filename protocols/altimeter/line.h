@@ -2,13 +2,11 @@
 // anything.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "protocols/wire/bytes.h"
+#include "protocols/text_framer.h"
 
 namespace echoloop::altimeter {
 
@@ -34,30 +32,10 @@ struct Line {
     std::size_t size = 0;  ///< bytes, with the line's end
 };
 
-/// What stands before a line end is a line as far as it reads as one; everything before it is skipped.
-class Framer {
-  public:
-    void feed(wire::ByteView bytes);
-    /// No more bytes will come: what has no line end is skipped.
-    void finish() { finished_ = true; }
-    std::optional<Line> next();
+/// What stands before the first line end of pending bytes is a line as far as it reads as one; everything
+/// before it is skipped.
+TextFound<Line> look(std::string_view pending, bool finished);
 
-    /// Bytes that belonged to no line so far.
-    std::uint64_t skipped_bytes() const { return skipped_; }
-    /// Position of the first digit of the line returned last, in bytes since the start of the stream.
-    std::uint64_t frame_offset() const { return frame_offset_; }
-    /// Bytes received that are neither skipped nor part of a returned line.
-    std::size_t pending_bytes() const { return buffer_.size() - begin_; }
-
-  private:
-    void skip(std::size_t count);
-
-    bool finished_ = false;
-    std::string buffer_;
-    std::size_t begin_ = 0;       ///< first byte of buffer_ that is still pending
-    std::uint64_t position_ = 0;  ///< stream position of begin_
-    std::uint64_t skipped_ = 0;
-    std::uint64_t frame_offset_ = 0;
-};
+using Framer = TextFramer<Line, look>;
 
 }  // namespace echoloop::altimeter

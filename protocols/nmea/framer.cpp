@@ -1,6 +1,5 @@
 #include "protocols/nmea/framer.h"
 
-#include <algorithm>
 #include <string_view>
 
 namespace echoloop::nmea {
@@ -31,57 +30,25 @@ bool ends_with_checksum(std::string_view sentence) {
     return n > 3 && sentence[n - 3] == '*' && hex_digit(sentence[n - 2]) && hex_digit(sentence[n - 1]);
 }
 
-/// What stands where a sentence may begin.
-struct Look {
-    std::size_t text = 0;  ///< characters of the sentence; 0: none begins here
-    std::size_t size = 0;  ///< bytes of the line, or those to skip; 0: more must come first
-};
-
-Look look(std::string_view pending, bool finished) {
-    if (!starts_sentence(pending.front())) return {0, 1};
-    const std::size_t run = run_of_sentence(pending);
-    const std::string_view sentence = pending.substr(0, run), rest = pending.substr(run);
-    if (run > longest_line) return {0, run};
-    if (rest.starts_with("\r\n") || rest.starts_with('\n'))
-        return has_address(sentence) ? Look{run, run + (rest[0] == '\r' ? 2U : 1U)} : Look{0, run};
-    if (rest.empty() || rest == "\r") {
-        if (!finished) return {};
-        if (has_address(sentence) && ends_with_checksum(sentence)) return {run, pending.size()};
-    }
-    return {0, run};
+TextFound<Line> found_line(std::string_view pending, std::size_t text, std::size_t size) {
+    return {0, Line{std::string(pending.substr(0, text)), size}};
 }
 
 }  // namespace
 
-void Framer::feed(wire::ByteView bytes) {
-    finished_ = false;
-    buffer_.erase(0, begin_);
-    begin_ = 0;
-    buffer_.append(bytes.begin(), bytes.end());
-}
-
-void Framer::skip(std::size_t count) {
-    begin_ += count;
-    position_ += count;
-    skipped_ += count;
-}
-
-std::optional<Line> Framer::next() {
-    while (pending_bytes() > 0) {
-        const std::string_view pending = std::string_view(buffer_).substr(begin_);
-        const Look found = look(pending, finished_);
-        if (found.size == 0) return std::nullopt;
-        if (found.text == 0) {
-            skip(found.size);
-            continue;
-        }
-        Line line{std::string(pending.substr(0, found.text)), found.size};
-        frame_offset_ = position_;
-        begin_ += found.size;
-        position_ += found.size;
-        return line;
+TextFound<Line> look(std::string_view pending, bool finished) {
+    if (!starts_sentence(pending.front())) return {1};
+    const std::size_t run = run_of_sentence(pending);
+    const std::string_view sentence = pending.substr(0, run), rest = pending.substr(run);
+    if (run > longest_line) return {run};
+    if (rest.starts_with("\r\n") || rest.starts_with('\n')) {
+        if (has_address(sentence)) return found_line(pending, run, run + (rest[0] == '\r' ? 2U : 1U));
+    } else if (rest.empty() || rest == "\r") {
+        if (!finished) return {};
+        if (has_address(sentence) && ends_with_checksum(sentence))
+            return found_line(pending, run, pending.size());
     }
-    return std::nullopt;
+    return {run};
 }
 
 }  // namespace echoloop::nmea

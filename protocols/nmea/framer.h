@@ -2,12 +2,7 @@
 // anything.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-
-#include "protocols/wire/bytes.h"
+#include "protocols/text_framer.h"
 
 namespace echoloop::nmea {
 
@@ -21,31 +16,10 @@ struct Line {
     std::size_t size = 0;  ///< bytes, with the line's end
 };
 
-class Framer {
-  public:
-    /// Appends received bytes; all that next() leaves is at most one unfinished line.
-    void feed(wire::ByteView bytes);
-    /// No more bytes will come: a last line may end behind its checksum.
-    void finish() { finished_ = true; }
-    /// The next complete line, or nothing until more bytes come.
-    std::optional<Line> next();
+/// The sentence that pending bytes begin with, or the bytes before the next place where one may begin. At the
+/// end of a stream a line may end behind its checksum.
+TextFound<Line> look(std::string_view pending, bool finished);
 
-    /// Bytes that belonged to no line so far.
-    std::uint64_t skipped_bytes() const { return skipped_; }
-    /// Position of the '$' of the line returned last, in bytes since the start of the stream.
-    std::uint64_t frame_offset() const { return frame_offset_; }
-    /// Bytes received that are neither skipped nor part of a returned line.
-    std::size_t pending_bytes() const { return buffer_.size() - begin_; }
-
-  private:
-    void skip(std::size_t count);
-
-    bool finished_ = false;
-    std::string buffer_;
-    std::size_t begin_ = 0;       ///< first byte of buffer_ that is still pending
-    std::uint64_t position_ = 0;  ///< stream position of begin_
-    std::uint64_t skipped_ = 0;
-    std::uint64_t frame_offset_ = 0;
-};
+using Framer = TextFramer<Line, look>;
 
 }  // namespace echoloop::nmea
