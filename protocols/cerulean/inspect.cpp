@@ -16,9 +16,9 @@ constexpr std::size_t frame_overhead = ping::min_frame_bytes;
 
 /// One per device, each with messages of its own; what all have in common any of them can read.
 constexpr bool (*devices[])(const ping::Frame&, inspect::Message&) = {
-    omniscan::add_fields,
-    s500::add_fields,
-    surveyor::add_fields,
+    omniscan::Codec::add_fields,
+    s500::Codec::add_fields,
+    surveyor::Codec::add_fields,
 };
 
 std::string name_of(ping::Id id) {

@@ -4,42 +4,17 @@
 #include "protocols/cerulean/s500_layouts.h"
 
 namespace echoloop::cerulean::s500 {
-namespace {
 
-constexpr Row<Message> table[] = {
-    {Id::ack, parse_as<Message, ping::Ack>},
-    {Id::nack, parse_as<Message, ping::Nack>},
-    {Id::ascii_text, parse_as<Message, ping::AsciiText>},
-    {Id::device_information, parse_as<Message, ping::DeviceInformation>},
-    {Id::protocol_version, parse_as<Message, ping::ProtocolVersion>},
-    {Id::general_request, parse_as<Message, ping::GeneralRequest>},
-    {Id::json_wrapper, parse_as<Message, JsonWrapper>},
-    {Id::set_speed_of_sound, parse_as<Message, SetSpeedOfSound>},
-    {Id::s500_ping_params, parse_as<Message, SetPingParams>},
-    {Id::fw_version, parse_as<Message, FwVersion>},
-    {Id::speed_of_sound, parse_as<Message, SpeedOfSound>},
-    {Id::range, parse_as<Message, Range>},
-    {Id::ping_rate, parse_as<Message, PingRate>},
-    {Id::gain_index, parse_as<Message, GainIndex>},
-    {Id::altitude, parse_as<Message, Altitude>},
-    {Id::processor_temperature, parse_as<Message, ProcessorTemperature>},
-    {Id::distance2, parse_as<Message, Distance2>},
-    {Id::profile6, parse_as<Message, Profile6>},
-};
-static_assert(std::size(table) == std::variant_size_v<Message>);
-constexpr std::span<const Row<Message>> rows(table);
-
-}  // namespace
-
-wire::Result<Message> parse(const ping::Frame& frame) { return parse_by(rows, frame); }
-
-bool is_short_request(const ping::Frame& frame) { return is_short_request_by(rows, frame); }
-
-wire::Bytes encode(const Message& message, std::uint8_t source, std::uint8_t destination) {
-    return encode_by(rows, message, source, destination);
-}
-
-bool add_fields(const ping::Frame& frame, inspect::Message& out) { return inspect_by(rows, frame, out); }
+constexpr Id id_of(Tag<SetPingParams>) { return Id::s500_ping_params; }
+constexpr Id id_of(Tag<FwVersion>) { return Id::fw_version; }
+constexpr Id id_of(Tag<SpeedOfSound>) { return Id::speed_of_sound; }
+constexpr Id id_of(Tag<Range>) { return Id::range; }
+constexpr Id id_of(Tag<PingRate>) { return Id::ping_rate; }
+constexpr Id id_of(Tag<GainIndex>) { return Id::gain_index; }
+constexpr Id id_of(Tag<Altitude>) { return Id::altitude; }
+constexpr Id id_of(Tag<ProcessorTemperature>) { return Id::processor_temperature; }
+constexpr Id id_of(Tag<Distance2>) { return Id::distance2; }
+constexpr Id id_of(Tag<Profile6>) { return Id::profile6; }
 
 std::vector<wire::Table> tables() {
     return {table_of<SetPingParams>(), table_of<FwVersion>(), table_of<SpeedOfSound>(),
@@ -49,3 +24,5 @@ std::vector<wire::Table> tables() {
 }
 
 }  // namespace echoloop::cerulean::s500
+
+template struct echoloop::cerulean::Codec<echoloop::cerulean::s500::Message>;

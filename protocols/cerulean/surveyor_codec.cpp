@@ -4,39 +4,15 @@
 #include "protocols/cerulean/surveyor_layouts.h"
 
 namespace echoloop::cerulean::surveyor {
-namespace {
 
-constexpr Row<Message> table[] = {
-    {Id::ack, parse_as<Message, ping::Ack>},
-    {Id::nack, parse_as<Message, ping::Nack>},
-    {Id::ascii_text, parse_as<Message, ping::AsciiText>},
-    {Id::device_information, parse_as<Message, ping::DeviceInformation>},
-    {Id::protocol_version, parse_as<Message, ping::ProtocolVersion>},
-    {Id::general_request, parse_as<Message, ping::GeneralRequest>},
-    {Id::json_wrapper, parse_as<Message, JsonWrapper>},
-    {Id::utc_request, parse_as<Message, UtcRequest>},
-    {Id::utc_response, parse_as<Message, UtcResponse>},
-    {Id::set_net_info, parse_as<Message, SetNetInfo>},
-    {Id::water_stats, parse_as<Message, WaterStats>},
-    {Id::attitude_report, parse_as<Message, AttitudeReport>},
-    {Id::yz_point_data, parse_as<Message, YzPointData>},
-    {Id::atof_point_data, parse_as<Message, AtofPointData>},
-    {Id::surveyor_ping_parameters, parse_as<Message, PingParameters>},
-};
-static_assert(std::size(table) == std::variant_size_v<Message>);
-constexpr std::span<const Row<Message>> rows(table);
-
-}  // namespace
-
-wire::Result<Message> parse(const ping::Frame& frame) { return parse_by(rows, frame); }
-
-bool is_short_request(const ping::Frame& frame) { return is_short_request_by(rows, frame); }
-
-wire::Bytes encode(const Message& message, std::uint8_t source, std::uint8_t destination) {
-    return encode_by(rows, message, source, destination);
-}
-
-bool add_fields(const ping::Frame& frame, inspect::Message& out) { return inspect_by(rows, frame, out); }
+constexpr Id id_of(Tag<UtcRequest>) { return Id::utc_request; }
+constexpr Id id_of(Tag<UtcResponse>) { return Id::utc_response; }
+constexpr Id id_of(Tag<SetNetInfo>) { return Id::set_net_info; }
+constexpr Id id_of(Tag<WaterStats>) { return Id::water_stats; }
+constexpr Id id_of(Tag<AttitudeReport>) { return Id::attitude_report; }
+constexpr Id id_of(Tag<YzPointData>) { return Id::yz_point_data; }
+constexpr Id id_of(Tag<AtofPointData>) { return Id::atof_point_data; }
+constexpr Id id_of(Tag<PingParameters>) { return Id::surveyor_ping_parameters; }
 
 std::vector<wire::Table> tables() {
     using wire::table_of;
@@ -47,3 +23,5 @@ std::vector<wire::Table> tables() {
 }
 
 }  // namespace echoloop::cerulean::surveyor
+
+template struct echoloop::cerulean::Codec<echoloop::cerulean::surveyor::Message>;

@@ -15,9 +15,11 @@ inline wire::Bytes rewritten(wire::ByteView bytes) {
     const auto frame = framer.next();
     if (!frame) return {};
     const std::uint8_t from = frame->header.source, to = frame->header.destination;
-    if (const auto message = omniscan::parse(*frame)) return omniscan::encode(*message, from, to);
-    if (const auto message = s500::parse(*frame)) return s500::encode(*message, from, to);
-    if (const auto message = surveyor::parse(*frame)) return surveyor::encode(*message, from, to);
+    if (const auto message = omniscan::Codec::parse(*frame))
+        return omniscan::Codec::encode(*message, from, to);
+    if (const auto message = s500::Codec::parse(*frame)) return s500::Codec::encode(*message, from, to);
+    if (const auto message = surveyor::Codec::parse(*frame))
+        return surveyor::Codec::encode(*message, from, to);
     return {};
 }
 

@@ -63,20 +63,20 @@ template <class M>
 class OmniscanMessage : public ::testing::Test {};
 TYPED_TEST_SUITE(OmniscanMessage, TypesOf<omniscan::Message>::type);
 TYPED_TEST(OmniscanMessage, SurvivesARoundTripAndNoTruncation) {
-    check_round_trip<omniscan::Message, TypeParam>(omniscan::parse, omniscan::encode);
+    check_round_trip<omniscan::Message, TypeParam>(omniscan::Codec::parse, omniscan::Codec::encode);
 }
 
 template <class M>
 class S500Message : public ::testing::Test {};
 TYPED_TEST_SUITE(S500Message, TypesOf<s500::Message>::type);
 TYPED_TEST(S500Message, SurvivesARoundTripAndNoTruncation) {
-    check_round_trip<s500::Message, TypeParam>(s500::parse, s500::encode);
+    check_round_trip<s500::Message, TypeParam>(s500::Codec::parse, s500::Codec::encode);
 }
 
 TEST(Omniscan, AProfileOf1200ResultsIsAsLongAsTheSpecificationSays) {
     omniscan::OsMonoProfile profile;
     profile.pwr_results.resize(1200);
-    EXPECT_EQ(omniscan::encode(profile).size(), 2462U);
+    EXPECT_EQ(omniscan::Codec::encode(profile).size(), 2462U);
 }
 
 TEST(Omniscan, ParametersComeInTwoLengthsAndNoOther) {
@@ -84,7 +84,7 @@ TEST(Omniscan, ParametersComeInTwoLengthsAndNoOther) {
         from_hex("00000000 10270000 32000000 00000000 00000000 6f12033b a69bc43a ffff 5802 01");
     ping::Frame frame{{static_cast<ping::Id>(2197), 0, 0}, head, 0};
     for (std::size_t reserved = 0; reserved <= 5; ++reserved) {
-        EXPECT_EQ(omniscan::parse(frame).has_value(), reserved == 1 || reserved == 3) << reserved;
+        EXPECT_EQ(omniscan::Codec::parse(frame).has_value(), reserved == 1 || reserved == 3) << reserved;
         frame.payload.push_back(0);
     }
 }
@@ -92,7 +92,7 @@ TEST(Omniscan, ParametersComeInTwoLengthsAndNoOther) {
 TEST(S500, AChirpOf6000ResultsIsOneMessage) {
     s500::Profile6 profile;
     profile.pwr_results.resize(6000);
-    const auto messages = inspect::find_family("cerulean")->decode(s500::encode(profile));
+    const auto messages = inspect::find_family("cerulean")->decode(s500::Codec::encode(profile));
     ASSERT_EQ(messages.size(), 1U);
     EXPECT_EQ(messages[0].name, "Profile6");
     EXPECT_EQ(messages[0].size, 12076U);
@@ -101,14 +101,15 @@ TEST(S500, AChirpOf6000ResultsIsOneMessage) {
 TEST(Cerulean, ACountThatLiesIsRefused) {
     omniscan::OsMonoProfile profile;
     profile.pwr_results = {1, 2, 3};
-    ping::Frame frame = *frame_of(omniscan::encode(profile));
+    ping::Frame frame = *frame_of(omniscan::Codec::encode(profile));
     frame.payload[22] = frame.payload[23] = 0xFF;  // num_results
-    EXPECT_EQ(omniscan::parse(frame).error(), (Error{"OsMonoProfile", "pwr_results", 60, Reason::truncated}));
+    EXPECT_EQ(omniscan::Codec::parse(frame).error(),
+              (Error{"OsMonoProfile", "pwr_results", 60, Reason::truncated}));
 }
 
 TEST(Cerulean, FramesComeOutOfNoise) {
     wire::Bytes stream = from_hex("00 ff 55 42 42 52 ff 42");
-    const auto params = omniscan::encode(omniscan::OsPingParams{.reserved_3 = {0, 0, 0}});
+    const auto params = omniscan::Codec::encode(omniscan::OsPingParams{.reserved_3 = {0, 0, 0}});
     stream.insert(stream.end(), params.begin(), params.end());
     stream.push_back('B');
     const auto messages = inspect::find_family("cerulean")->decode(stream);

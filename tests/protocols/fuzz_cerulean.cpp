@@ -23,8 +23,8 @@ void check(const echoloop::ping::Frame& frame, auto parse, auto encode, auto is_
 void check(const echoloop::ping::Frame& frame) {
     namespace omniscan = echoloop::cerulean::omniscan;
     namespace s500 = echoloop::cerulean::s500;
-    check(frame, omniscan::parse, omniscan::encode, omniscan::is_short_request);
-    check(frame, s500::parse, s500::encode, s500::is_short_request);
+    check(frame, omniscan::Codec::parse, omniscan::Codec::encode, omniscan::Codec::is_short_request);
+    check(frame, s500::Codec::parse, s500::Codec::encode, s500::Codec::is_short_request);
 }
 
 }  // namespace

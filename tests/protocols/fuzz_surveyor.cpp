@@ -12,10 +12,10 @@ namespace {
 
 void check(const echoloop::ping::Frame& frame) {
     namespace surveyor = echoloop::cerulean::surveyor;
-    const auto message = surveyor::parse(frame);
+    const auto message = surveyor::Codec::parse(frame);
     if (!message) return;
-    if (surveyor::is_short_request(frame)) std::abort();
-    const auto written = surveyor::encode(*message, frame.header.source, frame.header.destination);
+    if (surveyor::Codec::is_short_request(frame)) std::abort();
+    const auto written = surveyor::Codec::encode(*message, frame.header.source, frame.header.destination);
     if (written.size() != frame.payload.size() + echoloop::ping::min_frame_bytes) std::abort();
     if (!std::equal(frame.payload.begin(), frame.payload.end(), written.begin() + 8)) std::abort();
 }

@@ -35,7 +35,7 @@ TYPED_TEST(SurveyorMessage, SurvivesARoundTripThroughAFrame) {
         const wire::Bytes bytes = encode(Message(message), *rc::gen::arbitrary<std::uint8_t>());
         const auto frame = frame_of(bytes);
         RC_ASSERT(frame.has_value());
-        const auto parsed = surveyor::parse(*frame);
+        const auto parsed = surveyor::Codec::parse(*frame);
         RC_ASSERT(parsed.has_value());
         RC_ASSERT(std::holds_alternative<TypeParam>(*parsed));
         RC_ASSERT(std::get<TypeParam>(*parsed) == message);
@@ -51,7 +51,7 @@ TYPED_TEST(SurveyorMessage, EveryTruncationIsRejectedUnlessItEndsInText) {
         for (std::size_t size = 0; size < frame->payload.size() && !text; ++size) {
             ping::Frame cut = *frame;
             cut.payload.resize(size);
-            RC_ASSERT(!surveyor::parse(cut));
+            RC_ASSERT(!surveyor::Codec::parse(cut));
         }
         for (std::size_t size = 0; size < bytes.size(); ++size)
             RC_ASSERT(!frame_of(wire::ByteView(bytes).first(size)));
@@ -63,22 +63,22 @@ TEST(Surveyor, ALyingCountIsRefusedBeforeAnythingIsAllocated) {
     data.atof_point_data.resize(3);
     auto frame = *frame_of(encode(Message(data)));
     frame.payload[36] = frame.payload[37] = 0xFF;  // num_points
-    EXPECT_EQ(surveyor::parse(frame).error(),
+    EXPECT_EQ(surveyor::Codec::parse(frame).error(),
               (Error{"AtofPointData", "atof_point_data", 48, Reason::truncated}));
     frame.payload[36] = 2;
     frame.payload[37] = 0;
-    EXPECT_EQ(surveyor::parse(frame).error().reason, Reason::trailing_bytes);
+    EXPECT_EQ(surveyor::Codec::parse(frame).error().reason, Reason::trailing_bytes);
 }
 
 TEST(Surveyor, AnEmptyPayloadIsARequestForWhatHasContent) {
     const auto short_request = [](Id id) {
-        return surveyor::is_short_request(ping::short_request(static_cast<ping::Id>(id)));
+        return surveyor::Codec::is_short_request(ping::short_request(static_cast<ping::Id>(id)));
     };
     EXPECT_TRUE(short_request(Id::atof_point_data));
     EXPECT_TRUE(short_request(Id::attitude_report));
     EXPECT_FALSE(short_request(Id::utc_request)) << "it has no content";
     EXPECT_FALSE(short_request(Id::os_mono_profile)) << "an Omniscan's";
-    EXPECT_FALSE(surveyor::parse(ping::short_request(static_cast<ping::Id>(Id::os_mono_profile))));
+    EXPECT_FALSE(surveyor::Codec::parse(ping::short_request(static_cast<ping::Id>(Id::os_mono_profile))));
 }
 
 TEST(Surveyor, PointsComeOutOfNoise) {
@@ -92,7 +92,7 @@ TEST(Surveyor, PointsComeOutOfNoise) {
         stream.insert(stream.end(), good.begin(), good.end());
         const auto frame = frame_of(stream);
         ASSERT_TRUE(frame) << at;
-        EXPECT_EQ(std::get<AtofPointData>(*surveyor::parse(*frame)), data) << at;
+        EXPECT_EQ(std::get<AtofPointData>(*surveyor::Codec::parse(*frame)), data) << at;
     }
 }
 

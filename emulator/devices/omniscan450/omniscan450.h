@@ -1,8 +1,9 @@
 // A Cerulean Omniscan 450, side-scan or forward-looking: one fan, a profile per ping. A pure state machine.
 #pragma once
 
-#include "emulator/devices/family/ping_pacer.h"
+#include "emulator/devices/family/cerulean_sonar.h"
 #include "emulator/devices/omniscan450/settings.h"
+#include "protocols/cerulean/omniscan_codec.h"
 
 namespace echoloop::omniscan450 {
 
@@ -10,49 +11,27 @@ using cerulean::omniscan::Message;
 using cerulean::omniscan::OsMonoProfile;
 using ping_device::Peer;
 
-class Omniscan450 final : public Device {
+class Omniscan450 final : public cerulean_device::Sonar {
   public:
     Omniscan450(const Settings& settings, std::vector<std::string> endpoints);
 
-    std::vector<Port> ports() const override { return ports_; }
-    Actions started(Time now) override;
-    Actions received(const Received& data, Time now) override;
-    Actions heard(const Echogram& echogram, Time now) override;
-    Actions woken(Time now) override;
-    void reconnected(std::size_t port) override { link_.reset(port); }
-    DeviceCounters counters() const override;
-
   private:
-    void discover(const Received& data);
-    void obey(const ping::Frame& frame, const Peer& peer, Time now);
-    void on(const ping::GeneralRequest& request, const Peer& peer, Time now);
+    void obey(const ping::Frame& frame, const Peer& peer, Time now) override;
+    using Sonar::on;
     void on(const cerulean::SetSpeedOfSound& command, const Peer& peer, Time now);
     void on(const cerulean::GeneralSpeedOfSound& command, const Peer& peer, Time now);
     void on(const OsPingParams& command, const Peer& peer, Time now);
+    bool send_own(ping::Id id, const Peer& peer) override;
 
-    void set_speed_of_sound(std::uint32_t speed, bool known, cerulean::Id id, const Peer& peer);
-    /// False if there is no such message to ask for.
-    bool send_message(ping::Id id, const Peer& peer);
-    void acknowledge(cerulean::Id id, const Peer& peer);
-    void refuse(ping::Id id, std::string_view text, const Peer& peer);
-    void reply(const Message& message, const Peer& peer);
-    void transmit(Time now);
+    Shot next_shot() override;
+    double ping_time() const override { return omniscan450::ping_time(pinged_, settings_); }
+    Time interval() const override { return from_seconds(1e-3 * state_.params.msec_per_ping); }
+    void report(const Echogram& echogram) override;
     OsMonoProfile profile(const Echogram& echogram) const;
-    Actions take_actions();
 
     Settings settings_;
-    std::vector<std::string> endpoints_;
-    std::vector<Port> ports_;
-    std::vector<std::size_t> pieces_;  ///< largest datagram per port; 0: a stream
-    ping_device::Link link_;
     State state_, pinged_;  ///< as set, and as it was when the last ping went out
     OsMonoProfile last_;    ///< of the last ping heard
-    Peer listener_;         ///< who asked for the pings
-    PingPacer pacer_;
-    std::uint64_t pings_ = 0;
-    Time pinged_at_{};
-    Actions actions_;  ///< of the call at hand
-    DeviceCounters counters_;
 };
 
 /// The row of the table of models.

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "emulator/devices/family/auto_range.h"
 #include "emulator/devices/family/echosounder_bottom.h"
 
 namespace echoloop::ping1d {
@@ -94,16 +96,11 @@ std::uint8_t loudest(const std::vector<std::uint8_t>& points, const State& state
 }
 
 void follow(State& state, const Bottom& bottom, std::uint8_t loudest) {
-    constexpr std::uint32_t step = 1000;  // mm
-    const auto limited = [](std::uint32_t length) {
-        return std::clamp(length, shortest_length, longest_length);
-    };
+    constexpr int sure = 50;  // %
+    std::optional<std::uint32_t> depth;
+    if (bottom.confidence >= sure) depth = bottom.distance;
     state.start = 0;
-    if (bottom.confidence < 50) {
-        state.length = limited(2 * state.length);
-    } else if (bottom.distance > state.length / 5 * 4 || bottom.distance < state.length / 5 * 2) {
-        state.length = limited((bottom.distance * 3 / 2 + step - 1) / step * step);
-    }
+    state.length = echosounder::next_length(state.length, depth, shortest_length, longest_length);
     if (loudest > 240 && state.gain > 0) --state.gain;
     if (loudest < 120 && state.gain + 1U < gain_factors.size()) ++state.gain;
 }

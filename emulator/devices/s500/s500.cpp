@@ -5,7 +5,6 @@
 
 #include "emulator/devices/family/auto_range.h"
 #include "emulator/devices/family/cerulean_levels.h"
-#include "protocols/cerulean/s500_codec.h"
 
 namespace echoloop::s500 {
 namespace {
@@ -13,14 +12,7 @@ namespace {
 using cerulean::Id;
 namespace wire_message = cerulean::s500;
 
-constexpr std::string_view unknown_command = "command not recognised";
-constexpr double first_range = 10;  // m, of an automatic range
-
-Time interval_of(const State& state) { return std::chrono::milliseconds(state.interval()); }
-
-std::uint32_t milliseconds(Time time) {
-    return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
-}
+constexpr std::uint32_t first_length = 10000;  // mm, of an automatic range
 
 std::uint32_t millimetres(double metres) { return static_cast<std::uint32_t>(std::lround(1e3 * metres)); }
 
@@ -29,105 +21,40 @@ std::uint8_t percent(double value) { return static_cast<std::uint8_t>(value); }
 }  // namespace
 
 S500::S500(const Settings& settings, std::vector<std::string> endpoints)
-    : settings_(settings),
-      endpoints_(std::move(endpoints)),
-      ports_(cerulean_device::make_ports(endpoints_, settings.identity)),
-      pieces_(cerulean_device::pieces(endpoints_, settings.identity)),
-      link_(ports_.size(), settings.identity.source, true) {
+    : Sonar(settings.identity, std::move(endpoints)), settings_(settings) {
     state_.params.gain_index = -1;
 }
 
-Actions S500::started(Time) { return take_actions(); }
-
-Actions S500::received(const Received& data, Time now) {
-    if (data.port >= pieces_.size()) {
-        discover(data);
-        return take_actions();
-    }
-    for (const ping::Frame& frame : link_.receive(data).frames) obey(frame, {data.port, data.from}, now);
-    return take_actions();
-}
-
-Actions S500::woken(Time now) {
-    if (pacer_.begin(now)) transmit(now);
-    return take_actions();
-}
-
-DeviceCounters S500::counters() const {
-    DeviceCounters counters = counters_;
-    counters.skipped_bytes = link_.skipped_bytes();
-    return counters;
-}
-
-void S500::discover(const Received& data) {
-    auto words = cerulean_device::discovery_reply(data.bytes, endpoints_, settings_.identity);
-    if (words.empty()) return;
-    ++counters_.messages;
-    actions_.send.push_back({data.port, std::move(words), data.from, {}});
-}
-
 void S500::obey(const ping::Frame& frame, const Peer& peer, Time now) {
-    if (cerulean::s500::is_short_request(frame) && send_message(frame.header.id, peer)) {
-        ++counters_.messages;
-        return;
-    }
-    const auto parsed = cerulean::s500::parse(frame);
-    if (!parsed) {
-        // What it does not know it drops without a word.
-        if (parsed.error().reason == wire::Reason::unknown_message)
-            ++counters_.rejected;
-        else
-            refuse(frame.header.id, "wrong length", peer);
-        return;
-    }
-    std::visit(
-        [&](const auto& m) {
-            if constexpr (requires { on(m, peer, now); }) {
-                ++counters_.messages;
-                on(m, peer, now);
-            } else {
-                ++counters_.rejected;  // what devices say; never answered, else two of them would not end
-            }
-        },
-        *parsed);
-}
-
-void S500::on(const ping::GeneralRequest& request, const Peer& peer, Time) {
-    const auto requested = static_cast<ping::Id>(request.requested_id);
-    if (!send_message(requested, peer))
-        refuse(cerulean_device::refused_id(settings_.identity, requested), unknown_command, peer);
+    obey_with<Message>(frame, peer, [&](const auto& m) {
+        constexpr bool known = requires { on(m, peer, now); };
+        if constexpr (known) on(m, peer, now);
+        return known;
+    });
 }
 
 void S500::on(const cerulean::SetSpeedOfSound& command, const Peer& peer, Time) {
-    if (!cerulean_device::is_speed_of_sound(command.speed_of_sound))
-        return refuse(static_cast<ping::Id>(Id::set_speed_of_sound), "speed of sound out of range", peer);
-    state_.speed_of_sound = command.speed_of_sound;
-    acknowledge(Id::set_speed_of_sound, peer);
+    set_speed_of_sound(command.speed_of_sound, Id::set_speed_of_sound, peer, state_.speed_of_sound);
 }
 
 void S500::on(const SetPingParams& command, const Peer& peer, Time now) {
     if (const auto wrong = out_of_range(command); wrong && !settings_.accept_anything)
         return refuse(static_cast<ping::Id>(Id::s500_ping_params), *wrong, peer);
     acknowledge(Id::s500_ping_params, peer);
-    if (command.report_id == 0) return pacer_.stop();
-    const bool was_automatic = state_.params.length_mm == 0 && pings_ > 0;
+    if (command.report_id == 0) return stop_pings();
+    const bool was_automatic = state_.params.length_mm == 0 && pings() > 0;
     state_.params = limited(command);
     if (state_.params.length_mm != 0)
         state_.length = state_.params.length_mm;
     else if (!was_automatic)
-        state_.length = millimetres(first_range);
+        state_.length = first_length;
     if (state_.params.gain_index >= 0) state_.gain = static_cast<std::size_t>(state_.params.gain_index);
-    listener_ = peer;
-    pacer_.start(now, interval_of(state_));
+    start_pings(peer, now);
 }
 
 std::optional<Message> S500::message(ping::Id id) const {
     const auto& identity = settings_.identity;
     switch (static_cast<Id>(id)) {
-        case Id::device_information:
-            return cerulean_device::device_information(identity);
-        case Id::protocol_version:
-            return cerulean_device::protocol_version(identity);
         case Id::fw_version:
             return wire_message::FwVersion{identity.device_type, identity.device_revision,
                                            identity.firmware[0], identity.firmware[1]};
@@ -152,46 +79,24 @@ std::optional<Message> S500::message(ping::Id id) const {
     }
 }
 
-/// False if there is no such message.
-bool S500::send_message(ping::Id id, const Peer& peer) {
+bool S500::send_own(ping::Id id, const Peer& peer) {
     const auto found = message(id);
     if (found) reply(*found, peer);
     return found.has_value();
 }
 
-void S500::acknowledge(Id id, const Peer& peer) {
-    if (settings_.identity.acknowledge) reply(ping::Ack{static_cast<std::uint16_t>(id)}, peer);
-}
-
-void S500::refuse(ping::Id id, std::string_view text, const Peer& peer) {
-    ++counters_.rejected;
-    reply(ping_device::nack(id, text), peer);
-}
-
-void S500::reply(const Message& message, const Peer& peer) {
-    for (Send& send : link_.reply_in_pieces(message, peer, pieces_.at(peer.port)))
-        actions_.send.push_back(std::move(send));
-}
-
-void S500::transmit(Time now) {
+Shot S500::next_shot() {
     pinged_ = state_;
-    pinged_at_ = now;
     Shot shot = shot_from(pinged_, settings_);
-    shot.ping = ++pings_;
-    const double time = ping_time(pinged_, settings_);
-    shot.interval = pinged_.single() ? 0 : std::max(time, 1e-3 * pinged_.interval());
-    actions_.ping = Ping{std::move(shot), now + from_seconds(time)};
-    if (pinged_.single()) pacer_.once();
+    shot.interval = pinged_.single() ? 0 : std::max(ping_time(), 1e-3 * pinged_.interval());
+    if (pinged_.single()) only_this_ping();
+    return shot;
 }
 
-Actions S500::heard(const Echogram& echogram, Time now) {
-    if (echogram.shot.ping != pings_ || !pacer_.under_way()) return take_actions();
-    ++counters_.pings;
+void S500::report(const Echogram& echogram) {
     keep(echogram);
     follow(echogram);
-    send_message(static_cast<ping::Id>(pinged_.params.report_id), listener_);
-    pacer_.end(now + cerulean_device::line_time(actions_.send, settings_.identity), interval_of(state_));
-    return take_actions();
+    send_message(static_cast<ping::Id>(pinged_.params.report_id), listener());
 }
 
 /// The reports of this ping.
@@ -200,14 +105,14 @@ void S500::keep(const Echogram& echogram) {
     const Depth depth = find_depth(echogram, pinged_, settings_);
     smooth_.add(depth);
     const Depth mean = smooth_.mean();
-    const std::uint32_t time = milliseconds(pinged_at_);
+    const std::uint32_t time = pinged_at();
     distance_ = {millimetres(depth.metres), millimetres(mean.metres), 0,
                  percent(depth.confidence), percent(mean.confidence), time};
     const bool paper = echogram.rule == EchoRule::cerqueira2016;
     auto results = cerulean_device::to_results(echogram.beam(0), paper ? 0 : a.full_scales.at(pinged_.gain));
     const double half = echogram.shot.bandwidth / 2;
     wire_message::Profile6 p;
-    p.ping_number = static_cast<std::uint32_t>(pings_ - 1);
+    p.ping_number = static_cast<std::uint32_t>(pings() - 1);
     p.start_mm = pinged_.params.start_mm;
     p.length_mm = pinged_.length;
     p.start_ping_hz = static_cast<std::uint32_t>(std::lround(a.frequency - half));
@@ -235,15 +140,9 @@ void S500::follow(const Echogram& echogram) {
         state_.gain =
             cerulean_device::fitting_gain(echogram.beam(0), settings_.acoustics.full_scales, pinged_.gain);
     if (state_.params.length_mm != 0) return;
-    std::optional<double> bottom;
-    if (distance_.ping_confidence >= sure) bottom = 1e-3 * distance_.ping_distance_mm;
-    state_.length =
-        millimetres(echosounder::next_range(1e-3 * pinged_.length, bottom, shortest_range, longest_range));
-}
-
-Actions S500::take_actions() {
-    actions_.wake = pacer_.wake();
-    return std::exchange(actions_, {});
+    std::optional<std::uint32_t> bottom;
+    if (distance_.ping_confidence >= sure) bottom = distance_.ping_distance_mm;
+    state_.length = echosounder::next_length(pinged_.length, bottom, shortest_automatic, longest_automatic);
 }
 
 }  // namespace echoloop::s500

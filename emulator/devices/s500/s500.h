@@ -1,60 +1,41 @@
 // A Cerulean S500 echosounder: depth and profile of a single beam. A pure state machine.
 #pragma once
 
-#include "emulator/devices/family/ping_pacer.h"
+#include "emulator/devices/family/cerulean_sonar.h"
 #include "emulator/devices/s500/depth.h"
 #include "emulator/devices/s500/settings.h"
+#include "protocols/cerulean/s500_codec.h"
 
 namespace echoloop::s500 {
 
 using cerulean::s500::Message;
 using ping_device::Peer;
 
-class S500 final : public Device {
+class S500 final : public cerulean_device::Sonar {
   public:
     S500(const Settings& settings, std::vector<std::string> endpoints);
 
-    std::vector<Port> ports() const override { return ports_; }
-    Actions started(Time now) override;
-    Actions received(const Received& data, Time now) override;
-    Actions heard(const Echogram& echogram, Time now) override;
-    Actions woken(Time now) override;
-    void reconnected(std::size_t port) override { link_.reset(port); }
-    DeviceCounters counters() const override;
-
   private:
-    void discover(const Received& data);
-    void obey(const ping::Frame& frame, const Peer& peer, Time now);
-    void on(const ping::GeneralRequest& request, const Peer& peer, Time now);
+    void obey(const ping::Frame& frame, const Peer& peer, Time now) override;
+    using Sonar::on;
     void on(const cerulean::SetSpeedOfSound& command, const Peer& peer, Time now);
     void on(const SetPingParams& command, const Peer& peer, Time now);
-
     /// The message of a get id, nothing if there is none.
     std::optional<Message> message(ping::Id id) const;
-    bool send_message(ping::Id id, const Peer& peer);
-    void acknowledge(cerulean::Id id, const Peer& peer);
-    void refuse(ping::Id id, std::string_view text, const Peer& peer);
-    void reply(const Message& message, const Peer& peer);
-    void transmit(Time now);
+    bool send_own(ping::Id id, const Peer& peer) override;
+
+    Shot next_shot() override;
+    double ping_time() const override { return s500::ping_time(pinged_, settings_); }
+    Time interval() const override { return std::chrono::milliseconds(state_.interval()); }
+    void report(const Echogram& echogram) override;
     void keep(const Echogram& echogram);
     void follow(const Echogram& echogram);
-    Actions take_actions();
 
     Settings settings_;
-    std::vector<std::string> endpoints_;
-    std::vector<Port> ports_;
-    std::vector<std::size_t> pieces_;  ///< largest datagram per port; 0: a stream
-    ping_device::Link link_;
     State state_, pinged_;  ///< as set, and as it was when the last ping went out
     SmoothDepth smooth_;
     cerulean::s500::Distance2 distance_;  ///< of the last ping heard
     cerulean::s500::Profile6 profile_;    ///< of the last ping heard
-    Peer listener_;                       ///< who asked for the pings
-    PingPacer pacer_;
-    std::uint64_t pings_ = 0;
-    Time pinged_at_{};
-    Actions actions_;  ///< of the call at hand
-    DeviceCounters counters_;
 };
 
 /// The row of the table of models.

@@ -53,7 +53,7 @@ struct State {
     std::uint16_t interval() const;  ///< ms
 };
 
-inline constexpr double shortest_range = 1, longest_range = 150;  ///< m, of an automatic range
+inline constexpr std::uint32_t shortest_automatic = 1000, longest_automatic = 150000;  ///< mm, range
 
 /// Why these parameters are refused; nothing if they are good. What stops the pings is always good.
 std::optional<std::string_view> out_of_range(const SetPingParams& params);

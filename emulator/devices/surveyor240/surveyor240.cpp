@@ -84,11 +84,11 @@ void Surveyor240::greet(const Peer& peer, Time now) {
 void Surveyor240::obey(const ping::Frame& frame, const Peer& peer, Time now) {
     greet(peer, now);
     const auto id = static_cast<std::uint16_t>(frame.header.id);
-    if (wire_messages::is_short_request(frame) && send_message(id, peer)) {
+    if (wire_messages::Codec::is_short_request(frame) && send_message(id, peer)) {
         ++counters_.messages;
         return;
     }
-    const auto parsed = wire_messages::parse(frame);
+    const auto parsed = wire_messages::Codec::parse(frame);
     if (!parsed) {
         ++counters_.rejected;
         return;
