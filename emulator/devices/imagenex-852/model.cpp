@@ -1,6 +1,4 @@
-#include <algorithm>
-#include <cmath>
-
+#include "emulator/devices/family/imagenex_model.h"
 #include "emulator/devices/imagenex-852/sounder.h"
 #include "emulator/option_rows.h"
 #include "emulator/options.h"
@@ -8,7 +6,7 @@
 namespace echoloop::imagenex852 {
 namespace {
 
-constexpr double default_range = 10;  // m
+constexpr double longest_range = 50;  // m
 const char* const spec = "Imagenex specification notes";
 
 std::vector<Option> option_table() {
@@ -43,33 +41,18 @@ std::unique_ptr<Device> make(const DeviceConfig& config) {
     return std::make_unique<Sounder>(read_settings(config));
 }
 
-/// A plain host's command: 500 points, 100 us.
+/// A plain host's pulse of 100 us.
 Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
-    if (!(range > 0)) range = default_range;
-    const auto settings = imagenex_head::read_settings(config);
-    imagenex::SwitchCommand command;
-    command.range = static_cast<std::uint8_t>(std::clamp(std::ceil(range), 1.0, 50.0));
-    command.data_points = 50;
-    const auto format = imagenex_head::format_of(command, settings);
-    Shot shot = imagenex_head::plain_shot(command, format, range / 500, settings);
+    Shot shot = imagenex_head::plain_ping({}, range, longest_range, config, step);
     shot.pulse_length = 100e-6;
-    shot.bin_interval = 2 * range / config.sound_speed / static_cast<double>(shot.bins);
-    shot.ping = step + 1;
     return shot;
 }
 
 }  // namespace
 
 Model model() {
-    Model m;
-    m.name = "imagenex-852";
-    m.title = "Imagenex 852 ultra-miniature echo sounder";
-    m.protocol = "Imagenex switch data, serial 115200 8N1";
-    m.default_endpoints = {"pty:/tmp/echoloop/imagenex-852"};
-    m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
+    Model m = imagenex_head::model_of("imagenex-852", "Imagenex 852 ultra-miniature echo sounder");
     m.options = option_table();
-    m.figures = imagenex_head::figure_table();
-    m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;
     return m;

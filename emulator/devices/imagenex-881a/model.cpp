@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "emulator/devices/family/imagenex_model.h"
 #include "emulator/devices/imagenex-881a/sonar.h"
 #include "emulator/option_rows.h"
 #include "emulator/options.h"
@@ -11,7 +11,7 @@ namespace echoloop::imagenex881a {
 namespace {
 
 constexpr std::size_t turn_steps = 400;  // 0.9 deg each
-constexpr double default_range = 10;     // m
+constexpr double longest_range = 200;    // m
 const char* const spec = "Imagenex specification notes";
 
 std::vector<Option> option_table() {
@@ -53,38 +53,24 @@ std::unique_ptr<Device> make(const DeviceConfig& config) {
     return std::make_unique<Sonar>(read_settings(config));
 }
 
-/// A plain host's command: 500 points of 8 bits at 675 kHz.
+/// A plain host's command: 8 bits at 675 kHz.
 Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
-    if (!(range > 0)) range = default_range;
-    const Settings settings = read_settings(config);
     imagenex::SwitchCommand command;
-    command.range = static_cast<std::uint8_t>(std::clamp(std::ceil(range), 1.0, 200.0));
-    command.data_points = 50;
     command.pulse_length = 6;
     command.frequency = 100;
-    const auto format = imagenex_head::format_of(command, settings.head);
-    Shot shot = imagenex_head::plain_shot(command, format, range / 500, settings.head);
-    set_sound(command, settings.head.acoustics.frequency, shot);
+    Shot shot = imagenex_head::plain_ping(command, range, longest_range, config, step);
+    set_sound(command, read_settings(config).head.acoustics.frequency, shot);
     const int position = static_cast<int>(step % turn_steps * (circle / turn_steps));
     shot.pan = std::remainder(angle_of(position), 2 * std::numbers::pi);
-    shot.bin_interval = 2 * range / config.sound_speed / static_cast<double>(shot.bins);
-    shot.ping = step + 1;
     return shot;
 }
 
 }  // namespace
 
 Model model() {
-    Model m;
-    m.name = "imagenex-881a";
-    m.title = "Imagenex 881A multi-frequency scanning sonar";
-    m.protocol = "Imagenex switch data, serial 115200 8N1";
-    m.default_endpoints = {"pty:/tmp/echoloop/imagenex-881a"};
-    m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
+    Model m = imagenex_head::model_of("imagenex-881a", "Imagenex 881A multi-frequency scanning sonar");
     m.turn_steps = turn_steps;
     m.options = option_table();
-    m.figures = imagenex_head::figure_table();
-    m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;
     return m;
