@@ -11,6 +11,7 @@
 #include "protocols/ping/inspect.h"
 #include "protocols/r2sonic/inspect.h"
 #include "protocols/seanet/inspect.h"
+#include "protocols/sonar3d/inspect.h"
 
 namespace echoloop::inspect {
 
@@ -24,6 +25,8 @@ constexpr std::array table = {
            seanet::tables},
     Family{"oculus", "Blueprint Subsea Oculus, TCP and UDP", Framing::stream, oculus::decode,
            oculus::recognise, oculus::tables, std::size_t{9} << 20},
+    Family{"sonar3d", "Water Linked Sonar 3D-15, UDP and files", Framing::stream, sonar3d::decode,
+           sonar3d::recognise, sonar3d::tables},
     // Before ping: it wants a message that no Ping device has, while a ping frame is any whole one.
     Family{"cerulean", "Cerulean sonars, TCP and UDP", Framing::stream, cerulean::decode, cerulean::recognise,
            cerulean::tables},

@@ -13,6 +13,7 @@
 #include "protocols/r2sonic/codec.h"
 #include "protocols/seanet/codec.h"
 #include "protocols/seanet/framer.h"
+#include "protocols/sonar3d/codec.h"
 #include "tests/protocols/cerulean_rewritten.h"
 #include "tests/protocols/data.h"
 #include "tests/protocols/imagenex_rewritten.h"
@@ -68,6 +69,10 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
         const auto sentence = nmea::read_sentence(line.substr(0, line.size() - 2));
         const std::string text = sentence ? nmea::write_sentence(*sentence) : "";
         return {text.begin(), text.end()};
+    }
+    if (family == "sonar3d") {
+        const auto packet = sonar3d::parse(bytes);
+        return packet ? sonar3d::serialise(*packet) : wire::Bytes{};
     }
     seanet::Framer framer;
     framer.feed(bytes);

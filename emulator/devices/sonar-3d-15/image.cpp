@@ -1,0 +1,91 @@
+#include "emulator/devices/sonar-3d-15/image.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace echoloop::sonar_3d_15 {
+namespace {
+
+constexpr double strength_per_db = 5;  // 100 log10 of an amplitude
+constexpr double bins_per_pulse = 1.5;
+
+/// Mean place of the power in the peak and its two neighbours, in bins from the start of the first.
+double centre_of(std::span<const float> levels, std::size_t peak) {
+    const std::size_t first = peak > 0 ? peak - 1 : 0, last = std::min(peak + 1, levels.size() - 1);
+    double sum = 0, moment = 0;
+    for (std::size_t i = first; i <= last; ++i) {
+        sum += levels[i];
+        moment += levels[i] * (static_cast<double>(i) + 0.5);
+    }
+    return moment / sum;
+}
+
+double gain(double range, const Plan& plan, const Settings& settings) {
+    if (!settings.tvg) return 0;
+    const double r = std::max(range, 1.0);
+    return settings.acoustics.tvg_spreading * std::log10(r) + 2 * settings.mode(plan.high).tvg_absorption * r;
+}
+
+}  // namespace
+
+Plan make_plan(const State& state, double speed, const Settings& settings) {
+    const Acoustics& a = settings.acoustics;
+    Plan plan{state.high, state.range_min, state.range_max, speed};
+    const double window = plan.range_max - plan.range_min;
+    plan.bins =
+        std::clamp(static_cast<std::size_t>(std::ceil(window / a.finest_bin)), std::size_t{1}, a.bins);
+    plan.bin = window / static_cast<double>(plan.bins);
+    plan.period = std::max(1 / settings.mode(plan.high).rate, 2 * plan.range_max / speed + a.processing);
+    return plan;
+}
+
+Shot make_shot(const Plan& plan, double tilt, const std::vector<double>& bearings, const Settings& settings,
+               std::uint64_t number) {
+    const ModeFigures& mode = settings.mode(plan.high);
+    Shot shot;
+    shot.ping = number;
+    shot.tilt = tilt;
+    shot.bearings = bearings;
+    shot.beam_width = mode.beam_width;
+    shot.fan_height = mode.fan_height;
+    shot.first_bin_time = 2 * plan.range_min / plan.speed;
+    shot.bin_interval = 2 * plan.bin / plan.speed;
+    shot.bins = plan.bins;
+    shot.frequency = mode.frequency;
+    shot.pulse_length = settings.acoustics.pulse_length;
+    shot.bandwidth = 1 / (bins_per_pulse * shot.bin_interval);
+    shot.source_level = mode.source_level;
+    shot.horizontal = settings.acoustics.horizontal;
+    shot.vertical = settings.acoustics.vertical;
+    shot.receiver = settings.acoustics.receiver;
+    shot.receiver.directivity_index = mode.directivity_index;
+    return shot;
+}
+
+std::optional<Pixel> strongest(const Echogram& echogram, std::size_t beam, const Plan& plan,
+                               const Settings& settings) {
+    const auto levels = echogram.beam(beam);
+    const auto peak =
+        static_cast<std::size_t>(std::max_element(levels.begin(), levels.end()) - levels.begin());
+    const double power = levels[peak];
+    if (!(power > 0)) return std::nullopt;
+    const double distance = plan.range_min + centre_of(levels, peak) * plan.bin;
+    double strength = 255 * power;  // of the paper's rule
+    if (echogram.rule != EchoRule::cerqueira2016) {
+        const double noise = echogram.noise_power;
+        if (noise > 0 && 10 * std::log10(power / noise) < settings.acoustics.detection) return std::nullopt;
+        const double db =
+            10 * std::log10(power) + gain(distance, plan, settings) - settings.acoustics.reference_level;
+        strength = strength_per_db * db;
+    }
+    if (strength < 1) return std::nullopt;
+    return Pixel{distance, static_cast<std::uint8_t>(std::lround(std::min(strength, 255.0)))};
+}
+
+double automatic_speed(double temperature, double salinity) {
+    const double t = temperature;
+    return 1448.96 + 4.591 * t - 5.304e-2 * t * t + 2.374e-4 * t * t * t +
+           (1.340 - 1.025e-2 * t) * (salinity - 35);
+}
+
+}  // namespace echoloop::sonar_3d_15

@@ -1,0 +1,40 @@
+// One image: the plan of its pings, and the strongest echo of each beam as a pixel. Pure functions of
+// settings and echograms.
+#pragma once
+
+#include <optional>
+
+#include "emulator/devices/sonar-3d-15/view.h"
+
+namespace echoloop::sonar_3d_15 {
+
+/// What an image is shot with; it does not change before the image is whole.
+struct Plan {
+    bool high = false;
+    double range_min = 0, range_max = 0;  ///< m
+    double speed = 0;                     ///< m/s, as the sonar believes
+    std::size_t bins = 0;
+    double bin = 0;     ///< m
+    double period = 0;  ///< s from the first fan to the image
+};
+
+/// `speed`: m/s, the one in use.
+Plan make_plan(const State& state, double speed, const Settings& settings);
+
+/// The shot of one fan. `number` counts fans and keys the random numbers.
+Shot make_shot(const Plan& plan, double tilt, const std::vector<double>& bearings, const Settings& settings,
+               std::uint64_t number);
+
+struct Pixel {
+    double distance = 0;        ///< m, as the sonar believes
+    std::uint8_t strength = 0;  ///< 1..255
+};
+
+/// The strongest echo of a beam; nothing if it does not stand out of the noise or reads no strength.
+std::optional<Pixel> strongest(const Echogram& echogram, std::size_t beam, const Plan& plan,
+                               const Settings& settings);
+
+/// m/s, of water near the surface: Mackenzie 1981. `temperature` in degC, `salinity` in ppt.
+double automatic_speed(double temperature, double salinity);
+
+}  // namespace echoloop::sonar_3d_15

@@ -1,0 +1,64 @@
+#include <stdexcept>
+
+#include "emulator/devices/sonar-3d-15/sonar.h"
+#include "emulator/endpoint.h"
+
+namespace echoloop::sonar_3d_15 {
+namespace {
+
+Wiring read_wiring(const std::vector<std::string>& endpoints) {
+    if (endpoints.empty() || endpoints.size() > 2)
+        throw std::invalid_argument(
+            "a Sonar 3D-15 has its HTTP port and, if images go to one host from the start, that host's: "
+            "[\"tcp-listen://192.168.194.96:80\", \"udp://192.168.194.1:4747\"]");
+    const Endpoint listener = parse_endpoint(endpoints[0]);
+    if (listener.scheme != Endpoint::Scheme::tcp_listen)
+        throw std::invalid_argument(endpoints[0] + ": the first endpoint must be tcp-listen://ADDRESS:80");
+    Wiring wiring{{listener.ip, listener.port}, {}, 0};
+    if (endpoints.size() == 1) return wiring;
+    const Endpoint host = parse_endpoint(endpoints[1]);
+    if (host.scheme != Endpoint::Scheme::udp)
+        throw std::invalid_argument(endpoints[1] +
+                                    ": the second endpoint, for the images, must be udp://ADDRESS:PORT");
+    if (listener.ip >> 24 == 127 && host.ip >> 24 != 127)
+        throw std::invalid_argument(endpoints[1] +
+                                    ": a sonar on a loopback address sends images to loopback only; give the "
+                                    "first endpoint an address of that network");
+    wiring.unicast_ip = host.host;
+    wiring.unicast_port = host.port;
+    return wiring;
+}
+
+std::unique_ptr<Device> make(const DeviceConfig& config) {
+    return std::make_unique<Sonar>(read_settings(config), read_wiring(config.endpoints));
+}
+
+/// The fan just above the middle row.
+Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
+    const Settings settings = read_settings(config);
+    State state = settings.start;
+    if (range > 0) state.range_max = range;
+    if (state.range_max <= state.range_min) state.range_min = 0;
+    const View view = make_view(settings.mode(state.high), settings.first_row_up);
+    const Plan plan = make_plan(state, config.sound_speed, settings);
+    return make_shot(plan, view.tilts[view.tilts.size() / 2], view.bearings, settings, step + 1);
+}
+
+}  // namespace
+
+Model model() {
+    Model m;
+    m.name = "sonar-3d-15";
+    m.title = "Water Linked Sonar 3D-15 imaging sonar";
+    m.protocol = "Range Image Protocol by UDP, HTTP";
+    m.default_endpoints = {"tcp-listen://127.0.0.1:8080"};
+    m.endpoint_schemes = {"tcp-listen"};
+    m.options = option_table();
+    m.figures = figure_table();
+    m.profile = built_in_profile(m.name);
+    m.make = make;
+    m.default_shot = default_shot;
+    return m;
+}
+
+}  // namespace echoloop::sonar_3d_15

@@ -1,0 +1,77 @@
+// The options and the profile of a Sonar 3D-15 as typed values, and what a host can set. Data only.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "emulator/model.h"
+#include "protocols/sonar3d/messages.h"
+
+namespace echoloop::sonar_3d_15 {
+
+inline constexpr std::size_t width = 256, height = 64;  ///< pixels of an image
+
+/// Figures of one frequency mode; angles in rad.
+struct ModeFigures {
+    double frequency = 0;                         ///< Hz
+    double beam_width = 0, fan_height = 0;        ///< of one beam, -3 dB
+    double fov_horizontal = 0, fov_vertical = 0;  ///< between the centres of the outer pixels
+    double rate = 0;                              ///< Hz, of images
+    double source_level = 0;                      ///< dB re 1 uPa at 1 m
+    double directivity_index = 0;                 ///< dB
+    double tvg_absorption = 0;                    ///< dB/m, one way
+};
+
+struct Acoustics {
+    ModeFigures low, high;
+    AxisPattern horizontal, vertical;
+    Receiver receiver;           ///< its directivity index is that of the mode
+    double pulse_length = 0;     ///< s
+    double longest_range = 0;    ///< m, that can be set
+    double processing = 0;       ///< s from the last echo to the image, at least
+    double finest_bin = 0;       ///< m
+    std::size_t bins = 0;        ///< the most
+    double detection = 0;        ///< dB above the noise that an echo must have
+    double reference_level = 0;  ///< dB re 1 uPa, reads strength 0
+    double tvg_spreading = 0;    ///< dB per decade of range
+};
+
+enum class UdpMode { multicast, unicast, disabled };
+
+/// What a host reads and sets by HTTP.
+struct State {
+    bool enabled = false;
+    double range_min = 0, range_max = 0;  ///< m
+    double speed = 0;                     ///< m/s; 0: from salinity and temperature
+    bool high = false;
+    bool salt = true;
+    UdpMode udp = UdpMode::multicast;
+    std::string unicast_ip;
+    std::uint16_t unicast_port = 0;
+};
+
+struct Settings {
+    State start;
+    std::array<int, 3> release{};  ///< of the firmware
+    sonar3d::Version version = sonar3d::Version::rip2;
+    std::string package;              ///< of the protobuf messages
+    bool frequency_in_hertz = false;  ///< else 5, as real sonars send
+    bool first_row_up = false;
+    double temperature = 0;        ///< degC, inside
+    double water_temperature = 0;  ///< degC, for the automatic speed of sound
+    double speed_delay = 0;        ///< s until a new speed of sound is used
+    bool tvg = true;               ///< the effect of that name
+    double unix_start = 0;         ///< s
+    Acoustics acoustics;
+
+    const ModeFigures& mode(bool high) const { return high ? acoustics.high : acoustics.low; }
+};
+
+std::vector<Option> option_table();
+std::vector<FigureRow> figure_table();
+/// From complete options and a complete profile; std::invalid_argument if they contradict each other.
+Settings read_settings(const DeviceConfig& config);
+
+}  // namespace echoloop::sonar_3d_15

@@ -1,0 +1,211 @@
+#include "emulator/devices/sonar-3d-15/sonar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "emulator/devices/sonar-3d-15/api.h"
+#include "emulator/endpoint.h"
+#include "protocols/sonar3d/codec.h"
+
+namespace echoloop::sonar_3d_15 {
+namespace {
+
+using namespace std::chrono_literals;
+
+enum PortIndex : std::size_t { http_port, image_port };
+
+constexpr Address multicast{0xE0000060, 4747};  // 224.0.0.96
+constexpr Time request_patience = 5s;
+constexpr float pixel_scale = 50.0F / 65536;        // m
+constexpr double salt_water = 35, fresh_water = 0;  // ppt
+constexpr std::uint32_t frequency_of_real_ones = 5;
+
+bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
+
+sonar3d::Timestamp unix_time(double unix_start, Time at) {
+    const auto start = static_cast<std::int64_t>(std::floor(unix_start));
+    const Time within = at + from_seconds(unix_start - static_cast<double>(start));
+    const std::int64_t seconds = std::chrono::floor<std::chrono::seconds>(within).count();
+    return {start + seconds, static_cast<std::int32_t>((within - std::chrono::seconds(seconds)).count())};
+}
+
+float degrees(double angle) { return static_cast<float>(rad_to_deg(angle)); }
+
+}  // namespace
+
+Sonar::Sonar(const Settings& settings, const Wiring& wiring)
+    : settings_(settings), wiring_(wiring), state_(settings.start), speed_(speed_of(settings.start)) {
+    view_is_high_ = state_.high;
+    view_ = make_view(settings_.mode(state_.high), settings_.first_row_up);
+    if (wiring_.unicast_ip.empty()) return;
+    state_.udp = UdpMode::unicast;
+    state_.unicast_ip = wiring_.unicast_ip;
+    state_.unicast_port = wiring_.unicast_port;
+}
+
+std::vector<Port> Sonar::ports() const {
+    return {{"http", Port::Kind::stream, {}, false},
+            {"images", Port::Kind::datagram, {wiring_.own.ip, 0}, false}};
+}
+
+Actions Sonar::started(Time now) {
+    restart(now);
+    return take_actions();
+}
+
+void Sonar::reconnected(std::size_t port) {
+    if (port != http_port) return;
+    reader_.clear();
+    request_deadline_ = Time::max();
+}
+
+Actions Sonar::received(const Received& data, Time now) {
+    if (data.port != http_port) return take_actions();
+    reader_.feed(data.bytes);
+    while (const auto next = reader_.next()) {
+        if (const auto* request = std::get_if<http::Request>(&*next)) {
+            obey(*request, now);
+            continue;
+        }
+        ++counters_.rejected;
+        actions_.send.push_back({http_port, http::response(std::get<http::Refusal>(*next).status), {}, {}});
+    }
+    request_deadline_ = reader_.pending_bytes() > 0 ? now + request_patience : Time::max();
+    return take_actions();
+}
+
+void Sonar::obey(const http::Request& request, Time now) {
+    const State before = state_;
+    const Answer reply = answer(request, state_, settings_);
+    ++(reply.status < 300 ? counters_.messages : counters_.rejected);
+    actions_.send.push_back({http_port, http::response(reply.status, reply.body), {}, {}});
+    if (speed_of(state_) != speed_of(before)) speed_change_ = now + from_seconds(settings_.speed_delay);
+    const bool other_image = state_.enabled != before.enabled || state_.high != before.high ||
+                             state_.range_min != before.range_min || state_.range_max != before.range_max;
+    if (other_image) restart(now);
+}
+
+double Sonar::speed_of(const State& state) const {
+    if (state.speed > 0) return state.speed;
+    return automatic_speed(settings_.water_temperature, state.salt ? salt_water : fresh_water);
+}
+
+/// Drops the image under way; the fan under way is waited for, since there is one ping at a time.
+void Sonar::restart(Time now) {
+    shooting_.reset();
+    if (state_.enabled && !ping_under_way_) begin_image(now);
+}
+
+void Sonar::begin_image(Time now) {
+    if (now >= speed_change_) {
+        speed_ = speed_of(state_);
+        speed_change_ = Time::max();
+    }
+    if (view_is_high_ != state_.high) {
+        view_is_high_ = state_.high;
+        view_ = make_view(settings_.mode(state_.high), settings_.first_row_up);
+    }
+    shooting_ = Shooting{make_plan(state_, speed_, settings_), now, 0, {}, {}};
+    shooting_->distances.assign(width * height, 0);
+    shooting_->strengths.assign(width * height, 0);
+    transmit(now);
+}
+
+/// The fans share the image's period evenly, so that rendering has all of it.
+void Sonar::transmit(Time now) {
+    const Shooting& image = *shooting_;
+    const double share = static_cast<double>(image.fan + 1) / static_cast<double>(view_.tilts.size());
+    const Time due = image.start + from_seconds(image.plan.period * share);
+    ping_under_way_ = true;
+    actions_.ping = Ping{make_shot(image.plan, view_.tilts[image.fan], view_.bearings, settings_, ++fans_),
+                         std::max(due, now)};
+}
+
+Actions Sonar::heard(const Echogram& echogram, Time now) {
+    if (!ping_under_way_ || echogram.shot.ping != fans_) return take_actions();
+    ping_under_way_ = false;
+    if (shooting_ && echogram.beams() == view_.bearings.size() &&
+        echogram.shot.bins == shooting_->plan.bins) {
+        take_fan(echogram);
+        if (++shooting_->fan < view_.tilts.size()) {
+            transmit(now);
+            return take_actions();
+        }
+        send_image();
+    }
+    restart(now);
+    return take_actions();
+}
+
+void Sonar::take_fan(const Echogram& echogram) {
+    for (const PixelBeam& at : view_.pixels[shooting_->fan]) {
+        const auto pixel = strongest(echogram, at.beam, shooting_->plan, settings_);
+        if (!pixel) continue;
+        const long counts = std::lround(pixel->distance / static_cast<double>(pixel_scale));
+        shooting_->distances[at.pixel] = static_cast<std::uint32_t>(std::clamp(counts, 1L, 65535L));
+        shooting_->strengths[at.pixel] = pixel->strength;
+    }
+}
+
+void Sonar::send_image() {
+    ++counters_.pings;
+    const std::uint32_t number = images_++;
+    const auto to = destination();
+    if (!to) return;
+    const Plan& plan = shooting_->plan;
+    const ModeFigures& mode = settings_.mode(plan.high);
+    const auto fill = [&](auto& message) {
+        message.header = {unix_time(settings_.unix_start, shooting_->start), number};
+        message.speed_of_sound = static_cast<float>(plan.speed);
+        message.range = static_cast<float>(plan.range_max);
+        message.frequency = settings_.frequency_in_hertz ? static_cast<std::uint32_t>(mode.frequency)
+                                                         : frequency_of_real_ones;
+        message.width = width;
+        message.height = height;
+        message.fov_horizontal = degrees(mode.fov_horizontal);
+        message.fov_vertical = degrees(mode.fov_vertical);
+    };
+    sonar3d::RangeImage ranges;
+    fill(ranges);
+    ranges.pixel_scale = pixel_scale;
+    ranges.pixels = std::move(shooting_->distances);
+    send_packet(std::move(ranges), *to);
+    sonar3d::BitmapImage bitmap;
+    fill(bitmap);
+    bitmap.pixels = std::move(shooting_->strengths);
+    send_packet(std::move(bitmap), *to);
+}
+
+void Sonar::send_packet(sonar3d::Message message, Address to) {
+    const std::string url = sonar3d::type_url(settings_.package, message);
+    actions_.send.push_back(
+        {image_port, sonar3d::serialise({settings_.version, url, std::move(message)}), to, {}});
+}
+
+/// A sonar on a loopback address sends to loopback only; what it multicasts stays there.
+std::optional<Address> Sonar::destination() const {
+    if (state_.udp == UdpMode::disabled) return std::nullopt;
+    if (state_.udp == UdpMode::multicast) return multicast;
+    const Endpoint to =
+        parse_endpoint("udp://" + state_.unicast_ip + ':' + std::to_string(state_.unicast_port));
+    if (is_loopback(wiring_.own.ip) && !is_loopback(to.ip)) return std::nullopt;
+    return Address{to.ip, to.port};
+}
+
+Actions Sonar::woken(Time now) {
+    if (now >= request_deadline_) {
+        reader_.clear();
+        request_deadline_ = Time::max();
+        ++counters_.rejected;
+        actions_.send.push_back({http_port, http::response(408), {}, {}});
+    }
+    return take_actions();
+}
+
+Actions Sonar::take_actions() {
+    actions_.wake = request_deadline_;
+    return std::exchange(actions_, {});
+}
+
+}  // namespace echoloop::sonar_3d_15

@@ -1,0 +1,71 @@
+// A Water Linked Sonar 3D-15: HTTP interface by TCP, range and strength images by UDP. A pure state machine.
+#pragma once
+
+#include <optional>
+
+#include "emulator/devices/sonar-3d-15/image.h"
+#include "protocols/http/request.h"
+
+namespace echoloop::sonar_3d_15 {
+
+struct Wiring {
+    Address own;             ///< where the TCP listener is; images come from the same address
+    std::string unicast_ip;  ///< where images go at the start; empty: as the options say
+    std::uint16_t unicast_port = 0;
+};
+
+class Sonar final : public Device {
+  public:
+    Sonar(const Settings& settings, const Wiring& wiring);
+
+    std::vector<Port> ports() const override;
+    Actions started(Time now) override;
+    Actions received(const Received& data, Time now) override;
+    Actions heard(const Echogram& echogram, Time now) override;
+    Actions woken(Time now) override;
+    void reconnected(std::size_t port) override;
+    DeviceCounters counters() const override { return counters_; }
+
+  private:
+    /// An image that is being shot, one fan after another.
+    struct Shooting {
+        Plan plan;
+        Time start{};
+        std::size_t fan = 0;  ///< under way
+        std::vector<std::uint32_t> distances;
+        wire::Bytes strengths;
+    };
+
+    void obey(const http::Request& request, Time now);
+    void restart(Time now);
+    void begin_image(Time now);
+    void transmit(Time now);
+    void take_fan(const Echogram& echogram);
+    void send_image();
+    void send_packet(sonar3d::Message message, Address to);
+    std::optional<Address> destination() const;
+    double speed_of(const State& state) const;
+    Actions take_actions();
+
+    Settings settings_;
+    Wiring wiring_;
+    State state_;
+    http::RequestReader reader_;
+    Time request_deadline_ = Time::max();  ///< of a request that is not whole
+    double speed_ = 0;                     ///< m/s, in use
+    Time speed_change_ = Time::max();      ///< when the one set is used
+
+    View view_;
+    bool view_is_high_ = false;
+    std::optional<Shooting> shooting_;
+    bool ping_under_way_ = false;
+    std::uint64_t fans_ = 0;  ///< transmitted
+    std::uint32_t images_ = 0;
+    Actions actions_;
+    DeviceCounters counters_;
+};
+
+/// The row of the table of models.
+Model model();
+
+}  // namespace echoloop::sonar_3d_15

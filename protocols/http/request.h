@@ -1,0 +1,47 @@
+// Cuts a byte stream into HTTP/1.1 requests and writes responses. Bounded, without chunks; knows no path,
+// opens nothing, keeps no clock.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "protocols/wire/bytes.h"
+
+namespace echoloop::http {
+
+inline constexpr std::size_t longest_head = 8192;   ///< B, request line and headers
+inline constexpr std::size_t longest_body = 65536;  ///< B
+
+struct Request {
+    std::string method;  ///< "GET"
+    std::string target;  ///< "/api/v1?x=1", as it came
+    std::string body;
+};
+
+/// Bytes that are no request: everything pending is forgotten, and the host should be told.
+struct Refusal {
+    int status = 400;
+};
+
+class RequestReader {
+  public:
+    void feed(wire::ByteView bytes);
+    /// The next complete request or fault, or nothing until more bytes come.
+    std::optional<std::variant<Request, Refusal>> next();
+    /// Bytes of an unfinished request.
+    std::size_t pending_bytes() const { return buffer_.size(); }
+    /// Forgets them.
+    void clear() { buffer_.clear(); }
+
+  private:
+    std::variant<Request, Refusal> refuse(int status);
+
+    std::string buffer_;
+};
+
+/// A whole response with its length; `body` is JSON, or empty. It asks the host to close the connection.
+wire::Bytes response(int status, std::string_view body = {});
+
+}  // namespace echoloop::http

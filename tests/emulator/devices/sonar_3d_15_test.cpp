@@ -1,0 +1,257 @@
+// The Sonar 3D-15 as a state machine: what each request changes, which packets go where and when, and that no
+// host can wedge it. Requests are text; packets are read by the offsets of the specification.
+#include "tests/emulator/devices/noisy_line.h"
+#include "tests/emulator/devices/sonar_3d_15_bench.h"
+
+namespace echoloop::test {
+namespace {
+
+constexpr std::uint32_t group = 0xE0000060;  // 224.0.0.96
+
+TEST(Sonar3d15, IsSilentUntilAHostEnablesItsAcoustics) {
+    SonarBench sonar;
+    EXPECT_FALSE(sonar.bench->ping.has_value());
+    EXPECT_TRUE(sonar.packets_until(1s).empty());
+    EXPECT_EQ(sonar.get("/acoustics/enabled"), "false");
+    EXPECT_EQ(sonar.post("/acoustics/enabled", "true"), 204);
+    EXPECT_TRUE(sonar.bench->ping.has_value());
+    const auto packets = sonar.packets_until(1s + 200ms);
+    ASSERT_EQ(packets.size(), 2U);
+    EXPECT_EQ(sonar.post("/acoustics/enabled", "false"), 204);
+    EXPECT_TRUE(sonar.packets_until(3s).empty());
+    EXPECT_FALSE(sonar.bench->ping.has_value());
+    EXPECT_EQ(sonar.post("/acoustics/enabled", "true"), 204);
+    EXPECT_EQ(sonar.packets_until(3s + 200ms).size(), 2U);
+}
+
+TEST(Sonar3d15, SendsARangeImageAndThenItsStrengthsFiveTimesASecond) {
+    SonarBench sonar(pinging);
+    EXPECT_TRUE(sonar.packets_until(199ms).empty());
+    const auto packets = sonar.packets_until(1s);
+    ASSERT_EQ(packets.size(), 10U);
+    for (std::size_t i = 0; i < packets.size(); i += 2) {
+        EXPECT_EQ(packets[i].to, (Address{group, 4747}));
+        const SeenImage range(packets[i].bytes), strength(packets[i + 1].bytes);
+        EXPECT_EQ(range.type_url, "type.googleapis.com/waterlinked.sonar.protocol.RangeImage");
+        EXPECT_EQ(strength.type_url, "type.googleapis.com/waterlinked.sonar.protocol.BitmapImageGreyscale8");
+        EXPECT_EQ(range.message.blocks.at(1), strength.message.blocks.at(1)) << "one header a shot";
+        EXPECT_EQ(range.sequence(), i / 2);
+        EXPECT_NEAR(range.seconds(), 1.75e9 + 0.25 + 0.2 * static_cast<double>(i / 2), 1e-6);
+        EXPECT_FALSE(strength.message.numbers.contains(5)) << "type 0 is absent";
+    }
+    const SeenImage range(packets[0].bytes), strength(packets[1].bytes);
+    for (const auto& [image, first] : {std::pair(range, 5), std::pair(strength, 6)}) {
+        EXPECT_EQ(image.message.real(2), 1500.0F);
+        EXPECT_EQ(image.message.real(3), 15.0F);
+        EXPECT_EQ(image.message.numbers.at(4), 5U);
+        EXPECT_EQ(image.message.numbers.at(first), 256U);
+        EXPECT_EQ(image.message.numbers.at(first + 1), 64U);
+        EXPECT_EQ(image.message.real(first + 2), 90.0F);
+        EXPECT_EQ(image.message.real(first + 3), 40.0F);
+    }
+    EXPECT_EQ(range.message.real(9), 50.0F / 65536);
+}
+
+TEST(Sonar3d15, PixelsAreTheStrongestEchoOfTheirDirection) {
+    SonarBench sonar(pinging);
+    const auto packets = sonar.packets_until(200ms);
+    const double bin = 14.5 / 384;  // 0.5 to 15 m
+    const auto distances = SeenImage(packets.at(0).bytes).distances();
+    const Bytes strengths = SeenImage(packets.at(1).bytes).message.blocks.at(10);
+    ASSERT_EQ(distances.size(), image_width * image_height);
+    ASSERT_EQ(strengths.size(), distances.size());
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        ASSERT_NEAR(distances[i], 0.5 + 100.5 * bin, 0.001) << i;
+        ASSERT_EQ(strengths[i], strengths[0]);
+    }
+    EXPECT_GT(strengths[0], 100);
+    sonar.bench->echo_power = 1e16F;  // 10 dB less: the amplitude by sqrt(10), 100 log10 of that is 50
+    const auto weaker = sonar.packets_until(400ms);
+    EXPECT_EQ(SeenImage(weaker.at(1).bytes).message.blocks.at(10)[0], strengths[0] - 50);
+}
+
+TEST(Sonar3d15, NothingHeardIsZeroInBothImages) {
+    SonarBench sonar(pinging);
+    sonar.bench->echo_power = 0;
+    const auto packets = sonar.packets_until(200ms);
+    EXPECT_EQ(SeenImage(packets.at(0).bytes).distances(), std::vector<double>(image_width * image_height, 0));
+    EXPECT_EQ(SeenImage(packets.at(1).bytes).message.blocks.at(10), Bytes(image_width * image_height, 0));
+}
+
+TEST(Sonar3d15, RangeChangesTheNextShotAndComesBackAsPosted) {
+    SonarBench sonar(pinging);
+    EXPECT_EQ(sonar.get("/acoustics/range"), R"({"min":0.5,"max":15.0})");
+    sonar.packets_until(50ms);
+    EXPECT_EQ(sonar.post("/acoustics/range", R"({"min": 2.0, "max": 3.0})"), 204);
+    EXPECT_EQ(sonar.get("/acoustics/range"), R"({"min":2.0,"max":3.0})");
+    sonar.bench->echo_bin = 25;
+    const auto packets = sonar.packets_until(260ms);
+    ASSERT_EQ(packets.size(), 2U) << "the image under way is dropped";
+    const Shot& shot = sonar.bench->shots.back();
+    EXPECT_NEAR(shot.first_bin_time, 2 * 2.0 / 1500, 1e-9);
+    EXPECT_NEAR(shot.bin_interval * static_cast<double>(shot.bins), 2 * 1.0 / 1500, 1e-9);
+    const SeenImage range(packets[0].bytes);
+    EXPECT_EQ(range.message.real(3), 3.0F);
+    EXPECT_NEAR(range.distances()[0], 2 + 25.5 / static_cast<double>(shot.bins), 0.001);
+}
+
+TEST(Sonar3d15, SpeedOfSoundScalesDistancesAndZeroIsAutomatic) {
+    SonarBench sonar(pinging);
+    EXPECT_EQ(sonar.post("/acoustics/speed_of_sound", "1442.0"), 204);
+    EXPECT_EQ(sonar.get("/acoustics/speed_of_sound"), "1442.0");
+    const auto packets = sonar.packets_until(400ms);
+    EXPECT_EQ(SeenImage(packets.at(0).bytes).message.real(2), 1500.0F) << "the image under way keeps its own";
+    EXPECT_EQ(SeenImage(packets.at(2).bytes).message.real(2), 1442.0F);
+    EXPECT_NEAR(sonar.bench->shots.back().bin_interval, 2 * 14.5 / 384 / 1442, 1e-9);
+    EXPECT_EQ(sonar.post("/acoustics/speed_of_sound", "0"), 204);
+    EXPECT_EQ(sonar.post("/acoustics/salinity", R"("fresh")"), 204);
+    // Fresh water of 10 degC: 1447.3 m/s (Del Grosso & Mader 1972)
+    const auto fresh = sonar.packets_until(800ms);
+    EXPECT_NEAR(SeenImage(fresh.at(2).bytes).message.real(2), 1447.3, 2);
+    EXPECT_EQ(sonar.post("/acoustics/salinity", R"("salt")"), 204);
+    // Sea water of 10 degC and 35 ppt: 1489.8 m/s (Mackenzie 1981)
+    const auto salt = sonar.packets_until(1200ms);
+    EXPECT_NEAR(SeenImage(salt.at(2).bytes).message.real(2), 1489.8, 0.2);
+    EXPECT_EQ(sonar.get("/acoustics/speed_of_sound"), "0.0");
+}
+
+TEST(Sonar3d15, ANewSpeedOfSoundMayTakeItsTime) {
+    Options options = pinging;
+    options.emplace("speed_delay", 1.0);
+    SonarBench sonar(options);
+    EXPECT_EQ(sonar.post("/acoustics/speed_of_sound", "1442"), 204);
+    EXPECT_EQ(sonar.get("/acoustics/speed_of_sound"), "1442.0");
+    EXPECT_EQ(SeenImage(sonar.packets_until(1s).back().bytes).message.real(2), 1500.0F);
+    EXPECT_EQ(SeenImage(sonar.packets_until(1400ms).back().bytes).message.real(2), 1442.0F);
+}
+
+TEST(Sonar3d15, TheHighFrequencyIsFasterAndNarrower) {
+    SonarBench sonar(pinging);
+    EXPECT_EQ(sonar.get("/acoustics/mode"), R"("low-frequency")");
+    EXPECT_DOUBLE_EQ(sonar.bench->ping->shot.frequency, 1.2e6);
+    EXPECT_EQ(sonar.post("/acoustics/mode", R"("high-frequency")"), 204);
+    EXPECT_EQ(sonar.get("/acoustics/mode"), R"("high-frequency")");
+    const auto packets = sonar.packets_until(300ms);
+    ASSERT_GE(packets.size(), 10U);
+    const SeenImage first(packets[0].bytes), second(packets[2].bytes);
+    EXPECT_EQ(first.message.real(7), 40.0F);
+    EXPECT_EQ(first.message.real(8), 40.0F);
+    EXPECT_NEAR(second.seconds() - first.seconds(), 0.05, 1e-6);
+    EXPECT_DOUBLE_EQ(sonar.bench->shots.back().frequency, 2.4e6);
+}
+
+TEST(Sonar3d15, ImagesGoWhereAHostWantsThem) {
+    SonarBench sonar(pinging);
+    const std::string unicast =
+        R"({"mode":"unicast","unicast_destination_ip":"127.0.0.1","unicast_destination_port":4748})";
+    EXPECT_EQ(sonar.get("/udp"),
+              R"({"mode":"multicast","unicast_destination_ip":"","unicast_destination_port":0})");
+    EXPECT_EQ(sonar.post("/udp", unicast), 204);
+    EXPECT_EQ(sonar.get("/udp"), unicast);
+    EXPECT_EQ(sonar.packets_until(200ms).at(0).to, (Address{0x7F000001, 4748}));
+    const std::string kept =
+        R"({"mode":"disabled","unicast_destination_ip":"10.0.0.7","unicast_destination_port":1})";
+    EXPECT_EQ(sonar.post("/udp", kept), 204);
+    EXPECT_EQ(sonar.get("/udp"), kept);
+    EXPECT_TRUE(sonar.packets_until(400ms).empty());
+    EXPECT_EQ(sonar.post("/udp", R"({"mode":"unicast","unicast_destination_ip":"192.168.99.42",)"
+                                 R"("unicast_destination_port":4748})"),
+              204);
+    EXPECT_TRUE(sonar.packets_until(600ms).empty()) << "a sonar on loopback sends to loopback only";
+}
+
+TEST(Sonar3d15, ASecondEndpointIsWhereImagesGoFromTheStart) {
+    SonarBench sonar(pinging, {"tcp-listen://127.0.0.1:8080", "udp://127.0.0.1:5000"});
+    EXPECT_EQ(sonar.packets_until(200ms).at(0).to, (Address{0x7F000001, 5000}));
+    EXPECT_EQ(sonar.get("/udp"),
+              R"({"mode":"unicast","unicast_destination_ip":"127.0.0.1","unicast_destination_port":5000})");
+    EXPECT_THROW(SonarBench({}, {"tcp-listen://127.0.0.1:8080", "udp://10.0.0.1:5000"}),
+                 std::invalid_argument);
+    EXPECT_THROW(SonarBench({}, {"pty:/tmp/x"}), std::invalid_argument);
+}
+
+TEST(Sonar3d15, WhatCannotBeIsRefusedAndChangesNothing) {
+    SonarBench sonar;
+    const std::vector<std::pair<std::string, std::string>> nonsense{
+        {"/acoustics/enabled", "1"},
+        {"/acoustics/enabled", ""},
+        {"/acoustics/range", R"({"min": 3.0, "max": 2.0})"},
+        {"/acoustics/range", R"({"min": -1, "max": 2.0})"},
+        {"/acoustics/range", R"({"min": 0, "max": 15.1})"},
+        {"/acoustics/range", R"({"max": 2.0})"},
+        {"/acoustics/speed_of_sound", "999"},
+        {"/acoustics/speed_of_sound", "2001"},
+        {"/acoustics/speed_of_sound", R"("1500")"},
+        {"/acoustics/mode", R"("medium-frequency")"},
+        {"/acoustics/salinity", "salt"},
+        {"/udp", R"({"mode":"unicast","unicast_destination_ip":"","unicast_destination_port":1})"},
+        {"/udp", R"({"mode":"unicast","unicast_destination_ip":"1.2.3.4","unicast_destination_port":0})"},
+        {"/udp", R"({"mode":"multicast","unicast_destination_ip":"1.2.3.400","unicast_destination_port":0})"},
+        {"/udp", R"({"mode":"multicast","unicast_destination_ip":"","unicast_destination_port":65536})"},
+        {"/udp", R"({"mode":"broadcast","unicast_destination_ip":"","unicast_destination_port":0})"},
+        {"/udp", R"({"mode":"multicast"})"},
+    };
+    for (const auto& [path, body] : nonsense) {
+        const std::string before = sonar.get(path);
+        EXPECT_EQ(sonar.post(path, body), 400) << path << ' ' << body;
+        EXPECT_EQ(sonar.get(path), before);
+    }
+    EXPECT_EQ(sonar.post("/about", "1"), 405);
+    EXPECT_EQ(sonar.status("DELETE " + integration + "/udp HTTP/1.1\r\n\r\n"), 405);
+    EXPECT_EQ(sonar.status(get_text("/nothing")), 404);
+    EXPECT_EQ(sonar.status("GET / HTTP/1.1\r\n\r\n"), 404);
+    EXPECT_EQ(sonar.bench->device().counters().rejected, nonsense.size() + 4);
+}
+
+TEST(Sonar3d15, SaysWhoItIsInTheTypesThatTheMakersClientInsistsOn) {
+    SonarBench sonar;
+    const std::string about = sonar.get("/about");
+    for (const char* part : {R"("chipid":"0x)", R"("hardware_revision":6)", R"("is_ready":true)",
+                             R"("product_id":21045)", R"("product_name":"Sonar 3D-15")", R"("variant":")",
+                             R"("version":"1.7.0)", R"("version_short":"1.7.0")"})
+        EXPECT_NE(about.find(part), std::string::npos) << part;
+    EXPECT_EQ(sonar.get("/temperature"), "21.0") << "with a decimal point";
+    EXPECT_NE(sonar.get("/status").find(R"("systems_check":{"id":")"), std::string::npos);
+}
+
+TEST(Sonar3d15, OlderReleasesHaveNoModes) {
+    SonarBench sonar({{"release", std::string("1.5.1")}});
+    EXPECT_NE(sonar.get("/about").find(R"("version_short":"1.5.1")"), std::string::npos);
+    for (const char* path : {"/status", "/acoustics/mode", "/acoustics/salinity"})
+        EXPECT_EQ(sonar.status(get_text(path)), 404) << path;
+    EXPECT_EQ(sonar.status(get_text("/udp")), 200);
+}
+
+TEST(Sonar3d15, ARequestThatNeverEndsIsGivenUpAndANewConnectionStartsClean) {
+    SonarBench sonar;
+    EXPECT_EQ(sonar.ask("POST " + integration + "/udp HTTP/1.1\r\nContent-Length: 500\r\n\r\n{"), "");
+    sonar.bench->run_to(4999ms);
+    EXPECT_TRUE(sonar.bench->sent().empty());
+    sonar.bench->run_to(5s);
+    const auto sent = sonar.bench->sent();
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(std::string(sent[0].bytes.begin(), sent[0].bytes.begin() + 12), "HTTP/1.1 408");
+    EXPECT_EQ(sonar.get("/temperature"), "21.0");
+    EXPECT_EQ(sonar.ask("GET /half"), "");
+    sonar.bench->device().reconnected(0);
+    EXPECT_EQ(sonar.get("/temperature"), "21.0");
+}
+
+TEST(Sonar3d15, ServesItsHostAfterNoiseOnTheLine) {
+    SonarBench sonar;
+    NoisyHost host;
+    for (const std::string& text :
+         {post_text("/acoustics/range", R"({"min": 2.0, "max": 3.0})"), get_text("/about"),
+          post_text("/udp",
+                    R"({"mode":"multicast","unicast_destination_ip":"","unicast_destination_port":0})")})
+        host.words.push_back(to_hex(text_bytes(text)));
+    host.request = to_hex(text_bytes(get_text("/temperature")));
+    host.quiet = 5s;  // what a damaged length waits for is given up by then
+    host.is_answer = [](const Send& send) {
+        return send.port == 0 && std::string(send.bytes.begin(), send.bytes.end()).ends_with("\r\n\r\n21.0");
+    };
+    expect_no_wedge(*sonar.bench, host, 500);
+}
+
+}  // namespace
+}  // namespace echoloop::test
