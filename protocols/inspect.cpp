@@ -6,6 +6,7 @@
 #include "protocols/altimeter/inspect.h"
 #include "protocols/cerulean/inspect.h"
 #include "protocols/oculus/inspect.h"
+#include "protocols/imagenex/delta_t_inspect.h"
 #include "protocols/imagenex/inspect.h"
 #include "protocols/nmea/inspect.h"
 #include "protocols/ping/inspect.h"
@@ -21,6 +22,8 @@ namespace {
 constexpr std::array table = {
     Family{"r2sonic", "R2Sonic 20xx, UDP", Framing::datagram, r2sonic::decode, r2sonic::recognise,
            r2sonic::tables},
+    Family{"deltat", "Imagenex 837 Delta T, UDP and .83P files", Framing::stream, imagenex::decode_delta_t,
+           imagenex::recognise_delta_t, imagenex::delta_t_tables},
     Family{"seanet", "Tritech SeaNet, serial", Framing::stream, seanet::decode, seanet::recognise,
            seanet::tables},
     Family{"oculus", "Blueprint Subsea Oculus, TCP and UDP", Framing::stream, oculus::decode,

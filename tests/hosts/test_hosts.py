@@ -12,6 +12,7 @@ MODULES = [
     "test_blping_host",
     "test_cerulean_wire",
     "test_surveyor_wire",
+    "test_deltat_wire",
     "test_seanet_host",
     "test_seanet_profiler",
     "test_r2sonic_host",

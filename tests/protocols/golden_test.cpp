@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "protocols/altimeter/line.h"
+#include "protocols/imagenex/delta_t_codec.h"
 #include "protocols/inspect.h"
 #include "protocols/oculus/codec.h"
 #include "protocols/oculus/framer.h"
@@ -56,6 +57,10 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
         const auto message = frame ? oculus::parse(*frame) : wire::Result<oculus::Message>(wire::Error{});
         if (!message) return {};
         return oculus::encode(*message, frame->header.source, frame->header.destination);
+    }
+    if (family == "deltat") {
+        const auto message = imagenex::parse_delta_t(bytes);
+        return message ? imagenex::encode(*message) : wire::Bytes{};
     }
     if (family == "imagenex") return imagenex::rewritten(bytes);
     if (family == "cerulean") return cerulean::rewritten(bytes);

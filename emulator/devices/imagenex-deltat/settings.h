@@ -1,0 +1,47 @@
+// The options and the profile of a Delta T as typed values. Data only.
+#pragma once
+
+#include <vector>
+
+#include "emulator/devices/imagenex-deltat/controls.h"
+#include "emulator/model.h"
+
+namespace echoloop::delta_t {
+
+/// Figures of the profile, in radians where they are angles.
+struct Acoustics {
+    double frequency = 0;     ///< Hz
+    double source_level = 0;  ///< dB re 1 uPa at 1 m
+    double fan_height = 0;    ///< along the track
+    AxisPattern horizontal, vertical;
+    Receiver receiver;               ///< its saturation level at 0 dB gain
+    double intensity_reference = 0;  ///< dB re 1 uPa after gain: reads 65535
+    double detection_margin = 0;     ///< dB above the noise; an echo below is no bottom
+};
+
+/// What stands in the float fields of an 83P.
+enum class Floats { zeros, big, little };
+
+/// Emulator options; README.md of this folder explains each.
+struct Settings {
+    Controls start;  ///< the program's own, before a host says otherwise
+    Acoustics acoustics;
+    SpeedOrder speed_order = SpeedOrder::automatic;
+    Floats floats = Floats::zeros;
+    bool upper_month = true;
+    bool fine_ranges = true;  ///< 1 in 5000 of the range, else 1 in 500
+    double smoothing = 3;     ///< beam widths on either side over which the bottom is taken as straight
+    bool intensity = true;
+    bool orientation = true;        ///< pitch, roll and heading are measured
+    double frame_rate = 20;         ///< Hz, most pings
+    double processing = 0.01;       ///< s from the end of the window to the datagram
+    bool tvg = true, pulse = true;  ///< the effects of that name
+    double unix_start = 0;          ///< s
+};
+
+std::vector<Option> option_table();
+std::vector<FigureRow> figure_table();
+/// From complete options and a complete profile.
+Settings read_settings(const DeviceConfig& config);
+
+}  // namespace echoloop::delta_t

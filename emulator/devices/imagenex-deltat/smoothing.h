@@ -1,0 +1,14 @@
+// Ranges of overlapping beams, made to agree. Pure functions; knows no message.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace echoloop::delta_t {
+
+/// Each range, m, becomes that of the straight bottom through those within `reach` rad on either side, or
+/// within 2 `reach` on one at the edges. What
+/// does not lie on one with its neighbours stays as it is, and so does 0, which is none. `angles`: rad.
+std::vector<double> smoothed(std::span<const double> ranges, std::span<const double> angles, double reach);
+
+}  // namespace echoloop::delta_t
