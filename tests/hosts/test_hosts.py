@@ -20,6 +20,7 @@ MODULES = [
     "test_r2sonic_water",
     "test_imagenex_wire",
     "test_oculus_wire",
+    "test_sonar3d_wire",
 ]
 
 

@@ -109,7 +109,7 @@ class SonarBench {
         config.unix_start = 1.75e9 + 0.25;
         if (!endpoints.empty()) config.endpoints = std::move(endpoints);
         bench.emplace(row.make(config));
-        bench->echo_power = 1e17F;  // 170 dB
+        bench->echo_power = 1e16F;  // 160 dB
         bench->echo_bin = 100;
     }
 

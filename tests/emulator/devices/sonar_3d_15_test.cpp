@@ -65,7 +65,7 @@ TEST(Sonar3d15, PixelsAreTheStrongestEchoOfTheirDirection) {
         ASSERT_EQ(strengths[i], strengths[0]);
     }
     EXPECT_GT(strengths[0], 100);
-    sonar.bench->echo_power = 1e16F;  // 10 dB less: the amplitude by sqrt(10), 100 log10 of that is 50
+    sonar.bench->echo_power = 1e15F;  // 10 dB less: the amplitude by sqrt(10), 100 log10 of that is 50
     const auto weaker = sonar.packets_until(400ms);
     EXPECT_EQ(SeenImage(weaker.at(1).bytes).message.blocks.at(10)[0], strengths[0] - 50);
 }

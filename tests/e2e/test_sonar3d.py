@@ -1,0 +1,137 @@
+"""The running program as a Sonar 3D-15, met by a host of our own over HTTP and UDP."""
+
+import http.client
+import json
+import math
+import socket
+import struct
+import sys
+import unittest
+
+from program import ROOT, Emulator, free_base_port, free_tcp_port
+
+sys.path.insert(0, str(ROOT / "tests" / "hosts"))
+from sonar3d_wire import Image  # noqa: E402
+
+TANK = """
+scene: {scenes}/tank.glb
+water: {temperature: 15, salinity: 0, ph: 7, sound_speed: 1500}
+vehicle: {pose: {position: [0, 0, -2]}}
+devices:
+  - name: sonar
+    model: sonar-3d-15
+    mount: {rpy_deg: [0, %s, 0]}
+    endpoints: ["tcp-listen://127.0.0.1:%d"%s]
+    options: {acoustics: true, speed_of_sound: 1500, range_min: 1, range_max: 9%s}
+"""
+
+
+class Host(unittest.TestCase):
+    def start(self, pitch=0, options="", unicast=True):
+        self.port = free_tcp_port()
+        self.images = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.addCleanup(self.images.close)
+        self.images.bind(("127.0.0.1", free_base_port(1)))
+        self.images.settimeout(30)
+        second = ', "udp://127.0.0.1:%d"' % self.images.getsockname()[1] if unicast else ""
+        emulator = Emulator(TANK % (pitch, self.port, second, options))
+        emulator.__enter__()
+        self.addCleanup(emulator.__exit__, None, None, None)
+
+    def ask(self, path, body=None):
+        """(status, JSON or None)."""
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=20)
+        method = "GET" if body is None else "POST"
+        connection.request(method, "/api/v1/integration" + path, body=None if body is None else json.dumps(body))
+        answer = connection.getresponse()
+        text = answer.read()
+        connection.close()
+        return answer.status, json.loads(text) if text else None
+
+    def shot(self, sock=None):
+        while True:
+            ranges = Image((sock or self.images).recv(65507))
+            if ranges.metres:
+                strengths = Image((sock or self.images).recv(65507))
+                self.assertEqual((ranges.sequence, ranges.time), (strengths.sequence, strengths.time))
+                self.assertEqual([m == 0 for m in ranges.metres], [s == 0 for s in strengths.strengths])
+                return ranges
+
+    def floor(self, rows, image):
+        """Median of the heights that these rows' pixels of the starboard columns see below the sonar."""
+        seen = []
+        for row in rows:
+            for column in range(136, 200, 4):
+                pitch = math.radians(row / 63 * image.fov[1] - image.fov[1] / 2)
+                seen.append(-image.at(column, row) * math.sin(pitch))
+        return sorted(seen)[len(seen) // 2]
+
+    def test_row_0_looks_down_to_the_floor_and_columns_run_to_starboard(self):
+        self.start()
+        image = self.shot()
+        self.assertEqual((image.width, image.height, *image.fov, image.range), (256, 64, 90, 40, 9))
+        self.assertAlmostEqual(self.floor((0, 1), image), 2, delta=0.1)
+        # The wall to starboard, 4 m away: the last columns look 43 to 45 deg to the right.
+        side = sorted(image.at(column, 31) for column in range(250, 256))[3]
+        self.assertAlmostEqual(side * math.sin(math.radians(44)), 4, delta=0.1)
+
+    def test_first_row_up_turns_the_image_over(self):
+        self.start(options=", first_row: up")
+        image = self.shot()
+        self.assertAlmostEqual(self.floor((62, 63), image), -2, delta=0.1)
+
+    def test_a_sonar_that_looks_down_sees_the_floor_flat(self):
+        self.start(pitch=90)
+        image = self.shot()
+        wrong = 0
+        pixels = [(column, row) for column in range(0, 256, 8) for row in range(0, 64, 4)]
+        for column, row in pixels:
+            yaw = math.radians(column / 255 * 90 - 45)
+            pitch = math.radians(row / 63 * 40 - 20)
+            truth = 2 / (math.cos(pitch) * math.cos(yaw))
+            spread = truth * math.radians(0.9) * math.tan(math.acos(2 / truth))
+            wrong += abs(image.at(column, row) - truth) > 0.04 + spread
+        self.assertLess(wrong / len(pixels), 0.03)
+
+    def test_settings_by_http_reach_the_images(self):
+        self.start()
+        self.shot()
+        self.assertEqual(self.ask("/acoustics/range", {"min": 4.5, "max": 6.5}), (204, None))
+        self.assertEqual(self.ask("/acoustics/range"), (200, {"min": 4.5, "max": 6.5}))
+        image = self.shot()
+        while image.range != 6.5:
+            image = self.shot()
+        self.assertTrue(all(m == 0 or 4.4 < m < 6.6 for m in image.metres))
+        self.assertEqual(self.ask("/acoustics/range", {"min": 6.5, "max": 4.5}), (400, None))
+        self.assertEqual(self.ask("/nothing"), (404, None))
+        self.assertEqual(self.ask("/acoustics/mode", "high-frequency"), (204, None))
+        while image.fov[0] != 40:
+            image = self.shot()
+        self.assertEqual(self.ask("/acoustics/enabled", False), (204, None))
+
+    def test_images_leave_from_the_address_of_the_http_interface_and_by_multicast(self):
+        self.start(unicast=False)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
+            sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            sock.bind(("224.0.0.96", 4747))
+            group = struct.pack("=4s4s", socket.inet_aton("224.0.0.96"), socket.inet_aton("127.0.0.1"))
+            sock.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, group)
+            sock.settimeout(30)
+            self.assertEqual(sock.recvfrom(65507)[1][0], "127.0.0.1")
+            first, second = self.shot(sock), self.shot(sock)
+            self.assertEqual(second.sequence - first.sequence, 1)
+            self.assertGreater(second.time - first.time, 0.199, "5 Hz, or less on a busy machine")
+
+    def test_a_raw_request_in_pieces_is_answered_once_it_is_whole(self):
+        self.start()
+        with socket.create_connection(("127.0.0.1", self.port), timeout=20) as sock:
+            for piece in (b"GET /api/v1/inte", b"gration/temperature HT", b"TP/1.1\r\nHost: x\r\n\r", b"\n"):
+                sock.sendall(piece)
+            answer = b""
+            while not answer.endswith(b"21.0"):
+                answer += sock.recv(4096)
+        self.assertTrue(answer.startswith(b"HTTP/1.1 200 OK\r\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
