@@ -1,5 +1,6 @@
 #include "protocols/sonar3d/codec.h"
 
+#include <algorithm>
 #include <array>
 
 #include "protocols/sonar3d/protobuf.h"

@@ -1,4 +1,4 @@
-"""The maker's own Python package sets the Sonar 3D-15 by HTTP, and reads the tank's walls and floor out of its images."""
+"""The maker's own Python package sets the Sonar 3D-15 by HTTP, and finds the tank's walls and floor in its images."""
 
 import json
 import math
@@ -125,8 +125,8 @@ class Wlsonar(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "shots.sonar"
             file.write_bytes(b"".join(sock.recv(65507) for _ in range(4)))
-            shown = subprocess.run([PROGRAM, "inspect", file, "--json"], capture_output=True, text=True, check=True, timeout=60)
-        names = [message["name"] for message in json.loads(shown.stdout)["messages"]]
+            shown = subprocess.check_output([PROGRAM, "inspect", file, "--json"], text=True, timeout=60)
+        names = [message["name"] for message in json.loads(shown)["messages"]]
         self.assertEqual(names, ["RangeImage", "BitmapImageGreyscale8"] * 2)
 
     def test_everything_that_the_makers_test_of_a_real_sonar_toggles(self):
