@@ -10,6 +10,7 @@
 #include "emulator/devices/ping360/ping360.h"
 #include "emulator/devices/r2sonic/r2sonic.h"
 #include "emulator/devices/sonar-3d-15/sonar.h"
+#include "emulator/devices/reson-7k/reson7k.h"
 #include "emulator/devices/surveyor240/surveyor240.h"
 #include "emulator/devices/s500/s500.h"
 #include "emulator/devices/micron-echosounder/echosounder.h"
@@ -37,6 +38,7 @@ std::vector<Model> make_models() {
     all.push_back(ping360::model());
     for (Model& model : r2sonic_device::models()) all.push_back(std::move(model));
     all.push_back(sonar_3d_15::model());
+    all.push_back(reson7k_device::model());
     all.push_back(surveyor240::model());
     all.push_back(micron_echosounder::model());
     all.push_back(s500::model());

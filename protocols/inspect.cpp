@@ -11,6 +11,7 @@
 #include "protocols/nmea/inspect.h"
 #include "protocols/ping/inspect.h"
 #include "protocols/r2sonic/inspect.h"
+#include "protocols/reson7k/inspect.h"
 #include "protocols/seanet/inspect.h"
 #include "protocols/sonar3d/inspect.h"
 
@@ -30,6 +31,8 @@ constexpr std::array table = {
            oculus::recognise, oculus::tables, std::size_t{9} << 20},
     Family{"sonar3d", "Water Linked Sonar 3D-15, UDP and files", Framing::stream, sonar3d::decode,
            sonar3d::recognise, sonar3d::tables},
+    Family{"reson7k", "Teledyne Reson 7k, TCP, UDP and files", Framing::stream, reson7k::decode,
+           reson7k::recognise, reson7k::tables, std::size_t{64} << 20},
     // Before ping: it wants a message that no Ping device has, while a ping frame is any whole one.
     Family{"cerulean", "Cerulean sonars, TCP and UDP", Framing::stream, cerulean::decode, cerulean::recognise,
            cerulean::tables},

@@ -18,6 +18,7 @@
 #include "tests/protocols/cerulean_rewritten.h"
 #include "tests/protocols/data.h"
 #include "tests/protocols/imagenex_rewritten.h"
+#include "tests/protocols/reson7k_rewritten.h"
 
 namespace echoloop {
 namespace {
@@ -62,6 +63,7 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
         const auto message = imagenex::parse_delta_t(bytes);
         return message ? imagenex::encode(*message) : wire::Bytes{};
     }
+    if (family == "reson7k") return reson7k::rewritten(bytes);
     if (family == "imagenex") return imagenex::rewritten(bytes);
     if (family == "cerulean") return cerulean::rewritten(bytes);
     if (family == "altimeter") {

@@ -1,0 +1,25 @@
+// The ping that follows from the settings of a 7k sonar: beams, samples, times. Pure functions.
+#pragma once
+
+#include <vector>
+
+#include "emulator/devices/family/multibeam_bottom.h"
+#include "emulator/devices/reson-7k/settings.h"
+#include "render/echogram.h"
+
+namespace echoloop::reson7k_device {
+
+/// rad, port to starboard, in equal steps.
+std::vector<double> beam_angles(const Settings& settings);
+/// Range setting as two-way time, s.
+double range_time(const Controls& controls, const Settings& settings);
+/// s from one ping to the next.
+double ping_period(const Controls& controls, const Settings& settings);
+/// Hz of the samples of a ping: the profile's, or a whole fraction of it where the range is long.
+double sample_rate(const Controls& controls, const Settings& settings);
+/// Gates of one beam that looks to `angle`, two-way times.
+multibeam::TimeGate bottom_gate(const Controls& controls, const Settings& settings, double angle);
+
+Shot make_shot(const Controls& controls, const Settings& settings, std::uint32_t ping);
+
+}  // namespace echoloop::reson7k_device

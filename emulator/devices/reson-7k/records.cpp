@@ -1,0 +1,191 @@
+#include "emulator/devices/reson-7k/records.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace echoloop::reson7k_device {
+namespace {
+
+constexpr float to_f32(double value) { return static_cast<float>(value); }
+
+constexpr std::uint32_t time_ok = 3U << 27, active = 1U << 15, range_filter = 1U << 8, depth_filter = 1U << 9,
+                        fixed_gain = 1U << 11;
+
+std::uint32_t control_flags(const Controls& c) {
+    return time_ok | fixed_gain | (c.pinging ? active : 0) | (c.range_filter ? range_filter : 0) |
+           (c.depth_filter ? depth_filter : 0);
+}
+
+void put_limits(reson7k::Settings& s, const Controls& c) {
+    s.min_range = to_f32(c.min_range);
+    s.max_range = to_f32(c.max_range);
+    s.min_depth = to_f32(c.min_depth);
+    s.max_depth = to_f32(c.max_depth);
+}
+
+reson7k::Settings settings_of(const PingRecord& ping, const Settings& settings) {
+    const Acoustics& a = settings.acoustics;
+    const Controls& c = ping.controls;
+    reson7k::Settings s;
+    s.frequency = to_f32(a.frequency);
+    s.sample_rate = to_f32(sample_rate(c, settings));
+    s.receiver_bandwidth = to_f32(a.receiver.bandwidth);
+    s.pulse = to_f32(c.pulse);
+    s.max_rate = to_f32(c.max_rate);
+    s.period = to_f32(ping.since_last);
+    s.range = to_f32(c.range);
+    s.power = to_f32(c.power);
+    s.gain = to_f32(c.gain);
+    s.control = control_flags(c);
+    s.tx_width_vertical = to_f32(a.transmit_beam_width);
+    s.tx_width_horizontal = to_f32(a.transmit_sector);
+    s.rx_width = to_f32(a.receive_beam_width);
+    put_limits(s, c);
+    s.absorption = to_f32(a.absorption);
+    s.sound_speed = to_f32(settings.sound_speed);
+    s.spreading = to_f32(a.spreading);
+    return s;
+}
+
+std::uint32_t quality_of(const multibeam::Detection& detection) {
+    constexpr float bright = 10;  // dB above the least that counts as a bottom, own choice
+    return (detection.excess > bright ? reson7k::detection::bright : 0) |
+           (detection.in_line ? reson7k::detection::in_line : 0);
+}
+
+/// Where in a beam an echo lies, -1 at the beam to port to 1 at the one to starboard, by the balance of power
+/// between them, since an echogram has no phases.
+float balance(const Echogram& echogram, std::size_t beam, std::size_t bin) {
+    const std::size_t last = echogram.beams() - 1;
+    const float port = echogram.beam(beam == 0 ? 0 : beam - 1)[bin];
+    const float starboard = echogram.beam(std::min(beam + 1, last))[bin];
+    return (starboard - port) / (starboard + port + echogram.beam(beam)[bin] + 1e-20F);
+}
+
+}  // namespace
+
+reson7k::RecordFrame frame_of(const Settings& settings, double unix_time) {
+    reson7k::RecordFrame frame;
+    frame.device = settings.device;
+    frame.time = reson7k::to_time(unix_time);
+    return frame;
+}
+
+reson7k::SonarSettings make_settings(const PingRecord& ping, const Settings& settings) {
+    return {settings.serial, ping.number, 0, settings_of(ping, settings), 0};
+}
+
+reson7k::RemoteSettings make_remote_settings(const PingRecord& ping, const Settings& settings) {
+    return {settings.serial, ping.number, settings_of(ping, settings), Bytes(2)};
+}
+
+reson7k::Configuration make_configuration(const Settings& settings) {
+    const std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?><Sonar><Frequency>" +
+                            std::to_string(std::lround(settings.acoustics.frequency)) +
+                            "</Frequency><Beams>" + std::to_string(settings.beams) + "</Beams></Sonar>";
+    reson7k::Configuration c;
+    c.serial = c.device_serial = settings.serial;
+    c.device = settings.device;
+    c.description = std::string_view("Reson 7k multibeam, emulated");
+    c.info.assign(xml.begin(), xml.end());
+    c.info.push_back(0);
+    return c;
+}
+
+reson7k::BeamGeometry make_geometry(const Settings& settings) {
+    const auto angles = beam_angles(settings);
+    reson7k::BeamGeometry g;
+    g.serial = settings.serial;
+    g.along.assign(angles.size(), 0.0F);
+    g.across.assign(angles.begin(), angles.end());
+    g.width_y.assign(angles.size(), to_f32(settings.acoustics.transmit_beam_width));
+    g.width_x.assign(angles.size(), to_f32(settings.acoustics.receive_beam_width));
+    return g;
+}
+
+reson7k::RawDetections make_detections(const PingRecord& ping, const Settings& settings,
+                                       const Echogram& echogram) {
+    const auto& angles = echogram.shot.bearings;
+    std::vector<multibeam::TimeGate> gates;
+    for (const double angle : angles) gates.push_back(bottom_gate(ping.controls, settings, angle));
+    const auto found =
+        multibeam::detect(echogram, gates, {settings.acoustics.detection_margin, settings.pulse});
+    const double rate = sample_rate(ping.controls, settings);
+    reson7k::RawDetections record;
+    record.serial = settings.serial;
+    record.ping = ping.number;
+    record.sample_rate = to_f32(rate);
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        if (!found[n].found()) continue;
+        const bool by_phase = found[n].method == multibeam::Method::phase;
+        record.detections.push_back({static_cast<std::uint16_t>(n), to_f32(found[n].time * rate),
+                                     to_f32(angles[n]),
+                                     (by_phase ? reson7k::detection::phase : reson7k::detection::magnitude) |
+                                         reson7k::detection::quality_type_1,
+                                     quality_of(found[n]), 0, std::sqrt(found[n].power),
+                                     to_f32(gates[n].min * rate), to_f32(gates[n].max * rate)});
+    }
+    return record;
+}
+
+void amplitudes(const PingRecord& ping, const Settings& settings, const Echogram& echogram, std::size_t beam,
+                std::vector<float>& out) {
+    const Acoustics& a = settings.acoustics;
+    const auto power = echogram.beam(beam);
+    out.assign(power.begin(), power.end());
+    if (echogram.rule == EchoRule::cerqueira2016) return;
+    const auto spreading = to_f32(settings.tvg ? a.spreading : 0);
+    const auto per_metre = to_f32(settings.tvg ? 2 * a.absorption / 1000 : 0);
+    const auto constant = to_f32(ping.controls.gain - a.amplitude_reference);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float r = std::max(to_f32(echogram.bin_range(i)), 1.0F);
+        const float db = constant + spreading * std::log10(r) + per_metre * r;
+        out[i] = std::min(1.0F, std::sqrt(out[i] * std::pow(10.0F, db / 10)));
+    }
+}
+
+reson7k::Image make_image(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
+    constexpr std::size_t most_rows = 1024;
+    const std::size_t bins = echogram.shot.bins, beams = echogram.beams();
+    const std::size_t per_row = (bins + most_rows - 1) / most_rows;
+    reson7k::Image image;
+    image.ping = ping.number;
+    image.width = static_cast<std::uint32_t>(beams);
+    image.height = static_cast<std::uint32_t>((bins + per_row - 1) / per_row);
+    image.samples = static_cast<std::uint32_t>(bins);
+    image.flags = 2;  // beams are not stabilised
+    image.pixels.assign(image.height * beams, 0);
+    std::vector<float> shares;
+    for (std::size_t beam = 0; beam < beams; ++beam) {
+        amplitudes(ping, settings, echogram, beam, shares);
+        for (std::size_t bin = 0; bin < bins; ++bin) {
+            std::uint8_t& pixel = image.pixels[bin / per_row * beams + beam];
+            pixel = std::max(pixel, static_cast<std::uint8_t>(shares[bin] * 255 + 0.5F));
+        }
+    }
+    return image;
+}
+
+reson7k::Beamformed make_beamformed(const PingRecord& ping, const Settings& settings,
+                                    const Echogram& echogram) {
+    const std::size_t bins = echogram.shot.bins, beams = echogram.beams();
+    reson7k::Beamformed record;
+    record.serial = settings.serial;
+    record.ping = ping.number;
+    record.beams = static_cast<std::uint16_t>(beams);
+    record.samples = static_cast<std::uint32_t>(bins);
+    record.data.resize(bins * beams);
+    std::vector<float> shares;
+    for (std::size_t beam = 0; beam < beams; ++beam) {
+        amplitudes(ping, settings, echogram, beam, shares);
+        for (std::size_t bin = 0; bin < bins; ++bin) {
+            const auto amplitude = static_cast<std::uint32_t>(shares[bin] * 65535 + 0.5F);
+            const auto phase = static_cast<std::int16_t>(32767 * balance(echogram, beam, bin));
+            record.data[bin * beams + beam] =
+                amplitude | static_cast<std::uint32_t>(static_cast<std::uint16_t>(phase)) << 16;
+        }
+    }
+    return record;
+}
+
+}  // namespace echoloop::reson7k_device

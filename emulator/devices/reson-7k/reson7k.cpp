@@ -1,0 +1,253 @@
+#include "emulator/devices/reson-7k/reson7k.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace echoloop::reson7k_device {
+namespace {
+
+using reson7k::ErrorCode;
+using reson7k::RemoteControl;
+
+constexpr std::uint32_t centre = 7000;  // device id of the sonar's control centre
+constexpr std::uint32_t configuration = reson7k::Configuration::type;
+constexpr std::uint32_t settings_record = reson7k::RemoteSettings::type;
+
+bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
+
+bool is_about_records(std::uint32_t command) {
+    return command >= command::request && command <= command::unsubscribe;
+}
+
+}  // namespace
+
+Reson7k::Reson7k(const Settings& settings, Address own)
+    : settings_(settings), own_(own), controls_(settings.start) {}
+
+std::vector<Port> Reson7k::ports() const {
+    return {{"stream", Port::Kind::stream, {}, false}, {"datagrams", Port::Kind::datagram, own_, false}};
+}
+
+Actions Reson7k::started(Time now) {
+    plan_next_ping(now);
+    return take_actions();
+}
+
+/// Closing the connection ends its subscriptions.
+void Reson7k::reconnected(std::size_t port) {
+    if (port != stream_port) return;
+    framer_.clear();
+    subscribers_.end({stream_port, {}});
+}
+
+Actions Reson7k::received(const Received& data, Time now) {
+    if (data.port == datagram_port) {
+        reson7k::Framer framer(reson7k::host_record, reson7k::Source::network);
+        framer.feed(data.bytes);
+        framer.finish();
+        while (const auto record = framer.next()) hear_record(*record, {datagram_port, data.from}, now);
+        counters_.skipped_bytes += framer.skipped_bytes();
+    } else {
+        framer_.feed(data.bytes);
+        while (const auto record = framer_.next()) hear_record(*record, {stream_port, {}}, now);
+    }
+    return take_actions();
+}
+
+/// Every command is answered; other records are for nobody here.
+void Reson7k::hear_record(const reson7k::Record& record, const Peer& from, Time now) {
+    const auto message = reson7k::parse(record);
+    const auto* control = message ? std::get_if<RemoteControl>(&*message) : nullptr;
+    if (control == nullptr) {
+        ++counters_.rejected;
+        return;
+    }
+    const bool named = record.frame.device == settings_.device && record.frame.enumerator == 0;
+    const bool to_centre = record.frame.device == centre && is_about_records(control->command);
+    const Refusal refusal = obey(*control, from, named || to_centre || settings_.any_device, now);
+    ++(refusal ? counters_.rejected : counters_.messages);
+    const auto frame = frame_of(settings_, unix_time(now));
+    if (refusal)
+        send(reson7k::NotAcknowledge{control->ticket, control->tracking, *refusal}, frame, from, now);
+    else
+        send(reson7k::Acknowledge{control->ticket, control->tracking}, frame, from, now);
+    if (!refusal && control->command == command::request) answer_request(*word_at(*control, 0), from, now);
+}
+
+Refusal Reson7k::obey(const RemoteControl& control, const Peer& from, bool named, Time now) {
+    if (!named) return ErrorCode::bad_device;
+    if (control.command == command::request) return check_request(control);
+    if (is_about_records(control.command)) return subscribe(control, from);
+    const Refusal refusal = apply(control, settings_.acoustics, controls_);
+    if (!refusal && !ping_under_way_) plan_next_ping(now);
+    return refusal;
+}
+
+Refusal Reson7k::subscribe(const RemoteControl& control, const Peer& from) {
+    std::set<std::uint32_t> types;
+    const std::uint32_t ending = settings_.ends_by_third_party ? command::add_receiver : command::end_all;
+    if (control.command == ending) {
+        subscribers_.end(from);
+        return std::nullopt;
+    }
+    switch (control.command) {
+        case command::add_receiver:
+        case command::delete_receiver:
+            return change_receiver(control);
+        case command::subscribe:
+        case command::unsubscribe:
+            if (const Refusal refusal = read_types(control, 0, types)) return refusal;
+            break;
+        case command::subscribe_range: {
+            const auto first = word_at(control, 0), last = word_at(control, 4);
+            if (!first || !last || *last < *first) return ErrorCode::invalid;
+            for (const std::uint32_t type : ping_records())
+                if (type >= *first && type <= *last) types.insert(type);
+            break;
+        }
+        default:
+            return ErrorCode::unknown_command;
+    }
+    if (control.command == command::unsubscribe)
+        subscribers_.remove(from, types);
+    else if (!types.empty() && !subscribers_.add(from, types))
+        return ErrorCode::denied;
+    return types.empty() ? Refusal(ErrorCode::no_such_record) : std::nullopt;
+}
+
+/// Record types behind their number at `at`. Those that this sonar never sends are passed over.
+Refusal Reson7k::read_types(const RemoteControl& control, std::size_t at,
+                            std::set<std::uint32_t>& types) const {
+    const auto count = word_at(control, at);
+    if (!count || *count > (control.parameters.size() - at - 4) / 4) return ErrorCode::invalid;
+    for (std::uint32_t i = 0; i < *count; ++i) {
+        const std::uint32_t type = *word_at(control, at + 4 + 4 * i);
+        const auto known = ping_records();
+        if (std::find(known.begin(), known.end(), type) != known.end()) types.insert(type);
+    }
+    return std::nullopt;
+}
+
+/// A host elsewhere that gets records by UDP. A sonar on loopback sends to loopback only, and connects to
+/// nobody by TCP.
+Refusal Reson7k::change_receiver(const RemoteControl& control) {
+    constexpr std::size_t address_size = 8;
+    const auto ip = word_at(control, 0), rest = word_at(control, 4);
+    if (!ip || !rest) return ErrorCode::invalid;
+    const bool by_tcp = *rest >> 16 != 0;
+    if (by_tcp || (is_loopback(own_.ip) && !is_loopback(*ip))) return ErrorCode::denied;
+    const Peer peer{datagram_port, {*ip, static_cast<std::uint16_t>(*rest)}};
+    if (control.command == command::delete_receiver)
+        return subscribers_.end(peer) ? std::nullopt : Refusal(ErrorCode::invalid);
+    std::set<std::uint32_t> types;
+    if (const Refusal refusal = read_types(control, address_size, types)) return refusal;
+    if (types.empty()) return ErrorCode::no_such_record;
+    return subscribers_.add(peer, types) ? std::nullopt : Refusal(ErrorCode::denied);
+}
+
+Refusal Reson7k::check_request(const RemoteControl& control) const {
+    const auto type = word_at(control, 0);
+    if (!type) return ErrorCode::invalid;
+    if (*type == configuration || *type == settings_record || *type == reson7k::BeamGeometry::type)
+        return std::nullopt;
+    const auto known = ping_records();
+    const bool streamed = std::find(known.begin(), known.end(), *type) != known.end();
+    return streamed ? ErrorCode::subscription_only : ErrorCode::no_such_record;
+}
+
+void Reson7k::answer_request(std::uint32_t type, const Peer& to, Time now) {
+    const auto frame = frame_of(settings_, unix_time(now));
+    if (type == configuration) return send(make_configuration(settings_), frame, to, now);
+    if (type == reson7k::BeamGeometry::type) return send(make_geometry(settings_), frame, to, now);
+    PingRecord current = ping_;
+    current.controls = controls_;
+    current.number = 0;
+    send(make_remote_settings(current, settings_), frame, to, now);
+}
+
+void Reson7k::plan_next_ping(Time now) {
+    next_ping_ = Time::max();
+    if (!controls_.pinging) return;
+    const Time period = from_seconds(ping_period(controls_, settings_));
+    next_ping_ = last_transmission_ ? std::max(now, *last_transmission_ + period) : now;
+}
+
+void Reson7k::transmit(Time now) {
+    next_ping_ = Time::max();
+    ping_under_way_ = true;
+    const double since = last_transmission_ ? to_seconds(now - *last_transmission_) : 0;
+    last_transmission_ = now;
+    ping_ = {controls_, ping_.number + 1, unix_time(now) + controls_.pulse, since};
+    const double due = range_time(controls_, settings_) + settings_.acoustics.processing;
+    actions_.ping = Ping{make_shot(controls_, settings_, ping_.number), now + from_seconds(due)};
+}
+
+Actions Reson7k::heard(const Echogram& echogram, Time now) {
+    const bool expected = ping_under_way_ && echogram.shot.ping == ping_.number &&
+                          echogram.beams() == settings_.beams && echogram.shot.bins > 0;
+    if (!expected) return take_actions();
+    ping_under_way_ = false;
+    ++counters_.pings;
+    for (const std::uint32_t type : ping_records())
+        if (subscribers_.wanted(type)) publish(type, echogram, now);
+    plan_next_ping(now);
+    return take_actions();
+}
+
+/// One record of the ping to all who have subscribed to it.
+void Reson7k::publish(std::uint32_t type, const Echogram& echogram, Time now) {
+    const auto make = [&]() -> reson7k::Message {
+        switch (type) {
+            case reson7k::SonarSettings::type:
+                return make_settings(ping_, settings_);
+            case reson7k::RemoteSettings::type:
+                return make_remote_settings(ping_, settings_);
+            case reson7k::BeamGeometry::type:
+                return make_geometry(settings_);
+            case reson7k::RawDetections::type:
+                return make_detections(ping_, settings_, echogram);
+            case reson7k::Image::type:
+                return make_image(ping_, settings_, echogram);
+            default:
+                return make_beamformed(ping_, settings_, echogram);
+        }
+    };
+    const Bytes record = reson7k::encode(make(), frame_of(settings_, ping_.time));
+    for (const auto& entry : subscribers_.entries())
+        if (entry.types.contains(type)) send_record(record, entry.peer, now);
+}
+
+void Reson7k::send(const reson7k::Message& message, const reson7k::RecordFrame& frame, const Peer& to,
+                   Time now) {
+    send_record(reson7k::encode(message, frame), to, now);
+}
+
+void Reson7k::send_record(ByteView record, const Peer& to, Time now) {
+    auto packets = reson7k::packets_of(record, ++transmission_, settings_.device);
+    for (Bytes& packet : packets) {
+        Time at{};
+        if (to.port == datagram_port) {
+            at = std::max(now, datagrams_until_);
+            datagrams_until_ = at + from_seconds(settings_.packet_gap);
+        }
+        actions_.send.push_back({to.port, std::move(packet), to.address, at});
+    }
+}
+
+Actions Reson7k::woken(Time now) {
+    if (now >= next_ping_) transmit(now);
+    return take_actions();
+}
+
+DeviceCounters Reson7k::counters() const {
+    DeviceCounters counters = counters_;
+    counters.skipped_bytes += framer_.skipped_bytes();
+    return counters;
+}
+
+Actions Reson7k::take_actions() {
+    actions_.wake = next_ping_;
+    return std::exchange(actions_, {});
+}
+
+}  // namespace echoloop::reson7k_device

@@ -1,0 +1,62 @@
+// A Teledyne Reson 7k multibeam (SeaBat 7125 and its like): commands and records by TCP and UDP. A pure state
+// machine.
+#pragma once
+
+#include <optional>
+
+#include "emulator/devices/reson-7k/commands.h"
+#include "emulator/devices/reson-7k/records.h"
+#include "emulator/devices/reson-7k/subscribers.h"
+#include "protocols/reson7k/framer.h"
+
+namespace echoloop::reson7k_device {
+
+class Reson7k final : public Device {
+  public:
+    /// `own`: where it listens, by TCP and UDP.
+    Reson7k(const Settings& settings, Address own);
+
+    std::vector<Port> ports() const override;
+    Actions started(Time now) override;
+    Actions received(const Received& data, Time now) override;
+    Actions heard(const Echogram& echogram, Time now) override;
+    Actions woken(Time now) override;
+    void reconnected(std::size_t port) override;
+    DeviceCounters counters() const override;
+
+  private:
+    void hear_record(const reson7k::Record& record, const Peer& from, Time now);
+    Refusal obey(const reson7k::RemoteControl& control, const Peer& from, bool named, Time now);
+    Refusal subscribe(const reson7k::RemoteControl& control, const Peer& from);
+    Refusal change_receiver(const reson7k::RemoteControl& control);
+    Refusal read_types(const reson7k::RemoteControl& control, std::size_t at,
+                       std::set<std::uint32_t>& types) const;
+    Refusal check_request(const reson7k::RemoteControl& control) const;
+    void answer_request(std::uint32_t type, const Peer& to, Time now);
+    void plan_next_ping(Time now);
+    void transmit(Time now);
+    void publish(std::uint32_t type, const Echogram& echogram, Time now);
+    void send(const reson7k::Message& message, const reson7k::RecordFrame& frame, const Peer& to, Time now);
+    void send_record(ByteView record, const Peer& to, Time now);
+    double unix_time(Time now) const { return settings_.unix_start + to_seconds(now); }
+    Actions take_actions();
+
+    Settings settings_;
+    Address own_;
+    Controls controls_;
+    reson7k::Framer framer_{reson7k::host_record, reson7k::Source::network};
+    Subscribers subscribers_;
+    PingRecord ping_;  ///< the ping under way, or the last one
+    bool ping_under_way_ = false;
+    std::optional<Time> last_transmission_;
+    Time next_ping_ = Time::max();
+    Time datagrams_until_{};  ///< when the last paced datagram leaves
+    std::uint16_t transmission_ = 0;
+    Actions actions_;
+    DeviceCounters counters_;
+};
+
+/// The row of the table of models.
+Model model();
+
+}  // namespace echoloop::reson7k_device

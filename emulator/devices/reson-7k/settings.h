@@ -1,0 +1,66 @@
+// The options and the profile of a 7k sonar as typed values, and what commands change. Data only.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "emulator/model.h"
+
+namespace echoloop::reson7k_device {
+
+/// What a host has set; the comment names the command.
+struct Controls {
+    double range = 50;                                                  ///< 1003, m
+    double max_rate = 50;                                               ///< 1004, Hz
+    double power = 210;                                                 ///< 1005, dB re 1 uPa at 1 m
+    double pulse = 60e-6;                                               ///< 1006, s
+    double gain = 30;                                                   ///< 1008, dB
+    bool range_filter = false;                                          ///< 1009, bit 8
+    bool depth_filter = false;                                          ///< 1009, bit 9
+    double min_range = 0, max_range = 0, min_depth = 0, max_depth = 0;  ///< 1010, m
+    double gate_tilt = 0;                                               ///< 1010, rad, positive to starboard
+    bool pinging = true;                                                ///< 1100, 1101
+};
+
+/// Figures of the profile; angles in rad.
+struct Acoustics {
+    double frequency = 0;    ///< Hz
+    double sample_rate = 0;  ///< Hz
+    double receive_beam_width = 0, transmit_beam_width = 0, transmit_sector = 0;
+    double least_range = 0, most_range = 0;  ///< m
+    double least_power = 0, most_power = 0;  ///< dB re 1 uPa at 1 m
+    double least_pulse = 0, most_pulse = 0;  ///< s
+    double most_gain = 0;                    ///< dB
+    double most_rate = 0;                    ///< Hz
+    double ping_pause = 0;                   ///< s beyond the range time
+    double processing = 0;                   ///< s from the last echo to the records
+    double spreading = 0;                    ///< dB per decade of range
+    double absorption = 0;                   ///< dB/km
+    double amplitude_reference = 0;          ///< dB re 1 uPa after gain: reads full scale
+    double detection_margin = 0;             ///< dB
+    AxisPattern horizontal, vertical;
+    Receiver receiver;
+};
+
+struct Settings {
+    std::uint32_t device = 7125;
+    std::uint64_t serial = 0;
+    std::size_t beams = 256;
+    double swath = 0;  ///< rad, from the first to the last beam
+    Controls start;
+    Acoustics acoustics;
+    bool any_device = false;           ///< commands are taken whatever device they name
+    bool ends_by_third_party = false;  ///< 1053 without records ends subscriptions
+    double packet_gap = 0;             ///< s between the datagrams of one record
+    bool tvg = true;                   ///< the effect of that name
+    bool pulse = true;                 ///< the effect of that name: echoes are as long as the pulse
+    double sound_speed = 1500;         ///< m/s, at the head's own sensor: the true one
+    double unix_start = 0;             ///< s
+};
+
+std::vector<Option> option_table();
+std::vector<FigureRow> figure_table();
+/// From complete options and a complete profile.
+Settings read_settings(const DeviceConfig& config);
+
+}  // namespace echoloop::reson7k_device

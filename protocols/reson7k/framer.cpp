@@ -1,0 +1,121 @@
+#include "protocols/reson7k/framer.h"
+
+#include <algorithm>
+
+#include "protocols/reson7k/layouts.h"
+
+namespace echoloop::reson7k {
+namespace {
+
+constexpr std::uint8_t first_byte = 5;   // of the protocol version, with which every frame begins
+constexpr std::size_t searched = 65536;  // bytes: a damaged packet claims no more
+
+/// Whether so few bytes may still become a frame.
+bool may_begin(wire::ByteView bytes, bool bare) {
+    constexpr std::uint8_t network[] = {5, 0, 36, 0}, record[] = {5, 0, 60, 0, 0xFF, 0xFF, 0, 0};
+    const auto starts = [&](std::span<const std::uint8_t> word) {
+        const std::size_t count = std::min(word.size(), bytes.size());
+        return std::equal(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(count), bytes.begin());
+    };
+    const bool short_network = starts(network) && bytes.size() < network_frame_size + record_frame_size;
+    return short_network || (bare && starts(record) && bytes.size() < record_frame_size);
+}
+
+}  // namespace
+
+void Framer::feed(wire::ByteView bytes) {
+    finished_ = false;
+    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
+    begin_ = 0;
+    // A caller who does not take what is complete loses the oldest bytes.
+    const std::size_t most = longest_ + (longest_ / searched + 2) * network_frame_size;
+    if (buffer_.size() > most) skip(buffer_.size() - most);
+    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+}
+
+void Framer::skip(std::size_t count) {
+    begin_ += count;
+    position_ += count;
+    skipped_ += count;
+}
+
+bool Framer::is_beginning(wire::ByteView bytes) const {
+    if (const auto network = plausible_network_frame(bytes, longest_)) {
+        const auto record = plausible_record_frame(bytes.subspan(network_frame_size), longest_);
+        return network->sequence == 0 && record && record->size == network->total_size;
+    }
+    return bare_ && plausible_record_frame(bytes, longest_);
+}
+
+std::optional<std::size_t> Framer::beginning_within(wire::ByteView pending) const {
+    const std::size_t end = std::min(pending.size(), searched);
+    for (std::size_t at = 1; at < end; ++at)
+        if (pending[at] == first_byte && is_beginning(pending.subspan(at))) return at;
+    return std::nullopt;
+}
+
+/// Packets of one record follow each other on a stream.
+std::optional<Framer::Found> Framer::look_for_packets(wire::ByteView pending) const {
+    wire::Bytes bytes;
+    std::size_t at = 0;
+    const auto first = plausible_network_frame(pending, longest_);
+    for (std::uint32_t n = 0; n < first->packets; ++n) {
+        const auto rest = pending.subspan(at);
+        const auto frame = plausible_network_frame(rest, longest_);
+        if (rest.size() < network_frame_size) return Found{};
+        const bool fits = frame && frame->sequence == n && frame->transmission == first->transmission &&
+                          frame->packets == first->packets && frame->total_size == first->total_size;
+        if (!fits) return std::nullopt;
+        if (rest.size() < frame->packet_size) return Found{};
+        const auto data = rest.first(frame->packet_size).subspan(network_frame_size);
+        if (bytes.size() + data.size() > first->total_size) return std::nullopt;
+        bytes.insert(bytes.end(), data.begin(), data.end());
+        at += frame->packet_size;
+    }
+    auto record = read_record(bytes);
+    if (!record) return std::nullopt;
+    return Found{at, std::move(record)};
+}
+
+/// Nothing: no record begins here.
+std::optional<Framer::Found> Framer::look(wire::ByteView pending) const {
+    if (may_begin(pending, bare_)) return Found{};
+    if (!is_beginning(pending)) return std::nullopt;
+    if (plausible_network_frame(pending, longest_)) return look_for_packets(pending);
+    const auto frame = plausible_record_frame(pending, longest_);
+    if (pending.size() < frame->size) return Found{};
+    auto record = read_record(pending.first(frame->size));
+    if (!record) return std::nullopt;
+    return Found{frame->size, std::move(record)};
+}
+
+std::optional<Record> Framer::next() {
+    while (pending_bytes() > 0) {
+        const wire::ByteView pending = wire::ByteView(buffer_).subspan(begin_);
+        auto found = look(pending);
+        if (found && found->record) {
+            frame_offset_ = position_;
+            begin_ += found->size;
+            position_ += found->size;
+            return std::move(found->record);
+        }
+        if (found) {
+            const auto other = beginning_within(pending);
+            if (!other && !finished_) return std::nullopt;
+            if (other) {
+                skip(*other);
+                continue;
+            }
+        }
+        const auto from = pending.begin() + 1;
+        skip(static_cast<std::size_t>(std::find(from, pending.end(), first_byte) - from) + 1);
+    }
+    return std::nullopt;
+}
+
+void Framer::clear() {
+    position_ += pending_bytes();
+    begin_ = buffer_.size();
+}
+
+}  // namespace echoloop::reson7k

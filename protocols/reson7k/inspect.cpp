@@ -1,0 +1,65 @@
+#include "protocols/reson7k/inspect.h"
+
+#include "protocols/inspect_stream.h"
+#include "protocols/reson7k/codec.h"
+#include "protocols/reson7k/framer.h"
+#include "protocols/reson7k/layouts.h"
+
+namespace echoloop::reson7k {
+namespace {
+
+/// The framer, with the size that a record took on the wire.
+struct Sized {
+    Record record;
+    std::size_t size = 0;
+};
+class SizingFramer : public Framer {
+  public:
+    std::optional<Sized> next() {
+        auto record = Framer::next();
+        if (!record) return std::nullopt;
+        return Sized{*std::move(record), static_cast<std::size_t>(frame_size())};
+    }
+};
+
+inspect::Message inspected(const Sized& sized, std::size_t offset) {
+    const Record& record = sized.record;
+    inspect::Message out;
+    out.offset = offset;
+    out.size = sized.size;
+    out.name = name_of(record.frame.type);
+    inspect::add_fields(out, record.frame);
+    if (const auto message = parse(record)) {
+        std::visit([&](const auto& m) { inspect::add_fields(out, m); }, *message);
+    } else {
+        out.reason = message.error().what();
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<inspect::Message> decode(wire::ByteView bytes) {
+    return inspect::decode_stream<SizingFramer>(bytes, inspected);
+}
+
+/// A frame is a sure sign; a whole record may be longer than what is looked at.
+bool recognise(wire::ByteView bytes) {
+    for (; bytes.size() >= record_frame_size; bytes = bytes.subspan(1)) {
+        if (bytes[0] != 5) continue;
+        if (plausible_record_frame(bytes)) return true;
+    }
+    return false;
+}
+
+std::vector<wire::Table> tables() {
+    using wire::table_of;
+    return {table_of<NetworkFrame>(),  table_of<RecordFrame>(),    table_of<Time7k>(),
+            table_of<SonarSettings>(), table_of<Settings>(),       table_of<Configuration>(),
+            table_of<BeamGeometry>(),  table_of<Image>(),          table_of<Beamformed>(),
+            table_of<RawDetections>(), table_of<Detection>(),      table_of<RemoteControl>(),
+            table_of<Acknowledge>(),   table_of<NotAcknowledge>(), table_of<RemoteSettings>(),
+            table_of<FileHeader>(),    table_of<FileDevice>()};
+}
+
+}  // namespace echoloop::reson7k

@@ -1,0 +1,13 @@
+// 7k records for `echoloop inspect`: the row in the table of families. Never used by devices.
+#pragma once
+
+#include "protocols/inspect.h"
+
+namespace echoloop::reson7k {
+
+/// Records of a network stream, either way, or of a file, with noise between them.
+std::vector<inspect::Message> decode(wire::ByteView bytes);
+bool recognise(wire::ByteView bytes);
+std::vector<wire::Table> tables();
+
+}  // namespace echoloop::reson7k

@@ -1,0 +1,224 @@
+// Field tables of the records of Teledyne Reson 7k sonars, by the 7k data format definition 3.12 as the
+// specification notes give it. Offsets count from the record's content, behind the record frame.
+#pragma once
+
+#include "protocols/reson7k/names.h"
+#include "protocols/wire/layout.h"
+
+namespace echoloop::reson7k {
+
+using wire::count;
+using wire::counted;
+using wire::field;
+using wire::Heading;
+using wire::list;
+using wire::make_layout;
+using wire::rest;
+using wire::Tag;
+
+constexpr auto wire_layout(Tag<NetworkFrame>) {
+    using N = NetworkFrame;
+    return make_layout<N>(
+        {"NetworkFrame", "before every packet of a record; only the first packet holds the record frame"},
+        field(&N::version, "version", "", "5"), field(&N::offset, "offset", "B", "to the data: 36"),
+        field(&N::packets, "packets", "", "of this record"), field(&N::records, "records", "", "1"),
+        field(&N::transmission, "transmission", "", "the same in all packets of a record"),
+        field(&N::packet_size, "packet_size", "B", "with this frame; at most 60000"),
+        field(&N::total_size, "total_size", "B", "of the record"),
+        field(&N::sequence, "sequence", "", "from 0"),
+        field(&N::destination_device, "destination_device", "", ""),
+        field(&N::destination_enumerator, "destination_enumerator", "", ""),
+        field(&N::source_enumerator, "source_enumerator", "", ""),
+        field(&N::source_device, "source_device", "", ""));
+}
+
+constexpr auto wire_layout(Tag<Time7k>) {
+    using T = Time7k;
+    return make_layout<T>({"Time7k", "UTC"}, field(&T::year, "year", "", ""),
+                          field(&T::day, "day", "", "of the year, from 1"),
+                          field(&T::seconds, "seconds", "s", ""), field(&T::hours, "hours", "h", ""),
+                          field(&T::minutes, "minutes", "min", ""));
+}
+
+constexpr auto wire_layout(Tag<RecordFrame>) {
+    using R = RecordFrame;
+    return make_layout<R>(
+        {"RecordFrame", "before every record; behind it a u32 checksum, the sum of all bytes before it"},
+        field(&R::version, "version", "", "5"),
+        field(&R::offset, "offset", "B", "from the sync word to the record: 60"),
+        field(&R::sync, "sync", "", "").hex(), field(&R::size, "size", "B", "with frame and checksum"),
+        field(&R::optional_offset, "optional_offset", "B", "of optional data; 0: none"),
+        field(&R::optional_id, "optional_id", "", ""),
+        field(&R::time, "time", "", "of ping records: the end of the transmission"),
+        field(&R::record_version, "record_version", "", "1"), field(&R::type, "type", "", "of the record"),
+        field(&R::device, "device", "", "7125, 50, 20; 7000: the centre"),
+        field(&R::reserved1, "reserved1", "", ""), field(&R::enumerator, "enumerator", "", ""),
+        field(&R::reserved2, "reserved2", "", ""), field(&R::flags, "flags", "", "").bits(record_flag_names),
+        field(&R::reserved3, "reserved3", "", ""));
+}
+
+constexpr auto wire_layout(Tag<Settings>) {
+    using S = Settings;
+    return make_layout<S>(
+        {"Settings", "what 7000 and 7503 share"}, field(&S::frequency, "frequency", "Hz", ""),
+        field(&S::sample_rate, "sample_rate", "Hz", ""),
+        field(&S::receiver_bandwidth, "receiver_bandwidth", "Hz", ""), field(&S::pulse, "pulse", "s", ""),
+        field(&S::pulse_type, "pulse_type", "", "0 CW, 1 linear chirp"),
+        field(&S::envelope, "envelope", "", "0 tapered rectangular"),
+        field(&S::envelope_parameter, "envelope_parameter", "", ""),
+        field(&S::pulse_mode, "pulse_mode", "", "1: single ping"), field(&S::reserved, "reserved", "", ""),
+        field(&S::max_rate, "max_rate", "Hz", "the most pings"),
+        field(&S::period, "period", "s", "since the last ping"), field(&S::range, "range", "m", "setting"),
+        field(&S::power, "power", "dB", "re 1 uPa at 1 m"), field(&S::gain, "gain", "dB", ""),
+        field(&S::control, "control", "", "bits 27-28: time state, 3 ok").bits(control_names),
+        field(&S::projector, "projector", "", ""),
+        field(&S::steering_vertical, "steering_vertical", "rad", ""),
+        field(&S::steering_horizontal, "steering_horizontal", "rad", ""),
+        field(&S::tx_width_vertical, "tx_width_vertical", "rad", "-3 dB, along the track"),
+        field(&S::tx_width_horizontal, "tx_width_horizontal", "rad", "-3 dB, across the track"),
+        field(&S::focus, "focus", "m", ""), field(&S::tx_window, "tx_window", "", ""),
+        field(&S::tx_window_parameter, "tx_window_parameter", "", ""),
+        field(&S::transmit_flags, "transmit_flags", "", "").hex(),
+        field(&S::hydrophone, "hydrophone", "", ""), field(&S::rx_window, "rx_window", "", ""),
+        field(&S::rx_window_parameter, "rx_window_parameter", "", ""),
+        field(&S::receive_flags, "receive_flags", "", "bit 0: roll compensated").hex(),
+        field(&S::rx_width, "rx_width", "rad", "of a receive beam"),
+        field(&S::min_range, "min_range", "m", "bottom filter"),
+        field(&S::max_range, "max_range", "m", "bottom filter"),
+        field(&S::min_depth, "min_depth", "m", "bottom filter"),
+        field(&S::max_depth, "max_depth", "m", "bottom filter"),
+        field(&S::absorption, "absorption", "dB/km", ""), field(&S::sound_speed, "sound_speed", "m/s", ""),
+        field(&S::spreading, "spreading", "dB", "per decade of range"));
+}
+
+constexpr auto wire_layout(Tag<SonarSettings>) {
+    using S = SonarSettings;
+    return make_layout<S>({"SonarSettings", "7000, with every ping"}, field(&S::serial, "serial", "", ""),
+                          field(&S::ping, "ping", "", "from 1"),
+                          field(&S::multi_ping, "multi_ping", "", "0: no multi-ping"),
+                          field(&S::settings, "settings", "", "156 bytes with what is around them"),
+                          field(&S::reserved, "reserved", "", ""));
+}
+
+constexpr auto wire_layout(Tag<Configuration>) {
+    using C = Configuration;
+    return make_layout<C>(
+        {"Configuration", "7001, on request: what the sonar is; of one device"},
+        field(&C::serial, "serial", "", ""), field(&C::devices, "devices", "", "that follow; 1 is read"),
+        field(&C::device, "device", "", ""), field(&C::description, "description", "", ""),
+        field(&C::card, "card", "", "").hex(), field(&C::device_serial, "device_serial", "", ""),
+        count(&C::info_size, "info", "info_size", "B", ""),
+        counted(&C::info, "info", "info", "", "XML with a 0 at its end"));
+}
+
+constexpr auto wire_layout(Tag<BeamGeometry>) {
+    using B = BeamGeometry;
+    return make_layout<B>(
+        {"BeamGeometry", "7004, with every ping: where the beams look"}, field(&B::serial, "serial", "", ""),
+        count(&B::beams, "beams", "beams", "", ""),
+        counted(&B::along, "beams", "along", "rad", "along the track"),
+        counted(&B::across, "beams", "across", "rad", "positive to starboard; beam 0 is the port-most"),
+        counted(&B::width_y, "beams", "width_y", "rad", "-3 dB, along the track"),
+        counted(&B::width_x, "beams", "width_x", "rad", "-3 dB, across"),
+        rest(&B::delays, {}, "delays", "", "nothing, or f32 samples of each beam"));
+}
+
+constexpr auto wire_layout(Tag<Image>) {
+    using I = Image;
+    return make_layout<I>(
+        {"Image", "7011, with every ping: a picture of all beams"}, field(&I::ping, "ping", "", ""),
+        field(&I::multi_ping, "multi_ping", "", ""), field(&I::width, "width", "", "beams"),
+        field(&I::height, "height", "", "rows"), field(&I::depth, "depth", "B", "of a pixel: 1, 2 or 4"),
+        field(&I::reserved1, "reserved1", "", ""), field(&I::compression, "compression", "", ""),
+        field(&I::samples, "samples", "", "before compression into rows"),
+        field(&I::flags, "flags", "", "bit 0: in dB; 1: not stabilised").hex(),
+        field(&I::rx_delay, "rx_delay", "samples", ""), field(&I::reserved2, "reserved2", "", ""),
+        rest(&I::pixels, {}, "pixels", "", "rows, nearest first, each of all beams left to right"));
+}
+
+constexpr auto wire_layout(Tag<Beamformed>) {
+    using B = Beamformed;
+    return make_layout<B>(
+        {"Beamformed", "7018, with every ping: all samples of all beams"},
+        field(&B::serial, "serial", "", ""), field(&B::ping, "ping", "", ""),
+        field(&B::multi_ping, "multi_ping", "", ""), count(&B::beams, "beams", "beams", "", ""),
+        count(&B::samples, "samples", "samples", "", "per beam; sample 0 is range 0"),
+        field(&B::reserved, "reserved", "", ""),
+        counted(&B::data, {"samples", "beams"}, "data", "",
+                "u16 amplitude, s16 phase in rad x 10430; all beams of a sample, sample by sample"));
+}
+
+constexpr auto wire_layout(Tag<Detection>) {
+    using D = Detection;
+    return make_layout<D>(
+        {"Detection", "a point of RawDetections"}, field(&D::beam, "beam", "", "from 0"),
+        field(&D::sample, "sample", "samples", "from the transmission, with fractions"),
+        field(&D::angle, "angle", "rad", "positive to starboard"),
+        field(&D::flags, "flags", "", "").bits(detection_names),
+        field(&D::quality, "quality", "", "").bits(quality_names),
+        field(&D::uncertainty, "uncertainty", "", ""), field(&D::intensity, "intensity", "", ""),
+        field(&D::gate_min, "gate_min", "samples", ""), field(&D::gate_max, "gate_max", "samples", ""));
+}
+
+constexpr auto wire_layout(Tag<RawDetections>) {
+    using R = RawDetections;
+    return make_layout<R>(
+        {"RawDetections", "7027, with every ping: the bottom"}, field(&R::serial, "serial", "", ""),
+        field(&R::ping, "ping", "", ""), field(&R::multi_ping, "multi_ping", "", ""),
+        count(&R::points, "points", "points", "", ""),
+        field(&R::point_size, "point_size", "B", "34; others are not read"),
+        field(&R::algorithm, "algorithm", "", "2: G2"), field(&R::flags, "flags", "", "").hex(),
+        field(&R::sample_rate, "sample_rate", "Hz", ""), field(&R::tx_angle, "tx_angle", "rad", ""),
+        field(&R::roll, "roll", "rad", "applied to the gates"), field(&R::reserved, "reserved", "", ""),
+        counted(&R::detections, "points", "detections", "", ""));
+}
+
+constexpr auto wire_layout(Tag<RemoteControl>) {
+    using R = RemoteControl;
+    return make_layout<R>({"RemoteControl", "7500, to the sonar: a command"},
+                          field(&R::command, "command", "", ""),
+                          field(&R::ticket, "ticket", "", "comes back in the answer"),
+                          field(&R::tracking, "tracking", "", "comes back too"),
+                          rest(&R::parameters, {}, "parameters", "", "one byte of 0 if there are none"));
+}
+
+constexpr auto wire_layout(Tag<Acknowledge>) {
+    using A = Acknowledge;
+    return make_layout<A>({"Acknowledge", "7501: a command is taken"}, field(&A::ticket, "ticket", "", ""),
+                          field(&A::tracking, "tracking", "", ""));
+}
+
+constexpr auto wire_layout(Tag<NotAcknowledge>) {
+    using N = NotAcknowledge;
+    return make_layout<N>({"NotAcknowledge", "7502: a command is refused"},
+                          field(&N::ticket, "ticket", "", ""), field(&N::tracking, "tracking", "", ""),
+                          field(&N::error, "error", "", ""));
+}
+
+constexpr auto wire_layout(Tag<RemoteSettings>) {
+    using R = RemoteSettings;
+    return make_layout<R>(
+        {"RemoteSettings", "7503, with every ping and on request"}, field(&R::serial, "serial", "", ""),
+        field(&R::ping, "ping", "", "0: on request"), field(&R::settings, "settings", "", "as in 7000"),
+        rest(&R::more, {}, "more", "", "2 bytes that 7000 has too; later versions add to them"));
+}
+
+constexpr auto wire_layout(Tag<FileDevice>) {
+    return make_layout<FileDevice>({"FileDevice", "of FileHeader"},
+                                   field(&FileDevice::device, "device", "", ""),
+                                   field(&FileDevice::enumerator, "enumerator", "", ""));
+}
+
+constexpr auto wire_layout(Tag<FileHeader>) {
+    using F = FileHeader;
+    return make_layout<F>(
+        {"FileHeader", "7200, the first record of a file"}, field(&F::file_id, "file_id", "", ""),
+        field(&F::version, "version", "", ""), field(&F::reserved, "reserved", "", ""),
+        field(&F::session_id, "session_id", "", ""), field(&F::data_size, "data_size", "B", ""),
+        count(&F::count, "devices", "count", "", ""), field(&F::name, "name", "", ""),
+        field(&F::program, "program", "", ""), field(&F::user, "user", "", ""),
+        field(&F::notes, "notes", "", ""), counted(&F::devices, "devices", "devices", "", ""),
+        rest(&F::optional, {}, "optional", "", "nothing, or u32 size and u64 offset of the catalog"));
+}
+
+}  // namespace echoloop::reson7k

@@ -1,0 +1,151 @@
+"""The 7k multibeam end to end over TCP and UDP on loopback, against a host written apart from the C++."""
+
+import json
+import math
+import statistics
+import struct
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, Emulator, free_tcp_port
+
+import reson_wire as wire
+from reson_host import Host
+
+SCENARIO = """
+scene: {scenes}/%s.glb
+water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
+vehicle: {pose: {position: %s}}
+devices:
+  - name: multibeam
+    model: reson-7k
+    mount: {rpy_deg: [0, %g, 0]}
+    endpoints: ["tcp-listen://127.0.0.1:%d"]
+    options: {range: 40, max_ping_rate: 10, swath: 130}
+"""
+C = 1500.0
+
+
+class ResonCase(unittest.TestCase):
+    def start(self, scene="flat", position=(0, 0, -12), pitch=90, udp=False):
+        self.port = free_tcp_port()
+        self.emulator = Emulator(SCENARIO % (scene, list(position), pitch, self.port))
+        self.addCleanup(self.emulator.__exit__, None, None, None)
+        self.emulator.__enter__()
+        return self.connect(udp)
+
+    def connect(self, udp=False):
+        host = Host(("127.0.0.1", self.port), udp)
+        self.addCleanup(host.close)
+        return host
+
+
+class FlatFloor(ResonCase):
+    """The floor is 8 m below the head."""
+
+    def check_floor(self, host):
+        host.wait(wire.DETECTIONS)
+        for _ in range(3):
+            points = [p for p in host.wait(wire.DETECTIONS).points() if abs(p[2]) < math.radians(60)]
+            self.assertGreater(len(points), 230)
+            for beam, two_way, angle, *_ in points:
+                depth = C / 2 * two_way * math.cos(angle)
+                self.assertAlmostEqual(depth, 8, delta=0.04, msg=f"beam {beam} at {math.degrees(angle):.1f} deg")
+
+    def test_depths_are_right_within_half_a_percent_over_tcp(self):
+        host = self.start()
+        self.assertEqual(host.subscribe(wire.SETTINGS, wire.DETECTIONS), 0)
+        self.check_floor(host)
+
+    def test_depths_are_right_over_udp_beside_a_host_on_tcp(self):
+        host = self.start()
+        self.assertEqual(host.subscribe(wire.SETTINGS), 0)
+        other = self.connect(udp=True)
+        self.assertEqual(other.subscribe(wire.DETECTIONS, wire.BEAMFORMED), 0)
+        self.check_floor(other)
+        self.assertEqual(other.wait(wire.BEAMFORMED).get("H", 14), 256)
+        self.assertEqual(other.command(1052), 0)
+        self.assertEqual(host.wait(wire.SETTINGS).device, 7125)
+
+    def test_images_have_the_floor_where_it_is(self):
+        host = self.start()
+        host.subscribe(wire.IMAGE, wire.BEAMFORMED, wire.GEOMETRY)
+        angles = host.wait(wire.GEOMETRY).get("256f", 12 + 4 * 256)
+        beamformed = host.wait(wire.BEAMFORMED)
+        for beam in (60, 128, 200):
+            column = beamformed.column(beam)
+            front = next(i for i, a in enumerate(column) if a > 0.3 * max(column))
+            self.assertAlmostEqual(C / 2 * front / 34500, 8 / math.cos(angles[beam]), delta=0.25)
+        image = host.wait(wire.IMAGE)
+        rows = image.picture()
+        middle = [row[127] for row in rows]
+        metres = 40 / len(rows)
+        self.assertAlmostEqual(middle.index(max(middle)) * metres, 8, delta=0.2)
+        self.assertEqual(image.get("I", 6), 256)
+
+    def test_settings_change_the_next_ping_and_its_timing(self):
+        host = self.start()
+        host.subscribe(wire.SETTINGS, wire.BEAMFORMED)
+        for command, value, offset in ((1003, 20, 54), (1004, 4, 46), (1005, 200, 58), (1008, 45, 62)):
+            self.assertEqual(host.set(command, value), 0)
+            host.wait(wire.SETTINGS, 5, lambda r: abs(r.get("f", offset) - value) < 1e-4)
+        self.assertEqual(host.wait(wire.BEAMFORMED).get("I", 16), math.ceil(2 * 20 / C * 34500))
+        pings = [host.wait(wire.SETTINGS) for _ in range(6)]
+        for before, after in zip(pings, pings[1:]):
+            self.assertAlmostEqual((after.time - before.time).total_seconds(), 0.25, delta=0.05)
+            self.assertEqual(after.ping, before.ping + 1)
+        self.assertLess(abs(pings[-1].time.timestamp() - time.time()), 5)
+        self.assertEqual(host.command(1101), 0)
+        self.assertEqual(host.set(1003, 1e6), 0x7001)
+
+    def test_more_gain_is_a_brighter_image_and_less_power_a_darker_one(self):
+        host = self.start()
+        host.subscribe(wire.SETTINGS, wire.BEAMFORMED)
+
+        def level(command, value, offset):
+            self.assertEqual(host.set(command, value), 0)
+            ping = host.wait(wire.SETTINGS, 5, lambda r: abs(r.get("f", offset) - value) < 1e-4).ping
+            record = host.wait(wire.BEAMFORMED, 5, lambda r: r.ping >= ping)
+            return sum(max(record.column(beam)) for beam in range(110, 146))
+
+        plain = level(1008, 20, 62)
+        self.assertAlmostEqual(level(1008, 30, 62) / plain, 10**0.5, delta=0.8)
+        level(1008, 20, 62)
+        self.assertAlmostEqual(level(1005, 200, 58) / plain, 10**-0.5, delta=0.12)
+
+
+class Tank(ResonCase):
+    def test_walls_are_at_their_bearings(self):
+        """12 x 8 m: looking along, the walls are 6 m ahead and 4 m to either side."""
+        host = self.start("tank", (0, 0, -1.5), 0)
+        host.set(1003, 12)
+        host.subscribe(wire.DETECTIONS)
+        host.wait(wire.DETECTIONS)
+        points = [(C / 2 * t * math.cos(a), C / 2 * t * math.sin(a), a) for _, t, a, *_ in host.wait(wire.DETECTIONS).points()]
+        ahead = [x for x, _, a in points if abs(a) < math.radians(20)]
+        port = [y for _, y, a in points if a < math.radians(-50)]
+        starboard = [y for _, y, a in points if math.radians(41) < a < math.radians(56)]
+        self.assertAlmostEqual(statistics.median(ahead), 6, delta=0.03)
+        self.assertAlmostEqual(statistics.median(port), -4, delta=0.02, msg="port is negative")
+        self.assertAlmostEqual(statistics.median(starboard), 4, delta=0.02)
+
+
+class Files(ResonCase):
+    def test_a_logged_file_is_read_again(self):
+        host = self.start()
+        host.command(1050, struct.pack("<I", wire.CONFIGURATION), 7000)
+        log = [host.wait(wire.CONFIGURATION)]
+        self.assertIn(b"<Frequency>400000", log[0].data)
+        host.subscribe(wire.SETTINGS, wire.GEOMETRY, wire.DETECTIONS)
+        log += [host.record() for _ in range(7)]
+        file = self.emulator.folder / "pings.s7k"
+        file.write_bytes(wire.file_of(log))
+        shown = subprocess.run([PROGRAM, "inspect", file, "--json"], capture_output=True, text=True, timeout=60)
+        names = [message["name"] for message in json.loads(shown.stdout)["messages"]]
+        self.assertEqual(names[:2] + names[-1:], ["FileHeader", "Configuration", "record 7300"])
+        self.assertEqual(len(names), len(log) + 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

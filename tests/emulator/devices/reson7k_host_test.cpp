@@ -1,0 +1,111 @@
+// What hosts of the 7k multibeam may say, over TCP and UDP, and what they are answered.
+#include "tests/emulator/devices/reson7k_bench.h"
+
+namespace echoloop::test {
+namespace {
+
+TEST(Reson7k, RefusesWithTheReason) {
+    Reson sonar;
+    EXPECT_EQ(sonar.answer(control(1003, {f32(1e6)})), 0x7001U);
+    EXPECT_EQ(sonar.answer(control(1003, {0x7FC00000})), 0x7001U) << "not a number";
+    EXPECT_EQ(sonar.answer(control(1003)), 0x7008U) << "no value";
+    EXPECT_EQ(sonar.answer(control(1007, {1})), 0x7001U) << "no chirp";
+    EXPECT_EQ(sonar.answer(control(1050, {7027})), 0x700AU);
+    EXPECT_EQ(sonar.answer(control(1050, {4711})), 0x7002U);
+    EXPECT_EQ(sonar.answer(control(1051, {1, 4711})), 0x7002U);
+    EXPECT_EQ(sonar.answer(control(1051, {1000000, 7000})), 0x7008U) << "a lying count";
+    EXPECT_EQ(sonar.answer(control(4711)), 0x7007U);
+    EXPECT_EQ(sonar.answer(control(1003, {f32(30)}, 8101)), 0x7009U);
+    EXPECT_EQ(sonar.answer(control(1003, {f32(30)}, 7000)), 0x7009U) << "settings are the device's";
+    EXPECT_EQ(sonar.answer(control(1051, {1, 7000}, 7000)), 0U) << "the centre has the records";
+    EXPECT_EQ(sonar.answer(control(1010, {f32(1), f32(2), f32(0), f32(50), f32(0)})), 0x7001U);
+    EXPECT_EQ(Reson(Options{{"command_device", std::string("any")}}).answer(control(1003, {f32(30)}, 1)), 0U);
+}
+
+TEST(Reson7k, AnswersRequestsBehindTheAcknowledge) {
+    Reson sonar;
+    sonar.say(control(1003, {f32(25)}));
+    sonar.sent();
+    sonar.say(control(1050, {7503}));
+    auto records = records_of(sonar.sent());
+    ASSERT_EQ(records.size(), 2U);
+    EXPECT_EQ(records[1].type(), 7503U);
+    EXPECT_EQ(records[1].get<std::uint32_t>(8), 0U) << "no ping";
+    EXPECT_FLOAT_EQ(records[1].get<float>(52), 25) << "2 bytes earlier than in 7000";
+    sonar.say(control(1050, {7001}, 7000));
+    records = records_of(sonar.sent());
+    ASSERT_EQ(records.size(), 2U);
+    EXPECT_EQ(records[1].get<std::uint32_t>(12), 7125U) << "the device to talk to";
+}
+
+TEST(Reson7k, ServesHostsByUdpUntilTheyEndIt) {
+    Reson sonar;
+    const Address host{0x7F000001, 40000}, third{0x7F000002, 5000};
+    EXPECT_EQ(sonar.answer(control(1051, {1, 7018}), 1, host), 0U);
+    EXPECT_EQ(sonar.answer(control(1053, {third.ip, third.port, 1, 7000})), 0U);
+    sonar.device().reconnected(0);
+    sonar.run_to(sonar.now + 200ms);
+    const auto sends = sonar.sent();
+    Time before{};
+    std::size_t to_third = 0;
+    for (const Send& send : sends) {
+        EXPECT_EQ(send.port, 1U);
+        EXPECT_LE(send.bytes.size(), 60000U);
+        EXPECT_GE(send.not_before, before) << "paced";
+        before = send.not_before;
+        to_third += send.to == third;
+        EXPECT_TRUE(send.to == third || send.to == host);
+    }
+    EXPECT_GT(to_third, 0U);
+    EXPECT_GT(sends.size(), 30U);
+    EXPECT_EQ(sonar.answer(control(1054, {third.ip, third.port})), 0U);
+    EXPECT_EQ(sonar.answer(control(1052), 1, host), 0U);
+    EXPECT_TRUE(sonar.within(1s).empty());
+    EXPECT_EQ(sonar.answer(control(1053, {0x08080808, 53, 1, 7000})), 0x700CU) << "from loopback";
+    EXPECT_EQ(sonar.answer(control(1053, {third.ip, 1U << 16 | 5000, 1, 7000})), 0x700CU) << "by TCP";
+}
+
+TEST(Reson7k, LongRangesThinTheSamplesOut) {
+    Reson sonar;
+    sonar.answer(control(1003, {f32(300)}));
+    sonar.answer(control(1051, {1, 7000}));
+    sonar.next(7000);
+    const float rate = sonar.next(7000).get<float>(18);
+    EXPECT_FLOAT_EQ(rate, 34500.0F / 4);
+    EXPECT_LE(sonar.shots.back().bins, 4096U);
+    EXPECT_DOUBLE_EQ(sonar.shots.back().bin_interval, 4 / 34500.0);
+}
+
+TEST(Reson7k, RecordsTellTheEndOfTheTransmission) {
+    const Model& row = *find_model("reson-7k");
+    DeviceConfig config = make_config(row);
+    config.unix_start = 1735689599;  // 31 December 2024, 23:59:59 UTC
+    Bench sonar(row.make(config));
+    sonar.say(control(1051, {1, 7000}));
+    sonar.sent();
+    sonar.run_to(90ms);
+    const auto records = records_of(sonar.sent());
+    ASSERT_EQ(records.size(), 1U);
+    EXPECT_EQ(at<std::uint16_t>(records[0].bytes, 20), 2024);
+    EXPECT_EQ(at<std::uint16_t>(records[0].bytes, 22), 366);
+    EXPECT_NEAR(at<float>(records[0].bytes, 24), 59 + 60e-6, 1e-5);
+    EXPECT_EQ(records[0].bytes[28], 23);
+    EXPECT_EQ(records[0].bytes[29], 59);
+}
+
+TEST(Reson7k, AHostOnANoisyWireIsServedAgainWithinOneRequest) {
+    Reson sonar(Options{{"beams", std::int64_t{16}}, {"max_ping_rate", 2.0}});
+    NoisyHost host;
+    for (const Bytes& word :
+         {control(1051, {2, 7000, 7027}), control(1003, {f32(30)}), control(1052), control(1100)})
+        host.words.push_back(to_hex(word));
+    host.request = to_hex(control(1050, {7503}, 7125, 99));
+    host.is_answer = [](const Send& send) {
+        return at<std::uint32_t>(send.bytes, 36 + 32) == 7501 && at<std::uint32_t>(send.bytes, 100) == 99;
+    };
+    host.patience = 1ms;
+    expect_no_wedge(sonar, host);
+}
+
+}  // namespace
+}  // namespace echoloop::test

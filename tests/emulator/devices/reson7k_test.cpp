@@ -1,0 +1,159 @@
+// The pings and records of the 7k multibeam, by the offsets of the specification.
+#include <cmath>
+
+#include "tests/emulator/devices/reson7k_bench.h"
+
+namespace echoloop::test {
+namespace {
+
+TEST(Reson7k, SaysNothingUnasked) {
+    Reson sonar;
+    EXPECT_TRUE(sonar.within(1s).empty());
+    EXPECT_GT(sonar.shots.size(), 5U) << "but pings";
+}
+
+TEST(Reson7k, ASubscriptionGetsItsRecordsWithEveryPing) {
+    Reson sonar;
+    EXPECT_EQ(sonar.answer(control(1051, {3, 7027, 7000, 7610})), 0U);
+    sonar.next(7027);
+    const auto records = sonar.within(1s);
+    ASSERT_GT(records.size(), 10U);
+    for (std::size_t i = 1; i < records.size(); ++i) {
+        EXPECT_EQ(records[i].type(), records[i - 1].type() == 7000 ? 7027U : 7000U);
+        const std::size_t ping = 8;
+        EXPECT_EQ(records[i].get<std::uint32_t>(ping) - records[i - 1].get<std::uint32_t>(ping),
+                  records[i].type() == 7000 ? 1U : 0U);
+    }
+    EXPECT_EQ(sonar.answer(control(1056, {1, 7000})), 0U);
+    for (const Seen& record : sonar.within(500ms)) EXPECT_EQ(record.type(), 7027U);
+    EXPECT_EQ(sonar.answer(control(1052)), 0U);
+    EXPECT_TRUE(sonar.within(500ms).empty());
+}
+
+TEST(Reson7k, ClosingTheConnectionEndsIt) {
+    Reson sonar;
+    EXPECT_EQ(sonar.answer(control(1055, {7000, 7030})), 0U);
+    EXPECT_FALSE(sonar.within(500ms).empty());
+    sonar.device().reconnected(0);
+    EXPECT_TRUE(sonar.within(500ms).empty());
+}
+
+TEST(Reson7k, SettingsChangeTheNextPingAndStandInItsRecord) {
+    Reson sonar;
+    sonar.answer(control(1051, {1, 7000}));
+    const struct {
+        std::uint32_t command;
+        double value;
+        std::size_t offset;
+    } rows[] = {{1003, 30, 54}, {1004, 8, 46}, {1005, 200, 58}, {1006, 1e-4, 26}, {1008, 41, 62}};
+    for (const auto& row : rows) {
+        EXPECT_EQ(sonar.answer(control(row.command, {f32(row.value)})), 0U) << row.command;
+        sonar.next(7000);
+        EXPECT_FLOAT_EQ(sonar.next(7000).get<float>(row.offset), static_cast<float>(row.value));
+    }
+    const Shot& shot = sonar.shots.back();
+    EXPECT_DOUBLE_EQ(shot.source_level, 200);
+    EXPECT_NEAR(shot.pulse_length, 1e-4, 1e-9);
+    EXPECT_NEAR(static_cast<double>(shot.bins) * shot.bin_interval, 2 * 30 / 1500.0, 1e-4);
+    const Seen settings = sonar.next(7000);
+    EXPECT_EQ(settings.bytes.size(), 64U + 156 + 4);
+    EXPECT_NEAR(settings.get<float>(50), 1.0 / 8, 1e-6) << "period";
+    EXPECT_FLOAT_EQ(settings.get<float>(14), 400e3F);
+    EXPECT_FLOAT_EQ(settings.get<float>(146), 1500);
+}
+
+TEST(Reson7k, PingsComeAtTheRateOrAsFastAsSoundGoes) {
+    Reson sonar;
+    const auto pings_in_10_s = [&](double range, double rate) {
+        sonar.answer(control(1003, {f32(range)}));
+        sonar.answer(control(1004, {f32(rate)}));
+        sonar.run_to(sonar.now + 1s);
+        sonar.shots.clear();
+        sonar.run_to(sonar.now + 10s);
+        return static_cast<double>(sonar.shots.size());
+    };
+    EXPECT_NEAR(pings_in_10_s(20, 5), 50, 1);
+    EXPECT_NEAR(pings_in_10_s(75, 50), 10 / 0.105, 1) << "2R/c + 5 ms";
+    EXPECT_EQ(sonar.answer(control(1101)), 0U);
+    sonar.run_to(sonar.now + 1s);
+    sonar.shots.clear();
+    sonar.run_to(sonar.now + 1s);
+    EXPECT_TRUE(sonar.shots.empty());
+    EXPECT_EQ(sonar.answer(control(1100)), 0U);
+    sonar.run_to(sonar.now + 1s);
+    EXPECT_FALSE(sonar.shots.empty());
+}
+
+TEST(Reson7k, DetectionsTellTheTwoWayTimeInSamples) {
+    Reson sonar;
+    sonar.answer(control(1051, {1, 7027}));
+    const Seen record = sonar.next(7027);
+    const auto points = record.get<std::uint32_t>(14), size = record.get<std::uint32_t>(18);
+    ASSERT_EQ(points, 256U);
+    ASSERT_EQ(size, 34U);
+    EXPECT_EQ(record.bytes.size(), 64U + 99 + points * 34 + 4);
+    EXPECT_FLOAT_EQ(record.get<float>(27), 34500);
+    for (std::uint32_t i = 0; i < points; ++i) {
+        const std::size_t p = 99 + 34 * i;
+        EXPECT_EQ(record.get<std::uint16_t>(p), i);
+        // An echo of one bin; the detection takes off what the pulse and the receiver add, about 0.7 of 60
+        // us.
+        EXPECT_NEAR(record.get<float>(p + 2), 400.5, 2.5);
+        const double angle = (-70 + 140.0 * i / 255) * M_PI / 180;
+        EXPECT_NEAR(record.get<float>(p + 6), angle, 1e-6);
+        EXPECT_EQ(record.get<std::uint32_t>(p + 10) >> 2 & 0x7F, 1U) << "quality type";
+    }
+}
+
+TEST(Reson7k, TheFilterExcludesWhatLiesOutside) {
+    Reson sonar;  // the echo is at 400.5 / 34500 s, 8.7 m
+    sonar.answer(control(1051, {1, 7027}));
+    EXPECT_EQ(sonar.answer(control(1010, {f32(10), f32(20), f32(0), f32(50), f32(0)})), 0U);
+    EXPECT_EQ(sonar.answer(control(1009, {1U << 8})), 0U);
+    sonar.next(7027);
+    EXPECT_EQ(sonar.next(7027).get<std::uint32_t>(14), 0U);
+    EXPECT_EQ(sonar.answer(control(1009, {0})), 0U);
+    sonar.next(7027);
+    EXPECT_EQ(sonar.next(7027).get<std::uint32_t>(14), 256U);
+}
+
+TEST(Reson7k, ImagesShowTheEchoInItsRow) {
+    Reson sonar;
+    sonar.answer(control(1051, {3, 7011, 7018, 7004}));
+    const Seen geometry = sonar.next(7004);
+    EXPECT_EQ(geometry.bytes.size(), 64U + 12 + 4 * 4 * 256 + 4);
+    EXPECT_NEAR(geometry.get<float>(12 + 4 * 256), -70 * M_PI / 180, 1e-6) << "beam 0 is to port";
+    const Seen image = sonar.next(7011);
+    const auto width = image.get<std::uint32_t>(6), height = image.get<std::uint32_t>(10);
+    EXPECT_EQ(width, 256U);
+    EXPECT_LE(height, 1024U);
+    const auto per_row = (image.get<std::uint32_t>(20) + height - 1) / height;
+    const std::size_t head = image.bytes.size() - 4 - 64 - width * height;
+    EXPECT_EQ(head, 56U);
+    for (std::uint32_t row = 0; row < height; ++row)
+        EXPECT_EQ(image.get<std::uint8_t>(head + row * width + 128) > 0, row == 400 / per_row) << row;
+    const Seen beams = sonar.next(7018);
+    EXPECT_GT(beams.packets, 30U);
+    EXPECT_EQ(beams.get<std::uint16_t>(14), 256U);
+    const auto samples = beams.get<std::uint32_t>(16);
+    EXPECT_EQ(beams.bytes.size(), 64U + 52 + 4U * 256 * samples + 4);
+    EXPECT_GT(beams.get<std::uint16_t>(52 + 4 * (400 * 256 + 9)), 100U);
+    EXPECT_EQ(beams.get<std::uint16_t>(52 + 4 * (399 * 256 + 9)), 0U);
+    EXPECT_EQ(beams.get<std::int16_t>(52 + 4 * (400 * 256 + 9) + 2), 0) << "the same on either side";
+}
+
+TEST(Reson7k, GainRaisesTheImageByItsDecibels) {
+    Reson sonar;
+    sonar.echo_power = 1e9F;
+    sonar.answer(control(1051, {1, 7018}));
+    const auto amplitude = [&](double gain) {
+        sonar.answer(control(1008, {f32(gain)}));
+        sonar.next(7018);
+        return static_cast<double>(sonar.next(7018).get<std::uint16_t>(52 + 4 * (400 * 256 + 9)));
+    };
+    const double low = amplitude(30), high = amplitude(50);
+    EXPECT_NEAR(high / low, 10, 0.2);
+}
+
+}  // namespace
+}  // namespace echoloop::test
