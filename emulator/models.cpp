@@ -3,6 +3,7 @@
 #include "emulator/devices/imagenex-852/sounder.h"
 #include "emulator/devices/imagenex-881a/sonar.h"
 #include "emulator/devices/imagenex-deltat/delta_t.h"
+#include "emulator/devices/kongsberg-kmall/kongsberg.h"
 #include "emulator/devices/nmea-echosounder/echosounder.h"
 #include "emulator/devices/oculus/oculus.h"
 #include "emulator/devices/omniscan450/omniscan450.h"
@@ -28,6 +29,7 @@ std::vector<Model> make_models() {
     all.push_back(imagenex852::model());
     all.push_back(imagenex881a::model());
     all.push_back(delta_t::model());
+    all.push_back(kongsberg_kmall::model());
     all.push_back(micron::model());
     all.push_back(profiler::model());
     all.push_back(seaking::model());

@@ -8,6 +8,7 @@
 #include "protocols/oculus/inspect.h"
 #include "protocols/imagenex/delta_t_inspect.h"
 #include "protocols/imagenex/inspect.h"
+#include "protocols/kmall/inspect.h"
 #include "protocols/nmea/inspect.h"
 #include "protocols/ping/inspect.h"
 #include "protocols/r2sonic/inspect.h"
@@ -25,6 +26,8 @@ constexpr std::array table = {
            r2sonic::tables},
     Family{"deltat", "Imagenex 837 Delta T, UDP and .83P files", Framing::stream, imagenex::decode_delta_t,
            imagenex::recognise_delta_t, imagenex::delta_t_tables},
+    Family{"kmall", "Kongsberg KMALL, UDP", Framing::datagram, kmall::decode, kmall::recognise,
+           kmall::tables},
     Family{"seanet", "Tritech SeaNet, serial", Framing::stream, seanet::decode, seanet::recognise,
            seanet::tables},
     Family{"oculus", "Blueprint Subsea Oculus, TCP and UDP", Framing::stream, oculus::decode,

@@ -6,6 +6,7 @@
 #include "protocols/altimeter/line.h"
 #include "protocols/imagenex/delta_t_codec.h"
 #include "protocols/inspect.h"
+#include "protocols/kmall/codec.h"
 #include "protocols/oculus/codec.h"
 #include "protocols/oculus/framer.h"
 #include "protocols/nmea/sentence.h"
@@ -64,6 +65,10 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
         return message ? imagenex::encode(*message) : wire::Bytes{};
     }
     if (family == "reson7k") return reson7k::rewritten(bytes);
+    if (family == "kmall") {
+        const auto datagram = kmall::parse(bytes);
+        return datagram ? kmall::serialise(*datagram) : wire::Bytes{};
+    }
     if (family == "imagenex") return imagenex::rewritten(bytes);
     if (family == "cerulean") return cerulean::rewritten(bytes);
     if (family == "altimeter") {

@@ -1,0 +1,65 @@
+#include "emulator/devices/kongsberg-kmall/ping.h"
+
+#include <algorithm>
+
+namespace echoloop::kongsberg_kmall {
+namespace {
+
+constexpr double pause = 10e-3;  // s beyond the range's time, own choice
+constexpr double most_bins = 4096;
+
+std::vector<double> bearings(const Settings& s) {
+    std::vector<double> all(s.soundings);
+    const double edge = s.sector_width / 2;
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const double part = 2 * static_cast<double>(n) / static_cast<double>(all.size() - 1) - 1;
+        all[n] = s.equidistant ? std::atan(part * std::tan(edge)) : part * edge;
+    }
+    return all;
+}
+
+}  // namespace
+
+double range_time(const Settings& settings) { return 2 * settings.range / settings.sound_speed; }
+
+double ping_period(const Settings& settings) {
+    return std::max(range_time(settings) + pause, 1 / settings.ping_rate);
+}
+
+Shot make_shot(const Settings& s, std::uint64_t ping) {
+    Shot shot;
+    shot.ping = ping;
+    shot.bearings = bearings(s);
+    shot.beam_width = s.receive_beam_width;
+    shot.fan_height = s.transmit_beam_width;
+    shot.bin_interval = std::max(s.pulse / 4, range_time(s) / most_bins);
+    shot.bins = static_cast<std::size_t>(std::ceil(range_time(s) / shot.bin_interval));
+    shot.frequency = s.frequency;
+    shot.pulse_length = s.pulse;
+    shot.source_level = s.source_level + s.power;
+    shot.horizontal = s.horizontal;
+    shot.vertical = s.vertical;
+    shot.receiver = s.receiver;
+    shot.receiver.bandwidth = 1 / s.pulse;
+    shot.interval = ping_period(s);
+    return shot;
+}
+
+Surface surface_of(const Pose& world_from_sonar) {
+    Vec3 ahead = rotate(world_from_sonar.orientation, {0, 0, 1});
+    if (std::hypot(ahead.x, ahead.y) < 0.5)  // a head that looks ahead, not down
+        ahead = rotate(world_from_sonar.orientation, {1, 0, 0});
+    const double length = std::hypot(ahead.x, ahead.y);
+    Surface surface;
+    surface.ahead = {ahead.x / length, ahead.y / length, 0};
+    surface.starboard = {surface.ahead.y, -surface.ahead.x, 0};
+    surface.heading = std::atan2(ahead.x, ahead.y);  // east is x, north is y
+    return surface;
+}
+
+Vec3 beam_direction(const Pose& world_from_sonar, const Surface& surface, double bearing) {
+    const Vec3 in_sonar{std::cos(bearing), -std::sin(bearing), 0};
+    return surface.from_world(rotate(world_from_sonar.orientation, in_sonar));
+}
+
+}  // namespace echoloop::kongsberg_kmall

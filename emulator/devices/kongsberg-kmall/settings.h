@@ -1,0 +1,48 @@
+// The options and the profile of a Kongsberg multibeam as typed values. Data only.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "emulator/model.h"
+
+namespace echoloop::kongsberg_kmall {
+
+struct Settings {
+    // What a host's commands change, at power-up.
+    bool pinging = true;
+    bool water_column = false;
+    // What they do not.
+    double range = 0;         ///< m
+    double frequency = 0;     ///< Hz
+    double pulse = 0;         ///< s
+    double power = 0;         ///< dB re the source level
+    double sector_width = 0;  ///< rad
+    std::size_t soundings = 0;
+    bool equidistant = true;
+    double ping_rate = 0;      ///< Hz, at most
+    double absorption = 0;     ///< dB/m, that the sounder reckons with
+    std::uint8_t version = 2;  ///< of #MRZ
+    std::uint16_t sounder = 2040;
+    std::uint8_t system_id = 0;
+    double latitude = 0, longitude = 0;  ///< deg, of the scene's origin
+    double datagram_gap = 0;             ///< s
+    // The profile; beam widths in rad at the frequency.
+    double source_level = 0;  ///< dB re 1 uPa at 1 m, at full power
+    double receive_beam_width = 0, transmit_beam_width = 0;
+    double detection_margin = 0;        ///< dB above the noise
+    double water_column_reference = 0;  ///< dB re 1 uPa after gain: reads 0 dB
+    AxisPattern horizontal, vertical;
+    Receiver receiver;
+    // The scenario.
+    bool tvg = true, echoes_last = true;
+    double sound_speed = 1500;  ///< m/s, of the sounder's own sensor: the true one
+    double unix_start = 0;      ///< s
+};
+
+std::vector<Option> option_table();
+std::vector<FigureRow> figure_table();
+/// From complete options and a complete profile.
+Settings read_settings(const DeviceConfig& config);
+
+}  // namespace echoloop::kongsberg_kmall

@@ -1,0 +1,202 @@
+#include "protocols/kmall/codec.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "protocols/kmall/sizes.h"
+#include "protocols/wire/read.h"
+
+namespace echoloop::kmall {
+namespace {
+
+using wire::ByteOrder;
+using wire::Bytes;
+using wire::ByteView;
+using wire::Error;
+using wire::Reason;
+using wire::Result;
+
+static_assert(wire::fixed_size<Header>() == header_size && wire::fixed_size<PingInfo>() == 152);
+static_assert(wire::fixed_size<TxSector>() == 48 && wire::fixed_size<RxInfo>() == 32);
+static_assert(wire::fixed_size<Sounding>() == 120 && wire::fixed_size<WaterBeamInfo>() == 16);
+
+/// Earlier versions have less of these.
+template <class T>
+constexpr std::size_t least_size = known_size<T>;
+template <>
+constexpr std::size_t least_size<PingInfo> = 144;
+template <>
+constexpr std::size_t least_size<TxSector> = 36;
+template <>
+constexpr std::size_t least_size<WaterBeamInfo> = 12;
+
+/// Walks through a datagram by the sizes of its structs; what is not there is an error, never read.
+class Steps {
+  public:
+    explicit Steps(ByteView bytes) : bytes_(bytes) {}
+
+    /// A struct of `size` bytes.
+    template <class T>
+    bool take(T& out, std::size_t size = known_size<T>) {
+        const auto name = wire::layout<T>.name;
+        if (size < least_size<T>) return fail(name, Reason::wrong_size);
+        if (size > left()) return fail(name, Reason::truncated);
+        Bytes known(known_size<T>);
+        std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at_), std::min(size, known.size()),
+                    known.begin());
+        const auto parsed = wire::parse<T>(known);
+        if (!parsed) return fail(name, parsed.error().reason);
+        out = *parsed;
+        at_ += size;
+        return true;
+    }
+    /// A struct whose first field is its size.
+    template <class T>
+    bool take_sized(T& out) {
+        if (left() < 2) return fail(wire::layout<T>.name, Reason::truncated);
+        return take(out, wire::load<ByteOrder::little, std::uint16_t>(bytes_.data() + at_));
+    }
+    template <class T>
+    bool take_all(std::vector<T>& out, std::size_t count, std::size_t size) {
+        if (count > 0 && size < least_size<T>) return fail(wire::layout<T>.name, Reason::wrong_size);
+        if (count * size > left()) return fail(wire::layout<T>.name, Reason::truncated);
+        out.resize(count);
+        return std::all_of(out.begin(), out.end(), [&](T& one) { return take(one, size); });
+    }
+    template <class Wire, class T>
+    bool take_numbers(std::vector<T>& out, std::size_t count) {
+        if (count * sizeof(Wire) > left()) return fail("samples", Reason::truncated);
+        out.resize(count);
+        for (T& one : out) {
+            one = wire::load<ByteOrder::little, Wire>(bytes_.data() + at_);
+            at_ += sizeof(Wire);
+        }
+        return true;
+    }
+    std::size_t left() const { return bytes_.size() - at_; }
+    ByteView rest() const { return bytes_.subspan(at_); }
+    bool fail(std::string_view what, Reason reason) {
+        error = {"KMALL", what, at_, reason};
+        return false;
+    }
+
+    Error error;
+
+  private:
+    ByteView bytes_;
+    std::size_t at_ = 0;
+};
+
+bool read(Steps& steps, Mrz& m) {
+    const auto image_samples = [&] {
+        std::size_t sum = 0;
+        for (const Sounding& s : m.soundings) sum += s.image_samples;
+        return sum;
+    };
+    return steps.take_sized(m.body) && steps.take_sized(m.ping) &&
+           steps.take_all(m.sectors, m.ping.tx_sectors, m.ping.bytes_per_sector) && steps.take_sized(m.rx) &&
+           steps.take_all(m.classes, m.rx.classes, m.rx.bytes_per_class) &&
+           steps.take_all(m.soundings, std::size_t{m.rx.soundings} + m.rx.extra_detections,
+                          m.rx.bytes_per_sounding) &&
+           steps.take_numbers<std::int16_t>(m.image, image_samples());
+}
+
+bool read_beam(Steps& steps, WaterBeam& beam, const WaterRx& rx) {
+    if (!steps.take(beam.info, rx.bytes_per_beam)) return false;
+    const std::size_t samples = beam.info.samples;
+    if (!steps.take_numbers<std::int8_t>(beam.amplitude, samples)) return false;
+    if (rx.phase == 1) return steps.take_numbers<std::int8_t>(beam.phase, samples);
+    return rx.phase != 2 || steps.take_numbers<std::int16_t>(beam.phase, samples);
+}
+
+bool read(Steps& steps, Mwc& m) {
+    if (!steps.take_sized(m.body) || !steps.take_sized(m.tx) ||
+        !steps.take_all(m.sectors, m.tx.sectors, m.tx.bytes_per_sector) || !steps.take_sized(m.rx))
+        return false;
+    if (m.rx.beams * least_size < WaterBeamInfo >> steps.left())
+        return steps.fail("WaterBeamInfo", Reason::truncated);
+    m.beams.resize(m.rx.beams);
+    return std::all_of(m.beams.begin(), m.beams.end(),
+                       [&](WaterBeam& beam) { return read_beam(steps, beam, m.rx); });
+}
+
+bool read(Steps& steps, Part& part) {
+    const ByteView rest = steps.rest();
+    part.bytes.assign(rest.begin(), rest.end());
+    return true;
+}
+
+template <class M>
+Result<Datagram> read_as(Steps& steps, const Header& header, Partition partition) {
+    M message;
+    message.header = header;
+    message.partition = partition;
+    if (!read(steps, message)) return steps.error;
+    if constexpr (!std::is_same_v<M, Part>)
+        if (steps.left() != 0) return Error{"KMALL", "", 0, Reason::trailing_bytes};
+    return Datagram(std::move(message));
+}
+
+Result<Datagram> read_command(ByteView bytes) {
+    std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    text.remove_prefix(command_word.size());
+    Command command;
+    const auto take = [&](unsigned& number) {
+        const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (fault != std::errc{}) return false;
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        return true;
+    };
+    if (!take(command.number) || text.empty() || text.front() != ',')
+        return Error{"KSSIS", "number", command_word.size(), Reason::wrong_constant};
+    text.remove_prefix(1);
+    if (!take(command.sounder))
+        return Error{"KSSIS", "sounder", bytes.size() - text.size(), Reason::wrong_constant};
+    command.arguments = text;
+    return Datagram(std::move(command));
+}
+
+bool is_command(ByteView bytes) {
+    return bytes.size() >= command_word.size() &&
+           std::equal(command_word.begin(), command_word.end(), bytes.begin());
+}
+
+}  // namespace
+
+bool recognise(ByteView bytes) {
+    const auto is_capital = [](std::uint8_t c) { return c >= 'A' && c <= 'Z'; };
+    return is_command(bytes) || (bytes.size() >= header_size + tail_size && bytes[4] == '#' &&
+                                 std::all_of(bytes.begin() + 5, bytes.begin() + 8, is_capital));
+}
+
+std::size_t datagram_size(ByteView bytes) {
+    if (is_command(bytes) || !recognise(bytes)) return bytes.size();
+    const std::size_t size = wire::load<ByteOrder::little, std::uint32_t>(bytes.data());
+    return size >= header_size + tail_size && size < bytes.size() ? size : bytes.size();
+}
+
+Result<Datagram> parse(ByteView datagram) {
+    if (is_command(datagram)) return read_command(datagram);
+    if (datagram.size() < header_size + tail_size) return Error{"KMALL", "header", 0, Reason::truncated};
+    Steps steps(datagram.first(datagram.size() - tail_size));
+    Header header;
+    Partition partition;
+    steps.take(header);
+    const auto tail = wire::load<ByteOrder::little, std::uint32_t>(datagram.data() + datagram.size() - 4);
+    if (header.size != datagram.size() || tail != header.size)
+        return Error{"KMALL", "size", 0, Reason::wrong_size};
+    const auto type = header.type.view();
+    if (type != "#MRZ" && type != "#MWC") return Error{"KMALL", "type", 4, Reason::unknown_message};
+    if (!steps.take(partition)) return steps.error;
+    if (partition.parts > 1) return read_as<Part>(steps, header, partition);
+    return type == "#MRZ" ? read_as<Mrz>(steps, header, partition) : read_as<Mwc>(steps, header, partition);
+}
+
+std::string_view name_of(const Datagram& datagram) {
+    if (std::holds_alternative<Mrz>(datagram)) return "MRZ";
+    if (std::holds_alternative<Mwc>(datagram)) return "MWC";
+    if (std::holds_alternative<Command>(datagram)) return "KSSIS";
+    return std::get<Part>(datagram).header.type == wire::Text<4>("#MRZ") ? "MRZ part" : "MWC part";
+}
+
+}  // namespace echoloop::kmall

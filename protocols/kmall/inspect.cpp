@@ -1,0 +1,145 @@
+#include "protocols/kmall/inspect.h"
+
+#include "protocols/kmall/water_layouts.h"
+#include "protocols/wire/visit.h"
+
+namespace echoloop::kmall {
+namespace {
+
+/// Adds structs one after the other, each as long as its own size says.
+class Walk {
+  public:
+    explicit Walk(inspect::Message& out) : out_(out), at_(out.offset) {}
+
+    template <class T>
+    void add(const char* name, const T& one, std::size_t size = *wire::fixed_size<T>()) {
+        wire::visit_fields(one, [&](wire::FieldView view) {
+            if (view.offset + view.size > size) return;  // of a later version
+            view.name = std::string(name) + '.' + view.name;
+            out_.fields.push_back(inspect::to_field(view, at_));
+        });
+        at_ += size;
+    }
+
+    /// Structs of `size` bytes: each field as an array, at the place of the first of them.
+    template <class T>
+    void add_all(const char* name, const std::vector<T>& all, std::size_t size) {
+        std::vector<wire::FieldView> columns;
+        for (const T& one : all) {
+            std::size_t column = 0;
+            wire::visit_fields(one, [&](const wire::FieldView& view) {
+                if (view.offset + view.size > size) return;
+                if (column == columns.size()) {
+                    columns.push_back(view);
+                    columns.back().name = std::string(name) + '.' + view.name;
+                    columns.back().value = std::vector<double>();
+                }
+                append(columns[column++].value, view.value);
+            });
+        }
+        for (const wire::FieldView& view : columns) out_.fields.push_back(inspect::to_field(view, at_));
+        at_ += all.size() * size;
+    }
+
+    template <class T>
+    void add_numbers(const std::string& name, const std::vector<T>& all, std::size_t size, const char* unit) {
+        wire::FieldView view{.name = name, .unit = unit, .offset = 0, .size = all.size() * size};
+        view.value = std::vector<double>(all.begin(), all.end());
+        out_.fields.push_back(inspect::to_field(view, at_));
+        at_ += view.size;
+    }
+
+  private:
+    static void append(wire::Value& column, const wire::Value& value) {
+        auto& numbers = *std::get_if<std::vector<double>>(&column);
+        std::visit(
+            [&](const auto& v) {
+                if constexpr (std::is_arithmetic_v<std::decay_t<decltype(v)>>)
+                    numbers.push_back(static_cast<double>(v));
+            },
+            value);
+    }
+
+    inspect::Message& out_;
+    std::size_t at_;
+};
+
+void add(Walk& walk, const Mrz& m) {
+    walk.add("body", m.body, m.body.size);
+    walk.add("ping", m.ping, m.ping.size);
+    walk.add_all("sectors", m.sectors, m.ping.bytes_per_sector);
+    walk.add("rx", m.rx, m.rx.size);
+    walk.add_all("classes", m.classes, m.rx.bytes_per_class);
+    walk.add_all("soundings", m.soundings, m.rx.bytes_per_sounding);
+    if (!m.image.empty()) walk.add_numbers("image", m.image, 2, "0.1 dB");
+}
+
+void add(Walk& walk, const Mwc& m) {
+    walk.add("body", m.body, m.body.size);
+    walk.add("tx", m.tx, m.tx.size);
+    walk.add_all("sectors", m.sectors, m.tx.bytes_per_sector);
+    walk.add("rx", m.rx, m.rx.size);
+    std::size_t number = 0;
+    for (const WaterBeam& beam : m.beams) {
+        const std::string name = "beams[" + std::to_string(number++) + ']';
+        walk.add(name.c_str(), beam.info, m.rx.bytes_per_beam);
+        walk.add_numbers(name + ".amplitude", beam.amplitude, 1, "0.5 dB");
+        if (!beam.phase.empty()) walk.add_numbers(name + ".phase", beam.phase, m.rx.phase, "");
+    }
+}
+
+void add(Walk& walk, const Part& part) { walk.add_numbers("bytes", part.bytes, 1, ""); }
+
+template <class M>
+void add_fields(inspect::Message& out, const M& message) {
+    Walk walk(out);
+    walk.add("header", message.header);
+    walk.add("partition", message.partition);
+    add(walk, message);
+}
+
+void add_fields(inspect::Message& out, const Command& command) {
+    const auto add_field = [&](const char* name, wire::Value value) {
+        wire::FieldView view{.name = name, .offset = 0, .size = out.size, .value = std::move(value)};
+        out.fields.push_back(inspect::to_field(view, out.offset));
+    };
+    add_field("number", std::uint64_t{command.number});
+    add_field("sounder", std::uint64_t{command.sounder});
+    add_field("arguments", command.arguments);
+}
+
+inspect::Message decode_one(wire::ByteView bytes, std::size_t offset) {
+    inspect::Message out{.offset = offset, .size = bytes.size()};
+    const auto datagram = parse(bytes);
+    if (datagram) {
+        out.name = name_of(*datagram);
+        std::visit([&](const auto& d) { add_fields(out, d); }, *datagram);
+    } else {
+        out.reason = datagram.error().what();
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<inspect::Message> decode(wire::ByteView bytes) {
+    std::vector<inspect::Message> messages;
+    std::size_t at = 0;
+    do {
+        const wire::ByteView rest = bytes.subspan(at);
+        const std::size_t size = datagram_size(rest);
+        messages.push_back(decode_one(rest.first(size), at));
+        at += size;
+    } while (at < bytes.size());
+    return messages;
+}
+
+std::vector<wire::Table> tables() {
+    using wire::table_of;
+    return {table_of<Header>(),         table_of<Partition>(), table_of<Body>(),
+            table_of<PingInfo>(),       table_of<TxSector>(),  table_of<RxInfo>(),
+            table_of<DetectionClass>(), table_of<Sounding>(),  table_of<WaterTx>(),
+            table_of<WaterSector>(),    table_of<WaterRx>(),   table_of<WaterBeamInfo>()};
+}
+
+}  // namespace echoloop::kmall

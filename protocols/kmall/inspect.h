@@ -1,0 +1,13 @@
+// KMALL's row in the table of families. Never used by devices.
+#pragma once
+
+#include "protocols/inspect.h"
+#include "protocols/kmall/codec.h"
+
+namespace echoloop::kmall {
+
+/// One datagram, or several back to back as in a .kmall file.
+std::vector<inspect::Message> decode(wire::ByteView bytes);
+std::vector<wire::Table> tables();
+
+}  // namespace echoloop::kmall

@@ -1,0 +1,72 @@
+// KMALL's datagrams, and the text commands of its controller, as plain structs. No wire code.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "protocols/kmall/parts.h"
+#include "protocols/kmall/water_parts.h"
+#include "protocols/wire/bytes.h"
+
+namespace echoloop::kmall {
+
+inline constexpr std::size_t largest_datagram = 64000;  ///< B; above it a datagram is divided on the wire
+
+/// Bathymetry of one fan. Sizes and counts are written as the vectors are.
+struct Mrz {
+    Header header;
+    Partition partition{1, 1};
+    Body body;
+    PingInfo ping;
+    std::vector<TxSector> sectors;
+    RxInfo rx;
+    std::vector<DetectionClass> classes;
+    std::vector<Sounding> soundings;  ///< of the bottom, then extra detections
+    std::vector<std::int16_t> image;  ///< seabed image of all soundings, 0.1 dB
+
+    friend bool operator==(const Mrz&, const Mrz&) = default;
+};
+
+struct WaterBeam {
+    WaterBeamInfo info;
+    std::vector<std::int8_t> amplitude;  ///< 0.5 dB
+    std::vector<std::int16_t> phase;     ///< empty, or as many
+
+    friend bool operator==(const WaterBeam&, const WaterBeam&) = default;
+};
+
+/// The water column of one fan.
+struct Mwc {
+    Header header;
+    Partition partition{1, 1};
+    Body body;
+    WaterTx tx;
+    std::vector<WaterSector> sectors;
+    WaterRx rx;
+    std::vector<WaterBeam> beams;
+
+    friend bool operator==(const Mwc&, const Mwc&) = default;
+};
+
+/// One of several parts of a datagram: what follows the partition.
+struct Part {
+    Header header;
+    Partition partition;
+    wire::Bytes bytes;
+
+    friend bool operator==(const Part&, const Part&) = default;
+};
+
+/// Text "$KSSIS,number,sounder,...".
+struct Command {
+    unsigned number = 0;
+    unsigned sounder = 0;
+    std::string arguments;  ///< with the comma before them
+
+    friend bool operator==(const Command&, const Command&) = default;
+};
+
+using Datagram = std::variant<Mrz, Mwc, Part, Command>;
+
+}  // namespace echoloop::kmall

@@ -1,0 +1,126 @@
+#include "protocols/wire/write.h"
+#include "protocols/kmall/codec.h"
+#include "protocols/kmall/sizes.h"
+#include "protocols/wire/read.h"
+
+namespace echoloop::kmall {
+namespace {
+
+using wire::ByteOrder;
+using wire::Bytes;
+using wire::ByteView;
+
+/// Grows by structs, each as long as its size says.
+class Pieces {
+  public:
+    template <class T>
+    void add(const T& one, std::size_t size) {
+        Bytes bytes = wire::serialise(one);
+        bytes.resize(size);
+        out.insert(out.end(), bytes.begin(), bytes.end());
+    }
+    template <class Wire>
+    void add_number(Wire value) {
+        out.resize(out.size() + sizeof value);
+        wire::store<ByteOrder::little>(value, out.data() + out.size() - sizeof value);
+    }
+
+    Bytes out;
+};
+
+template <class Size>
+Size or_known(Size size, std::size_t known) {
+    return size == 0 ? static_cast<Size>(known) : size;
+}
+
+template <class T>
+void add_sized(Pieces& pieces, T one) {
+    one.size = or_known(one.size, known_size<T>);
+    pieces.add(one, one.size);
+}
+
+void write(Pieces& pieces, Mrz m) {
+    m.ping.tx_sectors = static_cast<std::uint16_t>(m.sectors.size());
+    m.ping.bytes_per_sector = or_known(m.ping.bytes_per_sector, known_size<TxSector>);
+    m.rx.soundings = static_cast<std::uint16_t>(m.soundings.size() - m.rx.extra_detections);
+    m.rx.bytes_per_sounding = or_known(m.rx.bytes_per_sounding, known_size<Sounding>);
+    m.rx.classes = static_cast<std::uint16_t>(m.classes.size());
+    m.rx.bytes_per_class = or_known(m.rx.bytes_per_class, known_size<DetectionClass>);
+    add_sized(pieces, m.body);
+    add_sized(pieces, m.ping);
+    for (const TxSector& sector : m.sectors) pieces.add(sector, m.ping.bytes_per_sector);
+    add_sized(pieces, m.rx);
+    for (const DetectionClass& one : m.classes) pieces.add(one, m.rx.bytes_per_class);
+    for (const Sounding& sounding : m.soundings) pieces.add(sounding, m.rx.bytes_per_sounding);
+    for (const std::int16_t sample : m.image) pieces.add_number(sample);
+}
+
+void write(Pieces& pieces, Mwc m) {
+    m.tx.sectors = static_cast<std::uint16_t>(m.sectors.size());
+    m.tx.bytes_per_sector = or_known(m.tx.bytes_per_sector, known_size<WaterSector>);
+    m.rx.beams = static_cast<std::uint16_t>(m.beams.size());
+    m.rx.bytes_per_beam = or_known(m.rx.bytes_per_beam, known_size<WaterBeamInfo>);
+    add_sized(pieces, m.body);
+    add_sized(pieces, m.tx);
+    for (const WaterSector& sector : m.sectors) pieces.add(sector, m.tx.bytes_per_sector);
+    add_sized(pieces, m.rx);
+    for (WaterBeam& beam : m.beams) {
+        beam.info.samples = static_cast<std::uint16_t>(beam.amplitude.size());
+        pieces.add(beam.info, m.rx.bytes_per_beam);
+        const auto* samples = reinterpret_cast<const std::uint8_t*>(beam.amplitude.data());
+        pieces.out.insert(pieces.out.end(), samples, samples + beam.amplitude.size());
+        for (const std::int16_t phase : beam.phase) {
+            if (m.rx.phase == 1) pieces.add_number(static_cast<std::int8_t>(phase));
+            if (m.rx.phase == 2) pieces.add_number(phase);
+        }
+    }
+}
+
+void write(Pieces& pieces, const Part& part) {
+    pieces.out.insert(pieces.out.end(), part.bytes.begin(), part.bytes.end());
+}
+
+template <class M>
+Bytes bytes_of(const M& message) {
+    Pieces pieces;
+    pieces.add(message.header, header_size);
+    pieces.add(message.partition, known_size<Partition>);
+    write(pieces, message);
+    const auto size = static_cast<std::uint32_t>(pieces.out.size() + tail_size);
+    wire::store<ByteOrder::little>(size, pieces.out.data());
+    pieces.add_number(size);
+    return std::move(pieces.out);
+}
+
+Bytes bytes_of(const Command& command) {
+    std::string text(command_word);
+    text += std::to_string(command.number) + ',' + std::to_string(command.sounder) + command.arguments;
+    return {text.begin(), text.end()};
+}
+
+}  // namespace
+
+Bytes serialise(const Datagram& datagram) {
+    return std::visit([](const auto& one) { return bytes_of(one); }, datagram);
+}
+
+std::vector<Bytes> divided(Bytes datagram) {
+    constexpr std::size_t around = header_size + known_size<Partition> + tail_size;
+    constexpr std::size_t most = largest_datagram - around;
+    if (datagram.size() <= largest_datagram) return {std::move(datagram)};
+    Part part;
+    part.header = *wire::parse<Header>(ByteView(datagram).first(header_size));
+    const ByteView all =
+        ByteView(datagram).subspan(header_size + known_size<Partition>, datagram.size() - around);
+    part.partition.parts = static_cast<std::uint16_t>((all.size() + most - 1) / most);
+    std::vector<Bytes> parts;
+    for (std::size_t at = 0; at < all.size(); at += most) {
+        const ByteView piece = all.subspan(at, std::min(most, all.size() - at));
+        part.bytes.assign(piece.begin(), piece.end());
+        ++part.partition.part;
+        parts.push_back(bytes_of(part));
+    }
+    return parts;
+}
+
+}  // namespace echoloop::kmall

@@ -1,0 +1,128 @@
+"""The Kongsberg multibeam end to end over UDP on loopback: the floor of the scene is where its datagrams say."""
+
+import math
+import socket
+import time
+import unittest
+
+from program import Emulator, free_base_port
+
+import kmall_wire as wire
+
+SCENARIO = """
+scene: "{scenes}/flat.glb"
+seed: 3
+water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
+vehicle: {pose: {position: [0, 0, -12], rpy_deg: [%s]}}
+devices:
+  - name: multibeam
+    model: kongsberg-kmall
+    mount: {rpy_deg: [0, 90, 0]}
+    endpoints: ["udp-listen://127.0.0.1:%d", "udp://127.0.0.1:%d"]
+    options: {%s}
+"""
+
+
+class KmallCase(unittest.TestCase):
+    def start(self, options="range: 25", rpy="0, 0, 0"):
+        self.commands = free_base_port()
+        self.joiner = wire.Joiner()
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.addCleanup(self.socket.close)
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
+        self.socket.bind(("127.0.0.1", 0))
+        emulator = Emulator(SCENARIO % (rpy, self.commands, self.socket.getsockname()[1], options))
+        self.addCleanup(emulator.__exit__, None, None, None)
+        emulator.__enter__()
+
+    def say(self, text):
+        self.socket.sendto(text.encode(), ("127.0.0.1", self.commands))
+
+    def next(self, kind, seconds=20):
+        """(header, body) of the next whole datagram of a kind."""
+        end = time.monotonic() + seconds
+        while True:
+            self.socket.settimeout(max(0.01, end - time.monotonic()))
+            found = self.joiner.take(self.socket.recv(65536))
+            if found and found[0]["kind"] == kind:
+                return found
+
+    def mrz(self):
+        return wire.read_mrz(self.next("#MRZ")[1])
+
+    def check_floor(self, ping, depth=8.0, roll=0.0, limit=60.0):
+        """Within 0.5 % inside 60 deg of the vertical, without holes."""
+        inside = [s for s in ping["soundings"] if abs(s["angle"] + roll) <= limit]
+        self.assertGreater(len(inside), 200)
+        for s in inside:
+            self.assertEqual(s["type"], 0, f"no bottom at {s['angle']:.1f} deg")
+            self.assertLess(abs(s["z"] - depth), 0.005 * depth, f"at {s['angle']:.1f} deg")
+
+
+class Bathymetry(KmallCase):
+    def test_flat_floor_within_half_a_per_cent(self):
+        self.start()
+        for _ in range(3):
+            ping = self.mrz()
+            self.check_floor(ping)
+            for s in ping["soundings"]:
+                down = s["time"] * ping["sound_speed"] / 2 * math.cos(math.radians(s["angle"]))
+                self.assertAlmostEqual(down, s["z"], delta=1e-3, msg="angle and time say the same")
+                self.assertAlmostEqual(s["y"], -s["z"] * math.tan(math.radians(s["angle"])), delta=1e-2)
+            self.assertAlmostEqual(ping["depth"], 12, delta=1e-3)
+            self.assertAlmostEqual(ping["heading"], 90, delta=1e-2, msg="the bow points east")
+            self.assertAlmostEqual(ping["soundings"][0]["z"] - ping["water_level"], 20, delta=0.1)
+
+    def test_places_are_level_and_true_when_the_vehicle_rolls_and_turns(self):
+        self.start("range: 30, sector_width: 100, latitude: 60, longitude: 5", "8, 0, 40")
+        ping = self.mrz()
+        self.check_floor(ping, roll=8.0)
+        self.assertAlmostEqual(ping["heading"], 50, delta=1e-2)
+        self.assertAlmostEqual(ping["latitude"], 60, delta=1e-9)
+        port = ping["soundings"][0]
+        self.assertLess(port["y"], 0)
+        # To port of a bow at 50 deg is north-west: 320 deg.
+        self.assertAlmostEqual(port["dlat"] * 111120, -port["y"] * math.cos(math.radians(320)), delta=0.05)
+        self.assertAlmostEqual(port["dlon"] * 55560, -port["y"] * math.sin(math.radians(320)), delta=0.05)
+
+    def test_equal_distances_and_another_mode(self):
+        self.start("range: 25, beam_spacing: equidistant, frequency: 400e3, mrz_version: \"0\", ping_rate: 10")
+        first, second = self.next("#MRZ"), self.next("#MRZ")
+        self.assertEqual(first[0]["version"], 0)
+        self.assertAlmostEqual(second[0]["time"] - first[0]["time"], 0.1, delta=0.005)
+        ping = wire.read_mrz(second[1])
+        self.assertEqual(ping["frequency"], 400e3)
+        self.check_floor(ping, limit=45)  # beyond it, beams that overlap so far are noisier
+        across = [math.tan(math.radians(s["angle"])) for s in ping["soundings"]]
+        steps = [a - b for a, b in zip(across, across[1:])]
+        self.assertAlmostEqual(min(steps), max(steps), delta=1e-5)
+
+
+class Commands(KmallCase):
+    def test_stop_start_and_water_column(self):
+        self.start("range: 20, pinging: false")
+        self.socket.settimeout(1)
+        with self.assertRaises(socket.timeout):
+            self.socket.recv(65536)
+        self.say("$KSSIS,458,2040")
+        self.check_floor(self.mrz())
+        self.say("$KSSIS,461,2040")
+        head, body = self.next("#MWC")
+        self.assertGreater(head["parts"], 1)
+        column = wire.read_mwc(body)
+        self.assertEqual(len(column["beams"]), 400)
+        for beam in column["beams"][100:300]:
+            loudest = max(range(len(beam["samples"])), key=beam["samples"].__getitem__)
+            slant = (loudest + 0.5) / column["rate"] * column["sound_speed"] / 2
+            self.assertAlmostEqual(slant * math.cos(math.radians(beam["angle"])), 8.0, delta=0.25)
+            self.assertAlmostEqual(beam["fine"], loudest + 0.5, delta=6)
+        self.say("$KSSIS,457,2040")
+        end = time.monotonic() + 20
+        self.socket.settimeout(0.7)
+        with self.assertRaises(socket.timeout):
+            while time.monotonic() < end:
+                self.socket.recv(65536)
+
+
+if __name__ == "__main__":
+    unittest.main()
