@@ -51,7 +51,7 @@ TEST(Reson7k, ServesHostsByUdpUntilTheyEndIt) {
     for (const Send& send : sends) {
         EXPECT_EQ(send.port, 1U);
         EXPECT_LE(send.bytes.size(), 60000U);
-        EXPECT_GE(send.not_before, before) << "paced";
+        EXPECT_GE(send.not_before, before + (before > Time{} ? 299us : 0us)) << "paced";
         before = send.not_before;
         to_third += send.to == third;
         EXPECT_TRUE(send.to == third || send.to == host);
