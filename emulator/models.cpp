@@ -5,6 +5,7 @@
 #include "emulator/devices/imagenex-deltat/delta_t.h"
 #include "emulator/devices/kongsberg-kmall/kongsberg.h"
 #include "emulator/devices/nmea-echosounder/echosounder.h"
+#include "emulator/devices/norbit-wbms/norbit_wbms.h"
 #include "emulator/devices/oculus/oculus.h"
 #include "emulator/devices/omniscan450/omniscan450.h"
 #include "emulator/devices/ping1d/ping1d.h"
@@ -34,6 +35,7 @@ std::vector<Model> make_models() {
     all.push_back(profiler::model());
     all.push_back(seaking::model());
     all.push_back(nmea_echosounder::model());
+    all.push_back(norbit_device::model());
     for (Model& model : oculus_device::models()) all.push_back(std::move(model));
     all.push_back(omniscan450::model());
     all.push_back(ping1d::model());

@@ -10,6 +10,7 @@
 #include "protocols/imagenex/inspect.h"
 #include "protocols/kmall/inspect.h"
 #include "protocols/nmea/inspect.h"
+#include "protocols/norbit/inspect.h"
 #include "protocols/ping/inspect.h"
 #include "protocols/r2sonic/inspect.h"
 #include "protocols/reson7k/inspect.h"
@@ -36,6 +37,8 @@ constexpr std::array table = {
            sonar3d::recognise, sonar3d::tables},
     Family{"reson7k", "Teledyne Reson 7k, TCP, UDP and files", Framing::stream, reson7k::decode,
            reson7k::recognise, reson7k::tables, std::size_t{64} << 20},
+    Family{"norbit", "Norbit WBMS, TCP", Framing::stream, norbit::decode, norbit::recognise, norbit::tables,
+           std::size_t{2} << 20},
     // Before ping: it wants a message that no Ping device has, while a ping frame is any whole one.
     Family{"cerulean", "Cerulean sonars, TCP and UDP", Framing::stream, cerulean::decode, cerulean::recognise,
            cerulean::tables},

@@ -10,6 +10,8 @@
 #include "protocols/oculus/codec.h"
 #include "protocols/oculus/framer.h"
 #include "protocols/nmea/sentence.h"
+#include "protocols/norbit/codec.h"
+#include "protocols/norbit/framer.h"
 #include "protocols/ping/codec.h"
 #include "protocols/ping/framer.h"
 #include "protocols/r2sonic/codec.h"
@@ -68,6 +70,13 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
     if (family == "kmall") {
         const auto datagram = kmall::parse(bytes);
         return datagram ? kmall::serialise(*datagram) : wire::Bytes{};
+    }
+    if (family == "norbit") {
+        norbit::Framer framer;
+        framer.feed(bytes);
+        const auto frame = framer.next();
+        const auto message = frame ? norbit::parse(*frame) : wire::Result<norbit::Message>(wire::Error{});
+        return message ? norbit::encode(*message, frame->header.version, frame->header.type) : wire::Bytes{};
     }
     if (family == "imagenex") return imagenex::rewritten(bytes);
     if (family == "cerulean") return cerulean::rewritten(bytes);

@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include "emulator/devices/norbit-wbms/norbit_wbms.h"
+#include "emulator/endpoint.h"
+
+namespace echoloop::norbit_device {
+namespace {
+
+constexpr double default_range = 30;  // m
+
+void check_endpoints(const std::vector<std::string>& endpoints) {
+    const auto listens = [](const std::string& uri) {
+        return parse_endpoint(uri).scheme == Endpoint::Scheme::tcp_listen;
+    };
+    if (endpoints.size() != 3 || !std::all_of(endpoints.begin(), endpoints.end(), listens))
+        throw std::invalid_argument(
+            "a Norbit WBMS has three endpoints, for commands, bathymetry and water column, e.g. "
+            "[\"tcp-listen://127.0.0.1:2209\", \"tcp-listen://127.0.0.1:2210\", "
+            "\"tcp-listen://127.0.0.1:2211\"]");
+}
+
+std::unique_ptr<Device> make(const DeviceConfig& config) {
+    check_endpoints(config.endpoints);
+    return std::make_unique<NorbitWbms>(read_settings(config));
+}
+
+Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
+    const Settings settings = read_settings(config);
+    Controls controls = initial_controls(settings);
+    controls.gate_mode = 0;
+    controls.stop = range > 0 ? range : default_range;
+    const Plan plan = make_plan(controls, settings, first_gain(settings));
+    return make_shot(controls, plan, settings, static_cast<std::uint32_t>(step + 1));
+}
+
+}  // namespace
+
+Model model() {
+    Model m;
+    m.name = "norbit-wbms";
+    m.title = "Norbit WBMS multibeam sonar";
+    m.protocol = "Norbit WBMS: text commands, bathymetry and water column, each on TCP";
+    m.default_endpoints = {"tcp-listen://127.0.0.1:2209", "tcp-listen://127.0.0.1:2210",
+                           "tcp-listen://127.0.0.1:2211"};
+    m.endpoint_schemes = {"tcp-listen"};
+    m.options = option_table();
+    m.figures = figure_table();
+    m.profile = built_in_profile(m.name);
+    m.make = make;
+    m.default_shot = default_shot;
+    return m;
+}
+
+}  // namespace echoloop::norbit_device

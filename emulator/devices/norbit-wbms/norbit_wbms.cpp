@@ -1,0 +1,118 @@
+#include "emulator/devices/norbit-wbms/norbit_wbms.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocols/norbit/codec.h"
+
+namespace echoloop::norbit_device {
+namespace {
+
+enum PortIndex : std::size_t { command_port, bathymetry_port, water_column_port };
+
+}  // namespace
+
+NorbitWbms::NorbitWbms(const Settings& settings)
+    : settings_(settings), controls_(initial_controls(settings)), digital_gain_(first_gain(settings)) {}
+
+std::vector<Port> NorbitWbms::ports() const {
+    const auto stream = [](const char* name) { return Port{name, Port::Kind::stream, {}, false}; };
+    return {stream("commands"), stream("bathymetry"), stream("water column")};
+}
+
+Actions NorbitWbms::started(Time now) {
+    plan_next_ping(now);
+    return take_actions();
+}
+
+/// Settings are the sonar's, whoever is connected.
+void NorbitWbms::reconnected(std::size_t port) {
+    if (port == command_port) lines_.clear();
+    if (port == water_column_port) images_wanted_ = true;
+}
+
+Actions NorbitWbms::received(const Received& data, Time now) {
+    if (data.port != command_port) {
+        counters_.skipped_bytes += data.bytes.size();
+        return take_actions();
+    }
+    lines_.feed(data.bytes);
+    while (const auto line = lines_.next()) obey_line(*line, now);
+    line_ends_ = lines_.waits() ? now + from_seconds(settings_.command_pause) : Time::max();
+    return take_actions();
+}
+
+void NorbitWbms::obey_line(const std::string& line, Time now) {
+    if (line.find_first_not_of(" \t") == std::string::npos) return;
+    const auto command = norbit::read_command(line).value_or(norbit::Command{});
+    const Reply reply = obey(command, controls_, settings_);
+    ++(reply.understood ? counters_.messages : counters_.rejected);
+    send(command_port, Bytes(reply.text.begin(), reply.text.end()));
+    if (!ping_under_way_) plan_next_ping(now);
+}
+
+bool NorbitWbms::pinging() const {
+    constexpr double external_trigger = 4;  // and 5: none ever comes
+    return controls_.power != 0 && controls_.trigger_mode < external_trigger;
+}
+
+void NorbitWbms::plan_next_ping(Time now) {
+    next_ping_ = Time::max();
+    if (!pinging()) return;
+    const Time period = from_seconds(make_plan(controls_, settings_, digital_gain_).period);
+    next_ping_ = last_transmission_ ? std::max(now, *last_transmission_ + period) : now;
+}
+
+double NorbitWbms::time_stamp(Time time) const {
+    constexpr double free_run = 8;
+    return to_seconds(time) + (controls_.time_source == free_run ? 0 : settings_.unix_start);
+}
+
+void NorbitWbms::transmit(Time now) {
+    next_ping_ = Time::max();
+    ping_under_way_ = true;
+    last_transmission_ = now;
+    ping_ = {controls_, make_plan(controls_, settings_, digital_gain_), ping_.number + 1, time_stamp(now)};
+    actions_.ping = Ping{make_shot(ping_.controls, ping_.plan, settings_, ping_.number),
+                         now + from_seconds(ping_.plan.due)};
+}
+
+Actions NorbitWbms::heard(const Echogram& echogram, Time now) {
+    const bool expected = ping_under_way_ && echogram.shot.ping == ping_.number &&
+                          echogram.shot.bins == ping_.plan.bins &&
+                          echogram.beams() == ping_.plan.bearings.size();
+    if (!expected) return take_actions();
+    ping_under_way_ = false;
+    ++counters_.pings;
+    if (ping_.controls.mode != 0)
+        send(bathymetry_port, bathymetry_packet(ping_, settings_, echogram, time_stamp(now)));
+    if (images_wanted_) {
+        double peak = 0;
+        send(water_column_port, water_column_packet(ping_, settings_, echogram, time_stamp(now), peak));
+        digital_gain_ = next_gain(controls_, settings_, ping_.plan.digital_gain, peak);
+    }
+    plan_next_ping(now);
+    return take_actions();
+}
+
+Actions NorbitWbms::woken(Time now) {
+    if (now >= line_ends_) {
+        line_ends_ = Time::max();
+        obey_line(lines_.rest(), now);
+    }
+    if (now >= next_ping_) transmit(now);
+    return take_actions();
+}
+
+DeviceCounters NorbitWbms::counters() const {
+    DeviceCounters counters = counters_;
+    counters.skipped_bytes += lines_.skipped_bytes();
+    return counters;
+}
+
+Actions NorbitWbms::take_actions() {
+    actions_.wake = std::min(next_ping_, line_ends_);
+    return std::exchange(actions_, {});
+}
+
+}  // namespace echoloop::norbit_device

@@ -1,0 +1,164 @@
+#include "protocols/norbit/codec.h"
+
+#include <algorithm>
+#include <array>
+
+#include "protocols/norbit/layouts.h"
+#include "protocols/wire/read.h"
+#include "protocols/wire/write.h"
+
+namespace echoloop::norbit {
+namespace {
+
+constexpr std::size_t type_at = 4, size_at = 8, crc_at = 20;
+constexpr std::size_t bathymetry_head = 112;  // B before the points, with the header
+
+using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
+
+/// Of the reversed polynomial 0xEDB88320, for eight bytes at a time.
+constexpr CrcTables make_crc_tables() {
+    CrcTables t{};
+    for (std::uint32_t n = 0; n < 256; ++n) {
+        std::uint32_t c = n;
+        for (int bit = 0; bit < 8; ++bit) c = (c & 1) != 0 ? 0xEDB88320U ^ (c >> 1) : c >> 1;
+        t[0][n] = c;
+    }
+    for (std::size_t k = 1; k < 8; ++k)
+        for (std::size_t n = 0; n < 256; ++n) t[k][n] = t[0][t[k - 1][n] & 0xFF] ^ (t[k - 1][n] >> 8);
+    return t;
+}
+constexpr CrcTables crc_tables = make_crc_tables();
+
+bool carries_crc(Type type) { return type == Type::bathymetry || type == Type::water_column; }
+
+std::size_t least_payload(Type type) {
+    return (type == Type::bathymetry ? bathymetry_head : water_column_head) - header_bytes;
+}
+
+template <class T>
+void put(wire::Bytes& packet, std::size_t at, T value) {
+    wire::store<wire::ByteOrder::little>(value, packet.data() + at);
+}
+
+template <class M>
+wire::Bytes without_crc(Type type, std::uint32_t version, const M& message) {
+    Header header;
+    header.type = type;
+    header.version = version;
+    wire::Writer writer;
+    wire::write_fields(writer, header);
+    writer.counts.message(message);
+    wire::write_fields(writer, message);
+    return std::move(writer.out);
+}
+
+void put_size(wire::Bytes& packet) { put(packet, size_at, static_cast<std::uint32_t>(packet.size())); }
+
+template <class M>
+wire::Result<Message> parse_as(const wire::Bytes& payload) {
+    auto message = wire::parse<M>(payload);
+    if (!message) return message.error();
+    return Message(*std::move(message));
+}
+
+}  // namespace
+
+std::uint32_t crc32(wire::ByteView bytes) {
+    const auto& t = crc_tables;
+    std::uint32_t c = 0xFFFFFFFFU;
+    std::size_t i = 0;
+    for (; i + 8 <= bytes.size(); i += 8) {
+        const std::uint32_t a = c ^ wire::load<wire::ByteOrder::little, std::uint32_t>(bytes.data() + i);
+        const auto b = wire::load<wire::ByteOrder::little, std::uint32_t>(bytes.data() + i + 4);
+        c = t[7][a & 0xFF] ^ t[6][a >> 8 & 0xFF] ^ t[5][a >> 16 & 0xFF] ^ t[4][a >> 24] ^ t[3][b & 0xFF] ^
+            t[2][b >> 8 & 0xFF] ^ t[1][b >> 16 & 0xFF] ^ t[0][b >> 24];
+    }
+    for (; i < bytes.size(); ++i) c = t[0][(c ^ bytes[i]) & 0xFF] ^ (c >> 8);
+    return ~c;
+}
+
+bool has_right_crc(const Header& header, wire::ByteView payload) {
+    return !carries_crc(header.type) || header.crc == crc32(payload);
+}
+
+std::optional<Header> plausible_header(wire::ByteView bytes) {
+    if (bytes.size() < header_bytes) return std::nullopt;
+    const auto header = wire::parse<Header>(bytes.first(header_bytes));
+    if (!header || header->reserved != 0) return std::nullopt;
+    const auto known = [&](const wire::NamedValue& v) {
+        return v.value == static_cast<std::uint32_t>(header->type);
+    };
+    if (std::none_of(std::begin(type_names), std::end(type_names), known)) return std::nullopt;
+    const std::size_t least = header_bytes + least_payload(header->type);
+    if (header->size < least || header->size > max_packet) return std::nullopt;
+    return *header;
+}
+
+wire::Result<Message> parse(const Frame& frame) {
+    switch (frame.header.type) {
+        case Type::bathymetry:
+            return parse_as<Bathymetry>(frame.payload);
+        case Type::water_column:
+        case Type::snippet:
+        case Type::side_scan:
+            return parse_as<WaterColumn>(frame.payload);
+    }
+    return wire::Error{"Header", "type", type_at, wire::Reason::unknown_message};
+}
+
+wire::Bytes encode(const Message& message, std::uint32_t version, std::optional<Type> type) {
+    const bool points = std::holds_alternative<Bathymetry>(message);
+    const Type usual = points ? Type::bathymetry : Type::water_column;
+    wire::Bytes packet =
+        std::visit([&](const auto& m) { return without_crc(type.value_or(usual), version, m); }, message);
+    put_size(packet);
+    if (carries_crc(type.value_or(usual))) close(packet);
+    return packet;
+}
+
+wire::Bytes open(const WaterColumn& message, std::uint32_t version) {
+    wire::Bytes packet = without_crc(Type::water_column, version, message);
+    const std::size_t cells = std::size_t{message.samples} * message.beams;
+    packet.resize(water_column_head + cells * bytes_of(message.sample) + 4 * std::size_t{message.beams});
+    put_size(packet);
+    return packet;
+}
+
+void close(wire::Bytes& packet) { put(packet, crc_at, crc32(wire::ByteView(packet).subspan(header_bytes))); }
+
+std::string name_of(const Header& header) {
+    for (const wire::NamedValue& known : type_names)
+        if (known.value == static_cast<std::uint32_t>(header.type)) return std::string(known.name);
+    return "type " + std::to_string(static_cast<std::uint32_t>(header.type));
+}
+
+std::size_t bytes_of(Sample sample) {
+    switch (sample) {
+        case Sample::u8:
+        case Sample::s8:
+            return 1;
+        case Sample::u16:
+        case Sample::s16:
+            return 2;
+        case Sample::u32:
+        case Sample::s32:
+        case Sample::f32:
+            return 4;
+        case Sample::u64:
+        case Sample::s64:
+        case Sample::f64:
+            return 8;
+    }
+    return 0;
+}
+
+std::optional<Image> image_of(const WaterColumn& m) {
+    const std::size_t size = bytes_of(m.sample), most = m.tail.size();
+    if (size == 0 || m.beams > most || m.samples > most) return std::nullopt;
+    const std::size_t samples = std::size_t{m.samples} * m.beams * size, angles = 4 * std::size_t{m.beams};
+    if (samples + angles > most) return std::nullopt;
+    const wire::ByteView tail(m.tail);
+    return Image{size, tail.first(samples), tail.subspan(samples, angles)};
+}
+
+}  // namespace echoloop::norbit

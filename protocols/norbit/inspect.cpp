@@ -1,0 +1,54 @@
+#include "protocols/norbit/inspect.h"
+
+#include "protocols/inspect_stream.h"
+#include "protocols/norbit/codec.h"
+#include "protocols/norbit/framer.h"
+#include "protocols/norbit/layouts.h"
+
+namespace echoloop::norbit {
+namespace {
+
+const char* fault_of(const Bathymetry&) { return ""; }
+const char* fault_of(const WaterColumn& message) {
+    return image_of(message) ? "" : "rows, columns and sample type do not fit the packet's size";
+}
+
+inspect::Message inspected(const Frame& frame, std::size_t offset) {
+    inspect::Message out;
+    out.offset = offset;
+    out.size = header_bytes + frame.payload.size();
+    out.name = name_of(frame.header);
+    inspect::add_fields(out, frame.header);
+    const auto message = parse(frame);
+    if (!message) {
+        out.reason = message.error().what();
+        return out;
+    }
+    std::visit(
+        [&](const auto& m) {
+            inspect::add_fields(out, m);
+            out.reason = fault_of(m);
+        },
+        *message);
+    return out;
+}
+
+}  // namespace
+
+std::vector<inspect::Message> decode(wire::ByteView bytes) {
+    return inspect::decode_stream<Framer>(bytes, inspected);
+}
+
+/// A header is a sure sign; a whole image may be longer than what is looked at.
+bool recognise(wire::ByteView bytes) {
+    for (; bytes.size() >= header_bytes; bytes = bytes.subspan(1))
+        if (bytes[0] == 0xEF && plausible_header(bytes)) return true;
+    return false;
+}
+
+std::vector<wire::Table> tables() {
+    using wire::table_of;
+    return {table_of<Header>(), table_of<Bathymetry>(), table_of<Point>(), table_of<WaterColumn>()};
+}
+
+}  // namespace echoloop::norbit

@@ -1,0 +1,274 @@
+// A Norbit WBMS on the bench: literal commands, packets read by the document's offsets.
+#include <gmock/gmock.h>
+
+#include <bit>
+
+#include "tests/emulator/devices/noisy_line.h"
+
+namespace echoloop::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+enum Ports : std::size_t { commands, bathymetry, water_column };
+
+std::uint64_t number_at(const Bytes& b, std::size_t at, std::size_t size) {
+    std::uint64_t value = 0;
+    for (std::size_t i = size; i-- > 0;) value = value << 8 | b.at(at + i);
+    return value;
+}
+std::uint32_t u32(const Bytes& b, std::size_t at) { return static_cast<std::uint32_t>(number_at(b, at, 4)); }
+int u16(const Bytes& b, std::size_t at) { return static_cast<int>(number_at(b, at, 2)); }
+float f32(const Bytes& b, std::size_t at) { return std::bit_cast<float>(u32(b, at)); }
+double f64(const Bytes& b, std::size_t at) { return std::bit_cast<double>(number_at(b, at, 8)); }
+
+Bench norbit(const Options& changes = {}) { return Bench(make_device("norbit-wbms", {}, changes)); }
+
+Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+
+/// The answer to a command with a line's end; everything else that was sent is forgotten.
+std::string ask(Bench& bench, const std::string& command) {
+    bench.sent();
+    bench.say(bytes_of(command + "\r\n"));
+    for (const Send& send : bench.sent())
+        if (send.port == commands) return {send.bytes.begin(), send.bytes.end()};
+    return "";
+}
+
+std::vector<Bytes> packets(Bench& bench, std::size_t port) {
+    std::vector<Bytes> found;
+    for (const Send& send : bench.sent())
+        if (send.port == port) found.push_back(send.bytes);
+    return found;
+}
+
+/// The shot of the first ping after these commands.
+Shot shot_after(const std::vector<std::string>& said, const Options& changes = {}) {
+    Bench bench = norbit(changes);
+    for (const std::string& command : said) ask(bench, command);
+    ask(bench, "set_power 1");
+    bench.run_to(bench.now);
+    EXPECT_TRUE(bench.ping);
+    return bench.ping ? bench.ping->shot : Shot{};
+}
+
+void place_echo(Bench& bench, double metres) {
+    const Shot& shot = bench.ping->shot;
+    bench.echo_bin = static_cast<std::size_t>((2 * metres / 1500 - shot.first_bin_time) / shot.bin_interval);
+    bench.echo_power = 1e14F;
+}
+
+TEST(NorbitWbms, IsSilentUntilPowerIsOn) {
+    Bench bench = norbit();
+    bench.run_to(5s);
+    EXPECT_TRUE(bench.sent().empty());
+    EXPECT_FALSE(bench.ping);
+    EXPECT_EQ(ask(bench, "set_power 1"), "set_power 1\r\n");
+    bench.run_to(bench.now);
+    ASSERT_TRUE(bench.ping);
+    ask(bench, "set_power 0");
+    bench.run_to(8s);
+    EXPECT_EQ(bench.shots.size(), 1U) << "the ping under way is finished, no other follows";
+}
+
+TEST(NorbitWbms, ACommandWithoutALinesEndIsAnsweredAfterAPause) {
+    Bench bench = norbit();
+    bench.say(bytes_of("set_rate 10"));
+    bench.run_to(99ms);
+    EXPECT_TRUE(bench.sent().empty());
+    bench.run_to(100ms);
+    const auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(std::string(sent[0].bytes.begin(), sent[0].bytes.end()), "set_rate 10 # Hz, -1 automatic\r\n");
+    bench.say(bytes_of("set_ra"));
+    bench.device().reconnected(commands);
+    EXPECT_EQ(ask(bench, "set_rate"), "set_rate 10 # Hz, -1 automatic\r\n")
+        << "another host's half is worthless";
+}
+
+TEST(NorbitWbms, AnswersHaveTheValuesInForce) {
+    Bench bench = norbit();
+    EXPECT_EQ(ask(bench, "set_range"), "set_range 0 50 # in meter\r\n");
+    EXPECT_EQ(ask(bench, "set_range 0.5 20.0"), "set_range 0.5 20 # in meter\r\n");
+    for (const char* wrong : {"set_range 1", "set_range 5 5", "set_range 0 601", "set_range a b",
+                              "set_range 1 2 3", "set_range nan 4"})
+        EXPECT_EQ(ask(bench, wrong), "set_range 0.5 20 # out of range, not set\r\n") << wrong;
+    ask(bench, "set_gate_mode 2");
+    EXPECT_EQ(ask(bench, "set_range"), "set_range 0 50 0 50 # in meter\r\n");
+    EXPECT_EQ(ask(bench, "set_resolution 256 100"), "set_resolution 256 128 # out of range, not set\r\n");
+    EXPECT_EQ(ask(bench, "set_tx 700 80 10 200"), "set_tx 700 80 10 200 # kHz, kHz, 0-15, us\r\n");
+    EXPECT_EQ(ask(bench, "sound_velocity 20"), "sound_velocity -1 # out of range, not set\r\n");
+    EXPECT_EQ(ask(bench, "partno"), "partno 12004\r\n");
+    EXPECT_EQ(ask(bench, "set_warp 1"), "error # unknown command\r\n");
+    ask(bench, "set_default");
+    EXPECT_EQ(ask(bench, "set_tx"), "set_tx 400 80 15 500 # kHz, kHz, 0-15, us\r\n");
+    EXPECT_EQ(ask(bench, "set_gate_mode"), "set_gate_mode 1 # 0 range, 1 depth, 2 both\r\n");
+}
+
+TEST(NorbitWbms, SettingsMakeTheShot) {
+    const Shot shot = shot_after({"set_gate_mode 0", "set_range 5 30", "set_direction 10",
+                                  "set_opening_angle 60", "set_tx 200 40 15 100"});
+    EXPECT_EQ(shot.bearings.size(), 256U);
+    EXPECT_NEAR(rad_to_deg(shot.bearings.front()), 10 - 30 * 255.0 / 256, 1e-9);
+    EXPECT_NEAR(rad_to_deg(shot.bearings.back()), 10 + 30 * 255.0 / 256, 1e-9);
+    EXPECT_NEAR(shot.first_bin_time, 10 / 1500.0, 1.5 / 78125);
+    EXPECT_NEAR(shot.bin_interval, 1 / 78125.0, 1e-12);
+    EXPECT_NEAR(static_cast<double>(shot.bins), 50 / 1500.0 * 78125, 4);
+    EXPECT_EQ(shot.frequency, 200e3);
+    EXPECT_EQ(shot.bandwidth, 40e3);
+    EXPECT_NEAR(shot.pulse_length, 100e-6, 1e-12);
+    const Shot plain = shot_after({"set_gate_mode 0", "set_range 5 30"});
+    EXPECT_NEAR(shot.beam_width, 2 * plain.beam_width, 1e-12);
+    EXPECT_NEAR(shot_after({"set_tx 400 80 3 500"}).source_level, plain.source_level - 13.98, 0.01);
+    EXPECT_LT(shot_after({"set_tx 400 80 0 500"}).source_level, -200);
+    EXPECT_NEAR(rad_to_deg(shot_after({"set_flip 0", "set_direction 20"}).bearings[128]), -20, 0.4);
+    EXPECT_NEAR(shot_after({"set_mf_decimation 4", "set_gate_mode 0"}).bin_interval, 4 / 78125.0, 1e-12);
+    EXPECT_EQ(shot_after({}, {{"beam_mode", std::string("512EA")}}).bearings.size(), 512U);
+}
+
+TEST(NorbitWbms, HugeWindowsStayBounded) {
+    for (const char* opening : {"set_opening_angle 360", "set_opening_angle 0", "set_opening_angle 140"}) {
+        const Shot shot = shot_after({"set_range 0 600", opening, "set_direction -90"});
+        EXPECT_LE(shot.bins, 4097U);
+        EXPECT_GE(shot.bins, 16U);
+        EXPECT_LT(shot.bearings.front(), shot.bearings.back());
+        EXPECT_NEAR(shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval, 0.8, 0.01);
+    }
+}
+
+TEST(NorbitWbms, PingsComeAtTheRateOrAsFastAsSoundAllows) {
+    Bench bench = norbit({{"power", true}});
+    ask(bench, "set_gate_mode 0");
+    ask(bench, "set_range 0 30");
+    ask(bench, "set_rate 5");
+    bench.run_to(2s);
+    bench.shots.clear();
+    bench.run_to(4s);
+    EXPECT_EQ(bench.shots.size(), 10U);
+    ask(bench, "set_rate -1");
+    bench.run_to(5s);
+    bench.shots.clear();
+    bench.run_to(6s);
+    EXPECT_NEAR(static_cast<double>(bench.shots.size()), 1 / (60 / 1500.0 + 0.010), 1);
+    ask(bench, "set_trigger_mode 4");
+    bench.run_to(7s);
+    bench.shots.clear();
+    bench.run_to(9s);
+    EXPECT_TRUE(bench.shots.empty()) << "no trigger ever comes";
+}
+
+TEST(NorbitWbms, BathymetryHasTheEchoAtItsSample) {
+    Bench bench = norbit({{"newer_fields", true}});
+    ask(bench, "set_gate_mode 0");
+    ask(bench, "set_range 1 30");
+    ask(bench, "set_power 1");
+    bench.run_to(bench.now);
+    place_echo(bench, 9);
+    const Time transmitted = bench.now;
+    bench.run_to(bench.ping->due);
+    EXPECT_NEAR(to_seconds(bench.now - transmitted), 2 * 30 / 1500.0 + 0.010, 1e-3);
+    const auto sent = packets(bench, bathymetry);
+    ASSERT_EQ(sent.size(), 1U);
+    const Bytes& b = sent[0];
+    EXPECT_EQ(to_hex(ByteView(b).first(4)), "efbeadde");
+    EXPECT_EQ(u32(b, 4), 1U);
+    EXPECT_EQ(u32(b, 8), b.size());
+    EXPECT_EQ(b.size(), 112U + 20 * 256);
+    EXPECT_EQ(u32(b, 12), 4U);
+    EXPECT_EQ(f32(b, 24), 1500);
+    EXPECT_EQ(f32(b, 28), 78125);
+    EXPECT_EQ(u32(b, 36), 1U);
+    EXPECT_NEAR(f64(b, 40), to_seconds(transmitted), 1e-6);
+    EXPECT_EQ(u16(b, 60), 4);
+    EXPECT_EQ(b[62], 2);
+    EXPECT_EQ(b[63], 1);
+    EXPECT_EQ(f32(b, 80), 400e3F);
+    EXPECT_TRUE(std::isnan(f32(b, 96)));
+    EXPECT_NEAR(f32(b, 104), deg_to_rad(140), 1e-6);
+    for (std::size_t n = 0; n < 256; ++n) {
+        const std::size_t at = 112 + 20 * n;
+        EXPECT_NEAR(u32(b, at), 2 * 9 / 1500.0 * 78125, 1) << n;
+        EXPECT_NEAR(u16(b, at + 8), 2 * 1 / 1500.0 * 78125, 1);
+        EXPECT_NEAR(u16(b, at + 10), 2 * 30 / 1500.0 * 78125, 1);
+        EXPECT_EQ(u16(b, at + 16), 1) << "by magnitude";
+        EXPECT_EQ(b[at + 18] & 1, 1);
+    }
+    EXPECT_NEAR(f32(b, 112 + 20 * 128 + 12), 1e7, 1) << "intensity: uPa";
+}
+
+TEST(NorbitWbms, SilenceIsNoSounding) {
+    Bench bench = norbit({{"power", true}});
+    bench.run_to(1s);
+    const auto sent = packets(bench, bathymetry);
+    ASSERT_FALSE(sent.empty());
+    for (std::size_t n = 0; n < 256; ++n) {
+        EXPECT_EQ(u32(sent[0], 112 + 20 * n), 0U);
+        EXPECT_EQ(sent[0][112 + 20 * n + 18], 0);
+    }
+}
+
+TEST(NorbitWbms, WaterColumnGoesOutOnceSomebodyHasConnected) {
+    Bench bench = norbit();
+    ask(bench, "set_gate_mode 0");
+    ask(bench, "set_range 0 30");
+    ask(bench, "set_power 1");
+    bench.run_to(1s);
+    EXPECT_TRUE(packets(bench, water_column).empty());
+    bench.device().reconnected(water_column);
+    place_echo(bench, 9);
+    bench.run_to(2s);
+    const auto sent = packets(bench, water_column);
+    ASSERT_FALSE(sent.empty());
+    const Bytes& b = sent.back();
+    const std::uint32_t beams = u32(b, 32), rows = u32(b, 36);
+    EXPECT_EQ(u32(b, 4), 2U);
+    EXPECT_EQ(beams, 128U);
+    EXPECT_NEAR(rows, 256, 10);
+    EXPECT_EQ(u32(b, 48), 3U);
+    EXPECT_EQ(b.size(), 192U + beams * rows * 2 + beams * 4);
+    EXPECT_EQ(f32(b, 72), 400);
+    EXPECT_EQ(u32(b, 84), 15U);
+    EXPECT_EQ(u32(b, 120), 256U);
+    EXPECT_NEAR(std::remainder(78125 / f32(b, 28), 1.0), 0, 1e-5) << "a whole fraction";
+    std::size_t brightest = 0;
+    for (std::size_t row = 0; row < rows; ++row)
+        if (u16(b, 192 + 2 * beams * row) > u16(b, 192 + 2 * beams * brightest)) brightest = row;
+    const double t0 = u32(b, 52), range = (t0 + static_cast<double>(brightest)) * 1500 / (2 * f32(b, 28));
+    EXPECT_NEAR(range, 9, 1500 / (2 * f32(b, 28)) / 2 + 0.01) << "the nearest row";
+    EXPECT_GT(u16(b, 192 + 2 * beams * brightest), 0.4 * 32767) << "the digital gain has followed";
+    EXPECT_EQ(std::fmod(f32(b, 56), 6), 0);
+    EXPECT_NEAR(f32(b, 192 + beams * rows * 2), -deg_to_rad(70) * 127 / 128, 1e-5);
+}
+
+TEST(NorbitWbms, WaterColumnsAreNeverLongerThanThePayloadAllows) {
+    for (const char* sample : {"u8", "s16", "f32"}) {
+        Bench bench = norbit({{"beam_mode", std::string("512EA")}, {"sample", std::string(sample)}});
+        bench.device().reconnected(water_column);
+        for (const char* command : {"set_resolution 2048 512", "set_range 0 600", "set_power 1"})
+            ask(bench, command);
+        bench.run_to(1s);
+        const auto sent = packets(bench, water_column);
+        ASSERT_FALSE(sent.empty());
+        EXPECT_LE(sent[0].size(), 24U + 1048576);
+        EXPECT_LE(u32(sent[0], 32) * u32(sent[0], 36), 512U * 1024);
+        EXPECT_GT(sent[0].size(), 300000U);
+    }
+}
+
+TEST(NorbitWbms, ANoisyHostIsServedAgainWithinOneRequest) {
+    Bench bench = norbit({{"power", true}});
+    NoisyHost host;
+    for (const char* word :
+         {"set_range .5 30", "set_rate 3", "set_tx 400 80 15 500\r\n", "set_opening_angle 120"})
+        host.words.push_back(to_hex(bytes_of(word)));
+    host.request = to_hex(bytes_of("serial"));
+    host.is_answer = [](const Send& s) {
+        return s.port == commands && std::string(s.bytes.begin(), s.bytes.end()) == "serial 1001\r\n";
+    };
+    host.quiet = 101ms;
+    host.patience = 500ms;
+    expect_no_wedge(bench, host, 500);
+}
+
+}  // namespace
+}  // namespace echoloop::test
