@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "emulator/devices/aris/aris.h"
 #include "emulator/devices/imagenex-852/sounder.h"
 #include "emulator/devices/imagenex-881a/sonar.h"
 #include "emulator/devices/imagenex-deltat/delta_t.h"
@@ -27,6 +28,7 @@ namespace {
 // An explicit table: a self-registering object in a static library would silently be dropped by the linker.
 std::vector<Model> make_models() {
     std::vector<Model> all;
+    for (Model& model : aris_device::models()) all.push_back(std::move(model));
     all.push_back(imagenex852::model());
     all.push_back(imagenex881a::model());
     all.push_back(delta_t::model());

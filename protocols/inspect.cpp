@@ -4,6 +4,7 @@
 #include <array>
 
 #include "protocols/altimeter/inspect.h"
+#include "protocols/aris/inspect.h"
 #include "protocols/cerulean/inspect.h"
 #include "protocols/oculus/inspect.h"
 #include "protocols/imagenex/delta_t_inspect.h"
@@ -50,6 +51,9 @@ constexpr std::array table = {
            nmea::tables},
     Family{"altimeter", "Tritech Micron Echosounder, serial", Framing::stream, altimeter::decode,
            altimeter::recognise, altimeter::tables},
+    // The last: protobuf has no mark of its own.
+    Family{"aris", "Sound Metrics ARIS, UDP and TCP", Framing::stream, aris::decode, aris::recognise,
+           aris::tables},
 };
 
 std::optional<double> number_of(const wire::Value& value) {

@@ -14,7 +14,7 @@ def output(*arguments):
 
 class Documentation(unittest.TestCase):
     def test_message_tables_are_those_of_the_codecs(self):
-        for family in ("altimeter", "seanet", "r2sonic", "oculus", "cerulean", "nmea", "norbit", "imagenex", "deltat", "kmall", "ping", "reson7k", "sonar3d"):
+        for family in ("altimeter", "aris", "seanet", "r2sonic", "oculus", "cerulean", "nmea", "norbit", "imagenex", "deltat", "kmall", "ping", "reson7k", "sonar3d"):
             with self.subTest(family):
                 text = (ROOT / "docs" / f"messages-{family}.md").read_text()
                 tables = text[text.index("## ") :]
@@ -39,7 +39,7 @@ class Documentation(unittest.TestCase):
         shared = ROOT / "emulator" / "devices" / "family"  # what devices of one protocol share
         for folder in set((ROOT / "emulator" / "devices").iterdir()) - {shared}:
             self.assertTrue((folder / "README.md").exists(), folder.name)
-        for family in ("altimeter", "seanet", "r2sonic", "oculus", "cerulean", "nmea", "norbit", "imagenex", "deltat", "kmall", "ping", "reson7k", "sonar3d"):
+        for family in ("altimeter", "aris", "seanet", "r2sonic", "oculus", "cerulean", "nmea", "norbit", "imagenex", "deltat", "kmall", "ping", "reson7k", "sonar3d"):
             self.assertTrue(list((ROOT / "tests" / "data" / family).glob("*")), family)
 
     def test_every_model_has_a_profile_whose_figures_are_shown(self):

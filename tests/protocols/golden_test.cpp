@@ -18,6 +18,7 @@
 #include "protocols/seanet/codec.h"
 #include "protocols/seanet/framer.h"
 #include "protocols/sonar3d/codec.h"
+#include "tests/protocols/aris_rewritten.h"
 #include "tests/protocols/cerulean_rewritten.h"
 #include "tests/protocols/data.h"
 #include "tests/protocols/imagenex_rewritten.h"
@@ -78,6 +79,7 @@ wire::Bytes rewritten(const std::string& family, const wire::Bytes& bytes) {
         const auto message = frame ? norbit::parse(*frame) : wire::Result<norbit::Message>(wire::Error{});
         return message ? norbit::encode(*message, frame->header.version, frame->header.type) : wire::Bytes{};
     }
+    if (family == "aris") return aris::rewritten(bytes);
     if (family == "imagenex") return imagenex::rewritten(bytes);
     if (family == "cerulean") return cerulean::rewritten(bytes);
     if (family == "altimeter") {

@@ -1,0 +1,237 @@
+#include "emulator/devices/aris/aris.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "emulator/devices/aris/date_time.h"
+#include "emulator/devices/aris/version.h"
+#include "protocols/aris/codec.h"
+
+namespace echoloop::aris_device {
+namespace {
+
+enum PortIndex : std::size_t { command_port, beacon_port, frame_port };
+
+constexpr std::uint32_t loopback = 0x7F000001;
+
+bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
+
+Time period_of(const aris::SetAcoustics& acoustics) {
+    return from_seconds(1 / static_cast<double>(acoustics.frame_rate));
+}
+
+std::optional<std::uint32_t> address_in(const std::string& text) {
+    try {
+        return read_ipv4(text);
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+Aris::Aris(const Settings& settings, const Wiring& wiring)
+    : settings_(settings),
+      wiring_(wiring),
+      clock_offset_(static_cast<std::int64_t>(settings.unix_start * 1e6)) {}
+
+std::vector<Port> Aris::ports() const {
+    return {{"commands", Port::Kind::stream, {}, false},
+            {"beacon", Port::Kind::datagram, {wiring_.own.ip, 0}, false},
+            {"frames", Port::Kind::datagram, {wiring_.own.ip, 0}, false}};
+}
+
+Actions Aris::started(Time now) {
+    next_beacon_ = now;
+    return take_actions();
+}
+
+/// Salinity, lens and clock stay as they are; the rest is the next controller's to set.
+void Aris::forget_controller() {
+    framer_.clear();
+    control_ = {};
+    next_frame_ = next_silence_ = Time::max();
+    connected_ = frame_under_way_ = false;
+}
+
+void Aris::reconnected(std::size_t port) {
+    if (port != command_port) return;
+    forget_controller();
+    connected_ = true;
+}
+
+Actions Aris::received(const Received& data, Time now) {
+    if (data.port == frame_port) take_ack(data.bytes);
+    if (data.port != command_port) return take_actions();
+    connected_ = true;
+    if (settings_.silence_limit > 0) next_silence_ = now + from_seconds(settings_.silence_limit);
+    framer_.feed(data.bytes);
+    while (const auto frame = framer_.next()) obey(frame->command, now);
+    return take_actions();
+}
+
+/// Without effect, as on the real one.
+void Aris::take_ack(ByteView bytes) {
+    ++(aris::parse_frame_part_ack(bytes) ? counters_.messages : counters_.rejected);
+}
+
+void Aris::obey(const aris::Command& command, Time now) {
+    using Type = aris::CommandType;
+    bool good = true;
+    switch (static_cast<Type>(command.type)) {
+        case Type::set_date_time:
+            good = set_clock(command.date_time->text, now);
+            break;
+        case Type::set_receiver:
+            good = set_receiver(*command.receiver);
+            break;
+        case Type::set_stream:
+            control_.delay = command.stream->delay.value_or(aris::PacketDelay{});
+            break;
+        case Type::set_acoustics:
+            good = set_acoustics(*command.acoustics);
+            break;
+        case Type::set_salinity:
+            good = set_salinity(command.salinity->salinity);
+            break;
+        case Type::set_telephoto:
+            good = set_telephoto(command.telephoto->telephoto);
+            break;
+        default:  // focus, rotator, log, ping: nothing to hear of them
+            break;
+    }
+    ++(good ? counters_.messages : counters_.rejected);
+    if (!frame_under_way_) plan_next_frame(now);
+}
+
+bool Aris::set_clock(const std::string& text, Time now) {
+    const auto seconds = read_date_time(text);
+    if (seconds) clock_offset_ = *seconds * 1'000'000 - now.count() / 1000;
+    return seconds.has_value();
+}
+
+/// A sonar on a loopback address sends to loopback only.
+bool Aris::set_receiver(const aris::SetReceiver& wish) {
+    const bool own_loopback = is_loopback(wiring_.own.ip);
+    const std::uint32_t fallback =
+        settings_.controller != 0 || !own_loopback ? settings_.controller : loopback;
+    const auto ip = wish.ip.empty() ? std::optional(fallback) : address_in(wish.ip);
+    if (ip == 0U && !wish.ip.empty()) {
+        control_.receiver.reset();
+        return true;
+    }
+    const bool reachable = ip && *ip != 0 && (!own_loopback || is_loopback(*ip));
+    if (!reachable || wish.port == 0 || wish.port > 65535) return false;
+    control_.receiver = {*ip, static_cast<std::uint16_t>(wish.port)};
+    return true;
+}
+
+/// Settings that are refused leave the last ones in force.
+bool Aris::set_acoustics(const aris::SetAcoustics& wish) {
+    if (!is_valid(wish, settings_)) {
+        control_.invalid = wish.cookie;
+        return false;
+    }
+    control_.acoustics = constrained(wish, settings_);
+    if (*control_.acoustics != wish) control_.constrained = wish.cookie;
+    return true;
+}
+
+bool Aris::set_salinity(std::uint32_t salinity) {
+    if (salinity != 0 && salinity != 15 && salinity != 35) return false;
+    salinity_ = salinity;
+    return true;
+}
+
+/// Made for 48 and 96 beams.
+bool Aris::set_telephoto(bool telephoto) {
+    if (telephoto && settings_.variant.system_type == aris::system_type::aris3000) return false;
+    telephoto_ = telephoto;
+    return true;
+}
+
+/// Not before the parts of the last frame have gone when those of the next one come.
+void Aris::plan_next_frame(Time now) {
+    next_frame_ = Time::max();
+    if (!control_.acoustics || !control_.receiver) return;
+    const aris::SetAcoustics& acoustics = *control_.acoustics;
+    next_frame_ = std::max(now, parts_out_ - from_seconds(frame_time(acoustics)));
+    if (last_transmission_) next_frame_ = std::max(next_frame_, *last_transmission_ + period_of(acoustics));
+}
+
+void Aris::transmit(Time now) {
+    next_frame_ = Time::max();
+    frame_under_way_ = true;
+    last_transmission_ = now;
+    const aris::SetAcoustics& acoustics = *control_.acoustics;
+    frame_ = {frame_.number + 1,
+              acoustics,
+              telephoto_,
+              salinity_,
+              control_.constrained,
+              control_.invalid,
+              control_.delay,
+              now,
+              static_cast<std::uint64_t>(clock_offset_ + now.count() / 1000)};
+    const Time heard = from_seconds(frame_time(acoustics) + settings_.acoustics.processing);
+    actions_.ping = Ping{make_shot(acoustics, telephoto_, settings_, frame_.number),
+                         now + std::min(heard, period_of(acoustics))};
+}
+
+Actions Aris::heard(const Echogram& echogram, Time now) {
+    const bool expected = frame_under_way_ && echogram.shot.ping == frame_.number &&
+                          echogram.shot.bins == frame_.acoustics.samples &&
+                          echogram.beams() == frame_.beams();
+    if (!expected) return take_actions();
+    frame_under_way_ = false;
+    ++counters_.pings;
+    if (control_.receiver) send_frame(echogram, now);
+    plan_next_frame(now);
+    return take_actions();
+}
+
+void Aris::send_frame(const Echogram& echogram, Time now) {
+    const Time delay = from_seconds(part_delay(frame_, settings_));
+    for (Bytes& part : make_parts(frame_, settings_, echogram)) {
+        parts_out_ = std::max(now, parts_out_);
+        actions_.send.push_back({frame_port, std::move(part), *control_.receiver, parts_out_});
+        parts_out_ += delay;
+    }
+}
+
+void Aris::send_beacon() {
+    aris::Availability beacon;
+    beacon.serial = settings_.serial;
+    beacon.system_type = settings_.variant.system_type;
+    beacon.version = {version_major, version_minor, version_build};
+    beacon.state = connected_ ? aris::connection_state::busy : aris::connection_state::available;
+    beacon.capabilities = {{"KA"}};
+    beacon.link = settings_.ethernet;
+    beacon.cpu_temperature = static_cast<float>(settings_.temperature);
+    if (settings_.voyager) beacon.variants = {{"VG"}};
+    actions_.send.push_back({beacon_port, aris::encode(beacon), wiring_.beacon, {}});
+}
+
+Actions Aris::woken(Time now) {
+    if (now >= next_beacon_) {
+        next_beacon_ = now + from_seconds(settings_.beacon_period);
+        send_beacon();
+    }
+    if (now >= next_silence_) forget_controller();
+    if (now >= next_frame_) transmit(now);
+    return take_actions();
+}
+
+DeviceCounters Aris::counters() const {
+    DeviceCounters counters = counters_;
+    counters.skipped_bytes = framer_.skipped_bytes();
+    return counters;
+}
+
+Actions Aris::take_actions() {
+    actions_.wake = std::min({next_frame_, next_beacon_, next_silence_});
+    return std::exchange(actions_, {});
+}
+
+}  // namespace echoloop::aris_device

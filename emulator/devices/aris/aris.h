@@ -1,0 +1,73 @@
+// A Sound Metrics ARIS imaging sonar: beacon and frames by UDP, commands by TCP. A pure state machine.
+#pragma once
+
+#include <optional>
+
+#include "emulator/devices/aris/frame.h"
+#include "protocols/aris/framer.h"
+
+namespace echoloop::aris_device {
+
+struct Wiring {
+    Address own;     ///< where the TCP listener is; beacon and frames come from that address
+    Address beacon;  ///< where the beacon goes
+};
+
+class Aris final : public Device {
+  public:
+    Aris(const Settings& settings, const Wiring& wiring);
+
+    std::vector<Port> ports() const override;
+    Actions started(Time now) override;
+    Actions received(const Received& data, Time now) override;
+    Actions heard(const Echogram& echogram, Time now) override;
+    Actions woken(Time now) override;
+    void reconnected(std::size_t port) override;
+    DeviceCounters counters() const override;
+
+  private:
+    /// What a controller has set, and what goes with it.
+    struct Control {
+        std::optional<Address> receiver;
+        std::optional<aris::SetAcoustics> acoustics;  ///< as they can be done; none: no frames
+        aris::PacketDelay delay;
+        std::uint32_t constrained = 0, invalid = 0;  ///< cookies
+    };
+
+    void obey(const aris::Command& command, Time now);
+    bool set_receiver(const aris::SetReceiver& wish);
+    bool set_acoustics(const aris::SetAcoustics& wish);
+    bool set_salinity(std::uint32_t salinity);
+    bool set_telephoto(bool telephoto);
+    bool set_clock(const std::string& text, Time now);
+    void take_ack(ByteView bytes);
+    void forget_controller();
+    void plan_next_frame(Time now);
+    void transmit(Time now);
+    void send_frame(const Echogram& echogram, Time now);
+    void send_beacon();
+    Actions take_actions();
+
+    Settings settings_;
+    Wiring wiring_;
+    aris::Framer framer_;
+    Control control_;
+    bool connected_ = false;
+    std::uint32_t salinity_ = 0;  ///< ppt
+    bool telephoto_ = false;
+    std::int64_t clock_offset_;  ///< us, Unix time at power-up by the sonar's own clock
+    FrameRecord frame_;          ///< the frame under way, or the last one
+    bool frame_under_way_ = false;
+    std::optional<Time> last_transmission_;
+    Time parts_out_{};  ///< when the parts of the last frame have gone
+    Time next_frame_ = Time::max();
+    Time next_beacon_ = Time::max();
+    Time next_silence_ = Time::max();  ///< when the controller will have been silent too long
+    Actions actions_;
+    DeviceCounters counters_;
+};
+
+/// The rows of the table of models.
+std::vector<Model> models();
+
+}  // namespace echoloop::aris_device

@@ -1,0 +1,13 @@
+// The date and time that a controller sets. Pure function; reads no clock.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace echoloop::aris_device {
+
+/// s since 1970 of "2014-Jan-31 23:58:15"; nothing if it is not written so or is no date.
+std::optional<std::int64_t> read_date_time(std::string_view text);
+
+}  // namespace echoloop::aris_device

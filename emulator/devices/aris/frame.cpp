@@ -1,0 +1,103 @@
+#include "emulator/devices/aris/frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "emulator/devices/aris/version.h"
+#include "protocols/aris/codec.h"
+
+namespace echoloop::aris_device {
+namespace {
+
+constexpr std::size_t part_overhead = 32;  // B of keys and numbers, at most
+
+/// psi, of the water above.
+double pressure_at(double depth) {
+    constexpr double density = 1025, gravity = 9.80665, pascal_per_psi = 6894.757;
+    return std::max(0.0, depth) * density * gravity / pascal_per_psi;
+}
+
+void copy_settings(const aris::SetAcoustics& from, aris::FrameHeader& to) {
+    to.gain = static_cast<std::uint32_t>(std::lround(from.gain));
+    to.sample_rate = 1e6F / static_cast<float>(from.sample_period);
+    to.ping_mode = from.ping_mode;
+    to.frequency = from.frequency;
+    to.pulse_width = from.pulse_width;
+    to.cycle_period = from.cycle_period;
+    to.sample_period = from.sample_period;
+    to.transmit = from.transmit;
+    to.frame_rate = from.frame_rate;
+    to.samples = from.samples;
+    to.volts_150 = from.volts_150;
+    to.start_delay = from.start_delay;
+    to.applied = from.cookie;
+}
+
+std::size_t room(const Settings& settings, bool first) {
+    return settings.datagram - part_overhead - (first ? aris::header_bytes : 0);
+}
+
+}  // namespace
+
+aris::FrameHeader make_header(const FrameRecord& frame, const Settings& settings, double depth) {
+    aris::FrameHeader header;
+    copy_settings(frame.acoustics, header);
+    const double c = sound_speed(settings.temperature, frame.salinity, depth);
+    header.index = frame.number;
+    header.sonar_time = header.go_time = frame.clock;
+    header.window_start = static_cast<float>(c / 2 * 1e-6 * frame.acoustics.start_delay);
+    header.window_length =
+        static_cast<float>(c / 2 * 1e-6 * frame.acoustics.sample_period * frame.acoustics.samples);
+    header.temperature1 = header.temperature2 =
+        static_cast<std::uint32_t>(std::lround(std::max(0.0, settings.temperature)));
+    header.water_temperature = static_cast<float>(settings.temperature);
+    header.sound_speed = static_cast<float>(c);
+    header.large_lens = frame.telephoto;
+    header.system_type = settings.variant.system_type;
+    header.serial = settings.serial;
+    header.reordered = settings.reordered;
+    header.salinity = frame.salinity;
+    header.pressure = static_cast<float>(pressure_at(depth));
+    header.constrained = frame.constrained;
+    header.invalid = frame.invalid;
+    header.delay_enabled = frame.delay.enable;
+    header.delay_period = frame.delay.period;
+    header.uptime = static_cast<std::uint32_t>(to_seconds(frame.time));
+    header.version_major = version_major;
+    header.version_minor = version_minor;
+    header.variant = settings.voyager ? 2 : 0;
+    return header;
+}
+
+double part_delay(const FrameRecord& frame, const Settings& settings) {
+    constexpr std::uint32_t longest = 100'000;  // us
+    return frame.delay.enable ? 1e-6 * std::min(frame.delay.period, longest) : settings.part_delay;
+}
+
+std::size_t part_count(const FrameRecord& frame, const Settings& settings) {
+    const std::size_t first = room(settings, true), others = room(settings, false);
+    const std::size_t rest = frame.bytes() > first ? frame.bytes() - first : 0;
+    return 1 + (rest + others - 1) / others;
+}
+
+std::vector<Bytes> make_parts(const FrameRecord& frame, const Settings& settings, const Echogram& echogram) {
+    Bytes samples(frame.bytes());
+    write_samples(echogram, frame, settings, samples);
+    aris::FramePart part;
+    part.frame_index = frame.number;
+    part.total_data_size = static_cast<std::uint32_t>(samples.size());
+    part.header = aris::encode(make_header(frame, settings, -echogram.world_from_sonar.position.z));
+    std::vector<Bytes> out;
+    out.reserve(part_count(frame, settings));
+    for (std::size_t at = 0; at < samples.size(); at += part.data.size()) {
+        const std::size_t size = std::min(samples.size() - at, room(settings, at == 0));
+        const auto from = samples.begin() + static_cast<std::ptrdiff_t>(at);
+        part.data.assign(from, from + static_cast<std::ptrdiff_t>(size));
+        part.data_offset = static_cast<std::uint32_t>(at);
+        out.push_back(aris::encode(part));
+        part.header.clear();
+    }
+    return out;
+}
+
+}  // namespace echoloop::aris_device

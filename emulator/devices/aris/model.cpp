@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include "emulator/devices/aris/aris.h"
+#include "emulator/endpoint.h"
+
+namespace echoloop::aris_device {
+namespace {
+
+constexpr std::uint16_t beacon_port = 56124;
+constexpr std::uint32_t loopback_broadcast = 0x7FFFFFFF;  // 127.255.255.255
+constexpr Variant aris_1800{aris::system_type::aris1800, 3, 1};
+constexpr Variant aris_3000{aris::system_type::aris3000, 9, 6};
+
+bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
+
+Endpoint read_listener(const std::string& uri) {
+    const Endpoint listener = parse_endpoint(uri);
+    if (listener.scheme != Endpoint::Scheme::tcp_listen)
+        throw std::invalid_argument(uri + ": the first endpoint must be tcp-listen://ADDRESS:56888");
+    if (listener.ip == 0)
+        throw std::invalid_argument(
+            uri + ": controllers connect to the address that beacons come from; name one of this machine's");
+    return listener;
+}
+
+/// A loopback sonar sends to loopback only.
+Address read_beacon(const std::string& uri, const Endpoint& listener) {
+    const Endpoint beacon = parse_endpoint(uri);
+    if (beacon.scheme != Endpoint::Scheme::udp)
+        throw std::invalid_argument(uri +
+                                    ": the second endpoint, for the beacon, must be udp://ADDRESS:56124");
+    if (is_loopback(listener.ip) && !is_loopback(beacon.ip))
+        throw std::invalid_argument(uri +
+                                    ": a sonar on a loopback address sends its beacon to loopback only; give "
+                                    "the first endpoint an address of that network");
+    return {beacon.ip, beacon.port};
+}
+
+Wiring read_wiring(const std::vector<std::string>& endpoints) {
+    if (endpoints.empty() || endpoints.size() > 2)
+        throw std::invalid_argument(
+            "an ARIS has one or two endpoints, its command port and where its beacon goes, e.g. "
+            "[\"tcp-listen://192.168.1.4:56888\", \"udp://192.168.1.255:56124\"]");
+    const Endpoint listener = read_listener(endpoints[0]);
+    if (endpoints.size() == 1 && !is_loopback(listener.ip))
+        throw std::invalid_argument(endpoints[0] +
+                                    ": say where the beacon goes, e.g. \"udp://192.168.1.255:56124\"");
+    Wiring wiring{{listener.ip, listener.port}, {loopback_broadcast, beacon_port}};
+    if (endpoints.size() == 2) wiring.beacon = read_beacon(endpoints[1], listener);
+    return wiring;
+}
+
+template <const Variant& variant>
+std::unique_ptr<Device> make(const DeviceConfig& config) {
+    return std::make_unique<Aris>(read_settings(config, variant), read_wiring(config.endpoints));
+}
+
+/// The example of the notes for the model: 1.5 to 7.5 m, or to 5 m.
+aris::SetAcoustics example(const Variant& variant) {
+    aris::SetAcoustics a{1, 15, 1014, 2028, 10500, 8, 11, 3, true, 1, true, 18};
+    if (variant.system_type == aris::system_type::aris3000)
+        a = {1, 15, 946, 2028, 7118, 5, 10, 9, true, 1, true, 12};
+    return a;
+}
+
+/// `range` is reached by longer sample periods.
+template <const Variant& variant>
+Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
+    aris::SetAcoustics a = example(variant);
+    if (range > 0) {
+        const double heard = 2e6 * range / config.sound_speed - a.start_delay;
+        a.sample_period = static_cast<std::uint32_t>(std::clamp(heard / a.samples, 4.0, 100.0) + 0.5);
+        a.cycle_period = a.start_delay + a.sample_period * a.samples + 360;
+    }
+    return make_shot(a, false, read_settings(config, variant), static_cast<std::uint32_t>(step + 1));
+}
+
+template <const Variant& variant>
+Model row(const std::string& name, const std::string& title) {
+    Model m;
+    m.name = name;
+    m.title = title;
+    m.protocol = "ARIS: beacon and frames on UDP, commands on TCP";
+    m.default_endpoints = {"tcp-listen://127.0.0.1:56888", "udp://127.255.255.255:56124"};
+    m.endpoint_schemes = {"tcp-listen"};
+    m.options = option_table();
+    m.figures = figure_table();
+    m.profile = built_in_profile(m.name);
+    m.make = make<variant>;
+    m.default_shot = default_shot<variant>;
+    return m;
+}
+
+}  // namespace
+
+std::vector<Model> models() {
+    return {row<aris_1800>("aris-1800", "Sound Metrics ARIS 1800 imaging sonar"),
+            row<aris_3000>("aris-3000", "Sound Metrics ARIS 3000 imaging sonar")};
+}
+
+}  // namespace echoloop::aris_device

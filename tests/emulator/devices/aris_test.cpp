@@ -1,0 +1,223 @@
+// The ARIS sonars on the bench: beacon, what a controller may set, timing, and controllers that go.
+#include "tests/emulator/devices/aris_bench.h"
+#include "tests/emulator/devices/noisy_line.h"
+
+namespace echoloop::test {
+namespace {
+
+namespace words = aris_words;
+
+std::uint64_t state(const Send& beacon) { return Fields(beacon.bytes).numbers[4]; }
+
+TEST(ArisBeacon, ComesOnceASecondAndTellsTheSonarAndItsState) {
+    Bench bench(make_device("aris-3000", {}, {{"serial", std::int64_t{1234}}}));
+    bench.run_to(3500ms);
+    const auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 4U) << "at 0, 1, 2 and 3 s";
+    EXPECT_EQ(sent[0].port, 1U);
+    EXPECT_EQ(sent[0].to, (Address{0x7FFFFFFF, 56124})) << "loopback's broadcast";
+    EXPECT_EQ(to_hex(ByteView(sent[0].bytes).first(5)), "08d2091001");
+    const Bytes& bytes = sent[0].bytes;
+    const Bytes free = from_hex("2000");
+    EXPECT_NE(std::search(bytes.begin(), bytes.end(), free.begin(), free.end()), bytes.end())
+        << "older readers want the zero";
+    bench.device().reconnected(0);
+    bench.run_to(4100ms);
+    EXPECT_EQ(state(bench.sent().at(0)), 1U) << "busy";
+}
+
+TEST(ArisEndpoints, ThatLeadNowhereAreRefused) {
+    const auto refused = [](std::vector<std::string> endpoints) {
+        EXPECT_THROW(make_device("aris-1800", std::move(endpoints)), std::invalid_argument);
+    };
+    refused({"tcp-listen://0.0.0.0:56888", "udp://192.168.1.255:56124"});
+    refused({"tcp-listen://127.0.0.1:56888", "udp://192.168.1.255:56124"});
+    refused({"tcp-listen://192.168.1.4:56888"});
+    refused({"udp-listen://127.0.0.1:56888", "udp://127.255.255.255:56124"});
+    EXPECT_THROW(make_device("aris-1800", {}, {{"controller", std::string("here")}}), std::invalid_argument);
+}
+
+TEST(ArisFrames, ComeOnceThereAreAReceiverAndSettings) {
+    ArisBench bench;
+    EXPECT_TRUE(bench.frames_within(1s).empty());
+    bench.say(words::receiver);
+    EXPECT_TRUE(bench.frames_within(1s).empty());
+    bench.say(words::acoustics);
+    ASSERT_EQ(bench.frames_within(1s).size(), 15U);
+    bench.say(words::nobody);
+    bench.frames_within(100ms);
+    EXPECT_TRUE(bench.frames_within(1s).empty());
+}
+
+TEST(ArisFrames, GoWhereTheReceiverIs) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    EXPECT_EQ(bench.frames_within(100ms).at(0).to, (Address{0x7F000001, 56444}));
+    bench.say("00000013 0801 1a0f 08fcb803 1209 3132372e302e302e35");
+    bench.frames_within(70ms);
+    EXPECT_EQ(bench.frames_within(100ms).at(0).to, (Address{0x7F000005, 56444}));
+    // Not out of loopback, not to port 0, not to a name.
+    for (const char* word : {"00000011 0801 1a0d 08fcb803 1207 382e382e382e38", "00000004 0801 1a00",
+                             "0000000d 0801 1a09 08fcb803 1203 686579"})
+        bench.say(word);
+    EXPECT_EQ(bench.device().counters().rejected, 3U);
+    EXPECT_EQ(bench.frames_within(100ms).at(0).to, (Address{0x7F000005, 56444}));
+}
+
+TEST(ArisFrames, OnARealNetworkNeedAReceiverOrTheOptionThatNamesIt) {
+    const std::vector<std::string> lan{"tcp-listen://192.168.1.4:56888", "udp://192.168.1.255:56124"};
+    ArisBench unknown({}, "aris-1800", lan);
+    unknown.say(words::receiver);
+    EXPECT_EQ(unknown.device().counters().rejected, 1U);
+    ArisBench known({{"controller", std::string("192.168.1.7")}}, "aris-1800", lan);
+    known.say(words::receiver);
+    known.say(words::acoustics);
+    EXPECT_EQ(known.frames_within(100ms).at(0).to, (Address{0xC0A80107, 56444}));
+}
+
+TEST(ArisTiming, FollowsTheFrameRateAndTheCycle) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    bench.run_to(bench.now);
+    ASSERT_TRUE(bench.ping) << "at once";
+    EXPECT_NEAR(to_seconds(bench.ping->due), 6 * 0.0105 + 0.002, 1e-9) << "six pings, then 2 ms";
+    const auto frames = bench.frames_within(1s);
+    ASSERT_GE(frames.size(), 2U);
+    EXPECT_EQ(frames[1].number, frames[0].number + 1);
+    EXPECT_NEAR(static_cast<double>(frames[1].at<std::uint64_t>(708) - frames[0].at<std::uint64_t>(708)),
+                1e6 / 15, 2);
+    const auto& times = frames[1].times;
+    ASSERT_GT(times.size(), 60U);
+    for (std::size_t i = 1; i < times.size(); ++i) EXPECT_EQ(times[i] - times[i - 1], 300us);
+}
+
+TEST(ArisTiming, OfPartsIsTheControllersAndSlowsFramesThatDoNotFit) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    bench.say("0000000b 0802 2207 0a05 0801 10d00f");  // 2000 us
+    const auto frames = bench.frames_within(2s);
+    ASSERT_GE(frames.size(), 3U);
+    EXPECT_EQ(frames[1].times[1] - frames[1].times[0], 2ms);
+    EXPECT_EQ(frames[1].word(692), 1U);
+    EXPECT_EQ(frames[1].word(696), 2000U);
+    EXPECT_GE(frames[2].times.front() - frames[1].times.back(), 2ms) << "no frame overtakes another";
+    EXPECT_NEAR(to_seconds(frames[2].times[0] - frames[1].times[0]),
+                0.002 * static_cast<double>(frames[1].times.size()), 0.003);
+}
+
+TEST(ArisSettings, ThatCannotBeAreRefusedAndTheLastOnesStay) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::too_long);
+    EXPECT_TRUE(bench.frames_within(500ms).empty()) << "never valid ones so far";
+    bench.say(words::acoustics);
+    bench.say(words::too_long);
+    const auto frame = bench.frames_within(200ms).at(0);
+    EXPECT_EQ(frame.word(680), 7U) << "applied";
+    EXPECT_EQ(frame.word(688), 10U) << "invalid";
+    EXPECT_EQ(frame.word(468), 1014U);
+    // Cookie 0, rate 16, rate NaN, sample period 3, gain 25, mode 9 of another model, no time for 15 a
+    // second.
+    const char* bad[] = {
+        "00000023 0803 2a1f 1500007041 18f607 20ec0f 288452 3008 380b 4003 4801 5001 5801 6500009041",
+        "00000025 0803 2a21 0807 1500008041 18f607 20ec0f 288452 3008 380b 4003 4801 5001 5801 6500009041",
+        "00000025 0803 2a21 0807 150000c07f 18f607 20ec0f 288452 3008 380b 4003 4801 5001 5801 6500009041",
+        "00000025 0803 2a21 0807 1500007041 18f607 20ec0f 288452 3003 380b 4003 4801 5001 5801 6500009041",
+        "00000025 0803 2a21 0807 1500007041 18f607 20ec0f 288452 3008 380b 4003 4801 5001 5801 650000c841",
+        "00000025 0803 2a21 0807 1500007041 18f607 20ec0f 288452 3008 380b 4009 4801 5001 5801 6500009041",
+        "00000025 0803 2a21 0807 1500007041 18f607 20ec0f 28f857 3008 380b 4003 4801 5001 5801 6500009041"};
+    const auto before = bench.device().counters().rejected;
+    for (const char* word : bad) bench.say(word);
+    EXPECT_EQ(bench.device().counters().rejected - before, 7U);
+}
+
+TEST(ArisSettings, WithTooLongAPulseAreMadeToFit) {
+    // floor(300 x 1.8 / 10) = 54 cycles, floor(30 x 1.8) = 54; in us 30 of both.
+    for (const auto& [unit, pulse] : {std::pair{"cycles", 54U}, std::pair{"us", 30U}}) {
+        ArisBench bench({{"pulse_unit", std::string(unit)}});
+        bench.say(words::receiver);
+        bench.say(words::long_pulse);
+        const auto frame = bench.frames_within(200ms).at(0);
+        EXPECT_EQ(frame.word(444), pulse) << unit;
+        EXPECT_EQ(frame.word(680), 9U);
+        EXPECT_EQ(frame.word(684), 9U) << "constrained";
+        EXPECT_NEAR(bench.shots.at(0).pulse_length, 30e-6, 1e-9);
+    }
+}
+
+TEST(ArisSettings, ChangeTheNextFrame) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    bench.run_to(10ms);
+    bench.say(words::mode_1);
+    const auto frames = bench.frames_within(500ms);
+    ASSERT_GE(frames.size(), 2U);
+    EXPECT_EQ(frames[0].word(436), 3U) << "the frame that was under way";
+    EXPECT_EQ(frames[0].data.size(), 96U * 1014);
+    EXPECT_EQ(frames[1].word(436), 1U);
+    EXPECT_EQ(frames[1].word(680), 8U);
+    EXPECT_EQ(frames[1].data.size(), 48U * 1014);
+    EXPECT_EQ(bench.shots.at(0).frequency, 1.8e6);
+    EXPECT_EQ(bench.shots.at(1).frequency, 1107700);
+    EXPECT_EQ(bench.shots.at(0).source_level - bench.shots.at(1).source_level, 204 - 206 + 20)
+        << "and no 150 V";
+}
+
+TEST(ArisController, ThatIsSilentHasGone) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    for (int s = 0; s < 15; ++s) bench.say(words::ping), bench.run_to(bench.now + 1s);
+    EXPECT_EQ(bench.frames_within(1s).size(), 15U) << "pings keep it";
+    bench.run_to(bench.now + 10s);
+    EXPECT_EQ(state(bench.beacons_within(2s).back()), 0U) << "available";
+    EXPECT_TRUE(bench.frames_within(1s).empty());
+}
+
+TEST(ArisController, FindsNothingOfTheLastOneButACountThatGoesOn) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    const auto last = bench.frames_within(200ms).back().number;
+    bench.run_to(bench.now + 30ms);
+    bench.device().reconnected(0);
+    EXPECT_TRUE(bench.frames_within(1s).empty());
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    EXPECT_GT(bench.frames_within(200ms).at(0).number, last) << "receivers drop numbers that they had";
+}
+
+TEST(ArisController, OnANoisyLineIsServedAgainWithinOneCommand) {
+    ArisBench bench({{"silence_limit", 0.0}});
+    bench.say(words::receiver);
+    // What must be answered: settings with a cookie that no other has; the answer is a frame that has it.
+    NoisyHost host;
+    host.words = {words::acoustics, words::mode_1, words::long_pulse,
+                  words::too_long,  words::salt,   words::ping};
+    host.request =
+        words::receiver +
+        "00000025 0803 2a21 080f 1500007041 18800120ec0f 288452 3008 380b 4003 4801 5001 5801 6500009041";
+    host.is_answer = [](const Send& send) {
+        if (send.port != 2) return false;
+        Fields part(send.bytes);
+        return part.numbers[5] == 0 && part.blocks[3].at(680) == 15;
+    };
+    host.patience = 1200ms;
+    host.longest_pause = 20ms;
+    expect_no_wedge(bench, host, 200);
+}
+
+TEST(ArisAcks, ChangeNothing) {
+    ArisBench bench;
+    bench.say("0805 1064", 2);
+    bench.say("0805 10", 2);
+    EXPECT_EQ(bench.device().counters().messages, 1U);
+    EXPECT_EQ(bench.device().counters().rejected, 1U);
+}
+
+}  // namespace
+}  // namespace echoloop::test
