@@ -128,20 +128,25 @@ reson7k::RawDetections make_detections(const PingRecord& ping, const Settings& s
     return record;
 }
 
-void amplitudes(const PingRecord& ping, const Settings& settings, const Echogram& echogram, std::size_t beam,
-                std::vector<float>& out) {
+std::vector<float> gain_curve(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
     const Acoustics& a = settings.acoustics;
-    const auto power = echogram.beam(beam);
-    out.assign(power.begin(), power.end());
-    if (echogram.rule == EchoRule::cerqueira2016) return;
     const auto spreading = to_f32(settings.tvg ? a.spreading : 0);
     const auto per_metre = to_f32(settings.tvg ? 2 * a.absorption / 1000 : 0);
     const auto constant = to_f32(ping.controls.gain - a.amplitude_reference);
-    for (std::size_t i = 0; i < out.size(); ++i) {
+    std::vector<float> gain(echogram.shot.bins);
+    for (std::size_t i = 0; i < gain.size(); ++i) {
         const float r = std::max(to_f32(echogram.bin_range(i)), 1.0F);
-        const float db = constant + spreading * std::log10(r) + per_metre * r;
-        out[i] = std::min(1.0F, std::sqrt(out[i] * std::pow(10.0F, db / 10)));
+        gain[i] = std::pow(10.0F, (constant + spreading * std::log10(r) + per_metre * r) / 10);
     }
+    return gain;
+}
+
+void amplitudes(const std::vector<float>& gain, const Echogram& echogram, std::size_t beam,
+                std::vector<float>& out) {
+    const auto power = echogram.beam(beam);
+    out.assign(power.begin(), power.end());
+    if (echogram.rule == EchoRule::cerqueira2016) return;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::min(1.0F, std::sqrt(out[i] * gain[i]));
 }
 
 reson7k::Image make_image(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
@@ -155,9 +160,10 @@ reson7k::Image make_image(const PingRecord& ping, const Settings& settings, cons
     image.samples = static_cast<std::uint32_t>(bins);
     image.flags = 2;  // beams are not stabilised
     image.pixels.assign(image.height * beams, 0);
+    const auto gain = gain_curve(ping, settings, echogram);
     std::vector<float> shares;
     for (std::size_t beam = 0; beam < beams; ++beam) {
-        amplitudes(ping, settings, echogram, beam, shares);
+        amplitudes(gain, echogram, beam, shares);
         for (std::size_t bin = 0; bin < bins; ++bin) {
             std::uint8_t& pixel = image.pixels[bin / per_row * beams + beam];
             pixel = std::max(pixel, static_cast<std::uint8_t>(shares[bin] * 255 + 0.5F));
@@ -175,9 +181,10 @@ reson7k::Beamformed make_beamformed(const PingRecord& ping, const Settings& sett
     record.beams = static_cast<std::uint16_t>(beams);
     record.samples = static_cast<std::uint32_t>(bins);
     record.data.resize(bins * beams);
+    const auto gain = gain_curve(ping, settings, echogram);
     std::vector<float> shares;
     for (std::size_t beam = 0; beam < beams; ++beam) {
-        amplitudes(ping, settings, echogram, beam, shares);
+        amplitudes(gain, echogram, beam, shares);
         for (std::size_t bin = 0; bin < bins; ++bin) {
             const auto amplitude = static_cast<std::uint32_t>(shares[bin] * 65535 + 0.5F);
             const auto phase = static_cast<std::int16_t>(32767 * balance(echogram, beam, bin));
