@@ -95,9 +95,9 @@ class FlatFloor(DeltaTCase):
         self.check_depths(wide, 8.0)
         near = self.first_with(lambda p: p.range == 10, range=10)
         edge = math.degrees(math.acos(8 / 10))
-        for beam in range(near.beams):
-            if abs(near.angle(beam)) > edge + 1:
-                self.assertEqual(near.ranges[beam], 0, "beyond the range")
+        beyond = [near.ranges[beam] for beam in range(near.beams) if abs(near.angle(beam)) > edge + 2]
+        self.assertGreater(len(beyond), 70)
+        self.assertLess(sum(r > 0 for r in beyond), 0.15 * len(beyond), "out of range, but for what side lobes hear")
         self.assertGreater(len(near.points()), 120)
         self.assertEqual(self.first_with(lambda p: p.range == 5, range=5).points(), [])
         gated = self.first_with(lambda p: p.range == 20 and not p.ranges[120], minimum_range=12)
