@@ -100,7 +100,7 @@ class FlatFloor(DeltaTCase):
         self.assertLess(sum(r > 0 for r in beyond), 0.15 * len(beyond), "out of range, but for what side lobes hear")
         self.assertGreater(len(near.points()), 120)
         self.assertEqual(self.first_with(lambda p: p.range == 5, range=5).points(), [])
-        gated = self.first_with(lambda p: p.range == 20 and not p.ranges[120], minimum_range=12)
+        gated = self.first_with(lambda p: p.range == 20 and not 0 < p.ranges[120] < 12, minimum_range=12)
         self.assertTrue(all(math.hypot(*point) >= 12 for point in gated.points()))
         self.assertGreater(len(gated.points()), 20)
 
