@@ -67,7 +67,9 @@ wire::Bytes encode(const FramePartAck& message) { return written(message); }
 
 wire::Bytes encode(const Command& message) {
     const wire::Bytes body = written(message);
-    wire::Bytes out(length_bytes);
+    wire::Bytes out;
+    out.reserve(length_bytes + body.size());
+    out.resize(length_bytes);
     wire::store<wire::ByteOrder::big>(static_cast<std::uint32_t>(body.size()), out.data());
     out.insert(out.end(), body.begin(), body.end());
     return out;

@@ -121,7 +121,9 @@ wire::Bytes serialise(const Packet& packet) {
     wire::Bytes payload = protobuf::write(envelope);
     const bool plain = packet.version == Version::rip1;
     if (!plain) payload = snappy_compress(payload);
-    wire::Bytes out{'R', 'I', 'P', static_cast<std::uint8_t>(plain ? '1' : '2')};
+    wire::Bytes out;
+    out.reserve(payload.size() + frame_bytes);
+    for (const char c : {'R', 'I', 'P', plain ? '1' : '2'}) out.push_back(static_cast<std::uint8_t>(c));
     put_word(static_cast<std::uint32_t>(payload.size() + frame_bytes), out);
     out.insert(out.end(), payload.begin(), payload.end());
     put_word(crc32(out), out);

@@ -59,8 +59,8 @@ struct Fields<RangeImage> {
         Field{5, &M::width, "width", "", "pixels of a row"}, Field{6, &M::height, "height", "", "rows"},
         Field{7, &M::fov_horizontal, "fov_horizontal", "deg", "between the outer pixels of a row"},
         Field{8, &M::fov_vertical, "fov_vertical", "deg", "between the first and the last row"},
-        Field{9, &M::pixel_scale, "image_pixel_scale", "m", "of one count"},
-        Field{10, &M::pixels, "image_pixel_data", "", "16 bit each, row by row; 0: no return"});
+        Field{9, &M::image_pixel_scale, "image_pixel_scale", "m", "of one count"},
+        Field{10, &M::image_pixel_data, "image_pixel_data", "", "16 bit each, row by row; 0: no return"});
 };
 
 template <>
@@ -77,7 +77,8 @@ struct Fields<BitmapImage> {
         Field{6, &M::width, "width", "", "pixels of a row"}, Field{7, &M::height, "height", "", "rows"},
         Field{8, &M::fov_horizontal, "fov_horizontal", "deg", "between the outer pixels of a row"},
         Field{9, &M::fov_vertical, "fov_vertical", "deg", "between the first and the last row"},
-        Field{10, &M::pixels, "image_pixel_data", "", "100 log10(linear / 30), row by row; 0: no return"});
+        Field{10, &M::image_pixel_data, "image_pixel_data", "",
+              "100 log10(linear / 30), row by row; 0: no return"});
 };
 
 template <>

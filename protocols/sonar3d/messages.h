@@ -31,9 +31,9 @@ struct RangeImage {
     float range = 0;           ///< m, the largest that is set
     std::uint32_t frequency = 0;
     std::uint32_t width = 0, height = 0;
-    float fov_horizontal = 0, fov_vertical = 0;  ///< deg, between the centres of the outer pixels
-    float pixel_scale = 0;                       ///< m per count
-    std::vector<std::uint32_t> pixels;           ///< rows of `width`, 16 bit each; 0: no return
+    float fov_horizontal = 0, fov_vertical = 0;   ///< deg, between the centres of the outer pixels
+    float image_pixel_scale = 0;                  ///< m per count
+    std::vector<std::uint32_t> image_pixel_data;  ///< rows of `width`, 16 bit each; 0: no return
     friend bool operator==(const RangeImage&, const RangeImage&) = default;
 };
 
@@ -46,7 +46,7 @@ struct BitmapImage {
     std::uint32_t type = 0;  ///< 0 signal strength, 1 shaded
     std::uint32_t width = 0, height = 0;
     float fov_horizontal = 0, fov_vertical = 0;  ///< deg
-    wire::Bytes pixels;                          ///< 100 log10(linear / 30); 0: no return
+    wire::Bytes image_pixel_data;                ///< 100 log10(linear / 30); 0: no return
     friend bool operator==(const BitmapImage&, const BitmapImage&) = default;
 };
 

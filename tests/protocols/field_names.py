@@ -11,7 +11,8 @@ MEMBER = r"\(\s*&\w+::(\w+)\s*,\s*"
 COUNT = r'(?:"\w+"|\{[^}]*\})\s*,\s*'
 FORMS = [re.compile(r"\b(?:field|section|list|tagged_list)" + MEMBER + r'"(\w+)"'),
          re.compile(r"\brest" + MEMBER + r'(?:\{[^}]*\})\s*,\s*"(\w+)"'),
-         re.compile(r"\b(?:count|counted)" + MEMBER + COUNT + r'"(\w+)"')]
+         re.compile(r"\b(?:count|counted)" + MEMBER + COUNT + r'"(\w+)"'),
+         re.compile(r'\bField\{\d+,\s*&\w+::(\w+)\s*,\s*"(\w+)"')]
 
 
 def main():

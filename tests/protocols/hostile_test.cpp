@@ -145,7 +145,8 @@ TEST(Hostile, FlippedBytesOfGoodDatagramsNeverCrash) {
             bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::arbitrary<std::uint8_t>();
         }
         const auto packet = r2sonic::parse(bytes);
-        if (packet) RC_ASSERT(r2sonic::serialise(*packet).size() == bytes.size());
+        if (packet)
+            RC_ASSERT(r2sonic::serialise(*packet).size() <= bytes.size());  // unknown sections are left out
     }));
 }
 

@@ -90,7 +90,7 @@ TEST(Sonar3dPacket, UnknownFieldsAreSkippedAndPixelsMayStandAlone) {
     bytes[24] = static_cast<std::uint8_t>(bytes.size() - 29);
     const auto packet = parse(with_checksum(bytes));
     ASSERT_TRUE(packet.has_value()) << packet.error().what();
-    EXPECT_EQ(std::get<RangeImage>(packet->message).pixels, (std::vector<std::uint32_t>{7, 128}));
+    EXPECT_EQ(std::get<RangeImage>(packet->message).image_pixel_data, (std::vector<std::uint32_t>{7, 128}));
 }
 
 TEST(Sonar3dPacket, ALyingLengthInsideIsRejected) {
@@ -114,10 +114,10 @@ TEST(Sonar3dPacket, SurvivesARoundTrip) {
         image.header.sequence_id = *rc::gen::arbitrary<std::uint32_t>();
         image.range = *rc::gen::element(0.0F, -0.0F, 15.0F, 1e30F);
         image.width = *rc::gen::arbitrary<std::uint32_t>();
-        image.pixels = *rc::gen::arbitrary<std::vector<std::uint32_t>>();
+        image.image_pixel_data = *rc::gen::arbitrary<std::vector<std::uint32_t>>();
         BitmapImage bitmap;
         bitmap.type = *rc::gen::inRange(0U, 2U);
-        bitmap.pixels = *compressible();
+        bitmap.image_pixel_data = *compressible();
         const Version version = *rc::gen::element(Version::rip1, Version::rip2);
         for (const Message& message : {Message(image), Message(bitmap)}) {
             const Packet packet{version, type_url("some.package", message), message};
@@ -171,8 +171,8 @@ TEST(Sonar3dRecording, IsReadWholeWithOneHeaderAShot) {
         total += one.size();
         if (const auto* image = std::get_if<RangeImage>(&packet->message)) {
             shot = image->header;
-            EXPECT_EQ(image->pixels.size(), 256U * 64);
-            EXPECT_EQ(image->pixel_scale, 50.0F / 65536);
+            EXPECT_EQ(image->image_pixel_data.size(), 256U * 64);
+            EXPECT_EQ(image->image_pixel_scale, 50.0F / 65536);
         } else {
             EXPECT_EQ(std::get<BitmapImage>(packet->message).header, *shot);
         }

@@ -168,12 +168,12 @@ void Sonar::send_image() {
     };
     sonar3d::RangeImage ranges;
     fill(ranges);
-    ranges.pixel_scale = pixel_scale;
-    ranges.pixels = std::move(shooting_->distances);
+    ranges.image_pixel_scale = pixel_scale;
+    ranges.image_pixel_data = std::move(shooting_->distances);
     send_packet(std::move(ranges), *to);
     sonar3d::BitmapImage bitmap;
     fill(bitmap);
-    bitmap.pixels = std::move(shooting_->strengths);
+    bitmap.image_pixel_data = std::move(shooting_->strengths);
     send_packet(std::move(bitmap), *to);
 }
 
