@@ -33,11 +33,9 @@ TEST(MicronAux, DepthComesOnceASecondWhileNobodyScans) {
     EXPECT_THAT(depths(sent), testing::ElementsAre("2340mm", "2340mm", "2340mm", "2340mm"));
     EXPECT_GE(alives(sent).size(), 3u) << "mtAlive goes on";
     for (const Send& s : sent)
-        if (s.bytes[10] == 8)
-            EXPECT_EQ(to_hex(s.bytes),
-                      "4030303130100002ff0b0880020600"
-                      "323334306d6d"
-                      "0a");
+        if (s.bytes[10] == 8) {
+            EXPECT_EQ(to_hex(s.bytes), "4030303130100002ff0b0880020600323334306d6d0a");
+        }
     ASSERT_FALSE(bench.shots.empty());
     EXPECT_NEAR(bench.shots[0].tilt, -std::numbers::pi / 2, 1e-12) << "straight down";
     EXPECT_NEAR(static_cast<double>(bench.shots[0].bins) * bench.shots[0].bin_interval, 0.02, 1e-9) << "15 m";
