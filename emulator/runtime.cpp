@@ -32,7 +32,7 @@ void warm_up(Renderer& renderer, const Scenario& scenario) {
 
 class Runtime::Impl {
   public:
-    Impl(const Scenario& scenario, Recording* recording)
+    Impl(const Scenario& scenario, const RunRecords& records)
         : scene_(Scene::load(scenario.scene)),
           signals_(io_),
           end_(io_),
@@ -47,7 +47,7 @@ class Runtime::Impl {
           }) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
-        for (const ScenarioDevice& device : scenario.devices) add(scenario, device, recording);
+        for (const ScenarioDevice& device : scenario.devices) add(scenario, device, records);
     }
 
     ~Impl() {
@@ -90,14 +90,14 @@ class Runtime::Impl {
     const std::string& renderer_description() const { return renderer_description_; }
 
   private:
-    void add(const Scenario& scenario, const ScenarioDevice& entry, Recording* recording) {
+    void add(const Scenario& scenario, const ScenarioDevice& entry, const RunRecords& records) {
         DeviceConfig config = entry.config;
         config.unix_start = unix_now();
         auto device = entry.model->make(config);
         auto transports = make_transports(io_, device->ports(), config, scenario.clock_rate);
-        if (recording != nullptr)
+        if (records.recording != nullptr)
             for (std::size_t i = 0; i < transports.size(); ++i)
-                transports[i] = std::make_unique<Recorded>(std::move(transports[i]), *recording,
+                transports[i] = std::make_unique<Recorded>(std::move(transports[i]), *records.recording,
                                                            entry.name + " " + device->ports()[i].name);
         sessions_.push_back(std::make_unique<Session>(
             io_, clock_, render_thread_, water_, entry.name, std::move(device), std::move(transports),
@@ -129,8 +129,8 @@ class Runtime::Impl {
     RenderThread render_thread_;  // last: joined first, so that no ping comes back to a session that is gone
 };
 
-Runtime::Runtime(const Scenario& scenario, Recording* recording)
-    : impl_(std::make_unique<Impl>(scenario, recording)) {}
+Runtime::Runtime(const Scenario& scenario, RunRecords records)
+    : impl_(std::make_unique<Impl>(scenario, records)) {}
 Runtime::~Runtime() = default;
 std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
 std::size_t Runtime::triangles() const { return impl_->triangles(); }

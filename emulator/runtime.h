@@ -22,12 +22,16 @@ struct RunningDevice {
 class Recording;
 struct PoseSummary;
 
+/// What a run writes beside the bytes on the wire; nullptr: not asked for. All outlive the runtime.
+struct RunRecords {
+    Recording* recording = nullptr;  ///< gets the traffic of every port
+};
+
 class Runtime {
   public:
     /// Loads the scene, makes the renderer and opens every endpoint; nothing is said on any of them yet.
     /// Throws SceneError, StartError or std::runtime_error, and then has left nothing behind.
-    /// `recording`, if there is one, gets the traffic of every port and outlives this.
-    explicit Runtime(const Scenario& scenario, Recording* recording = nullptr);
+    explicit Runtime(const Scenario& scenario, RunRecords records = {});
     ~Runtime();
 
     std::vector<RunningDevice> devices() const;

@@ -102,7 +102,7 @@ int run(const Arguments& arguments) {
     if (arguments.has("--duration")) duration = arguments.number("--duration", 0, 0, 1e9);
     auto recording = recording_from(arguments);
     try {
-        Runtime runtime(scenario, recording.get());
+        Runtime runtime(scenario, {.recording = recording.get()});
         const bool json = arguments.has("--json");
         if (json) {
             std::printf("%s\n", run_started_json(scenario, runtime).c_str());
