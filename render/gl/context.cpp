@@ -30,8 +30,11 @@ std::unique_ptr<Context> make_context(std::string_view name) {
     if (name != "auto")
         throw std::invalid_argument("unknown GL context \"" + std::string(name) +
                                     "\"; known are auto, osmesa, egl-surfaceless, egl-device");
-    if (may_have_gpu())
-        return first_of({make_gpu_context, make_osmesa_context, make_egl_surfaceless_context});
+    return make_auto_context(may_have_gpu());
+}
+
+std::unique_ptr<Context> make_auto_context(bool may_have_gpu) {
+    if (may_have_gpu) return first_of({make_gpu_context, make_osmesa_context, make_egl_surfaceless_context});
     return first_of({make_osmesa_context, make_egl_surfaceless_context});
 }
 

@@ -30,5 +30,7 @@ class Context {
 /// where there is one, else OSMesa, else EGL surfaceless. Throws std::invalid_argument for an unknown name,
 /// and std::runtime_error naming the package to install when none can be made.
 std::unique_ptr<Context> make_context(std::string_view name);
+/// What "auto" makes; `may_have_gpu`: whether looking for a GPU is worth loading EGL.
+std::unique_ptr<Context> make_auto_context(bool may_have_gpu);
 
 }  // namespace echoloop::gl

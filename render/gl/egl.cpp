@@ -144,8 +144,10 @@ std::unique_ptr<Context> first_device(bool hardware, std::string& refusals) {
     for (const EGLDeviceEXT device : devices(lib)) {
         if (is_hardware(lib, device) != hardware) continue;
         try {
-            return std::make_unique<EglContext>(
+            auto context = std::make_unique<EglContext>(
                 "EGL device", lib.get_platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+            context->make_current();  // some offer what they then cannot do
+            return context;
         } catch (const std::runtime_error& error) {
             refusals += std::string(" (") + error.what() + ")";
         }

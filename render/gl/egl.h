@@ -1,5 +1,5 @@
 // The EGL implementations of Context: without any display, in memory or on a GPU. Never linked. Tried with
-// Mesa's software device only: no GPU was at hand.
+// Mesa's software device only, as itself and passed off as a GPU: no GPU was at hand.
 #pragma once
 
 #include <memory>
