@@ -12,7 +12,7 @@
 #include "emulator/scenario/value.h"
 #include "protocols/imagenex/framer.h"
 #include "protocols/imagenex/shot_writer.h"
-#include "tools/echoloop/capture.h"
+#include "tools/capture/capture.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/output_file.h"
 #include "tools/echoloop/terminal.h"
@@ -21,6 +21,9 @@
 namespace echoloop::cli {
 namespace {
 
+using capture::Datagram;
+using capture::Input;
+using capture::StreamPiece;
 using imagenex::ShotFormat;
 
 ShotFormat format_of(const std::filesystem::path& file) {
@@ -71,7 +74,7 @@ std::string line_of(const StreamPiece& piece) {
 
 std::size_t convert_capture(Input& input, const std::string& wanted, Line& line) {
     std::map<std::string, bool> names;
-    const auto counts = read_capture(
+    const auto counts = capture::read_capture(
         input, {.datagram = [](double, const Datagram&) {},
                 .stream =
                     [&](double time, const StreamPiece& piece) {

@@ -6,15 +6,20 @@
 
 #include "emulator/scenario/problems.h"
 #include "protocols/inspect.h"
-#include "tools/echoloop/capture.h"
+#include "protocols/stream_decoder.h"
+#include "tools/capture/capture.h"
+#include "tools/capture/stream_windows.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/json_output.h"
-#include "tools/echoloop/stream_decoder.h"
-#include "tools/echoloop/stream_windows.h"
 #include "tools/echoloop/terminal.h"
 
 namespace echoloop::cli {
 namespace {
+
+using capture::Datagram;
+using capture::Input;
+using capture::StreamPiece;
+using inspect::StreamDecoder;
 
 constexpr std::size_t largest_datagram = 65535;
 
@@ -200,7 +205,7 @@ void inspect_capture(Input& input, const inspect::Family* family, Output& output
         if (!start) start = time;
         return time - *start;
     };
-    const auto counts = read_capture(
+    const auto counts = capture::read_capture(
         input,
         {.datagram = [&](double time,
                          const Datagram& datagram) { datagrams.add(since_start(time), datagram); },
@@ -232,7 +237,8 @@ void inspect_bytes(Input& input, const inspect::Family* family, Output& output) 
     } else if (family->framing == inspect::Framing::datagram) {
         inspect_one_datagram(input, *family, output);
     } else {
-        decode_windows(input, *family, [&](const auto& m) { output.add({std::string(family->name)}, m); });
+        capture::decode_windows(input, *family,
+                                [&](const auto& m) { output.add({std::string(family->name)}, m); });
     }
 }
 
@@ -246,8 +252,7 @@ int run(const Arguments& arguments) {
         throw StartError(Exit::usage, "CAPTURE is missing: name a file, or '-' for standard input");
     Input input(arguments.text("CAPTURE"));
     Output output(arguments);
-    const bool capture = input.is_capture();
-    capture ? inspect_capture(input, family, output) : inspect_bytes(input, family, output);
+    input.is_capture() ? inspect_capture(input, family, output) : inspect_bytes(input, family, output);
     output.finish();
     if (!output.summary().messages.empty()) return 0;
     throw StartError(Exit::data, scenario::in_quotes(arguments.text("CAPTURE")) +

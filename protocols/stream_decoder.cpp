@@ -1,6 +1,6 @@
-#include "tools/echoloop/stream_decoder.h"
+#include "protocols/stream_decoder.h"
 
-namespace echoloop::cli {
+namespace echoloop::inspect {
 namespace {
 
 constexpr std::size_t enough_to_guess = std::size_t{512} << 10;
@@ -10,7 +10,7 @@ std::size_t worth_a_look(std::size_t tried) { return tried < 4096 ? 1 : tried / 
 
 }  // namespace
 
-void StreamDecoder::add(ByteView bytes, const Each& each) {
+void StreamDecoder::add(wire::ByteView bytes, const Each& each) {
     waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
     if (waiting_.size() >= tried_ + worth_a_look(tried_)) {
         const std::size_t most = family_ == nullptr ? enough_to_guess : 2 * family_->longest_frame;
@@ -28,7 +28,7 @@ void StreamDecoder::drop(std::size_t count) {
 }
 
 void StreamDecoder::decode(bool last, const Each& each) {
-    if (family_ == nullptr) family_ = inspect::guess_family(waiting_);
+    if (family_ == nullptr) family_ = guess_family(waiting_);
     std::size_t done = 0;
     if (family_ == nullptr && last) {
         each(nullptr, {.offset = offset_, .size = waiting_.size(), .reason = "no known protocol"});
@@ -47,4 +47,4 @@ void StreamDecoder::decode(bool last, const Each& each) {
     tried_ = waiting_.size();
 }
 
-}  // namespace echoloop::cli
+}  // namespace echoloop::inspect

@@ -1,8 +1,8 @@
-#include "tools/echoloop/stream_windows.h"
+#include "tools/capture/stream_windows.h"
 
 #include <algorithm>
 
-namespace echoloop::cli {
+namespace echoloop::capture {
 namespace {
 
 constexpr std::size_t smallest_window = std::size_t{512} << 10;
@@ -71,4 +71,4 @@ std::size_t decode_windows(Input& input, const inspect::Family& family,
     return base;
 }
 
-}  // namespace echoloop::cli
+}  // namespace echoloop::capture

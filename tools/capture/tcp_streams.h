@@ -5,9 +5,9 @@
 #include <functional>
 #include <map>
 
-#include "tools/echoloop/packet.h"
+#include "tools/capture/packet.h"
 
-namespace echoloop::cli {
+namespace echoloop::capture {
 
 class TcpStreams {
   public:
@@ -31,4 +31,4 @@ class TcpStreams {
     std::map<Way, Stream> streams_;
 };
 
-}  // namespace echoloop::cli
+}  // namespace echoloop::capture

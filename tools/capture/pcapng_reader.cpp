@@ -1,14 +1,14 @@
-#include "tools/echoloop/pcapng_reader.h"
+#include "tools/capture/pcapng_reader.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace echoloop::cli {
+namespace echoloop::capture {
 namespace {
 
 constexpr std::size_t largest_block = 16 << 20, most_interfaces = 65536;
 constexpr std::size_t frame = 12;  // type and length, and the length again
-constexpr std::uint32_t interface_block = 1, simple_block = 3, enhanced_block = 6;
+constexpr std::uint32_t interface_block = 1, simple_block = 3, enhanced_block = 6, section_block = 0x0A0D0D0A;
 
 std::string text_of(ByteView bytes) {
     const auto end = std::ranges::find(bytes, std::uint8_t{0});
@@ -53,6 +53,7 @@ std::optional<RawPacket> PcapngReader::next() {
         auto block = read_block();
         if (!block) return {};
         body_ = std::move(block->body);
+        if (block->type == section_block) describe_section(body_);
         if (block->type == interface_block) add_interface(body_);
         if (block->type == enhanced_block) return enhanced(body_);
         if (block->type == simple_block) return simple(body_);
@@ -68,6 +69,28 @@ bool PcapngReader::begin_section(Bytes& start) {
     big_endian_ = start[8] == 0x1A;
     interfaces_.clear();
     return u32(start, 8) == 0x1A2B3C4D;
+}
+
+template <class Each>
+void PcapngReader::options(ByteView list, Each each) const {
+    while (list.size() >= 4) {
+        const std::uint16_t code = u16(list, 0), size = u16(list, 2);
+        const std::size_t whole = 4 + (std::size_t{size} + 3) / 4 * 4;
+        if (code == 0 || whole > list.size()) return;
+        each(code, list.subspan(4, size));
+        list = list.subspan(whole);
+    }
+}
+
+/// `body`: behind the byte order mark.
+void PcapngReader::describe_section(ByteView body) {
+    constexpr std::size_t version_and_length = 12;
+    constexpr std::uint16_t user_application = 4;
+    application_.clear();
+    if (body.size() < version_and_length) return;
+    options(body.subspan(version_and_length), [this](std::uint16_t code, ByteView value) {
+        if (code == user_application) application_ = text_of(value);
+    });
 }
 
 std::optional<PcapngReader::Block> PcapngReader::read_block() {
@@ -91,17 +114,6 @@ std::optional<PcapngReader::Block> PcapngReader::read_block() {
     if (u32(block.body, block.body.size() - 4) != length) return broken("a block's two lengths differ");
     block.body.resize(block.body.size() - 4);
     return block;
-}
-
-template <class Each>
-void PcapngReader::options(ByteView list, Each each) const {
-    while (list.size() >= 4) {
-        const std::uint16_t code = u16(list, 0), size = u16(list, 2);
-        const std::size_t whole = 4 + (std::size_t{size} + 3) / 4 * 4;
-        if (code == 0 || whole > list.size()) return;
-        each(code, list.subspan(4, size));
-        list = list.subspan(whole);
-    }
 }
 
 void PcapngReader::add_interface(ByteView body) {
@@ -156,4 +168,4 @@ std::optional<RawPacket> PcapngReader::simple(ByteView body) {
                      {}};
 }
 
-}  // namespace echoloop::cli
+}  // namespace echoloop::capture

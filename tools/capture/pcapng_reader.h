@@ -9,7 +9,7 @@
 
 #include "emulator/capture/pcapng.h"
 
-namespace echoloop::cli {
+namespace echoloop::capture {
 
 struct RawPacket {
     int link_type = 0;              ///< LINKTYPE_ number
@@ -31,6 +31,8 @@ class PcapngReader {
     std::optional<RawPacket> next();
     /// Why the reading ended before the end of the file; "": it did not.
     const std::string& fault() const { return fault_; }
+    /// Who wrote the section at hand; "": it does not say.
+    const std::string& application() const { return application_; }
 
   private:
     struct Interface {
@@ -45,6 +47,7 @@ class PcapngReader {
 
     std::optional<Block> read_block();
     bool begin_section(Bytes& start);
+    void describe_section(ByteView body);
     void add_interface(ByteView body);
     std::optional<RawPacket> enhanced(ByteView body);
     std::optional<RawPacket> simple(ByteView body);
@@ -59,6 +62,7 @@ class PcapngReader {
     std::vector<Interface> interfaces_;
     Bytes body_;  ///< of the block at hand
     std::string fault_;
+    std::string application_;
 };
 
-}  // namespace echoloop::cli
+}  // namespace echoloop::capture

@@ -1,10 +1,10 @@
-#include "tools/echoloop/packet.h"
+#include "tools/capture/packet.h"
 
 #include <pcap/dlt.h>
 
 #include <algorithm>
 
-namespace echoloop::cli {
+namespace echoloop::capture {
 namespace {
 
 constexpr std::size_t most_partials = 64;
@@ -179,4 +179,4 @@ void PacketReader::forget_oldest() {
     ++skipped_;
 }
 
-}  // namespace echoloop::cli
+}  // namespace echoloop::capture

@@ -1,8 +1,8 @@
-#include "tools/echoloop/tcp_streams.h"
+#include "tools/capture/tcp_streams.h"
 
 #include <algorithm>
 
-namespace echoloop::cli {
+namespace echoloop::capture {
 namespace {
 
 constexpr std::size_t most_streams = 1024, most_waiting = 1 << 20;
@@ -52,4 +52,4 @@ void TcpStreams::give_out(const Way& way, Stream& stream, const Each& each, bool
     }
 }
 
-}  // namespace echoloop::cli
+}  // namespace echoloop::capture

@@ -4,22 +4,21 @@
 
 #include <functional>
 
-#include "emulator/device.h"
 #include "protocols/inspect.h"
 
-namespace echoloop::cli {
+namespace echoloop::inspect {
 
 class StreamDecoder {
   public:
     /// `family` is nullptr where it was not known.
-    using Each = std::function<void(const inspect::Family* family, const inspect::Message& message)>;
+    using Each = std::function<void(const Family* family, const Message& message)>;
 
     /// `family`: nullptr to guess it from the first bytes that tell.
-    explicit StreamDecoder(const inspect::Family* family = nullptr) : family_(family) {}
+    explicit StreamDecoder(const Family* family = nullptr) : family_(family) {}
 
     /// Calls `each` for every message that is complete and for noise before it; offsets are those of the
     /// stream.
-    void add(ByteView bytes, const Each& each);
+    void add(wire::ByteView bytes, const Each& each);
     /// Gives out what never became complete, and begins anew: bytes are missing, or nothing more comes.
     void finish(const Each& each);
 
@@ -27,10 +26,10 @@ class StreamDecoder {
     void decode(bool last, const Each& each);
     void drop(std::size_t count);
 
-    const inspect::Family* family_;
-    Bytes waiting_;
+    const Family* family_;
+    wire::Bytes waiting_;
     std::size_t tried_ = 0;   ///< bytes of waiting_ that were decoded in vain
     std::size_t offset_ = 0;  ///< of waiting_ in the stream
 };
 
-}  // namespace echoloop::cli
+}  // namespace echoloop::inspect

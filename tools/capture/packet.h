@@ -13,7 +13,7 @@
 
 #include "emulator/device.h"
 
-namespace echoloop::cli {
+namespace echoloop::capture {
 
 struct Datagram {
     Address from, to;
@@ -68,4 +68,4 @@ class PacketReader {
     std::map<Key, Partial> partials_;
 };
 
-}  // namespace echoloop::cli
+}  // namespace echoloop::capture

@@ -1,0 +1,35 @@
+// A file or standard input that knows its first bytes before they are read. Holds no more of it than that.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "emulator/device.h"
+
+namespace echoloop::capture {
+
+class Input {
+  public:
+    /// "-" is standard input. Throws StartError (no_input, no_permission) unless it is that or a regular
+    /// file.
+    explicit Input(const std::string& name);
+    ~Input();
+    Input(const Input&) = delete;
+    Input& operator=(const Input&) = delete;
+
+    bool is_capture();  ///< begins as pcap or pcapng files do
+    /// Up to `count` bytes that read() will give again.
+    const Bytes& peek(std::size_t count);
+    /// Up to `count` bytes; fewer only at the end. Throws StartError (io).
+    Bytes read(std::size_t count);
+    /// Gives the stream away, from the first byte on; for libpcap, which closes it.
+    std::FILE* release();
+    const std::string& name() const { return name_; }
+
+  private:
+    std::string name_;
+    std::FILE* file_ = nullptr;
+    Bytes head_;  ///< bytes that were read ahead
+};
+
+}  // namespace echoloop::capture
