@@ -35,7 +35,8 @@ struct Send {
     std::size_t port = 0;
     Bytes bytes;
     Address to;
-    Time not_before{};  ///< paces the datagrams of one big frame; the past means now
+    Time not_before{};     ///< paces the datagrams of one big frame; the past means now
+    bool hang_up = false;  ///< stream ports: the connection is closed behind these bytes, if it is one
 };
 
 /// A ping to render. The Session hands the echogram back through heard() at `due`, never earlier:
@@ -90,6 +91,10 @@ class Device {
     virtual Actions woken(Time now) = 0;
     /// Another driver is at the other end of a stream port: half a frame of the last one is worthless.
     virtual void reconnected(std::size_t port) = 0;
+    /// After reconnected(), where the stream is a connection: who is at the other end of it.
+    virtual Actions connected(std::size_t /*port*/, Address /*peer*/, Time /*now*/) { return {}; }
+    /// Nobody is any more. A serial line never tells.
+    virtual Actions disconnected(std::size_t /*port*/, Time /*now*/) { return {}; }
     virtual DeviceCounters counters() const = 0;
 };
 

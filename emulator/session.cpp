@@ -45,11 +45,14 @@ Session::~Session() {
 
 void Session::start() {
     for (std::size_t port = 0; port < transports_.size(); ++port) {
-        transports_[port]->start({.received =
-                                      [this, port](ByteView bytes, Address from) {
-                                          apply(device_->received({port, bytes, from}, clock_.now()));
-                                      },
-                                  .reconnected = [this, port] { device_->reconnected(port); }});
+        transports_[port]->start(
+            {.received =
+                 [this, port](ByteView bytes, Address from) {
+                     apply(device_->received({port, bytes, from}, clock_.now()));
+                 },
+             .reconnected = [this, port] { device_->reconnected(port); },
+             .connected = [this, port](Address peer) { apply(device_->connected(port, peer, clock_.now())); },
+             .disconnected = [this, port] { apply(device_->disconnected(port, clock_.now())); }});
     }
     asio::co_spawn(io_, keep_writing(), Serving(name_));
     asio::co_spawn(io_, keep_waking(), Serving(name_));
@@ -167,7 +170,9 @@ Task<void> Session::keep_writing() {
         }
         const Send send = std::move(outbox_.extract(first).mapped());
         outbox_bytes_ -= send.bytes.size();
-        if (send.port < transports_.size()) co_await transports_[send.port]->write(send.bytes, send.to);
+        if (send.port >= transports_.size()) continue;
+        co_await transports_[send.port]->write(send.bytes, send.to);
+        if (send.hang_up) transports_[send.port]->hang_up();
     }
 }
 

@@ -22,7 +22,9 @@ void Recorded::start(Events events) {
                       [this, reconnected = std::move(events.reconnected)] {
                           begin_conversation();
                           reconnected();
-                      }});
+                      },
+                  .connected = std::move(events.connected),
+                  .disconnected = std::move(events.disconnected)});
 }
 
 void Recorded::begin_conversation() {

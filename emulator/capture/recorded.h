@@ -17,6 +17,7 @@ class Recorded final : public Transport {
     void start(Events events) override;
     /// Recorded is what really left, when its last byte left.
     Task<void> write(ByteView bytes, Address to) override;
+    void hang_up() override { line_->hang_up(); }
     void close() override { line_->close(); }
     std::string describe() const override { return line_->describe(); }
     Wire wire() const override { return line_->wire(); }

@@ -13,6 +13,7 @@ class Paced final : public Transport {
 
     void start(Events events) override { line_->start(std::move(events)); }
     Task<void> write(ByteView bytes, Address to) override;
+    void hang_up() override { line_->hang_up(); }
     void close() override;
     std::string describe() const override { return line_->describe(); }
     Wire wire() const override { return line_->wire(); }

@@ -50,6 +50,12 @@ void prepare(Tcp::socket& socket) {
     socket.non_blocking(true, ignored);
 }
 
+/// Behind everything that was written, as a server ends a connection; the reader then meets its end.
+void hang_up_on(Tcp::socket& socket) {
+    error_code ignored;
+    socket.shutdown(Tcp::socket::shutdown_both, ignored);
+}
+
 }  // namespace
 
 TcpListener::TcpListener(asio::io_context& io, Address bind) : acceptor_(bind_acceptor(io, bind)) {}
@@ -76,6 +82,7 @@ Task<void> TcpListener::accept_drivers() {
         prepare(socket);
         driver_ = std::make_shared<Tcp::socket>(std::move(socket));
         events_.reconnected();
+        events_.connected(ends_of(*driver_, Wire::Kind::tcp_server).remote);
         asio::co_spawn(acceptor_.get_executor(), serve(driver_), Serving(describe()));
     }
 }
@@ -91,10 +98,15 @@ Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver) {
     }
     driver->close(ec);
     driver_.reset();
+    if (acceptor_.is_open()) events_.disconnected();
 }
 
 Task<void> TcpListener::write(ByteView bytes, Address) {
     if (const auto driver = driver_) count_out(co_await write_or_lose(*driver, bytes));
+}
+
+void TcpListener::hang_up() {
+    if (driver_) hang_up_on(*driver_);
 }
 
 void TcpListener::close() {
@@ -140,6 +152,7 @@ Task<void> TcpClient::read_stream() {
     prepare(socket_);
     connected_ = true;
     events_.reconnected();
+    events_.connected(ends_of(socket_, Wire::Kind::tcp_client).remote);
     std::array<std::uint8_t, 4096> buffer;
     error_code ec;
     while (!ec) {
@@ -150,10 +163,15 @@ Task<void> TcpClient::read_stream() {
         }
     }
     connected_ = false;
+    if (!closing_) events_.disconnected();
 }
 
 Task<void> TcpClient::write(ByteView bytes, Address) {
     if (connected_) count_out(co_await write_or_lose(socket_, bytes));
+}
+
+void TcpClient::hang_up() {
+    if (connected_) hang_up_on(socket_);
 }
 
 void TcpClient::close() {

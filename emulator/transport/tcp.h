@@ -16,6 +16,7 @@ class TcpListener final : public CountingTransport {
 
     void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
+    void hang_up() override;
     void close() override;
     std::string describe() const override;
     Wire wire() const override;
@@ -36,6 +37,7 @@ class TcpClient final : public CountingTransport {
 
     void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
+    void hang_up() override;
     void close() override;
     std::string describe() const override;
     Wire wire() const override;

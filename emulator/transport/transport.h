@@ -24,6 +24,8 @@ class Transport {
         std::function<void(ByteView, Address from)> received;
         std::function<void()>
             reconnected;  ///< another driver is at the other end: half a frame is worthless now
+        std::function<void(Address)> connected = [](Address) {};  ///< TCP, after reconnected
+        std::function<void()> disconnected = [] {};               ///< TCP
     };
 
     Transport() = default;
@@ -35,6 +37,8 @@ class Transport {
     virtual void start(Events events) = 0;
     /// Send all of `bytes`. With nobody at the other end they are lost, as on a wire. Never throws for that.
     virtual Task<void> write(ByteView bytes, Address to) = 0;
+    /// Ends the connection with whoever is at the other end; another may follow. A line has none.
+    virtual void hang_up() {}
     virtual void close() = 0;
     /// What a person calls this place, e.g. "pty:/tmp/echoloop/micron -> /dev/pts/3".
     virtual std::string describe() const = 0;

@@ -1,6 +1,8 @@
 // Real sockets on loopback: UDP that survives refusals, TCP that serves one driver after the other.
 #include <gtest/gtest.h>
 
+#include <boost/asio/read.hpp>
+
 #include "emulator/error.h"
 #include "emulator/transport/address.h"
 #include "emulator/transport/tcp.h"
@@ -29,7 +31,8 @@ class SocketTest : public testing::Test {
                              heard_.emplace_back(bytes.begin(), bytes.end());
                              from_ = from;
                          },
-                         [this] { ++reconnected_; }});
+                         [this] { ++reconnected_; }, [this](Address peer) { peer_ = peer; },
+                         [this] { ++gone_; }});
     }
     void write(Transport& transport, const Bytes& bytes, Address to = {}) {
         bool done = false;
@@ -48,6 +51,8 @@ class SocketTest : public testing::Test {
     std::vector<Bytes> heard_;
     Address from_;
     int reconnected_ = 0;
+    Address peer_;
+    int gone_ = 0;
 };
 
 TEST_F(SocketTest, UdpAnswersWhoeverSpokeAndSurvivesRefusals) {
@@ -91,6 +96,36 @@ TEST_F(SocketTest, SharedPortsHearTheLoopbackBroadcast) {
     host.set_option(asio::socket_base::broadcast(true));
     host.send_to(asio::buffer("R2DD", 4), {asio::ip::address_v4(0x7FFFFFFFu), port});
     EXPECT_TRUE(run_until([&] { return heard_.size() == 2; })) << "both hear it";
+}
+
+TEST_F(SocketTest, TcpTellsWhoCameAndWhenTheyLeft) {
+    TcpListener device(io_, {loopback, 0});
+    start(device);
+    const asio::ip::tcp::endpoint there(asio::ip::address_v4(loopback), port_of(device));
+    asio::ip::tcp::socket driver(io_);
+    driver.connect(there);
+    ASSERT_TRUE(run_until([&] { return peer_.port != 0; }));
+    EXPECT_EQ(peer_, (Address{loopback, driver.local_endpoint().port()}));
+    driver.close();
+    EXPECT_TRUE(run_until([&] { return gone_ == 1; }));
+}
+
+TEST_F(SocketTest, TcpHangsUpBehindTheLastByte) {
+    TcpListener device(io_, {loopback, 0});
+    start(device);
+    const asio::ip::tcp::endpoint there(asio::ip::address_v4(loopback), port_of(device));
+    asio::ip::tcp::socket driver(io_);
+    driver.connect(there);
+    ASSERT_TRUE(run_until([&] { return reconnected_ == 1; }));
+    const Bytes answer(100'000, 7);
+    write(device, answer);
+    device.hang_up();
+    Bytes heard(answer.size());
+    EXPECT_EQ(asio::read(driver, asio::buffer(heard)), answer.size());
+    error_code ec;
+    driver.receive(asio::buffer(heard), 0, ec);
+    EXPECT_EQ(ec, asio::error::eof);
+    EXPECT_TRUE(run_until([&] { return gone_ == 1; }));
 }
 
 TEST_F(SocketTest, TcpServesOneDriverAtATimeAndTheNextAfterIt) {
