@@ -49,10 +49,10 @@ RenderThread::RenderThread(Make make) {
 
 RenderThread::~RenderThread() = default;  // the jthread stops and joins
 
-void RenderThread::submit(Shot shot, const Pose& world_from_sonar, Done done) {
+void RenderThread::submit(Shot shot, Situation situation, Done done) {
     {
         const std::lock_guard lock(mutex_);
-        jobs_.push_back({std::move(shot), world_from_sonar, std::move(done)});
+        jobs_.push_back({std::move(shot), std::move(situation), std::move(done)});
     }
     wake_.notify_one();
 }
@@ -66,9 +66,9 @@ void RenderThread::serve(std::stop_token stop, Renderer& renderer) {
         lock.unlock();
         if (stop.stop_requested()) return;
         try {
-            job.done(renderer.render(job.shot, job.world_from_sonar), {});
+            job.done(renderer.render(job.shot, job.situation), {});
         } catch (const std::exception& error) {
-            job.done(silence(std::move(job.shot), job.world_from_sonar), error.what());
+            job.done(silence(std::move(job.shot), job.situation.world_from_sonar), error.what());
         }
     }
 }

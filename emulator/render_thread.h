@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "render/echogram.h"
+#include "render/situation.h"
 
 namespace echoloop {
 
@@ -26,12 +27,12 @@ class RenderThread {
     /// Finishes the ping at hand and forgets those that wait.
     ~RenderThread();
 
-    void submit(Shot shot, const Pose& world_from_sonar, Done done);
+    void submit(Shot shot, Situation situation, Done done);
 
   private:
     struct Job {
         Shot shot;
-        Pose world_from_sonar;
+        Situation situation;
         Done done;
     };
 

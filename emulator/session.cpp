@@ -24,7 +24,7 @@ double farthest_from(Vec3 point, const Bounds& scene) {
 
 Session::Session(asio::io_context& io, const Clock& clock, RenderThread& renderer, SharedWater& water,
                  std::string name, std::unique_ptr<Device> device,
-                 std::vector<std::unique_ptr<Transport>> transports, PoseAt pose_at)
+                 std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at)
     : io_(io),
       clock_(clock),
       renderer_(renderer),
@@ -33,7 +33,7 @@ Session::Session(asio::io_context& io, const Clock& clock, RenderThread& rendere
       name_(std::move(name)),
       device_(std::move(device)),
       transports_(std::move(transports)),
-      pose_at_(std::move(pose_at)),
+      situation_at_(std::move(situation_at)),
       mail_(io),
       alarm_(io),
       alive_(std::make_shared<bool>(true)) {}
@@ -91,25 +91,26 @@ void Session::post_mail(Send send) {
 void Session::transmit(Ping ping) {
     ping.shot.random_key = random_key(water_.seed, name_);
     const Time now = clock_.now();
-    const Pose pose = pose_at_(now);
+    const Situation situation = situation_at_(now);
+    const Pose& pose = situation.world_from_sonar;
     sequence_ += now > silent_from_ ? 2 : 1;  // a gap in the row, and what is late is forgotten
     silent_from_ = ping.shot.interval > 0 ? now + from_seconds(1.5 * ping.shot.interval) : Time::max();
     const UnderWay under_way{{now, sonar_, pose, ping.shot}, sequence_, ping.due};
     water_.cross_talk.transmitted(under_way.transmission);
     const double farthest = farthest_from(pose.position, water_.scene);
     const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
-    render(std::move(ping.shot), pose, [this, under_way](std::shared_ptr<Echogram> echogram) {
+    render(std::move(ping.shot), situation, [this, under_way](std::shared_ptr<Echogram> echogram) {
         asio::co_spawn(io_, deliver(std::move(echogram), under_way), Serving(name_));
     });
     if (!late) return;
-    render(*late, pose, [this, sequence = sequence_](std::shared_ptr<Echogram> echogram) {
+    render(*late, situation, [this, sequence = sequence_](std::shared_ptr<Echogram> echogram) {
         late_echoes_.keep(sequence, std::move(*echogram));
     });
 }
 
-void Session::render(Shot shot, const Pose& pose, std::function<void(std::shared_ptr<Echogram>)> then) {
+void Session::render(Shot shot, const Situation& situation, std::function<void(std::shared_ptr<Echogram>)> then) {
     renderer_.submit(
-        std::move(shot), pose,
+        std::move(shot), situation,
         [this, &io = io_, then = std::move(then), alive = alive_](Echogram echogram, std::string error) {
             auto result = std::make_shared<Echogram>(std::move(echogram));
             asio::post(io, [this, result, then, alive, error = std::move(error)] {

@@ -42,13 +42,13 @@ struct SharedWater {
 
 class Session {
   public:
-    /// Pose of the sonar in the world at a time of the run.
-    using PoseAt = std::function<Pose(Time)>;
+    /// Where the sonar and everything that moves is at a time of the run.
+    using SituationAt = std::function<Situation(Time)>;
 
     /// `transports`: one per port of the device, in the order of ports().
     Session(asio::io_context& io, const Clock& clock, RenderThread& renderer, SharedWater& water,
             std::string name, std::unique_ptr<Device> device,
-            std::vector<std::unique_ptr<Transport>> transports, PoseAt pose_at);
+            std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at);
     ~Session();
 
     void start();
@@ -60,7 +60,7 @@ class Session {
     void apply(Actions actions);
     void transmit(Ping ping);
     /// Calls `then` on the io thread, unless this session is gone or closed by then.
-    void render(Shot shot, const Pose& pose, std::function<void(std::shared_ptr<Echogram>)> then);
+    void render(Shot shot, const Situation& situation, std::function<void(std::shared_ptr<Echogram>)> then);
     /// A ping on its way, and its place in the row of this session's pings.
     struct UnderWay {
         Transmission transmission;
@@ -81,7 +81,7 @@ class Session {
     std::string name_;
     std::unique_ptr<Device> device_;
     std::vector<std::unique_ptr<Transport>> transports_;
-    PoseAt pose_at_;
+    SituationAt situation_at_;
 
     std::multimap<Time, Send> outbox_;  ///< by not_before; equal times keep their order
     std::size_t outbox_bytes_ = 0;

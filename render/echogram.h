@@ -87,6 +87,9 @@ struct Echogram {
     std::vector<float> values;    ///< uPa^2 (radiometric) or 0..1 (cerqueira2016); size beams() * shot.bins
     double noise_power = 0;       ///< uPa^2, mean of the noise that is in `values`
     std::vector<BeamTruth> truth; ///< one per beam
+    /// As `values`, for who asks (Situation::objects), else empty: 1 + index in Scene::objects() of what most of a bin's
+    /// direct echo comes from; 0: nothing there.
+    std::vector<std::uint16_t> objects;
 
     std::size_t beams() const { return shot.bearings.size(); }
     std::span<const float> beam(std::size_t index) const {

@@ -60,9 +60,10 @@ class Renderer::Impl {
             strength_.emplace_back(drawer_.scene().materials()[material]);
     }
 
-    Echogram render(const Shot& shot, const Pose& pose) {
+    Echogram render(const Shot& shot, const Situation& situation) {
+        const Pose& pose = situation.world_from_sonar;
         const FanPlan& plan = draw(shot, pose);
-        Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}};
+        Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
         profile_.paths = timed([&] { trace_paths(shot, pose, out.sound_speed); });
         profile_.bins = timed([&] {
             binning_.bin(binning_input(shot, plan, out.sound_speed), out.values);
@@ -76,8 +77,8 @@ class Renderer::Impl {
         return out;
     }
 
-    ChannelImage render_channels(const Shot& shot, const Pose& pose) {
-        const FanPlan& plan = draw(shot, pose);
+    ChannelImage render_channels(const Shot& shot, const Situation& situation) {
+        const FanPlan& plan = draw(shot, situation.world_from_sonar);
         ChannelImage image{plan.lines, plan.samples, {}, {}, {}};
         for (std::size_t sample = 0; sample < plan.samples; ++sample)
             for (std::size_t line = 0; line < plan.lines; ++line) add_channels(image, plan, line, sample);
@@ -184,11 +185,11 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Echogram Renderer::render(const Shot& shot, const Pose& world_from_sonar) {
-    return impl_->render(shot, world_from_sonar);
+Echogram Renderer::render(const Shot& shot, const Situation& situation) {
+    return impl_->render(shot, situation);
 }
-ChannelImage Renderer::render_channels(const Shot& shot, const Pose& world_from_sonar) {
-    return impl_->render_channels(shot, world_from_sonar);
+ChannelImage Renderer::render_channels(const Shot& shot, const Situation& situation) {
+    return impl_->render_channels(shot, situation);
 }
 const RenderProfile& Renderer::profile() const { return impl_->profile(); }
 const Scene& Renderer::scene() const { return impl_->scene(); }

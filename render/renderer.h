@@ -12,6 +12,7 @@
 #include "render/effects.h"
 #include "render/paths/paths.h"
 #include "render/scene/scene.h"
+#include "render/situation.h"
 #include "render/water.h"
 
 namespace echoloop {
@@ -55,13 +56,14 @@ class Renderer {
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    /// One ping. Throws std::invalid_argument, naming the member, for a shot or pose that is not finite, not
+    /// One ping. `situation` may be the sonar's pose alone. Throws std::invalid_argument, naming the member, for a shot
+    /// or pose that is not finite, not
     /// ordered or too large (see validate(const Shot&)), and std::logic_error on a thread other than the
     /// constructor's.
-    Echogram render(const Shot& shot, const Pose& world_from_sonar);
+    Echogram render(const Shot& shot, const Situation& situation);
 
     /// The three channels behind the same ping. Throws as render().
-    ChannelImage render_channels(const Shot& shot, const Pose& world_from_sonar);
+    ChannelImage render_channels(const Shot& shot, const Situation& situation);
 
     const RenderProfile& profile() const;  ///< of the last ping
     const Scene& scene() const;

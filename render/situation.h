@@ -1,0 +1,23 @@
+// Where everything is at the moment of a ping, and what is wanted of it beside its echo. Standard library only; knows no
+// time and no scene.
+#pragma once
+
+#include <vector>
+
+#include "render/pose.h"
+
+namespace echoloop {
+
+struct Situation {
+    Situation() = default;
+    /// A sonar in a scene in which everything is where the file puts it.
+    Situation(const Pose& sonar) : world_from_sonar(sonar) {}  // a pose is the plainest situation
+    Situation(Vec3 position, Quat orientation) : world_from_sonar{position, orientation} {}
+
+    Pose world_from_sonar;
+    /// world_from_object of Scene::movers(), in their order; what is missing at the end is where the file puts it.
+    std::vector<Pose> movers;
+    bool objects = false;  ///< Echogram::objects is wanted
+};
+
+}  // namespace echoloop
