@@ -95,6 +95,9 @@ class Device {
     virtual Actions connected(std::size_t /*port*/, Address /*peer*/, Time /*now*/) { return {}; }
     /// Nobody is any more. A serial line never tells.
     virtual Actions disconnected(std::size_t /*port*/, Time /*now*/) { return {}; }
+    /// The rate, bit/s, that a driver has set on its end of a serial line. A device that follows it
+    /// (automatic baud) is as slow as that from now on.
+    virtual void line_rate(std::size_t /*port*/, double /*rate*/) {}
     virtual DeviceCounters counters() const = 0;
 };
 

@@ -52,7 +52,8 @@ void Session::start() {
                  },
              .reconnected = [this, port] { device_->reconnected(port); },
              .connected = [this, port](Address peer) { apply(device_->connected(port, peer, clock_.now())); },
-             .disconnected = [this, port] { apply(device_->disconnected(port, clock_.now())); }});
+             .disconnected = [this, port] { apply(device_->disconnected(port, clock_.now())); },
+             .line_rate = [this, port](double rate) { device_->line_rate(port, rate); }});
     }
     asio::co_spawn(io_, keep_writing(), Serving(name_));
     asio::co_spawn(io_, keep_waking(), Serving(name_));

@@ -13,18 +13,16 @@ Recorded::Recorded(std::unique_ptr<Transport> line, Recording& recording, const 
           line_->describe())) {}
 
 void Recorded::start(Events events) {
-    line_->start({.received =
-                      [this, received = std::move(events.received)](ByteView bytes, Address from) {
-                          record(bytes, Direction::received, from);
-                          received(bytes, from);
-                      },
-                  .reconnected =
-                      [this, reconnected = std::move(events.reconnected)] {
-                          begin_conversation();
-                          reconnected();
-                      },
-                  .connected = std::move(events.connected),
-                  .disconnected = std::move(events.disconnected)});
+    Events ours = events;
+    ours.received = [this, received = std::move(events.received)](ByteView bytes, Address from) {
+        record(bytes, Direction::received, from);
+        received(bytes, from);
+    };
+    ours.reconnected = [this, reconnected = std::move(events.reconnected)] {
+        begin_conversation();
+        reconnected();
+    };
+    line_->start(std::move(ours));
 }
 
 void Recorded::begin_conversation() {

@@ -26,6 +26,7 @@ class Transport {
             reconnected;  ///< another driver is at the other end: half a frame is worthless now
         std::function<void(Address)> connected = [](Address) {};  ///< TCP, after reconnected
         std::function<void()> disconnected = [] {};               ///< TCP
+        std::function<void(double)> line_rate = [](double) {};    ///< pty: the driver has set another, bit/s
     };
 
     Transport() = default;
