@@ -79,14 +79,6 @@ PoseMessage of_echoloop(const Json& object) {
 
 }  // namespace
 
-Pose enu_from_ned(const Pose& ned_from_frd) {
-    const double half = std::sqrt(0.5);
-    const Quat enu_from_ned{0, half, half, 0};  // half a turn about the line between north and east
-    const Quat frd_from_flu{0, 1, 0, 0};
-    const Vec3 p = ned_from_frd.position;
-    return {{p.y, p.x, -p.z}, enu_from_ned * ned_from_frd.orientation * frd_from_flu};
-}
-
 PoseText parse_pose_line(std::string_view line) {
     const Json object = Json::parse(line, nullptr, false);
     if (object.is_discarded()) return {{}, "no JSON"};

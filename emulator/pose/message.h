@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "emulator/pose/frames.h"
 #include "render/pose.h"
 
 namespace echoloop {
@@ -28,8 +29,5 @@ struct PoseText {
 /// Refused are numbers that are not finite, positions beyond 1000 km, quaternions whose length is not 1
 /// within 1 %.
 PoseText parse_pose_line(std::string_view line);
-
-/// ENU and FLU from north-east-down and forward-right-down.
-Pose enu_from_ned(const Pose& ned_from_frd);
 
 }  // namespace echoloop

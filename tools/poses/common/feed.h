@@ -1,0 +1,42 @@
+// What becomes of the poses that a program hears: whose they are, in which axes, whether they step the clock,
+// and how many of them. Knows no middleware.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "tools/poses/common/options.h"
+#include "tools/poses/common/sender.h"
+
+namespace echoloop::poses {
+
+class Feed {
+  public:
+    Feed(const Options& options, Sender& sender) : options_(options), sender_(sender) {}
+
+    /// The bodies of one message on a topic of the sources; each source takes the one that it names.
+    void heard(const std::string& topic, const std::vector<BodyPose>& bodies);
+    /// The pose of one source.
+    void heard(const Source& source, const BodyPose& body);
+    /// A message that cannot be read.
+    void refused(const std::string& topic, const std::string& reason);
+    /// Simulated time.
+    void clock(Nanoseconds time);
+
+    /// Says how many of everything there were; to standard output.
+    void print_summary() const;
+
+  private:
+    void step(const std::string& line, Nanoseconds now);
+    Nanoseconds run_time(Nanoseconds stamp);
+
+    const Options& options_;
+    Sender& sender_;
+    std::optional<Nanoseconds> zero_, now_;      ///< of a stepped run
+    std::map<std::string, std::uint64_t> sent_;  ///< by what moves
+    std::uint64_t refused_ = 0, lost_ = 0, late_ = 0, steps_ = 0;
+    std::string last_refusal_;
+};
+
+}  // namespace echoloop::poses

@@ -1,0 +1,68 @@
+#include "tools/poses/common/line.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace echoloop::poses {
+namespace {
+
+constexpr double farthest = 1e6;  // m, as far as the emulator takes it
+
+/// The shortest text that means this number.
+std::string number(double value) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
+
+std::string list(std::initializer_list<double> values) {
+    std::string text;
+    for (const double value : values) text += (text.empty() ? "[" : ", ") + number(value);
+    return text + "]";
+}
+
+bool finite(const Pose& p) {
+    const auto& [w, x, y, z] = p.orientation;
+    for (const double value : {p.position.x, p.position.y, p.position.z, w, x, y, z})
+        if (!std::isfinite(value)) return false;
+    return true;
+}
+
+}  // namespace
+
+std::string seconds_text(Nanoseconds time) {
+    constexpr Nanoseconds second = 1'000'000'000;
+    const Nanoseconds whole = time < 0 ? -time : time;
+    auto fraction = std::to_string(whole % second + second).substr(1);
+    fraction.erase(fraction.find_last_not_of('0') + 1);
+    return (time < 0 ? "-" : "") + std::to_string(whole / second) + (fraction.empty() ? "" : "." + fraction);
+}
+
+std::string pose_line(const Pose& pose, const std::string& object, const std::string& key,
+                      std::optional<Nanoseconds> time) {
+    std::string line = "{";
+    if (time) line += '"' + key + "\": " + seconds_text(*time) + ", ";
+    if (!object.empty())
+        line += "\"object\": " +
+                nlohmann::json(object).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + ", ";
+    const auto& [w, x, y, z] = pose.orientation;
+    line += "\"position\": " + list({pose.position.x, pose.position.y, pose.position.z});
+    return line + ", \"orientation\": " + list({w, x, y, z}) + "}";
+}
+
+std::string step_line(Nanoseconds now) { return "{\"now\": " + seconds_text(now) + "}"; }
+
+std::string fault_of(const Pose& pose) {
+    constexpr double tolerance = 0.01;
+    if (!finite(pose)) return "a number is not finite";
+    if (norm(pose.position) > farthest) return "the position is more than 1000 km from the origin";
+    const auto& [w, x, y, z] = pose.orientation;
+    const double length = std::sqrt(w * w + x * x + y * y + z * z);
+    if (length == 0) return "the orientation is all zero: its publisher has not filled it in";
+    if (std::abs(length - 1) > tolerance) return "the quaternion's length is not 1";
+    return {};
+}
+
+}  // namespace echoloop::poses

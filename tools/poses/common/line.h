@@ -1,0 +1,26 @@
+// The line of JSON by which the emulator learns a pose or that time has passed. Pure functions of numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "render/pose.h"
+#include "tools/poses/common/body_pose.h"
+
+namespace echoloop::poses {
+
+/// "12.5": exact, in seconds.
+std::string seconds_text(Nanoseconds time);
+
+/// One line without its end. `key`: what the time is called, "t" or "now". `object`: a node of the scene;
+/// empty: the vehicle. Numbers keep every bit.
+std::string pose_line(const Pose& world_from_body, const std::string& object, const std::string& key,
+                      std::optional<Nanoseconds> time);
+
+/// {"now": 12.5}
+std::string step_line(Nanoseconds now);
+
+/// Why the emulator would refuse the pose; empty if it would not.
+std::string fault_of(const Pose& pose);
+
+}  // namespace echoloop::poses
