@@ -1,0 +1,31 @@
+"""Publishers on Gazebo's transport, on loopback and in a partition of this process's own."""
+
+import os
+import subprocess
+from pathlib import Path
+
+from poses_programs import need
+
+ENV = {"IGN_IP": "127.0.0.1", "IGN_PARTITION": f"echoloop-test-{os.getpid()}"}
+PUBLISHER = os.environ.get("GZ_PUBLISHER", "")
+
+
+class Publisher:
+    """tests/poses/gz_publisher.cpp: poses under a type's name, to the topic's subscribers."""
+
+    def __init__(self, test, topic, kind, *names):
+        need(Path(PUBLISHER).is_file(), "gz_publisher is not built: libignition-transport-dev is missing")
+        self.process = subprocess.Popen([PUBLISHER, topic, kind, *names], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        text=True, env={**os.environ, **ENV})
+        test.addCleanup(self.stop)
+        assert self.process.stdout.readline() == "connected\n"
+
+    def publish(self, stamp, position, orientation=(1, 0, 0, 0)):
+        """`stamp` in nanoseconds, orientation w x y z."""
+        print(stamp, *position, *orientation, file=self.process.stdin, flush=True)
+
+    def stop(self):
+        if self.process.poll() is None:
+            self.process.stdin.close()
+            self.process.wait(20)
+        self.process.stdout.close()

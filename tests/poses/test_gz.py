@@ -1,0 +1,87 @@
+"""echoloop-pose-gz between Debian's ignition-transport and the running emulator."""
+
+import os
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from gz_system import ENV, Publisher
+from poses_programs import FLOOR_Z, PosesCase, Process, need, program
+from program import free_base_port
+
+TOPIC_TOOL = "/usr/libexec/ignition/transport11/ign-transport-topic"
+
+
+class Gazebo(PosesCase):
+    def helper(self, *arguments):
+        helper = Process(self, program("echoloop-pose-gz"), *arguments, env=ENV)
+        helper.wait_for("Ctrl-C")
+        return helper
+
+    def test_both_generations_of_names(self):
+        port = free_base_port()
+        _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
+        helper = self.helper("--topic", "/model/rov/pose", "--to", f"udp://127.0.0.1:{port}")
+        self.assertIn(ENV["IGN_PARTITION"], helper.output)
+        kinds = [generation + kind for generation in ("ignition.msgs.", "gz.msgs.") for kind in ("Pose", "Odometry")]
+        for number, kind in enumerate(kinds):
+            with self.subTest(kind):
+                z = -5 - 2 * number
+                out = Publisher(self, "/model/rov/pose", kind)
+                depths.wait_for(z - FLOOR_Z, lambda: out.publish(time.time_ns(), (1, 2, z)))
+                out.stop()
+        status, output = helper.stop()
+        self.assertEqual(status, 0, output)
+        self.assertRegex(output, r"vehicle +[1-9]\d* poses from /model/rov/pose\n$")
+
+    def test_one_of_many_poses(self):
+        port = free_base_port()
+        _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
+        topic = "/world/sea/dynamic_pose/info"
+        helper = self.helper("--topic", f"{topic}#rov", "--to", f"udp://127.0.0.1:{port}")
+        nameless = self.helper("--topic", topic, "--to", f"udp://127.0.0.1:{port}")
+        out = Publisher(self, topic, "gz.msgs.Pose_V", "sun", "ground", "rov")
+        depths.wait_for(8, lambda: out.publish(time.time_ns(), (0, 0, -12)))
+        other = Publisher(self, topic, "gz.msgs.Pose_V", "sun")
+        other.publish(1, (0, 0, 0))
+        helper.wait_for("nothing in it is called 'rov', but: sun")
+        status, output = helper.stop()
+        self.assertEqual(status, 0, output)
+        self.assertRegex(nameless.stop()[1], r"several poses; name one of them as in \S+#NAME: sun, ground, rov")
+
+    def test_what_cannot_be_is_refused_and_counted(self):
+        port = free_base_port()
+        _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
+        helper = self.helper("--topic", "/pose", "--to", f"udp://127.0.0.1:{port}")
+        Publisher(self, "/pose", "gz.msgs.Clock").publish(1, (0, 0, 0))
+        helper.wait_for("its type gz.msgs.Clock tells no pose")
+        out = Publisher(self, "/pose", "ignition.msgs.Pose")
+        out.publish(1, (0, 0, 2e6))
+        out.publish(1, (0, 0, -4), (0, 0, 0, 0))
+        depths.wait_for(14, lambda: out.publish(time.time_ns(), (0, 0, -6)))
+        status, output = helper.stop()
+        self.assertEqual(status, 0)
+        self.assertRegex(output, r"refused +3 messages \(the last: /pose: the orientation is all zero")
+
+    def test_poses_of_debians_own_tool(self):
+        need(Path(TOPIC_TOOL).exists(), "ign-transport-topic is missing (tools/install test)")
+        port = free_base_port()
+        _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
+        helper = self.helper("--topic", "/tool", "--to", f"udp://127.0.0.1:{port}")
+
+        def publish():
+            subprocess.run([TOPIC_TOOL, "-t", "/tool", "-m", "ignition.msgs.Pose", "-p", "position: {z: -9}"],
+                           env={**os.environ, **ENV}, check=True, timeout=30)
+
+        depths.wait_for(11, publish)
+        self.assertEqual(helper.stop()[0], 0)
+
+    def test_a_name_that_is_no_topic(self):
+        helper = Process(self, program("echoloop-pose-gz"), "--topic", "a topic~", env=ENV)
+        helper.wait_for("is no name of a topic; write it as in")
+        self.assertEqual(helper.process.wait(10), 64)
+
+
+if __name__ == "__main__":
+    unittest.main()
