@@ -1,21 +1,24 @@
 #include "emulator/render_thread.h"
 
+#include <pthread.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <future>
 
 #include "render/renderer.h"
+#include "render/workers.h"
 
 namespace echoloop {
 namespace {
 
-/// Rendering gives way to the wire: llvmpipe's workers inherit the nice value of the thread that makes the
-/// context.
-void be_nice() {
+/// Rendering gives way to the wire, and fans to single beams. The name is what top and gdb show.
+void be_nice(RenderThread::Lane lane) {
+    ::pthread_setname_np(::pthread_self(), lane == RenderThread::Lane::every ? "render" : "render beams");
     const auto thread = static_cast<id_t>(::syscall(SYS_gettid));
-    ::setpriority(PRIO_PROCESS, thread, 10);
+    ::setpriority(PRIO_PROCESS, thread, lane == RenderThread::Lane::every ? 10 : 5);
 }
 
 Echogram silence(Shot shot, const Pose& world_from_sonar) {
@@ -29,47 +32,80 @@ Echogram silence(Shot shot, const Pose& world_from_sonar) {
 
 }  // namespace
 
-RenderThread::RenderThread(Make make) {
+RenderThread::Crew RenderThread::useful(std::size_t sonars) {
+    const std::size_t threads = std::clamp<std::size_t>(sonars, 1, Workers::useful());
+    return {threads, sonars > threads};
+}
+
+RenderThread::RenderThread(const Make& make, Crew crew) {
+    std::vector<std::future<void>> ready;
+    for (std::size_t i = 0; i < crew.threads; ++i) threads_.push_back(start(make, Lane::every, ready));
+    if (crew.single_beams) threads_.push_back(start(make, Lane::single_beams, ready));
+    for (auto& renderer : ready) renderer.wait();
+    for (auto& renderer : ready) renderer.get();
+}
+
+std::jthread RenderThread::start(const Make& make, Lane lane, std::vector<std::future<void>>& ready) {
     std::promise<void> started;
-    auto ready = started.get_future();
-    thread_ = std::jthread([this, make = std::move(make), &started](std::stop_token stop) {
-        be_nice();
+    ready.push_back(started.get_future());
+    return std::jthread([this, make, lane, started = std::move(started)](std::stop_token stop) mutable {
+        be_nice(lane);
         std::unique_ptr<Renderer> renderer;
         try {
-            renderer = make();
+            renderer = make(lane);
         } catch (...) {
             started.set_exception(std::current_exception());
             return;
         }
         started.set_value();
-        serve(stop, *renderer);
+        serve(std::move(stop), *renderer, lane);
     });
-    ready.get();
 }
 
-RenderThread::~RenderThread() = default;  // the jthread stops and joins
+RenderThread::~RenderThread() {
+    for (auto& thread : threads_) thread.request_stop();
+}
 
-void RenderThread::submit(Shot shot, Situation situation, Done done) {
+void RenderThread::submit(Claim claim, Shot shot, Situation situation, Done done) {
     {
         const std::lock_guard lock(mutex_);
-        jobs_.push_back({std::move(shot), std::move(situation), std::move(done)});
+        jobs_.push_back({claim, std::move(shot), std::move(situation), std::move(done)});
     }
-    wake_.notify_one();
+    wake_.notify_all();  // not every thread takes every job
 }
 
-void RenderThread::serve(std::stop_token stop, Renderer& renderer) {
+/// Of the first jobs of all sonars that have none under way.
+RenderThread::Jobs::iterator RenderThread::most_urgent(Lane lane) {
+    auto best = jobs_.end();
+    std::set<std::size_t> seen = busy_;
+    for (auto job = jobs_.begin(); job != jobs_.end(); ++job) {
+        if (!seen.insert(job->claim.sonar).second) continue;
+        if (lane == Lane::single_beams && !is_single_beam(job->shot)) continue;
+        if (best == jobs_.end() || job->claim.needed < best->claim.needed) best = job;
+    }
+    return best;
+}
+
+void RenderThread::serve(std::stop_token stop, Renderer& renderer, Lane lane) {
     while (true) {
         std::unique_lock lock(mutex_);
-        if (!wake_.wait(lock, stop, [this] { return !jobs_.empty(); })) return;
-        Job job = std::move(jobs_.front());
-        jobs_.pop_front();
-        lock.unlock();
+        auto next = jobs_.end();
+        if (!wake_.wait(lock, stop, [&] { return (next = most_urgent(lane)) != jobs_.end(); })) return;
         if (stop.stop_requested()) return;
+        Job job = std::move(*next);
+        jobs_.erase(next);
+        busy_.insert(job.claim.sonar);
+        lock.unlock();
         try {
             job.done(renderer.render(job.shot, job.situation), {});
         } catch (const std::exception& error) {
             job.done(silence(std::move(job.shot), job.situation.world_from_sonar), error.what());
         }
+        lock.lock();
+        busy_.erase(job.claim.sonar);
+        const bool more = !jobs_.empty();
+        lock.unlock();
+        if (more) wake_.notify_all();
     }
 }
 

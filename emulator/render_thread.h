@@ -1,14 +1,19 @@
-// The one thread that renders: it owns the renderer with its GL context and serves the pings of all devices
-// in the order in which they come. It knows no device and no clock.
+// The threads that render: each owns a renderer with its GL context. They serve the pings of all devices, the
+// one that is needed first first, and those of one device one after the other. They know no device and no
+// clock.
 #pragma once
 
 #include <condition_variable>
-#include <deque>
 #include <functional>
+#include <future>
+#include <list>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
+#include <vector>
 
+#include "emulator/device.h"
 #include "render/echogram.h"
 #include "render/situation.h"
 
@@ -18,30 +23,53 @@ class Renderer;
 
 class RenderThread {
   public:
-    using Make = std::function<std::unique_ptr<Renderer>()>;
-    /// Called on the render thread. `error` is empty if all went well, else the echogram is silence.
+    /// What a thread takes: single beams only, which are rendered in a moment and do not wait behind fans, or
+    /// all.
+    enum class Lane { every, single_beams };
+    struct Crew {
+        std::size_t threads = 1;
+        bool single_beams = false;  ///< one thread more, for these
+    };
+    using Make = std::function<std::unique_ptr<Renderer>(Lane)>;
+    /// Called on a render thread. `error` is empty if all went well, else the echogram is silence.
     using Done = std::function<void(Echogram echogram, std::string error)>;
 
-    /// Runs `make` on the new thread (a GL context belongs to its thread) and throws what it throws.
-    explicit RenderThread(Make make);
-    /// Finishes the ping at hand and forgets those that wait.
+    /// Whose ping it is, and when its echogram is needed.
+    struct Claim {
+        std::size_t sonar = 0;
+        Time needed{};
+    };
+
+    /// Runs `make` on every new thread (a GL context belongs to its thread), on several at once, and throws
+    /// what one of them throws.
+    explicit RenderThread(const Make& make, Crew crew = {1, false});
+    /// Finishes the pings at hand and forgets those that wait.
     ~RenderThread();
 
-    void submit(Shot shot, Situation situation, Done done);
+    void submit(Claim claim, Shot shot, Situation situation, Done done);
+
+    /// As many threads as find work with so many sonars on this machine.
+    static Crew useful(std::size_t sonars);
+    static bool is_single_beam(const Shot& shot) { return shot.bearings.size() == 1; }
 
   private:
     struct Job {
+        Claim claim;
         Shot shot;
         Situation situation;
         Done done;
     };
+    using Jobs = std::list<Job>;
 
-    void serve(std::stop_token stop, Renderer& renderer);
+    std::jthread start(const Make& make, Lane lane, std::vector<std::future<void>>& ready);
+    void serve(std::stop_token stop, Renderer& renderer, Lane lane);
+    Jobs::iterator most_urgent(Lane lane);
 
     std::mutex mutex_;
     std::condition_variable_any wake_;
-    std::deque<Job> jobs_;
-    std::jthread thread_;
+    Jobs jobs_;                   ///< in the order of submission
+    std::set<std::size_t> busy_;  ///< sonars whose ping is being rendered
+    std::vector<std::jthread> threads_;
 };
 
 }  // namespace echoloop

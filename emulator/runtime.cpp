@@ -1,6 +1,7 @@
 #include "emulator/runtime.h"
 
 #include <chrono>
+#include <mutex>
 
 #include "emulator/capture/recorded.h"
 #include "emulator/error.h"
@@ -22,10 +23,15 @@ SharedWater shared_water(const Scenario& scenario, const Scene& scene) {
 }
 
 /// Plans, shaders and trees are made at the first ping of their kind: before anybody waits for one.
-void warm_up(Renderer& renderer, const Scenario& scenario) {
-    for (const ScenarioDevice& device : scenario.devices)
-        renderer.render(device.model->default_shot(device.config, 0, 0),
-                        scenario.world_from_body * device.body_from_sonar);
+void warm_up(Renderer& renderer, const Scenario& scenario, const SharedWater& water, RenderThread::Lane lane) {
+    constexpr double everywhere = 1e7;  // m: a scene so large that late echoes matter
+    for (const ScenarioDevice& device : scenario.devices) {
+        const Shot shot = device.model->default_shot(device.config, 0, 0);
+        if (lane == RenderThread::Lane::single_beams && !RenderThread::is_single_beam(shot)) continue;
+        const Pose pose = scenario.world_from_body * device.body_from_sonar;
+        renderer.render(shot, pose);
+        if (const auto late = late_shot(shot, water.water, water.effects, everywhere)) renderer.render(*late, pose);
+    }
 }
 
 }  // namespace
@@ -39,12 +45,8 @@ class Runtime::Impl {
           clock_(scenario.clock_rate),
           vehicle_(scenario, io_, clock_),
           water_(shared_water(scenario, *scene_)),
-          render_thread_([this, &scenario] {
-              auto renderer = std::make_unique<Renderer>(scene_, scenario.water, scenario.render);
-              renderer_description_ = renderer->context_description();
-              warm_up(*renderer, scenario);
-              return renderer;
-          }) {
+          render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
+                         RenderThread::useful(scenario.devices.size())) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
         for (const ScenarioDevice& device : scenario.devices) add(scenario, device, records);
@@ -90,6 +92,14 @@ class Runtime::Impl {
     const std::string& renderer_description() const { return renderer_description_; }
 
   private:
+    /// On a render thread, several at once.
+    std::unique_ptr<Renderer> make_renderer(const Scenario& scenario, RenderThread::Lane lane) {
+        auto renderer = std::make_unique<Renderer>(scene_, scenario.water, scenario.render);
+        std::call_once(described_, [&] { renderer_description_ = renderer->context_description(); });
+        warm_up(*renderer, scenario, water_, lane);
+        return renderer;
+    }
+
     void add(const Scenario& scenario, const ScenarioDevice& entry, const RunRecords& records) {
         DeviceConfig config = entry.config;
         config.unix_start = unix_now();
@@ -118,6 +128,7 @@ class Runtime::Impl {
 
     std::shared_ptr<const Scene> scene_;
     std::string renderer_description_;
+    std::once_flag described_;
     asio::io_context io_;
     asio::signal_set signals_;
     asio::steady_timer end_;

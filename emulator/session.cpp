@@ -100,18 +100,20 @@ void Session::transmit(Ping ping) {
     water_.cross_talk.transmitted(under_way.transmission);
     const double farthest = farthest_from(pose.position, water_.scene);
     const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
-    render(std::move(ping.shot), situation, [this, under_way](std::shared_ptr<Echogram> echogram) {
+    const Time next_due = ping.due + from_seconds(ping.shot.interval);
+    render(ping.due, std::move(ping.shot), situation, [this, under_way](std::shared_ptr<Echogram> echogram) {
         asio::co_spawn(io_, deliver(std::move(echogram), under_way), Serving(name_));
     });
     if (!late) return;
-    render(*late, situation, [this, sequence = sequence_](std::shared_ptr<Echogram> echogram) {
+    render(next_due, *late, situation, [this, sequence = sequence_](std::shared_ptr<Echogram> echogram) {
         late_echoes_.keep(sequence, std::move(*echogram));
     });
 }
 
-void Session::render(Shot shot, const Situation& situation, std::function<void(std::shared_ptr<Echogram>)> then) {
+void Session::render(Time needed, Shot shot, const Situation& situation,
+                     std::function<void(std::shared_ptr<Echogram>)> then) {
     renderer_.submit(
-        std::move(shot), situation,
+        {sonar_, needed}, std::move(shot), situation,
         [this, &io = io_, then = std::move(then), alive = alive_](Echogram echogram, std::string error) {
             auto result = std::make_shared<Echogram>(std::move(echogram));
             asio::post(io, [this, result, then, alive, error = std::move(error)] {

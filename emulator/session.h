@@ -60,7 +60,8 @@ class Session {
     void apply(Actions actions);
     void transmit(Ping ping);
     /// Calls `then` on the io thread, unless this session is gone or closed by then.
-    void render(Shot shot, const Situation& situation, std::function<void(std::shared_ptr<Echogram>)> then);
+    void render(Time needed, Shot shot, const Situation& situation,
+                std::function<void(std::shared_ptr<Echogram>)> then);
     /// A ping on its way, and its place in the row of this session's pings.
     struct UnderWay {
         Transmission transmission;

@@ -21,13 +21,14 @@ void Workers::run(std::size_t count, const std::function<void(std::size_t)>& wor
         work_ = &work;
         count_ = count;
         next_ = 0;
-        active_ = threads_.size();
+        open_ = true;
         ++round_;
     }
     begin_.notify_all();
     take_pieces();
     std::unique_lock lock(mutex_);
-    end_.wait(lock, [this] { return active_ == 0; });
+    open_ = false;
+    end_.wait(lock, [this] { return inside_ == 0; });
     if (const std::exception_ptr fault = std::exchange(fault_, nullptr)) std::rethrow_exception(fault);
 }
 
@@ -47,10 +48,12 @@ void Workers::serve(std::stop_token stop) {
             std::unique_lock lock(mutex_);
             if (!begin_.wait(lock, stop, [&] { return round_ != seen; })) return;
             seen = round_;
+            if (!open_) continue;
+            ++inside_;
         }
         take_pieces();
         const std::lock_guard lock(mutex_);
-        if (--active_ == 0) end_.notify_one();
+        if (--inside_ == 0) end_.notify_one();
     }
 }
 

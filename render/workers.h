@@ -37,7 +37,8 @@ class Workers {
     std::condition_variable_any begin_;
     std::condition_variable end_;
     std::size_t round_ = 0;   ///< of run(), under mutex_
-    std::size_t active_ = 0;  ///< threads that still work in this round, under mutex_
+    bool open_ = false;       ///< there may be pieces left, under mutex_: a thread that wakes too late is not waited for
+    std::size_t inside_ = 0;  ///< other threads that work in this round, under mutex_
     const std::function<void(std::size_t)>* work_ = nullptr;
     std::size_t count_ = 0;
     std::atomic<std::size_t> next_{0};

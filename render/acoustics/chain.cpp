@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <list>
 
 #include "render/acoustics/beam_chain.h"
+#include "render/recently_used.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -59,24 +59,22 @@ class AcousticChain::Impl {
     }
 
   private:
-    static constexpr std::size_t worth_a_thread = 16'384, most_plans = 8;
+    static constexpr std::size_t worth_a_thread = 16'384, most_plans = 64;
 
     const ChainPlan& plan_for(const Shot& shot, double sound_speed) {
-        const auto known = std::ranges::find_if(plans_, [&](const CachedPlan& cached) {
+        const auto fits = [&](const CachedPlan& cached) {
             return cached.sound_speed == sound_speed && same_geometry(cached.shot, shot);
-        });
-        if (known != plans_.end()) {
-            plans_.splice(plans_.begin(), plans_, known);
-        } else {
-            if (plans_.size() == most_plans) plans_.pop_back();
-            plans_.push_front({shot, sound_speed, ChainPlan(shot, sound_speed, effects_, speckle_)});
-        }
-        return plans_.front().plan;
+        };
+        const auto make = [&] {
+            return std::pair(
+                CachedPlan{shot, sound_speed, ChainPlan(shot, sound_speed, effects_, speckle_)}, std::size_t{1});
+        };
+        return plans_.get(fits, make).plan;
     }
 
     Effects effects_;
     SpeckleOptions speckle_;
-    std::list<CachedPlan> plans_;  ///< last used first
+    RecentlyUsed<CachedPlan> plans_{most_plans};
     std::vector<PointEcho> points_;
     std::vector<BeamChain> chains_;  ///< one per part
     Workers workers_;

@@ -1,11 +1,8 @@
-// The plans of the fans that were drawn last, so that several devices can share a renderer. Never holds more
-// than a few.
+// The plans of the fans that were drawn last. Never holds much more than 64 MB of them.
 #pragma once
 
-#include <cstddef>
-#include <list>
-
 #include "render/fan/plan.h"
+#include "render/recently_used.h"
 
 namespace echoloop {
 
@@ -15,24 +12,32 @@ class PlanCache {
 
     /// The plan of this geometry, made if it is not at hand. Valid until the next call.
     const FanPlan& plan_for(const FanGeometry& geometry) {
-        for (auto entry = entries_.begin(); entry != entries_.end(); ++entry)
-            if (entry->geometry == geometry) {
-                entries_.splice(entries_.begin(), entries_, entry);
-                return entries_.front().plan;
-            }
-        if (entries_.size() == most) entries_.pop_back();
-        entries_.push_front({geometry, plan_fan(geometry, density_)});
-        return entries_.front().plan;
+        const auto fits = [&](const Entry& entry) { return entry.geometry == geometry; };
+        const auto make = [&] {
+            Entry entry{geometry, plan_fan(geometry, density_)};
+            const std::size_t weight = bytes_of(entry.plan);
+            return std::pair(std::move(entry), weight);
+        };
+        return plans_.get(fits, make).plan;
     }
 
   private:
-    static constexpr std::size_t most = 8;
     struct Entry {
         FanGeometry geometry;
         FanPlan plan;
     };
+    /// Of what grows with the fan.
+    static std::size_t bytes_of(const FanPlan& plan) {
+        std::size_t bytes =
+            sizeof(FanPlan) + plan.beams.size() * (sizeof(BeamLines) + sizeof(double)) +
+            (plan.coverage.size() + plan.weight.size() + plan.line_weight.size()) * sizeof(float) +
+            (plan.sector.size() + plan.line_sector.size()) * sizeof(SectorShare);
+        for (const FanPart& part : plan.parts) bytes += part.far.size() * sizeof(float);
+        return bytes;
+    }
+
     PlanDensity density_;
-    std::list<Entry> entries_;  ///< last used first
+    RecentlyUsed<Entry> plans_{64 << 20};
 };
 
 }  // namespace echoloop

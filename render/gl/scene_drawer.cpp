@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 
 #include "render/gl/fan_shader.h"
 
@@ -136,12 +137,18 @@ void SceneDrawer::submit(const DrawList& list, bool double_sided) const {
                                     static_cast<GLsizei>(list.counts.size()), list.bases.data());
 }
 
+/// Fans of nearly the same size share a target.
 void SceneDrawer::bind_target(int width, int height) {
-    constexpr std::size_t most_targets = 8;  // as many fans as take turns on one renderer
-    const auto found = targets_.find({width, height});
-    if (found != targets_.end()) return found->second->bind();
-    if (targets_.size() == most_targets) targets_.clear();
-    targets_[{width, height}] = std::make_unique<FloatTarget>(gl_, width, height);
+    constexpr int step = 64;  // pixels, as llvmpipe's tiles
+    width = (width + step - 1) / step * step;
+    height = (height + step - 1) / step * step;
+    const auto fits = [&](const SizedTarget& target) { return target.width == width && target.height == height; };
+    const auto make = [&] {
+        constexpr std::size_t bytes = 20;  // four floats of colour and one of depth
+        return std::pair(SizedTarget{width, height, std::make_unique<FloatTarget>(gl_, width, height)},
+                         static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * bytes);
+    };
+    targets_.get(fits, make).target->bind();
 }
 
 void SceneDrawer::draw_view(const View& view, const Pose& world_from_fan, double end_range,

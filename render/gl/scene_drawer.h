@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "render/fan/binning.h"
 #include "render/fan/culling.h"
 #include "render/gl/objects.h"
+#include "render/recently_used.h"
 #include "render/scene/scene.h"
 
 namespace echoloop::gl {
@@ -49,6 +49,10 @@ class SceneDrawer {
         std::vector<GLint> bases;
         void clear();
     };
+    struct SizedTarget {
+        int width, height;
+        std::unique_ptr<FloatTarget> target;
+    };
     struct Uniforms {
         GLint view_from_world, eye, window, pixel;
     };
@@ -67,7 +71,7 @@ class SceneDrawer {
     Uniforms uniforms_{};
     std::unique_ptr<VertexArray> array_;
     std::unique_ptr<Buffer> vertices_, indices_;
-    std::map<std::pair<int, int>, std::unique_ptr<FloatTarget>> targets_;  ///< by width and height
+    RecentlyUsed<SizedTarget> targets_{64 << 20};
     std::vector<std::uint32_t> material_of_surface_;
     std::vector<std::uint32_t> visible_;
     std::array<DrawList, 2> lists_;

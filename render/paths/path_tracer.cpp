@@ -2,6 +2,7 @@
 
 #include "render/fan/view.h"
 #include "render/paths/searches.h"
+#include "render/recently_used.h"
 #include "render/water.h"
 
 namespace echoloop {
@@ -19,12 +20,14 @@ class PathTracer::Impl {
                double end_range, PathEchoes& out) {
         if (!needed()) return;
         if (!space_) space_.emplace(scene_, surface_);
-        if (!pattern_ || !pattern_->fits(shot)) pattern_.emplace(shot, effects_);
+        const FanPattern& pattern =
+            patterns_.get([&](const FanPattern& known) { return known.fits(shot); },
+                          [&] { return std::pair(FanPattern(shot, effects_), std::size_t{1}); });
         const double wavenumber = 2 * std::numbers::pi * shot.frequency / sound_speed;
         space_->set_wavenumber(wavenumber);
         const PathPing ping{shot,
                             *space_,
-                            *pattern_,
+                            pattern,
                             world_from_sonar.position,
                             world_from_sonar.orientation * sonar_from_fan(shot.pan, shot.tilt),
                             absorption,
@@ -46,7 +49,7 @@ class PathTracer::Impl {
     std::optional<WaterSurface> surface_;
     Effects effects_;
     std::optional<PathSpace> space_;
-    std::optional<FanPattern> pattern_;
+    RecentlyUsed<FanPattern> patterns_{64};
     std::vector<Corner> corners_;
 };
 

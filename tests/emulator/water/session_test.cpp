@@ -64,7 +64,7 @@ class TwoSonars : public testing::Test {
         SharedWater shared{water, effects, 1, scene->bounds(), CrossTalk(water, effects)};
         std::array<std::vector<Echogram>, 2> heard;
         std::vector<std::unique_ptr<Session>> sessions;
-        RenderThread renderer([&] { return std::make_unique<Renderer>(scene, water, options); });
+        RenderThread renderer([&](RenderThread::Lane) { return std::make_unique<Renderer>(scene, water, options); });
         int busy = 2;
         const auto done = [&] {
             if (--busy == 0) io.stop();

@@ -1,0 +1,153 @@
+// In which order pings are rendered, and that their number of threads changes nothing in them.
+#include "emulator/render_thread.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "render/renderer.h"
+#include "tests/render/meshes.h"
+
+namespace echoloop {
+namespace {
+
+using Lane = RenderThread::Lane;
+using testing::ElementsAre;
+
+Shot shot_of(std::size_t beams, std::uint64_t ping = 0) {
+    Shot shot;
+    for (std::size_t i = 0; i < beams; ++i) shot.bearings.push_back(0.02 * static_cast<double>(i));
+    shot.beam_width = shot.fan_height = deg_to_rad(5);
+    shot.bins = 100;
+    shot.bin_interval = 2 * 10 / 1500.0 / 100;
+    shot.frequency = 500e3;
+    shot.pulse_length = 1e-4;
+    shot.source_level = 200;
+    shot.ping = ping;
+    shot.random_key = 7;
+    return shot;
+}
+
+class RenderThreads : public testing::Test {
+  protected:
+    void start(RenderThread::Crew crew) {
+        crew_.emplace([this](Lane) { return std::make_unique<Renderer>(scene_, Water{}); }, crew);
+    }
+    /// Notes `name` when the ping is rendered.
+    void submit(const std::string& name, std::size_t sonar, int needed, std::size_t beams) {
+        crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot_of(beams), {},
+                      [this, name](const Echogram&, const std::string&) { note(name); });
+    }
+    /// Keeps a thread busy until release().
+    void block(std::size_t sonar, std::size_t beams) {
+        std::promise<void> begun;
+        crew_->submit({sonar, {}}, shot_of(beams), {}, [&begun, this](const Echogram&, const std::string&) {
+            begun.set_value();
+            gate_.wait();
+        });
+        begun.get_future().wait();
+    }
+    void release() { open_.set_value(); }
+    std::vector<std::string> wait_for(std::size_t count) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return rendered_.size() >= count; });
+        return rendered_;
+    }
+
+  private:
+    void note(const std::string& name) {
+        const std::lock_guard lock(mutex_);
+        rendered_.push_back(name);
+        changed_.notify_all();
+    }
+
+    std::shared_ptr<const Scene> scene_ = test::scene_of({test::wall_at(5, 4, -4, 4, -4)});
+    std::promise<void> open_;
+    std::shared_future<void> gate_ = open_.get_future().share();
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::vector<std::string> rendered_;
+    std::optional<RenderThread> crew_;
+};
+
+TEST_F(RenderThreads, WhatIsNeededFirstComesFirst) {
+    start({1, false});
+    block(9, 1);
+    submit("at 30", 1, 30, 2);
+    submit("at 10", 2, 10, 4);
+    submit("at 20", 3, 20, 1);
+    release();
+    EXPECT_THAT(wait_for(3), ElementsAre("at 10", "at 20", "at 30"));
+}
+
+TEST_F(RenderThreads, PingsOfOneSonarKeepTheirOrder) {
+    start({1, false});
+    block(9, 1);
+    submit("its first, at 30", 1, 30, 2);
+    submit("its second, at 10", 1, 10, 2);
+    submit("another's, at 20", 2, 20, 2);
+    release();
+    EXPECT_THAT(wait_for(3), ElementsAre("another's, at 20", "its first, at 30", "its second, at 10"));
+}
+
+TEST_F(RenderThreads, ASonarHasOnePingUnderWayHoweverManyThreadsAreFree) {
+    start({2, false});
+    block(1, 2);
+    submit("of the same sonar", 1, 10, 2);
+    submit("of another", 2, 20, 2);
+    EXPECT_THAT(wait_for(1), ElementsAre("of another"));
+    release();
+    EXPECT_THAT(wait_for(2), ElementsAre("of another", "of the same sonar"));
+}
+
+TEST_F(RenderThreads, ASingleBeamDoesNotWaitBehindFans) {
+    start({1, true});
+    block(1, 16);
+    submit("fan", 2, 10, 16);
+    submit("single beam", 3, 20, 1);
+    EXPECT_THAT(wait_for(1), ElementsAre("single beam"));
+    release();
+    EXPECT_THAT(wait_for(2), ElementsAre("single beam", "fan"));
+}
+
+std::vector<std::vector<float>> rendered(const std::shared_ptr<const Scene>& scene, RenderThread::Crew crew) {
+    constexpr std::size_t pings = 24;
+    std::vector<std::vector<float>> values(pings);
+    std::promise<void> all;
+    std::atomic<std::size_t> left = pings;
+    RenderThread threads([&](Lane) { return std::make_unique<Renderer>(scene, Water{}); }, crew);
+    for (std::size_t i = 0; i < pings; ++i)
+        threads.submit({i % 6, Time(i)}, shot_of(i % 3 == 0 ? 1 : 32, i), {},
+                       [&, i](Echogram echogram, const std::string&) {
+                           values[i] = std::move(echogram.values);
+                           if (--left == 0) all.set_value();
+                       });
+    all.get_future().wait();
+    return values;
+}
+
+TEST(RenderThreadsOfAnyNumber, GiveTheSameEchoes) {
+    const auto scene = test::scene_of({test::wall_at(5, 4, -4, 4, -4)});
+    const auto alone = rendered(scene, {1, false});
+    EXPECT_EQ(alone, rendered(scene, {3, true}));
+    EXPECT_NE(alone[1], alone[2]) << "nothing to compare";
+}
+
+TEST(RenderThreadsThatCannotStart, SayWhy) {
+    const auto make = [](Lane lane) -> std::unique_ptr<Renderer> {
+        if (lane == Lane::single_beams) throw std::runtime_error("no context");
+        return std::make_unique<Renderer>(test::scene_of({test::wall_at(5, 4, -4, 4, -4)}), Water{});
+    };
+    EXPECT_THROW(RenderThread(make, {2, true}), std::runtime_error);
+}
+
+TEST(UsefulThreads, AreNoMoreThanFindWork) {
+    EXPECT_EQ(RenderThread::useful(1).threads, 1U);
+    EXPECT_FALSE(RenderThread::useful(1).single_beams);
+    EXPECT_TRUE(RenderThread::useful(100).single_beams);
+    EXPECT_LE(RenderThread::useful(100).threads, 4U);
+}
+
+}  // namespace
+}  // namespace echoloop
