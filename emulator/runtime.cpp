@@ -16,6 +16,10 @@ double unix_now() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io) {
+    return std::make_unique<RealClock>(io, scenario.clock_rate);
+}
+
 SharedWater shared_water(const Scenario& scenario, const Scene& scene) {
     const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
     const Effects effects = knows_effects ? scenario.render.effects : Effects::none();
@@ -42,8 +46,8 @@ class Runtime::Impl {
         : scene_(Scene::load(scenario.scene)),
           signals_(io_),
           end_(io_),
-          clock_(scenario.clock_rate),
-          vehicle_(scenario, io_, clock_),
+          clock_(make_clock(scenario, io_)),
+          vehicle_(scenario, *clock_),
           water_(shared_water(scenario, *scene_)),
           render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
                          RenderThread::useful(scenario.devices.size())) {
@@ -69,16 +73,16 @@ class Runtime::Impl {
             if (!ec) stop();
         });
         if (duration) {
-            end_.expires_after(std::chrono::duration_cast<Clock::Steady::duration>(
+            end_.expires_after(std::chrono::duration_cast<RealClock::Steady::duration>(
                 std::chrono::duration<double>(*duration)));
             end_.async_wait([this](error_code ec) {
                 if (!ec) stop();
             });
         }
-        clock_ = Clock(clock_.rate());
+        clock_->begin();
         vehicle_.start();
         for (auto& session : sessions_) session->start();
-        io_.run();
+        clock_->run();
     }
 
     std::vector<SessionSummary> summary() const {
@@ -104,13 +108,13 @@ class Runtime::Impl {
         DeviceConfig config = entry.config;
         config.unix_start = unix_now();
         auto device = entry.model->make(config);
-        auto transports = make_transports(io_, device->ports(), config, scenario.clock_rate);
+        auto transports = make_transports(*clock_, device->ports(), config);
         if (records.recording != nullptr)
             for (std::size_t i = 0; i < transports.size(); ++i)
                 transports[i] = std::make_unique<Recorded>(std::move(transports[i]), *records.recording,
                                                            entry.name + " " + device->ports()[i].name);
         sessions_.push_back(std::make_unique<Session>(
-            io_, clock_, render_thread_, water_, entry.name, std::move(device), std::move(transports),
+            io_, *clock_, render_thread_, water_, entry.name, std::move(device), std::move(transports),
             [this, body_from_sonar = entry.body_from_sonar](Time time) {
                 return vehicle_.world_from_body(time) * body_from_sonar;
             }));
@@ -132,7 +136,7 @@ class Runtime::Impl {
     asio::io_context io_;
     asio::signal_set signals_;
     asio::steady_timer end_;
-    Clock clock_;
+    std::unique_ptr<Clock> clock_;
     Vehicle vehicle_;
     SharedWater water_;
     std::vector<std::unique_ptr<Session>> sessions_;

@@ -22,7 +22,7 @@ double farthest_from(Vec3 point, const Bounds& scene) {
 
 }  // namespace
 
-Session::Session(asio::io_context& io, const Clock& clock, RenderThread& renderer, SharedWater& water,
+Session::Session(asio::io_context& io, Clock& clock, RenderThread& renderer, SharedWater& water,
                  std::string name, std::unique_ptr<Device> device,
                  std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at)
     : io_(io),
@@ -34,8 +34,8 @@ Session::Session(asio::io_context& io, const Clock& clock, RenderThread& rendere
       device_(std::move(device)),
       transports_(std::move(transports)),
       situation_at_(std::move(situation_at)),
-      mail_(io),
-      alarm_(io),
+      mail_(clock, sonar_),
+      alarm_(clock, sonar_),
       alive_(std::make_shared<bool>(true)) {}
 
 Session::~Session() {
@@ -94,64 +94,63 @@ void Session::transmit(Ping ping) {
     const Time now = clock_.now();
     const Situation situation = situation_at_(now);
     const Pose& pose = situation.world_from_sonar;
-    sequence_ += now > silent_from_ ? 2 : 1;  // a gap in the row, and what is late is forgotten
+    ++sequence_;
+    if (now > silent_from_) late_.reset();  // a gap in the row, and what is late is forgotten
     silent_from_ = ping.shot.interval > 0 ? now + from_seconds(1.5 * ping.shot.interval) : Time::max();
-    const UnderWay under_way{{now, sonar_, pose, ping.shot}, sequence_, ping.due};
-    water_.cross_talk.transmitted(under_way.transmission);
+    Transmission transmission{now, sonar_, pose, ping.shot};
+    water_.cross_talk.transmitted(transmission);
     const double farthest = farthest_from(pose.position, water_.scene);
     const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
-    render(ping.due, std::move(ping.shot), situation, [this, under_way](std::shared_ptr<Echogram> echogram) {
-        asio::co_spawn(io_, deliver(std::move(echogram), under_way), Serving(name_));
-    });
-    if (!late) return;
-    render(next_due, *late, situation, [this, sequence = sequence_](std::shared_ptr<Echogram> echogram) {
-        late_echoes_.keep(sequence, std::move(*echogram));
-    });
+    auto echoes = render(ping.due, std::move(ping.shot), situation);
+    const auto late_before = std::exchange(late_, late ? render(next_due, *late, situation) : nullptr);
+    asio::co_spawn(io_,
+                   deliver({std::move(transmission), sequence_, ping.due, std::move(echoes), late_before}),
+                   Serving(name_));
 }
 
-void Session::render(Time needed, Shot shot, const Situation& situation,
-                     std::function<void(std::shared_ptr<Echogram>)> then) {
+std::shared_ptr<Session::Rendering> Session::render(Time needed, Shot shot, const Situation& situation) {
+    auto rendering = std::make_shared<Rendering>(clock_);
     renderer_.submit(
         {sonar_, needed}, std::move(shot), situation,
-        [this, &io = io_, then = std::move(then), alive = alive_](Echogram echogram, std::string error) {
-            auto result = std::make_shared<Echogram>(std::move(echogram));
-            asio::post(io, [this, result, then, alive, error = std::move(error)] {
+        [this, &io = io_, rendering, alive = alive_](Echogram echogram, std::string error) mutable {
+            asio::post(io, [this, rendering = std::move(rendering), alive, echogram = std::move(echogram),
+                            error = std::move(error)]() mutable {
                 if (!*alive || closed_) return;
                 if (!error.empty()) spdlog::error("{}: ping not rendered: {}", name_, error);
-                then(result);
+                rendering->echogram = std::move(echogram);
+                rendering->done.cancel();
             });
         });
+    return rendering;
 }
 
-Task<void> Session::deliver(std::shared_ptr<Echogram> echogram, UnderWay ping) {
-    const Time lateness = clock_.now() - ping.due;
+Task<void> Session::ready(std::shared_ptr<Rendering> rendering) {
+    const Clock::Hold hold(clock_);
+    while (rendering && !rendering->echogram && !closed_) co_await rendering->done.until(Time::max());
+}
+
+Task<void> Session::deliver(UnderWay ping) {
+    Alarm due(clock_, sonar_);
+    co_await due.until(ping.due);
+    co_await ready(ping.echoes);
+    co_await ready(ping.late_before);
+    if (closed_) co_return;
+    const Time now = std::max(ping.due, clock_.now());
+    const Time lateness = now - ping.due;
     if (lateness > late_after) ++summary_.late_pings;
     summary_.worst_lateness = std::max(summary_.worst_lateness, lateness);
-    asio::steady_timer timer(io_);
-    co_await wait_until(timer, ping.due);
-    if (closed_) co_return;
     ++summary_.pings;
-    late_echoes_.add_to(ping.sequence, *echogram);
-    water_.cross_talk.add_to(*echogram, ping.transmission);
-    apply(device_->heard(*echogram, std::max(ping.due, clock_.now())));
-}
-
-Task<void> Session::wait_until(asio::steady_timer& timer, Time when) {
-    error_code ec;
-    timer.expires_at(clock_.when(when));
-    co_await timer.async_wait(into(ec));
+    if (ping.late_before) late_echoes_.keep(ping.sequence - 1, std::move(*ping.late_before->echogram));
+    Echogram& echogram = *ping.echoes->echogram;
+    late_echoes_.add_to(ping.sequence, echogram);
+    water_.cross_talk.add_to(echogram, ping.transmission);
+    apply(device_->heard(echogram, now));
 }
 
 Task<void> Session::keep_waking() {
     while (!closed_) {
-        if (wake_ == Time::max()) {
-            error_code ec;
-            alarm_.expires_at(Clock::Steady::time_point::max());
-            co_await alarm_.async_wait(into(ec));
-        } else {
-            co_await wait_until(alarm_, wake_);
-        }
+        co_await alarm_.until(wake_);
         const Time now = clock_.now();
         if (closed_ || now < wake_) continue;
         wake_ = Time::max();
@@ -162,14 +161,12 @@ Task<void> Session::keep_waking() {
 Task<void> Session::keep_writing() {
     while (!closed_) {
         if (outbox_.empty()) {
-            error_code ec;
-            mail_.expires_at(Clock::Steady::time_point::max());
-            co_await mail_.async_wait(into(ec));
+            co_await mail_.until(Time::max());
             continue;
         }
         const auto first = outbox_.begin();
         if (first->first > clock_.now()) {
-            co_await wait_until(mail_, first->first);
+            co_await mail_.until(first->first);
             continue;
         }
         const Send send = std::move(outbox_.extract(first).mapped());

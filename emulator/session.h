@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,9 +47,9 @@ class Session {
     using SituationAt = std::function<Situation(Time)>;
 
     /// `transports`: one per port of the device, in the order of ports().
-    Session(asio::io_context& io, const Clock& clock, RenderThread& renderer, SharedWater& water,
-            std::string name, std::unique_ptr<Device> device,
-            std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at);
+    Session(asio::io_context& io, Clock& clock, RenderThread& renderer, SharedWater& water, std::string name,
+            std::unique_ptr<Device> device, std::vector<std::unique_ptr<Transport>> transports,
+            SituationAt situation_at);
     ~Session();
 
     void start();
@@ -59,23 +60,29 @@ class Session {
   private:
     void apply(Actions actions);
     void transmit(Ping ping);
-    /// Calls `then` on the io thread, unless this session is gone or closed by then.
-    void render(Time needed, Shot shot, const Situation& situation,
-                std::function<void(std::shared_ptr<Echogram>)> then);
+    /// What a ping hears, once it is rendered.
+    struct Rendering {
+        explicit Rendering(Clock& clock) : done(clock) {}
+        std::optional<Echogram> echogram;
+        Alarm done;
+    };
+    std::shared_ptr<Rendering> render(Time needed, Shot shot, const Situation& situation);
+    /// The clock waits for it; nullptr is ready at once.
+    Task<void> ready(std::shared_ptr<Rendering> rendering);
     /// A ping on its way, and its place in the row of this session's pings.
     struct UnderWay {
         Transmission transmission;
         std::uint64_t sequence;
         Time due;
+        std::shared_ptr<Rendering> echoes, late_before;  ///< late_before: of the ping before, may be nullptr
     };
-    Task<void> deliver(std::shared_ptr<Echogram> echogram, UnderWay ping);
+    Task<void> deliver(UnderWay ping);
     Task<void> keep_waking();
     Task<void> keep_writing();
     void post_mail(Send send);
-    Task<void> wait_until(asio::steady_timer& timer, Time when);
 
     asio::io_context& io_;
-    const Clock& clock_;
+    Clock& clock_;
     RenderThread& renderer_;
     SharedWater& water_;
     std::size_t sonar_;  ///< number of this session
@@ -86,14 +93,15 @@ class Session {
 
     std::multimap<Time, Send> outbox_;  ///< by not_before; equal times keep their order
     std::size_t outbox_bytes_ = 0;
-    asio::steady_timer mail_;   ///< rings when the outbox has a new first element
-    asio::steady_timer alarm_;  ///< rings at wake_
+    Alarm mail_;   ///< rings when the outbox has a new first element
+    Alarm alarm_;  ///< rings at wake_
     Time wake_ = Time::max();
     bool closed_ = false;
 
     SecondTimeAround late_echoes_;
-    std::uint64_t sequence_ = 0;      ///< of the last ping
-    Time silent_from_ = Time::max();  ///< when the echoes of the last ping have died away
+    std::shared_ptr<Rendering> late_;  ///< of the last ping, may be nullptr
+    std::uint64_t sequence_ = 0;       ///< of the last ping
+    Time silent_from_ = Time::max();   ///< when the echoes of the last ping have died away
     SessionSummary summary_;
     std::shared_ptr<bool> alive_;  ///< false once this session is gone; read by late renders on the io thread
 };

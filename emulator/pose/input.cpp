@@ -22,10 +22,9 @@ Time SenderClock::run_time(double sender_seconds, Time arrival) {
     return from_seconds(sender_seconds) + *ahead_;
 }
 
-PoseInput::PoseInput(asio::io_context& io, const Clock& clock, const std::string& endpoint,
-                     const Pose& before)
+PoseInput::PoseInput(Clock& clock, const std::string& endpoint, const Pose& before)
     : clock_(clock),
-      transport_(open_endpoint(io, endpoint)),
+      transport_(open_endpoint(clock.io(), endpoint)),
       place_(transport_->describe()),
       datagrams_(transport_->wire().kind == Wire::Kind::udp),
       before_(before),

@@ -38,7 +38,7 @@ class PoseInput {
   public:
     /// `endpoint`: as in a scenario. `before`: where the vehicle is until the first message. Throws
     /// StartError if the endpoint cannot be opened.
-    PoseInput(asio::io_context& io, const Clock& clock, const std::string& endpoint, const Pose& before);
+    PoseInput(Clock& clock, const std::string& endpoint, const Pose& before);
 
     void start();
     void close() { transport_->close(); }
@@ -54,7 +54,7 @@ class PoseInput {
     void take(const PoseText& read);
     void begin();
 
-    const Clock& clock_;
+    Clock& clock_;
     std::unique_ptr<Transport> transport_;
     std::string place_;
     bool datagrams_;

@@ -4,11 +4,11 @@
 
 namespace echoloop {
 
-Vehicle::Vehicle(const Scenario& scenario, asio::io_context& io, const Clock& clock)
+Vehicle::Vehicle(const Scenario& scenario, Clock& clock)
     : source_(scenario.world_from_body) {
     if (!scenario.trajectory.empty()) source_ = read_trajectory(scenario.trajectory);
     if (!scenario.pose_input.empty())
-        source_ = std::make_unique<PoseInput>(io, clock, scenario.pose_input, scenario.world_from_body);
+        source_ = std::make_unique<PoseInput>(clock, scenario.pose_input, scenario.world_from_body);
 }
 
 void Vehicle::start() {

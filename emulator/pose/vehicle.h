@@ -12,7 +12,7 @@ namespace echoloop {
 class Vehicle {
   public:
     /// Reads the trajectory or opens the input that the scenario names. Throws StartError.
-    Vehicle(const Scenario& scenario, asio::io_context& io, const Clock& clock);
+    Vehicle(const Scenario& scenario, Clock& clock);
 
     void start();
     void close();

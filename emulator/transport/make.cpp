@@ -46,12 +46,11 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
     throw StartError(Exit::software, "endpoint of an unknown kind");
 }
 
-std::unique_ptr<Transport> open_line(asio::io_context& io, const std::string& uri, double rate,
-                                     double clock_rate) {
+std::unique_ptr<Transport> open_line(Clock& clock, const std::string& uri, double rate) {
     const Endpoint endpoint = parse_endpoint(uri);
-    auto line = open_stream(io, endpoint, rate);
+    auto line = open_stream(clock.io(), endpoint, rate);
     if (rate <= 0 || endpoint.scheme == Endpoint::Scheme::serial) return line;
-    return std::make_unique<Paced>(io, std::move(line), rate * clock_rate);
+    return std::make_unique<Paced>(clock, std::move(line), rate);
 }
 
 }  // namespace
@@ -60,16 +59,15 @@ std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string
     return open_stream(io, parse_endpoint(uri), 0);
 }
 
-std::vector<std::unique_ptr<Transport>> make_transports(asio::io_context& io, const std::vector<Port>& ports,
-                                                        const DeviceConfig& config, double clock_rate) {
+std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
+                                                        const DeviceConfig& config) {
     std::vector<std::unique_ptr<Transport>> transports;
     std::size_t next_stream = 0;
     for (const Port& port : ports) {
         if (port.kind == Port::Kind::datagram)
-            transports.push_back(std::make_unique<Udp>(io, port.bind, port.shared));
+            transports.push_back(std::make_unique<Udp>(clock.io(), port.bind, port.shared));
         else
-            transports.push_back(
-                open_line(io, config.endpoints.at(next_stream++), line_rate(config), clock_rate));
+            transports.push_back(open_line(clock, config.endpoints.at(next_stream++), line_rate(config)));
     }
     return transports;
 }

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "emulator/asio.h"
+#include "emulator/clock.h"
 #include "emulator/device.h"
 #include "emulator/model.h"
 #include "emulator/transport/transport.h"
@@ -17,7 +17,7 @@ std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string
 /// One transport per port: a datagram port binds its own address, stream port i is endpoint i of the
 /// configuration. Streams over anything but a real serial port are paced by the option "baud", where the
 /// model has one. Throws StartError.
-std::vector<std::unique_ptr<Transport>> make_transports(asio::io_context& io, const std::vector<Port>& ports,
-                                                        const DeviceConfig& config, double clock_rate);
+std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
+                                                        const DeviceConfig& config);
 
 }  // namespace echoloop

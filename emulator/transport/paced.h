@@ -2,14 +2,15 @@
 // bytes arrive, never which.
 #pragma once
 
+#include "emulator/clock.h"
 #include "emulator/transport/transport.h"
 
 namespace echoloop {
 
 class Paced final : public Transport {
   public:
-    /// `bits_per_second` on the wire, ten bits a byte (8N1).
-    Paced(asio::io_context& io, std::unique_ptr<Transport> line, double bits_per_second);
+    /// `bits_per_second` of run time on the wire, ten bits a byte (8N1).
+    Paced(Clock& clock, std::unique_ptr<Transport> line, double bits_per_second);
 
     void start(Events events) override { line_->start(std::move(events)); }
     Task<void> write(ByteView bytes, Address to) override;
@@ -21,12 +22,11 @@ class Paced final : public Transport {
     std::uint64_t bytes_out() const override { return line_->bytes_out(); }
 
   private:
-    using Steady = std::chrono::steady_clock;
-
     std::unique_ptr<Transport> line_;
-    asio::steady_timer timer_;
+    Clock& clock_;
+    Alarm alarm_;
     std::chrono::duration<double> byte_time_;
-    Steady::time_point free_{};  ///< when the last byte handed over has left the wire
+    Time free_{};  ///< when the last byte handed over has left the wire
     bool closed_ = false;
 };
 

@@ -159,7 +159,8 @@ TEST_F(PtyTest, ImpossibleDirectoryIsAStartError) {
 TEST_F(PtyTest, PacedLineIsNeverFasterThanItsRate) {
     auto pty = std::make_unique<Pty>(io_, folder_ / "sonar");
     Pty& line = *pty;
-    Paced paced(io_, std::move(pty), 115200);
+    RealClock clock(io_);
+    Paced paced(clock, std::move(pty), 115200);
     start(paced);
     const int fd = open_link(folder_ / "sonar");
     ASSERT_TRUE(run_until([&] { return line.opened(); }));

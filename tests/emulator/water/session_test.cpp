@@ -60,7 +60,7 @@ class TwoSonars : public testing::Test {
         options.effects = effects;
         options.surface.reset();
         asio::io_context io;
-        const Clock clock;
+        RealClock clock(io);
         SharedWater shared{water, effects, 1, scene->bounds(), CrossTalk(water, effects)};
         std::array<std::vector<Echogram>, 2> heard;
         std::vector<std::unique_ptr<Session>> sessions;

@@ -1,0 +1,34 @@
+#include "emulator/clock.h"
+
+namespace echoloop {
+
+Task<void> Alarm::until(Time when) {
+    constexpr auto never = asio::steady_timer::time_point::max();
+    if (when == Time::max()) {
+        timer_.expires_at(never);
+    } else {
+        clock_.set(*this, when);
+    }
+    error_code ec;
+    co_await timer_.async_wait(into(ec));
+}
+
+void Alarm::cancel() {
+    if (set_) clock_.unset(*this);
+    set_ = false;
+    timer_.cancel();
+}
+
+Time RealClock::now() const {
+    const std::chrono::duration<double, std::nano> real = Steady::now() - start_;
+    return Time(static_cast<Time::rep>(real.count() * rate_));
+}
+
+void RealClock::set(Alarm& alarm, Time when) { alarm.timer_.expires_at(instant(when)); }
+
+RealClock::Steady::time_point RealClock::instant(Time t) const {
+    const std::chrono::duration<double, std::nano> real(static_cast<double>(t.count()) / rate_);
+    return start_ + std::chrono::duration_cast<Steady::duration>(real);
+}
+
+}  // namespace echoloop
