@@ -1,0 +1,114 @@
+"""Debian's tshark with the dissector that the program makes: what it shows of a capture, as Python values."""
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+from program import PROGRAM
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
+from captures import ETHERNET, RTAC_SERIAL, Pcapng, ethernet, ipv4, rtac, tcp  # noqa: E402,F401
+
+
+def write_dissector(folder):
+    script = Path(folder) / "echoloop.lua"
+    subprocess.run([PROGRAM, "dissector", "--out", str(script)], check=True)
+    return script
+
+
+def run_tshark(script, capture, *arguments):
+    """Standard output; fails with what Lua says, if it says anything."""
+    done = subprocess.run(["tshark", "-n", "-X", f"lua_script:{script}", "-r", str(capture), *arguments],
+                          capture_output=True, check=True, timeout=300)
+    said = done.stderr.decode().replace('Running as user "root" and group "root". This could be dangerous.', "").strip()
+    if said:
+        raise AssertionError(said)
+    return done.stdout.decode()
+
+
+def registered(script, what):
+    """Rows of a report of tshark about itself, "fields" or "decodes"."""
+    done = subprocess.run(["tshark", "-G", what, "-X", f"lua_script:{script}"], capture_output=True, check=True, timeout=300)
+    return [line.split("\t") for line in done.stdout.decode().splitlines()]
+
+
+class Shown:
+    """One packet: `fields` are (name without "sonar.", value as text) in order, `faults` what the dissector objects to."""
+
+    def __init__(self, packet):
+        self.fields, self.faults = [], []
+        self.protocols = [proto.get("name") for proto in packet.iter("proto")]
+        for field in packet.iter("field"):
+            name = field.get("name")
+            if name == "_ws.expert" and any(sub.get("name") == "sonar.fault" for sub in field):
+                self.faults.append(field.get("showname"))
+            elif "Lua Error" in (field.get("showname") or "") + (field.get("show") or ""):
+                self.faults.append(field.get("show"))
+            elif name.startswith("sonar."):
+                self.fields.append((name[len("sonar."):], field.get("show"), field.get("value")))
+        self.faults += [name for name in self.protocols if name == "_ws.malformed"]
+
+    @classmethod
+    def joined(cls, packets):
+        """All packets as one."""
+        out = cls(ElementTree.Element("packet"))
+        for packet in packets:
+            out.fields += packet.fields
+            out.faults += packet.faults
+        return out
+
+    def all(self, name):
+        """Values of a field, named in full ("seanet.HeadData.bearing") or by its last word ("bearing")."""
+        return [show for full, show, _ in self.fields if full == name or full.endswith("." + name)]
+
+    def bytes(self, name):
+        return [bytes.fromhex(value) for full, _, value in self.fields if value and (full == name or full.endswith("." + name))]
+
+
+def shown(script, capture, *arguments):
+    text = run_tshark(script, capture, "-T", "pdml", *arguments)
+    text = re.sub(r"[\x00-\x08\x0b\x0c\x0e-\x1f]", "?", text)
+    return [Shown(packet) for packet in ElementTree.fromstring(text).iter("packet")]
+
+
+def has_tshark():
+    return shutil.which("tshark") is not None
+
+
+def udp(payload, ports):
+    return struct.pack(">HHHH", *ports, len(payload) + 8, 0) + payload
+
+
+class Capture(Pcapng):
+    """A capture of packets of all kinds, each a millisecond after the one before; `count` of them so far."""
+
+    def __init__(self):
+        super().__init__()
+        self.interface(ETHERNET, b"eth")
+        self.count, self.lines, self.sequences = 0, {}, {}
+
+    def add(self, interface, data):
+        self.count += 1
+        self.packet(interface, data, self.count * 10**6)
+        return self
+
+    def udp(self, payload, ports):
+        return self.add(0, ethernet(ipv4(udp(payload, ports))))
+
+    def tcp(self, payload, ports):
+        """What comes next from the first port to the second; a connection begins by itself."""
+        if ports not in self.sequences:
+            self.sequences[ports] = 1001
+            self.add(0, ethernet(ipv4(tcp(b"", 1000, 0x02, ports), protocol=6)))
+        sequence = self.sequences[ports]
+        self.sequences[ports] += len(payload)
+        return self.add(0, ethernet(ipv4(tcp(payload, sequence, 0x18, ports), protocol=6)))
+
+    def serial(self, payload, line=0, sent=True):
+        if line not in self.lines:
+            self.interface(RTAC_SERIAL, b"line %d" % line)
+            self.lines[line] = len(self.lines) + 1
+        return self.add(self.lines[line], rtac(payload, 1 if sent else 2, 1000 + self.count))

@@ -1,0 +1,145 @@
+-- Datagrams {size, "#MRZ", ..., size} of structs that say their own size; "$KSSIS," is a controller's text.
+local family = sonar.families.kmall
+family.datagram = true
+family.mark = "[%z\1-\255]"
+local header, tail, command = 20, 4, "$KSSIS,"
+local T = family.tables
+local command_fields = {
+  ProtoField.uint32("sonar.kmall.KSSIS.number", "number", base.DEC, nil, 0, "of the command"),
+  ProtoField.uint32("sonar.kmall.KSSIS.sounder", "sounder", base.DEC, nil, 0, "e.g. 2040"),
+  sonar.text_field("sonar.kmall.KSSIS.arguments", "arguments", "of the command"),
+}
+for _, field in ipairs(command_fields) do table.insert(family.fields, field) end
+local image_field = ProtoField.bytes("sonar.kmall.image", "image", base.NONE, "seabed image of all soundings, i16 of 0.1 dB")
+local amplitude_field = ProtoField.bytes("sonar.kmall.amplitude", "amplitude", base.NONE, "i8 of 0.5 dB")
+local phase_field = ProtoField.bytes("sonar.kmall.phase", "phase", base.NONE, "of the samples of a beam")
+local part_field = ProtoField.bytes("sonar.kmall.part", "part", base.NONE, "of a divided datagram")
+for _, field in ipairs({image_field, amplitude_field, phase_field, part_field}) do
+  table.insert(family.fields, field)
+end
+
+local function is_command(text, at) return text:sub(at + 1, at + #command) == command end
+
+function family.frame(text, at)
+  if is_command(text, at) then return #text - at end
+  local size = sonar.le(text, at, 4)
+  if not size or #text - at < header + tail or not text:match("^#%u%u%u", at + 5) then return 0 end
+  return size >= header + tail and size <= #text - at and size or 0
+end
+
+-- A struct of `size` bytes: fields of later versions than it has are not there.
+local function show_struct(r, tree, name, size)
+  if size < 1 or size > r.stop - r.at then return sonar.fault(tree, name .. ": the bytes end here") end
+  local item = tree:add(family.proto, r.tvb(r.at, size), name)
+  local inner, rows = sonar.reader(family, r.tvb, r.at, r.at + size), {}
+  local at = 0
+  for _, row in ipairs(T[name].rows) do
+    at = at + sonar.size_of(row) * (row.elements or 1)
+    if at <= size then table.insert(rows, row) end
+  end
+  r.at = r.at + size
+  return sonar.walk(inner, {rows = rows}, item)
+end
+
+local function show_sized(r, tree, name)
+  if r.stop - r.at < 2 then return sonar.fault(tree, name .. ": the bytes end here") end
+  return show_struct(r, tree, name, r.tvb(r.at, 2):le_uint())
+end
+
+-- Those beyond the preference's number are passed over.
+local function show_all(r, tree, name, count, size)
+  if count * size > r.stop - r.at then return sonar.fault(tree, name .. ": the bytes end here") end
+  local stop = r.at + count * size
+  for _ = 1, math.min(count, sonar.proto.prefs.elements) do
+    if not show_struct(r, tree, name, size) then return false end
+  end
+  r.at = stop
+  return true
+end
+
+local function show_bytes(r, tree, field, size)
+  if size > r.stop - r.at then return sonar.fault(tree, "samples: the bytes end here") end
+  if size > 0 then tree:add(field, r.tvb(r.at, size)):append_text(" [" .. size .. "]") end
+  r.at = r.at + size
+  return true
+end
+
+-- An unsigned number of the struct of table `name` at `at`; 0 if it lies beyond what was shown.
+local function number(r, at, name, row_name)
+  local row = T[name].rows_by_name[row_name]
+  local size = sonar.size_of(row)
+  return at + row.offset + size <= r.at and r.tvb(at + row.offset, size):le_uint() or 0
+end
+
+local function show_mrz(r, tree)
+  if not show_sized(r, tree, "Body") then return false end
+  local ping = r.at
+  if not show_sized(r, tree, "PingInfo") then return false end
+  local sectors, sector_size = number(r, ping, "PingInfo", "tx_sectors"), number(r, ping, "PingInfo", "bytes_per_sector")
+  if not show_all(r, tree, "TxSector", sectors, sector_size) then return false end
+  local rx = r.at
+  if not show_sized(r, tree, "RxInfo") then return false end
+  local rx_end = r.at
+  local function of_rx(row) return number({at = rx_end, tvb = r.tvb}, rx, "RxInfo", row) end
+  return show_all(r, tree, "DetectionClass", of_rx("classes"), of_rx("bytes_per_class")) and
+         show_all(r, tree, "Sounding", of_rx("soundings") + of_rx("extra_detections"), of_rx("bytes_per_sounding")) and
+         show_bytes(r, tree, image_field, r.stop - r.at)
+end
+
+local function show_beam(r, tree, size, phase)
+  local at = r.at
+  if not show_struct(r, tree, "WaterBeamInfo", size) then return false end
+  local samples = number(r, at, "WaterBeamInfo", "samples")
+  return show_bytes(r, tree, amplitude_field, samples) and show_bytes(r, tree, phase_field, samples * phase)
+end
+
+local function show_mwc(r, tree)
+  if not show_sized(r, tree, "Body") then return false end
+  local tx = r.at
+  if not show_sized(r, tree, "WaterTx") then return false end
+  local sectors, sector_size = number(r, tx, "WaterTx", "sectors"), number(r, tx, "WaterTx", "bytes_per_sector")
+  if not show_all(r, tree, "WaterSector", sectors, sector_size) then return false end
+  local rx = r.at
+  if not show_sized(r, tree, "WaterRx") then return false end
+  local beams, size = number(r, rx, "WaterRx", "beams"), number(r, rx, "WaterRx", "bytes_per_beam")
+  local phase = number(r, rx, "WaterRx", "phase")
+  for _ = 1, math.min(beams, sonar.proto.prefs.elements) do
+    if not show_beam(r, tree, size, math.min(phase, 2)) then return false end
+  end
+  return true
+end
+
+local function show_body(r, tree, kind, parts)
+  if parts > 1 then return show_bytes(r, tree, part_field, r.stop - r.at) end
+  if kind == "#MRZ" then return show_mrz(r, tree) end
+  if kind == "#MWC" then return show_mwc(r, tree) end
+  return sonar.fault(tree, "no datagram that is known")
+end
+
+local function show_command(tree, range, text)
+  local number_of_it, sounder, rest = text:match("^%$KSSIS,(%d+),(%d+)(.*)")
+  if not number_of_it then return sonar.fault(tree, "no command of a controller") or "KSSIS" end
+  tree:add(command_fields[1], range, tonumber(number_of_it) % 2 ^ 32)
+  tree:add(command_fields[2], range, tonumber(sounder) % 2 ^ 32)
+  tree:add(command_fields[3], range, sonar.printable(rest))
+  return "KSSIS"
+end
+
+function family.display(tree, tvb, at, size, text)
+  if is_command(text, at) then
+    return show_command(tree, tvb(at, size), text:sub(at + 1, at + size))
+  end
+  local kind = text:sub(at + 5, at + 8)
+  local r = sonar.reader(family, tvb, at, at + size - tail)
+  show_struct(r, tree, "Header", header)
+  if r.stop - r.at < 4 then return kind end
+  local parts = tvb(r.at, 2):le_uint()
+  show_struct(r, tree, "Partition", 4)
+  show_body(r, tree, kind, parts)
+  sonar.check(tree, "size at the end", sonar.le(text, at + size - tail, tail), size)
+  return parts > 1 and kind .. " part" or kind
+end
+
+function family.sign(text) return is_command(text, 0) or (family.frame(text, 0) or 0) > 0 end
+
+sonar.add_places(family, {udp = "4002,6020"})
