@@ -43,16 +43,20 @@ class Stretches {
         add_up(beam);
         // A flat bottom's echo lasts t * beam width * tan(angle); three pulses at least, so that speckle
         // averages.
-        slope_ = shot.beam_width * std::abs(std::tan(shot.bearings[index])) / 2;
+        const double angle = std::abs(shot.bearings[index]);
+        slope_ = shot.beam_width * std::tan(angle) / 2;
+        steep_ = shot.beam_width * std::tan(std::min(angle + deg_to_rad(30), deg_to_rad(85)));
         const double pulses = 3 * std::max(pulse_length(shot), shot.bin_interval);
-        const double before = shot.first_bin_time / shot.bin_interval + static_cast<double>(first);
-        first_half_ = pulses / 2 / shot.bin_interval + before * slope_;
+        before_ = shot.first_bin_time / shot.bin_interval + static_cast<double>(first);
+        first_half_ = pulses / 2 / shot.bin_interval + before_ * slope_;
     }
     std::size_t size() const { return sum_.size() - 1; }
     /// Half the bins of a footprint around bin `i`.
     std::size_t half(std::size_t i) const {
         return static_cast<std::size_t>(first_half_ + slope_ * static_cast<double>(i)) + 1;
     }
+    /// Bins that an infinitely short pulse's echo around bin `i` lasts at most, of a bottom that slopes by 30 deg.
+    double longest_footprint(std::size_t i) const { return steep_ * (before_ + static_cast<double>(i)); }
     /// Mean over the footprint around bin `i`.
     double mean(std::size_t i) const {
         const std::size_t h = half(i);
@@ -113,8 +117,27 @@ class Stretches {
     }
 
     std::vector<double> sum_;
-    double slope_ = 0, first_half_ = 0;
+    double slope_ = 0, steep_ = 0, first_half_ = 0;
+    double before_ = 0;  ///< bins from the transmission to the first
 };
+
+struct BinRange {
+    std::size_t from = 0, to = 0;  ///< `to` is the first one behind
+};
+
+/// The loudest stretch of so many bins: an echo by itself, without what trails behind it.
+BinRange loudest(std::span<const float> beam, BinRange within, std::size_t bins) {
+    bins = std::min(bins, within.to - within.from);
+    double sum = 0, most = -1;
+    BinRange best = within;
+    for (std::size_t end = within.from; end < within.to; ++end) {
+        sum += beam[end];
+        if (end + 1 < within.from + bins) continue;
+        if (sum > most) most = sum, best = {end + 1 - bins, end + 1};
+        sum -= beam[end + 1 - bins];
+    }
+    return best;
+}
 
 /// An echo by its power above the noise, in bins.
 struct Extent {
@@ -123,47 +146,63 @@ struct Extent {
     float peak = 0;     ///< uPa^2
 };
 
-Extent measure(const Echogram& echogram, std::size_t index, std::size_t from, std::size_t to) {
+Extent measure(const Echogram& echogram, std::size_t index, BinRange bins) {
     const auto beam = echogram.beam(index);
     double weight = 0, moment = 0, second = 0;
     Extent extent;
-    for (std::size_t bin = from; bin < to; ++bin) {
+    for (std::size_t bin = bins.from; bin < bins.to; ++bin) {
         const double power = std::max(beam[bin] - echogram.noise_power, 0.0);
-        const double at = static_cast<double>(bin - from) + 0.5;
+        const double at = static_cast<double>(bin - bins.from) + 0.5;
         weight += power;
         moment += power * at;
         second += power * at * at;
         extent.peak = std::max(extent.peak, beam[bin]);
     }
     const double centre = moment / weight;
-    extent.centre = static_cast<double>(from) + centre;
+    extent.centre = static_cast<double>(bins.from) + centre;
     extent.length = std::sqrt(12 * std::max(0.0, second / weight - centre * centre));
     return extent;
 }
 
-/// Bin where an echo passes the beam's axis: a line through the balance of power between the beams on either
-/// side, which stands for the phase between the halves of an array. Nothing if it does not pass within the
-/// echo. The outermost beams lack such neighbours and take the middle.
-std::optional<double> axis_crossing(const Echogram& echogram, std::size_t index, std::size_t from,
-                                    std::size_t to, const Extent& extent) {
-    if (index == 0 || index + 1 >= echogram.beams()) return extent.centre;
-    const auto port = echogram.beam(index - 1), own = echogram.beam(index),
-               starboard = echogram.beam(index + 1);
+/// How many beams on either side lie within two beam widths, as many on both.
+std::size_t neighbours(const Shot& shot, std::size_t index) {
+    const auto& bearings = shot.bearings;
+    const double reach = 2 * shot.beam_width;
+    const std::size_t most = std::min(index, bearings.size() - 1 - index);
+    std::size_t side = std::min<std::size_t>(most, 1);
+    while (side < most && bearings[index + side + 1] - bearings[index] < reach &&
+           bearings[index] - bearings[index - side - 1] < reach)
+        ++side;
+    return side;
+}
+
+/// Bin where an echo passes the beam's axis: a line through the direction that each bin's power comes from,
+/// as the beams around share it, which stands for the phase between the halves of an array. Nothing if it
+/// does not pass within the echo. The outermost beams lack neighbours and take the middle.
+std::optional<double> axis_crossing(const Echogram& echogram, std::size_t index, BinRange bins,
+                                    const Extent& extent) {
+    const std::size_t side = neighbours(echogram.shot, index);
+    if (side == 0) return extent.centre;
+    const auto& bearings = echogram.shot.bearings;
     const auto noise = static_cast<float>(echogram.noise_power);
-    double weight = 0, time = 0, balance = 0, times = 0, both = 0;
-    for (std::size_t bin = from; bin < to; ++bin) {
-        const double p = std::max(port[bin] - noise, 0.0F), s = std::max(starboard[bin] - noise, 0.0F);
-        const double sum = p + s + std::max(own[bin] - noise, 0.0F);
+    double weight = 0, time = 0, angle = 0, times = 0, both = 0;
+    for (std::size_t bin = bins.from; bin < bins.to; ++bin) {
+        double power = 0, moment = 0;
+        for (std::size_t beam = index - side; beam <= index + side; ++beam) {
+            const double echo = std::max(echogram.beam(beam)[bin] - noise, 0.0F);
+            power += echo;
+            moment += echo * (bearings[beam] - bearings[index]);
+        }
         const double at = static_cast<double>(bin) + 0.5 - extent.centre;
-        weight += sum;
-        time += sum * at;
-        times += sum * at * at;
-        balance += s - p;
-        both += (s - p) * at;
+        weight += power;
+        time += power * at;
+        times += power * at * at;
+        angle += moment;
+        both += moment * at;
     }
-    const double spread = weight * times - time * time, slope = weight * both - time * balance;
+    const double spread = weight * times - time * time, slope = weight * both - time * angle;
     if (!(spread > 0) || slope == 0) return std::nullopt;
-    const double crossing = time / weight - balance / weight * spread / slope;
+    const double crossing = time / weight - angle / weight * spread / slope;
     if (!(std::abs(crossing) < extent.length / 2)) return std::nullopt;
     return extent.centre + crossing;
 }
@@ -175,6 +214,9 @@ double least_power(const Echogram& echogram, double margin) {
     return echogram.noise_power * std::pow(10.0, margin / 10);
 }
 
+constexpr double slack =
+    1.3;  // times the length that an echo should have; own choice, least scatter of 1, 1.3, 2
+
 Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, const Rule& rule,
                     Stretches& stretches) {
     const Shot& shot = echogram.shot;
@@ -185,18 +227,21 @@ Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, 
     const double least = least_power(echogram, rule.margin);
     if (!(stretches.mean(peak) > least)) return {};
     const auto [from, to] = stretches.run_around(peak, echogram.noise_power);
-    const Extent extent = measure(echogram, index, first + from, first + to);
+    const BinRange run{first + from, first + to};
+    const double expected = stretches.longest_footprint(peak) + resolution(shot) / shot.bin_interval;
+    const BinRange echo = loudest(echogram.beam(index), run, static_cast<std::size_t>(slack * expected) + 2);
+    const Extent extent = measure(echogram, index, echo);
     if (!(extent.peak > 0) || !std::isfinite(extent.centre)) return {};
     // Interferometry needs an echo that is long against the pulse: the outer beams.
     std::optional<double> crossing;
     if (extent.length * shot.bin_interval > rule.least_phase_length * resolution(shot))
-        crossing = axis_crossing(echogram, index, first + from, first + to, extent);
+        crossing = axis_crossing(echogram, index, run, extent);
     const auto time_of = [&](double bin) { return shot.first_bin_time + bin * shot.bin_interval; };
     const double delay = echo_delay(shot, rule.echoes_last);
     Detection detection;
     detection.time = std::max(0.0, time_of(crossing.value_or(extent.centre)) - delay);
-    detection.begin = std::max(0.0, time_of(static_cast<double>(first + from)));
-    detection.end = time_of(static_cast<double>(first + to));
+    detection.begin = std::max(0.0, time_of(static_cast<double>(run.from)));
+    detection.end = time_of(static_cast<double>(run.to));
     detection.power = extent.peak;
     detection.excess = level_db(static_cast<float>(stretches.mean(peak) / least));
     detection.method = crossing ? Method::phase : Method::magnitude;
