@@ -88,7 +88,7 @@ class FlatFloor(DeltaTCase):
         self.start()
         narrow = self.first_with(lambda p: p.sector == 60, range=30, sector=60, beams=120, beam_width=2, gain=6)
         self.assertEqual((narrow.range, narrow.beams, narrow.increment), (30, 120, 0.5))
-        self.check_depths(narrow, 8.0, within=0.01)  # a pulse of 180 us is 13 cm long
+        self.check_depths(narrow, 8.0, within=0.005)
         self.assertLess(max(abs(x) for x, _ in narrow.points()), 8 * math.tan(math.radians(30.3)))
         wide = self.first_with(lambda p: p.beams == 480, range=20, beams=480, beam_width=1)
         self.assertEqual(len(wide.ranges), 480)

@@ -92,7 +92,7 @@ class Bathymetry(KmallCase):
         self.assertAlmostEqual(second[0]["time"] - first[0]["time"], 0.1, delta=0.005)
         ping = wire.read_mrz(second[1])
         self.assertEqual(ping["frequency"], 400e3)
-        self.check_floor(ping, limit=45)  # beyond it, beams that overlap so far are noisier
+        self.check_floor(ping)
         across = [math.tan(math.radians(s["angle"])) for s in ping["soundings"]]
         steps = [a - b for a, b in zip(across, across[1:])]
         self.assertAlmostEqual(min(steps), max(steps), delta=1e-5)

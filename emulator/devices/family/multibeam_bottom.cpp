@@ -55,7 +55,8 @@ class Stretches {
     std::size_t half(std::size_t i) const {
         return static_cast<std::size_t>(first_half_ + slope_ * static_cast<double>(i)) + 1;
     }
-    /// Bins that an infinitely short pulse's echo around bin `i` lasts at most, of a bottom that slopes by 30 deg.
+    /// Bins that an infinitely short pulse's echo around bin `i` lasts at most, of a bottom that slopes by 30
+    /// deg.
     double longest_footprint(std::size_t i) const { return steep_ * (before_ + static_cast<double>(i)); }
     /// Mean over the footprint around bin `i`.
     double mean(std::size_t i) const {
@@ -164,10 +165,11 @@ Extent measure(const Echogram& echogram, std::size_t index, BinRange bins) {
     return extent;
 }
 
-/// How many beams on either side lie within two beam widths, as many on both.
+/// How many beams on either side share an echo with this one, as many on both: those within a beam width, and
+/// half a degree more at most, since the bottom's echo is a curve over wide fans.
 std::size_t neighbours(const Shot& shot, std::size_t index) {
     const auto& bearings = shot.bearings;
-    const double reach = 2 * shot.beam_width;
+    const double reach = shot.beam_width + std::min(shot.beam_width, deg_to_rad(0.5));
     const std::size_t most = std::min(index, bearings.size() - 1 - index);
     std::size_t side = std::min<std::size_t>(most, 1);
     while (side < most && bearings[index + side + 1] - bearings[index] < reach &&
