@@ -7,6 +7,7 @@
 #include "emulator/error.h"
 #include "emulator/pose/vehicle.h"
 #include "emulator/transport/make.h"
+#include "emulator/truth/device_truth.h"
 #include "render/renderer.h"
 
 namespace echoloop {
@@ -53,6 +54,7 @@ class Runtime::Impl {
                          RenderThread::useful(scenario.devices.size())) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
+        if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
         for (const ScenarioDevice& device : scenario.devices) add(scenario, device, records);
     }
 
@@ -118,6 +120,9 @@ class Runtime::Impl {
             [this, body_from_sonar = entry.body_from_sonar](Time time) {
                 return vehicle_.world_from_body(time) * body_from_sonar;
             }));
+        if (records.truth != nullptr)
+            sessions_.back()->tell(
+                std::make_unique<DeviceTruth>(*records.truth, entry.name, entry.body_from_sonar));
         running_.push_back({entry.name, entry.model, {}});
     }
 
@@ -128,6 +133,17 @@ class Runtime::Impl {
         signals_.cancel(ignored);
         end_.cancel(ignored);
         io_.stop();
+    }
+
+    TruthHeader truth_header(const Scenario& scenario) const {
+        TruthHeader header{.scenario = scenario.file.string(),
+                           .scene = scenario.scene.string(),
+                           .seed = scenario.seed,
+                           .unix_start = unix_now(),
+                           .objects = {scene_->objects().begin(), scene_->objects().end()}};
+        for (const ScenarioDevice& device : scenario.devices)
+            header.devices.push_back({device.name, device.model->name, device.body_from_sonar});
+        return header;
     }
 
     std::shared_ptr<const Scene> scene_;

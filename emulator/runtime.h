@@ -20,11 +20,13 @@ struct RunningDevice {
 };
 
 class Recording;
+class TruthFile;
 struct PoseSummary;
 
 /// What a run writes beside the bytes on the wire; nullptr: not asked for. All outlive the runtime.
 struct RunRecords {
     Recording* recording = nullptr;  ///< gets the traffic of every port
+    TruthFile* truth = nullptr;      ///< gets what is really there at every ping
 };
 
 class Runtime {

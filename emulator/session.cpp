@@ -5,12 +5,17 @@
 #include <boost/asio/post.hpp>
 
 #include "emulator/random_key.h"
+#include "emulator/truth/device_truth.h"
 
 namespace echoloop {
 namespace {
 
 constexpr std::size_t outbox_limit = 64 << 20;  // bytes; a driver that never reads must not eat the memory
 constexpr Time late_after = std::chrono::milliseconds(1);
+
+double unix_now() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
 
 /// m, from a point to the corner of the scene's bounds that is farthest from it.
 double farthest_from(Vec3 point, const Bounds& scene) {
@@ -42,6 +47,8 @@ Session::~Session() {
     close();
     *alive_ = false;
 }
+
+void Session::tell(std::unique_ptr<DeviceTruth> truth) { truth_ = std::move(truth); }
 
 void Session::start() {
     for (std::size_t port = 0; port < transports_.size(); ++port) {
@@ -92,7 +99,7 @@ void Session::post_mail(Send send) {
 void Session::transmit(Ping ping) {
     ping.shot.random_key = random_key(water_.seed, name_);
     const Time now = clock_.now();
-    const Situation situation = situation_at_(now);
+    Situation situation = situation_at_(now);
     const Pose& pose = situation.world_from_sonar;
     ++sequence_;
     if (now > silent_from_) late_.reset();  // a gap in the row, and what is late is forgotten
@@ -102,10 +109,12 @@ void Session::transmit(Ping ping) {
     const double farthest = farthest_from(pose.position, water_.scene);
     const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
-    auto echoes = render(ping.due, std::move(ping.shot), situation);
     const auto late_before = std::exchange(late_, late ? render(next_due, *late, situation) : nullptr);
+    situation.objects = truth_ != nullptr;
+    auto echoes = render(ping.due, std::move(ping.shot), situation);
     asio::co_spawn(io_,
-                   deliver({std::move(transmission), sequence_, ping.due, std::move(echoes), late_before}),
+                   deliver({std::move(transmission), sequence_, ping.due, std::move(echoes), late_before,
+                            std::move(situation), unix_now()}),
                    Serving(name_));
 }
 
@@ -145,6 +154,7 @@ Task<void> Session::deliver(UnderWay ping) {
     Echogram& echogram = *ping.echoes->echogram;
     late_echoes_.add_to(ping.sequence, echogram);
     water_.cross_talk.add_to(echogram, ping.transmission);
+    if (truth_) truth_->heard(ping.transmission, ping.situation, ping.unix_time, ping.due, echogram);
     apply(device_->heard(echogram, now));
 }
 

@@ -20,6 +20,8 @@
 
 namespace echoloop {
 
+class DeviceTruth;
+
 /// What a session did, for the end of a run.
 struct SessionSummary {
     std::string name;
@@ -52,6 +54,8 @@ class Session {
             SituationAt situation_at);
     ~Session();
 
+    /// Before start(). `truth` gets every ping from then on.
+    void tell(std::unique_ptr<DeviceTruth> truth);
     void start();
     void close();
     const std::vector<std::unique_ptr<Transport>>& transports() const { return transports_; }
@@ -75,6 +79,8 @@ class Session {
         std::uint64_t sequence;
         Time due;
         std::shared_ptr<Rendering> echoes, late_before;  ///< late_before: of the ping before, may be nullptr
+        Situation situation;
+        double unix_time;  ///< s since 1970, of the transmission
     };
     Task<void> deliver(UnderWay ping);
     Task<void> keep_waking();
@@ -90,6 +96,7 @@ class Session {
     std::unique_ptr<Device> device_;
     std::vector<std::unique_ptr<Transport>> transports_;
     SituationAt situation_at_;
+    std::unique_ptr<DeviceTruth> truth_;  ///< nullptr: nobody asks
 
     std::multimap<Time, Send> outbox_;  ///< by not_before; equal times keep their order
     std::size_t outbox_bytes_ = 0;

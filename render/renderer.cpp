@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "render/fan/binning.h"
+#include "render/fan/object_finder.h"
 #include "render/fan/plan_cache.h"
 #include "render/fan/target_beams.h"
 #include "render/fan/truth.h"
@@ -55,6 +56,7 @@ class Renderer::Impl {
           drawer_(checked_context(), scene),
           plans_({options_.columns_per_beam, options_.pixel_density}),
           binning_(workers_),
+          finder_(workers_),
           chain_(options_.effects, options_.speckle) {
         for (const std::uint32_t material : drawer_.material_of_surface())
             strength_.emplace_back(drawer_.scene().materials()[material]);
@@ -74,6 +76,7 @@ class Renderer::Impl {
                 const auto points = points_of(shot, effects(), paths_.targets);
                 out.noise_power = chain_.apply(shot, pose, out.sound_speed, points, out.values);
             });
+        if (situation.objects) find_objects(plan, out);
         return out;
     }
 
@@ -112,6 +115,14 @@ class Renderer::Impl {
     double end_range(const Shot& shot) const {
         return echoloop::sound_speed(water_) / 2 *
                (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
+    }
+
+    /// Which object is in which bin. What is 10 dB below the noise is not there: nobody could hear it.
+    void find_objects(const FanPlan& plan, Echogram& out) {
+        const double bin_length = out.sound_speed / 2 * out.shot.bin_interval;
+        const double bins_at_once = std::max(1.0, range_resolution(out.shot, out.sound_speed) / bin_length);
+        finder_.find(binning_input(out.shot, plan, out.sound_speed), drawer_.object_of_surface(),
+                     0.1 * out.noise_power / bins_at_once, out.objects);
     }
 
     BinningInput binning_input(const Shot& shot, const FanPlan& plan, double c) const {
@@ -171,6 +182,7 @@ class Renderer::Impl {
     PlanCache plans_;
     Workers workers_;
     Binning binning_;
+    ObjectFinder finder_;
     AcousticChain chain_;
     PathEchoes paths_;
     std::vector<Pixel> pixels_;

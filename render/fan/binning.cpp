@@ -76,7 +76,7 @@ class Binning::Impl {
         LineReader reader;
         for (const View& view : std::span(in.plan.views).subspan(in.plan.level_views))
             for (std::size_t line = 0; line < view.lines; ++line)
-                add_surround_line(in, gain, view, line, reader, sums_);
+                add_surround_line(in, gain, Amount::echo, view, line, reader, sums_);
     }
 
     /// Their power is complete, so the gain that the beams will get is taken out first.

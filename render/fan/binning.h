@@ -37,6 +37,7 @@ struct BinningInput {
     double absorption = 0;    ///< Np/m
     bool spreading = true;    ///< R^-4
     std::span<const PathEcho> paths;  ///< echoes by other ways, added to the lines that they arrive on
+    std::span<const std::uint8_t> wanted{};  ///< per surface index, for Amount::wanted_echo: not 0, it counts
 };
 
 class Binning {

@@ -3,6 +3,8 @@
 namespace echoloop {
 namespace {
 
+constexpr bool is_echo(Amount amount) { return amount == Amount::echo || amount == Amount::wanted_echo; }
+
 template <Amount amount>
 inline float amount_of(const BinningInput& in, const PixelRow& row, std::size_t i, float middle, float weight) {
     if constexpr (amount == Amount::paper_share) return weight;
@@ -24,10 +26,12 @@ void for_each_echo(const BinningInput& in, const BinGain& gain, const LineReader
     const float *surface = row.surface(), *near_edge = extents.near.data(), *far_edge = extents.far.data();
     for (std::size_t i = 0; i < samples; ++i) {
         if (surface[i] == 0 || weight[i] == 0) continue;
+        if constexpr (amount == Amount::wanted_echo)
+            if (in.wanted[static_cast<std::size_t>(surface[i]) - 1] == 0) continue;
         const float middle = extents.middle[i];
         const float near = near_edge[i] * per_metre - start, far = far_edge[i] * per_metre - start;
         float value = amount_of<amount>(in, row, i, middle, weight[i]);
-        if (amount == Amount::echo && middle < near_limit && far - near < 1) value *= gain.correction(middle);
+        if (is_echo(amount) && middle < near_limit && far - near < 1) value *= gain.correction(middle);
         // Along a plane seen at grazing incidence the solid angle of a slice of range falls as R^-2, cos(i) as R^-1.
         const float steepest = 1.8F / (far - near);  // beyond, the density at the far end would be negative
         deposit(i, near, far, value, std::max(-3 / (middle * per_metre), -steepest));
@@ -85,6 +89,8 @@ void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, 
     switch (amount) {
         case Amount::echo:
             return add_level<Amount::echo>(in, gain, reader, &in.plan.weight[first], view.samples, bins);
+        case Amount::wanted_echo:
+            return add_level<Amount::wanted_echo>(in, gain, reader, &in.plan.weight[first], view.samples, bins);
         case Amount::paper_echo:
             return add_level<Amount::paper_echo>(in, gain, reader, &in.plan.coverage[first], view.samples, bins);
         case Amount::paper_share:
@@ -92,17 +98,21 @@ void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, 
     }
 }
 
-void add_surround_line(const BinningInput& in, const BinGain& gain, const View& view, std::size_t line,
+void add_surround_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
                        LineReader& reader, LineSums& sums) {
     reader.read(in, view, line);
     const std::size_t first = view.first_pixel + line * view.samples;
     const SectorShare* share = &in.plan.sector[first - in.plan.first_surround_pixel];
-    for_each_echo<Amount::echo>(in, gain, reader, &in.plan.weight[first], view.samples,
-                  [&](std::size_t i, float near, float far, float value, float slope) {
-                      const SectorShare to = share[i];
-                      if (to.next < 1) sums.sector(to.sector).deposit(near, far, value * (1 - to.next), slope);
-                      if (to.next > 0) sums.sector(to.sector + 1U).deposit(near, far, value * to.next, slope);
-                  });
+    const auto deposit = [&](std::size_t i, float near, float far, float value, float slope) {
+        const SectorShare to = share[i];
+        if (to.next < 1) sums.sector(to.sector).deposit(near, far, value * (1 - to.next), slope);
+        if (to.next > 0) sums.sector(to.sector + 1U).deposit(near, far, value * to.next, slope);
+    };
+    const float* weight = &in.plan.weight[first];
+    if (amount == Amount::wanted_echo)
+        for_each_echo<Amount::wanted_echo>(in, gain, reader, weight, view.samples, deposit);
+    else
+        for_each_echo<Amount::echo>(in, gain, reader, weight, view.samples, deposit);
 }
 
 }  // namespace echoloop

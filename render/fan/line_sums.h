@@ -42,13 +42,18 @@ class LineReader {
 };
 
 /// What a pixel adds for each rule, before the gain of its bin.
-enum class Amount { echo, paper_echo, paper_share };
+enum class Amount {
+    echo,
+    wanted_echo,  ///< of the surfaces in BinningInput::wanted only
+    paper_echo,
+    paper_share
+};
 
 /// Adds the pixels of a level line to its bins.
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
                     LineReader& reader, LineBins& bins);
-/// Adds the pixels of a surround line to their sectors.
-void add_surround_line(const BinningInput& in, const BinGain& gain, const View& view, std::size_t line,
+/// Adds the pixels of a surround line to their sectors; `amount`: an echo.
+void add_surround_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
                        LineReader& reader, LineSums& sums);
 
 }  // namespace echoloop

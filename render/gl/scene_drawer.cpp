@@ -71,7 +71,10 @@ void SceneDrawer::upload() {
     for (const SceneNode& node : scene_->nodes()) {
         const auto [entry, added] =
             surfaces.try_emplace({node.object, node.material}, static_cast<std::uint32_t>(surfaces.size()));
-        if (added) material_of_surface_.push_back(node.material);
+        if (added) {
+            material_of_surface_.push_back(node.material);
+            object_of_surface_.push_back(node.object);
+        }
         const auto surface = static_cast<float>(entry->second + 1);
         for (std::size_t i = node.first_vertex; i < node.first_vertex + node.vertices; ++i)
             if (node.coarse) {

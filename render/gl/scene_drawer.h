@@ -38,6 +38,8 @@ class SceneDrawer {
 
     /// Index into Scene::materials() of every surface number, which is Pixel::surface - 1.
     const std::vector<std::uint32_t>& material_of_surface() const { return material_of_surface_; }
+    /// The same into Scene::objects().
+    const std::vector<std::uint32_t>& object_of_surface() const { return object_of_surface_; }
     const Scene& scene() const { return *scene_; }
     std::string description() const;
 
@@ -72,7 +74,7 @@ class SceneDrawer {
     std::unique_ptr<VertexArray> array_;
     std::unique_ptr<Buffer> vertices_, indices_;
     RecentlyUsed<SizedTarget> targets_{64 << 20};
-    std::vector<std::uint32_t> material_of_surface_;
+    std::vector<std::uint32_t> material_of_surface_, object_of_surface_;
     std::vector<std::uint32_t> visible_;
     std::array<DrawList, 2> lists_;
     DrawProfile profile_;

@@ -26,7 +26,8 @@ std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
 }
 
 std::string run_summary_json(const std::vector<SessionSummary>& sessions,
-                             const std::optional<PoseSummary>& poses, const Recording* recording) {
+                             const std::optional<PoseSummary>& poses, const Recording* recording,
+                             const TruthFile* truth) {
     Json devices = Json::array();
     for (const auto& s : sessions)
         devices.push_back({{"name", s.name},
@@ -52,6 +53,14 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions,
                               {"bytes", s.bytes},
                               {"lost", s.lost},
                               {"stopped", s.stopped}};
+    }
+    if (truth != nullptr) {
+        const BackgroundFileSummary s = truth->summary();
+        ended["truth"] = {{"file", truth->file().string()},
+                          {"lines", s.lines},
+                          {"bytes", s.bytes},
+                          {"lost", s.lost},
+                          {"stopped", s.stopped}};
     }
     return line_of(ended);
 }

@@ -7,12 +7,14 @@
 #include "emulator/capture/recording.h"
 #include "emulator/pose/input.h"
 #include "emulator/runtime.h"
+#include "emulator/truth/truth.h"
 
 namespace echoloop::cli {
 
 std::string run_started_json(const Scenario& scenario, const Runtime& runtime);
-/// `poses`: empty if none come from outside; `recording`: nullptr if there is none.
+/// `poses`: empty if none come from outside; `recording`, `truth`: nullptr if there is none.
 std::string run_summary_json(const std::vector<SessionSummary>& sessions,
-                             const std::optional<PoseSummary>& poses, const Recording* recording);
+                             const std::optional<PoseSummary>& poses, const Recording* recording,
+                             const TruthFile* truth);
 
 }  // namespace echoloop::cli

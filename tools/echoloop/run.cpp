@@ -5,6 +5,7 @@
 #include "emulator/capture/recording.h"
 #include "emulator/pose/input.h"
 #include "emulator/runtime.h"
+#include "emulator/truth/truth.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
 #include "tools/echoloop/driver.h"
@@ -96,13 +97,22 @@ void print_recording(const Recording& recording) {
                 s.stopped ? "; it stopped early, see above" : "");
 }
 
+void print_truth(const TruthFile& truth) {
+    const BackgroundFileSummary s = truth.summary();
+    std::printf("%s%s: %s, %s%s%s\n", padded("ground truth", 16).c_str(), truth.file().c_str(),
+                counted(s.lines, "line").c_str(), counted(s.bytes, "byte").c_str(),
+                s.lost == 0 ? "" : ("; the disk was too slow for " + counted(s.lost, "more line")).c_str(),
+                s.stopped ? "; it stopped early, see above" : "");
+}
+
 int run(const Arguments& arguments) {
     const Scenario scenario = scenario_from(arguments);
     std::optional<double> duration;
     if (arguments.has("--duration")) duration = arguments.number("--duration", 0, 0, 1e9);
     auto recording = recording_from(arguments);
+    const auto truth = arguments.has("--truth") ? std::make_unique<TruthFile>(arguments.text("--truth")) : nullptr;
     try {
-        Runtime runtime(scenario, {.recording = recording.get()});
+        Runtime runtime(scenario, {.recording = recording.get(), .truth = truth.get()});
         const bool json = arguments.has("--json");
         if (json) {
             std::printf("%s\n", run_started_json(scenario, runtime).c_str());
@@ -112,13 +122,15 @@ int run(const Arguments& arguments) {
         }
         runtime.run(duration);
         if (recording) recording->finish();
+        if (truth) truth->finish();
         const auto sessions = runtime.summary();
         if (json) {
-            std::printf("%s\n", run_summary_json(sessions, runtime.poses(), recording.get()).c_str());
+            std::printf("%s\n", run_summary_json(sessions, runtime.poses(), recording.get(), truth.get()).c_str());
         } else {
             print_summary(sessions);
             if (const auto poses = runtime.poses()) print_poses(*poses);
             if (recording) print_recording(*recording);
+            if (truth) print_truth(*truth);
         }
         if (arguments.has("--fail-late")) demand_punctuality(sessions);
     } catch (const StartError&) {
@@ -145,12 +157,15 @@ Verb run_verb() {
          {Argument::Kind::value, "--record", "FILE",
           "write what every port hears and says to a pcapng capture"},
          {Argument::Kind::value, "--record-size", "MB", "begin another capture file after so many megabytes"},
+         {Argument::Kind::value, "--truth", "FILE",
+          "write what is really there at every ping, a line of JSON each (docs/truth.md)"},
          {Argument::Kind::flag, "--fail-late", "",
           "end with status 75 if a ping was late or a message dropped"},
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop run config/demo.yaml\n"
         "  echoloop run config/tank.yaml --duration 60 --record dive.pcapng\n"
+        "  echoloop run config/tank.yaml --truth dive.jsonl\n"
         "  echoloop run config/demo.yaml --set devices.micron.endpoints='[\"tcp-listen://127.0.0.1:9090\"]'",
         run};
 }

@@ -1,0 +1,23 @@
+#include "emulator/truth/device_truth.h"
+
+namespace echoloop {
+
+void DeviceTruth::heard(const Transmission& transmission, const Situation& situation, double unix_time, Time due,
+                        Echogram& echogram) {
+    PingTruth truth;
+    truth.device = device_;
+    truth.transmitted = transmission.time;
+    truth.due = due;
+    truth.unix_time = unix_time;
+    truth.movers = situation.movers;
+    truth.world_from_body = transmission.world_from_sonar * sonar_from_body_;
+    truth.echo.shot = echogram.shot;
+    truth.echo.world_from_sonar = echogram.world_from_sonar;
+    truth.echo.sound_speed = echogram.sound_speed;
+    truth.echo.noise_power = echogram.noise_power;
+    truth.echo.truth = echogram.truth;
+    truth.echo.objects = std::move(echogram.objects);
+    file_.add(std::move(truth));
+}
+
+}  // namespace echoloop

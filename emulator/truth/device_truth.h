@@ -1,0 +1,25 @@
+// What one device's pings add to the ground truth. Changes no ping.
+#pragma once
+
+#include "emulator/crosstalk.h"
+#include "emulator/truth/truth.h"
+#include "render/situation.h"
+
+namespace echoloop {
+
+class DeviceTruth {
+  public:
+    DeviceTruth(TruthFile& file, std::string device, const Pose& body_from_sonar)
+        : file_(file), device_(std::move(device)), sonar_from_body_(inverse(body_from_sonar)) {}
+
+    /// Takes the echogram's objects. `unix_time`: s since 1970 when the ping began.
+    void heard(const Transmission& transmission, const Situation& situation, double unix_time, Time due,
+               Echogram& echogram);
+
+  private:
+    TruthFile& file_;
+    std::string device_;
+    Pose sonar_from_body_;
+};
+
+}  // namespace echoloop
