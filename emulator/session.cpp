@@ -109,9 +109,10 @@ void Session::transmit(Ping ping) {
     const double farthest = farthest_from(pose.position, water_.scene);
     const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
-    const auto late_before = std::exchange(late_, late ? render(next_due, *late, situation) : nullptr);
     situation.objects = truth_ != nullptr;
     auto echoes = render(ping.due, std::move(ping.shot), situation);
+    situation.objects = false;
+    const auto late_before = std::exchange(late_, late ? render(next_due, *late, situation) : nullptr);
     asio::co_spawn(io_,
                    deliver({std::move(transmission), sequence_, ping.due, std::move(echoes), late_before,
                             std::move(situation), unix_now()}),
