@@ -55,7 +55,7 @@ class Runtime::Impl {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
         if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
-        for (const ScenarioDevice& device : scenario.devices) add(scenario, device, records);
+        for (const ScenarioDevice& device : scenario.devices) add(device, records);
     }
 
     ~Impl() {
@@ -106,7 +106,7 @@ class Runtime::Impl {
         return renderer;
     }
 
-    void add(const Scenario& scenario, const ScenarioDevice& entry, const RunRecords& records) {
+    void add(const ScenarioDevice& entry, const RunRecords& records) {
         DeviceConfig config = entry.config;
         config.unix_start = unix_now();
         auto device = entry.model->make(config);

@@ -108,7 +108,7 @@ class Truth(unittest.TestCase):
         self.assertEqual(status, 0, output)
         self.assertEqual(output.count("has stopped"), 1, output)
         self.assertRegex(output, "it stopped early")
-        self.assertRegex(output, r"sonar +\d+ pings")
+        self.assertRegex(output, r"sonar +\d+ ping")
 
 
 if __name__ == "__main__":
