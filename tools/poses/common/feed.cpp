@@ -43,6 +43,10 @@ void print_count(const std::string& what, std::uint64_t number, const std::strin
 
 }  // namespace
 
+Feed::Feed(const Options& options, Sender& sender) : options_(options), sender_(sender) {
+    for (const auto& topic : topics_of(options)) awaited_.insert(topic);
+}
+
 void Feed::heard(const std::string& topic, const std::vector<BodyPose>& bodies) {
     for (const auto& source : options_.sources) {
         if (source.topic != topic) continue;
@@ -63,6 +67,7 @@ void Feed::heard(const Source& source, const BodyPose& body) {
     const bool steps = options_.step && options_.clock.empty() && source.object.empty();
     if (options_.step && !body.stamp)
         return refused(source.topic, "it has no time stamp, and --step needs one");
+    awaited_.erase(source.topic);
     ++sent_[name_of(source)];
     const auto time = options_.step ? run_time(*body.stamp) : body.stamp;
     if (steps && time >= now_.value_or(0)) return step(pose_line(pose, source.object, "now", time), *time);
@@ -89,7 +94,16 @@ void Feed::step(const std::string& line, Nanoseconds now) {
         ++lost_;
 }
 
+void Feed::idle() {
+    constexpr auto long_enough = std::chrono::seconds(5);
+    if (awaited_.empty() || std::chrono::steady_clock::now() < begun_ + long_enough) return;
+    for (const auto& topic : awaited_)
+        say("no pose has come from " + topic + " yet: is that its name, and does somebody publish it?");
+    awaited_.clear();
+}
+
 void Feed::refused(const std::string& topic, const std::string& reason) {
+    awaited_.erase(topic);
     last_refusal_ = topic + ": " + reason;
     if (refused_++ == 0) say("a message was refused: " + last_refusal_ + "; further ones are counted only");
 }

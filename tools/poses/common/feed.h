@@ -2,8 +2,11 @@
 // and how many of them. Knows no middleware.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "tools/poses/common/options.h"
@@ -13,7 +16,7 @@ namespace echoloop::poses {
 
 class Feed {
   public:
-    Feed(const Options& options, Sender& sender) : options_(options), sender_(sender) {}
+    Feed(const Options& options, Sender& sender);
 
     /// The bodies of one message on a topic of the sources; each source takes the one that it names.
     void heard(const std::string& topic, const std::vector<BodyPose>& bodies);
@@ -23,6 +26,8 @@ class Feed {
     void refused(const std::string& topic, const std::string& reason);
     /// Simulated time.
     void clock(Nanoseconds time);
+    /// Nothing came for a moment; says once for each topic that no pose has come from it for long.
+    void idle();
 
     /// Says how many of everything there were; to standard output.
     void print_summary() const;
@@ -37,6 +42,8 @@ class Feed {
     std::map<std::string, std::uint64_t> sent_;  ///< by what moves
     std::uint64_t refused_ = 0, lost_ = 0, late_ = 0, steps_ = 0;
     std::string last_refusal_;
+    std::set<std::string> awaited_;  ///< topics of which nothing has come, and nothing has been said
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace echoloop::poses

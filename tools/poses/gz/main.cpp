@@ -99,8 +99,12 @@ void listen(const Options& options, Feed& feed) {
     for (const auto& topic : topics_of(options)) subscribe(node, queue, topic);
     if (!options.clock.empty()) subscribe(node, queue, options.clock);
     say_ready(options, "Gazebo's partition " + node.Options().Partition());
-    while (!stopped())
-        if (const auto message = queue.take()) hear(options, feed, *message);
+    while (!stopped()) {
+        if (const auto message = queue.take())
+            hear(options, feed, *message);
+        else
+            feed.idle();
+    }
     if (queue.lost() > 0)
         say(std::to_string(queue.lost()) + " messages were lost: they came faster than they were sent on");
 }

@@ -28,7 +28,8 @@ void listen(const Options& options, Feed& feed) {
             feed.refused(topic, harmless(reason));
         },
         [&feed](Nanoseconds time) { feed.clock(time); },
-        [](const std::string& text) { say(harmless(text)); }};
+        [](const std::string& text) { say(harmless(text)); },
+        [&feed] { feed.idle(); }};
     Ros1Node node({options.sources, options.clock, options.world}, ears, stopped);
     if (!stopped()) say_ready(options, node.master());
     node.listen();

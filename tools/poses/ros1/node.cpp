@@ -50,7 +50,10 @@ class Ros1Node::Listener {
         if (!wishes_.clock.empty()) subscribe(wishes_.clock, [this](const Message& m) { clock(m); });
     }
 
-    void wait_for_messages() { queue_.callAvailable(ros::WallDuration(0.1)); }
+    void wait_for_messages() {
+        queue_.callAvailable(ros::WallDuration(0.1));
+        ears_.idle();
+    }
 
   private:
     template <class Function>

@@ -24,6 +24,7 @@ struct Ros1Ears {
     std::function<void(const std::string& topic, const std::string& reason)> refused;
     std::function<void(Nanoseconds)> clock;
     std::function<void(const std::string&)> say;  ///< to a person
+    std::function<void()> idle;                   ///< nothing came for a moment
 };
 
 class Ros1Node {

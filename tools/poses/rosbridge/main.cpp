@@ -109,7 +109,10 @@ void listen(const Options& options, Feed& feed) {
         say_ready(options, options.server);
         listener.connected(connection);
         while (!stopped() && connection.is_open()) {
-            if (const auto text = connection.read(100)) listener.heard(*text);
+            if (const auto text = connection.read(100))
+                listener.heard(*text);
+            else
+                feed.idle();
             listener.subscribe(connection);
         }
         if (!stopped()) say(options.server + ": " + connection.why() + "; trying to connect again");
