@@ -60,9 +60,12 @@ class Pcapng:
         self.data += self.block(1, struct.pack(self.order + "HHI", link, 0, 0) + options)
         return self
 
-    def packet(self, interface, data, ticks):
+    def packet(self, interface, data, ticks, comment=b""):
         head = struct.pack(self.order + "IIIII", interface, ticks >> 32, ticks & 0xFFFFFFFF, len(data), len(data))
-        self.data += self.block(6, head + data)
+        options = b""
+        if comment:
+            options = struct.pack(self.order + "HH", 1, len(comment)) + comment + bytes(-len(comment) % 4) + bytes(4)
+        self.data += self.block(6, head + data + (bytes(-len(data) % 4) + options if options else b""))
         return self
 
 

@@ -34,6 +34,18 @@ class Inspect(ProgramTest):
         self.assertRegex(text, r"56 +h0\.sound_speed +1514\.962 m/s")
         self.assertRegex(text, r"messages: BTH0 20; broken 0; not decoded 0 bytes; packets 20")
 
+    def test_comments_on_packets_are_shown(self):
+        capture = captures.Pcapng().interface(captures.RTAC_SERIAL, b"micron line")
+        capture.packet(0, captures.rtac(REBOOT, 1), 10**9)
+        capture.packet(0, captures.rtac(REBOOT, 1), 2 * 10**9, comment=b"fault: bit 3 of byte 7")
+        file = self.file(capture.data)
+        report = self.json("inspect", file)
+        self.assertEqual(report["comments"], [{"packet": 2, "time": 1.0, "comment": "fault: bit 3 of byte 7"}])
+        self.assertEqual([message["packet"] for message in report["messages"]], [1, 2])
+        text = self.good("inspect", file)
+        self.assertIn("comment on packet 2  t=1 s: fault: bit 3 of byte 7", text)
+        self.assertIn("; comments 1", text)
+
     def test_real_seanet_frames_with_noise_around_them(self):
         vectors = json.loads(self.shared("tritech", "vectors.json").read_text())["vectors"]
         frames = [bytes.fromhex(v["hex"]) for v in vectors]

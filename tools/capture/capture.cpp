@@ -43,7 +43,12 @@ class PacketCapture final : public CaptureReader {
             return tcp_.finish(tcp_bytes());
         }
         ++packets_;
-        about_ = {std::chrono::duration<double>(raw->time).count(), raw->interface, raw->sent, {}};
+        about_ = {std::chrono::duration<double>(raw->time).count(),
+                  raw->interface,
+                  raw->sent,
+                  {},
+                  packets_,
+                  raw->comment};
         const Packet packet = reader_.read(raw->link_type, raw->bytes);
         if (const auto* datagram = std::get_if<Datagram>(&packet)) add(*datagram);
         if (const auto* segment = std::get_if<TcpSegment>(&packet)) tcp_.add(*segment, tcp_bytes());

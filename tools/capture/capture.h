@@ -34,6 +34,8 @@ struct CaptureEvent {
     std::string interface {};    ///< of the capture; "" where it has none
     std::optional<bool> sent{};  ///< by the capturing side; empty: the capture does not say
     std::variant<Datagram, StreamPiece> content{};
+    std::uint64_t packet = 0;  ///< number of the packet that it came with, from 1
+    std::string comment{};     ///< of that packet
 };
 
 class CaptureReader {

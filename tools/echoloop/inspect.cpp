@@ -1,13 +1,11 @@
 // echoloop inspect: the messages in a capture or in a file of bytes. Reads to the end in bounded memory.
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <optional>
 
 #include "emulator/scenario/problems.h"
 #include "protocols/inspect.h"
-#include "protocols/stream_decoder.h"
-#include "tools/capture/capture.h"
+#include "tools/capture/messages.h"
 #include "tools/capture/stream_windows.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/json_output.h"
@@ -16,10 +14,7 @@
 namespace echoloop::cli {
 namespace {
 
-using capture::Datagram;
 using capture::Input;
-using capture::StreamPiece;
-using inspect::StreamDecoder;
 
 constexpr std::size_t largest_datagram = 65535;
 
@@ -78,11 +73,22 @@ class Output {
         }
     }
 
+    /// Of the last packets beyond a sane number none is kept.
+    void add(PacketComment comment) {
+        constexpr std::size_t most = 100000;
+        ++summary_.comments;
+        if (json_ && comments_.size() < most) comments_.push_back(std::move(comment));
+        if (json_ || quiet_) return;
+        std::printf("comment on packet %llu  t=%s s: %s\n\n", static_cast<unsigned long long>(comment.packet),
+                    plain(comment.time, 6).c_str(), scenario::printable(comment.text).c_str());
+    }
+
     InspectSummary& summary() { return summary_; }
 
     void finish() const {
         if (json_) {
-            std::printf("\n],\n\"summary\": %s}\n", summary_json(summary_).c_str());
+            std::printf("\n],\n\"comments\": %s,\n\"summary\": %s}\n", comments_json(comments_).c_str(),
+                        summary_json(summary_).c_str());
             return;
         }
         std::string names;
@@ -94,6 +100,7 @@ class Output {
             std::printf("; packets %llu, not understood %llu, missing fragments %zu",
                         static_cast<unsigned long long>(*summary_.packets),
                         static_cast<unsigned long long>(summary_.skipped_packets), summary_.incomplete);
+        if (summary_.comments > 0) std::printf("; comments %zu", summary_.comments);
         std::printf("\n");
     }
 
@@ -101,6 +108,7 @@ class Output {
     bool json_, quiet_;
     bool first_ = true;
     InspectSummary summary_;
+    std::vector<PacketComment> comments_;
 };
 
 const inspect::Family* forced_family(const Arguments& arguments, const char* name) {
@@ -118,100 +126,37 @@ inspect::Message undecoded(std::size_t size, const char* reason) {
 }
 
 /// Names of the two who speak on a captured serial line.
-std::string line_text(const StreamPiece& piece) {
-    return (piece.line.empty() ? "serial line" : piece.line) + (piece.sent ? ", sent" : ", received");
+std::string line_text(const capture::Way& way) {
+    return (way.line.empty() ? "serial line" : way.line) + (way.sent ? ", sent" : ", received");
 }
 
-/// The streams of a capture, or its datagrams as such, each direction decoded by itself.
-class Streams {
-  public:
-    Streams(const inspect::Family* family, Output& output) : family_(family), output_(output) {}
-
-    void add(double time, const StreamPiece& piece) {
-        const auto line = piece.from.port == 0 ? line_text(piece) : std::string();
-        const Key key{line, piece.from, piece.to};
-        if (piece.gap) end(key);
-        continue_with(key, time, piece.bytes);
+InspectOrigin origin_of(const capture::MessageOrigin& from, double start) {
+    InspectOrigin origin{from.family == nullptr ? "" : std::string(from.family->name), from.time - start};
+    origin.packet = from.packet;
+    if (from.way.is_serial()) {
+        origin.line = line_text(from.way);
+    } else {
+        origin.from = from.way.from;
+        origin.to = from.way.to;
     }
-    /// A datagram is read alone where that tells all of it, as nearly always. What is left of others goes on
-    /// in the next one of the same direction.
-    void add(double time, const Datagram& datagram) {
-        const Key key{"", datagram.from, datagram.to};
-        const auto* family = family_ != nullptr ? family_ : inspect::guess_family(datagram.payload);
-        if (datagram.cut) {
-            end(key);
-            const char* reason = family == nullptr ? "no known protocol" : "cut short by the capture";
-            return printer(key, time)(family, undecoded(datagram.payload.size(), reason));
-        }
-        const bool alone = family != nullptr && family->framing == inspect::Framing::datagram;
-        const auto messages = family == nullptr ? Messages{} : family->decode(datagram.payload);
-        if (!alone && !is_whole(messages)) return continue_with(key, time, datagram.payload);
-        if (!alone) end(key);
-        for (const auto& message : messages) printer(key, time)(family, message);
-    }
-    void finish() {
-        for (auto& [key, stream] : streams_) stream.decoder.finish(printer(key, stream.time));
-        streams_.clear();
-    }
-
-  private:
-    using Key = std::tuple<std::string, Address, Address>;
-    using Messages = std::vector<inspect::Message>;
-    struct Stream {
-        StreamDecoder decoder;
-        double time = 0;  ///< of the last bytes
-    };
-
-    static bool is_whole(const Messages& messages) {
-        return !messages.empty() &&
-               std::none_of(messages.begin(), messages.end(), [](const auto& m) { return m.name.empty(); });
-    }
-
-    void continue_with(const Key& key, double time, ByteView bytes) {
-        constexpr std::size_t most = 4096;
-        if (!streams_.contains(key) && streams_.size() >= most) finish();
-        Stream& stream = streams_.try_emplace(key, Stream{StreamDecoder(family_), time}).first->second;
-        stream.time = time;
-        stream.decoder.add(bytes, printer(key, time));
-    }
-    /// What did not become complete never will.
-    void end(const Key& key) {
-        const auto found = streams_.find(key);
-        if (found != streams_.end()) found->second.decoder.finish(printer(key, found->second.time));
-    }
-
-    StreamDecoder::Each printer(const Key& key, double time) {
-        const auto& [line, from, to] = key;
-        InspectOrigin origin{"", time, {}, {}, line};
-        if (line.empty()) {
-            origin.from = from;
-            origin.to = to;
-        }
-        return [this, origin](const inspect::Family* family, const inspect::Message& message) mutable {
-            origin.family = family == nullptr ? "" : std::string(family->name);
-            output_.add(origin, message);
-        };
-    }
-
-    const inspect::Family* family_;
-    Output& output_;
-    std::map<Key, Stream> streams_;
-};
+    return origin;
+}
 
 void inspect_capture(Input& input, const inspect::Family* family, Output& output) {
+    const auto file = capture::open_packets(input);
     std::optional<double> start;
-    Streams streams(family, output), datagrams(family, output);
-    const auto since_start = [&start](double time) {
-        if (!start) start = time;
-        return time - *start;
-    };
-    const auto counts = capture::read_capture(
-        input,
-        {.datagram = [&](double time,
-                         const Datagram& datagram) { datagrams.add(since_start(time), datagram); },
-         .stream = [&](double time, const StreamPiece& piece) { streams.add(since_start(time), piece); }});
-    streams.finish();
-    datagrams.finish();
+    capture::MessageSorter messages(
+        family, [&](const auto& from, const auto& message) { output.add(origin_of(from, *start), message); });
+    while (const auto event = file->next()) {
+        if (!start) start = event->time;
+        messages.add(*event);
+        if (!event->comment.empty()) output.add({event->packet, event->time - *start, event->comment});
+    }
+    messages.finish();
+    const auto counts = file->counts();
+    if (counts.packets == 0 && !counts.fault.empty())
+        throw StartError(Exit::data, scenario::in_quotes(input.name()) +
+                                         " is no capture that can be read: " + counts.fault);
     output.summary().packets = counts.packets;
     output.summary().skipped_packets = counts.skipped;
     output.summary().incomplete = counts.incomplete;

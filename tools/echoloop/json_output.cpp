@@ -48,8 +48,11 @@ Json figures(const Model& m) {
     const Profile profile = own_profile(m);
     for (const auto& row : m.figures) {
         const Figure& f = profile.at(row.name);
-        Json json{{"name", row.name}, {"value", figure_value(f)}, {"unit", row.unit},
-                  {"help", row.help}, {"source", f.source}};
+        Json json{{"name", row.name},
+                  {"value", figure_value(f)},
+                  {"unit", row.unit},
+                  {"help", row.help},
+                  {"source", f.source}};
         if (row.choices.empty()) {
             json.update({{"minimum", row.minimum}, {"maximum", row.maximum}});
         } else {
@@ -88,7 +91,8 @@ Json device(const ScenarioDevice& d) {
 Json effects(const Scenario& s) {
     Json json = Json::object();
     const auto off = effects_off(s);
-    for (const auto& row : effect_rows) json[std::string(row.name)] = std::ranges::find(off, row.name) == off.end();
+    for (const auto& row : effect_rows)
+        json[std::string(row.name)] = std::ranges::find(off, row.name) == off.end();
     return json;
 }
 
@@ -110,9 +114,7 @@ Json scene_json(const std::string& file, const Scene& scene) {
             {"bounds", {{"min", scene.bounds().min}, {"max", scene.bounds().max}}}};
 }
 
-Json spread(const bench::Spread& s) {
-    return {{"minimum", s.minimum}, {"median", s.median}, {"p99", s.p99}};
-}
+Json spread(const bench::Spread& s) { return {{"minimum", s.minimum}, {"median", s.median}, {"p99", s.p99}}; }
 
 Json bench_row(const bench::Row& row) {
     const bench::Figures& f = row.figures;
@@ -259,11 +261,19 @@ std::string validate_json(const validation::Findings& findings) {
     return document({{"ok", findings.failed() == 0}, {"failed", findings.failed()}, {"quantities", list}});
 }
 
+std::string comments_json(const std::vector<PacketComment>& comments) {
+    Json json = Json::array();
+    for (const auto& one : comments)
+        json.push_back({{"packet", one.packet}, {"time", one.time}, {"comment", one.text}});
+    return line_of(json);
+}
+
 std::string message_json(const InspectOrigin& origin, const inspect::Message& message) {
     Json json;
     if (origin.from)
         json.update({{"time", origin.time}, {"from", text_of(*origin.from)}, {"to", text_of(*origin.to)}});
     if (!origin.line.empty()) json.update({{"time", origin.time}, {"line", origin.line}});
+    if (origin.packet != 0) json["packet"] = origin.packet;
     json.update({{"family", origin.family},
                  {"name", message.name},
                  {"offset", message.offset},
@@ -290,6 +300,7 @@ std::string summary_json(const InspectSummary& summary) {
     Json json{{"messages", summary.messages},
               {"broken", summary.broken},
               {"undecoded_bytes", summary.undecoded_bytes}};
+    if (summary.comments > 0) json["comments"] = summary.comments;
     if (summary.packets)
         json.update({{"packets", *summary.packets},
                      {"skipped_packets", summary.skipped_packets},

@@ -44,7 +44,14 @@ struct InspectOrigin {
     std::string family{};
     double time = 0;
     std::optional<Address> from{}, to{};
-    std::string line{};  ///< serial: which, and who speaks
+    std::string line{};        ///< serial: which, and who speaks
+    std::uint64_t packet = 0;  ///< number of the packet that completed it, from 1; 0: there are none
+};
+/// What a capture says beside the bytes, e.g. which fault the packet has suffered.
+struct PacketComment {
+    std::uint64_t packet = 0;  ///< from 1
+    double time = 0;           ///< s since the first packet
+    std::string text{};
 };
 struct InspectSummary {
     std::map<std::string, std::size_t> messages;  ///< decoded ones by name
@@ -53,7 +60,9 @@ struct InspectSummary {
     std::optional<std::uint64_t> packets;  ///< captures only
     std::uint64_t skipped_packets = 0;
     std::size_t incomplete = 0;
+    std::size_t comments = 0;
 };
+std::string comments_json(const std::vector<PacketComment>& comments);
 std::string message_json(const InspectOrigin& origin, const inspect::Message& message);
 std::string summary_json(const InspectSummary& summary);
 
