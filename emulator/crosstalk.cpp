@@ -5,7 +5,6 @@
 
 #include "emulator/random_key.h"
 #include "render/fan/view.h"
-#include "render/paths/fan_pattern.h"
 
 namespace echoloop {
 namespace {
@@ -28,8 +27,7 @@ Vec3 towards(const Transmission& from, Vec3 to) {
 }
 
 /// Amplitude 0..1 with which a transmitter reaches a direction.
-double transmitted_amplitude(const Shot& shot, const Effects& effects, Vec3 direction) {
-    const FanPattern pattern(shot, effects);
+double transmitted_amplitude(const Shot& shot, const FanPattern& pattern, Vec3 direction) {
     const FanDirection seen = pattern.at(direction);
     const double width = pattern.half_width();
     const bool in_sector =
@@ -39,18 +37,17 @@ double transmitted_amplitude(const Shot& shot, const Effects& effects, Vec3 dire
 }
 
 /// Power 0..1 with which each beam receives from a direction.
-std::vector<double> received_powers(const Shot& shot, const Effects& effects, Vec3 direction) {
-    const FanDirection seen = FanPattern(shot, effects).at(direction);
+std::vector<double> received_powers(const Shot& shot, const FanPattern& pattern, Vec3 direction) {
+    const FanDirection seen = pattern.at(direction);
     std::vector<double> out(shot.bearings.size(), seen.receive * seen.receive);
     if (out.size() == 1) return out;
-    if (!effects.has(Effect::beam_pattern)) {
+    if (!pattern.across()) {
         for (std::size_t i = 0; i < out.size(); ++i)
             if (std::abs(seen.bearing - shot.bearings[i]) > shot.beam_width / 2) out[i] = 0;
         return out;
     }
-    const TwoWayPattern across(shot.horizontal, shot.beam_width);
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const double amplitude = across.amplitude(seen.bearing - shot.bearings[i]);
+        const double amplitude = pattern.across()->amplitude(seen.bearing - shot.bearings[i]);
         out[i] *= amplitude * amplitude;
     }
     return out;
@@ -80,7 +77,12 @@ void CrossTalk::transmitted(Transmission transmission) {
     recent_.insert(later, std::move(transmission));
 }
 
-void CrossTalk::add_to(Echogram& echogram, const Transmission& own) const {
+const FanPattern& CrossTalk::pattern_of(const Shot& shot) {
+    return patterns_.get([&](const FanPattern& known) { return known.fits(shot); },
+                         [&] { return std::pair(FanPattern(shot, effects_), std::size_t{1}); });
+}
+
+void CrossTalk::add_to(Echogram& echogram, const Transmission& own) {
     if (!effects_.has(Effect::cross_talk)) return;
     const Shot& shot = echogram.shot;
     const Time begin = own.time + from_seconds(shot.first_bin_time);
@@ -91,7 +93,7 @@ void CrossTalk::add_to(Echogram& echogram, const Transmission& own) const {
             add_pulse(echogram, own, *other);
 }
 
-void CrossTalk::add_pulse(Echogram& echogram, const Transmission& own, const Transmission& other) const {
+void CrossTalk::add_pulse(Echogram& echogram, const Transmission& own, const Transmission& other) {
     const Shot& shot = echogram.shot;
     const Vec3 from = other.world_from_sonar.position, to = own.world_from_sonar.position;
     const double range = norm(to - from), spread = std::max(range, 1.0);
@@ -104,10 +106,10 @@ void CrossTalk::add_pulse(Echogram& echogram, const Transmission& own, const Tra
     const double absorption =
         effects_.has(Effect::absorption) ? absorption_db_per_km(water_, other.shot.frequency) / 1e3 : 0;
     const double spreading = effects_.has(Effect::spreading) ? 20 * std::log10(spread) : 0;
-    const double amplitude = transmitted_amplitude(other.shot, effects_, towards(other, to));
+    const double amplitude = transmitted_amplitude(other.shot, pattern_of(other.shot), towards(other, to));
     const double power = db_to_power(other.shot.source_level - spreading - absorption * range) * amplitude *
                          amplitude * band_overlap(other.shot, shot);
-    const auto receive = received_powers(shot, effects_, towards(own, from));
+    const auto receive = received_powers(shot, pattern_of(shot), towards(own, from));
     const std::uint64_t key =
         split_mix(split_mix(shot.random_key ^ other.shot.random_key) ^ shot.ping) ^ other.shot.ping;
     const double clip = effects_.has(Effect::saturation) ? db_to_power(shot.receiver.saturation_level)

@@ -7,6 +7,8 @@
 
 #include "emulator/device.h"
 #include "render/effects.h"
+#include "render/paths/fan_pattern.h"
+#include "render/recently_used.h"
 #include "render/water.h"
 
 namespace echoloop {
@@ -40,14 +42,16 @@ class CrossTalk {
 
     /// `own`: the transmission that `echogram` belongs to. Call it when the window is over. Saturation is
     /// applied again.
-    void add_to(Echogram& echogram, const Transmission& own) const;
+    void add_to(Echogram& echogram, const Transmission& own);
 
   private:
-    void add_pulse(Echogram& echogram, const Transmission& own, const Transmission& other) const;
+    void add_pulse(Echogram& echogram, const Transmission& own, const Transmission& other);
+    const FanPattern& pattern_of(const Shot& shot);
 
     Water water_;
     Effects effects_;
     std::deque<Transmission> recent_;  ///< by time; shots without their beams between the first and the last
+    RecentlyUsed<FanPattern> patterns_{64};
 };
 
 }  // namespace echoloop

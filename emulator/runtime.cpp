@@ -35,7 +35,11 @@ void warm_up(Renderer& renderer, const Scenario& scenario, const SharedWater& wa
         if (lane == RenderThread::Lane::single_beams && !RenderThread::is_single_beam(shot)) continue;
         const Pose pose = scenario.world_from_body * device.body_from_sonar;
         renderer.render(shot, pose);
-        if (const auto late = late_shot(shot, water.water, water.effects, everywhere)) renderer.render(*late, pose);
+        const auto late = late_shot(shot, water.water, water.effects, everywhere);
+        if (!late) continue;
+        Situation coarse = pose;
+        coarse.detail = late_detail;
+        renderer.render(*late, coarse);
     }
 }
 

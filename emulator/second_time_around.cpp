@@ -53,6 +53,21 @@ std::vector<std::size_t> nearest_beams(const std::vector<double>& bearings, cons
     return out;
 }
 
+/// Which late bin each of the bins `first`, `first` + 1, ... of a ping hears; the others hear none.
+struct BinMap {
+    BinMap(const Shot& shot, const Shot& before) {
+        for (std::size_t bin = 0; bin < shot.bins; ++bin) {
+            const double time = shot.first_bin_time + (static_cast<double>(bin) + 0.5) * shot.bin_interval;
+            const double place = (before.interval + time - before.first_bin_time) / before.bin_interval;
+            if (!(place >= 0 && place < static_cast<double>(before.bins))) continue;
+            if (late_bin.empty()) first = bin;
+            late_bin.push_back(static_cast<std::uint32_t>(place));
+        }
+    }
+    std::size_t first = 0;
+    std::vector<std::uint32_t> late_bin;
+};
+
 }  // namespace
 
 std::optional<Shot> late_shot(const Shot& shot, const Water& water, const Effects& effects, double farthest) {
@@ -86,13 +101,11 @@ void SecondTimeAround::add_to(std::uint64_t sequence, Echogram& echogram) {
     const Echogram& late = found.mapped();
     const Shot &shot = echogram.shot, &before = late.shot;
     const auto beam_of = nearest_beams(shot.bearings, before.bearings);
-    for (std::size_t bin = 0; bin < shot.bins; ++bin) {
-        const double time = shot.first_bin_time + (static_cast<double>(bin) + 0.5) * shot.bin_interval;
-        const double place = (before.interval + time - before.first_bin_time) / before.bin_interval;
-        if (!(place >= 0 && place < static_cast<double>(before.bins))) continue;
-        const auto late_bin = static_cast<std::size_t>(place);
-        for (std::size_t beam = 0; beam < beam_of.size(); ++beam)
-            echogram.values[beam * shot.bins + bin] += late.beam(beam_of[beam])[late_bin];
+    const BinMap bins(shot, before);
+    for (std::size_t beam = 0; beam < beam_of.size(); ++beam) {
+        const auto from = late.beam(beam_of[beam]);
+        float* to = &echogram.values[beam * shot.bins];
+        for (std::size_t i = 0; i < bins.late_bin.size(); ++i) to[bins.first + i] += from[bins.late_bin[i]];
     }
 }
 

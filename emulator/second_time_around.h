@@ -21,6 +21,9 @@ namespace echoloop {
 /// does not clip and has no converter, as the ping that it is added to has them all.
 std::optional<Shot> late_shot(const Shot& shot, const Water& water, const Effects& effects, double farthest);
 
+/// Situation::detail of a late shot: its echoes are a faint background, and come from far away.
+inline constexpr double late_detail = 0.25;
+
 /// Keeps the late echoes of one device until its next ping comes.
 class SecondTimeAround {
   public:

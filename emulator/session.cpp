@@ -100,7 +100,7 @@ void Session::transmit(Ping ping) {
     ping.shot.random_key = random_key(water_.seed, name_);
     const Time now = clock_.now();
     Situation situation = situation_at_(now);
-    const Pose& pose = situation.world_from_sonar;
+    const Pose pose = situation.world_from_sonar;
     ++sequence_;
     if (now > silent_from_) late_.reset();  // a gap in the row, and what is late is forgotten
     silent_from_ = ping.shot.interval > 0 ? now + from_seconds(1.5 * ping.shot.interval) : Time::max();
@@ -111,6 +111,7 @@ void Session::transmit(Ping ping) {
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
     situation.objects = truth_ != nullptr;
     auto echoes = render(ping.due, std::move(ping.shot), situation);
+    situation.detail = late_detail;
     situation.objects = false;
     const auto late_before = std::exchange(late_, late ? render(next_due, *late, situation) : nullptr);
     asio::co_spawn(io_,

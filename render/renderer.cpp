@@ -64,7 +64,7 @@ class Renderer::Impl {
 
     Echogram render(const Shot& shot, const Situation& situation) {
         const Pose& pose = situation.world_from_sonar;
-        const FanPlan& plan = draw(shot, pose);
+        const FanPlan& plan = draw(shot, pose, situation.detail);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
         profile_.paths = timed([&] { trace_paths(shot, pose, out.sound_speed); });
         profile_.bins = timed([&] {
@@ -81,7 +81,7 @@ class Renderer::Impl {
     }
 
     ChannelImage render_channels(const Shot& shot, const Situation& situation) {
-        const FanPlan& plan = draw(shot, situation.world_from_sonar);
+        const FanPlan& plan = draw(shot, situation.world_from_sonar, situation.detail);
         ChannelImage image{plan.lines, plan.samples, {}, {}, {}};
         for (std::size_t sample = 0; sample < plan.samples; ++sample)
             for (std::size_t line = 0; line < plan.lines; ++line) add_channels(image, plan, line, sample);
@@ -150,12 +150,13 @@ class Renderer::Impl {
     }
 
     /// Fills pixels_ and returns the plan that they follow.
-    const FanPlan& draw(const Shot& shot, const Pose& pose) {
+    const FanPlan& draw(const Shot& shot, const Pose& pose, double detail) {
         if (std::this_thread::get_id() != thread_)
             throw std::logic_error("a Renderer works only on the thread that made it");
         echoloop::validate(shot);
         validate(pose);
-        const FanPlan& plan = plans_.plan_for(geometry_of(shot, effects()));
+        if (!(detail >= 0.1 && detail <= 1)) throw std::invalid_argument("situation: detail must be within 0.1..1");
+        const FanPlan& plan = plans_.plan_for(geometry_of(shot, effects()), detail);
         drawer_.draw(plan, world_from_fan(shot, pose), end_range(shot), offset_of(shot), pixels_);
         const gl::DrawProfile& drawn = drawer_.profile();
         profile_ = {drawn.cull, drawn.draw, drawn.read_back, 0, 0, 0, drawn.triangles, drawn.chunks, drawn.pixels};

@@ -18,6 +18,7 @@ struct Situation {
     /// world_from_object of Scene::movers(), in their order; what is missing at the end is where the file puts it.
     std::vector<Pose> movers;
     bool objects = false;  ///< Echogram::objects is wanted
+    double detail = 1;     ///< factor on the number of pixels, 0.1..1: less will do for a faint background
 };
 
 }  // namespace echoloop

@@ -10,11 +10,13 @@ class PlanCache {
   public:
     explicit PlanCache(PlanDensity density) : density_(density) {}
 
-    /// The plan of this geometry, made if it is not at hand. Valid until the next call.
-    const FanPlan& plan_for(const FanGeometry& geometry) {
-        const auto fits = [&](const Entry& entry) { return entry.geometry == geometry; };
+    /// The plan of this geometry, made if it is not at hand. `detail`: factor on its pixels. Valid until the next
+    /// call.
+    const FanPlan& plan_for(const FanGeometry& geometry, double detail = 1) {
+        const auto fits = [&](const Entry& entry) { return entry.detail == detail && entry.geometry == geometry; };
         const auto make = [&] {
-            Entry entry{geometry, plan_fan(geometry, density_)};
+            const PlanDensity density{density_.columns_per_beam, density_.pixels * detail};
+            Entry entry{geometry, detail, plan_fan(geometry, density)};
             const std::size_t weight = bytes_of(entry.plan);
             return std::pair(std::move(entry), weight);
         };
@@ -24,6 +26,7 @@ class PlanCache {
   private:
     struct Entry {
         FanGeometry geometry;
+        double detail;
         FanPlan plan;
     };
     /// Of what grows with the fan.

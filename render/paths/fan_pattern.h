@@ -28,6 +28,8 @@ class FanPattern {
     /// `direction`: unit, in the frame of the fan: x along its axis, y to port, z up.
     FanDirection at(Vec3 direction) const;
 
+    /// Of each beam across the fan; empty: a box.
+    const std::optional<TwoWayPattern>& across() const { return horizontal_; }
     /// rad above and below the fan's plane, to the first nulls or the edge of the box.
     double half_height() const { return half_height_; }
     /// rad beside a beam's axis, the same.
