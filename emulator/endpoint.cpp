@@ -76,8 +76,57 @@ const SchemeForm& find_form(std::string_view uri) {
     fail(uri, "it does not begin with a known scheme; write one of " + known);
 }
 
+/// A setting behind the '?' of an endpoint.
+struct Setting {
+    std::string_view key;
+    Scheme scheme;
+    std::string_view help;
+    bool (*fits)(std::string_view value);
+};
+
+constexpr std::array<Setting, 3> settings{{
+    {"local_port", Scheme::udp, "local_port is a number from 1 to 65535",
+     [](std::string_view v) { return decimal(v, 65535).value_or(0) > 0; }},
+    {"baud_check", Scheme::pty, "baud_check is on (a rate that is not the device's makes garbage) or off",
+     [](std::string_view v) { return v == "on" || v == "off"; }},
+    {"usb_latency", Scheme::pty, "usb_latency is the timer of a USB adapter in ms, from 1 to 255, usually 16",
+     [](std::string_view v) { return decimal(v, 255).value_or(0) > 0; }},
+}};
+
+const Setting& find_setting(std::string_view uri, Scheme scheme, std::string_view key) {
+    std::string known;
+    for (const Setting& setting : settings) {
+        if (setting.scheme == scheme && setting.key == key) return setting;
+        known += (known.empty() ? "" : ", ") + std::string(form_of(setting.scheme).name) + " has " +
+                 std::string(setting.key);
+    }
+    fail(uri, "unknown setting " + quoted(key) + "; " + known);
+}
+
+void parse_query(Endpoint& endpoint, std::string_view uri, std::string_view query) {
+    while (!query.empty()) {
+        const auto pair = query.substr(0, query.find('&'));
+        query.remove_prefix(std::min(query.size(), pair.size() + 1));
+        const auto key = pair.substr(0, pair.find('='));
+        const auto value = pair.substr(std::min(pair.size(), key.size() + 1));
+        const Setting& setting = find_setting(uri, endpoint.scheme, key);
+        if (!setting.fits(value)) fail(uri, std::string(setting.help));
+        const auto count = decimal(value, 65535);
+        endpoint.query[std::string(key)] = count ? std::to_string(*count) : std::string(value);
+    }
+}
+
+/// Cuts `rest` at its '?' and reads what is behind it.
+void take_query(Endpoint& endpoint, std::string_view uri, std::string_view& rest) {
+    const auto question = rest.find('?');
+    if (question == std::string_view::npos) return;
+    parse_query(endpoint, uri, rest.substr(question + 1));
+    rest = rest.substr(0, question);
+}
+
 void parse_path(Endpoint& endpoint, std::string_view uri, std::string_view rest) {
     if (rest.starts_with("//")) rest.remove_prefix(2);
+    take_query(endpoint, uri, rest);
     if (endpoint.scheme == Scheme::serial) {
         const auto colon = rest.rfind(':');
         if (colon != std::string_view::npos && colon > rest.rfind('/')) {
@@ -93,27 +142,11 @@ void parse_path(Endpoint& endpoint, std::string_view uri, std::string_view rest)
     endpoint.path = rest;
 }
 
-void parse_query(Endpoint& endpoint, std::string_view uri, std::string_view query) {
-    while (!query.empty()) {
-        const auto pair = query.substr(0, query.find('&'));
-        query.remove_prefix(std::min(query.size(), pair.size() + 1));
-        const auto key = pair.substr(0, pair.find('='));
-        const auto value = pair.substr(std::min(pair.size(), key.size() + 1));
-        if (key != "local_port" || endpoint.scheme != Scheme::udp)
-            fail(uri, "unknown setting " + quoted(key) + "; only udp:// has one, local_port");
-        const auto port = decimal(value, 65535);
-        if (!port || *port == 0) fail(uri, "local_port is a number from 1 to 65535");
-        endpoint.query[std::string(key)] = std::to_string(*port);
-    }
-}
-
 void parse_network(Endpoint& endpoint, std::string_view uri, std::string_view rest) {
     const auto example = std::string(form_of(endpoint.scheme).example);
     if (!rest.starts_with("//")) fail(uri, "write it as in " + example);
     rest.remove_prefix(2);
-    const auto question = rest.find('?');
-    if (question != std::string_view::npos) parse_query(endpoint, uri, rest.substr(question + 1));
-    rest = rest.substr(0, question);
+    take_query(endpoint, uri, rest);
     const auto colon = rest.rfind(':');
     if (colon == std::string_view::npos) fail(uri, "the port is missing; write it as in " + example);
     const auto host = rest.substr(0, colon);
@@ -128,15 +161,33 @@ void parse_network(Endpoint& endpoint, std::string_view uri, std::string_view re
     endpoint.port = static_cast<std::uint16_t>(*port);
 }
 
+/// 0 if it is not set.
+std::uint32_t count_of(const Endpoint& e, std::string_view key) {
+    const auto found = e.query.find(key);
+    return found == e.query.end() ? 0 : decimal(found->second, 65535).value_or(0);
+}
+
+std::string query_text(const Endpoint& e) {
+    std::string text;
+    for (const auto& [key, value] : e.query) text += (text.empty() ? "?" : "&") + key + "=" + value;
+    return text;
+}
+
 bool on_path(const Endpoint& e) { return e.scheme == Scheme::pty || e.scheme == Scheme::serial; }
 bool on_udp(const Endpoint& e) { return e.scheme == Scheme::udp || e.scheme == Scheme::udp_listen; }
 
 }  // namespace
 
 std::uint16_t Endpoint::local_port() const {
-    const auto found = query.find("local_port");
-    return found == query.end() ? 0 : static_cast<std::uint16_t>(decimal(found->second, 65535).value_or(0));
+    return static_cast<std::uint16_t>(count_of(*this, "local_port"));
 }
+
+bool Endpoint::checks_baud() const {
+    const auto found = query.find("baud_check");
+    return found == query.end() || found->second != "off";
+}
+
+std::uint32_t Endpoint::usb_latency() const { return count_of(*this, "usb_latency"); }
 
 Endpoint parse_endpoint(std::string_view uri) {
     if (uri.size() > longest_uri) fail(uri, "it is longer than 1024 characters");
@@ -158,11 +209,22 @@ std::string_view scheme_name(Scheme scheme) { return form_of(scheme).name; }
 
 std::string to_string(const Endpoint& e) {
     std::string text(scheme_name(e.scheme));
-    if (e.scheme == Scheme::pty) return text + ":" + e.path;
+    if (e.scheme == Scheme::pty) return text + ":" + e.path + query_text(e);
     if (e.scheme == Scheme::serial)
         return text + "://" + e.path + (e.baud != 0 ? ":" + std::to_string(e.baud) : "");
-    text += "://" + e.host + ":" + std::to_string(e.port);
-    return e.local_port() != 0 ? text + "?local_port=" + std::to_string(e.local_port()) : text;
+    return text + "://" + e.host + ":" + std::to_string(e.port) + query_text(e);
+}
+
+double line_rate(const std::vector<std::string>& endpoints, double baud) {
+    constexpr double usual = 115200;
+    double slowest = baud;
+    for (const std::string& uri : endpoints) {
+        const Endpoint e = parse_endpoint(uri);
+        if (e.scheme != Scheme::serial) continue;
+        const double own = e.baud > 0 ? e.baud : baud > 0 ? baud : usual;
+        slowest = slowest > 0 ? std::min(slowest, own) : own;
+    }
+    return slowest;
 }
 
 bool clash(const Endpoint& a, const Endpoint& b) {

@@ -6,11 +6,14 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace echoloop {
 
 /// A parsed endpoint:
 ///     pty:/tmp/echoloop/micron            a pseudo-terminal with a link of that name
+///         ?baud_check=off                 the driver may set any rate (on: a wrong one makes garbage)
+///         ?usb_latency=16                 bytes come as from a USB adapter with that latency timer, ms
 ///     serial:///dev/ttyUSB0:115200        a real serial port; without a rate: the device's own
 ///     tcp-listen://127.0.0.1:9090         tcp://127.0.0.1:9090
 ///     udp-listen://127.0.0.1:65500        udp://127.0.0.1:65400?local_port=65502
@@ -27,12 +30,21 @@ struct Endpoint {
 
     /// The port a sender binds (`?local_port=`); 0: the system chooses.
     std::uint16_t local_port() const;
+    /// pty: whether a rate that is not the device's makes garbage of its bytes.
+    bool checks_baud() const;
+    /// pty: latency timer of a USB adapter, ms; 0: none.
+    std::uint32_t usb_latency() const;
     bool listens() const { return scheme == Scheme::tcp_listen || scheme == Scheme::udp_listen; }
     friend bool operator==(const Endpoint&, const Endpoint&) = default;
 };
 
 /// Throws std::invalid_argument with a sentence for the user: what is wrong and what would be right.
 Endpoint parse_endpoint(std::string_view uri);
+
+/// Line rate, bit/s, of a device: of its slowest real serial port, which has the rate of its endpoint, or
+/// else `baud`, or else the usual 115200; without such a port `baud`, which is 0 where the line follows its
+/// driver or is not paced. Throws as parse_endpoint.
+double line_rate(const std::vector<std::string>& endpoints, double baud);
 
 /// "pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp".
 std::string_view scheme_name(Endpoint::Scheme scheme);

@@ -114,11 +114,12 @@ class Runtime::Impl {
         DeviceConfig config = entry.config;
         config.unix_start = unix_now();
         auto device = entry.model->make(config);
-        auto transports = make_transports(*clock_, device->ports(), config);
-        if (records.recording != nullptr)
-            for (std::size_t i = 0; i < transports.size(); ++i)
-                transports[i] = std::make_unique<Recorded>(std::move(transports[i]), *records.recording,
-                                                           entry.name + " " + device->ports()[i].name);
+        const auto recorded = [&](std::unique_ptr<Transport> wire, const Port& port) {
+            if (records.recording == nullptr) return wire;
+            return std::unique_ptr<Transport>(std::make_unique<Recorded>(std::move(wire), *records.recording,
+                                                                         entry.name + " " + port.name));
+        };
+        auto transports = make_transports(*clock_, device->ports(), config, recorded);
         sessions_.push_back(std::make_unique<Session>(
             io_, *clock_, render_thread_, water_, entry.name, std::move(device), std::move(transports),
             [this, body_from_sonar = entry.body_from_sonar](Time time) {

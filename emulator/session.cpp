@@ -196,6 +196,7 @@ SessionSummary Session::summary() const {
     for (const auto& transport : transports_) {
         summary.bytes_in += transport->bytes_in();
         summary.bytes_out += transport->bytes_out();
+        summary.bytes_lost += transport->bytes_lost();
     }
     return summary;
 }

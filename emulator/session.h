@@ -31,6 +31,7 @@ struct SessionSummary {
     Time worst_lateness{};
     std::uint64_t dropped = 0;  ///< messages that did not fit the outbox
     std::uint64_t bytes_in = 0, bytes_out = 0;
+    std::uint64_t bytes_lost = 0;  ///< a driver was there and did not take them
 };
 
 /// What the sessions of a run share: the water that they all ping in.

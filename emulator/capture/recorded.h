@@ -21,8 +21,10 @@ class Recorded final : public Transport {
     void close() override { line_->close(); }
     std::string describe() const override { return line_->describe(); }
     Wire wire() const override { return line_->wire(); }
+    uart::Receiver far_end() const override { return line_->far_end(); }
     std::uint64_t bytes_in() const override { return line_->bytes_in(); }
     std::uint64_t bytes_out() const override { return line_->bytes_out(); }
+    std::uint64_t bytes_lost() const override { return line_->bytes_lost(); }
 
   private:
     void begin_conversation();

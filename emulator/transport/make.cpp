@@ -2,23 +2,36 @@
 
 #include "emulator/endpoint.h"
 #include "emulator/error.h"
+#include "emulator/options.h"
+#include "emulator/transport/baud_check.h"
 #include "emulator/transport/paced.h"
 #include "emulator/transport/pty.h"
 #include "emulator/transport/serial.h"
 #include "emulator/transport/tcp.h"
 #include "emulator/transport/udp.h"
+#include "emulator/transport/usb_adapter.h"
 
 namespace echoloop {
 namespace {
 
-constexpr double usual_baud = 115200;
+/// The device's own end of a serial line.
+struct OwnEnd {
+    double rate = 0;  ///< bit/s; 0: not paced
+    Paced::OtherRate other = Paced::OtherRate::ignored;
+};
 
-/// The device's own line rate, bit/s; 0 if it is not paced.
-double line_rate(const DeviceConfig& config) {
-    const auto found = config.options.find("baud");
-    if (found == config.options.end()) return 0;
-    const double* rate = std::get_if<double>(&found->second);
-    return rate ? *rate : 0;
+/// By the options "baud" and "automatic_baud", where a model has them.
+OwnEnd own_end(const DeviceConfig& config, const Endpoint& endpoint) {
+    const auto baud = config.options.find("baud"), automatic = config.options.find("automatic_baud");
+    OwnEnd end;
+    if (baud == config.options.end()) return end;
+    end.rate = number(config.options, "baud");
+    const bool follows = automatic != config.options.end() && flag(config.options, "automatic_baud");
+    if (endpoint.scheme == Endpoint::Scheme::pty)
+        end.other = follows                                  ? Paced::OtherRate::followed
+                    : end.rate > 0 && endpoint.checks_baud() ? Paced::OtherRate::garbage
+                                                             : Paced::OtherRate::ignored;
+    return end;
 }
 
 std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, double rate) {
@@ -26,10 +39,9 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
     switch (e.scheme) {
         case Scheme::pty:
             return std::make_unique<Pty>(io, e.path);
-        case Scheme::serial: {
-            const double own = rate > 0 ? rate : usual_baud;
-            return std::make_unique<SerialPort>(io, e.path, static_cast<int>(e.baud != 0 ? e.baud : own));
-        }
+        case Scheme::serial:
+            return std::make_unique<SerialPort>(io, e.path,
+                                                static_cast<int>(line_rate({to_string(e)}, rate)));
         case Scheme::tcp_listen:
             return std::make_unique<TcpListener>(io, Address{e.ip, e.port});
         case Scheme::tcp:
@@ -46,12 +58,27 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
     throw StartError(Exit::software, "endpoint of an unknown kind");
 }
 
-std::unique_ptr<Transport> open_line(Clock& clock, const std::string& uri, double rate) {
-    const Endpoint endpoint = parse_endpoint(uri);
-    auto line = open_stream(clock.io(), endpoint, rate);
-    if (rate <= 0 || endpoint.scheme == Endpoint::Scheme::serial) return line;
-    return std::make_unique<Paced>(clock, std::move(line), rate);
+/// A stream as slow as a serial line, if it is one.
+std::unique_ptr<Transport> open_wire(Clock& clock, const Endpoint& endpoint, const OwnEnd& own) {
+    auto line = open_stream(clock.io(), endpoint, own.rate);
+    if (endpoint.usb_latency() > 0)
+        line = std::make_unique<UsbAdapter>(clock, std::move(line),
+                                            std::chrono::milliseconds(endpoint.usb_latency()));
+    const bool paced = own.rate > 0 || own.other == Paced::OtherRate::followed;
+    const bool real = endpoint.scheme == Endpoint::Scheme::serial, udp = line->wire().kind == Wire::Kind::udp;
+    if (!paced || real || udp) return line;
+    return std::make_unique<Paced>(clock, std::move(line), own.rate, own.other);
 }
+
+std::unique_ptr<Transport> open_line(Clock& clock, const Endpoint& endpoint, const DeviceConfig& config,
+                                     const Port& port, const Around& around) {
+    const OwnEnd own = own_end(config, endpoint);
+    auto wire = around(open_wire(clock, endpoint, own), port);
+    if (own.other != Paced::OtherRate::garbage) return wire;
+    return std::make_unique<BaudCheck>(clock, std::move(wire), own.rate, config.name);
+}
+
+std::unique_ptr<Transport> as_it_is(std::unique_ptr<Transport> wire, const Port&) { return wire; }
 
 }  // namespace
 
@@ -60,14 +87,17 @@ std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string
 }
 
 std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
-                                                        const DeviceConfig& config) {
+                                                        const DeviceConfig& config, const Around& around) {
+    const Around wrap = around ? around : as_it_is;
     std::vector<std::unique_ptr<Transport>> transports;
     std::size_t next_stream = 0;
     for (const Port& port : ports) {
-        if (port.kind == Port::Kind::datagram)
-            transports.push_back(std::make_unique<Udp>(clock.io(), port.bind, port.shared));
-        else
-            transports.push_back(open_line(clock, config.endpoints.at(next_stream++), line_rate(config)));
+        if (port.kind == Port::Kind::datagram) {
+            transports.push_back(wrap(std::make_unique<Udp>(clock.io(), port.bind, port.shared), port));
+        } else {
+            const Endpoint endpoint = parse_endpoint(config.endpoints.at(next_stream++));
+            transports.push_back(open_line(clock, endpoint, config, port, wrap));
+        }
     }
     return transports;
 }

@@ -1,6 +1,7 @@
 // From a device's ports and endpoint URIs to open transports. Opens all or, by exception, none.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,10 +15,16 @@ namespace echoloop {
 /// A byte pipe to an endpoint of a scenario, not paced. Throws StartError.
 std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri);
 
+/// Puts something around the wire of a port, or hands it back as it is.
+using Around = std::function<std::unique_ptr<Transport>(std::unique_ptr<Transport>, const Port&)>;
+
 /// One transport per port: a datagram port binds its own address, stream port i is endpoint i of the
-/// configuration. Streams over anything but a real serial port are paced by the option "baud", where the
-/// model has one. Throws StartError.
+/// configuration. A model with the option "baud" has a serial line: byte streams over anything but a real
+/// port are as slow as that. A pty whose driver has set another rate carries garbage, unless the device's
+/// "automatic_baud" follows it or the endpoint says not to check. `around` comes between the wire and what a
+/// UART makes of it. Throws StartError.
 std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
-                                                        const DeviceConfig& config);
+                                                        const DeviceConfig& config,
+                                                        const Around& around = {});
 
 }  // namespace echoloop

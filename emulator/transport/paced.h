@@ -9,8 +9,13 @@ namespace echoloop {
 
 class Paced final : public Transport {
   public:
-    /// `bits_per_second` of run time on the wire, ten bits a byte (8N1).
-    Paced(Clock& clock, std::unique_ptr<Transport> line, double bits_per_second);
+    /// What another rate than the device's, set by the driver of a pty, does: nothing; set the pace as well
+    /// (automatic baud); or leave the pace to the BaudCheck around this one.
+    enum class OtherRate { ignored, followed, garbage };
+
+    /// `rate`: bit/s of run time, ten of them a byte (8N1); 0: not paced. A driver's rate that agrees with it
+    /// is the pace.
+    Paced(Clock& clock, std::unique_ptr<Transport> line, double rate, OtherRate other = OtherRate::ignored);
 
     void start(Events events) override { line_->start(std::move(events)); }
     Task<void> write(ByteView bytes, Address to) override;
@@ -18,14 +23,20 @@ class Paced final : public Transport {
     void close() override;
     std::string describe() const override { return line_->describe(); }
     Wire wire() const override { return line_->wire(); }
+    uart::Receiver far_end() const override { return line_->far_end(); }
     std::uint64_t bytes_in() const override { return line_->bytes_in(); }
     std::uint64_t bytes_out() const override { return line_->bytes_out(); }
+    std::uint64_t bytes_lost() const override { return line_->bytes_lost(); }
 
   private:
+    /// bit/s; 0: not paced.
+    double rate_now() const;
+
     std::unique_ptr<Transport> line_;
     Clock& clock_;
     Alarm alarm_;
-    std::chrono::duration<double> byte_time_;
+    double rate_;
+    OtherRate other_;
     Time free_{};  ///< when the last byte handed over has left the wire
     bool closed_ = false;
 };

@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "emulator/error.h"
+#include "emulator/transport/far_end.h"
 
 namespace echoloop {
 namespace {
@@ -45,8 +46,8 @@ int open_raw_slave(const std::string& path) {
     termios settings{};
     ::tcgetattr(fd, &settings);
     ::cfmakeraw(&settings);
-    ::cfsetspeed(&settings, B115200);
     ::tcsetattr(fd, TCSANOW, &settings);
+    mark_unset(fd);
     return fd;
 }
 
@@ -96,6 +97,7 @@ Task<void> Pty::read_line() {
         const std::size_t n = co_await master_.async_read_some(asio::buffer(buffer), into(ec));
         if (ec) co_return;
         count_in(n);
+        note_rate();
         events_.received(ByteView(buffer).first(n), {});
     }
 }
@@ -130,7 +132,17 @@ void Pty::drop_buffers() {
     ::ioctl(master_.native_handle(), TCFLSH, TCIOFLUSH);
 }
 
+uart::Receiver Pty::far_end() const { return slave_ >= 0 ? echoloop::far_end(slave_) : uart::Receiver{}; }
+
+void Pty::note_rate() {
+    const double rate = far_end().rate;
+    if (rate <= 0 || rate == told_rate_) return;
+    told_rate_ = rate;
+    events_.line_rate(rate);
+}
+
 Task<void> Pty::write(ByteView bytes, Address) {
+    if (opened()) note_rate();
     // The kernel buffers some 13 kB. A driver that has not read for this long loses bytes, as with a UART's
     // overrun.
     constexpr std::chrono::milliseconds patience(200), pause(2);
@@ -142,7 +154,10 @@ Task<void> Pty::write(ByteView bytes, Address) {
             bytes = bytes.subspan(static_cast<std::size_t>(n));
             continue;
         }
-        if (errno != EAGAIN || std::chrono::steady_clock::now() > give_up) co_return;
+        if (errno != EAGAIN || std::chrono::steady_clock::now() > give_up) {
+            count_lost(bytes.size());
+            co_return;
+        }
         asio::steady_timer timer(master_.get_executor(), pause);
         error_code ec;
         co_await timer.async_wait(into(ec));

@@ -35,6 +35,7 @@ class Pty final : public CountingTransport {
     Task<void> write(ByteView bytes, Address to) override;
     void close() override;
     std::string describe() const override;
+    uart::Receiver far_end() const override;
     /// True while a driver has the slave open.
     bool opened() const { return openers_ > 0; }
 
@@ -43,6 +44,8 @@ class Pty final : public CountingTransport {
     Task<void> watch_openers();
     void handle_watch(ByteView events);
     void drop_buffers();
+    /// Tells of a rate that the driver has set since the last time.
+    void note_rate();
 
     asio::posix::stream_descriptor master_;
     asio::posix::stream_descriptor watch_;  ///< inotify on the slave: open and close of drivers
@@ -51,6 +54,7 @@ class Pty final : public CountingTransport {
     std::optional<PtyLink> link_;
     Events events_;
     int openers_ = 0;
+    double told_rate_ = 0;
 };
 
 }  // namespace echoloop

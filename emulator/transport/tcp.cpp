@@ -102,7 +102,11 @@ Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver) {
 }
 
 Task<void> TcpListener::write(ByteView bytes, Address) {
-    if (const auto driver = driver_) count_out(co_await write_or_lose(*driver, bytes));
+    const auto driver = driver_;
+    if (!driver) co_return;
+    const std::size_t sent = co_await write_or_lose(*driver, bytes);
+    count_out(sent);
+    if (driver->is_open()) count_lost(bytes.size() - sent);
 }
 
 void TcpListener::hang_up() {
@@ -167,7 +171,10 @@ Task<void> TcpClient::read_stream() {
 }
 
 Task<void> TcpClient::write(ByteView bytes, Address) {
-    if (connected_) count_out(co_await write_or_lose(socket_, bytes));
+    if (!connected_) co_return;
+    const std::size_t sent = co_await write_or_lose(socket_, bytes);
+    count_out(sent);
+    if (connected_) count_lost(bytes.size() - sent);
 }
 
 void TcpClient::hang_up() {

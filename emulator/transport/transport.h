@@ -7,6 +7,7 @@
 
 #include "emulator/asio.h"
 #include "emulator/device.h"
+#include "emulator/transport/uart.h"
 
 namespace echoloop {
 
@@ -44,8 +45,12 @@ class Transport {
     /// What a person calls this place, e.g. "pty:/tmp/echoloop/micron -> /dev/pts/3".
     virtual std::string describe() const = 0;
     virtual Wire wire() const { return {}; }
+    /// The UART of a driver on a serial line, where its settings can be seen; else its rate is 0.
+    virtual uart::Receiver far_end() const { return {}; }
     virtual std::uint64_t bytes_in() const = 0;
     virtual std::uint64_t bytes_out() const = 0;
+    /// Bytes that a driver, though there, did not take: overrun, a full buffer, a refused datagram.
+    virtual std::uint64_t bytes_lost() const { return 0; }
 };
 
 /// Counts for all transports.
@@ -53,13 +58,15 @@ class CountingTransport : public Transport {
   public:
     std::uint64_t bytes_in() const final { return in_; }
     std::uint64_t bytes_out() const final { return out_; }
+    std::uint64_t bytes_lost() const final { return lost_; }
 
   protected:
     void count_in(std::size_t n) { in_ += n; }
     void count_out(std::size_t n) { out_ += n; }
+    void count_lost(std::size_t n) { lost_ += n; }
 
   private:
-    std::uint64_t in_ = 0, out_ = 0;
+    std::uint64_t in_ = 0, out_ = 0, lost_ = 0;
 };
 
 }  // namespace echoloop

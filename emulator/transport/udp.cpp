@@ -54,10 +54,12 @@ Task<void> Udp::write(ByteView bytes, Address to) {
     std::size_t n = socket_.send_to(asio::buffer(bytes.data(), bytes.size()), where, 0, ec);
     if (ec == asio::error::would_block)
         n = co_await socket_.async_send_to(asio::buffer(bytes.data(), bytes.size()), where, into(ec));
-    if (ec)
+    if (ec) {
         spdlog::debug("udp to {}: {}", to_text(to), ec.message());
-    else
+        count_lost(bytes.size());
+    } else {
         count_out(n);
+    }
 }
 
 void Udp::close() {

@@ -39,7 +39,8 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions,
                            {"skipped_bytes", s.device.skipped_bytes},
                            {"dropped", s.dropped},
                            {"bytes_in", s.bytes_in},
-                           {"bytes_out", s.bytes_out}});
+                           {"bytes_out", s.bytes_out},
+                           {"bytes_lost", s.bytes_lost}});
     Json ended{{"event", "ended"}, {"devices", devices}};
     if (poses)
         ended["vehicle"] = {{"place", poses->place},     {"poses", poses->accepted},

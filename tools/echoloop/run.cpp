@@ -41,6 +41,12 @@ std::string punctuality(const SessionSummary& s) {
            plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: this machine is too busy or too slow for it";
 }
 
+/// Nothing where nothing is missing.
+std::string not_taken(std::uint64_t count, const char* thing, const char* fate) {
+    if (count == 0) return "";
+    return "; " + counted(count, thing) + " " + fate + ", because the driver did not read them";
+}
+
 void print_summary(const std::vector<SessionSummary>& sessions) {
     for (const auto& s : sessions) {
         std::printf("%s%s\n", padded(s.name, 16).c_str(), punctuality(s).c_str());
@@ -48,21 +54,20 @@ void print_summary(const std::vector<SessionSummary>& sessions) {
                     counted(s.bytes_in, "byte").c_str(), counted(s.device.messages, "message").c_str(),
                     std::to_string(s.device.rejected).c_str(),
                     counted(s.device.skipped_bytes, "byte").c_str());
-        std::printf("  to the driver: %s%s\n", counted(s.bytes_out, "byte").c_str(),
-                    s.dropped == 0 ? ""
-                                   : ("; " + counted(s.dropped, "message") +
-                                      " dropped, because the driver did not read them")
-                                         .c_str());
+        std::printf("  to the driver: %s%s%s\n", counted(s.bytes_out, "byte").c_str(),
+                    not_taken(s.bytes_lost, "byte", "lost").c_str(),
+                    not_taken(s.dropped, "message", "dropped").c_str());
     }
 }
 
 /// Throws StartError if a deadline was missed.
 void demand_punctuality(const std::vector<SessionSummary>& sessions) {
     for (const auto& s : sessions)
-        if (s.late_pings > 0 || s.dropped > 0)
+        if (s.late_pings > 0 || s.dropped > 0 || s.bytes_lost > 0)
             throw StartError(Exit::late,
-                             s.name + ": " + counted(s.late_pings, "late ping") + " and " +
-                                 counted(s.dropped, "dropped message") +
+                             s.name + ": " + counted(s.late_pings, "late ping") + ", " +
+                                 counted(s.dropped, "dropped message") + " and " +
+                                 counted(s.bytes_lost, "lost byte") +
                                  ", and --fail-late allows none; run fewer sonars at once, or see "
                                  "where the time goes with echoloop bench");
 }
@@ -160,7 +165,7 @@ Verb run_verb() {
          {Argument::Kind::value, "--truth", "FILE",
           "write what is really there at every ping, a line of JSON each (docs/truth.md)"},
          {Argument::Kind::flag, "--fail-late", "",
-          "end with status 75 if a ping was late or a message dropped"},
+          "end with status 75 if a ping was late, or a message or bytes were lost"},
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop run config/demo.yaml\n"

@@ -44,6 +44,10 @@ std::vector<Option> identity_options(int listed_type, const std::string& name, b
                     "exactly 4096",
                     "Ethernet frame of 1500 bytes less the headers of IP and UDP"),
         number_row("baud", "bit/s", 0, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", spec),
+        flag_row("automatic_baud", true,
+                 "a pty is as fast as its driver sets it, whatever baud says; false: another rate than baud "
+                 "makes garbage",
+                 spec),
         text_row("discovery", "", "IPv4 address to announce on UDP 30303 of that interface; empty: silent",
                  spec),
         text_row("discovery_name", name, "first line of the announcement",
@@ -51,7 +55,8 @@ std::vector<Option> identity_options(int listed_type, const std::string& name, b
     };
 }
 
-Identity read_identity(const Options& o) {
+Identity read_identity(const DeviceConfig& config) {
+    const Options& o = config.options;
     Identity i;
     i.firmware = ping_device::read_version(text(o, "firmware"), "firmware");
     i.protocol = ping_device::read_version(text(o, "protocol_version"), "protocol_version");
@@ -62,6 +67,7 @@ Identity read_identity(const Options& o) {
     i.nack_requested_id = text(o, "nacked_id") == "requested";
     i.datagram = static_cast<std::size_t>(integer(o, "datagram"));
     i.baud = number(o, "baud");
+    i.line = read_serial_rate(config);
     i.discovery = text(o, "discovery");
     i.discovery_name = text(o, "discovery_name");
     return i;
@@ -99,14 +105,6 @@ std::vector<std::size_t> pieces(const std::vector<std::string>& endpoints, const
     for (const std::string& uri : endpoints)
         all.push_back(is_datagram(parse_endpoint(uri)) ? identity.datagram : 0);
     return all;
-}
-
-Time line_time(const std::vector<Send>& sent, const Identity& identity) {
-    constexpr double bits = 10;  // of a byte, with start and stop
-    if (identity.baud <= 0) return {};
-    std::size_t bytes = 0;
-    for (const Send& send : sent) bytes += send.bytes.size();
-    return from_seconds(bits * static_cast<double>(bytes) / identity.baud);
 }
 
 wire::Bytes discovery_reply(wire::ByteView question, const std::vector<std::string>& endpoints,

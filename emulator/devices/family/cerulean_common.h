@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "emulator/devices/family/ping_link.h"
+#include "emulator/devices/family/serial_rate.h"
 #include "emulator/model.h"
 
 namespace echoloop::cerulean_device {
@@ -19,16 +20,17 @@ struct Identity {
     bool acknowledge = true;  ///< ack what sets something
     bool nack_requested_id = false;
     std::size_t datagram = 1472;  ///< bytes, at most
-    double baud = 0;              ///< 0: not paced
-    std::string discovery;        ///< address to announce; empty: not discoverable
-    std::string discovery_name;   ///< first line of the announcement
+    double baud = 0;              ///< bit/s, of ptys and TCP; 0: not paced
+    SerialRate line;
+    std::string discovery;       ///< address to announce; empty: not discoverable
+    std::string discovery_name;  ///< first line of the announcement
 };
 
 /// `listed_type`: what the maker's list of device types says. `name`: the first line of the announcement.
 /// `acknowledge`: the default of that option.
 std::vector<Option> identity_options(int listed_type, const std::string& name, bool acknowledge = true);
 /// std::invalid_argument if a version is none.
-Identity read_identity(const Options& options);
+Identity read_identity(const DeviceConfig& config);
 
 ping::DeviceInformation device_information(const Identity& identity);
 ping::ProtocolVersion protocol_version(const Identity& identity);
@@ -43,9 +45,6 @@ bool is_speed_of_sound(std::uint32_t speed);
 std::vector<Port> make_ports(const std::vector<std::string>& endpoints, const Identity& identity);
 /// Per port, what reply_in_pieces wants: the largest datagram, or 0 for a byte stream.
 std::vector<std::size_t> pieces(const std::vector<std::string>& endpoints, const Identity& identity);
-/// How long all of this takes on a line with a rate; 0 where it is not paced. No ping goes out before its
-/// forerunner has left, so that a slow line never queues.
-Time line_time(const std::vector<Send>& sent, const Identity& identity);
 /// The announcement, with the data port of the first endpoint that has one; empty for any other bytes than
 /// the question.
 wire::Bytes discovery_reply(wire::ByteView question, const std::vector<std::string>& endpoints,

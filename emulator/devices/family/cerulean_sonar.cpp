@@ -22,7 +22,7 @@ Actions Sonar::heard(const Echogram& echogram, Time now) {
     if (echogram.shot.ping != pings_ || !pacer_.under_way()) return take_actions();
     ++counters_.pings;
     report(echogram);
-    pacer_.end(now + line_time(actions_.send, identity_), interval());
+    pacer_.end(now + identity_.line.time(actions_.send), interval());
     return take_actions();
 }
 
@@ -92,6 +92,8 @@ void Sonar::transmit(Time now) {
     shot.ping = ++pings_;
     actions_.ping = Ping{std::move(shot), now + from_seconds(ping_time())};
 }
+
+void Sonar::line_rate(std::size_t port, double rate) { identity_.line.follow(port, rate); }
 
 Actions Sonar::take_actions() {
     actions_.wake = pacer_.wake();

@@ -27,6 +27,7 @@ class Sonar : public Device {
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override { link_.reset(port); }
+    void line_rate(std::size_t port, double rate) override;
     DeviceCounters counters() const override;
 
   protected:

@@ -29,15 +29,13 @@ Acoustics read_acoustics(const Profile& p, bool tvg) {
     return a;
 }
 
-/// Of the one line: a real serial port has a rate whatever the option says.
-double line_rate(const DeviceConfig& config) {
+/// Of the one line; 0: of datagrams, which come as a whole when their last byte would.
+double reply_rate(const DeviceConfig& config) {
     if (config.endpoints.size() != 1)
         throw std::invalid_argument("an Imagenex head has one serial line: give exactly one endpoint");
-    const Endpoint line = parse_endpoint(config.endpoints.front());
-    const double own = number(config.options, "baud");
-    if (line.scheme != Endpoint::Scheme::serial) return own;
-    if (line.baud > 0) return line.baud;
-    return own > 0 ? own : usual_baud;
+    const auto scheme = parse_endpoint(config.endpoints.front()).scheme;
+    if (scheme == Endpoint::Scheme::udp || scheme == Endpoint::Scheme::udp_listen) return 0;
+    return line_rate(config.endpoints, number(config.options, "baud"));
 }
 
 ShotTiming timing_of(const std::string& word) {
@@ -53,9 +51,8 @@ std::vector<Option> line_options(const Defaults& defaults) {
         choice_row("status", defaults.status, "byte 4 of a reply, hexadecimal", spec),
         choice_row("reply_baud", {"ignored", "honoured"}, "byte 21 of a command", spec),
         number_row(
-            "baud", "bit/s", 0, 0, 4e6,
-            "line rate of pty and TCP endpoints, usually 115200; 0: the reply comes as one burst when its "
-            "last byte would",
+            "baud", "bit/s", usual_baud, 0, 4e6,
+            "line rate of pty and TCP endpoints; 0: the reply comes as one burst when its last byte would",
             spec),
     };
 }
@@ -112,7 +109,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.strict = text(o, "mode_byte") == "strict";
     s.status = static_cast<std::uint8_t>(std::stoi(text(o, "status"), nullptr, 16));
     s.obey_baud = text(o, "reply_baud") == "honoured";
-    s.line_rate = line_rate(config);
+    s.line_rate = reply_rate(config);
     s.timing = timing_of(text(o, "timing"));
     s.fixed_time = number(o, "fixed_time");
     s.ceiling = std::stoi(text(o, "echo_ceiling"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "emulator/endpoint.h"
 #include "emulator/option_rows.h"
 #include "emulator/options.h"
 
@@ -61,7 +62,7 @@ Sounding read_sounding(const DeviceConfig& config) {
     s.range = number(o, "range");
     s.sound_speed = number(o, "sound_speed");
     s.processing = number(o, "processing");
-    s.baud = number(o, "baud");
+    s.baud = line_rate(config.endpoints, number(o, "baud"));
     s.acoustics = read_acoustics(config.profile);
     s.bottom.blanking = 2 * figure(config.profile, "blanking") / s.sound_speed;
     s.bottom.margin = figure(config.profile, "detection_margin");

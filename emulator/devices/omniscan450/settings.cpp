@@ -80,7 +80,7 @@ std::vector<Option> option_table() {
 Settings read_settings(const DeviceConfig& config) {
     const Options& o = config.options;
     Settings s;
-    s.identity = cerulean_device::read_identity(o);
+    s.identity = cerulean_device::read_identity(config);
     s.takes_1002 = text(o, "speed_of_sound_id") != "116";
     s.takes_116 = text(o, "speed_of_sound_id") != "1002";
     s.accept_anything = text(o, "invalid_settings") == "accept";

@@ -263,20 +263,14 @@ Actions Ping1d::heard(const Echogram& echogram, Time now) {
              profile_points(echogram, pinged_, settings_)};
     if (state_.automatic) follow(state_, bottom, loudest(last_.profile_data, pinged_, settings_));
     for (const auto& [id, peer] : streams_) send_message(id, peer);
+    // Not so soon that the next message would queue up behind what is about to be sent, and grow old.
     if (state_.enabled)
         next_ping_ = std::max({pinged_at_ + std::chrono::milliseconds(state_.interval), now + shortest_pause,
-                               now + line_time() - from_seconds(state_.window())});
+                               now + settings_.line.time(actions_.send) - from_seconds(state_.window())});
     return take_actions();
 }
 
-/// What is about to be sent takes so long that the next message would queue up and grow old.
-Time Ping1d::line_time() const {
-    constexpr double bits_per_byte = 10;  // 8N1
-    if (settings_.line_rate <= 0) return {};
-    std::size_t bytes = 0;
-    for (const Send& send : actions_.send) bytes += send.bytes.size();
-    return from_seconds(bits_per_byte * static_cast<double>(bytes) / settings_.line_rate);
-}
+void Ping1d::line_rate(std::size_t port, double rate) { settings_.line.follow(port, rate); }
 
 Actions Ping1d::take_actions() {
     actions_.wake = next_ping_;

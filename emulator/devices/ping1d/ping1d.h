@@ -21,6 +21,7 @@ class Ping1d final : public Device {
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override { link_.reset(port); }
+    void line_rate(std::size_t port, double rate) override;
     DeviceCounters counters() const override;
 
   private:
@@ -48,7 +49,6 @@ class Ping1d final : public Device {
     bool send_message(ping::Id id, const Peer& peer);
     void reply(const ping::Message& message, const Peer& peer);
     void transmit(Time now);
-    Time line_time() const;
     Actions take_actions();
 
     Settings settings_;

@@ -38,19 +38,6 @@ State read_power_up(const Options& o) {
     return state;
 }
 
-/// A real port is as slow as its endpoint says, or the option, or as usual.
-double line_rate(const std::vector<std::string>& endpoints, double baud) {
-    constexpr double usual = 115200;
-    double slowest = baud;
-    for (const std::string& uri : endpoints) {
-        const Endpoint e = parse_endpoint(uri);
-        if (e.scheme != Endpoint::Scheme::serial) continue;
-        const double own = e.baud > 0 ? e.baud : baud > 0 ? baud : usual;
-        slowest = slowest > 0 ? std::min(slowest, own) : own;
-    }
-    return slowest;
-}
-
 }  // namespace
 
 std::uint16_t State::transmit_duration() const {
@@ -102,6 +89,10 @@ std::vector<Option> option_table() {
         choice_row("streamed", {"as-asked", "profile"}, "message after continuous_start", spec),
         flag_row("marks_are_breaks", true, "0x55 where a frame should begin forgets half a frame", spec),
         number_row("baud", "bit/s", 0, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", spec),
+        flag_row("automatic_baud", true,
+                 "a pty is as fast as its driver sets it, whatever baud says; false: another rate than baud "
+                 "makes garbage",
+                 spec),
         integer_row("voltage", "mV", 5000, 0, 65535, "5 V rail", "free choice"),
         integer_row("processor_temperature", "0.01 degC", 4000, 0, 65535, "told on request", "free choice"),
         integer_row("pcb_temperature", "0.01 degC", 3500, 0, 65535, "told on request", "free choice"),
@@ -124,7 +115,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.stream_at_start = flag(o, "stream_at_start");
     s.marks_are_breaks = flag(o, "marks_are_breaks");
     s.baud = number(o, "baud");
-    s.line_rate = line_rate(config.endpoints, s.baud);
+    s.line = read_serial_rate(config);
     s.voltage = static_cast<std::uint16_t>(integer(o, "voltage"));
     s.processor_temperature = static_cast<std::uint16_t>(integer(o, "processor_temperature"));
     s.pcb_temperature = static_cast<std::uint16_t>(integer(o, "pcb_temperature"));

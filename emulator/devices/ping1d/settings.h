@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "emulator/devices/family/ring_down.h"
+#include "emulator/devices/family/serial_rate.h"
 #include "emulator/model.h"
 
 namespace echoloop::ping1d {
@@ -53,9 +54,9 @@ struct Settings {
     bool always_profile = false;  ///< stream 1300 whatever was asked for
     bool stream_at_start = false;
     bool marks_are_breaks = true;
-    double baud = 0;               ///< bit/s, of ptys and TCP; 0: not paced
-    double line_rate = 0;          ///< bit/s, of the slowest line; 0: none is paced
-    std::uint16_t voltage = 5000;  ///< mV
+    double baud = 0;  ///< bit/s, of ptys and TCP; 0: not paced
+    SerialRate line;
+    std::uint16_t voltage = 5000;                                        ///< mV
     std::uint16_t processor_temperature = 4000, pcb_temperature = 3500;  ///< 0.01 degC
     Acoustics acoustics;
 };

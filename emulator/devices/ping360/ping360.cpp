@@ -81,6 +81,8 @@ void Ping360::reconnected(std::size_t port) {
     stop();
 }
 
+void Ping360::line_rate(std::size_t port, double rate) { settings_.line.follow(port, rate); }
+
 DeviceCounters Ping360::counters() const {
     DeviceCounters counters = counters_;
     counters.skipped_bytes = link_.skipped_bytes();
@@ -150,10 +152,9 @@ void Ping360::on(const ping::Reset& command, const Peer&, Time now) {
 }
 
 void Ping360::reply(const ping::Message& message, const Peer& peer, Time now) {
-    actions_.send.push_back(link_.reply(message, peer));
-    if (settings_.baud <= 0) return;
-    const double seconds = 10.0 * static_cast<double>(actions_.send.back().bytes.size()) / settings_.baud;
-    line_free_ = std::max(line_free_, now) + from_seconds(seconds);
+    const std::vector<Send> sent{link_.reply(message, peer)};
+    actions_.send.push_back(sent.front());
+    line_free_ = std::max(line_free_, now) + settings_.line.time(sent);
 }
 
 void Ping360::refuse(Id id, std::string_view text, const Peer& peer, Time now) {

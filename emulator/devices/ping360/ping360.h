@@ -27,6 +27,7 @@ class Ping360 final : public Device {
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
+    void line_rate(std::size_t port, double rate) override;
     DeviceCounters counters() const override;
 
   private:

@@ -29,6 +29,10 @@ std::vector<Option> identity_options() {
                  "hosts go then, and silent without one; off: silent",
                  spec),
         number_row("baud", "bit/s", 0, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", spec),
+        flag_row("automatic_baud", true,
+                 "a pty is as fast as its driver sets it, whatever baud says; false: another rate than baud "
+                 "makes garbage",
+                 spec),
         flag_row("marks_are_breaks", true,
                  "0x55 where a frame should begin ends an automatic scan as a break does", spec),
     };
@@ -146,6 +150,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.device_revision = static_cast<std::uint8_t>(integer(o, "device_revision"));
     s.discovery = announced(text(o, "discovery"), config.endpoints);
     s.baud = number(o, "baud");
+    s.line = read_serial_rate(config);
     s.marks_are_breaks = flag(o, "marks_are_breaks");
     s.echo_400 = text(o, "echoed_400") == "400";
     s.last_data_on_request = text(o, "data_on_request") == "last";

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "emulator/devices/family/serial_rate.h"
 #include "emulator/model.h"
 #include "protocols/ping/messages.h"
 
@@ -48,7 +49,8 @@ struct Settings {
     bool ack_set_id = true;
     double turn_time = 2.4;  ///< s for 400 gradians
     double idle_off = 30;    ///< s; 0: never
-    double baud = 0;         ///< 0: not paced
+    double baud = 0;         ///< bit/s, of ptys and TCP; 0: not paced
+    SerialRate line;
     bool marks_are_breaks = true;
     std::uint32_t discovery = 0;  ///< IPv4 address to announce; 0: not discoverable
     Acoustics acoustics;

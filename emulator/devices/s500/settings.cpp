@@ -93,7 +93,7 @@ std::vector<Option> option_table() {
 Settings read_settings(const DeviceConfig& config) {
     const Options& o = config.options;
     Settings s;
-    s.identity = cerulean_device::read_identity(o);
+    s.identity = cerulean_device::read_identity(config);
     s.accept_anything = text(o, "invalid_settings") == "accept";
     s.processing = number(o, "processing") * 1e-3;
     s.processor_temperature = static_cast<std::uint32_t>(integer(o, "processor_temperature"));

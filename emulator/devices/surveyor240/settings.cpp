@@ -76,7 +76,7 @@ std::vector<Option> option_table() {
 Settings read_settings(const DeviceConfig& config) {
     const Options& o = config.options;
     Settings s;
-    s.identity = cerulean_device::read_identity(o);
+    s.identity = cerulean_device::read_identity(config);
     s.bow_up_is_positive = text(o, "pitch_sign") == "bow-up";
     s.points = static_cast<std::size_t>(integer(o, "points"));
     s.attitude_period = number(o, "attitude_period");

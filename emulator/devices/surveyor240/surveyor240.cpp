@@ -57,6 +57,8 @@ Actions Surveyor240::received(const Received& data, Time now) {
     return take_actions();
 }
 
+void Surveyor240::line_rate(std::size_t port, double rate) { settings_.identity.line.follow(port, rate); }
+
 void Surveyor240::reconnected(std::size_t port) {
     if (port >= endpoints_.size()) return;
     link_.reset(port);
@@ -190,7 +192,7 @@ Actions Surveyor240::heard(const Echogram& echogram, Time now) {
     ++counters_.pings;
     take_pose(echogram, transmitted_);
     send_points(echogram);
-    pacer_.end(now + cerulean_device::line_time(actions_.send, settings_.identity), period());
+    pacer_.end(now + settings_.identity.line.time(actions_.send), period());
     return take_actions();
 }
 

@@ -22,6 +22,7 @@ class Surveyor240 final : public Device {
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
+    void line_rate(std::size_t port, double rate) override;
     DeviceCounters counters() const override;
 
   private:

@@ -36,7 +36,7 @@ std::vector<FigureRow> figure_table() { return tritech::acoustic_figures(true); 
 Settings read_settings(const DeviceConfig& config) {
     const Options& o = config.options;
     Settings s;
-    s.head = tritech::read_head_settings(o, seanet::nodes::profiler, false);
+    s.head = tritech::read_head_settings(config, seanet::nodes::profiler, false);
     s.acoustics = tritech::read_acoustics(config.profile, true, config.effects.has(Effect::tvg));
     s.whole_steps = flag(o, "whole_steps");
     s.gains_count = text(o, "acquisition") == "block";

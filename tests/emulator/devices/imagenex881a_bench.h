@@ -32,6 +32,10 @@ enum At {
 constexpr int around = 120;
 
 inline Bytes command(const Changes& changes = {}) { return changed(plain, changes); }
-inline Bench sonar(const Options& changes = {}) { return Bench(make_device("imagenex-881a", {}, changes)); }
+/// Its replies come as a whole when their last byte would, unless `changes` says otherwise.
+inline Bench sonar(Options changes = {}) {
+    changes.try_emplace("baud", 0.0);
+    return Bench(make_device("imagenex-881a", {}, changes));
+}
 
 }  // namespace echoloop::test::imagenex881a

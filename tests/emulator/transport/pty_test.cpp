@@ -156,6 +156,51 @@ TEST_F(PtyTest, ImpossibleDirectoryIsAStartError) {
     EXPECT_THROW(Pty(io_, folder_ / "file" / "sonar"), StartError);
 }
 
+TEST_F(PtyTest, TheRateThatADriverSetsIsSeenAndOneThatItDoesNotSetIsNot) {
+    Pty pty(io_, folder_ / "sonar");
+    std::vector<double> told;
+    Transport::Events events{[](ByteView, Address) {}, [] {}};
+    events.line_rate = [&told](double rate) { told.push_back(rate); };
+    pty.start(std::move(events));
+    const int fd = open_link(folder_ / "sonar");
+    ASSERT_TRUE(run_until([&] { return pty.opened(); }));
+    termios settings{};
+    ::tcgetattr(fd, &settings);
+    ::cfmakeraw(&settings);
+    ::tcsetattr(fd, TCSANOW, &settings);  // as a driver does that sets no rate
+    EXPECT_EQ(pty.far_end().rate, 0);
+    ::cfsetspeed(&settings, B57600);
+    settings.c_iflag |= INPCK | IGNPAR | IGNBRK;
+    ::tcsetattr(fd, TCSANOW, &settings);
+    EXPECT_EQ(pty.far_end().rate, 57600);
+    EXPECT_EQ(pty.far_end().framing_error, uart::BadByte::nothing);
+    EXPECT_EQ(pty.far_end().line_break, uart::BadByte::nothing);
+    write(pty, {1});
+    write(pty, {2});
+    EXPECT_EQ(told, std::vector<double>{57600}) << "once";
+    ::close(fd);
+}
+
+TEST_F(PtyTest, ARateOutlivesTheDriverThatSetIt) {
+    Pty pty(io_, folder_ / "sonar");
+    start(pty);
+    const fs::path link = folder_ / "sonar";
+    ASSERT_EQ(std::system(("stty raw 19200 < " + link.string()).c_str()), 0);
+    EXPECT_EQ(pty.far_end().rate, 19200) << "stty first, and then a program that sets nothing";
+}
+
+TEST_F(PtyTest, WhatADriverDoesNotReadInTimeIsCounted) {
+    Pty pty(io_, folder_ / "sonar");
+    start(pty);
+    const int fd = open_link(folder_ / "sonar");
+    ASSERT_TRUE(run_until([&] { return pty.opened(); }));
+    constexpr std::size_t size = 100'000;
+    write(pty, Bytes(size, 1));
+    EXPECT_GT(pty.bytes_lost(), size / 2) << "the kernel keeps some 13 kB";
+    EXPECT_EQ(pty.bytes_lost() + pty.bytes_out(), size);
+    ::close(fd);
+}
+
 TEST_F(PtyTest, PacedLineIsNeverFasterThanItsRate) {
     auto pty = std::make_unique<Pty>(io_, folder_ / "sonar");
     Pty& line = *pty;

@@ -135,8 +135,8 @@ void Head::begin_due(Time now) {
 }
 
 Time Head::line_time(std::size_t frame_bytes) const {
-    return settings_.baud > 0 ? from_seconds(10.0 * static_cast<double>(frame_bytes) / settings_.baud)
-                              : Time{};
+    if (settings_.line_rate <= 0) return {};
+    return from_seconds(10.0 * static_cast<double>(frame_bytes) / settings_.line_rate);
 }
 
 std::uint64_t Head::begin_ping(Time due) {

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "emulator/devices/family/tritech/user_block.h"
+#include "emulator/endpoint.h"
 #include "emulator/option_rows.h"
 #include "emulator/options.h"
 
@@ -116,7 +117,8 @@ std::vector<Option> head_option_rows(int replies, bool dst) {
     return all;
 }
 
-HeadSettings read_head_settings(const Options& o, std::uint8_t node, bool dst) {
+HeadSettings read_head_settings(const DeviceConfig& config, std::uint8_t node, bool dst) {
+    const Options& o = config.options;
     HeadSettings s;
     s.node = node;
     s.dst = dst;
@@ -132,11 +134,11 @@ HeadSettings read_head_settings(const Options& o, std::uint8_t node, bool dst) {
     if (dst) {
         put_front(s.fpga_cal.content, hex_bytes(text(o, "fpga_cal_data"), "fpga_cal_data"), "fpga_cal_data");
         put_front(s.fpga_version.content, hex_bytes(text(o, "fpga_version_data"), "fpga_version_data"),
-             "fpga_version_data");
+                  "fpga_version_data");
     }
     s.hd_ctrl_set = static_cast<std::uint16_t>(integer(o, "hd_ctrl_set"));
     s.hd_ctrl_clear = static_cast<std::uint16_t>(integer(o, "hd_ctrl_clear"));
-    s.baud = number(o, "baud");
+    s.line_rate = line_rate(config.endpoints, number(o, "baud"));
     return s;
 }
 

@@ -24,7 +24,7 @@ struct HeadSettings {
     seanet::FpgaCalData fpga_cal;
     seanet::FpgaVersionData fpga_version;
     std::uint16_t hd_ctrl_set = 0, hd_ctrl_clear = 0;  ///< bits forced in replies
-    double baud = 115200;                              ///< bit/s; 0: not paced
+    double line_rate = 115200;                         ///< bit/s; 0: not paced
 };
 
 inline constexpr const char* specification = "SeaNet specification notes";
@@ -32,7 +32,7 @@ inline constexpr const char* specification = "SeaNet specification notes";
 /// The rows of these options: `replies` is the default of that option; `dst` adds the FPGA messages.
 std::vector<Option> head_option_rows(int replies, bool dst);
 /// From complete options. std::invalid_argument with a sentence for the user if a text is no hex.
-HeadSettings read_head_settings(const Options& options, std::uint8_t node, bool dst);
+HeadSettings read_head_settings(const DeviceConfig& config, std::uint8_t node, bool dst);
 
 /// "5D, 4D" or the name of a file with such text: bytes. Anything after # in a line of a file is a comment.
 /// std::invalid_argument naming `option` if it is neither.

@@ -79,7 +79,7 @@ ImagingSettings read_imaging_settings(const DeviceConfig& config, Family family)
     const Options& o = config.options;
     const bool dst = family == Family::dst;
     ImagingSettings s;
-    s.head = read_head_settings(o, static_cast<std::uint8_t>(integer(o, "node")), dst);
+    s.head = read_head_settings(config, static_cast<std::uint8_t>(integer(o, "node")), dst);
     s.acoustics = read_acoustics(config.profile, !dst, config.effects.has(Effect::tvg));
     s.aux = read_aux(config);
     s.scan = {flag(o, "force_right"), flag(o, "limits_twice"), flag(o, "whole_steps"),
