@@ -6,7 +6,7 @@
 namespace echoloop {
 namespace {
 
-constexpr speed_t unset_rate = 134;
+constexpr speed_t unset_rate = 300;
 
 /// Linux' rules for bytes without a stop bit, as the drivers of real ports follow them.
 uart::BadByte fate_of_bad_bytes(tcflag_t input) {
@@ -24,13 +24,14 @@ void mark_unset(int slave) {
     termios2 settings{};
     if (::ioctl(slave, TCGETS2, &settings) != 0) return;
     settings.c_cflag &= ~static_cast<tcflag_t>(CBAUD | (CBAUD << IBSHIFT));
-    settings.c_cflag |= B134;
+    settings.c_cflag |= B300;
     ::ioctl(slave, TCSETS2, &settings);
 }
 
 uart::Receiver far_end(int line) {
     termios2 settings{};
-    if (::ioctl(line, TCGETS2, &settings) != 0 || settings.c_ospeed == unset_rate) return {};
+    if (::ioctl(line, TCGETS2, &settings) != 0 || settings.c_ospeed == unset_rate || settings.c_ospeed == 0)
+        return {};
     return {static_cast<double>(settings.c_ospeed), fate_of_bad_bytes(settings.c_iflag),
             fate_of_breaks(settings.c_iflag)};
 }

@@ -6,8 +6,9 @@
 
 namespace echoloop {
 
-/// Marks a slave as one whose rate no driver has set: 134 bit/s, which no sonar ever spoke. The setting
-/// outlives its driver, as that of a serial port does (stty, and then a program that sets nothing).
+/// Marks a slave as one whose rate no driver has set: 300 bit/s, which no sonar speaks and which programs
+/// that keep the rate they find (gpsd) know. The setting outlives its driver, as that of a serial port does
+/// (stty, and then a program that sets nothing).
 void mark_unset(int slave);
 
 /// What the driver's UART would be, were it one: rate 0 while it has set none. The kernel makes every

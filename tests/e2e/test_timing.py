@@ -85,7 +85,7 @@ class Pace(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         figures = json.loads(done.stdout)
         for rate, (median, _) in figures["pace_percent"].items():
-            self.assertLess(abs(median), 10, f"{rate} bit/s")
+            self.assertLess(abs(median), 30, f"{rate} bit/s")
         for wire, (median, _, _) in figures["late_ms"].items():
             self.assertLess(median, 50, wire)
 
