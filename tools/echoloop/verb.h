@@ -56,6 +56,7 @@ std::span<const Verb> verbs();
 Verb bench_verb();
 Verb check_verb();
 Verb convert_verb();
+Verb diff_verb();
 Verb dissector_verb();
 Verb endpoints_verb();
 Verb inspect_verb();

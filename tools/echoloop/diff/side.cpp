@@ -1,0 +1,182 @@
+#include "tools/echoloop/diff/side.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "emulator/error.h"
+#include "emulator/scenario/problems.h"
+#include "emulator/scenario/value.h"
+#include "tools/capture/stream_windows.h"
+#include "tools/echoloop/common.h"
+
+namespace echoloop::diff {
+namespace {
+
+using capture::Way;
+
+/// "points[3].angle" without the number of the element; empty if there is none.
+std::string folded(const std::string& name) {
+    const std::size_t open = name.find('['), close = name.find(']');
+    if (open == std::string::npos || close == std::string::npos || close < open) return {};
+    return name.substr(0, open + 1) + name.substr(close);
+}
+
+Value value_of(const inspect::Field& field) {
+    if (field.number) return *field.number;
+    if (!field.numbers.empty() || (!field.text.empty() && field.text[0] == '[')) return field.numbers;
+    return field.text;
+}
+
+/// Appends the field, or its numbers to the array of the list that it is an element of.
+void add_field(std::vector<NamedValue>& fields, const inspect::Field& field) {
+    const std::string list = folded(field.name);
+    if (list.empty() || (!field.number && field.numbers.empty())) {
+        fields.push_back({field.name, field.unit, value_of(field)});
+        return;
+    }
+    auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == list; });
+    if (found == fields.end()) found = fields.insert(fields.end(), {list, field.unit, std::vector<double>()});
+    auto& numbers = *std::get_if<std::vector<double>>(&found->value);
+    if (field.number) numbers.push_back(*field.number);
+    numbers.insert(numbers.end(), field.numbers.begin(), field.numbers.end());
+}
+
+std::size_t memory_of(const Message& message) {
+    std::size_t sum = sizeof(Message);
+    for (const NamedValue& one : message.fields) {
+        sum += sizeof(NamedValue) + one.name.capacity();
+        if (const auto* text = std::get_if<std::string>(&one.value)) sum += text->capacity();
+        if (const auto* numbers = std::get_if<std::vector<double>>(&one.value))
+            sum += 8 * numbers->capacity();
+    }
+    return sum;
+}
+
+/// A driver that came back speaks from another port of the same machine.
+bool continues(const Way& one, const Way& other) {
+    if (one == other) return true;
+    if (one.is_serial() || other.is_serial()) return false;
+    return (one.from == other.from && one.to.ip == other.to.ip) ||
+           (one.to == other.to && one.from.ip == other.from.ip);
+}
+
+bool fits(const Way& way, const std::string& port) {
+    if (port.empty()) return true;
+    if (way.is_serial()) return way.line.find(port) != std::string::npos;
+    const auto is_end = [&](const Address& end) {
+        const std::string text = cli::text_of(end);
+        return text == port || text.substr(0, text.find(':')) == port || std::to_string(end.port) == port;
+    };
+    return is_end(way.from) || is_end(way.to);
+}
+
+class Loader {
+  public:
+    Loader(Side& side, const SideSettings& settings) : side_(side), settings_(settings) {}
+
+    bool full() const { return used_ > settings_.most_bytes; }
+
+    void add(const capture::MessageOrigin& origin, const inspect::Message& message) {
+        if (full() || !fits(origin.way, settings_.port)) return;
+        if (!start_) start_ = origin.time;
+        Direction& direction = direction_of(origin);
+        if (message.name.empty()) {
+            direction.undecoded_bytes += message.size;
+            side_.undecoded_bytes += message.size;
+            return;
+        }
+        const std::string name = message.name + (message.reason.empty() ? "" : " (broken)");
+        // Seconds since 1970 have no finer resolution in a double.
+        const double time = std::round((origin.time - *start_) * 1e6) / 1e6;
+        Message out{{origin.packet, time, ++side_.messages}, {}};
+        for (const inspect::Field& field : message.fields) add_field(out.fields, field);
+        used_ += memory_of(out) + sizeof(double) + name.size();
+        direction.spoken.emplace_back(out.place.time, name);
+        direction.types[name].push_back(std::move(out));
+    }
+
+  private:
+    Direction& direction_of(const capture::MessageOrigin& origin) {
+        const auto is_it = [&](const Direction& one) {
+            return one.family == origin.family &&
+                   std::any_of(one.ways.begin(), one.ways.end(),
+                               [&](const Way& way) { return continues(way, origin.way); });
+        };
+        auto found = std::find_if(side_.directions.begin(), side_.directions.end(), is_it);
+        if (found == side_.directions.end()) {
+            side_.directions.emplace_back();
+            found = side_.directions.end() - 1;
+            found->family = origin.family;
+        }
+        if (std::find(found->ways.begin(), found->ways.end(), origin.way) == found->ways.end())
+            found->ways.push_back(origin.way);
+        return *found;
+    }
+
+    Side& side_;
+    const SideSettings& settings_;
+    std::optional<double> start_;
+    std::size_t used_ = 0;
+};
+
+void read_packets(capture::Input& input, const SideSettings& settings, Side& side) {
+    Loader loader(side, settings);
+    capture::MessageSorter messages(
+        settings.family, [&](const auto& origin, const auto& message) { loader.add(origin, message); });
+    const auto file = capture::open_packets(input);
+    while (const auto event = loader.full() ? std::nullopt : file->next()) messages.add(*event);
+    side.is_cut = loader.full();
+    messages.finish();
+    side.fault = file->counts().fault;
+}
+
+/// A file of bytes is one direction, and has no times.
+void read_bytes(capture::Input& input, const SideSettings& settings, Side& side) {
+    Loader loader(side, settings);
+    side.has_times = false;
+    const auto* family = settings.family;
+    if (family == nullptr) family = inspect::guess_family(input.peek(std::size_t{64} << 10));
+    if (family == nullptr) return;
+    capture::decode_windows(input, *family, [&](const auto& message) {
+        loader.add({{}, family, 0, 0}, message);
+        side.is_cut = loader.full();
+    });
+}
+
+}  // namespace
+
+std::string Direction::text() const {
+    const Way& way = ways.front();
+    if (way.is_serial())
+        return (way.line.empty() ? "bytes" : way.line) + (way.line.empty() ? ""
+                                                          : way.sent       ? ", sent"
+                                                                           : ", received");
+    const std::string more = ways.size() > 1 ? " and " + std::to_string(ways.size() - 1) + " more" : "";
+    return cli::text_of(way.from) + " -> " + cli::text_of(way.to) + more;
+}
+
+bool Direction::answers(const Direction& other) const {
+    if (family != other.family) return false;
+    const auto is_reverse = [](const Way& one, const Way& way) {
+        if (one.is_serial() || way.is_serial()) return one.line == way.line && one.sent != way.sent;
+        return one.from == way.to && one.to.ip == way.from.ip;
+    };
+    return std::any_of(ways.begin(), ways.end(), [&](const Way& one) {
+        return std::any_of(other.ways.begin(), other.ways.end(),
+                           [&](const Way& way) { return is_reverse(one, way) || is_reverse(way, one); });
+    });
+}
+
+Side read_side(const std::string& file, const SideSettings& settings) {
+    Side side;
+    side.file = file;
+    capture::Input input(file);
+    input.is_capture() ? read_packets(input, settings, side) : read_bytes(input, settings, side);
+    if (side.messages > 0) return side;
+    const std::string where = settings.port.empty() ? "" : " at " + scenario::in_quotes(settings.port);
+    throw StartError(Exit::data, scenario::in_quotes(file) + ": no message of a known protocol" + where +
+                                     (side.fault.empty() ? "" : " (" + side.fault + ")") +
+                                     "; --family names the protocol to try");
+}
+
+}  // namespace echoloop::diff
