@@ -4,6 +4,7 @@
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
 #include "tools/echoloop/json_output.h"
+#include "tools/echoloop/time_budget.h"
 
 namespace echoloop::cli {
 namespace {
@@ -40,6 +41,7 @@ void print_devices(const Scenario& scenario) {
         for (const auto& endpoint : device.config.endpoints) endpoints += "  " + endpoint;
         std::printf("%s%s%s%s\n", padded("device", 12).c_str(), padded(device.name, 16).c_str(),
                     padded(device.model->name, 18).c_str(), endpoints.c_str());
+        std::printf("%s%s\n", padded("", 12).c_str(), text_of(time_budget(device)).c_str());
     }
 }
 

@@ -6,6 +6,7 @@
 #include "emulator/scenario/profile_section.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
+#include "tools/echoloop/time_budget.h"
 
 namespace echoloop::cli {
 namespace {
@@ -152,6 +153,13 @@ Json bench_row(const bench::Row& row) {
     return json;
 }
 
+/// s each; null: not known without a driver.
+Json ping_time(const TimeBudget& b) {
+    const auto known = [](const auto& value) { return value ? Json(*value) : Json(); };
+    return {{"transmit", b.transmit},  {"listen", b.listen},    {"work", known(b.work)},
+            {"bytes", known(b.bytes)}, {"wire", known(b.wire)}, {"line_rate", b.line_rate}};
+}
+
 }  // namespace
 
 std::string problems_json(const std::vector<Problem>& problems) {
@@ -163,7 +171,10 @@ std::string problems_json(const std::vector<Problem>& problems) {
 
 std::string check_json(const Scenario& s, const Scene& scene) {
     Json devices = Json::array();
-    for (const auto& d : s.devices) devices.push_back(device(d));
+    for (const auto& d : s.devices) {
+        devices.push_back(device(d));
+        devices.back()["ping_time"] = ping_time(time_budget(d));
+    }
     const Json water{{"temperature", s.water.temperature},
                      {"salinity", s.water.salinity},
                      {"ph", s.water.ph},

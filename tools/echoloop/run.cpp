@@ -4,6 +4,7 @@
 
 #include "emulator/capture/recording.h"
 #include "emulator/pose/input.h"
+#include "emulator/punctual.h"
 #include "emulator/runtime.h"
 #include "emulator/truth/truth.h"
 #include "tools/echoloop/common.h"
@@ -115,7 +116,8 @@ int run(const Arguments& arguments) {
     std::optional<double> duration;
     if (arguments.has("--duration")) duration = arguments.number("--duration", 0, 0, 1e9);
     auto recording = recording_from(arguments);
-    const auto truth = arguments.has("--truth") ? std::make_unique<TruthFile>(arguments.text("--truth")) : nullptr;
+    const auto truth =
+        arguments.has("--truth") ? std::make_unique<TruthFile>(arguments.text("--truth")) : nullptr;
     try {
         Runtime runtime(scenario, {.recording = recording.get(), .truth = truth.get()});
         const bool json = arguments.has("--json");
@@ -125,12 +127,15 @@ int run(const Arguments& arguments) {
         } else {
             print_start(scenario, runtime, duration);
         }
+        wake_on_time();
+        if (arguments.has("--realtime")) claim_real_time();
         runtime.run(duration);
         if (recording) recording->finish();
         if (truth) truth->finish();
         const auto sessions = runtime.summary();
         if (json) {
-            std::printf("%s\n", run_summary_json(sessions, runtime.poses(), recording.get(), truth.get()).c_str());
+            std::printf("%s\n",
+                        run_summary_json(sessions, runtime.poses(), recording.get(), truth.get()).c_str());
         } else {
             print_summary(sessions);
             if (const auto poses = runtime.poses()) print_poses(*poses);
@@ -166,6 +171,8 @@ Verb run_verb() {
           "write what is really there at every ping, a line of JSON each (docs/truth.md)"},
          {Argument::Kind::flag, "--fail-late", "",
           "end with status 75 if a ping was late, or a message or bytes were lost"},
+         {Argument::Kind::flag, "--realtime", "",
+          "answer before all other programs, from locked memory; needs the permission to"},
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop run config/demo.yaml\n"

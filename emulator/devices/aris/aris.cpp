@@ -53,12 +53,23 @@ void Aris::forget_controller() {
     control_ = {};
     next_frame_ = next_silence_ = Time::max();
     connected_ = frame_under_way_ = false;
+    peer_ = is_loopback(wiring_.own.ip) ? loopback : 0;
 }
 
 void Aris::reconnected(std::size_t port) {
     if (port != command_port) return;
     forget_controller();
     connected_ = true;
+}
+
+Actions Aris::connected(std::size_t port, Address peer, Time) {
+    if (port == command_port) peer_ = peer.ip;
+    return take_actions();
+}
+
+Actions Aris::disconnected(std::size_t port, Time) {
+    if (port == command_port) forget_controller();
+    return take_actions();
 }
 
 Actions Aris::received(const Received& data, Time now) {
@@ -114,8 +125,7 @@ bool Aris::set_clock(const std::string& text, Time now) {
 /// A sonar on a loopback address sends to loopback only.
 bool Aris::set_receiver(const aris::SetReceiver& wish) {
     const bool own_loopback = is_loopback(wiring_.own.ip);
-    const std::uint32_t fallback =
-        settings_.controller != 0 || !own_loopback ? settings_.controller : loopback;
+    const std::uint32_t fallback = settings_.controller != 0 ? settings_.controller : peer_;
     const auto ip = wish.ip.empty() ? std::optional(fallback) : address_in(wish.ip);
     if (ip == 0U && !wish.ip.empty()) {
         control_.receiver.reset();
@@ -218,7 +228,10 @@ Actions Aris::woken(Time now) {
         next_beacon_ = now + from_seconds(settings_.beacon_period);
         send_beacon();
     }
-    if (now >= next_silence_) forget_controller();
+    if (now >= next_silence_) {
+        forget_controller();
+        actions_.send.push_back({command_port, {}, {}, {}, true});
+    }
     if (now >= next_frame_) transmit(now);
     return take_actions();
 }

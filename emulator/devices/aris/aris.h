@@ -23,6 +23,8 @@ class Aris final : public Device {
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
+    Actions connected(std::size_t port, Address peer, Time now) override;
+    Actions disconnected(std::size_t port, Time now) override;
     DeviceCounters counters() const override;
 
   private:
@@ -62,6 +64,7 @@ class Aris final : public Device {
     Time parts_out_{};  ///< when the parts of the last frame have gone
     Time next_frame_ = Time::max();
     Time next_beacon_ = Time::max();
+    std::uint32_t peer_ = 0;           ///< IPv4 address of the controller
     Time next_silence_ = Time::max();  ///< when the controller will have been silent too long
     Actions actions_;
     DeviceCounters counters_;

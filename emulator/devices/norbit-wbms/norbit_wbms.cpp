@@ -31,6 +31,11 @@ void NorbitWbms::reconnected(std::size_t port) {
     if (port == water_column_port) images_wanted_ = true;
 }
 
+Actions NorbitWbms::disconnected(std::size_t port, Time) {
+    if (port == water_column_port) images_wanted_ = false;
+    return take_actions();
+}
+
 Actions NorbitWbms::received(const Received& data, Time now) {
     if (data.port != command_port) {
         counters_.skipped_bytes += data.bytes.size();

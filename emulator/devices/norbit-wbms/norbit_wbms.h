@@ -20,6 +20,7 @@ class NorbitWbms final : public Device {
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
+    Actions disconnected(std::size_t port, Time now) override;
     DeviceCounters counters() const override;
 
   private:
@@ -37,7 +38,7 @@ class NorbitWbms final : public Device {
     norbit::LineFramer lines_;
     PingRecord ping_;  ///< the ping under way, or the last one
     bool ping_under_way_ = false;
-    bool images_wanted_ = false;  ///< somebody has connected to the water column
+    bool images_wanted_ = false;  ///< somebody is connected to the water column
     double digital_gain_ = 0;     ///< dB, of the next ping
     std::optional<Time> last_transmission_;
     Time next_ping_ = Time::max();

@@ -14,9 +14,6 @@ enum PortIndex : std::size_t { data_port, status_port };
 
 constexpr Time dummy_period = 1s;
 constexpr std::uint32_t over_temperature = 1U << 15;
-constexpr std::uint32_t loopback = 0x7F000001;
-
-bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
 
 }  // namespace
 
@@ -39,13 +36,22 @@ void Oculus::reconnected(std::size_t port) {
     request_.reset();
     ping_under_way_ = false;
     next_ping_ = Time::max();
-    // A stream says who is there only when it speaks; what connects to loopback comes from there.
-    client_ = is_loopback(wiring_.own.ip) ? loopback : 0;
+    client_ = 0;
+}
+
+Actions Oculus::connected(std::size_t port, Address peer, Time) {
+    if (port == data_port) client_ = peer.ip;
+    return take_actions();
+}
+
+/// Nobody is left whom it could ping for.
+Actions Oculus::disconnected(std::size_t port, Time) {
+    reconnected(port);
+    return take_actions();
 }
 
 Actions Oculus::received(const Received& data, Time now) {
     if (data.port != data_port) return take_actions();
-    if (data.from.ip != 0) client_ = data.from.ip;
     framer_.feed(data.bytes);
     while (const auto frame = framer_.next()) obey(*frame, now);
     return take_actions();

@@ -23,6 +23,8 @@ class Oculus final : public Device {
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
+    Actions connected(std::size_t port, Address peer, Time now) override;
+    Actions disconnected(std::size_t port, Time now) override;
     DeviceCounters counters() const override;
 
   private:

@@ -40,6 +40,11 @@ void Reson7k::reconnected(std::size_t port) {
     subscribers_.end({stream_port, {}});
 }
 
+Actions Reson7k::disconnected(std::size_t port, Time) {
+    reconnected(port);
+    return take_actions();
+}
+
 Actions Reson7k::received(const Received& data, Time now) {
     if (data.port == datagram_port) {
         reson7k::Framer framer(reson7k::host_record, reson7k::Source::network);

@@ -22,6 +22,7 @@ class Reson7k final : public Device {
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
+    Actions disconnected(std::size_t port, Time now) override;
     DeviceCounters counters() const override;
 
   private:

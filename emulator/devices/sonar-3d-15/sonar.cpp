@@ -69,7 +69,7 @@ Actions Sonar::received(const Received& data, Time now) {
             continue;
         }
         ++counters_.rejected;
-        actions_.send.push_back({http_port, http::response(std::get<http::Refusal>(*next).status), {}, {}});
+        respond(http::response(std::get<http::Refusal>(*next).status));
     }
     request_deadline_ = reader_.pending_bytes() > 0 ? now + request_patience : Time::max();
     return take_actions();
@@ -79,7 +79,7 @@ void Sonar::obey(const http::Request& request, Time now) {
     const State before = state_;
     const Answer reply = answer(request, state_, settings_);
     ++(reply.status < 300 ? counters_.messages : counters_.rejected);
-    actions_.send.push_back({http_port, http::response(reply.status, reply.body), {}, {}});
+    respond(http::response(reply.status, reply.body));
     if (speed_of(state_) != speed_of(before)) speed_change_ = now + from_seconds(settings_.speed_delay);
     const bool other_image = state_.enabled != before.enabled || state_.high != before.high ||
                              state_.range_min != before.range_min || state_.range_max != before.range_max;
@@ -198,9 +198,14 @@ Actions Sonar::woken(Time now) {
         reader_.clear();
         request_deadline_ = Time::max();
         ++counters_.rejected;
-        actions_.send.push_back({http_port, http::response(408), {}, {}});
+        respond(http::response(408));
     }
     return take_actions();
+}
+
+/// Each answer says that it is the last one on its connection.
+void Sonar::respond(Bytes response) {
+    actions_.send.push_back({http_port, std::move(response), {}, {}, true});
 }
 
 Actions Sonar::take_actions() {

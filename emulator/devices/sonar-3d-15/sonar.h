@@ -45,6 +45,7 @@ class Sonar final : public Device {
     void send_packet(sonar3d::Message message, Address to);
     std::optional<Address> destination() const;
     double speed_of(const State& state) const;
+    void respond(Bytes response);
     Actions take_actions();
 
     Settings settings_;

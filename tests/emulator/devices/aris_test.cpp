@@ -178,6 +178,28 @@ TEST(ArisController, ThatIsSilentHasGone) {
     EXPECT_TRUE(bench.frames_within(1s).empty());
 }
 
+TEST(ArisController, ThatIsSilentIsHungUpOn) {
+    ArisBench bench;
+    bench.say(words::ping);
+    bench.run_to(9900ms);
+    const auto hung_up = [](const Send& send) { return send.port == 0 && send.hang_up; };
+    EXPECT_TRUE(std::ranges::none_of(bench.sent(), hung_up));
+    bench.run_to(10s);
+    const auto sent = bench.sent();
+    EXPECT_EQ(std::ranges::count_if(sent, hung_up), 1);
+}
+
+TEST(ArisController, ThatLeavesTakesItsFramesAlong) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    EXPECT_FALSE(bench.frames_within(1s).empty());
+    bench.device().disconnected(0, bench.now);
+    bench.frames_within(50ms);
+    EXPECT_TRUE(bench.frames_within(1s).empty());
+    EXPECT_EQ(state(bench.beacons_within(2s).back()), 0U) << "available";
+}
+
 TEST(ArisController, FindsNothingOfTheLastOneButACountThatGoesOn) {
     ArisBench bench;
     bench.say(words::receiver);

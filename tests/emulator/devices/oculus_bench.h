@@ -79,6 +79,7 @@ struct OculusBench : Bench {
     explicit OculusBench(const Options& changes = {}, const std::string& model = "oculus-m1200d")
         : Bench(make_device(model, {}, changes)) {
         device().reconnected(0);
+        device().connected(0, {0x7F000001, 40000}, now);
     }
     /// The next result after `bytes`.
     Seen next_after(const Bytes& bytes) {

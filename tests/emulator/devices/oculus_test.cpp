@@ -39,12 +39,17 @@ TEST(OculusStatus, TellsTheModelTheAddressAndTheClient) {
         EXPECT_EQ(first[0].to, (Address{0xC0A802FF, 52102}));
         EXPECT_EQ(at<std::uint16_t>(first[0].bytes, 22), part) << model;
         EXPECT_EQ(to_hex(ByteView(first[0].bytes).subspan(52, 12)), "c0a80204ffffff0000000000");
-        bench.say(fire({}), 0, {0xC0A80207, 40000});
-        bench.run_to(1100ms);
-        for (const Send& send : bench.sent())
-            if (send.port == 1) {
-                EXPECT_EQ(to_hex(ByteView(send.bytes).subspan(60, 4)), "c0a80207");
-            }
+        const auto client_at = [&bench](Time time) {
+            bench.run_to(time);
+            std::string client;
+            for (const Send& send : bench.sent())
+                if (send.port == 1) client = to_hex(ByteView(send.bytes).subspan(60, 4));
+            return client;
+        };
+        bench.device().connected(0, {0xC0A80207, 40000}, bench.now);
+        EXPECT_EQ(client_at(1100ms), "c0a80207") << "before it has said anything";
+        bench.device().disconnected(0, bench.now);
+        EXPECT_EQ(client_at(2100ms), "00000000");
     }
 }
 
@@ -88,6 +93,14 @@ TEST(OculusStandby, IsTheStateThatAnotherHostFinds) {
     const auto sends = bench.sent_within(3s);
     EXPECT_EQ(count(sends, is_result), 0U);
     EXPECT_EQ(count(sends, is_dummy), 3U);
+}
+
+TEST(OculusStandby, BeginsWhenTheHostLeaves) {
+    OculusBench bench;
+    bench.next_after(fire({}));
+    bench.device().disconnected(0, bench.now);
+    bench.sent_within(100ms);
+    EXPECT_EQ(count(bench.sent_within(3s), is_result), 0U);
 }
 
 TEST(OculusStandby, IsForcedByOverTemperature) {

@@ -231,6 +231,7 @@ TEST(Sonar3d15, ARequestThatNeverEndsIsGivenUpAndANewConnectionStartsClean) {
     const auto sent = sonar.bench->sent();
     ASSERT_EQ(sent.size(), 1U);
     EXPECT_EQ(std::string(sent[0].bytes.begin(), sent[0].bytes.begin() + 12), "HTTP/1.1 408");
+    EXPECT_TRUE(sent[0].hang_up) << "as Connection: close says";
     EXPECT_EQ(sonar.get("/temperature"), "21.0");
     EXPECT_EQ(sonar.ask("GET /half"), "");
     sonar.bench->device().reconnected(0);
