@@ -96,7 +96,7 @@ double rate_of(const ScenarioDevice& device) {
     return rate > 0 || scheme != Scheme::pty ? rate : usual;
 }
 
-std::string milliseconds(double seconds) { return plain(1e3 * seconds, 1) + " ms"; }
+std::string milliseconds(double seconds) { return plain(1e3 * seconds, 3) + " ms"; }
 
 }  // namespace
 
@@ -113,6 +113,7 @@ TimeBudget time_budget(const ScenarioDevice& device) {
     Time last = run.now();
     for (const Send& send : sends) bytes += send.bytes.size(), last = std::max(last, send.not_before);
     constexpr double bits_per_byte = 10;
+    if (bytes == 0) return budget;  // it has more to ask for before it speaks
     budget.bytes = bytes;
     budget.wire = budget.line_rate > 0 ? bits_per_byte * static_cast<double>(bytes) / budget.line_rate
                                        : to_seconds(last - run.now());
@@ -122,7 +123,9 @@ TimeBudget time_budget(const ScenarioDevice& device) {
 std::string text_of(const TimeBudget& b) {
     std::string text = "pulse " + milliseconds(b.transmit) + ", listening " + milliseconds(b.listen);
     if (!b.work) return text + ", and what its driver's commands add";
-    text += ", motor and processing " + milliseconds(*b.work) + ", " + counted(*b.bytes, "byte");
+    text += ", motor and processing " + milliseconds(*b.work);
+    if (!b.bytes) return text;
+    text += ", " + counted(*b.bytes, "byte");
     if (*b.wire > 0) text += " in " + milliseconds(*b.wire);
     return b.line_rate > 0 ? text + " at " + plain(b.line_rate, 0) + " bit/s" : text;
 }

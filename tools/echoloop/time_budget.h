@@ -24,7 +24,7 @@ struct TimeBudget {
 
 TimeBudget time_budget(const ScenarioDevice& device);
 
-/// "pulse 0.1 ms, listening 66.7 ms, motor and processing 2.0 ms, 1230 bytes in 106.8 ms at 115200 bit/s".
+/// "pulse 0.1 ms, listening 66.667 ms, motor and processing 2 ms, 1224 bytes in 106.25 ms at 115200 bit/s".
 std::string text_of(const TimeBudget& budget);
 
 }  // namespace echoloop::cli

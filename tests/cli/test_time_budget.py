@@ -1,0 +1,40 @@
+"""Where the time of a ping goes, as `echoloop check` tells it, against figures worked out by hand."""
+
+import json
+import os
+import subprocess
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("ECHOLOOP", str(ROOT / "build" / "release" / "bin" / "echoloop"))
+
+
+def ping_time(config):
+    done = subprocess.run([PROGRAM, "check", str(ROOT / "config" / config), "--json"], capture_output=True, text=True,
+                          timeout=60, check=True)
+    return json.loads(done.stdout)["devices"][0]["ping_time"]
+
+
+class TimeBudget(unittest.TestCase):
+    def test_a_ping360_asked_for_1200_samples(self):
+        budget = ping_time("ping360.yaml")
+        self.assertEqual(budget["bytes"], 10 + 14 + 1200, "header, fields, samples")
+        self.assertAlmostEqual(budget["wire"], 12240 / 115200, places=6)
+        self.assertAlmostEqual(budget["listen"], 1200 * 88 * 25e-9, places=6)
+        self.assertAlmostEqual(budget["transmit"], 11e-6, places=9)
+
+    def test_an_881a_of_10_m(self):
+        budget = ping_time("imagenex-881a.yaml")
+        self.assertEqual(budget["bytes"], 265)
+        self.assertAlmostEqual(budget["work"], 4.7e-3, delta=0.2e-3, msg="the maker's table of turns")
+
+    def test_an_echosounder_of_100_m_at_4800_bit_per_second(self):
+        budget = ping_time("echosounder.yaml")
+        self.assertEqual(budget["line_rate"], 4800)
+        self.assertAlmostEqual(budget["listen"], 2 * 100 / 1500, delta=2e-3)
+        self.assertAlmostEqual(budget["wire"], budget["bytes"] * 10 / 4800, places=6)
+
+
+if __name__ == "__main__":
+    unittest.main()
