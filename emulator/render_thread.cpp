@@ -1,13 +1,11 @@
 #include "emulator/render_thread.h"
 
 #include <pthread.h>
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <future>
 
+#include "emulator/scheduling.h"
 #include "render/renderer.h"
 #include "render/workers.h"
 
@@ -15,10 +13,10 @@ namespace echoloop {
 namespace {
 
 /// Rendering gives way to the wire, and fans to single beams. The name is what top and gdb show.
-void be_nice(RenderThread::Lane lane) {
-    ::pthread_setname_np(::pthread_self(), lane == RenderThread::Lane::every ? "render" : "render beams");
-    const auto thread = static_cast<id_t>(::syscall(SYS_gettid));
-    ::setpriority(PRIO_PROCESS, thread, lane == RenderThread::Lane::every ? 10 : 5);
+void begin_thread(RenderThread::Lane lane) {
+    const bool every = lane == RenderThread::Lane::every;
+    ::pthread_setname_np(::pthread_self(), every ? "render" : "render beams");
+    give_way(every ? 10 : 2);
 }
 
 Echogram silence(Shot shot, const Pose& world_from_sonar) {
@@ -49,7 +47,7 @@ std::jthread RenderThread::start(const Make& make, Lane lane, std::vector<std::f
     std::promise<void> started;
     ready.push_back(started.get_future());
     return std::jthread([this, make, lane, started = std::move(started)](std::stop_token stop) mutable {
-        be_nice(lane);
+        begin_thread(lane);
         std::unique_ptr<Renderer> renderer;
         try {
             renderer = make(lane);

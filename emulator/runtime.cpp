@@ -6,6 +6,7 @@
 #include "emulator/capture/recorded.h"
 #include "emulator/error.h"
 #include "emulator/pose/vehicle.h"
+#include "emulator/scheduling.h"
 #include "emulator/transport/make.h"
 #include "emulator/truth/device_truth.h"
 #include "render/renderer.h"
@@ -24,7 +25,14 @@ std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io
 SharedWater shared_water(const Scenario& scenario, const Scene& scene) {
     const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
     const Effects effects = knows_effects ? scenario.render.effects : Effects::none();
-    return {scenario.water, effects, scenario.seed, scene.bounds(), CrossTalk(scenario.water, effects)};
+    const bool by_the_clock = scenario.clock == ClockMode::real || scenario.clock == ClockMode::scaled;
+    return {scenario.water,
+            effects,
+            scenario.seed,
+            scene.bounds(),
+            CrossTalk(scenario.water, effects),
+            0,
+            by_the_clock ? std::make_shared<asio::thread_pool>(2) : nullptr};
 }
 
 /// Plans, shaders and trees are made at the first ping of their kind: before anybody waits for one.
@@ -64,6 +72,7 @@ class Runtime::Impl {
 
     ~Impl() {
         for (auto& session : sessions_) session->close();
+        join_listeners();
     }
 
     std::vector<RunningDevice> devices() const {
@@ -88,7 +97,9 @@ class Runtime::Impl {
         clock_->begin();
         vehicle_.start();
         for (auto& session : sessions_) session->start();
+        be_prompt();
         clock_->run();
+        join_listeners();
     }
 
     std::vector<SessionSummary> summary() const {
@@ -108,6 +119,11 @@ class Runtime::Impl {
         std::call_once(described_, [&] { renderer_description_ = renderer->context_description(); });
         warm_up(*renderer, scenario, water_, lane);
         return renderer;
+    }
+
+    /// A device may still be busy with an echogram.
+    void join_listeners() {
+        if (water_.listeners) water_.listeners->join();
     }
 
     void add(const ScenarioDevice& entry, const RunRecords& records) {

@@ -5,6 +5,7 @@
 #include <boost/asio/post.hpp>
 
 #include "emulator/random_key.h"
+#include "emulator/scheduling.h"
 #include "emulator/truth/device_truth.h"
 
 namespace echoloop {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::size_t outbox_limit = 64 << 20;  // bytes; a driver that never reads must not eat the memory
 constexpr Time late_after = std::chrono::milliseconds(1);
+constexpr std::size_t worth_a_thread = 16'384;  ///< values of an echogram; fewer take a device no time
 
 double unix_now() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -55,12 +57,24 @@ void Session::start() {
         transports_[port]->start(
             {.received =
                  [this, port](ByteView bytes, Address from) {
-                     apply(device_->received({port, bytes, from}, clock_.now()));
+                     if (!hearing_) return apply(device_->received({port, bytes, from}, clock_.now()));
+                     to_device([this, port, kept = Bytes(bytes.begin(), bytes.end()), from] {
+                         apply(device_->received({port, kept, from}, clock_.now()));
+                     });
                  },
-             .reconnected = [this, port] { device_->reconnected(port); },
-             .connected = [this, port](Address peer) { apply(device_->connected(port, peer, clock_.now())); },
-             .disconnected = [this, port] { apply(device_->disconnected(port, clock_.now())); },
-             .line_rate = [this, port](double rate) { device_->line_rate(port, rate); }});
+             .reconnected = [this, port] { to_device([this, port] { device_->reconnected(port); }); },
+             .connected =
+                 [this, port](Address peer) {
+                     to_device([this, port, peer] { apply(device_->connected(port, peer, clock_.now())); });
+                 },
+             .disconnected =
+                 [this, port] {
+                     to_device([this, port] { apply(device_->disconnected(port, clock_.now())); });
+                 },
+             .line_rate =
+                 [this, port](double rate) {
+                     to_device([this, port, rate] { device_->line_rate(port, rate); });
+                 }});
     }
     asio::co_spawn(io_, keep_writing(), Serving(name_));
     asio::co_spawn(io_, keep_waking(), Serving(name_));
@@ -147,6 +161,10 @@ Task<void> Session::deliver(UnderWay ping) {
     co_await ready(ping.echoes);
     co_await ready(ping.late_before);
     if (closed_) co_return;
+    to_device([this, heard = std::make_shared<UnderWay>(std::move(ping))] { hear(*heard); });
+}
+
+void Session::hear(UnderWay& ping) {
     const Time now = std::max(ping.due, clock_.now());
     const Time lateness = now - ping.due;
     if (lateness > late_after) ++summary_.late_pings;
@@ -157,14 +175,43 @@ Task<void> Session::deliver(UnderWay ping) {
     late_echoes_.add_to(ping.sequence, echogram);
     water_.cross_talk.add_to(echogram, ping.transmission);
     if (truth_) truth_->heard(ping.transmission, ping.situation, ping.unix_time, ping.due, echogram);
+    const bool large = echogram.values.size() >= worth_a_thread;
+    if (large && water_.listeners)
+        return hear_elsewhere(std::make_shared<Echogram>(std::move(echogram)), now);
     apply(device_->heard(echogram, now));
+}
+
+void Session::hear_elsewhere(std::shared_ptr<Echogram> echogram, Time now) {
+    hearing_ = true;
+    asio::post(*water_.listeners, [this, &io = io_, alive = alive_, device = device_.get(), echogram, now] {
+        [[maybe_unused]] thread_local const bool prompt = (be_prompt(), true);
+        auto actions = std::make_shared<Actions>();
+        std::exception_ptr fault;
+        try {
+            *actions = device->heard(*echogram, now);
+        } catch (...) {
+            fault = std::current_exception();
+        }
+        asio::post(io, [this, alive, actions, fault] {
+            if (!*alive || closed_) return;
+            hearing_ = false;
+            Serving{name_}(fault);
+            apply(std::move(*actions));
+            alarm_.cancel();
+            for (; !waiting_.empty() && !hearing_ && !closed_; waiting_.pop_front()) waiting_.front()();
+        });
+    });
+}
+
+void Session::to_device(std::function<void()> event) {
+    hearing_ ? waiting_.push_back(std::move(event)) : event();
 }
 
 Task<void> Session::keep_waking() {
     while (!closed_) {
-        co_await alarm_.until(wake_);
+        co_await alarm_.until(hearing_ ? Time::max() : wake_);
         const Time now = clock_.now();
-        if (closed_ || now < wake_) continue;
+        if (closed_ || hearing_ || now < wake_) continue;
         wake_ = Time::max();
         apply(device_->woken(now));
     }

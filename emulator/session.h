@@ -2,6 +2,7 @@
 // outbox with one writer. It understands no message.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -42,6 +43,9 @@ struct SharedWater {
     Bounds scene;
     CrossTalk cross_talk;
     std::size_t sonars = 0;  ///< sessions so far
+    /// Threads on which devices make bytes of large echograms, so that the wires of others do not wait; nullptr: that
+    /// happens in its turn, for runs whose every event has its place. Join them before the sessions end.
+    std::shared_ptr<asio::thread_pool> listeners{};
 };
 
 class Session {
@@ -84,6 +88,10 @@ class Session {
         double unix_time;  ///< s since 1970, of the transmission
     };
     Task<void> deliver(UnderWay ping);
+    void hear(UnderWay& ping);
+    void hear_elsewhere(std::shared_ptr<Echogram> echogram, Time now);
+    /// Lets `event` happen to the device now, or once it has heard the echogram that it is busy with.
+    void to_device(std::function<void()> event);
     Task<void> keep_waking();
     Task<void> keep_writing();
     void post_mail(Send send);
@@ -105,6 +113,8 @@ class Session {
     Alarm alarm_;  ///< rings at wake_
     Time wake_ = Time::max();
     bool closed_ = false;
+    bool hearing_ = false;  ///< the device belongs to another thread
+    std::deque<std::function<void()>> waiting_;
 
     SecondTimeAround late_echoes_;
     std::shared_ptr<Rendering> late_;  ///< of the last ping, may be nullptr
