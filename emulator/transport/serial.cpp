@@ -35,6 +35,10 @@ std::string last_reason() {
                      "serial port " + path + ": " + what + ": " + last_reason() + remedy);
 }
 
+struct FreeList {
+    void operator()(sp_port** list) const { sp_free_port_list(list); }
+};
+
 PortHandle find_port(const std::string& path) {
     sp_port* raw = nullptr;
     if (sp_get_port_by_name(path.c_str(), &raw) != SP_OK) fail(path, "cannot be found");
@@ -72,6 +76,18 @@ int open_descriptor(const std::string& path, int baud) {
 }
 
 }  // namespace
+
+std::vector<SerialPortName> serial_ports() {
+    sp_port** raw = nullptr;
+    if (sp_list_ports(&raw) != SP_OK) return {};
+    const std::unique_ptr<sp_port*, FreeList> list(raw);
+    std::vector<SerialPortName> names;
+    for (sp_port** port = raw; *port; ++port) {
+        const char* path = sp_get_port_name(*port);
+        names.push_back({path, ::access(path, R_OK | W_OK) == 0});
+    }
+    return names;
+}
 
 SerialPort::SerialPort(asio::io_context& io, const std::string& path, int baud)
     : line_(io, open_descriptor(path, baud)), path_(path), baud_(baud) {}

@@ -6,6 +6,13 @@
 
 namespace echoloop {
 
+/// A port that this machine has.
+struct SerialPortName {
+    std::string path;
+    bool permitted = false;  ///< for this user
+};
+std::vector<SerialPortName> serial_ports();
+
 class SerialPort final : public CountingTransport {
   public:
     /// 8 data bits, no parity, one stop bit, no flow control. Throws StartError if the port is missing, busy

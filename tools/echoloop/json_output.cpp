@@ -241,6 +241,20 @@ std::string render_json(const RenderReport& report) {
     return document(json);
 }
 
+std::string doctor_json(const Findings& findings) {
+    static constexpr const char* words[] = {"good", "weak", "bad"};
+    Json list = Json::array();
+    bool ok = true;
+    for (const Finding& f : findings) {
+        ok = ok && f.state != Finding::State::bad;
+        list.push_back({{"state", words[static_cast<int>(f.state)]},
+                        {"name", f.name},
+                        {"text", f.text},
+                        {"remedy", f.remedy}});
+    }
+    return line_of({{"ok", ok}, {"findings", list}});
+}
+
 std::string bench_json(const bench::Report& report) {
     Json cases = Json::array(), limits = Json::array();
     for (const auto& row : report.rows) cases.push_back(bench_row(row));

@@ -12,6 +12,7 @@
 #include "render/echogram.h"
 #include "render/scene/scene.h"
 #include "tools/echoloop/bench/report.h"
+#include "tools/echoloop/doctor/findings.h"
 #include "tools/echoloop/driver.h"
 #include "tools/echoloop/validate/findings.h"
 
@@ -35,6 +36,8 @@ struct RenderReport {
 };
 std::string render_json(const RenderReport& report);
 
+/// {"ok": true, "findings": [{"state", "name", "text", "remedy"}]}
+std::string doctor_json(const Findings& findings);
 std::string bench_json(const bench::Report& report);
 std::string validate_json(const validation::Findings& findings);
 

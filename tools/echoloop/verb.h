@@ -58,6 +58,7 @@ Verb check_verb();
 Verb convert_verb();
 Verb diff_verb();
 Verb dissector_verb();
+Verb doctor_verb();
 Verb endpoints_verb();
 Verb inspect_verb();
 Verb list_verb();

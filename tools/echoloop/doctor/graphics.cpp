@@ -1,0 +1,47 @@
+#include <stdexcept>
+
+#include "render/gl/context.h"
+#include "render/gl/egl.h"
+#include "tools/echoloop/doctor/findings.h"
+
+namespace echoloop::cli {
+namespace {
+
+using State = Finding::State;
+
+/// Empty if that context can be made and bound.
+std::string fault_of(const char* name) {
+    try {
+        gl::make_context(name)->make_current();
+        return "";
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+}
+
+Finding gpu() {
+    if (!gl::may_have_gpu()) return {State::good, "GPU", "the kernel offers none; none is needed", ""};
+    try {
+        gl::make_gpu_context()->make_current();
+        return {State::good, "GPU", "found; `render: {context: auto}` draws on it", ""};
+    } catch (const std::runtime_error& error) {
+        return {State::weak, "GPU", error.what(), "sonars are drawn by the processors meanwhile"};
+    }
+}
+
+}  // namespace
+
+Findings look_at_graphics() {
+    const std::string osmesa = fault_of("osmesa"), any = fault_of("auto");
+    Findings found;
+    if (osmesa.empty())
+        found.push_back({State::good, "OpenGL", "OSMesa draws in memory", ""});
+    else if (any.empty())
+        found.push_back({State::weak, "OpenGL", osmesa, "another context is used instead"});
+    else
+        found.push_back({State::bad, "OpenGL", any, "apt-get install libosmesa6"});
+    found.push_back(gpu());
+    return found;
+}
+
+}  // namespace echoloop::cli

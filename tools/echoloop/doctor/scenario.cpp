@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "emulator/error.h"
+#include "emulator/runtime.h"
+#include "render/renderer.h"
+#include "tools/echoloop/common.h"
+#include "tools/echoloop/doctor/findings.h"
+
+namespace echoloop::cli {
+namespace {
+
+using State = Finding::State;
+
+Finding endpoints(const Scenario& scenario) {
+    try {
+        const Runtime runtime(scenario);
+        return {State::good, "endpoints", "all can be opened; " + runtime.renderer(), ""};
+    } catch (const std::exception& error) {
+        return {State::bad, "endpoints", error.what(), "the message says what to do"};
+    }
+}
+
+/// Median of several pings, s.
+double time_of_ping(Renderer& renderer, const ScenarioDevice& device, const Pose& world_from_sonar) {
+    constexpr std::size_t times = 9;
+    std::vector<double> taken;
+    for (std::size_t i = 0; i <= times; ++i) {
+        const Shot shot = device.model->default_shot(device.config, 0, 0);
+        const auto begin = std::chrono::steady_clock::now();
+        renderer.render(shot, world_from_sonar);
+        if (i > 0)
+            taken.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    }
+    std::nth_element(taken.begin(), taken.begin() + times / 2, taken.end());
+    return taken[times / 2];
+}
+
+Finding ping(Renderer& renderer, const ScenarioDevice& device, const Pose& world_from_sonar) {
+    const Shot shot = device.model->default_shot(device.config, 0, 0);
+    const double window = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
+    const double taken = time_of_ping(renderer, device, world_from_sonar);
+    const std::string text = device.name + ": " + plain(taken * 1e3, 1) +
+                             " ms to render what the sonar listens to for " + plain(window * 1e3, 1) + " ms";
+    if (taken > window)
+        return {State::weak, "ping", text,
+                "its pings will be late; render: {pixels: 0.5} or a simpler scene takes less, a longer range "
+                "has more time"};
+    return {State::good, "ping", text, ""};
+}
+
+}  // namespace
+
+Findings look_at_scenario(const Scenario& scenario) {
+    Findings found{endpoints(scenario)};
+    if (found.front().state == State::bad) return found;
+    Renderer renderer(scene_of(scenario), scenario.water, scenario.render);
+    for (const ScenarioDevice& device : scenario.devices)
+        found.push_back(ping(renderer, device, scenario.world_from_body * device.body_from_sonar));
+    return found;
+}
+
+}  // namespace echoloop::cli
