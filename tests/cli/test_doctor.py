@@ -37,7 +37,7 @@ class Doctor(ProgramTest):
             self.assertIn(word, bad[0]["text"])
 
     def test_a_ping_that_takes_longer_than_its_echo_is_weak(self):
-        report = self.json("doctor", DEMO, "--set", "render.pixels=64", *self.to(f"pty:{self.folder}/micron"))
+        report = self.json("doctor", DEMO, "--set", "render.pixels=20", *self.to(f"pty:{self.folder}/micron"))
         pings = {f["text"].split(":")[0]: f for f in report["findings"] if f["name"] == "ping"}
         self.assertEqual(pings["sonar"]["state"], "weak", pings)
         self.assertIn("pixels", pings["sonar"]["remedy"])
