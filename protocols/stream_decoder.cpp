@@ -31,16 +31,17 @@ void StreamDecoder::decode(bool last, const Each& each) {
     if (family_ == nullptr) family_ = guess_family(waiting_);
     std::size_t done = 0;
     if (family_ == nullptr && last) {
-        each(nullptr, {.offset = offset_, .size = waiting_.size(), .reason = "no known protocol"});
+        each(nullptr, {.offset = offset_, .size = waiting_.size(), .reason = "no known protocol"}, waiting_);
         done = waiting_.size();
     } else if (family_ != nullptr) {
         for (auto& message : family_->decode(waiting_)) {
             const bool incomplete = message.name.empty() || !message.reason.empty();
             if (!last && incomplete && message.offset + message.size == waiting_.size()) break;
+            const auto bytes = wire::ByteView(waiting_).subspan(message.offset, message.size);
             done = message.offset + message.size;
             message.offset += offset_;
             for (auto& field : message.fields) field.offset += offset_;
-            each(family_, message);
+            each(family_, message, bytes);
         }
     }
     drop(done);

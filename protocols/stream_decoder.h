@@ -10,8 +10,8 @@ namespace echoloop::inspect {
 
 class StreamDecoder {
   public:
-    /// `family` is nullptr where it was not known.
-    using Each = std::function<void(const Family* family, const Message& message)>;
+    /// `family` is nullptr where it was not known; `bytes` are those of the message.
+    using Each = std::function<void(const Family* family, const Message& message, wire::ByteView bytes)>;
 
     /// `family`: nullptr to guess it from the first bytes that tell.
     explicit StreamDecoder(const Family* family = nullptr) : family_(family) {}

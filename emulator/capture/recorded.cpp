@@ -4,9 +4,10 @@ namespace echoloop {
 
 using pcapng::Direction;
 
-Recorded::Recorded(std::unique_ptr<Transport> line, Recording& recording, const std::string& name)
+Recorded::Recorded(std::unique_ptr<Transport> line, Recording& recording, const std::string& name, Side side)
     : line_(std::move(line)),
       recording_(recording),
+      side_(side),
       kind_(line_->wire().kind),
       interface_(recording.add_interface(
           kind_ == Wire::Kind::serial ? pcapng::LinkType::rtac_serial : pcapng::LinkType::raw_ip, name,
@@ -15,7 +16,7 @@ Recorded::Recorded(std::unique_ptr<Transport> line, Recording& recording, const 
 void Recorded::start(Events events) {
     Events ours = events;
     ours.received = [this, received = std::move(events.received)](ByteView bytes, Address from) {
-        record(bytes, Direction::received, from);
+        record(bytes, false, from);
         received(bytes, from);
     };
     ours.reconnected = [this, reconnected = std::move(events.reconnected)] {
@@ -28,7 +29,9 @@ void Recorded::start(Events events) {
 void Recorded::begin_conversation() {
     const Wire wire = line_->wire();
     if (kind_ != Wire::Kind::tcp_server && kind_ != Wire::Kind::tcp_client) return;
-    conversation_.emplace(wire.local, wire.remote, kind_ == Wire::Kind::tcp_server);
+    const bool served = kind_ == Wire::Kind::tcp_server, device = side_ == Side::device;
+    conversation_.emplace(device ? wire.local : wire.remote, device ? wire.remote : wire.local,
+                          served == device);
     for (const auto& segment : conversation_->opening())
         add(recording_.now(), segment.direction, segment.packet);
 }
@@ -37,18 +40,19 @@ Task<void> Recorded::write(ByteView bytes, Address to) {
     const std::uint64_t before = line_->bytes_out();
     co_await line_->write(bytes, to);
     const std::uint64_t gone = line_->bytes_out() - before;
-    if (gone > 0) record(bytes.first(std::min<std::size_t>(bytes.size(), gone)), Direction::sent, to);
+    if (gone > 0) record(bytes.first(std::min<std::size_t>(bytes.size(), gone)), true, to);
 }
 
-void Recorded::record(ByteView bytes, Direction direction, Address other) {
+/// `ours`: written by the user of this transport.
+void Recorded::record(ByteView bytes, bool ours, Address other) {
     const auto time = recording_.now();
+    const auto direction = ours == (side_ == Side::device) ? Direction::sent : Direction::received;
     if (kind_ == Wire::Kind::serial) {
         add(time, direction, rtac_serial_packet(bytes, time, direction));
     } else if (kind_ == Wire::Kind::udp) {
         const Wire wire = line_->wire();
         if (other.port == 0) other = wire.remote;
-        const bool sent = direction == Direction::sent;
-        add(time, direction, udp_packet(bytes, sent ? Route{wire.local, other} : Route{other, wire.local}));
+        add(time, direction, udp_packet(bytes, ours ? Route{wire.local, other} : Route{other, wire.local}));
     } else if (conversation_) {
         for (const auto& segment : conversation_->data(bytes, direction))
             add(time, direction, segment.packet);

@@ -11,8 +11,12 @@ namespace echoloop {
 
 class Recorded final : public Transport {
   public:
+    /// Who uses the transport: a device, or a driver that has a device at the other end. Recorded is always
+    /// how the device sees it.
+    enum class Side { device, driver };
     /// `name`: of the interface in the recording, e.g. "micron line". `recording` outlives this.
-    Recorded(std::unique_ptr<Transport> line, Recording& recording, const std::string& name);
+    Recorded(std::unique_ptr<Transport> line, Recording& recording, const std::string& name,
+             Side side = Side::device);
 
     void start(Events events) override;
     /// Recorded is what really left, when its last byte left.
@@ -28,11 +32,12 @@ class Recorded final : public Transport {
 
   private:
     void begin_conversation();
-    void record(ByteView bytes, pcapng::Direction direction, Address other);
+    void record(ByteView bytes, bool ours, Address other);
     void add(pcapng::WallTime time, pcapng::Direction direction, ByteView packet);
 
     std::unique_ptr<Transport> line_;
     Recording& recording_;
+    Side side_;
     Wire::Kind kind_;
     std::uint32_t interface_;
     std::optional<TcpConversation> conversation_;

@@ -117,7 +117,7 @@ void Pty::handle_watch(ByteView events) {
         inotify_event event;
         std::memcpy(&event, events.data(), sizeof event);
         events = events.subspan(std::min(events.size(), sizeof event + event.len));
-        if (event.mask & IN_OPEN) ++openers_;
+        if ((event.mask & IN_OPEN) && openers_++ == 0) events_.opened();
         if (event.mask & IN_CLOSE) openers_ = std::max(0, openers_ - 1);
         if ((event.mask & IN_CLOSE) && openers_ == 0) {
             drop_buffers();

@@ -28,6 +28,7 @@ class Transport {
         std::function<void(Address)> connected = [](Address) {};  ///< TCP, after reconnected
         std::function<void()> disconnected = [] {};               ///< TCP
         std::function<void(double)> line_rate = [](double) {};    ///< pty: the driver has set another, bit/s
+        std::function<void()> opened = [] {};                     ///< pty: a driver has it open now
     };
 
     Transport() = default;

@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     capture::PacketReader reader;
     capture::TcpStreams tcp;
     inspect::StreamDecoder decoder;
-    const auto ignore = [](const inspect::Family*, const inspect::Message&) {};
+    const auto ignore = [](const inspect::Family*, const inspect::Message&, ByteView) {};
     const auto decode = [&](Address, Address, ByteView bytes, bool) { decoder.add(bytes, ignore); };
     while (const auto raw = file.next()) {
         const auto packet = reader.read(raw->link_type, raw->bytes);

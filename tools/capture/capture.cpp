@@ -2,9 +2,6 @@
 
 #include <deque>
 
-#include "emulator/error.h"
-#include "emulator/scenario/problems.h"
-#include "emulator/scenario/value.h"
 #include "tools/capture/pcap_reader.h"
 #include "tools/capture/tcp_streams.h"
 
@@ -86,22 +83,6 @@ std::unique_ptr<CaptureReader> open_packets(Input& input) {
     if (start.empty() || start[0] != pcapng_starts) return std::make_unique<PacketCapture<PcapReader>>(input);
     return std::make_unique<PacketCapture<PcapngReader>>(
         [&input](std::size_t count) { return input.read(count); });
-}
-
-CaptureCounts read_capture(Input& input, const CaptureEvents& events) {
-    const auto capture = open_packets(input);
-    while (const auto event = capture->next()) {
-        if (const auto* datagram = std::get_if<Datagram>(&event->content)) {
-            events.datagram(event->time, *datagram);
-        } else {
-            events.stream(event->time, std::get<StreamPiece>(event->content));
-        }
-    }
-    const CaptureCounts counts = capture->counts();
-    if (counts.packets == 0 && !counts.fault.empty())
-        throw StartError(Exit::data, scenario::in_quotes(input.name()) +
-                                         " is no capture that can be read: " + counts.fault);
-    return counts;
 }
 
 }  // namespace echoloop::capture

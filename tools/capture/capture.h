@@ -55,13 +55,4 @@ class CaptureReader {
 /// A pcap or pcapng file. `input` outlives it. Throws StartError (data) if it is none that can be read.
 std::unique_ptr<CaptureReader> open_packets(Input& input);
 
-/// What to do with events; times in s since 1970.
-struct CaptureEvents {
-    std::function<void(double, const Datagram&)> datagram;
-    std::function<void(double, const StreamPiece&)> stream;
-};
-
-/// Reads all of a pcap or pcapng file. Throws StartError (data) if it is none that can be read.
-CaptureCounts read_capture(Input& input, const CaptureEvents& events);
-
 }  // namespace echoloop::capture

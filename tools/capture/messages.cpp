@@ -39,13 +39,13 @@ void MessageSorter::add(const MessageOrigin& origin, const Datagram& datagram) {
     if (datagram.cut) {
         end(datagrams_, origin.way);
         const char* reason = family == nullptr ? "no known protocol" : "cut short by the capture";
-        return giver(origin)(family, {.offset = 0, .size = datagram.payload.size(), .reason = reason});
+        return giver(origin)(family, {.offset = 0, .size = datagram.payload.size(), .reason = reason}, {});
     }
     const bool alone = family != nullptr && family->framing == inspect::Framing::datagram;
     const auto messages = family == nullptr ? std::vector<Message>{} : family->decode(datagram.payload);
     if (!alone && !is_whole(messages)) return continue_with(datagrams_, origin, datagram.payload);
     if (!alone) end(datagrams_, origin.way);
-    for (const auto& message : messages) giver(origin)(family, message);
+    for (const auto& message : messages) giver(origin)(family, message, {});
 }
 
 void MessageSorter::finish() {

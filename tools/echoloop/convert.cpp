@@ -12,7 +12,7 @@
 #include "emulator/scenario/value.h"
 #include "protocols/imagenex/framer.h"
 #include "protocols/imagenex/shot_writer.h"
-#include "tools/capture/capture.h"
+#include "tools/capture/open.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/output_file.h"
 #include "tools/echoloop/terminal.h"
@@ -109,7 +109,8 @@ std::size_t convert(Input& input, const std::string& line, ShotFormat format,
                     const std::filesystem::path& file) {
     std::ofstream out(file, std::ios::binary);
     Line shots(format, out);
-    const auto count = input.is_capture() ? convert_capture(input, line, shots) : convert_bytes(input, shots);
+    const auto count =
+        capture::is_log(input) ? convert_capture(input, line, shots) : convert_bytes(input, shots);
     if (count == 0)
         throw StartError(Exit::data, scenario::in_quotes(input.name()) + ": no reply of an Imagenex head");
     if (!out.flush()) throw std::runtime_error("cannot write all of it");
@@ -144,19 +145,20 @@ int run(const Arguments& arguments) {
 
 Verb convert_verb() {
     using Kind = Argument::Kind;
-    return {"convert",
-            "make a sonar maker's own file from a capture",
-            {{Kind::positional,
-              "CAPTURE",
-              "",
-              "pcap or pcapng with serial lines or TCP, or raw bytes of both directions",
-              {},
-              true},
-             {Kind::positional, "OUT", "", "file to write: .852 or .81A (Imagenex)", {}, true},
-             {Kind::value, "--line", "NAME", "the line to take where the capture holds several"}},
-            "  echoloop run config/imagenex-852.yaml --record dive.pcapng\n"
-            "  echoloop convert dive.pcapng dive.852",
-            run};
+    return {
+        "convert",
+        "make a sonar maker's own file from a capture",
+        {{Kind::positional,
+          "CAPTURE",
+          "",
+          "pcap or pcapng with serial lines or TCP, a serial log as text, or raw bytes of both directions",
+          {},
+          true},
+         {Kind::positional, "OUT", "", "file to write: .852 or .81A (Imagenex)", {}, true},
+         {Kind::value, "--line", "NAME", "the line to take where the capture holds several"}},
+        "  echoloop run config/imagenex-852.yaml --record dive.pcapng\n"
+        "  echoloop convert dive.pcapng dive.852",
+        run};
 }
 
 }  // namespace echoloop::cli

@@ -6,6 +6,7 @@
 #include "emulator/scenario/problems.h"
 #include "protocols/inspect.h"
 #include "tools/capture/messages.h"
+#include "tools/capture/open.h"
 #include "tools/capture/stream_windows.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/json_output.h"
@@ -143,7 +144,7 @@ InspectOrigin origin_of(const capture::MessageOrigin& from, double start) {
 }
 
 void inspect_capture(Input& input, const inspect::Family* family, Output& output) {
-    const auto file = capture::open_packets(input);
+    const auto file = capture::open_capture(input);
     std::optional<double> start;
     capture::MessageSorter messages(
         family, [&](const auto& from, const auto& message) { output.add(origin_of(from, *start), message); });
@@ -197,7 +198,7 @@ int run(const Arguments& arguments) {
         throw StartError(Exit::usage, "CAPTURE is missing: name a file, or '-' for standard input");
     Input input(arguments.text("CAPTURE"));
     Output output(arguments);
-    input.is_capture() ? inspect_capture(input, family, output) : inspect_bytes(input, family, output);
+    capture::is_log(input) ? inspect_capture(input, family, output) : inspect_bytes(input, family, output);
     output.finish();
     if (!output.summary().messages.empty()) return 0;
     throw StartError(Exit::data, scenario::in_quotes(arguments.text("CAPTURE")) +
@@ -208,19 +209,19 @@ int run(const Arguments& arguments) {
 
 Verb inspect_verb() {
     using Kind = Argument::Kind;
-    return {
-        "inspect",
-        "print the messages in a capture or in a file of bytes",
-        {{Kind::optional, "CAPTURE", "", "pcap, pcapng, or raw bytes of a serial line; '-': standard input"},
-         {Kind::value, "--family", "NAME", "protocol family; without it: guessed (r2sonic, seanet)"},
-         {Kind::value, "--tables", "NAME", "print the message tables of a family as Markdown instead"},
-         {Kind::flag, "--summary", "", "print the summary only"},
-         json_argument()},
-        "  echoloop inspect dive.pcapng\n"
-        "  echoloop inspect line.bin --family seanet --json\n"
-        "  tcpdump -w - udp | echoloop inspect -\n"
-        "  echoloop inspect --tables seanet > messages.md",
-        run};
+    return {"inspect",
+            "print the messages in a capture or in a file of bytes",
+            {{Kind::optional, "CAPTURE", "",
+              "pcap, pcapng, a log of Ping Viewer, a serial log as text, or raw bytes; '-': standard input"},
+             {Kind::value, "--family", "NAME", "protocol family; without it: guessed (r2sonic, seanet)"},
+             {Kind::value, "--tables", "NAME", "print the message tables of a family as Markdown instead"},
+             {Kind::flag, "--summary", "", "print the summary only"},
+             json_argument()},
+            "  echoloop inspect dive.pcapng\n"
+            "  echoloop inspect line.bin --family seanet --json\n"
+            "  tcpdump -w - udp | echoloop inspect -\n"
+            "  echoloop inspect --tables seanet > messages.md",
+            run};
 }
 
 }  // namespace echoloop::cli

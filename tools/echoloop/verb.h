@@ -63,6 +63,8 @@ Verb endpoints_verb();
 Verb inspect_verb();
 Verb list_verb();
 Verb render_verb();
+Verb record_verb();
+Verb replay_verb();
 Verb run_verb();
 Verb validate_verb();
 

@@ -1,0 +1,227 @@
+"""`echoloop replay`: captures made by hand, played to drivers that note what came and when."""
+
+import os
+import socket
+import struct
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, ROOT, free_tcp_port
+from replaying import Folder, Replay, open_line, read_line, udp_listener
+
+from captures import ETHERNET, RAW, RTAC_SERIAL, Pcapng, ethernet, fragments, ipv4, pcap, rtac, tcp
+
+MILLISECOND = 1_000_000
+USUAL, WORST = 0.004, 0.040  # s that a gap may be off: most of them, and any on a busy machine
+SENT, RECEIVED = 1, 2
+SHARED = ROOT.parent / "shared" / "data"
+
+
+def udp(payload, source=65500, destination=4000):
+    return struct.pack(">HHHH", source, destination, len(payload) + 8, 0) + payload
+
+
+def on_udp(messages, **ports):
+    """A pcapng of datagrams: [(ms, payload)]."""
+    file = Pcapng().interface(ETHERNET)
+    for at, payload in messages:
+        file.packet(0, ethernet(ipv4(udp(payload, **ports))), at * MILLISECOND)
+    return file.data
+
+
+def on_lines(messages, names=(b"micron line",)):
+    """A pcapng of serial lines: [(ms, event, payload)] or [(ms, event, payload, line)]."""
+    file = Pcapng()
+    for name in names:
+        file.interface(RTAC_SERIAL, name)
+    for at, event, payload, *line in messages:
+        file.packet(line[0] if line else 0, rtac(payload, event), at * MILLISECOND)
+    return file.data
+
+
+def gaps(times):
+    return [b - a for a, b in zip(times, times[1:])]
+
+
+class Played(unittest.TestCase):
+    def setUp(self):
+        folder = Folder()
+        self.addCleanup(folder.remove)
+        self.file = folder.file
+        self.folder = folder.path
+
+    def assert_gaps(self, times, milliseconds):
+        errors = sorted(abs(got - wanted / 1000) for got, wanted in zip(gaps(times), milliseconds, strict=True))
+        self.assertLess(errors[-1], WORST, errors)
+        if len(errors) > 2:
+            self.assertLess(errors[len(errors) // 2], USUAL, errors)
+
+    def refused(self, status, *arguments):
+        done = subprocess.run([PROGRAM, "replay", *map(str, arguments)], capture_output=True, check=False, timeout=20,
+                              stdin=subprocess.DEVNULL)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done.stderr.decode()
+
+
+class Datagrams(Played):
+    TIMES = (5000, 5040, 5041, 5200, 5290)  # ms
+    SAID = [bytes([n]) * (n * 30) for n in range(1, 6)]
+
+    def heard(self, capture, *arguments, count=5, ends=True, endpoint="udp://127.0.0.1:%d"):
+        with udp_listener() as listener:
+            with Replay(capture, endpoint % listener.getsockname()[1], *arguments) as replay:
+                times, said = [], []
+                for _ in range(count):
+                    said.append(listener.recv(65536))
+                    times.append(time.monotonic())
+                status, output = replay.end() if ends else replay.stop()
+        self.assertEqual(status, 0, output)
+        return times, said, output
+
+    def test_each_comes_whole_after_its_gap(self):
+        capture = self.file("a.pcapng", on_udp(zip(self.TIMES, self.SAID)))
+        times, said, output = self.heard(capture)
+        self.assertEqual(said, self.SAID)
+        self.assert_gaps(times, gaps(self.TIMES))
+        self.assertIn("5 messages of 450 bytes", output)
+
+    def test_twice_as_fast(self):
+        capture = self.file("a.pcapng", on_udp(zip(self.TIMES, self.SAID)))
+        times, said, _ = self.heard(capture, "--speed", 2)
+        self.assertEqual(said, self.SAID)
+        self.assert_gaps(times, [gap / 2 for gap in gaps(self.TIMES)])
+
+    def test_a_part_of_it_again_and_again(self):
+        capture = self.file("a.pcapng", on_udp(zip(self.TIMES, self.SAID)))
+        times, said, _ = self.heard(capture, "--from", 0.03, "--until", 0.25, "--loop", count=7, ends=False)
+        self.assertEqual(said, (self.SAID[1:4] * 3)[:7])
+        self.assert_gaps(times, [1, 159, 159, 1, 159, 159])  # between laps: the gap of the last message
+
+    def test_fragments_are_one_datagram(self):
+        payload = bytes(range(256)) * 8
+        packets = [ethernet(p) for p in fragments(udp(payload), 1480)]
+        _, said, _ = self.heard(self.file("a.pcap", pcap(packets)), count=1)
+        self.assertEqual(said, [payload])
+
+    def test_nothing_goes_where_the_capture_came_from(self):
+        with udp_listener() as source, udp_listener() as destination:
+            ends = {"source": source.getsockname()[1], "destination": destination.getsockname()[1]}
+            packets = [ethernet(ipv4(udp(said, **ends)).replace(bytes([10, 0, 0, 86]), bytes([127, 0, 0, 1]))
+                                .replace(bytes([10, 0, 1, 102]), bytes([127, 0, 0, 1]))) for said in self.SAID]
+            file = Pcapng().interface(ETHERNET)
+            for i, packet in enumerate(packets):
+                file.packet(0, packet, i * MILLISECOND)
+            self.heard(self.file("a.pcapng", file.data))
+            for end in (source, destination):
+                end.setblocking(False)
+                self.assertRaises(BlockingIOError, end.recv, 65536)
+
+    def test_a_recording_of_a_real_sonar(self):
+        real = SHARED / "r2sonic" / "r2sonic_bth0_20.pcap"
+        if not real.exists():
+            self.assertNotEqual(os.environ.get("CI"), "true", f"{real} is missing")
+            self.skipTest(f"{real} is not here")
+        packets = list(pcap_packets(real.read_bytes()))
+        with udp_listener() as listener, Replay(real, f"udp://127.0.0.1:{listener.getsockname()[1]}") as replay:
+            times = []
+            for _, packet in packets:
+                self.assertEqual(listener.recv(65536), packet[42:])
+                times.append(time.monotonic())
+            self.assertEqual(replay.end()[0], 0)
+        self.assert_gaps(times, [1000 * gap for gap in gaps([at for at, _ in packets])])
+
+
+def pcap_packets(data):
+    """(s, bytes) of each packet of a little-endian pcap file."""
+    nano = data[:4] == b"\x4d\x3c\xb2\xa1"
+    at = 24
+    while at < len(data):
+        seconds, fraction, size, _ = struct.unpack_from("<IIII", data, at)
+        yield seconds + fraction * (1e-9 if nano else 1e-6), data[at + 16:at + 16 + size]
+        at += 16 + size
+
+
+class Streams(Played):
+    LINE = [(1000, RECEIVED, b"ask"), (1100, SENT, b"first "), (1150, RECEIVED, b"more"), (1250, SENT, b"second "),
+            (1251, SENT, b"third "), (1400, SENT, b"last")]
+    SAID = b"first second third last"
+
+    def test_a_line_on_a_pty_begins_when_a_driver_opens_it(self):
+        capture = self.file("a.pcapng", on_lines(self.LINE))
+        with Replay(capture, f"pty:{self.folder}/line") as replay:
+            begin = time.monotonic()
+            line = open_line(self.folder / "line")
+            pieces = read_line(line, len(self.SAID))
+            self.assertEqual(b"".join(data for _, data in pieces), self.SAID)
+            self.assert_gaps([begin, pieces[0][0], pieces[-1][0]], [100, 300])
+            status, output = replay.end()
+            os.close(line)
+        self.assertEqual(status, 0, output)
+        self.assertIn("4 messages of 23 bytes", output)
+
+    def test_the_drivers_side_can_be_played_too(self):
+        capture = self.file("a.pcapng", on_lines(self.LINE))
+        with Replay(capture, f"pty:{self.folder}/line", "--direction", "driver"):
+            line = open_line(self.folder / "line")
+            self.assertEqual(b"".join(data for _, data in read_line(line, 7)), b"askmore")
+            os.close(line)
+
+    def test_a_paced_line_has_said_all_of_a_message_at_its_time(self):
+        capture = self.file("a.pcapng", on_lines([(0, RECEIVED, b"ask"), (500, SENT, bytes(300)), (1000, SENT, b"x")]))
+        with Replay(capture, f"pty:{self.folder}/line", "--baud", 9600):
+            begin = time.monotonic()
+            line = open_line(self.folder / "line")
+            pieces = read_line(line, 301)
+            os.close(line)
+        self.assert_gaps([pieces[0][0], pieces[-2][0]], [312])  # 300 bytes of 10 bits, the first one at once
+        self.assert_gaps([begin, pieces[-2][0], pieces[-1][0]], [500, 500])
+
+    def test_tcp_segments_come_in_their_order_to_who_connects(self):
+        parts = [(b"", 99, 2), (b"two ", 104), (b"one ", 100), (b"two ", 104), (b"three", 108)]
+        capture = self.file("a.pcap", pcap([ethernet(ipv4(tcp(*part), protocol=6)) for part in parts]))
+        port = free_tcp_port()
+        with Replay(capture, f"tcp-listen://127.0.0.1:{port}", "--speed", 100) as replay:
+            with socket.create_connection(("127.0.0.1", port), timeout=20) as driver:
+                said = b""
+                while piece := driver.recv(4096):
+                    said += piece
+            self.assertEqual(said, b"one two three")
+            self.assertEqual(replay.end()[0], 0)
+
+    def test_of_several_ports_one_is_chosen(self):
+        lines = on_lines([(0, SENT, b"a", 0), (1, SENT, b"b", 1)], (b"one line", b"other line"))
+        capture = self.file("a.pcapng", lines)
+        place = f"pty:{self.folder}/line"
+        text = self.refused(64, capture, place)
+        self.assertIn("'one line'", text)
+        self.assertIn("choose one with --port", text)
+        self.assertIn("no port 'third'", self.refused(64, capture, place, "--port", "third"))
+        with Replay(capture, place, "--port", "other line"):
+            line = open_line(self.folder / "line")
+            self.assertEqual(read_line(line, 1)[0][1], b"b")
+            os.close(line)
+
+    def test_several_ports_at_once(self):
+        capture = self.file("a.pcapng", on_lines([(0, SENT, b"a", 0), (1, SENT, b"b", 1)], (b"one", b"other=1")))
+        with udp_listener() as one, udp_listener() as other:
+            places = [f"{name}=udp://127.0.0.1:{s.getsockname()[1]}" for name, s in (("one", one), ("other=1", other))]
+            with Replay(capture, "--play", places[0], "--play", places[1]) as replay:
+                self.assertEqual((one.recv(10), other.recv(10)), (b"a", b"b"))
+                self.assertEqual(replay.end()[0], 0)
+
+    def test_what_cannot_be_played_is_refused_with_its_reason(self):
+        capture = self.file("a.pcapng", on_lines(self.LINE))
+        self.assertIn("ENDPOINT is missing", self.refused(64, capture))
+        self.assertIn("--until must be later", self.refused(64, capture, "pty:/tmp/x", "--from", 2, "--until", 1))
+        self.assertIn("known scheme", self.refused(64, capture, "nonsense"))
+        self.assertIn("save standard input", self.refused(64, "-", "pty:/tmp/x"))
+        self.assertIn("nothing to play", self.refused(64, self.file("b.pcapng", Pcapng().data), "pty:/tmp/x"))
+        self.refused(66, self.folder / "missing", "pty:/tmp/x")
+        cut = capture.read_bytes()[:-30]
+        self.assertIn("the last block is cut short",
+                      self.refused(64, self.file("c.pcapng", cut), "pty:/tmp/x", "--port", "none"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,44 @@
+#include "tools/capture/open.h"
+
+#include "emulator/error.h"
+#include "emulator/scenario/problems.h"
+#include "emulator/scenario/value.h"
+#include "tools/capture/message_file.h"
+#include "tools/capture/ping_viewer_log.h"
+#include "tools/capture/serial_log.h"
+
+namespace echoloop::capture {
+
+bool is_log(Input& input) {
+    return input.is_capture() || PingViewerLog::recognises(input) || SerialLog::recognises(input);
+}
+
+std::unique_ptr<CaptureReader> open_capture(Input& input, const OpenSettings& settings) {
+    if (input.is_capture()) return open_packets(input);
+    if (PingViewerLog::recognises(input)) return std::make_unique<PingViewerLog>(input);
+    if (SerialLog::recognises(input)) return std::make_unique<SerialLog>(input);
+    if (const auto* family = MessageFile::recognise(input))
+        return std::make_unique<MessageFile>(input, *family, settings.interval);
+    throw StartError(Exit::data,
+                     scenario::in_quotes(input.name()) +
+                         " is no capture that can be read: neither pcap nor pcapng, nor a log of Ping "
+                         "Viewer, nor lines like '12.345 < 40 30', nor messages of a known sonar");
+}
+
+CaptureCounts read_capture(Input& input, const CaptureEvents& events) {
+    const auto capture = open_capture(input);
+    while (const auto event = capture->next()) {
+        if (const auto* datagram = std::get_if<Datagram>(&event->content)) {
+            events.datagram(event->time, *datagram);
+        } else {
+            events.stream(event->time, std::get<StreamPiece>(event->content));
+        }
+    }
+    const CaptureCounts counts = capture->counts();
+    if (counts.packets == 0 && !counts.fault.empty())
+        throw StartError(Exit::data, scenario::in_quotes(input.name()) +
+                                         " is no capture that can be read: " + counts.fault);
+    return counts;
+}
+
+}  // namespace echoloop::capture
