@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <string_view>
 
 namespace echoloop::replay {
@@ -37,6 +39,13 @@ bool is_text(std::string_view line) {
            std::ranges::all_of(line, [](char c) { return c == '\t' || (c >= ' ' && c <= '~'); });
 }
 
+std::optional<double> number_of(std::string_view word) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(number)) return {};
+    return number;
+}
+
 }  // namespace
 
 Command command_of(const inspect::Message& message) {
@@ -62,14 +71,31 @@ Command command_of(wire::ByteView bytes) {
     while (!rest.empty()) {
         const auto word = rest.substr(0, rest.find_first_of(" ,\t"));
         rest.remove_prefix(std::min(rest.size(), word.size() + 1));
-        double number = 0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-        const bool whole = error == std::errc{} && end == word.data() + word.size() && std::isfinite(number);
-        if (whole) {
-            command.values.emplace_back(std::to_string(command.values.size()), number);
+        if (const auto number = number_of(word)) {
+            command.values.emplace_back(std::to_string(command.values.size()), *number);
         } else if (!word.empty()) {
             command.key += (command.key.empty() ? "" : " ") + std::string(word);
         }
+    }
+    return command;
+}
+
+Command command_of(const http::Request& request) {
+    constexpr std::string_view marks = " \t\r\n{}[]:,\"";
+    constexpr std::size_t most = 64;  // words of a body
+    Command command{request.method + " " + request.target, {}};
+    std::string_view rest = request.body;
+    while (command.values.size() < most) {
+        rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(marks)));
+        if (rest.empty()) break;
+        const auto word = rest.substr(0, rest.find_first_of(marks));
+        rest.remove_prefix(word.size());
+        const auto number = number_of(word);
+        // A word counts as one number among very many, so that two of them differ by about as much as they
+        // can.
+        const double value =
+            number ? *number : static_cast<double>(std::hash<std::string_view>{}(word) % 1'000'000'007);
+        command.values.emplace_back(number ? "number" : "word", value);
     }
     return command;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "protocols/http/request.h"
 #include "protocols/inspect.h"
 
 namespace echoloop::replay {
@@ -20,6 +21,9 @@ Command command_of(const inspect::Message& message);
 /// Of bytes that no family decodes: of text its first line, words and numbers apart; else the bytes
 /// themselves.
 Command command_of(wire::ByteView bytes);
+
+/// Of a request of HTTP: method and target, and as values the words and numbers of its body.
+Command command_of(const http::Request& request);
 
 /// How much two commands of the same key differ; 0: not at all.
 double distance(const Command& a, const Command& b);

@@ -6,6 +6,7 @@
 
 #include "emulator/device.h"
 #include "emulator/replay/command.h"
+#include "protocols/http/request.h"
 #include "protocols/stream_decoder.h"
 
 namespace echoloop::replay {
@@ -26,7 +27,8 @@ class MessageReader {
   public:
     using Each = std::function<void(const WholeMessage&)>;
 
-    /// `family`: nullptr if it is not known; then each stretch of bytes counts as one message.
+    /// `family`: nullptr if it is not known; then requests of HTTP are understood, and of anything else each
+    /// stretch of bytes counts as one message.
     /// `datagrams`: each is one message, and keeps its bounds.
     MessageReader(const inspect::Family* family, bool datagrams)
         : family_(family), datagrams_(datagrams), stream_(family) {}
@@ -35,16 +37,17 @@ class MessageReader {
     /// Gives out what never became complete.
     void finish(const Each& each);
     /// Forgets it.
-    void clear() { stream_ = inspect::StreamDecoder(family_); }
-    bool knows_family() const { return family_ != nullptr; }
+    void clear();
 
   private:
     void add_whole(ByteView bytes, const Each& each) const;
+    void add_http(ByteView bytes, const Each& each);
     static inspect::StreamDecoder::Each decoded(const Each& each);
 
     const inspect::Family* family_;
     bool datagrams_;
     inspect::StreamDecoder stream_;
+    std::optional<http::RequestReader> http_{};  ///< once a driver has begun to speak it
 };
 
 }  // namespace echoloop::replay

@@ -48,7 +48,8 @@ std::optional<CaptureEvent> MessageFile::next() {
 }
 
 void MessageFile::keep(const inspect::Message& message, ByteView bytes) {
-    if (message.name.empty() || is_remark(message)) {
+    if (is_remark(message)) return;
+    if (message.name.empty()) {
         ++counts_.skipped;
         return;
     }

@@ -193,6 +193,7 @@ Verb replay_verb() {
          {Kind::repeated, "--play", "PORT=ENDPOINT", "several ports at once, each at its own endpoint"},
          {Kind::flag, "--list", "", "print the ports of the capture and end"},
          {Kind::value, "--speed", "FACTOR", "how much faster than captured; 1 if not given"},
+         {Kind::value, "--interval", "SECONDS", "between messages of a file that holds no times"},
          {Kind::flag, "--loop", "", "begin again at the end"},
          {Kind::value, "--from", "SECONDS", "begin there, counted from the capture's first packet"},
          {Kind::value, "--until", "SECONDS", "end there"},
