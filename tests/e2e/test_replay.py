@@ -223,5 +223,80 @@ class Streams(Played):
                       self.refused(64, self.file("c.pcapng", cut), "pty:/tmp/x", "--port", "none"))
 
 
+def ping_frame(number, payload, source=0):
+    frame = b"BR" + struct.pack("<HHBB", len(payload), number, source, 0) + payload
+    return frame + struct.pack("<H", sum(frame) & 0xFFFF)
+
+
+def get(number):
+    """general_request: send that message."""
+    return ping_frame(6, struct.pack("<H", number))
+
+
+VOLTAGE, INTERVAL = 1202, 1206
+VOLTS = [ping_frame(VOLTAGE, struct.pack("<H", mv), 1) for mv in (4900, 5000, 5100)]
+PACE = ping_frame(INTERVAL, struct.pack("<H", 100), 1)
+ASKED = [(0, RECEIVED, get(VOLTAGE)), (40, SENT, VOLTS[0]), (100, RECEIVED, get(INTERVAL)), (220, SENT, PACE),
+         (300, RECEIVED, get(VOLTAGE)), (330, SENT, VOLTS[1]), (400, RECEIVED, get(VOLTAGE)), (450, SENT, VOLTS[2])]
+
+
+class Answers(Played):
+    def ask(self, line, request, size):
+        begin = time.monotonic()
+        os.write(line, request)
+        pieces = read_line(line, size)
+        return b"".join(data for _, data in pieces), pieces[-1][0] - begin
+
+    def test_by_command_in_another_order_each_at_its_own_delay(self):
+        capture = self.file("a.pcapng", on_lines(ASKED))
+        with Replay(capture, f"pty:{self.folder}/line", "--answer") as replay:
+            line = open_line(self.folder / "line")
+            for request, answer, delay in ((INTERVAL, PACE, 0.120), (VOLTAGE, VOLTS[0], 0.040),
+                                           (VOLTAGE, VOLTS[1], 0.030), (INTERVAL, PACE, 0.120),
+                                           (VOLTAGE, VOLTS[2], 0.050), (VOLTAGE, VOLTS[0], 0.040)):
+                said, after = self.ask(line, get(request), len(answer))
+                self.assertEqual(said, answer)
+                self.assertAlmostEqual(after, delay, delta=WORST / 2)
+            os.write(line, b"noise" + get(1200) + get(1200))
+            self.ask(line, get(VOLTAGE), len(VOLTS[1]))
+            os.close(line)
+            status, output = replay.stop()
+        self.assertEqual(status, 0)
+        self.assertIn("9, 7 answered, 2 that the capture does not hold: GeneralRequest 2; 5 bytes of noise", output)
+
+    def test_to_another_kind_of_endpoint(self):
+        """Of a serial line each message becomes a datagram of its own."""
+        capture = self.file("a.pcapng", on_lines(ASKED))
+        with Replay(capture, "udp-listen://127.0.0.1:0", "--answer") as replay:
+            port = int(replay.output.split("udp-listen://127.0.0.1:")[1].split()[0])
+            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as driver:
+                driver.settimeout(20)
+                driver.connect(("127.0.0.1", port))
+                driver.send(get(VOLTAGE))
+                driver.send(get(INTERVAL))
+                self.assertEqual([driver.recv(100), driver.recv(100)], [VOLTS[0], PACE])
+
+    def test_step_by_step_for_each_request_and_each_line(self):
+        capture = self.file("a.pcapng", on_lines(ASKED))
+        with Replay(capture, f"pty:{self.folder}/line", "--stepped", stdin=subprocess.PIPE) as replay:
+            line = open_line(self.folder / "line")
+            self.assertEqual(self.ask(line, get(1200), len(VOLTS[0]))[0], VOLTS[0])
+            replay.process.stdin.write(b"\n")
+            replay.process.stdin.flush()
+            self.assertEqual(b"".join(data for _, data in read_line(line, len(PACE))), PACE)
+            os.write(line, get(1200) + get(1200))
+            self.assertEqual(b"".join(data for _, data in read_line(line, 2 * len(VOLTS[1]))), VOLTS[1] + VOLTS[2])
+            status, output = replay.end()
+            os.close(line)
+        self.assertEqual(status, 0)
+        self.assertIn("4 messages", output)
+
+    def test_modes_that_exclude_each_other_are_refused(self):
+        capture = self.file("a.pcapng", on_lines(ASKED))
+        for modes in (("--answer", "--stepped"), ("--answer", "--speed", 0), ("--answer", "--loop"),
+                      ("--stepped", "--speed", 2), ("--family", "nonsense")):
+            self.refused(64, capture, "pty:/tmp/x", *modes)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -192,18 +192,22 @@ Verb replay_verb() {
           "which port of the capture: its name, an address, a port number, or ADDRESS:PORT"},
          {Kind::repeated, "--play", "PORT=ENDPOINT", "several ports at once, each at its own endpoint"},
          {Kind::flag, "--list", "", "print the ports of the capture and end"},
-         {Kind::value, "--speed", "FACTOR", "how much faster than captured; 1 if not given"},
+         {Kind::value, "--speed", "FACTOR", "how much faster than captured; 1 if not given; 0: as --stepped"},
+         {Kind::flag, "--stepped", "", "one message each time the driver asks, or Enter is pressed"},
+         {Kind::flag, "--answer", "", "answer each request with what followed the nearest captured one"},
          {Kind::value, "--interval", "SECONDS", "between messages of a file that holds no times"},
          {Kind::flag, "--loop", "", "begin again at the end"},
          {Kind::value, "--from", "SECONDS", "begin there, counted from the capture's first packet"},
          {Kind::value, "--until", "SECONDS", "end there"},
          {Kind::value, "--direction", "SIDE", "which side to play, device or driver", {"device", "driver"}},
+         {Kind::value, "--family", "NAME", "protocol family of the requests; without it: guessed"},
          {Kind::value, "--baud", "RATE", "as slow as a serial line of so many bit/s"},
          {Kind::value, "--start", "WHEN", "with the first driver, or now", {"driver", "now"}},
          {Kind::value, "--duration", "SECONDS", "end after this time, whatever is left"},
          {Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop replay dive.pcapng pty:/tmp/echoloop/micron\n"
         "  echoloop replay dive.pcapng --list\n"
+        "  echoloop replay dive.pcapng udp-listen://127.0.0.1:9092 --port 'ping360 line' --answer\n"
         "  echoloop replay lake.pcap udp://127.0.0.1:4000 --port 65500 --speed 2 --loop",
         run};
 }
