@@ -13,6 +13,9 @@ gi.require_version("UMockdev", "1.0")
 from gi.repository import UMockdev
 
 from program import Emulator
+from replaying import Folder, open_line, read_line
+from test_record import packets, payload
+from test_record_device import Recorder
 
 from byte_line import ByteLine
 from seanet_handshakes import HANDSHAKES
@@ -56,6 +59,26 @@ class OverSerialPort(unittest.TestCase):
             self.assertEqual(len(lines), 30)
             self.assertEqual([faults for _, faults in lines if faults], [])
             self.assertEqual(session.framer.skipped, 0)
+
+    def test_a_real_port_is_recorded_and_passed_on_to_a_driver(self):
+        other_end = self.testbed.get_dev_fd("/dev/ttyEL0")
+        folder = Folder()
+        self.addCleanup(folder.remove)
+        capture = folder.path / "lake.pcapng"
+        asked, answer = b"\x01\x02 ask", bytes(range(256)) * 4
+        with Recorder("serial:///dev/ttyEL0:115200", f"pty:{folder.path}/line", "--out", capture) as recorder:
+            line = open_line(folder.path / "line")
+            os.write(line, asked)
+            self.assertEqual(b"".join(data for _, data in read_line(other_end, len(asked))), asked)
+            os.write(other_end, answer)
+            self.assertEqual(b"".join(data for _, data in read_line(line, len(answer))), answer)
+            os.close(line)
+            recorder.stop()
+        rows = packets(capture, "rtacser.eventtype", "data.data", "frame.interface_name")
+        self.assertEqual({row["frame.interface_name"][0] for row in rows}, {"device line"})
+        said = [row for row in rows if int(row["rtacser.eventtype"][0], 0) == 1]
+        self.assertEqual(payload(said, "data.data"), answer)
+        self.assertEqual(payload([row for row in rows if row not in said], "data.data"), asked)
 
 
 if __name__ == "__main__":
