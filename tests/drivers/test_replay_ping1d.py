@@ -51,7 +51,7 @@ class Replayed(unittest.TestCase):
             self.assertIsNone(sonar.get_pcb_temperature(), "nobody asked for that")
             status, output = replay.stop()
         self.assertEqual(status, 0, output)
-        self.assertRegex(requests_line(output), r"[1-9]\d* that the capture does not hold: GeneralRequest \d+;")
+        self.assertRegex(requests_line(output), r"[1-9]\d* that the capture does not hold: PcbTemperature request \d+;")
 
     def test_a_stream_that_it_begins_and_ends(self):
         port = free_base_port(1)

@@ -75,7 +75,7 @@ class Replayed(unittest.TestCase):
         with run:
             seen = self.scan(self.on_udp(port))
         self.assertEqual([angle for angle, _ in seen], list(range(100, 130)))
-        with run.replay(f"udp-listen://127.0.0.1:{port}", "--port", "ping360 line", "--answer") as replay:
+        with run.replay(f"udp-listen://127.0.0.1:{port}", "--port", "ping360 line 1", "--answer") as replay:
             self.assertEqual(self.scan(self.on_udp(port)), seen)
             self.assertEqual(replay.stop()[0], 0)
 

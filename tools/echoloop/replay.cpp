@@ -207,7 +207,7 @@ Verb replay_verb() {
          {Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop replay dive.pcapng pty:/tmp/echoloop/micron\n"
         "  echoloop replay dive.pcapng --list\n"
-        "  echoloop replay dive.pcapng udp-listen://127.0.0.1:9092 --port 'ping360 line' --answer\n"
+        "  echoloop replay dive.pcapng udp-listen://127.0.0.1:9092 --port 'ping360 line 1' --answer\n"
         "  echoloop replay lake.pcap udp://127.0.0.1:4000 --port 65500 --speed 2 --loop",
         run};
 }
