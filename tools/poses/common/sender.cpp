@@ -23,7 +23,7 @@
 namespace echoloop::poses {
 namespace {
 
-constexpr std::size_t longest_answer = 4096;
+constexpr std::size_t longest_answer = 1 << 16;
 constexpr int between_tries = 500;  // ms
 
 std::int64_t steady_ms() {
@@ -72,19 +72,27 @@ Sender::~Sender() {
 bool Sender::send(const std::string& line) { return write(line + "\n"); }
 
 bool Sender::step(const std::string& line, Nanoseconds now) {
-    const double seconds = static_cast<double>(now) * 1e-9;
     constexpr double rounding = 1e-7;
+    const double goal = static_cast<double>(now) * 1e-9 - rounding;
+    error_.clear();
     while (!stopped()) {
-        if (write(line + "\n") && answered(seconds - rounding, between_tries * 2)) return true;
-        if (stopped()) break;
-        if (!std::exchange(said_, true))
-            say(place_ +
-                " does not answer a step; waiting for an emulator with clock: {mode: stepped} there");
-        if (socket_ < 0) ::poll(nullptr, 0, between_tries);
-        // A slow emulator may be at work on it; a second connection starts anew.
-        while (tcp_ && socket_ >= 0 && !stopped())
-            if (answered(seconds - rounding, between_tries)) return true;
+        // A slow emulator may be at work on it for long. It does not lose lines with TCP, but may with UDP.
+        const bool sent = write(line + "\n");
+        for (bool again = sent; again && socket_ >= 0 && error_.empty() && !stopped(); again = tcp_) {
+            if (answered(goal, 2 * between_tries)) return true;
+            if (error_.empty() && !std::exchange(said_, true))
+                say(place_ + " does not answer a step yet; an emulator with clock: {mode: stepped} would");
+        }
+        if (!error_.empty()) return complain();
+        if (!sent) ::poll(nullptr, 0, between_tries);
     }
+    return false;
+}
+
+/// Says what the emulator finds wrong, unless it said so last time.
+bool Sender::complain() {
+    if (said_error_ != error_) say(place_ + " answers: " + harmless(error_));
+    said_error_ = error_;
     return false;
 }
 
@@ -143,9 +151,10 @@ bool Sender::answered(double now, int milliseconds) {
     const std::int64_t end = steady_ms() + milliseconds;
     while (socket_ >= 0 && !stopped()) {
         if (milliseconds > 0 && reached_ >= now) return true;
+        if (milliseconds > 0 && !error_.empty()) return false;
         const auto left = std::max<std::int64_t>(0, end - steady_ms());
         if (!ready(socket_, POLLIN, static_cast<int>(left))) return false;
-        std::array<char, longest_answer> bytes;
+        std::array<char, 4096> bytes;
         sockaddr_in from{};
         socklen_t from_size = sizeof from;
         const auto size = ::recvfrom(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT,
@@ -166,7 +175,10 @@ void Sender::take(const char* bytes, std::size_t size) {
         const auto answer =
             nlohmann::json::parse(waiting_.begin() + static_cast<std::ptrdiff_t>(from),
                                   waiting_.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
-        if (answer.is_object() && answer.contains("now") && answer["now"].is_number())
+        if (!answer.is_object()) continue;
+        if (answer.contains("error"))
+            error_ = answer["error"].is_string() ? answer["error"].get<std::string>() : "an error";
+        else if (answer.contains("now") && answer["now"].is_number())
             reached_ = answer["now"].get<double>();
     }
     waiting_.erase(0, from);

@@ -21,8 +21,8 @@ class Sender {
     /// Never waits for the emulator: false if it is not there (TCP; nobody can know with UDP).
     bool send(const std::string& line);
 
-    /// Sends the line, which holds "now", until the emulator has answered that it has got there. False if the
-    /// program is to end before that.
+    /// Sends the line, which holds "now", until the emulator has answered that it has got there. False if it
+    /// answers that it will not, or if the program is to end before that.
     bool step(const std::string& line, Nanoseconds now);
 
     const std::string& place() const { return place_; }
@@ -32,6 +32,7 @@ class Sender {
     void disconnect(const char* why);
     bool write(const std::string& line);
     bool answered(double now, int milliseconds);
+    bool complain();
     void take(const char* bytes, std::size_t size);
 
     Endpoint to_;
@@ -41,6 +42,8 @@ class Sender {
     bool said_ = false;       ///< that nobody is there, since the last time that somebody was
     double reached_ = -1;     ///< s, the latest time that the emulator said
     std::string waiting_;     ///< the beginning of an answer
+    std::string error_;       ///< what it last found wrong
+    std::string said_error_;  ///< the same, that a person was told
     std::int64_t retry_ = 0;  ///< ms on the steady clock: not to be tried again before
 };
 
