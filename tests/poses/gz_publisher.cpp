@@ -2,7 +2,8 @@
 //     gz_publisher TOPIC TYPE [NAME...]
 // TYPE is gz.msgs.Pose, ignition.msgs.Pose_V, ... Waits for a subscriber and says "connected"; then one
 // message for each line of standard input: nanoseconds x y z qw qx qy qz. A Pose_V holds one pose for each
-// NAME, of which the last is the one of the line, the others are a hundred metres up.
+// NAME, of which the last is the one of the line, the others are a hundred metres up. Says "answer
+// NANOSECONDS" for each Clock on the topic /answers.
 #include <ignition/msgs/clock.pb.h>
 #include <ignition/msgs/odometry.pb.h>
 #include <ignition/msgs/pose.pb.h>
@@ -10,6 +11,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <ignition/transport/Node.hh>
 #include <iostream>
 #include <string>
@@ -84,6 +86,10 @@ int main(int argc, char** argv) {
     const std::vector<std::string> names(argv + 3, argv + argc);
     ignition::transport::Node node;
     auto publisher = node.Advertise(argv[1], type);
+    std::function<void(const msgs::Clock&)> answered = [](const msgs::Clock& clock) {
+        std::cout << "answer " << clock.sim().sec() * 1'000'000'000 + clock.sim().nsec() << std::endl;
+    };
+    if (!node.Subscribe("/answers", answered)) return 70;
     while (!publisher.HasConnections()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     std::cout << "connected" << std::endl;
     Line line;

@@ -24,6 +24,12 @@ class Publisher:
         """`stamp` in nanoseconds, orientation w x y z."""
         print(stamp, *position, *orientation, file=self.process.stdin, flush=True)
 
+    def next_answer(self):
+        """The time in nanoseconds of the next Clock on /answers."""
+        word, time = self.process.stdout.readline().split()
+        assert word == "answer"
+        return int(time)
+
     def stop(self):
         if self.process.poll() is None:
             self.process.stdin.close()

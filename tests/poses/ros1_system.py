@@ -2,6 +2,7 @@
 
 import atexit
 import os
+import queue
 import socket
 import tempfile
 import time
@@ -92,6 +93,22 @@ def stamped(kind, stamp, position, orientation=(1, 0, 0, 0), frame="map", child=
     if kind is Odometry:
         message.child_frame_id = child
     return message
+
+
+class Answers:
+    """The times that the pose program publishes as the emulator gets to them; it must be running already."""
+
+    def __init__(self, topic):
+        self.times = queue.Queue()
+        subscriber = rospy.Subscriber(topic, Clock, lambda m: self.times.put(m.clock.secs * 10**9 + m.clock.nsecs))
+        end = time.monotonic() + 30
+        while subscriber.get_num_connections() < 1:
+            if time.monotonic() > end:
+                raise AssertionError(f"nobody publishes {topic}")
+            time.sleep(0.01)
+
+    def next(self):
+        return self.times.get(timeout=60)
 
 
 def publisher(topic, kind, subscribers=1):

@@ -86,6 +86,15 @@ class Double:
     def wait_for_subscriber(self, topic):
         self.wait_for(lambda: self.clients.get(topic), f"nobody subscribes to {topic}")
 
+    def next_answer(self, topic):
+        """The time in nanoseconds of the next Clock that the program publishes on that topic."""
+        self.wait_for(lambda: any(r["op"] == "publish" for r in self.requests), f"nobody publishes {topic}")
+        with self.changed:
+            request = next(r for r in self.requests if r["op"] == "publish")
+            self.requests.remove(request)
+        assert request["topic"] == topic
+        return request["msg"]["clock"]["secs"] * 10**9 + request["msg"]["clock"]["nsecs"]
+
     def publish(self, topic, message):
         self.send(topic, json.dumps({"op": "publish", "topic": topic, "msg": message}))
 

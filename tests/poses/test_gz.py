@@ -1,6 +1,8 @@
 """echoloop-pose-gz between Debian's ignition-transport and the running emulator."""
 
+import json
 import os
+import socket
 import subprocess
 import time
 import unittest
@@ -48,6 +50,19 @@ class Gazebo(PosesCase):
         status, output = helper.stop()
         self.assertEqual(status, 0, output)
         self.assertRegex(nameless.stop()[1], r"several poses; name one of them as in \S+#NAME: sun, ground, rov")
+
+    def test_vehicle_and_objects_of_one_message(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as emulator:
+            emulator.bind(("127.0.0.1", 0))
+            emulator.settimeout(30)
+            helper = self.helper("--topic", "/poses#rov", "--object", "the ball=/poses#ball", "--to",
+                                 f"udp://127.0.0.1:{emulator.getsockname()[1]}")
+            Publisher(self, "/poses", "gz.msgs.Pose_V", "ball", "rov").publish(1_500_000_000, (1, 2, 3), (0, 0, 1, 0))
+            lines = [json.loads(emulator.recv(4096)) for _ in range(2)]
+        self.assertEqual(lines[0], {"t": 1.5, "position": [1, 2, 3], "orientation": [0, 0, 1, 0]})
+        self.assertEqual(lines[1], {"t": 1.5, "object": "the ball", "position": [1, 2, 100],
+                                    "orientation": [0, 0, 1, 0]})
+        self.assertRegex(helper.stop()[1], r"vehicle +1 poses from /poses\nthe ball +1 poses from /poses\n$")
 
     def test_what_cannot_be_is_refused_and_counted(self):
         port = free_udp_port()

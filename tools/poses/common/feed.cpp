@@ -88,10 +88,12 @@ Nanoseconds Feed::run_time(Nanoseconds stamp) {
 
 void Feed::step(const std::string& line, Nanoseconds now) {
     now_ = now;
-    if (sender_.step(line, now))
-        ++steps_;
-    else
+    if (!sender_.step(line, now)) {
         ++lost_;
+        return;
+    }
+    ++steps_;
+    if (told_) told_(now + *zero_);
 }
 
 void Feed::idle() {

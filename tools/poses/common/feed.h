@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -17,6 +18,9 @@ namespace echoloop::poses {
 class Feed {
   public:
     Feed(const Options& options, Sender& sender);
+
+    /// Who is told of each step that the emulator has made, with the stamp that it was made for.
+    void on_step(std::function<void(Nanoseconds stamp)> told) { told_ = std::move(told); }
 
     /// The bodies of one message on a topic of the sources; each source takes the one that it names.
     void heard(const std::string& topic, const std::vector<BodyPose>& bodies);
@@ -38,6 +42,7 @@ class Feed {
 
     const Options& options_;
     Sender& sender_;
+    std::function<void(Nanoseconds)> told_;
     std::optional<Nanoseconds> zero_, now_;      ///< of a stepped run
     std::map<std::string, std::uint64_t> sent_;  ///< by what moves
     std::uint64_t refused_ = 0, lost_ = 0, late_ = 0, steps_ = 0;

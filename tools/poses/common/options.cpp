@@ -72,6 +72,9 @@ CLI::Option* add_arguments(CLI::App& app, const Program& program, Words& words, 
                      ->type_name("SECONDS")
                      ->check(CLI::Range(0.0, 9e9));
     app.add_option("--clock", options.clock, program.clock_help)->type_name("TOPIC");
+    app.add_option("--answer", options.answer,
+                   "with --step: topic on which the stamp is published that the emulator has got to")
+        ->type_name("TOPIC");
     if (program.transforms)
         app.add_option("--world", options.world, "root frame of transforms (default " + options.world + ")")
             ->type_name("FRAME");
@@ -97,8 +100,9 @@ void understand(const Words& words, Options& options) {
     if (options.sources.empty())
         throw StartError(Exit::usage,
                          "which topic? give --topic for the vehicle, or --object for a node of the scene");
-    if (!options.clock.empty() && !options.step)
-        throw StartError(Exit::usage, "--clock says when to step, so give --step as well");
+    for (const auto& [option, topic] : {std::pair("--clock", options.clock), {"--answer", options.answer}})
+        if (!topic.empty() && !options.step)
+            throw StartError(Exit::usage, std::string(option) + " belongs to steps, so give --step as well");
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct Options {
     bool step = false;
     std::optional<Nanoseconds> zero;  ///< the stamp that is second 0 of a stepped run; empty: the first one
     std::string clock;                ///< topic of simulated time, which steps as well; empty: none
+    std::string answer;               ///< topic that is told of each step's end; empty: none
     std::string world = "map";        ///< root frame of transforms
     std::string server;               ///< rosbridge only: ws://host:port/path
     std::vector<std::pair<std::string, std::string>> types;  ///< rosbridge only: of topics

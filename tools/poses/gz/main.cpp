@@ -4,6 +4,7 @@
 #include <deque>
 #include <ignition/transport/Node.hh>
 #include <mutex>
+#include <utility>
 
 #include "emulator/error.h"
 #include "tools/poses/common/program.h"
@@ -98,6 +99,17 @@ void listen(const Options& options, Feed& feed) {
     ignition::transport::Node node;
     for (const auto& topic : topics_of(options)) subscribe(node, queue, topic);
     if (!options.clock.empty()) subscribe(node, queue, options.clock);
+    ignition::transport::Node::Publisher answers;
+    const std::string clock = "ignition.msgs.Clock";
+    if (!options.answer.empty()) {
+        answers = node.Advertise(options.answer, clock);
+        if (!answers)
+            throw StartError(Exit::usage, "'" + harmless(options.answer) + "' is no name of a topic");
+        feed.on_step([&answers, &clock, first = true](Nanoseconds time) mutable {
+            if (std::exchange(first, false)) wait_a_while([&answers] { return answers.HasConnections(); });
+            answers.PublishRaw(gz_clock(time), clock);
+        });
+    }
     say_ready(options, "Gazebo's partition " + node.Options().Partition());
     while (!stopped()) {
         if (const auto message = queue.take())

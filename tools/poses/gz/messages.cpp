@@ -82,6 +82,14 @@ GzPoses read_gz(std::string_view bytes, std::string_view type) {
                 "of gz.msgs and ignition.msgs"};
 }
 
+std::string gz_clock(Nanoseconds time) {
+    constexpr Nanoseconds second = 1'000'000'000;
+    msgs::Clock clock;
+    clock.mutable_sim()->set_sec(time / second);
+    clock.mutable_sim()->set_nsec(static_cast<std::int32_t>(time % second));
+    return clock.SerializeAsString();
+}
+
 std::optional<Nanoseconds> read_gz_clock(std::string_view bytes, std::string_view type) {
     const auto nanoseconds = [](const msgs::Time& time) {
         return stamp_of(time.sec(), time.nsec()).value_or(0);

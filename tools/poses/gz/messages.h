@@ -18,6 +18,9 @@ struct GzPoses {
 /// Pose, Pose_V and Odometry of gz.msgs or ignition.msgs, which have the same bytes.
 GzPoses read_gz(std::string_view bytes, std::string_view type);
 
+/// The bytes of an ignition.msgs.Clock.
+std::string gz_clock(Nanoseconds time);
+
 /// Of a Clock or of WorldStatistics.
 std::optional<Nanoseconds> read_gz_clock(std::string_view bytes, std::string_view type);
 

@@ -30,7 +30,8 @@ void listen(const Options& options, Feed& feed) {
         [&feed](Nanoseconds time) { feed.clock(time); },
         [](const std::string& text) { say(harmless(text)); },
         [&feed] { feed.idle(); }};
-    Ros1Node node({options.sources, options.clock, options.world}, ears, stopped);
+    Ros1Node node({options.sources, options.clock, options.world, options.answer}, ears, stopped);
+    if (!options.answer.empty()) feed.on_step([&node](Nanoseconds time) { node.answer(time); });
     if (!stopped()) say_ready(options, node.master());
     node.listen();
 }

@@ -2,11 +2,14 @@
 
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
+#include "tools/poses/common/stop.h"
 #include "tools/poses/ros1/messages.h"
 #include "tools/poses/ros1/transforms.h"
 
@@ -32,6 +35,12 @@ bool tells_transforms(const std::string& topic) {
     return topic == "tf" || (topic.size() > 2 && topic.compare(topic.size() - 3, 3, "/tf") == 0);
 }
 
+rosgraph_msgs::Clock clock_message(Nanoseconds time) {
+    rosgraph_msgs::Clock message;
+    message.clock.fromNSec(static_cast<std::uint64_t>(std::max<Nanoseconds>(0, time)));
+    return message;
+}
+
 }  // namespace
 
 class Ros1Node::Listener {
@@ -47,12 +56,21 @@ class Ros1Node::Listener {
                 subscribe(topic + "_static",
                           [this, topic](const Message& m) { keep(topic, read_ros1(m), true); });
         }
+        constexpr std::uint32_t most_waiting_answers = 1000;
+        if (!wishes_.answer.empty())
+            answers_ = node_.advertise<rosgraph_msgs::Clock>(wishes_.answer, most_waiting_answers);
         if (!wishes_.clock.empty()) subscribe(wishes_.clock, [this](const Message& m) { clock(m); });
     }
 
     void wait_for_messages() {
         queue_.callAvailable(ros::WallDuration(0.1));
         ears_.idle();
+    }
+
+    void answer(Nanoseconds time) {
+        if (!std::exchange(answered_, true))
+            wait_a_while([this] { return answers_.getNumSubscribers() > 0; });
+        answers_.publish(clock_message(time));
     }
 
   private:
@@ -100,6 +118,8 @@ class Ros1Node::Listener {
     ros::NodeHandle node_;
     ros::CallbackQueue queue_;
     std::vector<ros::Subscriber> subscribers_;
+    ros::Publisher answers_;
+    bool answered_ = false;
     Transforms transforms_;
     std::set<std::string> said_;
 };
@@ -118,6 +138,10 @@ Ros1Node::~Ros1Node() {
 }
 
 std::string Ros1Node::master() const { return ros::master::getURI(); }
+
+void Ros1Node::answer(Nanoseconds time) {
+    if (listener_) listener_->answer(time);
+}
 
 void Ros1Node::listen() {
     while (listener_ && !stopped_() && ros::ok()) listener_->wait_for_messages();

@@ -13,8 +13,9 @@ namespace echoloop::poses {
 
 struct Ros1Wishes {
     std::vector<Source> sources;
-    std::string clock;  ///< topic; empty: none
-    std::string world;  ///< root frame of transforms
+    std::string clock;   ///< topic; empty: none
+    std::string world;   ///< root frame of transforms
+    std::string answer;  ///< topic to publish times on; empty: none
 };
 
 /// Who is told.
@@ -37,6 +38,8 @@ class Ros1Node {
 
     /// The address of the master.
     std::string master() const;
+    /// Publishes the time on the topic of the answers.
+    void answer(Nanoseconds time);
     /// Hands on what comes, until it is stopped.
     void listen();
 

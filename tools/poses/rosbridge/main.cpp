@@ -97,6 +97,8 @@ void listen(const Options& options, Feed& feed) {
     Connection connection(options.server);
     Listener listener(options, feed);
     bool said = false;
+    if (!options.answer.empty())
+        feed.on_step([&](Nanoseconds time) { connection.write(clock_message(options.answer, time)); });
     while (!stopped()) {
         if (!connection.open()) {
             if (!std::exchange(said, true))
@@ -107,6 +109,7 @@ void listen(const Options& options, Feed& feed) {
             continue;
         }
         say_ready(options, options.server);
+        if (!options.answer.empty()) connection.write(advertise_request(options.answer));
         listener.connected(connection);
         while (!stopped() && connection.is_open()) {
             if (const auto text = connection.read(100))

@@ -20,6 +20,8 @@ const Json& member(const Json& object, const char* key) {
     return object[key];
 }
 
+std::string line_of(const Json& json) { return json.dump(-1, ' ', true, Json::error_handler_t::replace); }
+
 /// rosbridge says null for numbers that are none.
 double number(const Json& object, const char* key) {
     const Json& value = member(object, key);
@@ -109,9 +111,7 @@ RosbridgeHeard read_rosbridge(std::string_view bytes) {
     try {
         if (!said.is_object()) throw Refusal{"it is no JSON object"};
         const auto op = text(said, "op");
-        if (op == "status")
-            throw Refusal{"rosbridge says: " +
-                          said.value("msg", Json()).dump(-1, ' ', true, Json::error_handler_t::replace)};
+        if (op == "status") throw Refusal{"rosbridge says: " + line_of(said.value("msg", Json()))};
         if (op != "publish") return {};
         heard.topic = text(said, "topic");
         read_message(member(said, "msg"), heard);
@@ -125,7 +125,17 @@ std::string subscribe_request(const std::string& topic, const std::string& type)
     Json request{{"op", "subscribe"},     {"id", "echoloop:" + topic}, {"topic", topic},
                  {"compression", "none"}, {"throttle_rate", 0},        {"queue_length", 0}};
     if (!type.empty()) request["type"] = type;
-    return request.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return line_of(request);
+}
+
+std::string advertise_request(const std::string& topic) {
+    return line_of({{"op", "advertise"}, {"topic", topic}, {"type", "rosgraph_msgs/Clock"}});
+}
+
+std::string clock_message(const std::string& topic, Nanoseconds time) {
+    constexpr Nanoseconds second = 1'000'000'000;
+    const Json clock{{"clock", {{"secs", time / second}, {"nsecs", time % second}}}};
+    return line_of({{"op", "publish"}, {"topic", topic}, {"msg", clock}});
 }
 
 }  // namespace echoloop::poses

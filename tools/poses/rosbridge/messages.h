@@ -27,4 +27,9 @@ RosbridgeHeard read_rosbridge(std::string_view text);
 /// The request for a topic. `type`: may be empty, if the topic has a publisher.
 std::string subscribe_request(const std::string& topic, const std::string& type);
 
+/// What makes the topic of the answers known, and an answer: a rosgraph_msgs/Clock, as both generations take
+/// it.
+std::string advertise_request(const std::string& topic);
+std::string clock_message(const std::string& topic, Nanoseconds time);
+
 }  // namespace echoloop::poses
