@@ -24,6 +24,11 @@ class Publisher:
         """`stamp` in nanoseconds, orientation w x y z."""
         print(stamp, *position, *orientation, file=self.process.stdin, flush=True)
 
+    def prove_connection(self, helper):
+        """What is published before the sockets have found each other is lost: so publishes what is refused until the
+        pose program says so."""
+        helper.wait_for("a message was refused", publish=lambda: self.publish(1, (0, 0, 0), (0, 0, 0, 0)))
+
     def next_answer(self):
         """The time in nanoseconds of the next Clock on /answers."""
         word, time = self.process.stdout.readline().split()

@@ -63,12 +63,16 @@ class Process:
                                         stdin=subprocess.DEVNULL, env={**os.environ, **dict(env)})
         test.addCleanup(self.kill)
 
-    def wait_for(self, text, seconds=30):
+    def wait_for(self, text, seconds=30, publish=None):
+        """`publish` is called ten times a second, until the text is there."""
         end = time.monotonic() + seconds
         while text not in self.output:
-            ready = select.select([self.process.stdout], [], [], max(0, end - time.monotonic()))[0]
+            if publish:
+                publish()
+            left = max(0, end - time.monotonic())
+            ready = select.select([self.process.stdout], [], [], min(left, 0.1) if publish else left)[0]
             piece = os.read(self.process.stdout.fileno(), 65536).decode() if ready else ""
-            if not piece:
+            if not piece and (ready or not publish or time.monotonic() > end):
                 raise AssertionError(f"no '{text}' within {seconds} s; output:\n{self.output}")
             self.output += piece
 

@@ -45,8 +45,7 @@ class Gazebo(PosesCase):
         out = Publisher(self, topic, "gz.msgs.Pose_V", "sun", "ground", "rov")
         depths.wait_for(8, lambda: out.publish(time.time_ns(), (0, 0, -12)))
         other = Publisher(self, topic, "gz.msgs.Pose_V", "sun")
-        other.publish(1, (0, 0, 0))
-        helper.wait_for("nothing in it is called 'rov', but: sun")
+        helper.wait_for("nothing in it is called 'rov', but: sun", publish=lambda: other.publish(1, (0, 0, 0)))
         status, output = helper.stop()
         self.assertEqual(status, 0, output)
         self.assertRegex(nameless.stop()[1], r"several poses; name one of them as in \S+#NAME: sun, ground, rov")
@@ -57,26 +56,30 @@ class Gazebo(PosesCase):
             emulator.settimeout(30)
             helper = self.helper("--topic", "/poses#rov", "--object", "the ball=/poses#ball", "--to",
                                  f"udp://127.0.0.1:{emulator.getsockname()[1]}")
-            Publisher(self, "/poses", "gz.msgs.Pose_V", "ball", "rov").publish(1_500_000_000, (1, 2, 3), (0, 0, 1, 0))
+            out = Publisher(self, "/poses", "gz.msgs.Pose_V", "ball", "rov")
+            out.prove_connection(helper)
+            out.publish(1_500_000_000, (1, 2, 3), (0, 0, 1, 0))
             lines = [json.loads(emulator.recv(4096)) for _ in range(2)]
         self.assertEqual(lines[0], {"t": 1.5, "position": [1, 2, 3], "orientation": [0, 0, 1, 0]})
         self.assertEqual(lines[1], {"t": 1.5, "object": "the ball", "position": [1, 2, 100],
                                     "orientation": [0, 0, 1, 0]})
-        self.assertRegex(helper.stop()[1], r"vehicle +1 poses from /poses\nthe ball +1 poses from /poses\n$")
+        self.assertRegex(helper.stop()[1], r"vehicle +1 poses from /poses\nthe ball +1 poses from /poses\n")
 
     def test_what_cannot_be_is_refused_and_counted(self):
         port = free_udp_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         helper = self.helper("--topic", "/pose", "--to", f"udp://127.0.0.1:{port}")
-        Publisher(self, "/pose", "gz.msgs.Clock").publish(1, (0, 0, 0))
-        helper.wait_for("its type gz.msgs.Clock tells no pose")
+        clock = Publisher(self, "/pose", "gz.msgs.Clock")
+        helper.wait_for("its type gz.msgs.Clock tells no pose", publish=lambda: clock.publish(1, (0, 0, 0)))
         out = Publisher(self, "/pose", "ignition.msgs.Pose")
+        depths.wait_for(14, lambda: out.publish(time.time_ns(), (0, 0, -6)))
         out.publish(1, (0, 0, 2e6))
         out.publish(1, (0, 0, -4), (0, 0, 0, 0))
-        depths.wait_for(14, lambda: out.publish(time.time_ns(), (0, 0, -6)))
+        depths.wait_for(13, lambda: out.publish(time.time_ns(), (0, 0, -7)))
         status, output = helper.stop()
         self.assertEqual(status, 0)
-        self.assertRegex(output, r"refused +3 messages \(the last: /pose: the orientation is all zero")
+        self.assertEqual(output.count("a message was refused"), 1, output)
+        self.assertRegex(output, r"refused +([3-9]|\d\d+) messages \(the last: /pose: the orientation is all zero")
 
     def test_poses_of_debians_own_tool(self):
         need(Path(TOPIC_TOOL).exists(), "ign-transport-topic is missing (tools/install test)")
@@ -88,7 +91,8 @@ class Gazebo(PosesCase):
             subprocess.run([TOPIC_TOOL, "-t", "/tool", "-m", "ignition.msgs.Pose", "-p", "position: {z: -9}"],
                            env={**os.environ, **ENV}, check=True, timeout=30)
 
-        depths.wait_for(11, publish)
+        # It waits a tenth of a second only for a subscriber to be found: on a busy machine it takes some tries.
+        depths.wait_for(11, publish, 150)
         self.assertEqual(helper.stop()[0], 0)
 
     def test_a_name_that_is_no_topic(self):
