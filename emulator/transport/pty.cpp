@@ -96,6 +96,7 @@ Task<void> Pty::read_line() {
     while (master_.is_open()) {
         const std::size_t n = co_await master_.async_read_some(asio::buffer(buffer), into(ec));
         if (ec) co_return;
+        note_openers();  // who came before these bytes must not lose them to who left
         count_in(n);
         note_rate();
         events_.received(ByteView(buffer).first(n), {});
@@ -103,12 +104,20 @@ Task<void> Pty::read_line() {
 }
 
 Task<void> Pty::watch_openers() {
-    alignas(inotify_event) std::array<std::uint8_t, 4096> buffer;
     error_code ec;
     while (watch_.is_open()) {
-        const std::size_t n = co_await watch_.async_read_some(asio::buffer(buffer), into(ec));
+        co_await watch_.async_wait(asio::posix::descriptor_base::wait_read, into(ec));
         if (ec) co_return;
-        handle_watch(ByteView(buffer).first(n));
+        note_openers();
+    }
+}
+
+void Pty::note_openers() {
+    alignas(inotify_event) std::array<std::uint8_t, 4096> buffer;
+    while (watch_.is_open()) {
+        const ssize_t n = ::read(watch_.native_handle(), buffer.data(), buffer.size());
+        if (n <= 0) return;
+        handle_watch(ByteView(buffer).first(static_cast<std::size_t>(n)));
     }
 }
 
@@ -120,16 +129,17 @@ void Pty::handle_watch(ByteView events) {
         if ((event.mask & IN_OPEN) && openers_++ == 0) events_.opened();
         if (event.mask & IN_CLOSE) openers_ = std::max(0, openers_ - 1);
         if ((event.mask & IN_CLOSE) && openers_ == 0) {
-            drop_buffers();
+            drop_unread();
             events_.reconnected();
         }
     }
 }
 
-/// What a driver left unread, or left unsaid, must not reach the next one.
-void Pty::drop_buffers() {
-    ::tcflush(slave_, TCIOFLUSH);
-    ::ioctl(master_.native_handle(), TCFLSH, TCIOFLUSH);
+/// What a driver left unread must not reach the next one. What it said last, or the next one says already,
+/// is on its way to the device as on a wire.
+void Pty::drop_unread() {
+    ::tcflush(slave_, TCIFLUSH);
+    ::ioctl(master_.native_handle(), TCFLSH, TCOFLUSH);
 }
 
 uart::Receiver Pty::far_end() const { return slave_ >= 0 ? echoloop::far_end(slave_) : uart::Receiver{}; }
@@ -142,6 +152,7 @@ void Pty::note_rate() {
 }
 
 Task<void> Pty::write(ByteView bytes, Address) {
+    note_openers();
     if (opened()) note_rate();
     // The kernel buffers some 13 kB. A driver that has not read for this long loses bytes, as with a UART's
     // overrun.

@@ -43,7 +43,9 @@ class Pty final : public CountingTransport {
     Task<void> read_line();
     Task<void> watch_openers();
     void handle_watch(ByteView events);
-    void drop_buffers();
+    /// Takes note of who has opened and closed the slave by now.
+    void note_openers();
+    void drop_unread();
     /// Tells of a rate that the driver has set since the last time.
     void note_rate();
 

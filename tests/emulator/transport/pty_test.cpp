@@ -125,6 +125,25 @@ TEST_F(PtyTest, NothingIsKeptForADriverThatIsNotThere) {
     ::close(fd);
 }
 
+TEST_F(PtyTest, ADriverThatReopensAtOnceLosesNeitherItsFirstWordsNorTheAnswer) {
+    Pty pty(io_, folder_ / "sonar");
+    start(pty);
+    int fd = open_link(folder_ / "sonar");
+    ASSERT_TRUE(run_until([&] { return pty.opened(); }));
+    for (int time = 1; time <= 20; ++time) {
+        write(pty, {9, 9, 9});  // left unread
+        ::close(fd);
+        fd = open_link(folder_ / "sonar");  // before the emulator has seen that it closed
+        heard_.clear();
+        ASSERT_EQ(::write(fd, "ab", 2), 2);
+        ASSERT_TRUE(run_until([&] { return heard_.size() == 2; })) << time;
+        EXPECT_EQ(reconnected_, time);
+        write(pty, {1, 2, 3});
+        EXPECT_EQ(read_exactly(fd, 3), (Bytes{1, 2, 3}));
+    }
+    ::close(fd);
+}
+
 TEST_F(PtyTest, ForeignFilesAreNeverReplaced) {
     const fs::path file = folder_ / "sonar";
     std::ofstream(file) << "precious";
