@@ -12,6 +12,7 @@ from random import Random
 
 import tshark
 from program import PROGRAM, ROOT
+from tshark import number
 
 DATA = ROOT / "tests" / "data"
 FAMILIES = sorted(path.stem.split("-")[1] for path in (ROOT / "docs").glob("messages-*.md"))
@@ -50,22 +51,11 @@ def golden(family):
     return [Golden(path) for path in sorted((DATA / family).glob("*.hex"))]
 
 
-def number(text):
-    """The number that a text begins with, in any of the forms that both sides write; None if it is no number."""
-    word = text.split(" ")[0]
-    if re.fullmatch(r"0x[0-9a-fA-F]+", word):
-        return int(word, 16)
-    try:
-        return float(word)
-    except ValueError:
-        return None
-
-
 def is_same(expected, got):
     a, b = number(expected), number(got)
     if a is None or b is None:
         return expected.strip() == got.strip()
-    return a == b or abs(a - b) <= 1e-5 * max(abs(a), abs(b))  # tshark prints six digits
+    return tshark.is_near(a, b)
 
 
 def holds(packet, leaf, wanted):
@@ -116,7 +106,7 @@ class WithDissector(unittest.TestCase):
             self.check_field(packet, path, expected)
 
     def check_field(self, packet, path, expected):
-        leaf = re.sub(r"\[\d+\]", "", path).split(".")[-1]
+        leaf = tshark.leaf_of(path)
         leaf = "field" if re.fullmatch(r"field\d+", leaf) else leaf
         if expected.startswith("["):
             wanted = [number(one) for one in expected.split(" ")[1:] if one != "..."]

@@ -35,11 +35,36 @@ def registered(script, what):
     return [line.split("\t") for line in done.stdout.decode().splitlines()]
 
 
+def leaf_of(name):
+    """The last word of a field's name, without the number of an element."""
+    return re.sub(r"\[\d+\]", "", name).split(".")[-1]
+
+
+def number(text):
+    """The number that a text begins with; None if it is none."""
+    word = text.split(" ")[0]
+    if re.fullmatch(r"0x[0-9a-fA-F]+", word):
+        return int(word, 16)
+    try:
+        return float(word)
+    except ValueError:
+        return None
+
+
+def is_near(a, b):
+    """tshark prints six digits of a 32-bit float."""
+    return a == b or abs(a - b) <= 1e-5 * max(abs(a), abs(b)) or (a != a and b != b)
+
+
+def holds_number(packet, leaf, wanted):
+    return any(got is not None and is_near(wanted, got) for got in map(number, packet.all(leaf)))
+
+
 class Shown:
     """One packet: `fields` are (name without "sonar.", value as text) in order, `faults` what the dissector objects to."""
 
     def __init__(self, packet):
-        self.fields, self.faults = [], []
+        self.fields, self.faults, self.by_leaf = [], [], {}
         self.protocols = [proto.get("name") for proto in packet.iter("proto")]
         for field in packet.iter("field"):
             name = field.get("name")
@@ -62,10 +87,18 @@ class Shown:
 
     def all(self, name):
         """Values of a field, named in full ("seanet.HeadData.bearing") or by its last word ("bearing")."""
-        return [show for full, show, _ in self.fields if full == name or full.endswith("." + name)]
+        return [show for full, show, _ in self._named(name)]
 
     def bytes(self, name):
-        return [bytes.fromhex(value) for full, _, value in self.fields if value and (full == name or full.endswith("." + name))]
+        return [bytes.fromhex(value) for _, _, value in self._named(name) if value]
+
+    def _named(self, name):
+        if not self.by_leaf:
+            for field in self.fields:
+                self.by_leaf.setdefault(field[0].split(".")[-1], []).append(field)
+        found = self.by_leaf.get(name.split(".")[-1], [])
+        return [field for field in found if field[0] == name or field[0].endswith("." + name)]
+
 
 
 def shown(script, capture, *arguments):
