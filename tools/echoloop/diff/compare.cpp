@@ -63,8 +63,6 @@ TypeReport compare_type(const std::string& name, const std::vector<Message>& a, 
         }
     }
     out.fields = fields.reports();
-    out.gap_a = gaps(a);
-    out.gap_b = gaps(b);
     return out;
 }
 
@@ -76,30 +74,46 @@ const Direction* answers_to(const Side& side, const Direction* direction) {
     return found == side.directions.end() ? nullptr : &*found;
 }
 
-DirectionReport compare_match(const Match& match, const Side& a, const Side& b, const Rules& rules) {
-    static const Direction nothing;
-    const Direction& one = match.first != nullptr ? *match.first : nothing;
-    const Direction& other = match.second != nullptr ? *match.second : nothing;
-    const auto* family = match.first != nullptr ? one.family : other.family;
-    DirectionReport out{.family = family == nullptr ? "" : std::string(family->name)};
-    if (match.first != nullptr) out.a = one.text();
-    if (match.second != nullptr) out.b = other.text();
-    out.undecoded_a = one.undecoded_bytes;
-    out.undecoded_b = other.undecoded_bytes;
-    std::set<std::string> names;
-    for (const auto* direction : {&one, &other})
-        for (const auto& [name, messages] : direction->types) names.insert(name);
-    const Direction *answers_a = answers_to(a, match.first), *answers_b = answers_to(b, match.second);
-    for (const std::string& name : names) {
-        const auto in = [&](const Direction& d) {
-            const auto found = d.types.find(name);
-            return found == d.types.end() ? nullptr : &found->second;
-        };
+/// A direction of one side, with whoever answers it there.
+struct Speaker {
+    const Direction* direction = nullptr;  ///< nullptr: this side has not got it
+    const Direction* answers = nullptr;
+    bool has_times = true;
+
+    const std::vector<Message>& messages(const std::string& type) const {
         static const std::vector<Message> none;
-        const auto *first = in(one), *second = in(other);
-        TypeReport type = compare_type(name, first ? *first : none, second ? *second : none, rules);
-        if (a.has_times && answers_a != nullptr) type.answer_a = answer_delays(one, *answers_a, name);
-        if (b.has_times && answers_b != nullptr) type.answer_b = answer_delays(other, *answers_b, name);
+        if (direction == nullptr) return none;
+        const auto found = direction->types.find(type);
+        return found == direction->types.end() ? none : found->second;
+    }
+    void add_times(const std::string& type, Statistics& gap, Statistics& answer) const {
+        if (direction == nullptr || !has_times) return;
+        gap = gaps(messages(type));
+        if (answers != nullptr) answer = answer_delays(*direction, *answers, type);
+    }
+};
+
+std::set<std::string> types_of(const Match& match) {
+    std::set<std::string> names;
+    for (const auto* direction : {match.first, match.second})
+        if (direction != nullptr)
+            for (const auto& [name, messages] : direction->types) names.insert(name);
+    return names;
+}
+
+DirectionReport compare_match(const Match& match, const Side& a, const Side& b, const Rules& rules) {
+    const Speaker one{match.first, answers_to(a, match.first), a.has_times};
+    const Speaker other{match.second, answers_to(b, match.second), b.has_times};
+    const auto* family = (match.first != nullptr ? match.first : match.second)->family;
+    DirectionReport out{.family = family == nullptr ? "" : std::string(family->name)};
+    if (match.first != nullptr) out.a = match.first->text();
+    if (match.second != nullptr) out.b = match.second->text();
+    out.undecoded_a = match.first != nullptr ? match.first->undecoded_bytes : 0;
+    out.undecoded_b = match.second != nullptr ? match.second->undecoded_bytes : 0;
+    for (const std::string& name : types_of(match)) {
+        TypeReport type = compare_type(name, one.messages(name), other.messages(name), rules);
+        one.add_times(name, type.gap_a, type.answer_a);
+        other.add_times(name, type.gap_b, type.answer_b);
         out.types.push_back(std::move(type));
     }
     return out;

@@ -119,17 +119,6 @@ class Loader {
     std::size_t used_ = 0;
 };
 
-void read_packets(capture::Input& input, const SideSettings& settings, Side& side) {
-    Loader loader(side, settings);
-    capture::MessageSorter messages(
-        settings.family, [&](const auto& origin, const auto& message) { loader.add(origin, message); });
-    const auto file = capture::open_packets(input);
-    while (const auto event = loader.full() ? std::nullopt : file->next()) messages.add(*event);
-    side.is_cut = loader.full();
-    messages.finish();
-    side.fault = file->counts().fault;
-}
-
 /// A file of bytes is one direction, and has no times.
 void read_bytes(capture::Input& input, const SideSettings& settings, Side& side) {
     Loader loader(side, settings);
@@ -144,6 +133,16 @@ void read_bytes(capture::Input& input, const SideSettings& settings, Side& side)
 }
 
 }  // namespace
+
+void read_events(capture::CaptureReader& capture, const SideSettings& settings, Side& side) {
+    Loader loader(side, settings);
+    capture::MessageSorter messages(
+        settings.family, [&](const auto& origin, const auto& message) { loader.add(origin, message); });
+    while (const auto event = loader.full() ? std::nullopt : capture.next()) messages.add(*event);
+    side.is_cut = loader.full();
+    messages.finish();
+    side.fault = capture.counts().fault;
+}
 
 std::string Direction::text() const {
     const Way& way = ways.front();
@@ -171,7 +170,10 @@ Side read_side(const std::string& file, const SideSettings& settings) {
     Side side;
     side.file = file;
     capture::Input input(file);
-    input.is_capture() ? read_packets(input, settings, side) : read_bytes(input, settings, side);
+    if (input.is_capture())
+        read_events(*capture::open_packets(input), settings, side);
+    else
+        read_bytes(input, settings, side);
     if (side.messages > 0) return side;
     const std::string where = settings.port.empty() ? "" : " at " + scenario::in_quotes(settings.port);
     throw StartError(Exit::data, scenario::in_quotes(file) + ": no message of a known protocol" + where +

@@ -59,6 +59,9 @@ struct SideSettings {
     std::size_t most_bytes = std::size_t{256} << 20;  ///< of memory for the messages
 };
 
+/// Adds what the capture holds.
+void read_events(capture::CaptureReader& capture, const SideSettings& settings, Side& side);
+
 /// A capture or a file of bytes. Throws StartError if it cannot be read or holds no known message.
 Side read_side(const std::string& file, const SideSettings& settings);
 
