@@ -156,7 +156,6 @@ class Live(unittest.TestCase):
                     self.fail(f"{place}: {value} is not in {fields.all(leaf)[:8]}")
                 compared[message["family"]] = compared.get(message["family"], 0) + 1
         self.assertEqual(set(compared), FAMILIES)
-        self.assertGreater(min(compared.values()), 2, compared)
 
     def test_values_at_offsets_of_the_specifications(self):
         """Each read from the packet's own bytes, as the makers' documents place them."""
