@@ -5,7 +5,9 @@
 
 #include "emulator/capture/recorded.h"
 #include "emulator/error.h"
+#include "emulator/pose/movers.h"
 #include "emulator/pose/vehicle.h"
+#include "emulator/scenario/scene.h"
 #include "emulator/scheduling.h"
 #include "emulator/transport/make.h"
 #include "emulator/truth/device_truth.h"
@@ -22,7 +24,7 @@ std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io
     return std::make_unique<RealClock>(io, scenario.clock_rate);
 }
 
-SharedWater shared_water(const Scenario& scenario, const Scene& scene) {
+SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers) {
     const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
     const Effects effects = knows_effects ? scenario.render.effects : Effects::none();
     const bool by_the_clock = scenario.clock == ClockMode::real || scenario.clock == ClockMode::scaled;
@@ -32,7 +34,8 @@ SharedWater shared_water(const Scenario& scenario, const Scene& scene) {
             scene.bounds(),
             CrossTalk(scenario.water, effects),
             0,
-            by_the_clock ? std::make_shared<asio::thread_pool>(2) : nullptr};
+            by_the_clock ? std::make_shared<asio::thread_pool>(2) : nullptr,
+            movers.reach()};
 }
 
 /// Plans, shaders and trees are made at the first ping of their kind: before anybody waits for one.
@@ -56,12 +59,13 @@ void warm_up(Renderer& renderer, const Scenario& scenario, const SharedWater& wa
 class Runtime::Impl {
   public:
     Impl(const Scenario& scenario, const RunRecords& records)
-        : scene_(Scene::load(scenario.scene)),
+        : scene_(load_scene(scenario)),
           signals_(io_),
           end_(io_),
           clock_(make_clock(scenario, io_)),
           vehicle_(scenario, *clock_),
-          water_(shared_water(scenario, *scene_)),
+          movers_(scenario, scene_),
+          water_(shared_water(scenario, *scene_, movers_)),
           render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
                          RenderThread::useful(scenario.devices.size())) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
@@ -139,7 +143,9 @@ class Runtime::Impl {
         sessions_.push_back(std::make_unique<Session>(
             io_, *clock_, render_thread_, water_, entry.name, std::move(device), std::move(transports),
             [this, body_from_sonar = entry.body_from_sonar](Time time) {
-                return vehicle_.world_from_body(time) * body_from_sonar;
+                Situation situation(vehicle_.world_from_body(time) * body_from_sonar);
+                situation.movers = movers_.at(time);
+                return situation;
             }));
         if (records.truth != nullptr)
             sessions_.back()->tell(
@@ -162,6 +168,7 @@ class Runtime::Impl {
                            .seed = scenario.seed,
                            .unix_start = unix_now(),
                            .objects = {scene_->objects().begin(), scene_->objects().end()}};
+        for (const SceneMover& mover : scene_->movers()) header.movers.push_back(mover.name);
         for (const ScenarioDevice& device : scenario.devices)
             header.devices.push_back({device.name, device.model->name, device.body_from_sonar});
         return header;
@@ -175,6 +182,7 @@ class Runtime::Impl {
     asio::steady_timer end_;
     std::unique_ptr<Clock> clock_;
     Vehicle vehicle_;
+    Movers movers_;
     SharedWater water_;
     std::vector<std::unique_ptr<Session>> sessions_;
     std::vector<RunningDevice> running_;

@@ -120,7 +120,9 @@ void Session::transmit(Ping ping) {
     silent_from_ = ping.shot.interval > 0 ? now + from_seconds(1.5 * ping.shot.interval) : Time::max();
     Transmission transmission{now, sonar_, pose, ping.shot};
     water_.cross_talk.transmitted(transmission);
-    const double farthest = farthest_from(pose.position, water_.scene);
+    double farthest = farthest_from(pose.position, water_.scene);
+    for (std::size_t i = 0; i < std::min(water_.reach.size(), situation.movers.size()); ++i)
+        farthest = std::max(farthest, norm(situation.movers[i].position - pose.position) + water_.reach[i]);
     const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
     situation.objects = truth_ != nullptr;

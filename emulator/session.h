@@ -46,6 +46,7 @@ struct SharedWater {
     /// Threads on which devices make bytes of large echograms, so that the wires of others do not wait; nullptr: that
     /// happens in its turn, for runs whose every event has its place. Join them before the sessions end.
     std::shared_ptr<asio::thread_pool> listeners{};
+    std::vector<double> reach{};  ///< m, from each mover's origin to its farthest point
 };
 
 class Session {

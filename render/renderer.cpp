@@ -64,7 +64,7 @@ class Renderer::Impl {
 
     Echogram render(const Shot& shot, const Situation& situation) {
         const Pose& pose = situation.world_from_sonar;
-        const FanPlan& plan = draw(shot, pose, situation.detail);
+        const FanPlan& plan = draw(shot, situation);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
         profile_.paths = timed([&] { trace_paths(shot, pose, out.sound_speed); });
         profile_.bins = timed([&] {
@@ -81,7 +81,7 @@ class Renderer::Impl {
     }
 
     ChannelImage render_channels(const Shot& shot, const Situation& situation) {
-        const FanPlan& plan = draw(shot, situation.world_from_sonar, situation.detail);
+        const FanPlan& plan = draw(shot, situation);
         ChannelImage image{plan.lines, plan.samples, {}, {}, {}};
         for (std::size_t sample = 0; sample < plan.samples; ++sample)
             for (std::size_t line = 0; line < plan.lines; ++line) add_channels(image, plan, line, sample);
@@ -103,7 +103,7 @@ class Renderer::Impl {
     void trace_paths(const Shot& shot, const Pose& pose, double c) {
         paths_.diffuse.clear(), paths_.targets.clear();
         if (options_.rule == EchoRule::radiometric && tracer_.needed())
-            tracer_.trace(shot, pose, c, absorption(shot), end_range(shot), paths_);
+            tracer_.trace(shot, pose, c, absorption(shot), end_range(shot), paths_, movers_);
     }
 
     /// Np/m.
@@ -149,15 +149,29 @@ class Renderer::Impl {
         return options_.jitter ? jitter_of(shot.ping) : PixelOffset{};
     }
 
+    /// Fills movers_.
+    void place_movers(const Situation& situation) {
+        const auto movers = scene().movers();
+        if (situation.movers.size() > movers.size())
+            throw std::invalid_argument("movers: there are poses for more than the scene has");
+        movers_.clear();
+        for (std::size_t i = 0; i < movers.size(); ++i)
+            movers_.push_back(i < situation.movers.size() ? situation.movers[i] : movers[i].rest);
+        for (const Pose& pose : movers_) validate(pose);
+    }
+
     /// Fills pixels_ and returns the plan that they follow.
-    const FanPlan& draw(const Shot& shot, const Pose& pose, double detail) {
+    const FanPlan& draw(const Shot& shot, const Situation& situation) {
         if (std::this_thread::get_id() != thread_)
             throw std::logic_error("a Renderer works only on the thread that made it");
         echoloop::validate(shot);
+        const Pose& pose = situation.world_from_sonar;
         validate(pose);
-        if (!(detail >= 0.1 && detail <= 1)) throw std::invalid_argument("situation: detail must be within 0.1..1");
-        const FanPlan& plan = plans_.plan_for(geometry_of(shot, effects()), detail);
-        drawer_.draw(plan, world_from_fan(shot, pose), end_range(shot), offset_of(shot), pixels_);
+        if (!(situation.detail >= 0.1 && situation.detail <= 1))
+            throw std::invalid_argument("situation: detail must be within 0.1..1");
+        place_movers(situation);
+        const FanPlan& plan = plans_.plan_for(geometry_of(shot, effects()), situation.detail);
+        drawer_.draw(plan, world_from_fan(shot, pose), movers_, end_range(shot), offset_of(shot), pixels_);
         const gl::DrawProfile& drawn = drawer_.profile();
         profile_ = {drawn.cull, drawn.draw, drawn.read_back, 0, 0, 0, drawn.triangles, drawn.chunks, drawn.pixels};
         return plan;
@@ -187,6 +201,7 @@ class Renderer::Impl {
     AcousticChain chain_;
     PathEchoes paths_;
     std::vector<Pixel> pixels_;
+    std::vector<Pose> movers_;  ///< of the ping at hand
     RenderProfile profile_;
 };
 

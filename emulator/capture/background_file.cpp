@@ -35,7 +35,8 @@ BackgroundFile::BackgroundFile(std::filesystem::path file, std::string what, Bac
       limits_(limits),
       descriptor_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
     if (descriptor_ < 0)
-        throw StartError(Exit::cannot_create, file_.string() + ": cannot be written: " + std::strerror(errno) +
+        throw StartError(Exit::cannot_create, file_.string() +
+                                                  ": cannot be written: " + std::strerror(errno) +
                                                   "; name a file in a folder that you may write to");
     thread_ = std::jthread([this](std::stop_token stop) { keep_writing(stop); });
 }

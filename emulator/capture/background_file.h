@@ -1,5 +1,5 @@
-// A text file that a thread of its own writes, within half a second: a slow disk delays nobody, a full one ends the file
-// and never the emulation. Knows nothing of what the lines mean.
+// A text file that a thread of its own writes, within half a second: a slow disk delays nobody, a full one
+// ends the file and never the emulation. Knows nothing of what the lines mean.
 #pragma once
 
 #include <condition_variable>
@@ -15,7 +15,7 @@
 namespace echoloop {
 
 struct BackgroundFileLimits {
-    std::uint64_t keep_free = 256ULL << 20;   ///< bytes of the disk that are left to others
+    std::uint64_t keep_free = 256ULL << 20;  ///< bytes of the disk that are left to others
     std::size_t most_waiting = 64ULL << 20;  ///< bytes that wait for the disk; lines beyond are lost
 };
 
@@ -30,14 +30,15 @@ class BackgroundFile {
     /// Appends one line, without its end, to the text.
     using Write = std::function<void(std::string&)>;
 
-    /// Overwrites `file`. `what` names its content in messages ("the ground truth"). Throws StartError if it cannot be
-    /// made.
+    /// Overwrites `file`. `what` names its content in messages ("the ground truth"). Throws StartError if it
+    /// cannot be made.
     BackgroundFile(std::filesystem::path file, std::string what, BackgroundFileLimits limits = {});
     ~BackgroundFile();
     BackgroundFile(const BackgroundFile&) = delete;
     BackgroundFile& operator=(const BackgroundFile&) = delete;
 
-    /// From any thread. `write` is called on the file's own thread; what it holds until then is about `bytes`.
+    /// From any thread. `write` is called on the file's own thread; what it holds until then is about
+    /// `bytes`.
     void add(std::size_t bytes, Write write);
     void add(std::string line);
     /// Writes what still waits; nothing is added after it.

@@ -1,10 +1,10 @@
 #include "emulator/scenario/scenario.h"
 
-#include "emulator/endpoint.h"
 #include "emulator/scenario/device_section.h"
 #include "emulator/scenario/effects_section.h"
 #include "emulator/scenario/file.h"
 #include "emulator/scenario/number.h"
+#include "emulator/scenario/objects_section.h"
 #include "emulator/scenario/override.h"
 #include "emulator/scenario/section.h"
 #include "emulator/scenario/water_section.h"
@@ -55,26 +55,10 @@ std::uint64_t read_seed(const Section& top, Problems& problems) {
     return seed.value_or(1);
 }
 
-/// An endpoint that somebody outside can send poses to, "" if there is none.
-std::string read_pose_input(const Section& vehicle, Problems& problems) {
-    const Value* value = vehicle.get("input");
-    if (value == nullptr) return {};
-    const std::string uri = vehicle.text("input", "");
-    try {
-        if (parse_endpoint(uri).scheme != Endpoint::Scheme::udp) return uri;
-        problems.add(value->place,
-                     "vehicle.input: udp:// only sends; poses come to udp-listen://, tcp-listen://, "
-                     "tcp://, serial:// or pty:");
-    } catch (const std::invalid_argument& error) {
-        problems.add(value->place, std::string("vehicle.input: ") + error.what());
-    }
-    return {};
-}
-
 void read_vehicle(const Section& top, Scenario& scenario, Problems& problems) {
     const Section vehicle(top.get("vehicle"), "vehicle", {"pose", "trajectory", "input"}, problems);
     scenario.world_from_body = read_pose(vehicle.get("pose"), "vehicle.pose", problems);
-    scenario.pose_input = read_pose_input(vehicle, problems);
+    scenario.pose_input = read_pose_endpoint(vehicle, "input", problems);
     const Value* value = vehicle.get("trajectory");
     if (value == nullptr) return;
     for (const auto* other : {"pose", "input"})
@@ -82,12 +66,12 @@ void read_vehicle(const Section& top, Scenario& scenario, Problems& problems) {
             problems.add(
                 value->key_place,
                 "vehicle.trajectory says where the vehicle is; remove it or vehicle." + std::string(other));
-    scenario.trajectory = scenario.file.parent_path() / vehicle.text("trajectory", "");
-    if (const auto fault = file_fault(scenario.trajectory))
-        problems.add(value->place,
-                     "vehicle.trajectory: " + in_quotes(scenario.trajectory.string()) + ": " +
-                         fault->message + "; a relative name begins at the scenario's folder",
-                     fault->kind);
+    scenario.trajectory = read_trajectory_name(vehicle, scenario.file, problems);
+}
+
+Animations read_animations(const Section& top) {
+    const auto word = top.word("animations", "loop", {"loop", "once", "off"});
+    return word == "off" ? Animations::off : word == "once" ? Animations::once : Animations::loop;
 }
 
 void read_clock(const Section& top, Scenario& scenario, Problems& problems) {
@@ -126,13 +110,15 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     Value root = parse_tree(text, problems);
     apply_overrides(root, set_arguments, problems);
     const Section top(
-        &root, "", {"scene", "seed", "water", "vehicle", "clock", "render", "effects", "devices"}, problems);
+        &root, "", {"scene", "seed", "water", "vehicle", "objects", "animations", "clock", "render", "effects", "devices"}, problems);
     if (!root.is_map() && root.kind != Value::Kind::null) problems.throw_if_any();
     Scenario scenario;
     scenario.file = file;
     scenario.scene = read_scene(top, file, problems);
     scenario.seed = read_seed(top, problems);
     read_vehicle(top, scenario, problems);
+    scenario.objects = read_objects(top.get("objects"), file, problems);
+    scenario.animations = read_animations(top);
     read_clock(top, scenario, problems);
     scenario.render = read_render(top, problems);
     read_effects(top.get("effects"), scenario.render, problems);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,19 @@ struct ScenarioDevice {
     int column = 0;
 };
 
+/// A node of the scene that moves. With none of the three, the lines of vehicle.input say where it is.
+struct ScenarioObject {
+    std::string node;
+    std::optional<Pose> pose;          ///< world_from_object; with an input: until its first message
+    std::filesystem::path trajectory;  ///< as Scenario::scene; empty: none
+    std::string input;                 ///< endpoint that poses come from; "": none
+    int line = 0;                      ///< of its name in the file; 0: from --set
+    int column = 0;
+};
+
+/// What the scene's own animations do.
+enum class Animations { loop, once, off };
+
 enum class ClockMode {
     real,
     scaled  ///< Scenario::clock_rate seconds of the run pass in one real second
@@ -38,6 +52,8 @@ struct Scenario {
     Pose world_from_body;  ///< with an input: until its first message; with a trajectory: nothing yet
     std::filesystem::path trajectory;  ///< as `scene`; empty: none
     std::string pose_input;            ///< endpoint that poses come from; "": none
+    std::vector<ScenarioObject> objects;  ///< that move
+    Animations animations = Animations::loop;
     ClockMode clock = ClockMode::real;
     double clock_rate = 1;
     RendererOptions render;  ///< from `render: {rule, context, pixels}`, `effects` and `water.surface`

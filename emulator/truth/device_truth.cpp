@@ -2,8 +2,8 @@
 
 namespace echoloop {
 
-void DeviceTruth::heard(const Transmission& transmission, const Situation& situation, double unix_time, Time due,
-                        Echogram& echogram) {
+void DeviceTruth::heard(const Transmission& transmission, const Situation& situation, double unix_time,
+                        Time due, Echogram& echogram) {
     PingTruth truth;
     truth.device = device_;
     truth.transmitted = transmission.time;

@@ -1,5 +1,5 @@
-// Ground truth beside the bytes: one JSON line for each ping, with what is really there. A thread of its own puts the
-// lines into words and on the disk; nothing of it comes back to a device.
+// Ground truth beside the bytes: one JSON line for each ping, with what is really there. A thread of its own
+// puts the lines into words and on the disk; nothing of it comes back to a device.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct TruthHeader {
     };
     std::string scenario, scene;
     std::uint64_t seed = 0;
-    double unix_start = 0;             ///< s since 1970
+    double unix_start = 0;               ///< s since 1970
     std::vector<std::string> objects{};  ///< by their numbers in the lines, from 1 on
     std::vector<std::string> movers{};   ///< things that move, in the order of Situation::movers
     std::vector<Device> devices{};
@@ -30,7 +30,7 @@ struct TruthHeader {
 struct PingTruth {
     std::string device;
     Time transmitted{}, due{};
-    double unix_time = 0;  ///< s since 1970, of the transmission
+    double unix_time = 0;      ///< s since 1970, of the transmission
     std::vector<Pose> movers;  ///< Situation::movers
     Pose world_from_body;
     Echogram echo;                    ///< without its values

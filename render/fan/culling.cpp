@@ -38,12 +38,13 @@ std::array<Vec3, 4> side_planes(const View& view, const Pose& world_from_fan, do
 
 }  // namespace
 
-void find_visible(const Scene& scene, const View& view, const Pose& world_from_fan, const ViewLimits& limits,
+void find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
+                  const ViewLimits& limits,
                   std::vector<std::uint32_t>& nodes) {
-    const auto planes = side_planes(view, world_from_fan, limits.margin);
-    const Vec3 eye = world_from_fan.position;
+    const auto planes = side_planes(view, frame_from_fan, limits.margin);
+    const Vec3 eye = frame_from_fan.position;
     std::vector<std::pair<float, std::uint32_t>> found;
-    for (std::uint32_t i = 0; i < scene.nodes().size();) {
+    for (std::uint32_t i = range.first; i < range.last;) {
         const SceneNode& node = scene.nodes()[i];
         const double distance = distance_to(node.bounds, eye);
         const bool seen = distance <= limits.end_range &&

@@ -16,8 +16,15 @@ struct ViewLimits {
     double tolerance = 0;  ///< rad, by which a surface may be off where that allows a coarser stand-in
 };
 
-/// Indices of nodes that reach into the view and together hold everything that it sees, nearest first.
-void find_visible(const Scene& scene, const View& view, const Pose& world_from_fan, const ViewLimits& limits,
+/// Nodes [first, last) of a scene: whole trees in one frame.
+struct NodeRange {
+    std::uint32_t first = 0, last = 0;
+};
+
+/// Indices of nodes in `range` that reach into the view and together hold everything that it sees of them, nearest
+/// first. `frame_from_fan`: in the frame of those nodes.
+void find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
+                  const ViewLimits& limits,
                   std::vector<std::uint32_t>& nodes);
 
 }  // namespace echoloop

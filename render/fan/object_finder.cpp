@@ -19,7 +19,8 @@ const View& view_with(const FanPlan& plan, std::size_t image_line) {
 void ObjectFinder::list_sightings(const BinningInput& in, std::span<const std::uint32_t> object_of_surface) {
     constexpr auto never = static_cast<std::size_t>(-1);
     sightings_.clear();
-    std::vector<std::size_t> seen_in(1 + *std::ranges::max_element(object_of_surface), never);  // last line, by object
+    std::vector<std::size_t> seen_in(1 + *std::ranges::max_element(object_of_surface),
+                                     never);  // last line, by object
     for (const View& view : in.plan.views)
         for (std::size_t line = view.first_line; line < view.first_line + view.lines; ++line)
             for (const Pixel& pixel : in.pixels.subspan(line * in.plan.samples, view.samples)) {
@@ -33,17 +34,20 @@ void ObjectFinder::list_sightings(const BinningInput& in, std::span<const std::u
 void ObjectFinder::sum_object(BinningInput in, const BinGain& gain, std::span<const Sighting> lines,
                               std::span<const std::uint32_t> object_of_surface) {
     wanted_.clear();
-    for (const std::uint32_t object : object_of_surface) wanted_.push_back(object == lines.front().first ? 1 : 0);
+    for (const std::uint32_t object : object_of_surface)
+        wanted_.push_back(object == lines.front().first ? 1 : 0);
     in.wanted = wanted_;
     sums_.resize(in.plan.lines, in.plan.sectors, in.bins);
     const auto level_end = std::ranges::lower_bound(lines, in.plan.lines, {}, &Sighting::second);
     const auto level = lines.first(static_cast<std::size_t>(level_end - lines.begin()));
     workers_.run((level.size() + lines_at_once - 1) / lines_at_once, [&](std::size_t piece) {
         LineReader reader;
-        for (std::size_t i = piece * lines_at_once; i < std::min((piece + 1) * lines_at_once, level.size()); ++i) {
+        for (std::size_t i = piece * lines_at_once; i < std::min((piece + 1) * lines_at_once, level.size());
+             ++i) {
             const std::size_t line = level[i].second;
             const View& view = view_with(in.plan, line);
-            add_level_line(in, gain, Amount::wanted_echo, view, line - view.first_line, reader, sums_.line(line));
+            add_level_line(in, gain, Amount::wanted_echo, view, line - view.first_line, reader,
+                           sums_.line(line));
         }
     });
     LineReader reader;
@@ -54,8 +58,8 @@ void ObjectFinder::sum_object(BinningInput in, const BinGain& gain, std::span<co
     beams_.sum(in.plan, in.bins, sums_, gain.values(), workers_, power_);
 }
 
-void ObjectFinder::find(const BinningInput& input, std::span<const std::uint32_t> object_of_surface, double least,
-                        std::vector<std::uint16_t>& objects) {
+void ObjectFinder::find(const BinningInput& input, std::span<const std::uint32_t> object_of_surface,
+                        double least, std::vector<std::uint16_t>& objects) {
     const BinGain gain(input);
     const std::size_t values = input.plan.beams.size() * input.bins;
     strongest_.assign(values, static_cast<float>(least));

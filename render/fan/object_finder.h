@@ -1,5 +1,5 @@
-// Ground truth of a ping: which object most of each bin's direct echo comes from. Costs a pass over an object's pixels
-// for each object in sight, so it is made for who asks only.
+// Ground truth of a ping: which object most of each bin's direct echo comes from. Costs a pass over an
+// object's pixels for each object in sight, so it is made for who asks only.
 #pragma once
 
 #include <span>
@@ -15,8 +15,9 @@ class ObjectFinder {
   public:
     explicit ObjectFinder(Workers& workers) : workers_(workers) {}
 
-    /// Fills `objects` (beams x bins, as Echogram::objects). `object_of_surface`: index in Scene::objects() of every
-    /// surface index. Bins with less power than `least` (uPa^2, of all echoes that arrive within the bin) are 0.
+    /// Fills `objects` (beams x bins, as Echogram::objects). `object_of_surface`: index in Scene::objects()
+    /// of every surface index. Bins with less power than `least` (uPa^2, of all echoes that arrive within the
+    /// bin) are 0.
     void find(const BinningInput& input, std::span<const std::uint32_t> object_of_surface, double least,
               std::vector<std::uint16_t>& objects);
 

@@ -93,8 +93,8 @@ void SceneDrawer::upload() {
                                         indices.size() * sizeof(std::uint16_t));
 }
 
-void SceneDrawer::set_view(const View& view, const Pose& world_from_fan, PixelOffset offset) const {
-    const Quat q = world_from_fan.orientation * view.fan_from_view();
+void SceneDrawer::set_view(const View& view, const Pose& frame_from_fan, PixelOffset offset) const {
+    const Quat q = frame_from_fan.orientation * view.fan_from_view();
     const Vec3 axes[3] = {rotate(q, {0, -1, 0}), rotate(q, {0, 0, 1}), rotate(q, {1, 0, 0})};
     GLfloat rows[9];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -103,7 +103,7 @@ void SceneDrawer::set_view(const View& view, const Pose& world_from_fan, PixelOf
         rows[3 * i + 2] = static_cast<float>(axes[i].z);
     }
     gl_.UniformMatrix3fv(uniforms_.view_from_world, 1, GL_TRUE, rows);
-    const Vec3 eye = world_from_fan.position;
+    const Vec3 eye = frame_from_fan.position;
     gl_.Uniform3f(uniforms_.eye, static_cast<float>(eye.x), static_cast<float>(eye.y),
                   static_cast<float>(eye.z));
     const double x = (view.left + view.right) / 2 + offset.line * view.line_width();
@@ -154,23 +154,23 @@ void SceneDrawer::bind_target(int width, int height) {
     targets_.get(fits, make).target->bind();
 }
 
-void SceneDrawer::draw_view(const View& view, const Pose& world_from_fan, double end_range,
+void SceneDrawer::draw_view(const View& view, NodeRange range, const Pose& frame_from_fan, double end_range,
                             PixelOffset offset) {
     const auto begin = Clock::now();
     const double pixel = std::max(view.line_width(), view.sample_height());
-    find_visible(*scene_, view, world_from_fan, {end_range, pixel, tolerance_of(pixel)}, visible_);
+    find_visible(*scene_, range, view, frame_from_fan, {end_range, pixel, tolerance_of(pixel)}, visible_);
     for (DrawList& list : lists_) list.clear();
     for (const std::uint32_t node : visible_) list(scene_->nodes()[node]);
     profile_.chunks += visible_.size();
-    profile_.pixels += view.lines * view.samples;
     profile_.cull += seconds_since(begin);
-    set_view(view, world_from_fan, offset);
+    if (visible_.empty()) return;
+    set_view(view, frame_from_fan, offset);
     submit(lists_[0], false);
     submit(lists_[1], true);
 }
 
-void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, double end_range, PixelOffset offset,
-                       std::vector<Pixel>& pixels) {
+void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, std::span<const Pose> movers,
+                       double end_range, PixelOffset offset, std::vector<Pixel>& pixels) {
     const auto begin = Clock::now();
     profile_ = {};
     const int width = static_cast<int>(plan.samples), height = static_cast<int>(plan.image_lines);
@@ -183,7 +183,17 @@ void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, double e
     const GLfloat nothing[4] = {0, 0, 0, 0};  // surface 0, and the depth of infinity
     gl_.ClearBufferfv(GL_COLOR, 0, nothing);
     gl_.ClearBufferfv(GL_DEPTH, 0, nothing);
-    for (const View& view : plan.views) draw_view(view, world_from_fan, end_range, offset);
+    for (const View& view : plan.views) {
+        draw_view(view, {0, scene_->still_nodes()}, world_from_fan, end_range, offset);
+        profile_.pixels += view.lines * view.samples;
+    }
+    // Seen from a mover's own frame nothing of it has moved: neither its buffers nor its bounds.
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        const SceneMover& mover = scene_->movers()[i];
+        for (const View& view : plan.views)
+            draw_view(view, {mover.first_node, mover.last_node}, inverse(movers[i]) * world_from_fan, end_range,
+                      offset);
+    }
     gl_.Finish();  // costs nothing, as the next call would wait, and tells drawing from reading
     profile_.draw = seconds_since(begin) - profile_.cull;
     const auto drawn = Clock::now();

@@ -31,8 +31,9 @@ class SceneDrawer {
 
     /// Draws all views of the plan and reads the image back: plan.image_lines x plan.samples pixels. Surfaces
     /// beyond `end_range` may be missing. `offset` moves the sample point within every pixel.
-    void draw(const FanPlan& plan, const Pose& world_from_fan, double end_range, PixelOffset offset,
-              std::vector<Pixel>& pixels);
+    /// `movers`: world_from_object of every one.
+    void draw(const FanPlan& plan, const Pose& world_from_fan, std::span<const Pose> movers, double end_range,
+              PixelOffset offset, std::vector<Pixel>& pixels);
 
     const DrawProfile& profile() const { return profile_; }  ///< of the last draw()
 
@@ -61,8 +62,9 @@ class SceneDrawer {
 
     void upload();
     void bind_target(int width, int height);
-    void draw_view(const View& view, const Pose& world_from_fan, double end_range, PixelOffset offset);
-    void set_view(const View& view, const Pose& world_from_fan, PixelOffset offset) const;
+    /// What a view sees of the trees in one frame.
+    void draw_view(const View& view, NodeRange range, const Pose& frame_from_fan, double end_range, PixelOffset offset);
+    void set_view(const View& view, const Pose& frame_from_fan, PixelOffset offset) const;
     void list(const SceneNode& node);
     void submit(const DrawList& list, bool double_sided) const;
 

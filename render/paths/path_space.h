@@ -33,6 +33,8 @@ class PathSpace {
   public:
     PathSpace(std::shared_ptr<const Scene> scene, std::optional<WaterSurface> surface);
 
+    /// Where movers are from now on: world_from_object of every one.
+    void place(std::span<const Pose> movers) { rays_.place(movers); }
     /// rad/m, of the pings to come.
     void set_wavenumber(double wavenumber) { wavenumber_ = wavenumber; }
 

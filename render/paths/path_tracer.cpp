@@ -17,9 +17,10 @@ class PathTracer::Impl {
     bool needed() const { return multipath() || !scene_->point_targets().empty(); }
 
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
-               double end_range, PathEchoes& out) {
+               double end_range, PathEchoes& out, std::span<const Pose> movers) {
         if (!needed()) return;
         if (!space_) space_.emplace(scene_, surface_);
+        place(movers);
         const FanPattern& pattern =
             patterns_.get([&](const FanPattern& known) { return known.fits(shot); },
                           [&] { return std::pair(FanPattern(shot, effects_), std::size_t{1}); });
@@ -35,7 +36,7 @@ class PathTracer::Impl {
                             end_range,
                             effects_.has(Effect::spreading),
                             db_to_amplitude(shot.source_level)};
-        find_target_echoes(ping, scene_->point_targets(), multipath(), out.targets);
+        find_target_echoes(ping, targets_, multipath(), out.targets);
         if (!multipath()) return;
         corners_.clear();
         find_diffuse_echoes(ping, out.diffuse, corners_);
@@ -45,10 +46,18 @@ class PathTracer::Impl {
   private:
     bool multipath() const { return effects_.has(Effect::multipath); }
 
+    void place(std::span<const Pose> movers) {
+        space_->place(movers);
+        targets_.assign(scene_->point_targets().begin(), scene_->point_targets().end());
+        for (PointTarget& target : targets_)
+            if (target.mover > 0 && target.mover <= movers.size()) target.position = movers[target.mover - 1] * target.position;
+    }
+
     std::shared_ptr<const Scene> scene_;
     std::optional<WaterSurface> surface_;
     Effects effects_;
     std::optional<PathSpace> space_;
+    std::vector<PointTarget> targets_;  ///< where they are at the ping at hand
     RecentlyUsed<FanPattern> patterns_{64};
     std::vector<Corner> corners_;
 };
@@ -59,8 +68,8 @@ PathTracer::PathTracer(std::shared_ptr<const Scene> scene, std::optional<WaterSu
 PathTracer::~PathTracer() = default;
 
 void PathTracer::trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
-                       double end_range, PathEchoes& out) {
-    impl_->trace(shot, world_from_sonar, sound_speed, absorption, end_range, out);
+                       double end_range, PathEchoes& out, std::span<const Pose> movers) {
+    impl_->trace(shot, world_from_sonar, sound_speed, absorption, end_range, out, movers);
 }
 bool PathTracer::needed() const { return impl_->needed(); }
 

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/echogram.h"
@@ -50,10 +51,10 @@ class PathTracer {
     PathTracer(std::shared_ptr<const Scene> scene, std::optional<WaterSurface> surface, Effects effects);
     ~PathTracer();
 
-    /// Adds the echoes of one ping to `out`. `absorption` in Np/m (0 when off), `end_range` in m. Cost is
+    /// Adds the echoes of one ping to `out`. `movers`: world_from_object of all that the scene has. `absorption` in Np/m (0 when off), `end_range` in m. Cost is
     /// bounded: a fixed number of rays, placed by the low-discrepancy sequence of the ping's number.
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
-               double end_range, PathEchoes& out);
+               double end_range, PathEchoes& out, std::span<const Pose> movers = {});
 
     /// False where trace() could add nothing: no targets, and multipath off.
     bool needed() const;

@@ -47,10 +47,11 @@ struct TriangleSet {
     std::vector<std::uint32_t> first, material;  ///< of each chunk: its first triangle, its material
 };
 
-TriangleSet collect(const Scene& scene, bool double_sided) {
+/// Of what stands still (`mover` 0), or of a mover in its own frame.
+TriangleSet collect(const Scene& scene, std::uint32_t mover, bool double_sided) {
     TriangleSet set;
     for (const SceneChunk& chunk : scene.chunks()) {
-        if (scene.materials()[chunk.material].double_sided != double_sided) continue;
+        if (chunk.mover != mover || scene.materials()[chunk.material].double_sided != double_sided) continue;
         set.first.push_back(static_cast<std::uint32_t>(set.corners.size() / 3));
         set.material.push_back(chunk.material);
         for (const std::uint16_t corner : scene.indices().subspan(chunk.first_index, chunk.indices))
@@ -69,18 +70,43 @@ double skin_of(const Bounds& bounds) {
 
 }  // namespace
 
+using Geometry = Handle<RTCGeometry, rtcReleaseGeometry>;
+using Tree = Handle<RTCScene, rtcReleaseScene>;
+
+/// What moves together: all that stands still, or one mover.
+struct Group {
+    TriangleSet sets[2];  ///< there from one side, from both
+    Tree tree;
+    Geometry instance;    ///< in the tree of all, where that is another
+    Quat world_from_group;
+};
+
 class RayScene::Impl {
   public:
     explicit Impl(std::shared_ptr<const Scene> scene)
         // One thread: trees made by several can differ, and with them which of two equal hits is taken.
         : scene_(std::move(scene)), skin_(skin_of(scene_->bounds())), device_(rtcNewDevice("threads=1")) {
         if (!device_) throw std::runtime_error("paths: Embree cannot start; install libembree3-3");
-        tree_.reset(rtcNewScene(device_.get()));
-        for (const bool double_sided : {false, true}) attach(double_sided);
-        rtcCommitScene(tree_.get());
+        groups_.resize(1 + scene_->movers().size());
+        for (std::uint32_t mover = 0; mover < groups_.size(); ++mover) build(mover);
+        if (groups_.size() > 1) join();
         if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
             throw std::runtime_error("paths: Embree cannot build its tree, error " + std::to_string(error) +
                                      "; is there enough memory?");
+    }
+
+    void place(std::span<const Pose> movers) {
+        if (movers.empty()) return;
+        Bounds bounds = scene_->still_bounds();
+        for (std::size_t i = 0; i < movers.size(); ++i) {
+            move(groups_[i + 1], movers[i]);
+            const Bounds own = placed(scene_->movers()[i].bounds, movers[i]);
+            if (is_empty(own)) continue;
+            grow(bounds, own.min);
+            grow(bounds, own.max);
+        }
+        rtcCommitScene(all_.get());
+        skin_ = skin_of(bounds);
     }
 
     std::optional<RayHit> hit(Vec3 origin, Vec3 direction, double end) const {
@@ -88,12 +114,16 @@ class RayScene::Impl {
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
-        rtcIntersect1(tree_.get(), &context, &query);
+        rtcIntersect1(tree(), &context, &query);
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+        const Group& group = groups_[all_ ? query.hit.instID[0] : 0];
         Vec3 normal{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
+        if (all_) normal = rotate(group.world_from_group, normal);
         const double twice_area = norm(normal);
         normal = (dot(normal, direction) > 0 ? -1 : 1) / twice_area * normal;
-        return RayHit{query.ray.tfar, normal, material_of(query.hit), twice_area / longest_side(query.hit)};
+        const TriangleSet& set = group.sets[query.hit.geomID];
+        return RayHit{query.ray.tfar, normal, material_of(set, query.hit.primID),
+                      twice_area / longest_side(set, query.hit.primID)};
     }
 
     bool blocked(Vec3 from, Vec3 to) const {
@@ -102,19 +132,52 @@ class RayScene::Impl {
         RTCRay ray = embree_ray(from, 1 / length * (to - from), skin_, length - skin_);
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
-        rtcOccluded1(tree_.get(), &context, &ray);
+        rtcOccluded1(tree(), &context, &ray);
         return ray.tfar < 0;
     }
 
     double skin() const { return skin_; }
 
   private:
-    void attach(bool double_sided) {
-        TriangleSet& set = sets_[double_sided];
-        set = collect(*scene_, double_sided);
+    RTCScene tree() const { return all_ ? all_.get() : groups_[0].tree.get(); }
+
+    void build(std::uint32_t mover) {
+        groups_[mover].tree.reset(rtcNewScene(device_.get()));
+        for (const bool double_sided : {false, true}) attach(mover, double_sided);
+        rtcCommitScene(groups_[mover].tree.get());
+    }
+
+    /// Groups keep their own trees, so that only the tree above them is made anew when something has moved.
+    void join() {
+        all_.reset(rtcNewScene(device_.get()));
+        for (std::uint32_t i = 0; i < groups_.size(); ++i) {
+            groups_[i].instance.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+            rtcSetGeometryInstancedScene(groups_[i].instance.get(), groups_[i].tree.get());
+            move(groups_[i], i == 0 ? Pose{} : scene_->movers()[i - 1].rest);
+            rtcAttachGeometryByID(all_.get(), groups_[i].instance.get(), i);
+        }
+        rtcCommitScene(all_.get());
+    }
+
+    static void move(Group& group, const Pose& pose) {
+        const Vec3 columns[4] = {rotate(pose.orientation, {1, 0, 0}), rotate(pose.orientation, {0, 1, 0}),
+                                 rotate(pose.orientation, {0, 0, 1}), pose.position};
+        float transform[12];
+        for (std::size_t i = 0; i < 4; ++i) {
+            transform[3 * i] = static_cast<float>(columns[i].x);
+            transform[3 * i + 1] = static_cast<float>(columns[i].y);
+            transform[3 * i + 2] = static_cast<float>(columns[i].z);
+        }
+        rtcSetGeometryTransform(group.instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform);
+        rtcCommitGeometry(group.instance.get());
+        group.world_from_group = pose.orientation;
+    }
+
+    void attach(std::uint32_t mover, bool double_sided) {
+        TriangleSet& set = groups_[mover].sets[double_sided];
+        set = collect(*scene_, mover, double_sided);
         if (set.corners.empty()) return;
-        const Handle<RTCGeometry, rtcReleaseGeometry> mesh(
-            rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+        const Geometry mesh(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
         // The position is followed by the normal, so that reading 16 bytes for a vertex stays within it.
         rtcSetSharedGeometryBuffer(mesh.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                    scene_->vertices().data(), 0, sizeof(SceneVertex),
@@ -126,11 +189,11 @@ class RayScene::Impl {
             rtcSetGeometryOccludedFilterFunction(mesh.get(), reject_from_behind);
         }
         rtcCommitGeometry(mesh.get());
-        rtcAttachGeometryByID(tree_.get(), mesh.get(), double_sided);
+        rtcAttachGeometryByID(groups_[mover].tree.get(), mesh.get(), double_sided);
     }
 
-    double longest_side(const RTCHit& hit) const {
-        const std::uint32_t* corner = &sets_[hit.geomID].corners[3 * std::size_t{hit.primID}];
+    double longest_side(const TriangleSet& set, std::uint32_t triangle) const {
+        const std::uint32_t* corner = &set.corners[3 * std::size_t{triangle}];
         double longest = 0;
         for (int i = 0; i < 3; ++i) {
             const auto &a = scene_->vertices()[corner[i]].position, &b = scene_->vertices()[corner[(i + 1) % 3]].position;
@@ -139,17 +202,16 @@ class RayScene::Impl {
         return longest;
     }
 
-    std::uint32_t material_of(const RTCHit& hit) const {
-        const TriangleSet& set = sets_[hit.geomID];
-        const auto after = std::upper_bound(set.first.begin(), set.first.end(), hit.primID);
+    static std::uint32_t material_of(const TriangleSet& set, std::uint32_t triangle) {
+        const auto after = std::upper_bound(set.first.begin(), set.first.end(), triangle);
         return set.material[static_cast<std::size_t>(after - set.first.begin()) - 1];
     }
 
     std::shared_ptr<const Scene> scene_;
     double skin_;
-    TriangleSet sets_[2];
     Handle<RTCDevice, rtcReleaseDevice> device_;
-    Handle<RTCScene, rtcReleaseScene> tree_;
+    std::vector<Group> groups_;
+    Tree all_;  ///< nullptr where nothing moves
 };
 
 RayScene::RayScene(std::shared_ptr<const Scene> scene) : impl_(std::make_unique<Impl>(std::move(scene))) {}
@@ -158,6 +220,7 @@ std::optional<RayHit> RayScene::hit(Vec3 origin, Vec3 direction, double end) con
     return impl_->hit(origin, direction, end);
 }
 bool RayScene::blocked(Vec3 from, Vec3 to) const { return impl_->blocked(from, to); }
+void RayScene::place(std::span<const Pose> movers) { impl_->place(movers); }
 double RayScene::skin() const { return impl_->skin(); }
 
 }  // namespace echoloop

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "render/scene/scene.h"
 
@@ -20,6 +21,9 @@ class RayScene {
     /// Builds the tree on the calling thread. Throws std::runtime_error when Embree cannot.
     explicit RayScene(std::shared_ptr<const Scene> scene);
     ~RayScene();
+
+    /// Moves what moves: world_from_object of every mover, which have no place before. Costs next to nothing.
+    void place(std::span<const Pose> movers);
 
     /// The first surface within `end` m along the unit vector `direction`; one-sided triangles are not there
     /// from behind. A few tenths of a millimetre at the origin are left out, so that a ray can start on a

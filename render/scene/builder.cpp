@@ -22,18 +22,6 @@ bool within_extent(Vec3 p) {
     return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;  // false for NaN
 }
 
-Bounds empty_bounds() {
-    constexpr float far = std::numeric_limits<float>::infinity();
-    return {{far, far, far}, {-far, -far, -far}};
-}
-
-void grow(Bounds& bounds, const std::array<float, 3>& point) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        bounds.min[axis] = std::min(bounds.min[axis], point[axis]);
-        bounds.max[axis] = std::max(bounds.max[axis], point[axis]);
-    }
-}
-
 void check_mesh(const Mesh& mesh, const std::string& place) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         if (!within_extent(mesh.positions[i]))
@@ -104,9 +92,26 @@ class ChunkWriter {
     SceneChunk chunk_;
 };
 
+void grow(Bounds& bounds, const Bounds& more) {
+    if (is_empty(more)) return;
+    grow(bounds, more.min);
+    grow(bounds, more.max);
+}
+
 }  // namespace
 
-SceneBuilder::SceneBuilder() : scene_(new Scene) { scene_->bounds_ = empty_bounds(); }
+SceneBuilder::SceneBuilder() : scene_(new Scene) { scene_->still_bounds_ = empty_bounds(); }
+
+void SceneBuilder::begin(const SceneMover& mover) {
+    end_nodes();
+    scene_->movers_.push_back(mover);
+    scene_->movers_.back().first_node = static_cast<std::uint32_t>(scene_->nodes_.size());
+}
+
+void SceneBuilder::end_nodes() {
+    const auto end = static_cast<std::uint32_t>(scene_->nodes_.size());
+    scene_->movers_.empty() ? scene_->still_nodes_ = end : scene_->movers_.back().last_node = end;
+}
 
 std::uint32_t SceneBuilder::object_index(const std::string& name) {
     auto& all = scene_->objects_;
@@ -156,9 +161,9 @@ void SceneBuilder::add_chunk(const Mesh& mesh, std::span<const std::uint32_t> in
     SceneChunk chunk = writer.finish();
     chunk.object = node.object;
     chunk.material = node.material;
+    chunk.mover = mover();
     scene_->chunks_.push_back(chunk);
-    grow(scene_->bounds_, chunk.bounds.min);
-    grow(scene_->bounds_, chunk.bounds.max);
+    grow(scene_->movers_.empty() ? scene_->still_bounds_ : scene_->movers_.back().bounds, chunk.bounds);
     node.bounds = chunk.bounds;
     node.first_vertex = chunk.first_vertex;
     node.vertices = chunk.vertices;
@@ -196,12 +201,16 @@ void SceneBuilder::add(const PointTarget& target, const std::string& place) {
             "the scene has more than " + std::to_string(scene_limits::point_targets) + " point targets",
             "give it meshes instead");
     scene_->point_targets_.push_back(target);
+    scene_->point_targets_.back().mover = mover();
 }
 
 std::shared_ptr<const Scene> SceneBuilder::finish() {
     if (scene_->chunks_.empty())
         scene_fault("meshes", "there is no triangle in the scene",
                     "export meshes, not only empties, points or lines");
+    end_nodes();
+    scene_->bounds_ = scene_->still_bounds_;
+    for (const SceneMover& mover : scene_->movers_) grow(scene_->bounds_, placed(mover.bounds, mover.rest));
     return std::shared_ptr<const Scene>(scene_.release());
 }
 

@@ -19,6 +19,10 @@ class SceneBuilder {
     void add(const Mesh& mesh, const std::string& place);
     /// Throws SceneFault for a place or strength that is out of range, and for one target too many.
     void add(const PointTarget& target, const std::string& place);
+    /// What is added from here on belongs to `mover` and is in its frame; what stands still comes first.
+    void begin(const SceneMover& mover);
+    void add_name(const std::string& node) { scene_->node_names_.push_back(node); }
+    void add_note(const std::string& note) { scene_->notes_.push_back(note); }
     /// Throws SceneFault when there is no triangle.
     std::shared_ptr<const Scene> finish();
 
@@ -28,6 +32,8 @@ class SceneBuilder {
     void add_chunk(const Mesh& mesh, std::span<const std::uint32_t> indices, const ChunkTree& tree,
                    std::size_t index, SceneNode& node);
     void bound(std::size_t first_node);
+    std::uint32_t mover() const { return static_cast<std::uint32_t>(scene_->movers_.size()); }
+    void end_nodes();
 
     std::unique_ptr<Scene> scene_;
 };

@@ -77,7 +77,7 @@ Json check_buffers(const JsonView& root, const SceneContainer& container, const 
 
 std::string buffer_uri(std::size_t index) { return "buffer" + std::to_string(index); }
 
-SceneDocument check_document(const SceneContainer& container, const SceneFolder& folder) {
+SceneDocument check_document(const SceneContainer& container, const SceneFolder& folder, bool animations) {
     const Json parsed = parse(container.json);
     const JsonView root(parsed, "");
     check_asset(root);
@@ -103,6 +103,7 @@ SceneDocument check_document(const SceneContainer& container, const SceneFolder&
         out.target_strengths.push_back(read_target_strength(node));
     for (const auto& accessor : root.elements_of("accessors", elements))
         out.sparse.push_back(accessor.find("sparse").has_value());
+    if (animations) out.channels = read_channels(root, counts, out.channels_left_out);
     out.json = clean.dump(-1, ' ', false, Json::error_handler_t::replace);
     return out;
 }

@@ -1,5 +1,5 @@
 // Checks a glTF document before tinygltf sees it and hands on only what a sonar needs: no images, no
-// animations, no extensions, and no file name that tinygltf could open.
+// extensions, and no file name that tinygltf could open. Animations pass it by.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/scene/container.h"
+#include "render/scene/document_animations.h"
 #include "render/scene/folder.h"
 #include "render/scene/scene.h"
 
@@ -19,11 +20,14 @@ struct SceneDocument {
     std::vector<Material> materials;                      ///< in the order of the file
     std::vector<bool> sparse;                             ///< per accessor
     std::vector<std::optional<double>> target_strengths;  ///< dB, per node; empty: no target
+    std::vector<DocumentChannel> channels;                ///< of animations, in the order of the file
+    std::size_t channels_left_out = 0;                    ///< of scale and morph weights
 };
 
 std::string buffer_uri(std::size_t index);
 
 /// Throws SceneFault with the JSON path of the first fault.
-SceneDocument check_document(const SceneContainer& container, const SceneFolder& folder);
+/// `animations`: read them, else they are not even looked at.
+SceneDocument check_document(const SceneContainer& container, const SceneFolder& folder, bool animations = false);
 
 }  // namespace echoloop

@@ -43,6 +43,11 @@ class GltfModel {
 
     /// Finite VEC3 floats. `place` is where the accessor is used. Throws SceneFault.
     std::vector<Vec3> read_vectors(std::size_t accessor, const std::string& place) const;
+    /// Finite SCALAR floats, at least one. Throws SceneFault.
+    std::vector<float> read_scalars(std::size_t accessor, const std::string& place) const;
+    /// Finite vectors of `parts` floats, 3 or 4; a fourth that is missing is 0. Throws SceneFault.
+    std::vector<std::array<float, 4>> read_values(std::size_t accessor, std::size_t parts,
+                                                  const std::string& place) const;
     /// Unsigned SCALAR indices, each below `count`. Throws SceneFault.
     std::vector<std::uint32_t> read_indices(std::size_t accessor, std::size_t count,
                                             const std::string& place) const;

@@ -13,6 +13,19 @@ namespace {
 
 std::string place_of(std::size_t node) { return "nodes[" + std::to_string(node) + "]"; }
 
+/// Of a transform given as a matrix: its axes, made perpendicular.
+glm::dquat rotation_of(const glm::dmat4& m) {
+    const glm::dvec3 x = glm::normalize(glm::dvec3(m[0]));
+    const glm::dvec3 y = glm::normalize(glm::dvec3(m[1]) - glm::dot(glm::dvec3(m[1]), x) * x);
+    return glm::normalize(glm::quat_cast(glm::dmat3(x, y, glm::cross(x, y))));
+}
+
+glm::dquat local_rotation(const GltfNode& node) {
+    if (!node.matrix.empty()) return rotation_of(glm::make_mat4(node.matrix.data()));
+    if (node.rotation.empty()) return {1, 0, 0, 0};
+    return glm::normalize(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
+}
+
 glm::dmat4 local_transform(const GltfNode& node, std::size_t index) {
     if (!node.matrix.empty()) return glm::make_mat4(node.matrix.data());
     glm::dmat4 out(1);
@@ -46,8 +59,7 @@ class Walk {
   public:
     explicit Walk(const GltfModel& model) : model_(model), seen_(model.nodes().size()) {}
 
-    void visit(std::size_t index, const glm::dmat4& world_from_parent, std::size_t depth,
-               const std::string& place) {
+    void visit(std::size_t index, std::optional<std::size_t> parent, std::size_t depth, const std::string& place) {
         if (seen_[index])
             scene_fault(place, "meets node " + std::to_string(index) + " again",
                         "give each node one parent, without cycles");
@@ -56,12 +68,15 @@ class Walk {
                         "flatten the node tree");
         seen_[index] = true;
         const GltfNode& node = model_.nodes()[index];
+        const glm::dmat4 world_from_parent = parent ? out_[*parent].world_from_node : glm::dmat4(1);
         const glm::dmat4 world_from_node = world_from_parent * local_transform(node, index);
         check_transform(world_from_node, index);
+        const glm::dquat above = parent ? out_[*parent].rotation : glm::dquat(1, 0, 0, 0);
+        const std::size_t own = out_.size();
         out_.push_back({index, node.mesh, node.name.empty() ? "node" + std::to_string(index) : node.name,
-                        world_from_node});
+                        world_from_node, above * local_rotation(node), parent});
         for (std::size_t i = 0; i < node.children.size(); ++i)
-            visit(node.children[i], world_from_node, depth + 1,
+            visit(node.children[i], own, depth + 1,
                   place_of(index) + ".children[" + std::to_string(i) + "]");
     }
 
@@ -93,7 +108,7 @@ std::vector<PlacedNode> flatten_nodes(const GltfModel& model) {
     check_single_parents(model);
     Walk walk(model);
     for (const std::size_t root : model.roots())
-        walk.visit(root, glm::dmat4(1), 0, "scene root " + place_of(root));
+        walk.visit(root, std::nullopt, 0, "scene root " + place_of(root));
     return walk.take();
 }
 

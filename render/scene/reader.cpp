@@ -4,13 +4,10 @@
 #include <glm/mat3x3.hpp>
 
 #include "render/scene/builder.h"
-#include "render/scene/nodes.h"
+#include "render/scene/movers.h"
 
 namespace echoloop {
 namespace {
-
-/// glTF is y-up, the world ENU with z up.
-Vec3 enu_from_gltf(glm::dvec3 p) { return {p.x, -p.z, p.y}; }
 
 /// Corner numbers of the triangles of a list, strip or fan of `count` corners, all wound the same way.
 std::vector<std::uint32_t> triangle_corners(int mode, std::size_t count) {
@@ -41,45 +38,64 @@ void restore_winding(std::vector<std::uint32_t>& indices) {
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
 }
 
+/// In the world, or in the frame of the mover that carries it, if any.
 Mesh read_primitive(const GltfModel& model, const GltfPrimitive& primitive, const PlacedNode& placed,
-                    const SceneDocument& document) {
+                    const SceneDocument& document, const SceneMover* mover) {
+    const Pose from_world = mover != nullptr ? inverse(mover->rest) : Pose{};
+    const auto point = [&](Vec3 p) { return mover != nullptr ? from_world * p : p; };
+    const auto direction = [&](Vec3 v) { return mover != nullptr ? rotate(from_world.orientation, v) : v; };
     Mesh mesh;
     mesh.object = placed.object;
     mesh.material = primitive.material ? document.materials[*primitive.material] : Material{};
     for (const Vec3 p : model.read_vectors(primitive.positions, primitive.place + ".attributes.POSITION"))
         mesh.positions.push_back(
-            enu_from_gltf(glm::dvec3(placed.world_from_node * glm::dvec4(p.x, p.y, p.z, 1))));
+            point(enu_from_gltf(glm::dvec3(placed.world_from_node * glm::dvec4(p.x, p.y, p.z, 1)))));
     const glm::dmat3 linear(placed.world_from_node);
     const glm::dmat3 normal_transform = glm::inverseTranspose(linear);
     if (primitive.normals)
         for (const Vec3 n : model.read_vectors(*primitive.normals, primitive.place + ".attributes.NORMAL"))
-            mesh.normals.push_back(enu_from_gltf(normal_transform * glm::dvec3(n.x, n.y, n.z)));
+            mesh.normals.push_back(direction(enu_from_gltf(normal_transform * glm::dvec3(n.x, n.y, n.z))));
     mesh.indices = read_triangles(model, primitive, mesh.positions.size());
     if (glm::determinant(linear) < 0) restore_winding(mesh.indices);
     return mesh;
 }
 
-void add_target(const PlacedNode& placed, const SceneDocument& document, SceneBuilder& builder) {
+void add_target(const PlacedNode& placed, const SceneDocument& document, const SceneMover* mover,
+                SceneBuilder& builder) {
     const auto strength = document.target_strengths[placed.node];
     if (!strength) return;
-    const Vec3 position = enu_from_gltf(glm::dvec3(placed.world_from_node[3]));
+    const Vec3 in_world = enu_from_gltf(glm::dvec3(placed.world_from_node[3]));
+    const Vec3 position = mover != nullptr ? inverse(mover->rest) * in_world : in_world;
     builder.add(PointTarget{placed.object, position, *strength},
                 "nodes[" + std::to_string(placed.node) + "]");
 }
 
 }  // namespace
 
-std::shared_ptr<const Scene> read_scene(std::span<const unsigned char> bytes, const SceneFolder& folder) {
-    const SceneDocument document = check_document(open_container(bytes), folder);
+std::shared_ptr<const Scene> read_scene(std::span<const unsigned char> bytes, const SceneFolder& folder,
+                                        const SceneOptions& options) {
+    const SceneDocument document = check_document(open_container(bytes), folder, options.animations);
     const GltfModel model(document);
     SceneBuilder builder;
-    for (const auto& placed : flatten_nodes(model)) {
-        add_target(placed, document, builder);
-        if (!placed.mesh) continue;
-        for (const auto& primitive : model.primitives(*placed.mesh))
-            if (primitive.mode >= 4)  // points and lines have no area to scatter from
-                builder.add(read_primitive(model, primitive, placed, document), primitive.place);
+    const auto placed = flatten_nodes(model);
+    const MoverPlan plan = plan_movers(document, model, placed, options);
+    const auto add_all_of = [&](std::uint32_t number, const SceneMover* mover) {
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            if (plan.of[i] != number) continue;
+            add_target(placed[i], document, mover, builder);
+            if (!placed[i].mesh) continue;
+            for (const auto& primitive : model.primitives(*placed[i].mesh))
+                if (primitive.mode >= 4)  // points and lines have no area to scatter from
+                    builder.add(read_primitive(model, primitive, placed[i], document, mover), primitive.place);
+        }
+    };
+    add_all_of(0, nullptr);
+    for (std::uint32_t number = 1; number <= plan.movers.size(); ++number) {
+        builder.begin(plan.movers[number - 1]);
+        add_all_of(number, &plan.movers[number - 1]);
     }
+    for (const auto& node : placed) builder.add_name(node.object);
+    for (const auto& note : plan.notes) builder.add_note(note);
     return builder.finish();
 }
 

@@ -1,5 +1,5 @@
 // A scene as the sonar meets it: triangles in world coordinates (ENU, metres, z up) with acoustic materials,
-// cut into chunks for culling. Immutable; reads nothing outside the scene file's folder and knows no GL.
+// cut into chunks for culling. What moves is kept in a frame of its own. Immutable; reads nothing outside the scene file's folder and knows no GL.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "render/pose.h"
+#include "render/scene/motion.h"
 
 namespace echoloop {
 
@@ -51,11 +52,6 @@ struct Material {
     friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// Axis-aligned bounds in m.
-struct Bounds {
-    std::array<float, 3> min{}, max{};
-};
-
 /// Triangles given by a caller instead of a file. Counter-clockwise seen from the side that scatters.
 struct Mesh {
     std::string object;  ///< identity of the thing, for ground truth
@@ -71,6 +67,7 @@ struct PointTarget {
     std::string name;
     Vec3 position;             ///< m, ENU
     double strength_db = -20;  ///< TS of the sonar equation: backscattering cross-section, dB re 1 m^2
+    std::uint32_t mover = 0;   ///< 1 + index of the mover in whose frame it is; 0: the world
 };
 
 struct SceneVertex {
@@ -84,6 +81,7 @@ struct SceneChunk {
     std::uint32_t first_index = 0, indices = 0;    ///< in Scene::indices(), which count from first_vertex
     std::uint32_t object = 0, material = 0;        ///< in Scene::objects() and Scene::materials()
     Bounds bounds;
+    std::uint32_t mover = 0;  ///< 1 + index of the mover in whose frame it is; 0: the world
 };
 
 /// A vertex of a stand-in.
@@ -103,13 +101,21 @@ struct SceneNode {
     float error = 0;  ///< m, how far the stand-in is off, at most; infinite where there is none
 };
 
+/// What of a scene can move. Nothing, unless it is asked for.
+struct SceneOptions {
+    std::vector<std::string> movable{};  ///< names of nodes; the first of several with one name
+    bool animations = false;             ///< nodes that the file's animations move
+};
+
 class Scene {
   public:
     /// Reads a .gltf (with .bin or data: buffers) or .glb. Throws SceneError.
-    static std::shared_ptr<const Scene> load(const std::filesystem::path& file);
-    /// Throws SceneError (file "meshes") for the same faults as load().
+    static std::shared_ptr<const Scene> load(const std::filesystem::path& file, const SceneOptions& options = {});
+    /// Throws SceneError (file "meshes") for the same faults as load(). Meshes whose object is named in `movable` are
+    /// given in its own frame, which lies in the world's until it is moved.
     static std::shared_ptr<const Scene> from_meshes(std::span<const Mesh> meshes,
-                                                    std::span<const PointTarget> targets = {});
+                                                    std::span<const PointTarget> targets = {},
+                                                    std::span<const std::string> movable = {});
 
     std::span<const SceneVertex> vertices() const { return vertices_; }
     std::span<const std::uint16_t> indices() const { return indices_; }
@@ -121,7 +127,18 @@ class Scene {
     std::span<const std::string> objects() const { return objects_; }
     std::span<const Material> materials() const { return materials_; }
     std::span<const PointTarget> point_targets() const { return point_targets_; }
+    /// Of everything, with movers where the file puts them.
     const Bounds& bounds() const { return bounds_; }
+    /// Of what does not move; empty bounds where everything does.
+    const Bounds& still_bounds() const { return still_bounds_; }
+
+    std::span<const SceneMover> movers() const { return movers_; }
+    /// The nodes before this one are of what does not move.
+    std::uint32_t still_nodes() const { return still_nodes_; }
+    /// Of all nodes in the file's scene, depth first; one may be there several times.
+    std::span<const std::string> node_names() const { return node_names_; }
+    /// What of the file is left out that somebody might miss.
+    std::span<const std::string> notes() const { return notes_; }
     std::size_t triangles() const { return indices_.size() / 3; }
 
   private:
@@ -136,7 +153,10 @@ class Scene {
     std::vector<std::string> objects_;
     std::vector<Material> materials_;
     std::vector<PointTarget> point_targets_;
-    Bounds bounds_;
+    Bounds bounds_, still_bounds_;
+    std::vector<SceneMover> movers_;
+    std::uint32_t still_nodes_ = 0;
+    std::vector<std::string> node_names_, notes_;
 };
 
 }  // namespace echoloop

@@ -25,6 +25,17 @@ std::string water_line(const Water& w) {
                                 : " (profile)");
 }
 
+std::string moved_by(const Scenario& scenario, const SceneMover& mover) {
+    for (const auto& object : scenario.objects) {
+        if (object.node != mover.name) continue;
+        if (!object.trajectory.empty()) return "moves by " + object.trajectory.string();
+        if (!object.input.empty()) return "takes poses from " + object.input;
+        if (object.pose) return "is placed by the scenario";
+        return "takes poses from the lines of vehicle.input that name it";
+    }
+    return "is moved by the scene's animation";
+}
+
 void print_scene(const Scenario& scenario, const Scene& scene) {
     std::printf("%s%s\n", padded("scene", 12).c_str(), scenario.scene.c_str());
     std::printf("%s%s, %s, %s\n", padded("", 12).c_str(), counted(scene.triangles(), "triangle").c_str(),
@@ -33,6 +44,9 @@ void print_scene(const Scenario& scenario, const Scene& scene) {
         std::printf("%s%s scatters %s dB%s\n", padded("material", 12).c_str(),
                     padded(material.name, 20).c_str(), plain(material.mu_db, 2).c_str(),
                     material.double_sided ? ", both sides" : "");
+    for (const auto& mover : scene.movers())
+        std::printf("%s%s %s\n", padded("mover", 12).c_str(), mover.name.c_str(), moved_by(scenario, mover).c_str());
+    for (const auto& note : scene.notes()) std::printf("%s%s\n", padded("note", 12).c_str(), note.c_str());
 }
 
 void print_devices(const Scenario& scenario) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "emulator/pose/trajectory_file.h"
+#include "emulator/scenario/scene.h"
 
 namespace echoloop::cli {
 
@@ -15,7 +16,7 @@ Scenario scenario_from(const Arguments& arguments) {
 
 std::shared_ptr<const Scene> scene_of(const Scenario& scenario) {
     try {
-        return Scene::load(scenario.scene);
+        return load_scene(scenario);
     } catch (const SceneError& error) {
         throw StartError(Exit::data, error.what());
     }

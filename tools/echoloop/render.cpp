@@ -4,6 +4,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "emulator/pose/movers.h"
+#include "emulator/pose/trajectory_file.h"
 #include "emulator/random_key.h"
 #include "emulator/scenario/problems.h"
 #include "render/renderer.h"
@@ -57,7 +59,8 @@ class Job {
           scenario_(scenario_from(arguments)),
           device_(device_of(scenario_, arguments)),
           steps_(steps_of(*device_.model, arguments)),
-          range_(arguments.number("--range", 0, 0.1, 10'000)) {
+          range_(arguments.number("--range", 0, 0.1, 10'000)),
+          moment_(from_seconds(arguments.number("--at", 0, 0, 1e6))) {
         require_creatable(out_);
         if (arguments.has("--rule"))
             scenario_.render.rule =
@@ -70,11 +73,11 @@ class Job {
         RenderReport report{
             out_.string(), device_.name, device_.model->name, renderer.context_description(), {}};
         if (arguments_.has("--channels")) {
-            write_whole(out_, [&, image = renderer.render_channels(shot(steps_.first), pose())](
+            write_whole(out_, [&, image = renderer.render_channels(shot(steps_.first), situation(scene))](
                                   const auto& file) { write_channels_npy(file, image); });
             return report;
         }
-        report.pings = render(renderer);
+        report.pings = render(renderer, situation(scene));
         write_whole(out_, [&](const auto& file) { write(file, report.pings); });
         return report;
     }
@@ -85,13 +88,19 @@ class Job {
         shot.random_key = random_key(scenario_.seed, device_.name);  // as the session does
         return shot;
     }
-    Pose pose() const { return scenario_.world_from_body * device_.body_from_sonar; }
+    Situation situation(const std::shared_ptr<const Scene>& scene) const {
+        Pose world_from_body = scenario_.world_from_body;
+        if (!scenario_.trajectory.empty()) world_from_body = read_trajectory(scenario_.trajectory).at(moment_)->pose;
+        Situation situation(world_from_body * device_.body_from_sonar);
+        situation.movers = Movers(scenario_, scene).at(moment_);
+        return situation;
+    }
 
-    std::vector<Echogram> render(Renderer& renderer) const {
+    std::vector<Echogram> render(Renderer& renderer, const Situation& situation) const {
         std::vector<Echogram> pings;
         Progress progress("rendering", steps_.second - steps_.first);
         for (auto step = steps_.first; step < steps_.second; ++step) {
-            pings.push_back(renderer.render(shot(step), pose()));
+            pings.push_back(renderer.render(shot(step), situation));
             progress.done(pings.size());
         }
         return pings;
@@ -117,6 +126,7 @@ class Job {
     const ScenarioDevice& device_;
     std::pair<std::size_t, std::size_t> steps_;
     double range_;
+    Time moment_;
 };
 
 void print_report(const RenderReport& report) {
@@ -159,6 +169,7 @@ Verb render_verb() {
          {Kind::value, "--device", "NAME", "device of the scenario; may be left out if there is only one"},
          {Kind::value, "--out", "OUT", "OUT.png: picture; OUT.csv, OUT.npy: beams x bins", {}, true},
          {Kind::value, "--step", "N", "a scanning head: this step of the turn only"},
+         {Kind::value, "--at", "SECONDS", "moment of the run: where trajectories and animations are then"},
          {Kind::value, "--range", "METRES", "range instead of the device's own"},
          {Kind::value, "--rule", "RULE", "how samples become echoes", {"radiometric", "cerqueira2016"}},
          {Kind::flag, "--channels", "", "write intensity, range and bearing of the image instead (.npy)"},

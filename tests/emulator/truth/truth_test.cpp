@@ -46,8 +46,8 @@ std::vector<std::string> lines_of(const std::filesystem::path& file) {
 }
 
 struct TemporaryFile {
-    std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
-                                 ("truth_" + std::to_string(::getpid()) + ".jsonl");
+    std::filesystem::path path =
+        std::filesystem::path(testing::TempDir()) / ("truth_" + std::to_string(::getpid()) + ".jsonl");
     ~TemporaryFile() { std::filesystem::remove(path); }
 };
 
@@ -64,7 +64,8 @@ TEST(TruthLine, SaysWhatIsKnownOfAPing) {
     EXPECT_EQ(line["beams"], Json({-0.25, 0.25}));
     EXPECT_EQ(line["axis_range"], Json({6.5, nullptr})) << "nothing on that axis";
     EXPECT_EQ(line["nearest_range"], Json({6.25, nullptr}));
-    EXPECT_EQ(line["objects"], Json::parse("[[[2,1,3],[1,4,1]],[[3,5,1]]]")) << "runs of object, first bin, bins";
+    EXPECT_EQ(line["objects"], Json::parse("[[[2,1,3],[1,4,1]],[[3,5,1]]]"))
+        << "runs of object, first bin, bins";
     EXPECT_EQ(line["faults"], Json({"bits flipped"}));
 }
 
@@ -118,14 +119,16 @@ TEST(TruthFile, SaysWhyAFileCannotBeMade) {
         TruthFile truth("/nowhere/truth.jsonl");
         FAIL();
     } catch (const StartError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("/nowhere/truth.jsonl: cannot be written: No such file"));
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("/nowhere/truth.jsonl: cannot be written: No such file"));
     }
 }
 
 TEST(DeviceTruth, KnowsWhereTheVehicleIsFromItsSonar) {
     const TemporaryFile file;
     TruthFile truth(file.path);
-    const Pose world_from_body{{10, 20, -5}, axis_angle({0, 0, 1}, 1)}, body_from_sonar{{0.4, 0, 0.1}, from_rpy(0, 1, 0)};
+    const Pose world_from_body{{10, 20, -5}, axis_angle({0, 0, 1}, 1)},
+        body_from_sonar{{0.4, 0, 0.1}, from_rpy(0, 1, 0)};
     DeviceTruth device(truth, "sonar", body_from_sonar);
     Echogram echogram;
     echogram.world_from_sonar = world_from_body * body_from_sonar;
