@@ -75,20 +75,20 @@ void Exchanges::sort_out(const std::vector<bool>& unasked) {
     begins_unasked_ = !unasked_.empty() && following_[unasked_.front()] == 0;
 }
 
+/// The parts of one ping come at once, so only gaps count that are not much shorter than the longest; a pause
+/// that a request explains does not count either.
 void Exchanges::find_usual_gap() {
     std::vector<Time> gaps;
     for (std::size_t i = 1; i < unasked_.size(); ++i)
-        gaps.push_back(said_[unasked_[i]].time - said_[unasked_[i - 1]].time);
-    if (gaps.empty()) {
-        usual_gap_ = std::chrono::seconds(1);
-        return;
-    }
+        if (following_[unasked_[i]] == following_[unasked_[i - 1]])
+            gaps.push_back(said_[unasked_[i]].time - said_[unasked_[i - 1]].time);
+    usual_gap_ = std::chrono::seconds(1);
+    if (gaps.empty()) return;
+    const Time longest = *std::ranges::max_element(gaps);
+    std::erase_if(gaps, [longest](Time gap) { return gap < longest / 4; });
     const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-    std::nth_element(gaps.begin(), middle, gaps.end());
-    // Parts of one ping come at once; their pings do not.
-    const double mean = to_seconds(said_[unasked_.back()].time - said_[unasked_.front()].time) /
-                        static_cast<double>(gaps.size());
-    usual_gap_ = std::max({*middle, from_seconds(mean), Time(std::chrono::milliseconds(1))});
+    std::ranges::nth_element(gaps, middle);
+    usual_gap_ = std::max(*middle, Time(std::chrono::milliseconds(1)));
 }
 
 /// A run ends with a long pause that a request explains.

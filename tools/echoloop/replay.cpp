@@ -51,6 +51,13 @@ Survey survey_of(const Arguments& arguments) {
     return result;
 }
 
+/// 0 is for steps.
+double speed_of(const Arguments& arguments) {
+    constexpr double slowest = 0.001, fastest = 1000;
+    const bool still = arguments.has("--speed") && arguments.number("--speed", 1, 0, fastest) == 0;
+    return still ? 0 : arguments.number("--speed", 1, slowest, fastest);
+}
+
 double baud_of(const Arguments& arguments, const Endpoint& endpoint) {
     constexpr double usual = 115200;
     if (endpoint.scheme == Endpoint::Scheme::serial && endpoint.baud != 0) return endpoint.baud;
@@ -70,7 +77,7 @@ SourceSettings source_settings(const Arguments& arguments, const std::vector<Ass
     settings.file = arguments.text("CAPTURE");
     settings.from = arguments.number("--from", 0, 0, 1e9);
     settings.until = arguments.number("--until", 1e18, 0, 1e9);
-    settings.speed = arguments.number("--speed", 1, 0, 1e6);
+    settings.speed = speed_of(arguments);
     settings.open = open_settings(arguments);
     for (const auto& a : assignments) {
         settings.ports.push_back(a.port);
@@ -86,7 +93,7 @@ using Mode = ReplayMode;
 
 /// Throws StartError (usage) for modes that exclude each other.
 Mode mode_of(const Arguments& arguments) {
-    const bool still = arguments.has("--speed") && arguments.number("--speed", 1, 0, 1e6) == 0;
+    const bool still = speed_of(arguments) == 0;
     const bool stepped = arguments.has("--stepped") || still, answering = arguments.has("--answer");
     if (stepped && answering)
         throw StartError(

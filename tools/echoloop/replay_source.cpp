@@ -8,7 +8,7 @@ namespace {
 using replay::Said;
 using replay::WholeMessage;
 
-constexpr double longest = 1e9;  // s; times beyond it are a broken clock
+constexpr double longest = 4e6;  // s; times beyond it are a broken clock
 
 Time time_since(double origin, double time) { return from_seconds(std::clamp(time - origin, 0.0, longest)); }
 
@@ -85,7 +85,7 @@ void CaptureSource::add(const capture::CaptureEvent& event) {
 /// A captured time is that of a message's last byte, so on a paced line its first one goes earlier.
 void CaptureSource::say(Said said) {
     const double on_the_line = settings_.ports[said.port].byte_time * static_cast<double>(said.bytes.size());
-    if (said.by_device) said.time -= from_seconds(on_the_line * settings_.speed);
+    if (said.by_device) said.time -= from_seconds(std::min(on_the_line * settings_.speed, longest));
     said.time = std::max(said.time, last_);
     last_ = said.time;
     waiting_.push_back(std::move(said));

@@ -137,6 +137,23 @@ TEST(Answering, AStreamBeginsAndEndsWithItsRequestsOnly) {
     EXPECT_THAT(said_until(player, 1e5), ElementsAre("1765 ack"));
 }
 
+TEST(Answering, PartsOfAPingComeTogetherInEveryLap) {
+    std::vector<Said> all{driver(0, "start")};
+    for (int ping = 1; ping <= 3; ++ping)
+        for (int part = 0; part < 3; ++part)
+            all.push_back(
+                device(100 * ping + part, std::to_string(ping) + "." + std::to_string(part), "part"));
+    all.push_back(driver(310, "stop"));
+    all.push_back(driver(60'000, "start"));
+    all.push_back(device(60'100, "late", "part"));
+    Spoken source(std::move(all));
+    AnsweringPlayer player(source, text_port, 1);
+    player.heard(0, bytes_of("start"), ms(0));
+    EXPECT_THAT(said_until(player, 410),
+                ElementsAre("100 1.0", "101 1.1", "102 1.2", "200 2.0", "201 2.1", "202 2.2", "300 3.0",
+                            "301 3.1", "302 3.2", "400 1.0", "401 1.1", "402 1.2"));
+}
+
 TEST(Answering, AnotherDriverBeginsWithoutTheStreamOfTheLastOne) {
     Spoken source(streamed());
     AnsweringPlayer player(source, text_port, 1);
