@@ -171,6 +171,13 @@ class Diff(ProgramTest):
         types = self.types(self.diff(REBOOT + SEND_DATA, SEND_DATA, status=1))
         self.assertEqual(types["ReBoot"]["only_a"], [{"message": 1}])
 
+    def test_a_serial_log_against_a_capture(self):
+        messages = scan(range(6))
+        log = "".join(f"{0.01 * i:.3f} {'<' if sent else '>'} {data.hex(' ')}\n" for i, (data, sent) in enumerate(messages))
+        types = self.types(self.diff(log.encode(), line_capture(messages), status=0))
+        self.assertEqual((types["DeviceData"]["pairs"], types["Transducer"]["pairs"]), (6, 6))
+        self.assertEqual(types["DeviceData"]["gap"]["a"], types["DeviceData"]["gap"]["b"])
+
     def test_the_text_says_what_differs(self):
         a, b = scan(range(5)), scan(range(5), gain=2)
         done = run("diff", self.file(line_capture(a), "a"), self.file(line_capture(b), "b"))

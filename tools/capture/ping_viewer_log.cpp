@@ -103,7 +103,7 @@ std::optional<CaptureEvent> PingViewerLog::next() {
     at_ += bytes.size();
     if (bytes.size() < *size) return fail("the last record is cut short");
     ++counts_.packets;
-    return CaptureEvent{*time, "", true, StreamPiece{line_, true, {}, {}, std::move(bytes)}};
+    return CaptureEvent{*time, "", true, StreamPiece{line_, true, {}, {}, std::move(bytes)}, counts_.packets};
 }
 
 }  // namespace echoloop::capture

@@ -106,7 +106,8 @@ std::optional<CaptureEvent> SerialLog::next() {
         if (stretch == nullptr || stretch->bytes.empty()) continue;
         ++counts_.packets;
         return CaptureEvent{stretch->time, "", stretch->by_device,
-                            StreamPiece{"", stretch->by_device, {}, {}, std::move(stretch->bytes)}};
+                            StreamPiece{"", stretch->by_device, {}, {}, std::move(stretch->bytes)},
+                            counts_.packets};
     }
     return {};
 }

@@ -66,7 +66,12 @@ Verb diff_verb() {
     using Kind = Argument::Kind;
     return {"diff",
             "compare two captures, message by message and field by field",
-            {{Kind::positional, "A", "", "pcap, pcapng, or raw bytes; e.g. of a real sonar", {}, true},
+            {{Kind::positional,
+              "A",
+              "",
+              "pcap, pcapng, a log of Ping Viewer, a serial log, or raw bytes",
+              {},
+              true},
              {Kind::positional,
               "B",
               "",

@@ -6,6 +6,8 @@
 #include "emulator/error.h"
 #include "emulator/scenario/problems.h"
 #include "emulator/scenario/value.h"
+#include "tools/capture/open.h"
+#include "tools/capture/ports.h"
 #include "tools/capture/stream_windows.h"
 #include "tools/echoloop/common.h"
 
@@ -62,12 +64,9 @@ bool continues(const Way& one, const Way& other) {
 
 bool fits(const Way& way, const std::string& port) {
     if (port.empty()) return true;
-    if (way.is_serial()) return way.line.find(port) != std::string::npos;
-    const auto is_end = [&](const Address& end) {
-        const std::string text = cli::text_of(end);
-        return text == port || text.substr(0, text.find(':')) == port || std::to_string(end.port) == port;
-    };
-    return is_end(way.from) || is_end(way.to);
+    capture::PortKey key{capture::PortKind::serial, way.line, {}, {}};
+    if (!way.is_serial()) key = {capture::PortKind::udp, "", way.from, way.to};
+    return capture::PortFilter(port).fits(key);
 }
 
 class Loader {
@@ -170,8 +169,8 @@ Side read_side(const std::string& file, const SideSettings& settings) {
     Side side;
     side.file = file;
     capture::Input input(file);
-    if (input.is_capture())
-        read_events(*capture::open_packets(input), settings, side);
+    if (capture::is_log(input))
+        read_events(*capture::open_capture(input), settings, side);
     else
         read_bytes(input, settings, side);
     if (side.messages > 0) return side;
