@@ -20,6 +20,12 @@ double unix_now() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+/// On the way to the first member: before there is another thread.
+std::shared_ptr<const Scene> load_scene(const Scenario& scenario) {
+    keep_freed_memory();
+    return Scene::load(scenario.scene);
+}
+
 std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io) {
     return std::make_unique<RealClock>(io, scenario.clock_rate);
 }

@@ -1,6 +1,7 @@
 #include "emulator/scheduling.h"
 
 #include <linux/sched/types.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -28,6 +29,13 @@ void be_prompt() { set_slice(100'000); }
 void give_way(int nice) {
     ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), nice);
     set_slice(static_cast<std::uint64_t>(nice) * 500'000);
+}
+
+void keep_freed_memory() {
+#ifdef M_TRIM_THRESHOLD
+    ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+#endif
 }
 
 }  // namespace echoloop

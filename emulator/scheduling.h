@@ -1,5 +1,5 @@
-// How the system shares processors between this program's threads. Asks for nothing that needs rights; where
-// a system does not know of it, nothing happens.
+// How the system shares processors between this program's threads, and keeps memory at hand for them. Asks
+// for nothing that needs rights; where a system does not know of it, nothing happens.
 #pragma once
 
 namespace echoloop {
@@ -11,5 +11,9 @@ void be_prompt();
 /// For a thread that computes for others: gives way to those that serve a wire, and among its like the more
 /// the greater `nice` (1..19).
 void give_way(int nice);
+
+/// Freed memory stays with this process (GNU C library): echograms and messages of megabytes come and go with
+/// every ping, and to get their pages anew would take longer than to fill them. Before other threads start.
+void keep_freed_memory();
 
 }  // namespace echoloop

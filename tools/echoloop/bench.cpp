@@ -4,7 +4,9 @@
 #include <cstdio>
 
 #include "emulator/error.h"
+#include "emulator/scheduling.h"
 #include "tools/echoloop/bench/report.h"
+#include "tools/echoloop/bench/wire.h"
 #include "tools/echoloop/json_output.h"
 #include "tools/echoloop/terminal.h"
 #include "tools/echoloop/verb.h"
@@ -49,7 +51,21 @@ int status_of(const bench::Report& report) {
     return 0;
 }
 
+int run_wire(const Arguments& arguments) {
+    keep_freed_memory();  // as `echoloop run` does
+    const auto pings = settings_of(arguments).pings;
+    std::printf("ms of processor time from an echogram to its bytes\n%-28s %12s %9s %10s %8s %8s\n", "", "beams x bins",
+                "messages", "bytes", "median", "p99");
+    for (const bench::WireCase& c : bench::wire_cases()) {
+        const bench::WireFigures f = bench::measure_wire(c, pings);
+        std::printf("%-28s %5zu x %4zu %9zu %10zu %8.2f %8.2f\n", f.name.c_str(), f.beams, f.bins, f.messages, f.bytes,
+                    f.median, f.p99);
+    }
+    return 0;
+}
+
 int run(const Arguments& arguments) {
+    if (arguments.has("--wire")) return run_wire(arguments);
     const auto settings = settings_of(arguments);
     const auto report = measured(settings, cases_of(arguments, settings));
     const bool json = arguments.has("--json");
@@ -65,12 +81,14 @@ Verb bench_verb() {
             "measure how long a ping takes, case by case",
             {{Kind::value, "--cases", "NAME,...", "these cases, sonars or scenes only"},
              {Kind::value, "--scene", "FILE", "every sonar over this scene (.gltf, .glb) instead"},
+             {Kind::flag, "--wire", "", "instead: from an echogram to bytes, by model"},
              {Kind::value, "--pings", "N", "pings per case, 1 to 100000; 100 unless given"},
              {Kind::value, "--pixels", "FACTOR", "factor on the number of pixels, 0.1 to 64"},
              {Kind::value, "--context", "NAME", "GL context: auto, osmesa, egl-surfaceless or egl-device"},
              json_argument()},
             "  echoloop bench\n"
             "  echoloop bench --cases fls,scanning-simple --pings 1000\n"
+            "  echoloop bench --wire\n"
             "  echoloop bench --scene config/scenes/tank.glb --json",
             run};
 }

@@ -54,15 +54,18 @@ Grid make_grid(const PingRecord& ping, const Settings& s) {
     }
 }
 
-/// Amplitudes of one column, at full scale 1 and before they are cut. `gain` is of power, one a row.
-void fill_column(const Echogram& echogram, const Grid& g, const Plan& plan, std::size_t column,
-                 const std::vector<float>& gain, std::vector<float>& out) {
+using Stretch = std::pair<std::size_t, std::size_t>;
+
+/// Amplitudes of one column, at full scale 1 and before they are cut. `stretches` are the bins of each row,
+/// `gain` is of power, one a row.
+void fill_column(const Echogram& echogram, const Grid& g, std::span<const Stretch> stretches,
+                 std::size_t column, const std::vector<float>& gain, std::span<float> out) {
     std::fill(out.begin(), out.end(), 0.0F);
     const std::size_t first = column * g.beams_per_column;
     for (std::size_t beam = first; beam < first + g.beams_per_column; ++beam) {
         const auto bins = echogram.beam(beam);
         for (std::size_t r = 0; r < g.rows; ++r) {
-            const auto [from, to] = g.bins_of(r, plan);
+            const auto [from, to] = stretches[r];
             float sum = 0;
             for (std::size_t i = from; i < to; ++i) sum += bins[i];
             out[r] += sum / static_cast<float>((to - from) * g.beams_per_column);
@@ -82,24 +85,27 @@ void store(float amplitude, std::uint8_t* to) {
     }
 }
 
+/// Columns that are written together, since those of one row lie side by side in the image.
+constexpr std::size_t columns_at_once = 32;
+
+/// `amplitudes`: of `count` columns, `rows` each, that go into a row's samples from `to` on.
 template <class T>
-void store_column(const std::vector<float>& amplitudes, std::size_t columns, std::uint8_t* to) {
-    for (const float amplitude : amplitudes) {
-        store<T>(amplitude, to);
-        to += columns * sizeof(T);
-    }
+void store_columns(std::span<const float> amplitudes, std::size_t count, std::size_t rows,
+                   std::size_t columns, std::uint8_t* to) {
+    for (std::size_t r = 0; r < rows; ++r, to += columns * sizeof(T))
+        for (std::size_t n = 0; n < count; ++n) store<T>(amplitudes[n * rows + r], to + n * sizeof(T));
 }
 
-void store_column(norbit::Sample sample, const std::vector<float>& amplitudes, std::size_t columns,
-                  std::uint8_t* to) {
+void store_columns(norbit::Sample sample, std::span<const float> amplitudes, std::size_t count, const Grid& g,
+                   std::uint8_t* to) {
     if (sample == norbit::Sample::u8)
-        store_column<std::uint8_t>(amplitudes, columns, to);
+        store_columns<std::uint8_t>(amplitudes, count, g.rows, g.columns, to);
     else if (sample == norbit::Sample::u16)
-        store_column<std::uint16_t>(amplitudes, columns, to);
+        store_columns<std::uint16_t>(amplitudes, count, g.rows, g.columns, to);
     else if (sample == norbit::Sample::f32)
-        store_column<float>(amplitudes, columns, to);
+        store_columns<float>(amplitudes, count, g.rows, g.columns, to);
     else
-        store_column<std::int16_t>(amplitudes, columns, to);
+        store_columns<std::int16_t>(amplitudes, count, g.rows, g.columns, to);
 }
 
 /// On power, of every row: analog and digital gain against full scale.
@@ -173,14 +179,21 @@ Bytes water_column_packet(const PingRecord& ping, const Settings& s, const Echog
     std::uint8_t* const image = packet.data() + norbit::water_column_head;
     std::uint8_t* const angles = image + g.rows * g.columns * size;
     const std::vector<float> gains = row_gains(ping, s, g);
-    std::vector<float> column(g.rows);
+    std::vector<Stretch> stretches(g.rows);
+    for (std::size_t r = 0; r < g.rows; ++r) stretches[r] = g.bins_of(r, ping.plan);
+    std::vector<float> block(columns_at_once * g.rows);
     float loudest = 0;
-    for (std::size_t n = 0; n < g.columns; ++n) {
-        fill_column(echogram, g, ping.plan, n, gains, column);
-        loudest = std::max(loudest, *std::max_element(column.begin(), column.end()));
-        store_column(s.sample, column, g.columns, image + n * size);
-        wire::store<wire::ByteOrder::little>(column_angle(ping.plan, g, n), angles + 4 * n);
+    for (std::size_t first = 0; first < g.columns; first += columns_at_once) {
+        const std::size_t count = std::min(columns_at_once, g.columns - first);
+        for (std::size_t n = 0; n < count; ++n)
+            fill_column(echogram, g, stretches, first + n, gains,
+                        std::span(block).subspan(n * g.rows, g.rows));
+        const std::span<const float> filled(block.data(), count * g.rows);
+        for (const float amplitude : filled) loudest = std::max(loudest, amplitude);
+        store_columns(s.sample, filled, count, g, image + first * size);
     }
+    for (std::size_t n = 0; n < g.columns; ++n)
+        wire::store<wire::ByteOrder::little>(column_angle(ping.plan, g, n), angles + 4 * n);
     peak = loudest;
     norbit::close(packet);
     return packet;

@@ -53,15 +53,6 @@ std::uint32_t quality_of(const multibeam::Detection& detection) {
            (detection.in_line ? reson7k::detection::in_line : 0);
 }
 
-/// Where in a beam an echo lies, -1 at the beam to port to 1 at the one to starboard, by the balance of power
-/// between them, since an echogram has no phases.
-float balance(const Echogram& echogram, std::size_t beam, std::size_t bin) {
-    const std::size_t last = echogram.beams() - 1;
-    const float port = echogram.beam(beam == 0 ? 0 : beam - 1)[bin];
-    const float starboard = echogram.beam(std::min(beam + 1, last))[bin];
-    return (starboard - port) / (starboard + port + echogram.beam(beam)[bin] + 1e-20F);
-}
-
 }  // namespace
 
 reson7k::RecordFrame frame_of(const Settings& settings, double unix_time) {
@@ -124,73 +115,6 @@ reson7k::RawDetections make_detections(const PingRecord& ping, const Settings& s
                                          reson7k::detection::quality_type_1,
                                      quality_of(found[n]), 0, std::sqrt(found[n].power),
                                      to_f32(gates[n].min * rate), to_f32(gates[n].max * rate)});
-    }
-    return record;
-}
-
-std::vector<float> gain_curve(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
-    const Acoustics& a = settings.acoustics;
-    const auto spreading = to_f32(settings.tvg ? a.spreading : 0);
-    const auto per_metre = to_f32(settings.tvg ? 2 * a.absorption / 1000 : 0);
-    const auto constant = to_f32(ping.controls.gain - a.amplitude_reference);
-    std::vector<float> gain(echogram.shot.bins);
-    for (std::size_t i = 0; i < gain.size(); ++i) {
-        const float r = std::max(to_f32(echogram.bin_range(i)), 1.0F);
-        gain[i] = std::pow(10.0F, (constant + spreading * std::log10(r) + per_metre * r) / 10);
-    }
-    return gain;
-}
-
-void amplitudes(const std::vector<float>& gain, const Echogram& echogram, std::size_t beam,
-                std::vector<float>& out) {
-    const auto power = echogram.beam(beam);
-    out.assign(power.begin(), power.end());
-    if (echogram.rule == EchoRule::cerqueira2016) return;
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::min(1.0F, std::sqrt(out[i] * gain[i]));
-}
-
-reson7k::Image make_image(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
-    constexpr std::size_t most_rows = 1024;
-    const std::size_t bins = echogram.shot.bins, beams = echogram.beams();
-    const std::size_t per_row = (bins + most_rows - 1) / most_rows;
-    reson7k::Image image;
-    image.ping = ping.number;
-    image.width = static_cast<std::uint32_t>(beams);
-    image.height = static_cast<std::uint32_t>((bins + per_row - 1) / per_row);
-    image.samples = static_cast<std::uint32_t>(bins);
-    image.flags = 2;  // beams are not stabilised
-    image.pixels.assign(image.height * beams, 0);
-    const auto gain = gain_curve(ping, settings, echogram);
-    std::vector<float> shares;
-    for (std::size_t beam = 0; beam < beams; ++beam) {
-        amplitudes(gain, echogram, beam, shares);
-        for (std::size_t bin = 0; bin < bins; ++bin) {
-            std::uint8_t& pixel = image.pixels[bin / per_row * beams + beam];
-            pixel = std::max(pixel, static_cast<std::uint8_t>(shares[bin] * 255 + 0.5F));
-        }
-    }
-    return image;
-}
-
-reson7k::Beamformed make_beamformed(const PingRecord& ping, const Settings& settings,
-                                    const Echogram& echogram) {
-    const std::size_t bins = echogram.shot.bins, beams = echogram.beams();
-    reson7k::Beamformed record;
-    record.serial = settings.serial;
-    record.ping = ping.number;
-    record.beams = static_cast<std::uint16_t>(beams);
-    record.samples = static_cast<std::uint32_t>(bins);
-    record.data.resize(bins * beams);
-    const auto gain = gain_curve(ping, settings, echogram);
-    std::vector<float> shares;
-    for (std::size_t beam = 0; beam < beams; ++beam) {
-        amplitudes(gain, echogram, beam, shares);
-        for (std::size_t bin = 0; bin < bins; ++bin) {
-            const auto amplitude = static_cast<std::uint32_t>(shares[bin] * 65535 + 0.5F);
-            const auto phase = static_cast<std::int16_t>(32767 * balance(echogram, beam, bin));
-            record.data[bin * beams + beam] =
-                amplitude | static_cast<std::uint32_t>(static_cast<std::uint16_t>(phase)) << 16;
-        }
     }
     return record;
 }

@@ -28,10 +28,4 @@ reson7k::Image make_image(const PingRecord& ping, const Settings& settings, cons
 reson7k::Beamformed make_beamformed(const PingRecord& ping, const Settings& settings,
                                     const Echogram& echogram);
 
-/// Factor on the power of each bin, so that 1 is full scale: gain and time-varied gain.
-std::vector<float> gain_curve(const PingRecord& ping, const Settings& settings, const Echogram& echogram);
-/// Share of full scale of a beam's bins, 0 to 1; under the paper's rule the values as they are.
-void amplitudes(const std::vector<float>& gain, const Echogram& echogram, std::size_t beam,
-                std::vector<float>& out);
-
 }  // namespace echoloop::reson7k_device

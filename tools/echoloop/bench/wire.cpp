@@ -1,0 +1,116 @@
+#include "tools/echoloop/bench/wire.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <stdexcept>
+
+#include "emulator/options.h"
+#include "emulator/scenario/profile_section.h"
+#include "tools/echoloop/bench/measure.h"
+
+namespace echoloop::bench {
+namespace {
+
+constexpr std::size_t warm_up = 4;
+
+/// ms that this thread has computed.
+double thread_ms() {
+    timespec t{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
+}
+
+/// Noise of 90 dB that fluctuates, and over it, three quarters of the way out, a bottom of 140 dB.
+Echogram made_up(const Shot& shot) {
+    Echogram echogram;
+    echogram.shot = shot;
+    echogram.sound_speed = 1500;
+    echogram.noise_power = 1e9;
+    echogram.values.resize(shot.bearings.size() * shot.bins);
+    echogram.truth.resize(shot.bearings.size());
+    std::uint32_t state = 1;
+    for (float& value : echogram.values) {
+        state = state * 1664525U + 1013904223U;
+        value = 1e9F * static_cast<float>((state >> 8) + 1) * 0x1p-23F;
+    }
+    const std::size_t bottom = shot.bins * 3 / 4, last = std::min(shot.bins, bottom + 8);
+    for (std::size_t beam = 0; beam < shot.bearings.size(); ++beam)
+        for (std::size_t bin = bottom; bin < last; ++bin) echogram.values[beam * shot.bins + bin] += 1e14F;
+    return echogram;
+}
+
+std::unique_ptr<Device> make_device(const WireCase& the_case) {
+    const Model* model = find_model(the_case.model);
+    if (model == nullptr) throw std::runtime_error("bench: there is no model " + the_case.model);
+    DeviceConfig config;
+    config.name = the_case.name;
+    config.endpoints = model->default_endpoints;
+    config.options = default_options(*model);
+    config.profile = own_profile(*model);
+    for (const auto& [name, value] : the_case.options) config.options.at(name) = value;
+    return model->make(config);
+}
+
+/// A device and the part of a session that keeps the time.
+class Driven {
+  public:
+    explicit Driven(const WireCase& the_case) : device_(make_device(the_case)) {
+        take(device_->started(now_));
+        for (std::size_t port = 0; port < device_->ports().size(); ++port) {
+            device_->reconnected(port);
+            take(device_->connected(port, {0x7F000001, 50000}, now_));
+        }
+        for (const auto& word : the_case.words)
+            take(device_->received({word.port, word.bytes, {0x7F000001, 50000}}, now_));
+    }
+
+    /// ms of processor time from the next echogram to its bytes.
+    double ping(WireFigures& figures) {
+        for (int patience = 10'000; !ping_; --patience) {
+            if (patience == 0 || wake_ == Time::max())
+                throw std::runtime_error("bench: " + figures.name + " does not ping");
+            now_ = std::max(now_, std::exchange(wake_, Time::max()));
+            take(device_->woken(now_));
+        }
+        const Ping ping = std::move(*std::exchange(ping_, std::nullopt));
+        now_ = std::max(now_, ping.due);
+        const Echogram echogram = made_up(ping.shot);
+        const double begin = thread_ms();
+        Actions actions = device_->heard(echogram, now_);
+        const double taken = thread_ms() - begin;
+        figures.beams = ping.shot.bearings.size(), figures.bins = ping.shot.bins;
+        figures.messages = actions.send.size(), figures.bytes = 0;
+        for (const Send& send : actions.send) figures.bytes += send.bytes.size();
+        take(std::move(actions));
+        return taken;
+    }
+
+  private:
+    void take(Actions actions) {
+        if (actions.wake) wake_ = *actions.wake;
+        if (actions.ping) ping_ = std::move(actions.ping);
+    }
+
+    std::unique_ptr<Device> device_;
+    Time now_{}, wake_ = Time::max();
+    std::optional<Ping> ping_;
+};
+
+}  // namespace
+
+WireFigures measure_wire(const WireCase& the_case, std::size_t pings) {
+    WireFigures figures;
+    figures.name = the_case.name;
+    Driven driven(the_case);
+    std::vector<double> taken;
+    for (std::size_t i = 0; i < warm_up + pings; ++i) {
+        const double ms = driven.ping(figures);
+        if (i >= warm_up) taken.push_back(ms);
+    }
+    const Spread spread = spread_of(taken);
+    figures.least = spread.minimum, figures.median = spread.median, figures.p99 = spread.p99;
+    return figures;
+}
+
+}  // namespace echoloop::bench
