@@ -107,7 +107,6 @@ class Runtime::Impl {
         clock_->begin();
         vehicle_.start();
         for (auto& session : sessions_) session->start();
-        be_prompt();
         clock_->run();
         join_listeners();
     }

@@ -24,8 +24,6 @@ void set_slice(std::uint64_t slice) {
 
 }  // namespace
 
-void be_prompt() { set_slice(100'000); }
-
 void give_way(int nice) {
     ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), nice);
     set_slice(static_cast<std::uint64_t>(nice) * 500'000);

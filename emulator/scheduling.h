@@ -4,10 +4,6 @@
 
 namespace echoloop {
 
-/// For a thread that serves a wire: little at a time, but at once. (Linux 6.12 and newer lets a thread with a
-/// short slice take the place of one with a long slice as soon as it wakes.)
-void be_prompt();
-
 /// For a thread that computes for others: gives way to those that serve a wire, and among its like the more
 /// the greater `nice` (1..19).
 void give_way(int nice);

@@ -5,7 +5,7 @@
 #include <boost/asio/post.hpp>
 
 #include "emulator/random_key.h"
-#include "emulator/scheduling.h"
+#include "emulator/punctual.h"
 #include "emulator/truth/device_truth.h"
 
 namespace echoloop {
@@ -186,7 +186,7 @@ void Session::hear(UnderWay& ping) {
 void Session::hear_elsewhere(std::shared_ptr<Echogram> echogram, Time now) {
     hearing_ = true;
     asio::post(*water_.listeners, [this, &io = io_, alive = alive_, device = device_.get(), echogram, now] {
-        [[maybe_unused]] thread_local const bool prompt = (be_prompt(), true);
+        [[maybe_unused]] thread_local const bool prompt = (wake_on_time(), true);
         auto actions = std::make_shared<Actions>();
         std::exception_ptr fault;
         try {

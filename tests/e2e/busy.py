@@ -25,7 +25,7 @@ NONE_LATE = re.compile(r"^(\w+) +(\d+) pings, none late$", re.MULTILINE)
 class Run:
     """What a run of so many seconds ended with."""
 
-    def __init__(self, seconds):
+    def __init__(self, seconds, *arguments):
         text = (ROOT / "config" / "busy.yaml").read_text()
         drivers = fleet()
         text = text.replace("scenes/", "{scenes}/")
@@ -35,7 +35,7 @@ class Run:
             assert found == 1, f"{driver.name} in config/busy.yaml"
             if hasattr(driver, "held"):
                 driver.held.close()
-        with Emulator(text, "--fail-late") as emulator:
+        with Emulator(text, "--fail-late", *arguments) as emulator:
             for driver in drivers:
                 driver.begin(emulator.folder)
             before = os.times()
@@ -68,7 +68,9 @@ class Run:
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=float, default=600)
-    run = Run(parser.parse_args().seconds)
+    parser.add_argument("--realtime", action="store_true", help="give echoloop run --realtime, which needs rights")
+    options = parser.parse_args()
+    run = Run(options.seconds, *(["--realtime"] if options.realtime else []))
     print(run.text(), end="")
     return 1 if run.faults else run.status
 
