@@ -20,10 +20,10 @@ double unix_now() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// On the way to the first member: before there is another thread.
-std::shared_ptr<const Scene> load_scene(const Scenario& scenario) {
+/// The first member is made from it: before there is another thread.
+const Scenario& with_memory_at_hand(const Scenario& scenario) {
     keep_freed_memory();
-    return Scene::load(scenario.scene);
+    return scenario;
 }
 
 std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io) {
@@ -65,7 +65,7 @@ void warm_up(Renderer& renderer, const Scenario& scenario, const SharedWater& wa
 class Runtime::Impl {
   public:
     Impl(const Scenario& scenario, const RunRecords& records)
-        : scene_(load_scene(scenario)),
+        : scene_(load_scene(with_memory_at_hand(scenario))),
           signals_(io_),
           end_(io_),
           clock_(make_clock(scenario, io_)),
