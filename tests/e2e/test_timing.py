@@ -84,10 +84,10 @@ class Pace(unittest.TestCase):
                               env={**os.environ, "ECHOLOOP": PROGRAM}, capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stderr)
         figures = json.loads(done.stdout)
-        for rate, (median, _) in figures["pace_percent"].items():
-            self.assertLess(abs(median), 30, f"{rate} bit/s")
+        for rate, (median, _) in figures["pace_percent"].items():  # a reply at 921600 is over in 13 ms
+            self.assertLess(abs(median), 60 if rate == "921600" else 20, f"{rate} bit/s")
         for wire, (median, _, _) in figures["late_ms"].items():
-            self.assertLess(median, 50, wire)
+            self.assertLess(median, 200, wire)
 
 
 if __name__ == "__main__":
