@@ -77,9 +77,9 @@ std::string lua_names(std::span<const wire::NamedValue> names) {
 }
 
 std::string lua_list(const std::vector<std::string>& names) {
-    std::string out;
-    for (const std::string& name : names) out += (out.empty() ? "" : ",") + lua_text(name);
-    return '{' + out + '}';
+    std::string out = "{";
+    for (const std::string& name : names) out.append(out.size() > 1 ? "," : "").append(lua_text(name));
+    return out.append("}");
 }
 
 std::string lua_row(const Row& row) {
