@@ -50,6 +50,7 @@ Store::Handle Store::keep(ByteView bytes) {
 
 Bytes Store::read(Handle handle) const {
     Bytes bytes(handle.size);
+    if (bytes.empty()) return bytes;
     if (handle.at < memory_.size()) {
         std::memcpy(bytes.data(), memory_.data() + handle.at, bytes.size());
         return bytes;
