@@ -2,6 +2,11 @@
 
 namespace echoloop {
 
+double Clock::unix_time() const {
+    if (unix_start_) return *unix_start_ + to_seconds(now());
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
 Task<void> Alarm::until(Time when) {
     constexpr auto never = asio::steady_timer::time_point::max();
     if (when == Time::max()) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "emulator/asio.h"
 #include "emulator/device.h"
@@ -15,7 +16,9 @@ class Alarm;
 /// Time of the run. Everything that waits for it does so with an Alarm, on the thread that runs the clock.
 class Clock {
   public:
-    explicit Clock(asio::io_context& io) : io_(io), holds_(std::make_shared<std::size_t>(0)) {}
+    /// `unix_start`: s, Unix time at run time 0; empty: the system's own.
+    explicit Clock(asio::io_context& io, std::optional<double> unix_start = {})
+        : io_(io), unix_start_(unix_start), holds_(std::make_shared<std::size_t>(0)) {}
     virtual ~Clock() = default;
     Clock(const Clock&) = delete;
     Clock& operator=(const Clock&) = delete;
@@ -26,6 +29,9 @@ class Clock {
     /// Serves everything on the io_context, alarms as well, until that is stopped.
     virtual void run() = 0;
     asio::io_context& io() const { return io_; }
+    /// s since 1970, for time stamps.
+    double unix_time() const;
+    double unix_start() const { return unix_start_.value_or(unix_time()); }
 
     /// While one lives, something is under way whose outcome belongs to this moment (an echogram that is due,
     /// a write that does not fit yet): a stepped clock does not move on. Others take no notice.
@@ -52,6 +58,7 @@ class Clock {
     virtual void unset(Alarm& alarm) = 0;
 
     asio::io_context& io_;
+    std::optional<double> unix_start_;
     std::size_t ranks_ = 0;
     std::shared_ptr<std::size_t> holds_;
 };
@@ -82,6 +89,8 @@ class Alarm {
     std::size_t rank_;
     asio::steady_timer timer_;
     bool set_ = false;  ///< a clock knows of it that must be told of its end
+    Time when_{};       ///< with turn_: where such a clock has it
+    std::uint64_t turn_ = 0;
 };
 
 /// Run time on the steady clock, optionally faster or slower: `rate` seconds of the run pass in one real
@@ -90,7 +99,10 @@ class RealClock final : public Clock {
   public:
     using Steady = std::chrono::steady_clock;
 
-    explicit RealClock(asio::io_context& io, double rate = 1.0) : Clock(io), rate_(rate) { begin(); }
+    explicit RealClock(asio::io_context& io, double rate = 1.0, std::optional<double> unix_start = {})
+        : Clock(io, unix_start), rate_(rate) {
+        begin();
+    }
 
     Time now() const override;
     void begin() override { start_ = Steady::now(); }

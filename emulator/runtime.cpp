@@ -9,16 +9,13 @@
 #include "emulator/pose/vehicle.h"
 #include "emulator/scenario/scene.h"
 #include "emulator/scheduling.h"
+#include "emulator/step_server.h"
 #include "emulator/transport/make.h"
 #include "emulator/truth/device_truth.h"
 #include "render/renderer.h"
 
 namespace echoloop {
 namespace {
-
-double unix_now() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 /// The first member is made from it: before there is another thread.
 const Scenario& with_memory_at_hand(const Scenario& scenario) {
@@ -27,7 +24,8 @@ const Scenario& with_memory_at_hand(const Scenario& scenario) {
 }
 
 std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io) {
-    return std::make_unique<RealClock>(io, scenario.clock_rate);
+    if (scenario.clock == ClockMode::stepped) return std::make_unique<SteppedClock>(io, *scenario.unix_start);
+    return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
 }
 
 SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers) {
@@ -45,7 +43,8 @@ SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Mov
 }
 
 /// Plans, shaders and trees are made at the first ping of their kind: before anybody waits for one.
-void warm_up(Renderer& renderer, const Scenario& scenario, const SharedWater& water, RenderThread::Lane lane) {
+void warm_up(Renderer& renderer, const Scenario& scenario, const SharedWater& water,
+             RenderThread::Lane lane) {
     constexpr double everywhere = 1e7;  // m: a scene so large that late echoes matter
     for (const ScenarioDevice& device : scenario.devices) {
         const Shot shot = device.model->default_shot(device.config, 0, 0);
@@ -69,13 +68,18 @@ class Runtime::Impl {
           signals_(io_),
           end_(io_),
           clock_(make_clock(scenario, io_)),
-          vehicle_(scenario, *clock_),
+          stepped_(dynamic_cast<SteppedClock*>(clock_.get())),
+          steps_(stepped_ == nullptr ? nullptr : make_step_server()),
+          vehicle_(scenario, *clock_, steps_.get()),
           movers_(scenario, scene_),
           water_(shared_water(scenario, *scene_, movers_)),
           render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
                          RenderThread::useful(scenario.devices.size())) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
+        if (stepped_ != nullptr && records.recording != nullptr)
+            records.recording->follow(
+                [this, start = from_seconds(clock_->unix_start())] { return start + clock_->now(); });
         if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
         for (const ScenarioDevice& device : scenario.devices) add(device, records);
     }
@@ -97,16 +101,9 @@ class Runtime::Impl {
         signals_.async_wait([this](error_code ec, int) {
             if (!ec) stop();
         });
-        if (duration) {
-            end_.expires_after(std::chrono::duration_cast<RealClock::Steady::duration>(
-                std::chrono::duration<double>(*duration)));
-            end_.async_wait([this](error_code ec) {
-                if (!ec) stop();
-            });
-        }
         clock_->begin();
         vehicle_.start();
-        for (auto& session : sessions_) session->start();
+        stepped_ == nullptr ? begin(duration) : begin_with_first_step(duration);
         clock_->run();
         join_listeners();
     }
@@ -118,10 +115,45 @@ class Runtime::Impl {
     }
 
     std::optional<PoseSummary> poses() const { return vehicle_.summary(); }
+    std::optional<StepSummary> steps() const {
+        return steps_ ? std::optional(steps_->summary()) : std::nullopt;
+    }
     std::size_t triangles() const { return scene_->triangles(); }
     const std::string& renderer_description() const { return renderer_description_; }
 
   private:
+    void begin(std::optional<double> duration) {
+        if (duration) {
+            end_.expires_after(std::chrono::duration_cast<RealClock::Steady::duration>(
+                std::chrono::duration<double>(*duration)));
+            end_.async_wait([this](error_code ec) {
+                if (!ec) stop();
+            });
+        }
+        for (auto& session : sessions_) session->start();
+    }
+
+    /// Not before: who steps has the first word about where the vehicle is.
+    void begin_with_first_step(std::optional<double> duration) {
+        stepped_->on_step([this, powered = false](Time to) mutable {
+            vehicle_.step(clock_->now(), to);
+            if (std::exchange(powered, true)) return;
+            for (auto& session : sessions_) session->start();
+        });
+        steps_->start(duration ? std::optional(from_seconds(*duration)) : std::nullopt, [this] { stop(); });
+    }
+
+    std::unique_ptr<StepServer> make_step_server() {
+        return std::make_unique<StepServer>(*stepped_, [this] {
+            std::vector<std::pair<std::string, std::uint64_t>> sent;
+            for (const auto& session : sessions_) {
+                const SessionSummary summary = session->summary();
+                sent.emplace_back(summary.name, summary.bytes_out);
+            }
+            return sent;
+        });
+    }
+
     /// On a render thread, several at once.
     std::unique_ptr<Renderer> make_renderer(const Scenario& scenario, RenderThread::Lane lane) {
         auto renderer = std::make_unique<Renderer>(scene_, scenario.water, scenario.render);
@@ -137,7 +169,7 @@ class Runtime::Impl {
 
     void add(const ScenarioDevice& entry, const RunRecords& records) {
         DeviceConfig config = entry.config;
-        config.unix_start = unix_now();
+        config.unix_start = clock_->unix_start();
         auto device = entry.model->make(config);
         const auto recorded = [&](std::unique_ptr<Transport> wire, const Port& port) {
             if (records.recording == nullptr) return wire;
@@ -159,6 +191,7 @@ class Runtime::Impl {
     }
 
     void stop() {
+        if (steps_) steps_->close();
         vehicle_.close();
         for (auto& session : sessions_) session->close();
         error_code ignored;
@@ -171,7 +204,7 @@ class Runtime::Impl {
         TruthHeader header{.scenario = scenario.file.string(),
                            .scene = scenario.scene.string(),
                            .seed = scenario.seed,
-                           .unix_start = unix_now(),
+                           .unix_start = clock_->unix_start(),
                            .objects = {scene_->objects().begin(), scene_->objects().end()}};
         for (const SceneMover& mover : scene_->movers()) header.movers.push_back(mover.name);
         for (const ScenarioDevice& device : scenario.devices)
@@ -186,6 +219,8 @@ class Runtime::Impl {
     asio::signal_set signals_;
     asio::steady_timer end_;
     std::unique_ptr<Clock> clock_;
+    SteppedClock* stepped_;              ///< the clock, if it is one
+    std::unique_ptr<StepServer> steps_;  ///< if it is
     Vehicle vehicle_;
     Movers movers_;
     SharedWater water_;
@@ -201,6 +236,7 @@ std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
 std::size_t Runtime::triangles() const { return impl_->triangles(); }
 std::string Runtime::renderer() const { return impl_->renderer_description(); }
 std::optional<PoseSummary> Runtime::poses() const { return impl_->poses(); }
+std::optional<StepSummary> Runtime::steps() const { return impl_->steps(); }
 void Runtime::run(std::optional<double> duration) { impl_->run(duration); }
 std::vector<SessionSummary> Runtime::summary() const { return impl_->summary(); }
 

@@ -22,6 +22,7 @@ struct RunningDevice {
 class Recording;
 class TruthFile;
 struct PoseSummary;
+struct StepSummary;
 
 /// What a run writes beside the bytes on the wire; nullptr: not asked for. All outlive the runtime.
 struct RunRecords {
@@ -40,11 +41,14 @@ class Runtime {
     std::size_t triangles() const;
     std::string renderer() const;  ///< e.g. "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe"
 
-    /// Powers the devices up and serves them until SIGINT, SIGTERM or `duration` seconds of real time.
+    /// Powers the devices up and serves them until SIGINT, SIGTERM or `duration` seconds: of real time, or of
+    /// the run where the clock is stepped, whose devices are powered up by the first step.
     void run(std::optional<double> duration = {});
     std::vector<SessionSummary> summary() const;
     /// What came from outside about the vehicle; empty if nothing is asked from there.
     std::optional<PoseSummary> poses() const;
+    /// Empty unless the clock is stepped.
+    std::optional<StepSummary> steps() const;
 
   private:
     class Impl;

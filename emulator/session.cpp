@@ -15,10 +15,6 @@ constexpr std::size_t outbox_limit = 64 << 20;  // bytes; a driver that never re
 constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t worth_a_thread = 16'384;  ///< values of an echogram; fewer take a device no time
 
-double unix_now() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 /// m, from a point to the corner of the scene's bounds that is farthest from it.
 double farthest_from(Vec3 point, const Bounds& scene) {
     const auto reach = [&scene](std::size_t axis, double at) {
@@ -132,7 +128,7 @@ void Session::transmit(Ping ping) {
     const auto late_before = std::exchange(late_, late ? render(next_due, *late, situation) : nullptr);
     asio::co_spawn(io_,
                    deliver({std::move(transmission), sequence_, ping.due, std::move(echoes), late_before,
-                            std::move(situation), unix_now()}),
+                            std::move(situation), clock_.unix_time()}),
                    Serving(name_));
 }
 
@@ -185,7 +181,9 @@ void Session::hear(UnderWay& ping) {
 
 void Session::hear_elsewhere(std::shared_ptr<Echogram> echogram, Time now) {
     hearing_ = true;
-    asio::post(*water_.listeners, [this, &io = io_, alive = alive_, device = device_.get(), echogram, now] {
+    auto hold = std::make_shared<const Clock::Hold>(clock_);  // it comes back to the io thread before it ends
+    asio::post(*water_.listeners, [this, &io = io_, alive = alive_, device = device_.get(), echogram, now,
+                                   hold = std::move(hold)]() mutable {
         [[maybe_unused]] thread_local const bool prompt = (wake_on_time(), true);
         auto actions = std::make_shared<Actions>();
         std::exception_ptr fault;
@@ -194,7 +192,7 @@ void Session::hear_elsewhere(std::shared_ptr<Echogram> echogram, Time now) {
         } catch (...) {
             fault = std::current_exception();
         }
-        asio::post(io, [this, alive, actions, fault] {
+        asio::post(io, [this, alive, actions, fault, hold = std::move(hold)] {
             if (!*alive || closed_) return;
             hearing_ = false;
             Serving{name_}(fault);

@@ -87,7 +87,10 @@ void Recording::add(const pcapng::Packet& packet, ByteView bytes) {
     if (waiting_.size() >= enough_to_write) more_.notify_one();
 }
 
-pcapng::WallTime Recording::now() const { return start_time_ + (std::chrono::steady_clock::now() - start_); }
+pcapng::WallTime Recording::now() const {
+    if (time_) return time_();
+    return start_time_ + (std::chrono::steady_clock::now() - start_);
+}
 
 RecordingSummary Recording::summary() const {
     const std::scoped_lock lock(mutex_);

@@ -4,6 +4,7 @@
 
 #include <condition_variable>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -42,6 +43,8 @@ class Recording {
     void finish();
     /// Never goes backwards, whatever happens to the system's clock during a run.
     pcapng::WallTime now() const;
+    /// From now on now() asks `time`: of a run whose time is not that of the world.
+    void follow(std::function<pcapng::WallTime()> time) { time_ = std::move(time); }
 
     RecordingSummary summary() const;
     const std::filesystem::path& file() const { return file_; }
@@ -57,6 +60,7 @@ class Recording {
     RecordingLimits limits_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     pcapng::WallTime start_time_;
+    std::function<pcapng::WallTime()> time_;  ///< empty: the system's
 
     mutable std::mutex mutex_;  // of all that follows up to summary_
     std::condition_variable_any more_;

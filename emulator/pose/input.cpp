@@ -3,12 +3,12 @@
 #include <spdlog/spdlog.h>
 
 #include "emulator/transport/make.h"
+#include "emulator/transport/stepped_port.h"
 #include "protocols/mavlink/codec.h"
 
 namespace echoloop {
 namespace {
 
-constexpr std::size_t longest_line = 4096, poses_kept = 2000;
 constexpr Time another_clock = std::chrono::seconds(1);
 
 }  // namespace
@@ -22,34 +22,38 @@ Time SenderClock::run_time(double sender_seconds, Time arrival) {
     return from_seconds(sender_seconds) + *ahead_;
 }
 
-PoseInput::PoseInput(Clock& clock, const std::string& endpoint, const Pose& before)
+PoseInput::PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* where, StepServer* steps)
     : clock_(clock),
-      transport_(open_endpoint(clock.io(), endpoint)),
+      transport_(in_step(clock, open_endpoint(clock.io(), endpoint))),
       place_(transport_->describe()),
       datagrams_(transport_->wire().kind == Wire::Kind::udp),
-      before_(before),
-      positions_({.most = poses_kept}),
-      attitudes_({.most = poses_kept}) {}
+      where_(where),
+      steps_(steps) {}
 
 void PoseInput::start() {
-    transport_->start({.received = [this](ByteView bytes, Address) { received(bytes); },
+    transport_->start({.received = [this](ByteView bytes, Address from) { received(bytes, from); },
                        .reconnected = [this] { begin(); }});
 }
 
 /// Somebody else is at the other end.
 void PoseInput::begin() {
-    waiting_.clear();
-    overlong_ = begun_ = false;
+    ++connection_;
+    lines_.clear();
+    begun_ = false;
     framer_.clear();
     mavlink_pose_ = {};
 }
 
-void PoseInput::received(ByteView bytes) {
+void PoseInput::received(ByteView bytes, Address from) {
     constexpr std::uint8_t version1 = 0xFE, version2 = 0xFD;  // no text begins with these
     if (bytes.empty()) return;
     if (datagrams_ || !begun_) speaks_mavlink_ = bytes[0] == version1 || bytes[0] == version2;
     begun_ = true;
-    speaks_mavlink_ ? mavlink(bytes) : text(bytes);
+    if (speaks_mavlink_) return mavlink(bytes);
+    const auto each = [this, from](std::string_view text) { line(text, from); };
+    lines_.feed(bytes, each);
+    constexpr std::uint8_t end = '\n';
+    if (datagrams_) lines_.feed({&end, 1}, each);
 }
 
 void PoseInput::mavlink(ByteView bytes) {
@@ -57,55 +61,65 @@ void PoseInput::mavlink(ByteView bytes) {
     while (const auto frame = framer_.next()) {
         const auto message = mavlink::parse(*frame);
         if (!message) continue;
-        take(mavlink_pose_.add(*message, frame->system));
+        PoseText read = mavlink_pose_.add(*message, frame->system);
+        if (read.message) read.message->own_clock = true;
+        take(read);
     }
 }
 
-void PoseInput::text(ByteView bytes) {
-    waiting_.append(bytes.begin(), bytes.end());
-    if (datagrams_) waiting_ += '\n';
-    std::size_t from = 0;
-    for (std::size_t end; (end = waiting_.find('\n', from)) != std::string::npos; from = end + 1) {
-        const auto text = std::string_view(waiting_).substr(from, end - from);
-        if (!overlong_ && text.find_first_not_of(" \t\r") != std::string_view::npos) line(text);
-        overlong_ = false;
-    }
-    waiting_.erase(0, from);
-    if (waiting_.size() <= longest_line) return;
-    line("");
-    waiting_.clear();
-    overlong_ = true;
+void PoseInput::line(std::string_view text, Address from) {
+    PoseText read{{}, "the line is longer than 4096 bytes", {}};
+    if (!text.empty()) read = parse_pose_line(text);
+    if (read.now && steps_ == nullptr)
+        read = {{}, "now: the clock of this run is not stepped; that needs clock: {mode: stepped}", read.now};
+    if (read.message && where_ == nullptr)
+        read = {{}, "position: vehicle.trajectory says where the vehicle is", {}};
+    if (steps_ == nullptr) return take_unstepped(read, from);
+    steps_->add({std::move(read), this, from, connection_});
 }
 
-void PoseInput::line(std::string_view text) {
-    const bool fits = !text.empty() && text.size() <= longest_line;
-    take(fits ? parse_pose_line(text) : PoseText{{}, "the line is longer than 4096 bytes"});
+/// Who waits for an answer gets one, at most one at a time.
+void PoseInput::take_unstepped(const PoseText& read, Address from) {
+    take(read);
+    if (!read.now || answering_) return;
+    answering_ = true;
+    asio::co_spawn(
+        clock_.io(),
+        [this, from]() -> Task<void> {
+            co_await answer(R"({"error": "the clock of this run is not stepped"})", from, connection_);
+            answering_ = false;
+        },
+        Serving(place_));
 }
 
 void PoseInput::take(const PoseText& read) {
     if (!read.reason.empty()) {
         if (summary_.refused++ == 0)
-            spdlog::warn("{}: a pose was refused: {}; further ones are counted only", place_, read.reason);
+            spdlog::warn("{}: a {} was refused: {}; further ones are counted only", place_,
+                         steps_ == nullptr ? "pose" : "line", read.reason);
         summary_.last_refusal = read.reason;
     }
     if (!read.message) return;
     ++summary_.accepted;
-    const auto& [told, position, attitude] = *read.message;
-    const Time now = clock_.now();
-    const Time time = told ? sender_.run_time(*told, now) : now;
-    if (position && !positions_.add(time, {*position, {}})) ++summary_.jumps;
-    if (attitude) attitudes_.add(time, {{}, *attitude});
+    tell(*read.message);
 }
 
-Pose PoseInput::at(Time time) {
-    Pose pose = before_;
-    if (const auto attitude = attitudes_.at(time)) pose.orientation = attitude->pose.orientation;
-    const auto position = positions_.at(time);
-    if (!position) return pose;
-    if (position->stale && summary_.stale_pings++ == 0)
-        spdlog::warn("{}: no pose for more than a second; the vehicle is taken to stand still", place_);
-    pose.position = position->pose.position;
-    return pose;
+/// In a stepped run nothing may depend on when a message arrives between two steps.
+void PoseInput::tell(const PoseMessage& message) {
+    if (where_ == nullptr) return;
+    const Time now = clock_.now();
+    if (steps_ == nullptr)
+        where_->tell(message.time ? sender_.run_time(*message.time, now) : now, message);
+    else if (message.time && !message.own_clock)
+        where_->tell(from_seconds(*message.time), message);
+    else
+        where_->tell_with_next_step(message);
+}
+
+Task<void> PoseInput::answer(std::string text, Address to, std::uint64_t connection) {
+    if (connection != connection_) co_return;
+    text += '\n';
+    co_await transport_->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, to);
 }
 
 PoseSummary PoseInput::summary() const {

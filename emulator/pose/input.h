@@ -7,9 +7,10 @@
 
 #include "emulator/asio.h"
 #include "emulator/clock.h"
+#include "emulator/pose/lines.h"
 #include "emulator/pose/mavlink_pose.h"
-#include "emulator/pose/message.h"
-#include "emulator/pose/track.h"
+#include "emulator/pose/whereabouts.h"
+#include "emulator/step_server.h"
 #include "emulator/transport/transport.h"
 #include "protocols/mavlink/framer.h"
 
@@ -34,36 +35,39 @@ class SenderClock {
     double last_ = 0;
 };
 
-class PoseInput {
+class PoseInput final : public LineSource {
   public:
-    /// `endpoint`: as in a scenario. `before`: where the vehicle is until the first message. Throws
-    /// StartError if the endpoint cannot be opened.
-    PoseInput(Clock& clock, const std::string& endpoint, const Pose& before);
+    /// `endpoint`: as in a scenario. `where` is told the poses; nullptr: nobody asks for them, and lines that
+    /// tell some are refused. `steps`: of a stepped run, else nullptr. All outlive this. Throws StartError if
+    /// the endpoint cannot be opened.
+    PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* where, StepServer* steps);
 
     void start();
     void close() { transport_->close(); }
-    /// For a ping at that time; counts the stale ones.
-    Pose at(Time time);
     PoseSummary summary() const;
 
+    void take(const PoseText& text) override;
+    Task<void> answer(std::string text, Address to, std::uint64_t connection) override;
+
   private:
-    void received(ByteView bytes);
-    void text(ByteView bytes);
-    void line(std::string_view text);
+    void received(ByteView bytes, Address from);
+    void line(std::string_view text, Address from);
     void mavlink(ByteView bytes);
-    void take(const PoseText& read);
+    void take_unstepped(const PoseText& text, Address from);
+    void tell(const PoseMessage& message);
     void begin();
 
     Clock& clock_;
     std::unique_ptr<Transport> transport_;
     std::string place_;
     bool datagrams_;
-    Pose before_;
-    Track positions_, attitudes_;  ///< apart, since some messages tell one of them only
+    Whereabouts* where_;
+    StepServer* steps_;
+    bool answering_ = false;  ///< that it is not stepped
     SenderClock sender_;
+    std::uint64_t connection_ = 0;
     bool begun_ = false, speaks_mavlink_ = false;  ///< told by the first byte of a connection or datagram
-    std::string waiting_;                          ///< the beginning of a line
-    bool overlong_ = false;
+    Lines lines_;
     mavlink::Framer framer_;
     MavlinkPose mavlink_pose_;
     PoseSummary summary_;

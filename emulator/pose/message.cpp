@@ -1,5 +1,6 @@
 #include "emulator/pose/message.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -9,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double farthest = 1e6, longest = 1e10;  // m, s
+constexpr double farthest = 1e6, longest = 4e9;  // m, s
 
 /// Thrown inside this file only.
 struct Refusal {
@@ -63,7 +64,7 @@ PoseMessage of_ardupilot(const Json& object) {
         ned_from_frd.orientation = from_rpy(roll, pitch, yaw);
     }
     const Pose pose = enu_from_ned(ned_from_frd);
-    return {time(object, "timestamp"), pose.position, pose.orientation};
+    return {time(object, "timestamp"), pose.position, pose.orientation, true};
 }
 
 PoseMessage of_echoloop(const Json& object) {
@@ -77,18 +78,26 @@ PoseMessage of_echoloop(const Json& object) {
     return message;
 }
 
+/// Or a part of one, which is a mistake.
+bool tells_pose(const Json& object) {
+    constexpr std::array keys{"position", "orientation", "rpy_deg", "attitude", "quaternion"};
+    return std::ranges::any_of(keys, [&object](const char* key) { return object.contains(key); });
+}
+
 }  // namespace
 
 PoseText parse_pose_line(std::string_view line) {
     const Json object = Json::parse(line, nullptr, false);
-    if (object.is_discarded()) return {{}, "no JSON"};
-    if (!object.is_object()) return {{}, "expected a JSON object in braces"};
-    if (!object.contains("position")) return {{}, "\"position\": [x, y, z] is missing"};
-    const bool ardupilot = object.contains("attitude") || object.contains("quaternion");
+    if (object.is_discarded()) return {{}, "no JSON", {}};
+    if (!object.is_object()) return {{}, "expected a JSON object in braces", {}};
     try {
-        return {ardupilot ? of_ardupilot(object) : of_echoloop(object), ""};
+        const auto now = time(object, "now");
+        if (now && !tells_pose(object)) return {{}, "", now};
+        if (!object.contains("position")) return {{}, "\"position\": [x, y, z] is missing", {}};
+        const bool ardupilot = object.contains("attitude") || object.contains("quaternion");
+        return {ardupilot ? of_ardupilot(object) : of_echoloop(object), "", now};
     } catch (const Refusal& refusal) {
-        return {{}, refusal.reason};
+        return {{}, refusal.reason, {}};
     }
 }
 

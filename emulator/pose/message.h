@@ -16,18 +16,20 @@ struct PoseMessage {
     std::optional<double> time;  ///< s on the sender's clock; empty: when it arrives
     std::optional<Vec3> position;
     std::optional<Quat> attitude;  ///< world_from_body
+    bool own_clock = false;        ///< `time` began whenever the sender liked; else it may be run time
 };
 
 struct PoseText {
     std::optional<PoseMessage> message;
-    std::string reason;  ///< why there is no message
+    std::string reason;         ///< why there is no message
+    std::optional<double> now;  ///< s of run time: it asks a stepped clock to go there
 };
 
 /// Own: {"t": 1.5, "position": [x, y, z], "orientation": [w, x, y, z]}; "rpy_deg": [r, p, y] may stand for
-/// the orientation, both and t may be missing. ArduPilot's: {"timestamp": 1.5, "position": [n, e, d],
-/// "attitude": [r, p, y]} in rad, or "quaternion": [w, x, y, z], NED and FRD. Other keys are passed over.
-/// Refused are numbers that are not finite, positions beyond 1000 km, quaternions whose length is not 1
-/// within 1 %.
+/// the orientation, both and t may be missing; "now": 1.5 may stand beside them or alone. ArduPilot's:
+/// {"timestamp": 1.5, "position": [n, e, d], "attitude": [r, p, y]} in rad, or "quaternion": [w, x, y, z],
+/// NED and FRD. Other keys are passed over. Refused are numbers that are not finite, positions beyond 1000
+/// km, quaternions whose length is not 1 within 1 %.
 PoseText parse_pose_line(std::string_view line);
 
 }  // namespace echoloop

@@ -53,6 +53,7 @@ bool Track::add(Time time, const Pose& pose) {
 std::optional<Track::Answer> Track::at(Time time) const {
     if (poses_.empty()) return {};
     const auto next = std::ranges::upper_bound(poses_, time, {}, &Entry::time);
+    if (next != poses_.begin() && std::prev(next)->time == time) return Answer{std::prev(next)->pose, false};
     if (next == poses_.begin()) return Answer{next->pose, false};
     if (next == poses_.end()) return after_last(time);
     const Entry& before = *std::prev(next);

@@ -34,9 +34,9 @@ class Track {
         Pose pose;
         bool stale = false;  ///< the last pose is too old to be trusted
     };
-    /// Before the first pose: the first. After the last: on for a while in the same way, then where
-    /// it was last. Empty
-    /// if there are no poses.
+    /// At the time of a pose: that pose to the last bit, whether or not a later one is known. Before the
+    /// first: the first. After the last: on for a while in the same way, then where it was last. Empty if
+    /// there are no poses.
     std::optional<Answer> at(Time time) const;
 
     bool empty() const { return poses_.empty(); }

@@ -1,33 +1,60 @@
 #include "emulator/pose/vehicle.h"
 
+#include <spdlog/spdlog.h>
+
 #include "emulator/pose/trajectory_file.h"
 
 namespace echoloop {
 
-Vehicle::Vehicle(const Scenario& scenario, Clock& clock)
+Vehicle::Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps)
     : source_(scenario.world_from_body) {
-    if (!scenario.trajectory.empty()) source_ = read_trajectory(scenario.trajectory);
+    if (!scenario.trajectory.empty())
+        source_ = read_trajectory(scenario.trajectory);
+    else if (!scenario.pose_input.empty() || steps != nullptr)
+        source_ = Whereabouts(scenario.world_from_body, steps != nullptr);
+    auto* const where = std::get_if<Whereabouts>(&source_);
     if (!scenario.pose_input.empty())
-        source_ = std::make_unique<PoseInput>(clock, scenario.pose_input, scenario.world_from_body);
+        inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.pose_input, where, steps));
+    if (!scenario.step_input.empty() && scenario.step_input != scenario.pose_input)
+        inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.step_input, where, steps));
 }
 
 void Vehicle::start() {
-    if (auto* input = std::get_if<std::unique_ptr<PoseInput>>(&source_)) (*input)->start();
+    for (auto& input : inputs_) input->start();
 }
 
 void Vehicle::close() {
-    if (auto* input = std::get_if<std::unique_ptr<PoseInput>>(&source_)) (*input)->close();
+    for (auto& input : inputs_) input->close();
+}
+
+void Vehicle::step(Time from, Time to) {
+    if (auto* const where = std::get_if<Whereabouts>(&source_)) where->step(from, to);
 }
 
 Pose Vehicle::world_from_body(Time time) {
     if (const auto* track = std::get_if<Track>(&source_)) return track->at(time)->pose;
-    if (auto* input = std::get_if<std::unique_ptr<PoseInput>>(&source_)) return (*input)->at(time);
-    return std::get<Pose>(source_);
+    if (const auto* pose = std::get_if<Pose>(&source_)) return *pose;
+    const auto [pose, stale] = std::get<Whereabouts>(source_).at(time);
+    if (stale && stale_pings_++ == 0)
+        spdlog::warn("{}: no pose for more than a second; the vehicle is taken to stand still",
+                     inputs_.front()->summary().place);
+    return pose;
 }
 
 std::optional<PoseSummary> Vehicle::summary() const {
-    const auto* input = std::get_if<std::unique_ptr<PoseInput>>(&source_);
-    return input == nullptr ? std::nullopt : std::optional((*input)->summary());
+    const auto* where = std::get_if<Whereabouts>(&source_);
+    if (where == nullptr) return {};
+    PoseSummary all;
+    for (const auto& input : inputs_) {
+        const PoseSummary one = input->summary();
+        all.place += (all.place.empty() ? "" : " and ") + one.place;
+        all.accepted += one.accepted;
+        all.refused += one.refused;
+        if (!one.last_refusal.empty()) all.last_refusal = one.last_refusal;
+    }
+    all.jumps = where->jumps();
+    all.stale_pings = stale_pings_;
+    return all;
 }
 
 }  // namespace echoloop

@@ -2,7 +2,9 @@
 // says.
 #pragma once
 
+#include <memory>
 #include <variant>
+#include <vector>
 
 #include "emulator/pose/input.h"
 #include "emulator/scenario/scenario.h"
@@ -11,17 +13,23 @@ namespace echoloop {
 
 class Vehicle {
   public:
-    /// Reads the trajectory or opens the input that the scenario names. Throws StartError.
-    Vehicle(const Scenario& scenario, Clock& clock);
+    /// Reads the trajectory and opens the inputs that the scenario names, also that of the clock. `steps`: of
+    /// a stepped run, else nullptr; outlives this. Throws StartError.
+    Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps);
 
     void start();
     void close();
+    /// A stepped run moves on.
+    void step(Time from, Time to);
+    /// For a ping at that time; counts those with a stale pose.
     Pose world_from_body(Time time);
     /// Empty unless poses come from outside.
     std::optional<PoseSummary> summary() const;
 
   private:
-    std::variant<Pose, Track, std::unique_ptr<PoseInput>> source_;
+    std::variant<Pose, Track, Whereabouts> source_;
+    std::vector<std::unique_ptr<PoseInput>> inputs_;
+    std::uint64_t stale_pings_ = 0;
 };
 
 }  // namespace echoloop

@@ -1,5 +1,6 @@
 #include "emulator/scenario/scenario.h"
 
+#include "emulator/scenario/clock_section.h"
 #include "emulator/scenario/device_section.h"
 #include "emulator/scenario/effects_section.h"
 #include "emulator/scenario/file.h"
@@ -72,22 +73,6 @@ void read_vehicle(const Section& top, Scenario& scenario, Problems& problems) {
 Animations read_animations(const Section& top) {
     const auto word = top.word("animations", "loop", {"loop", "once", "off"});
     return word == "off" ? Animations::off : word == "once" ? Animations::once : Animations::loop;
-}
-
-void read_clock(const Section& top, Scenario& scenario, Problems& problems) {
-    const Section clock(top.get("clock"), "clock", {"mode", "rate"}, problems);
-    const auto mode = clock.word("mode", "real", {"real", "scaled", "stepped"});
-    const Value* rate = clock.get("rate");
-    scenario.clock = mode == "scaled" ? ClockMode::scaled : ClockMode::real;
-    scenario.clock_rate = clock.number("rate", 1, {0.001, 1000, ""});
-    if (mode == "stepped")
-        problems.add(clock.get("mode")->place,
-                     "clock.mode: 'stepped' is not in this version; use 'real', or 'scaled' with a rate");
-    if (mode == "scaled" && rate == nullptr)
-        problems.add(clock.get("mode")->place, "clock.mode: 'scaled' needs a rate; add e.g. rate: 5");
-    if (mode == "real" && rate != nullptr)
-        problems.add(rate->key_place,
-                     "clock.rate has no meaning in mode 'real'; add mode: scaled, or remove rate");
 }
 
 RendererOptions read_render(const Section& top, Problems& problems) {

@@ -41,7 +41,8 @@ enum class Animations { loop, once, off };
 
 enum class ClockMode {
     real,
-    scaled  ///< Scenario::clock_rate seconds of the run pass in one real second
+    scaled,  ///< Scenario::clock_rate seconds of the run pass in one real second
+    stepped  ///< time stands still until somebody outside moves it on
 };
 
 struct Scenario {
@@ -56,6 +57,8 @@ struct Scenario {
     Animations animations = Animations::loop;
     ClockMode clock = ClockMode::real;
     double clock_rate = 1;
+    std::string step_input;            ///< stepped: endpoint that steps come from beside pose_input; "": none
+    std::optional<double> unix_start;  ///< s; Unix time at run time 0. Empty: when the run really begins
     RendererOptions render;  ///< from `render: {rule, context, pixels}`, `effects` and `water.surface`
     std::vector<ScenarioDevice> devices;
 };

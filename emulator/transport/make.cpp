@@ -7,6 +7,7 @@
 #include "emulator/transport/paced.h"
 #include "emulator/transport/pty.h"
 #include "emulator/transport/serial.h"
+#include "emulator/transport/stepped_port.h"
 #include "emulator/transport/tcp.h"
 #include "emulator/transport/udp.h"
 #include "emulator/transport/usb_adapter.h"
@@ -60,7 +61,7 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
 
 /// A stream as slow as a serial line, if it is one.
 std::unique_ptr<Transport> open_wire(Clock& clock, const Endpoint& endpoint, const OwnEnd& own) {
-    auto line = open_stream(clock.io(), endpoint, own.rate);
+    auto line = in_step(clock, open_stream(clock.io(), endpoint, own.rate));
     if (endpoint.usb_latency() > 0)
         line = std::make_unique<UsbAdapter>(clock, std::move(line),
                                             std::chrono::milliseconds(endpoint.usb_latency()));
@@ -93,7 +94,8 @@ std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std:
     std::size_t next_stream = 0;
     for (const Port& port : ports) {
         if (port.kind == Port::Kind::datagram) {
-            transports.push_back(wrap(std::make_unique<Udp>(clock.io(), port.bind, port.shared), port));
+            transports.push_back(
+                wrap(in_step(clock, std::make_unique<Udp>(clock.io(), port.bind, port.shared)), port));
         } else {
             const Endpoint endpoint = parse_endpoint(config.endpoints.at(next_stream++));
             transports.push_back(open_line(clock, endpoint, config, port, wrap));

@@ -1,6 +1,7 @@
 #include "emulator/transport/pty.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <sys/inotify.h>
 #include <sys/ioctl.h>
@@ -82,6 +83,12 @@ void Pty::close() {
     if (slave_ >= 0) ::close(slave_);
     slave_ = -1;
     link_.reset();
+}
+
+void Pty::settle() {
+    // A work queue carries bytes from one side to the other; who polls a side that has none waits for it.
+    std::array<pollfd, 2> sides{{{master_.native_handle(), POLLIN, 0}, {slave_, POLLIN, 0}}};
+    ::poll(sides.data(), sides.size(), 0);
 }
 
 void Pty::start(Events events) {

@@ -34,6 +34,7 @@ class Pty final : public CountingTransport {
     void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
     void close() override;
+    void settle() override;
     std::string describe() const override;
     uart::Receiver far_end() const override;
     /// True while a driver has the slave open.

@@ -43,6 +43,8 @@ class Transport {
     /// Ends the connection with whoever is at the other end; another may follow. A line has none.
     virtual void hang_up() {}
     virtual void close() = 0;
+    /// The kernel is to hand over what it carries in either direction before this returns. Sockets do anyway.
+    virtual void settle() {}
     /// What a person calls this place, e.g. "pty:/tmp/echoloop/micron -> /dev/pts/3".
     virtual std::string describe() const = 0;
     virtual Wire wire() const { return {}; }

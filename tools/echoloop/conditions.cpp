@@ -84,8 +84,18 @@ std::vector<std::string> warnings(const Scenario& scenario) {
     return all;
 }
 
+std::string clock_text(const Scenario& scenario) {
+    if (scenario.clock == ClockMode::real) return "real";
+    if (scenario.clock == ClockMode::scaled)
+        return "scaled: " + plain(scenario.clock_rate, 3) + " s of the run in one real second";
+    return "stepped: time stands still until somebody says {\"now\": SECONDS} to " +
+           (scenario.step_input.empty() ? scenario.pose_input : scenario.step_input);
+}
+
 std::vector<Condition> conditions(const Scenario& scenario) {
-    std::vector<Condition> lines{{"effects", effects_text(scenario)}};
+    std::vector<Condition> lines;
+    if (scenario.clock != ClockMode::real) lines.push_back({"clock", clock_text(scenario)});
+    lines.push_back({"effects", effects_text(scenario)});
     for (const auto& bound : ray_bounds(scenario)) lines.push_back({"rays", ray_text(bound)});
     for (const auto& warning : warnings(scenario)) lines.push_back({"warning", warning});
     return lines;

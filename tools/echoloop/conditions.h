@@ -1,5 +1,6 @@
 // What limits the truth of a scenario's echoes: effects that are off, straight rays in layered water,
-// absorption beyond its fit. Words and figures only; draws nothing.
+// absorption beyond its fit; and a clock that is not that of the world. Words and figures only; draws
+// nothing.
 #pragma once
 
 #include <string>
@@ -25,6 +26,9 @@ std::vector<RayBound> ray_bounds(const Scenario& scenario);
 
 /// Sentences for devices whose absorption is extrapolated.
 std::vector<std::string> warnings(const Scenario& scenario);
+
+/// How the run's time passes.
+std::string clock_text(const Scenario& scenario);
 
 /// The same as lines: a short name and its text.
 struct Condition {

@@ -187,6 +187,7 @@ std::string check_json(const Scenario& s, const Scene& scene) {
                      {"water", water},
                      {"vehicle", pose(s.world_from_body)},
                      {"clock_rate", s.clock_rate},
+                     {"clock", clock_text(s)},
                      {"effects", effects(s)},
                      {"straight_rays", straight_rays(s)},
                      {"warnings", warnings(s)},

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "emulator/step_server.h"
+#include "tools/echoloop/conditions.h"
 #include "tools/echoloop/driver.h"
 
 namespace echoloop::cli {
@@ -22,12 +24,12 @@ std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
                     {"scene", scenario.scene.string()},
                     {"triangles", runtime.triangles()},
                     {"renderer", runtime.renderer()},
+                    {"clock", clock_text(scenario)},
                     {"devices", devices}});
 }
 
-std::string run_summary_json(const std::vector<SessionSummary>& sessions,
-                             const std::optional<PoseSummary>& poses, const Recording* recording,
-                             const TruthFile* truth) {
+std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Runtime& runtime,
+                             const Recording* recording, const TruthFile* truth) {
     Json devices = Json::array();
     for (const auto& s : sessions)
         devices.push_back({{"name", s.name},
@@ -42,10 +44,15 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions,
                            {"bytes_out", s.bytes_out},
                            {"bytes_lost", s.bytes_lost}});
     Json ended{{"event", "ended"}, {"devices", devices}};
-    if (poses)
+    if (const auto poses = runtime.poses())
         ended["vehicle"] = {{"place", poses->place},     {"poses", poses->accepted},
                             {"refused", poses->refused}, {"last_refusal", poses->last_refusal},
                             {"jumps", poses->jumps},     {"stale_pings", poses->stale_pings}};
+    if (const auto steps = runtime.steps())
+        ended["clock"] = {{"steps", steps->steps},
+                          {"refused", steps->refused},
+                          {"last_refusal", steps->last_refusal},
+                          {"run_time_s", to_seconds(steps->run_time)}};
     if (recording != nullptr) {
         const RecordingSummary s = recording->summary();
         ended["recording"] = {{"file", recording->file().string()},

@@ -12,9 +12,8 @@
 namespace echoloop::cli {
 
 std::string run_started_json(const Scenario& scenario, const Runtime& runtime);
-/// `poses`: empty if none come from outside; `recording`, `truth`: nullptr if there is none.
-std::string run_summary_json(const std::vector<SessionSummary>& sessions,
-                             const std::optional<PoseSummary>& poses, const Recording* recording,
-                             const TruthFile* truth);
+/// Of a run that has ended; `recording`, `truth`: nullptr if there is none.
+std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Runtime& runtime,
+                             const Recording* recording, const TruthFile* truth);
 
 }  // namespace echoloop::cli

@@ -6,6 +6,7 @@
 #include "emulator/pose/input.h"
 #include "emulator/punctual.h"
 #include "emulator/runtime.h"
+#include "emulator/step_server.h"
 #include "emulator/truth/truth.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
@@ -31,8 +32,10 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
     }
     std::printf("For a driver: echoloop endpoints %s --format ros1 (or ros2, moos, rock)\n",
                 scenario.file.c_str());
-    std::printf("running%s; Ctrl-C ends it\n",
-                duration ? (" for " + plain(*duration, 1) + " s").c_str() : "");
+    const bool stepped = scenario.clock == ClockMode::stepped;
+    const std::string end =
+        duration ? " for " + plain(*duration, 1) + (stepped ? " s of the run" : " s") : "";
+    std::printf("running%s; Ctrl-C ends it\n", end.c_str());
     std::fflush(stdout);
 }
 
@@ -94,6 +97,13 @@ void print_poses(const PoseSummary& s) {
                 counted(s.jumps, "jump").c_str(), counted(s.stale_pings, "ping").c_str());
 }
 
+void print_steps(const StepSummary& s) {
+    std::printf("%s%s to %s s of the run, %llu refused%s\n", padded("clock", 16).c_str(),
+                counted(s.steps, "step").c_str(), plain(to_seconds(s.run_time), 3).c_str(),
+                static_cast<unsigned long long>(s.refused),
+                s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str());
+}
+
 void print_recording(const Recording& recording) {
     const RecordingSummary s = recording.summary();
     std::printf("%s%s: %s, %s in %s%s%s\n", padded("recorded", 16).c_str(), recording.file().c_str(),
@@ -134,11 +144,12 @@ int run(const Arguments& arguments) {
         if (truth) truth->finish();
         const auto sessions = runtime.summary();
         if (json) {
-            std::printf("%s\n",
-                        run_summary_json(sessions, runtime.poses(), recording.get(), truth.get()).c_str());
+            const auto ended = run_summary_json(sessions, runtime, recording.get(), truth.get());
+            std::printf("%s\n", ended.c_str());
         } else {
             print_summary(sessions);
             if (const auto poses = runtime.poses()) print_poses(*poses);
+            if (const auto steps = runtime.steps()) print_steps(*steps);
             if (recording) print_recording(*recording);
             if (truth) print_truth(*truth);
         }
@@ -163,7 +174,7 @@ Verb run_verb() {
         "start the emulator",
         {scenario_argument(),
          {Argument::Kind::value, "--duration", "SECONDS",
-          "end after this time; without it: run until Ctrl-C"},
+          "end after this time (stepped clock: of the run's time); without it: run until Ctrl-C"},
          {Argument::Kind::value, "--record", "FILE",
           "write what every port hears and says to a pcapng capture"},
          {Argument::Kind::value, "--record-size", "MB", "begin another capture file after so many megabytes"},

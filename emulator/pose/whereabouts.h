@@ -1,0 +1,39 @@
+// Where a body is by what somebody outside tells of it: positions and attitudes apart, since some messages
+// tell one of them only. Reads nothing and knows no clock.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "emulator/pose/message.h"
+#include "emulator/pose/track.h"
+
+namespace echoloop {
+
+class Whereabouts {
+  public:
+    /// `before`: where it is until somebody tells. `stepped`: poses come in step with the run's time, so that
+    /// nothing need be guessed beyond the last.
+    Whereabouts(const Pose& before, bool stepped);
+
+    void tell(Time time, const PoseMessage& message);
+    /// In a stepped run: it counts at the end of the next step; of several the last does.
+    void tell_with_next_step(const PoseMessage& message);
+    /// A step from `from` to `to` begins. What was told nothing about since `from` has not moved until `to`.
+    void step(Time from, Time to);
+
+    struct Answer {
+        Pose pose;
+        bool stale = false;  ///< the last position is too old to be trusted
+    };
+    Answer at(Time time) const;
+    std::uint64_t jumps() const { return jumps_; }
+
+  private:
+    Pose before_;
+    Track positions_, attitudes_;
+    PoseMessage next_;
+    std::uint64_t jumps_ = 0;
+};
+
+}  // namespace echoloop
