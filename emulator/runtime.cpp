@@ -70,8 +70,8 @@ class Runtime::Impl {
           clock_(make_clock(scenario, io_)),
           stepped_(dynamic_cast<SteppedClock*>(clock_.get())),
           steps_(stepped_ == nullptr ? nullptr : make_step_server()),
-          vehicle_(scenario, *clock_, steps_.get()),
           movers_(scenario, scene_),
+          vehicle_(scenario, *clock_, steps_.get(), movers_.by_lines()),
           water_(shared_water(scenario, *scene_, movers_)),
           render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
                          RenderThread::useful(scenario.devices.size())) {
@@ -80,6 +80,7 @@ class Runtime::Impl {
         if (stepped_ != nullptr && records.recording != nullptr)
             records.recording->follow(
                 [this, start = from_seconds(clock_->unix_start())] { return start + clock_->now(); });
+        movers_.open_inputs(scenario, *clock_, steps_.get());
         if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
         for (const ScenarioDevice& device : scenario.devices) add(device, records);
     }
@@ -103,6 +104,7 @@ class Runtime::Impl {
         });
         clock_->begin();
         vehicle_.start();
+        movers_.start();
         stepped_ == nullptr ? begin(duration) : begin_with_first_step(duration);
         clock_->run();
         join_listeners();
@@ -137,6 +139,7 @@ class Runtime::Impl {
     void begin_with_first_step(std::optional<double> duration) {
         stepped_->on_step([this, powered = false](Time to) mutable {
             vehicle_.step(clock_->now(), to);
+            movers_.step(clock_->now(), to);
             if (std::exchange(powered, true)) return;
             for (auto& session : sessions_) session->start();
         });
@@ -193,6 +196,7 @@ class Runtime::Impl {
     void stop() {
         if (steps_) steps_->close();
         vehicle_.close();
+        movers_.close();
         for (auto& session : sessions_) session->close();
         error_code ignored;
         signals_.cancel(ignored);
@@ -221,8 +225,8 @@ class Runtime::Impl {
     std::unique_ptr<Clock> clock_;
     SteppedClock* stepped_;              ///< the clock, if it is one
     std::unique_ptr<StepServer> steps_;  ///< if it is
-    Vehicle vehicle_;
     Movers movers_;
+    Vehicle vehicle_;
     SharedWater water_;
     std::vector<std::unique_ptr<Session>> sessions_;
     std::vector<RunningDevice> running_;

@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "emulator/scenario/problems.h"
 #include "emulator/transport/make.h"
 #include "emulator/transport/stepped_port.h"
 #include "protocols/mavlink/codec.h"
@@ -22,12 +23,14 @@ Time SenderClock::run_time(double sender_seconds, Time arrival) {
     return from_seconds(sender_seconds) + *ahead_;
 }
 
-PoseInput::PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* where, StepServer* steps)
+PoseInput::PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* where, StepServer* steps,
+                     ObjectWhereabouts objects)
     : clock_(clock),
       transport_(in_step(clock, open_endpoint(clock.io(), endpoint))),
       place_(transport_->describe()),
       datagrams_(transport_->wire().kind == Wire::Kind::udp),
       where_(where),
+      objects_(std::move(objects)),
       steps_(steps) {}
 
 void PoseInput::start() {
@@ -72,7 +75,9 @@ void PoseInput::line(std::string_view text, Address from) {
     if (!text.empty()) read = parse_pose_line(text);
     if (read.now && steps_ == nullptr)
         read = {{}, "now: the clock of this run is not stepped; that needs clock: {mode: stepped}", read.now};
-    if (read.message && where_ == nullptr)
+    const std::string object = read.message ? read.message->object : "";
+    if (!object.empty() && !objects_.contains(object)) read = {{}, why_unknown(object), {}};
+    if (read.message && object.empty() && where_ == nullptr)
         read = {{}, "position: vehicle.trajectory says where the vehicle is", {}};
     if (steps_ == nullptr) return take_unstepped(read, from);
     steps_->add({std::move(read), this, from, connection_});
@@ -106,14 +111,22 @@ void PoseInput::take(const PoseText& read) {
 
 /// In a stepped run nothing may depend on when a message arrives between two steps.
 void PoseInput::tell(const PoseMessage& message) {
-    if (where_ == nullptr) return;
+    Whereabouts* const where = message.object.empty() ? where_ : objects_.at(message.object);
+    if (where == nullptr) return;
     const Time now = clock_.now();
     if (steps_ == nullptr)
-        where_->tell(message.time ? sender_.run_time(*message.time, now) : now, message);
+        where->tell(message.time ? sender_.run_time(*message.time, now) : now, message);
     else if (message.time && !message.own_clock)
-        where_->tell(from_seconds(*message.time), message);
+        where->tell(from_seconds(*message.time), message);
     else
-        where_->tell_with_next_step(message);
+        where->tell_with_next_step(message);
+}
+
+std::string PoseInput::why_unknown(const std::string& object) const {
+    if (objects_.empty()) return "object: nothing in this scene moves by lines; add objects: [{node: ...}] to the scenario";
+    std::vector<std::string_view> known;
+    for (const auto& [name, where] : objects_) known.push_back(name);
+    return "object: the scenario has no " + scenario::in_quotes(object) + scenario::suggestion(object, known);
 }
 
 Task<void> PoseInput::answer(std::string text, Address to, std::uint64_t connection) {

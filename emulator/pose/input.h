@@ -2,6 +2,7 @@
 // cannot be read is refused and counted, never guessed.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -35,12 +36,16 @@ class SenderClock {
     double last_ = 0;
 };
 
+/// Who is told where a thing of the scene is, by the name of its node.
+using ObjectWhereabouts = std::map<std::string, Whereabouts*>;
+
 class PoseInput final : public LineSource {
   public:
     /// `endpoint`: as in a scenario. `where` is told the poses; nullptr: nobody asks for them, and lines that
     /// tell some are refused. `steps`: of a stepped run, else nullptr. All outlive this. Throws StartError if
     /// the endpoint cannot be opened.
-    PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* where, StepServer* steps);
+    PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* where, StepServer* steps,
+              ObjectWhereabouts objects = {});
 
     void start();
     void close() { transport_->close(); }
@@ -55,6 +60,7 @@ class PoseInput final : public LineSource {
     void mavlink(ByteView bytes);
     void take_unstepped(const PoseText& text, Address from);
     void tell(const PoseMessage& message);
+    std::string why_unknown(const std::string& object) const;
     void begin();
 
     Clock& clock_;
@@ -62,6 +68,7 @@ class PoseInput final : public LineSource {
     std::string place_;
     bool datagrams_;
     Whereabouts* where_;
+    ObjectWhereabouts objects_;
     StepServer* steps_;
     bool answering_ = false;  ///< that it is not stepped
     SenderClock sender_;

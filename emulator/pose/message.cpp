@@ -55,6 +55,15 @@ std::optional<double> time(const Json& object, const char* key) {
     return t;
 }
 
+/// The name of the thing that is meant, "" for the vehicle.
+std::string subject(const Json& object) {
+    if (!object.contains("object")) return {};
+    const Json& name = object.at("object");
+    if (!name.is_string() || name.get_ref<const std::string&>().empty())
+        throw Refusal{"object: expected the name of a node"};
+    return name;
+}
+
 PoseMessage of_ardupilot(const Json& object) {
     Pose ned_from_frd{position(object), {}};
     if (object.contains("quaternion")) {
@@ -64,11 +73,11 @@ PoseMessage of_ardupilot(const Json& object) {
         ned_from_frd.orientation = from_rpy(roll, pitch, yaw);
     }
     const Pose pose = enu_from_ned(ned_from_frd);
-    return {time(object, "timestamp"), pose.position, pose.orientation, true};
+    return {time(object, "timestamp"), pose.position, pose.orientation, subject(object), true};
 }
 
 PoseMessage of_echoloop(const Json& object) {
-    PoseMessage message{time(object, "t"), position(object), Quat{}};
+    PoseMessage message{time(object, "t"), position(object), Quat{}, subject(object)};
     if (object.contains("orientation")) message.attitude = quaternion(object, "orientation");
     if (object.contains("rpy_deg")) {
         if (object.contains("orientation")) throw Refusal{"orientation and rpy_deg: give one of them"};

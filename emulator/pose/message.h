@@ -16,6 +16,7 @@ struct PoseMessage {
     std::optional<double> time;  ///< s on the sender's clock; empty: when it arrives
     std::optional<Vec3> position;
     std::optional<Quat> attitude;  ///< world_from_body
+    std::string object{};          ///< a node of the scene; "": the vehicle
     bool own_clock = false;        ///< `time` began whenever the sender liked; else it may be run time
 };
 

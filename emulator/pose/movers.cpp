@@ -14,11 +14,46 @@ Movers::Movers(const Scenario& scenario, std::shared_ptr<const Scene> scene)
     for (const ScenarioObject& object : scenario.objects) {
         const auto mover = std::ranges::find(scene_->movers(), object.node, &SceneMover::name);
         Source& source = sources_[static_cast<std::size_t>(mover - scene_->movers().begin())];
+        const bool lines = object.input.empty() && !object.pose;
         if (!object.trajectory.empty())
             source = read_trajectory(object.trajectory);
-        else if (object.pose)
+        else if (object.pose && object.input.empty())
             source = *object.pose;
+        else
+            source =
+                Told{Whereabouts(object.pose.value_or(mover->rest), scenario.clock == ClockMode::stepped),
+                     object.pose.has_value(), lines};
     }
+}
+
+void Movers::open_inputs(const Scenario& scenario, Clock& clock, StepServer* steps) {
+    for (const ScenarioObject& object : scenario.objects) {
+        if (object.input.empty()) continue;
+        const auto mover = std::ranges::find(scene_->movers(), object.node, &SceneMover::name);
+        auto& told = std::get<Told>(sources_[static_cast<std::size_t>(mover - scene_->movers().begin())]);
+        inputs_.push_back(std::make_unique<PoseInput>(clock, object.input, &told.where, steps));
+    }
+}
+
+ObjectWhereabouts Movers::by_lines() {
+    ObjectWhereabouts out;
+    for (std::size_t i = 0; i < sources_.size(); ++i)
+        if (auto* told = std::get_if<Told>(&sources_[i]); told != nullptr && told->by_lines)
+            out.emplace(scene_->movers()[i].name, &told->where);
+    return out;
+}
+
+void Movers::start() {
+    for (auto& input : inputs_) input->start();
+}
+
+void Movers::close() {
+    for (auto& input : inputs_) input->close();
+}
+
+void Movers::step(Time from, Time to) {
+    for (Source& source : sources_)
+        if (auto* told = std::get_if<Told>(&source)) told->where.step(from, to);
 }
 
 std::vector<Pose> Movers::at(Time time) {
@@ -29,6 +64,9 @@ std::vector<Pose> Movers::at(Time time) {
             told.push_back(track->at(time)->pose);
         else if (const auto* pose = std::get_if<Pose>(&source))
             told.push_back(*pose);
+        else if (const auto* by = std::get_if<Told>(&source);
+                 by != nullptr && (by->placed || !by->where.unknown()))
+            told.push_back(by->where.at(time).pose);
         else
             told.push_back(std::nullopt);
     }

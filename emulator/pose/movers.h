@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "emulator/pose/track.h"
+#include "emulator/pose/input.h"
 #include "emulator/scenario/scenario.h"
 #include "render/scene/scene.h"
 
@@ -16,6 +16,16 @@ class Movers {
   public:
     /// Reads the trajectories that the scenario names. Throws StartError.
     Movers(const Scenario& scenario, std::shared_ptr<const Scene> scene);
+    /// Opens the inputs that objects have of their own. `steps`: of a stepped run, else nullptr. Throws
+    /// StartError.
+    void open_inputs(const Scenario& scenario, Clock& clock, StepServer* steps);
+    /// Those that lines of the vehicle's input may move.
+    ObjectWhereabouts by_lines();
+
+    void start();
+    void close();
+    /// A stepped run moves on.
+    void step(Time from, Time to);
 
     /// world_from_object of all movers of the scene.
     std::vector<Pose> at(Time time);
@@ -23,12 +33,19 @@ class Movers {
     std::vector<double> reach() const;
 
   private:
+    /// What somebody outside tells of a thing.
+    struct Told {
+        Whereabouts where;
+        bool placed = false;  ///< it has a place before the first word
+        bool by_lines = false;
+    };
     /// Of one mover; std::monostate: an animation, or nothing.
-    using Source = std::variant<std::monostate, Pose, Track>;
+    using Source = std::variant<std::monostate, Pose, Track, Told>;
 
     std::shared_ptr<const Scene> scene_;
     Playback playback_;
     std::vector<Source> sources_;
+    std::vector<std::unique_ptr<PoseInput>> inputs_;
 };
 
 }  // namespace echoloop

@@ -6,7 +6,7 @@
 
 namespace echoloop {
 
-Vehicle::Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps)
+Vehicle::Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps, const ObjectWhereabouts& objects)
     : source_(scenario.world_from_body) {
     if (!scenario.trajectory.empty())
         source_ = read_trajectory(scenario.trajectory);
@@ -14,9 +14,9 @@ Vehicle::Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps)
         source_ = Whereabouts(scenario.world_from_body, steps != nullptr);
     auto* const where = std::get_if<Whereabouts>(&source_);
     if (!scenario.pose_input.empty())
-        inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.pose_input, where, steps));
+        inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.pose_input, where, steps, objects));
     if (!scenario.step_input.empty() && scenario.step_input != scenario.pose_input)
-        inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.step_input, where, steps));
+        inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.step_input, where, steps, objects));
 }
 
 void Vehicle::start() {

@@ -15,7 +15,7 @@ class Vehicle {
   public:
     /// Reads the trajectory and opens the inputs that the scenario names, also that of the clock. `steps`: of
     /// a stepped run, else nullptr; outlives this. Throws StartError.
-    Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps);
+    Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps, const ObjectWhereabouts& objects = {});
 
     void start();
     void close();

@@ -27,6 +27,8 @@ class Whereabouts {
         bool stale = false;  ///< the last position is too old to be trusted
     };
     Answer at(Time time) const;
+    /// Nobody has told anything yet.
+    bool unknown() const { return positions_.empty() && attitudes_.empty(); }
     std::uint64_t jumps() const { return jumps_; }
 
   private:

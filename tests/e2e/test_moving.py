@@ -2,13 +2,14 @@
 read from the ground truth and from the depths of a sounder that looks ahead at them."""
 
 import json
+import socket
 import struct
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from program import PROGRAM, ROOT, Emulator
+from program import PROGRAM, ROOT, Emulator, free_base_port
 from test_pose import Depths
 from test_truth import wait_for_lines
 
@@ -104,6 +105,39 @@ class Moving(unittest.TestCase):
         scene = animated_tank(self.folder, [(0, (-2.4, 0, -2)), (1, (-4.4, 0, -2))])
         self.start("animations: off", scene=scene)
         self.depths.wait_for(6)  # the ball is where the file puts it, out of the beam
+
+    def test_lines_move_objects_and_the_vehicle(self):
+        base = free_base_port()
+        emulator = self.start(
+            "objects: [{node: ball}, {node: post}]", vehicle=", input: 'udp-listen://127.0.0.1:%d'" % base
+        )
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+
+            def say(**line):
+                sender.sendto(json.dumps(line).encode(), ("127.0.0.1", base))
+
+            say(object="ball", position=[-4.4, 0, -2])
+            self.depths.wait_for(4.4 - RADIUS)
+            say(object="ball", position=[-2.4, 0, -2], orientation=[1, 0, 0, 0])
+            self.depths.wait_for(2.4 - RADIUS)
+            say(position=[1, 0, -2], rpy_deg=[0, 0, 180])
+            self.depths.wait_for(3.4 - RADIUS)
+            say(object="bal", position=[0, 0, 0])
+            say(object=7, position=[0, 0, 0])
+            say(object="ball", position=[-3.4, 0, -2])
+            self.depths.wait_for(4.4 - RADIUS)
+        status, output = emulator.stop()
+        self.assertEqual(status, 0, output)
+        self.assertRegex(output, r"vehicle +4 poses from \S+, 2 refused")
+        self.assertIn("did you mean 'ball'?", output)
+
+    def test_an_input_of_its_own(self):
+        base = free_base_port()
+        self.start("objects: [{node: ball, pose: {position: [-4.4, 0, -2]}, input: 'udp-listen://127.0.0.1:%d'}]" % base)
+        self.depths.wait_for(4.4 - RADIUS)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            sender.sendto(b'{"position": [-3.4, 0, -2]}', ("127.0.0.1", base))
+            self.depths.wait_for(3.4 - RADIUS)
 
     def test_an_unknown_node_is_an_error_with_its_place(self):
         file = self.folder / "scenario.yaml"
