@@ -64,8 +64,9 @@ def local_position(circle, simulator, pilot, t):
 class SamePoses(unittest.TestCase):
     def bytes_of(self, say):
         circle = Circle(radius=1.5, depth=2, seconds=10)
-        steps, poses, head = free_tcp_port(), free_base_port(), free_base_port(16)
         sounder, multibeam = Datagrams(self.addCleanup), Datagrams(self.addCleanup, 8)
+        steps, head = free_tcp_port(), free_base_port(16)
+        poses = head + 15
         devices = [SOUNDER % sounder.port, MULTIBEAM % (head, multibeam.port, head + 12)]
         text = SCENARIO % {"devices": ", ".join(devices), "clock": ", input: 'tcp-listen://127.0.0.1:%d'" % steps,
                            "vehicle": ", input: 'udp-listen://127.0.0.1:%d'" % poses}
