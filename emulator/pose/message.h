@@ -21,9 +21,9 @@ struct PoseMessage {
 };
 
 struct PoseText {
-    std::optional<PoseMessage> message;
-    std::string reason;         ///< why there is no message
-    std::optional<double> now;  ///< s of run time: it asks a stepped clock to go there
+    std::optional<PoseMessage> message{};
+    std::string reason{};         ///< why there is no message
+    std::optional<double> now{};  ///< s of run time: it asks a stepped clock to go there
 };
 
 /// Own: {"t": 1.5, "position": [x, y, z], "orientation": [w, x, y, z]}; "rpy_deg": [r, p, y] may stand for

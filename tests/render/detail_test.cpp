@@ -111,7 +111,7 @@ Drawn draw(gl::SceneDrawer& drawer, const Effects& effects, const Pose& pose) {
     const Shot shot = shallow_fan();
     const FanPlan plan = plan_fan(geometry_of(shot, effects), {});
     Drawn out;
-    drawer.draw(plan, pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, 50, {}, out.pixels);
+    drawer.draw(plan, pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, 50, {}, out.pixels);
     out.profile = drawer.profile();
     return out;
 }
@@ -145,6 +145,8 @@ TEST(Detail, DrawsHardlyMoreOfAFinerMesh) {
 }
 
 // With no tolerance every chunk is drawn that reaches into the view, and none twice.
+NodeRange all_of(const Scene& scene) { return {0, static_cast<std::uint32_t>(scene.nodes().size())}; }
+
 TEST(Culling, KeepsEveryTriangleThatAViewCanSee) {
     const auto scene = test::scene_of({seabed(100), test::sphere({10, 2, -4}, 2, 24)});
     const Shot shot = shallow_fan();
@@ -152,7 +154,7 @@ TEST(Culling, KeepsEveryTriangleThatAViewCanSee) {
     const Pose fan = Pose{{1, 2, -2}, axis_angle({0, 0, 1}, 0.4)} * Pose{{}, sonar_from_fan(0, shot.tilt)};
     for (const View& view : plan.views) {
         std::vector<std::uint32_t> visible;
-        find_visible(*scene, view, fan, {.end_range = 30}, visible);
+        find_visible(*scene, all_of(*scene), view, fan, {.end_range = 30}, visible);
         const std::set<std::uint32_t> chosen(visible.begin(), visible.end());
         EXPECT_EQ(chosen.size(), visible.size());
         for (std::uint32_t i = 0; i < scene->nodes().size(); ++i) {
@@ -182,7 +184,7 @@ TEST(Culling, TakesACoarserStandInFromAfar) {
     for (const double height : {4.0, 40.0, 400.0}) {
         const Pose above{{0, 0, height - 6}, axis_angle({0, 1, 0}, deg_to_rad(90))};
         std::vector<std::uint32_t> visible;
-        find_visible(*scene, plan.views.front(), above, {1000, 0, 0.005}, visible);
+        find_visible(*scene, all_of(*scene), plan.views.front(), above, {1000, 0, 0.005}, visible);
         for (const std::uint32_t node : visible) triangles[height] += scene->nodes()[node].indices / 3;
         for (const std::uint32_t node : visible) {
             const float error = scene->nodes()[node].error;
