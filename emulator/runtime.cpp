@@ -5,6 +5,8 @@
 
 #include "emulator/capture/recorded.h"
 #include "emulator/error.h"
+#include "emulator/faults/control.h"
+#include "emulator/faults/faulty_session.h"
 #include "emulator/pose/movers.h"
 #include "emulator/pose/vehicle.h"
 #include "emulator/scenario/scene.h"
@@ -73,6 +75,7 @@ class Runtime::Impl {
           movers_(scenario, scene_),
           vehicle_(scenario, *clock_, steps_.get(), movers_.by_lines()),
           water_(shared_water(scenario, *scene_, movers_)),
+          faults_(scenario.seed, scenario.file.string(), records.labels),
           render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
                          RenderThread::useful(scenario.devices.size())) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
@@ -82,10 +85,16 @@ class Runtime::Impl {
                 [this, start = from_seconds(clock_->unix_start())] { return start + clock_->now(); });
         movers_.open_inputs(scenario, *clock_, steps_.get());
         if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
-        for (const ScenarioDevice& device : scenario.devices) add(device, records);
+        const bool faulty = !scenario.faults.empty() || !scenario.control.empty();
+        for (const ScenarioDevice& device : scenario.devices) add(device, records, faulty);
+        for (const Fault& fault : scenario.faults) faults_.add(fault);
+        if (!scenario.control.empty())
+            control_ = std::make_unique<Control>(*clock_, parse_control_place(scenario.control), faults_,
+                                                 scenario.devices, [this] { return summary(); });
     }
 
     ~Impl() {
+        for (auto& session : faulty_sessions_) session->close();
         for (auto& session : sessions_) session->close();
         join_listeners();
     }
@@ -116,6 +125,8 @@ class Runtime::Impl {
         return all;
     }
 
+    std::string control() const { return control_ ? control_->describe() : ""; }
+    const std::map<std::string, FaultCounts>& faults() const { return faults_.labels().counts(); }
     std::optional<PoseSummary> poses() const { return vehicle_.summary(); }
     std::optional<StepSummary> steps() const {
         return steps_ ? std::optional(steps_->summary()) : std::nullopt;
@@ -132,7 +143,15 @@ class Runtime::Impl {
                 if (!ec) stop();
             });
         }
-        for (auto& session : sessions_) session->start();
+        power_up();
+    }
+
+    void power_up() {
+        for (std::size_t i = 0; i < sessions_.size(); ++i) {
+            sessions_[i]->start();
+            if (!faulty_sessions_.empty()) faulty_sessions_[i]->start(*sessions_[i]);
+        }
+        if (control_) control_->start();
     }
 
     /// Not before: who steps has the first word about where the vehicle is.
@@ -141,7 +160,7 @@ class Runtime::Impl {
             vehicle_.step(clock_->now(), to);
             movers_.step(clock_->now(), to);
             if (std::exchange(powered, true)) return;
-            for (auto& session : sessions_) session->start();
+            power_up();
         });
         steps_->start(duration ? std::optional(from_seconds(*duration)) : std::nullopt, [this] { stop(); });
     }
@@ -170,16 +189,24 @@ class Runtime::Impl {
         if (water_.listeners) water_.listeners->join();
     }
 
-    void add(const ScenarioDevice& entry, const RunRecords& records) {
+    void add(const ScenarioDevice& entry, const RunRecords& records, bool faulty) {
         DeviceConfig config = entry.config;
         config.unix_start = clock_->unix_start();
-        auto device = entry.model->make(config);
+        const auto make = [config, model = entry.model] { return model->make(config); };
+        FaultySession* faults = nullptr;
+        if (faulty)
+            faults = faulty_sessions_
+                         .emplace_back(std::make_unique<FaultySession>(*clock_, faults_.of(entry.name)))
+                         .get();
+        auto device = faults != nullptr ? faults->device(make) : make();
+        const auto ports = device->ports();
         const auto recorded = [&](std::unique_ptr<Transport> wire, const Port& port) {
             if (records.recording == nullptr) return wire;
             return std::unique_ptr<Transport>(std::make_unique<Recorded>(std::move(wire), *records.recording,
                                                                          entry.name + " " + port.name));
         };
-        auto transports = make_transports(*clock_, device->ports(), config, recorded);
+        auto transports = make_transports(*clock_, ports, config, recorded);
+        if (faults != nullptr) transports = faults->lines(std::move(transports), ports, entry);
         sessions_.push_back(std::make_unique<Session>(
             io_, *clock_, render_thread_, water_, entry.name, std::move(device), std::move(transports),
             [this, body_from_sonar = entry.body_from_sonar](Time time) {
@@ -190,6 +217,7 @@ class Runtime::Impl {
         if (records.truth != nullptr)
             sessions_.back()->tell(
                 std::make_unique<DeviceTruth>(*records.truth, entry.name, entry.body_from_sonar));
+        if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         running_.push_back({entry.name, entry.model, {}});
     }
 
@@ -197,6 +225,8 @@ class Runtime::Impl {
         if (steps_) steps_->close();
         vehicle_.close();
         movers_.close();
+        if (control_) control_->close();
+        for (auto& session : faulty_sessions_) session->close();
         for (auto& session : sessions_) session->close();
         error_code ignored;
         signals_.cancel(ignored);
@@ -228,7 +258,10 @@ class Runtime::Impl {
     Movers movers_;
     Vehicle vehicle_;
     SharedWater water_;
+    Faults faults_;
+    std::vector<std::unique_ptr<FaultySession>> faulty_sessions_;  ///< as sessions_, or none
     std::vector<std::unique_ptr<Session>> sessions_;
+    std::unique_ptr<Control> control_;  ///< nullptr without a place
     std::vector<RunningDevice> running_;
     RenderThread render_thread_;  // last: joined first, so that no ping comes back to a session that is gone
 };
@@ -241,6 +274,8 @@ std::size_t Runtime::triangles() const { return impl_->triangles(); }
 std::string Runtime::renderer() const { return impl_->renderer_description(); }
 std::optional<PoseSummary> Runtime::poses() const { return impl_->poses(); }
 std::optional<StepSummary> Runtime::steps() const { return impl_->steps(); }
+std::map<std::string, FaultCounts> Runtime::faults() const { return impl_->faults(); }
+std::string Runtime::control() const { return impl_->control(); }
 void Runtime::run(std::optional<double> duration) { impl_->run(duration); }
 std::vector<SessionSummary> Runtime::summary() const { return impl_->summary(); }
 

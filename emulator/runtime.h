@@ -2,11 +2,13 @@
 // Prints nothing; the command line does.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "emulator/faults/labels.h"
 #include "emulator/scenario/scenario.h"
 #include "emulator/session.h"
 
@@ -19,6 +21,7 @@ struct RunningDevice {
     std::vector<std::string> places;  ///< what its transports call themselves
 };
 
+class BackgroundFile;
 class Recording;
 class TruthFile;
 struct PoseSummary;
@@ -26,8 +29,9 @@ struct StepSummary;
 
 /// What a run writes beside the bytes on the wire; nullptr: not asked for. All outlive the runtime.
 struct RunRecords {
-    Recording* recording = nullptr;  ///< gets the traffic of every port
-    TruthFile* truth = nullptr;      ///< gets what is really there at every ping
+    Recording* recording = nullptr;    ///< gets the traffic of every port
+    TruthFile* truth = nullptr;        ///< gets what is really there at every ping
+    BackgroundFile* labels = nullptr;  ///< gets a line for every fault that is made
 };
 
 class Runtime {
@@ -45,6 +49,10 @@ class Runtime {
     /// the run where the clock is stepped, whose devices are powered up by the first step.
     void run(std::optional<double> duration = {});
     std::vector<SessionSummary> summary() const;
+    /// Where it is controlled from; "": nowhere.
+    std::string control() const;
+    /// Of the faults that were made, by device; empty if none could be.
+    std::map<std::string, FaultCounts> faults() const;
     /// What came from outside about the vehicle; empty if nothing is asked from there.
     std::optional<PoseSummary> poses() const;
     /// Empty unless the clock is stepped.

@@ -77,6 +77,15 @@ void Session::start() {
     apply(device_->started(clock_.now()));
 }
 
+void Session::cut_power() {
+    ++power_cuts_;
+    outbox_.clear();
+    outbox_bytes_ = 0;
+    wake_ = Time::max();
+    late_.reset();
+    alarm_.cancel();
+}
+
 void Session::close() {
     if (closed_) return;
     closed_ = true;
@@ -102,7 +111,7 @@ void Session::post_mail(Send send) {
     outbox_bytes_ += send.bytes.size();
     const Time when = send.not_before;
     const bool first = outbox_.empty() || when < outbox_.begin()->first;
-    outbox_.emplace(when, std::move(send));
+    outbox_.emplace(when, Mail{std::move(send), heard_});
     if (first) mail_.cancel();
 }
 
@@ -128,7 +137,7 @@ void Session::transmit(Ping ping) {
     const auto late_before = std::exchange(late_, late ? render(next_due, *late, situation) : nullptr);
     asio::co_spawn(io_,
                    deliver({std::move(transmission), sequence_, ping.due, std::move(echoes), late_before,
-                            std::move(situation), clock_.unix_time()}),
+                            std::move(situation), clock_.unix_time(), power_cuts_}),
                    Serving(name_));
 }
 
@@ -158,7 +167,7 @@ Task<void> Session::deliver(UnderWay ping) {
     co_await due.until(ping.due);
     co_await ready(ping.echoes);
     co_await ready(ping.late_before);
-    if (closed_) co_return;
+    if (closed_ || ping.powered != power_cuts_) co_return;
     to_device([this, heard = std::make_shared<UnderWay>(std::move(ping))] { hear(*heard); });
 }
 
@@ -172,9 +181,11 @@ void Session::hear(UnderWay& ping) {
     Echogram& echogram = *ping.echoes->echogram;
     late_echoes_.add_to(ping.sequence, echogram);
     water_.cross_talk.add_to(echogram, ping.transmission);
+    heard_ = ping.sequence;
+    if (faults_ != nullptr) faults_->heard_ping = heard_;
     if (truth_) truth_->heard(ping.transmission, ping.situation, ping.unix_time, ping.due, echogram);
     const bool large = echogram.values.size() >= worth_a_thread;
-    if (large && water_.listeners)
+    if (large && water_.listeners && faults_ == nullptr)  // faults belong to this thread
         return hear_elsewhere(std::make_shared<Echogram>(std::move(echogram)), now);
     apply(device_->heard(echogram, now));
 }
@@ -228,8 +239,9 @@ Task<void> Session::keep_writing() {
             co_await mail_.until(first->first);
             continue;
         }
-        const Send send = std::move(outbox_.extract(first).mapped());
+        const auto [send, ping] = std::move(outbox_.extract(first).mapped());
         outbox_bytes_ -= send.bytes.size();
+        if (faults_ != nullptr) faults_->ping = ping;
         if (send.port >= transports_.size()) continue;
         co_await transports_[send.port]->write(send.bytes, send.to);
         if (send.hang_up) transports_[send.port]->hang_up();

@@ -14,6 +14,7 @@
 #include "emulator/clock.h"
 #include "emulator/crosstalk.h"
 #include "emulator/device.h"
+#include "emulator/faults/faults.h"
 #include "emulator/render_thread.h"
 #include "emulator/second_time_around.h"
 #include "emulator/transport/transport.h"
@@ -62,7 +63,14 @@ class Session {
 
     /// Before start(). `truth` gets every ping from then on.
     void tell(std::unique_ptr<DeviceTruth> truth);
+    /// Before start(): whose messages and pings the faults are made on. It outlives this.
+    void tell_of_pings(DeviceFaults& faults) { faults_ = &faults; }
+
     void start();
+    /// The device has lost its power: what it was about to send, and its pings, are gone.
+    void cut_power();
+    /// Powers the device up again.
+    void power_up() { apply(device_->started(clock_.now())); }
     void close();
     const std::vector<std::unique_ptr<Transport>>& transports() const { return transports_; }
     SessionSummary summary() const;
@@ -86,7 +94,13 @@ class Session {
         Time due;
         std::shared_ptr<Rendering> echoes, late_before;  ///< late_before: of the ping before, may be nullptr
         Situation situation;
-        double unix_time;  ///< s since 1970, of the transmission
+        double unix_time;       ///< s since 1970, of the transmission
+        std::uint64_t powered;  ///< power_cuts_ when it was sent
+    };
+    /// A message, and the number of the ping that the device had heard last.
+    struct Mail {
+        Send send;
+        std::uint64_t ping;
     };
     Task<void> deliver(UnderWay ping);
     void hear(UnderWay& ping);
@@ -108,7 +122,7 @@ class Session {
     SituationAt situation_at_;
     std::unique_ptr<DeviceTruth> truth_;  ///< nullptr: nobody asks
 
-    std::multimap<Time, Send> outbox_;  ///< by not_before; equal times keep their order
+    std::multimap<Time, Mail> outbox_;  ///< by not_before; equal times keep their order
     std::size_t outbox_bytes_ = 0;
     Alarm mail_;   ///< rings when the outbox has a new first element
     Alarm alarm_;  ///< rings at wake_
@@ -116,6 +130,9 @@ class Session {
     bool closed_ = false;
     bool hearing_ = false;  ///< the device belongs to another thread
     std::deque<std::function<void()>> waiting_;
+    DeviceFaults* faults_ = nullptr;  ///< nullptr: none can come
+    std::uint64_t power_cuts_ = 0;
+    std::uint64_t heard_ = 0;  ///< number of the ping heard last, from 1
 
     SecondTimeAround late_echoes_;
     std::shared_ptr<Rendering> late_;  ///< of the last ping, may be nullptr

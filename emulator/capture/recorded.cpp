@@ -4,14 +4,14 @@ namespace echoloop {
 
 using pcapng::Direction;
 
-Recorded::Recorded(std::unique_ptr<Transport> line, Recording& recording, const std::string& name, Side side)
-    : line_(std::move(line)),
+Recorded::Recorded(std::unique_ptr<Transport> transport, Recording& recording, const std::string& name, Side side)
+    : Decorator(std::move(transport)),
       recording_(recording),
       side_(side),
-      kind_(line_->wire().kind),
+      kind_(line().wire().kind),
       interface_(recording.add_interface(
           kind_ == Wire::Kind::serial ? pcapng::LinkType::rtac_serial : pcapng::LinkType::raw_ip, name,
-          line_->describe())) {}
+          line().describe())) {}
 
 void Recorded::start(Events events) {
     Events ours = events;
@@ -23,11 +23,16 @@ void Recorded::start(Events events) {
         begin_conversation();
         reconnected();
     };
-    line_->start(std::move(ours));
+    line().start(std::move(ours));
+}
+
+void Recorded::annotate(const std::string& remark) {
+    constexpr std::size_t most = 4096;  // of a packet with very many faults
+    if (remarks_.size() < most) remarks_ += (remarks_.empty() ? "" : "\n") + remark;
 }
 
 void Recorded::begin_conversation() {
-    const Wire wire = line_->wire();
+    const Wire wire = line().wire();
     if (kind_ != Wire::Kind::tcp_server && kind_ != Wire::Kind::tcp_client) return;
     const bool served = kind_ == Wire::Kind::tcp_server, device = side_ == Side::device;
     conversation_.emplace(device ? wire.local : wire.remote, device ? wire.remote : wire.local,
@@ -37,9 +42,9 @@ void Recorded::begin_conversation() {
 }
 
 Task<void> Recorded::write(ByteView bytes, Address to) {
-    const std::uint64_t before = line_->bytes_out();
-    co_await line_->write(bytes, to);
-    const std::uint64_t gone = line_->bytes_out() - before;
+    const std::uint64_t before = line().bytes_out();
+    co_await line().write(bytes, to);
+    const std::uint64_t gone = line().bytes_out() - before;
     if (gone > 0) record(bytes.first(std::min<std::size_t>(bytes.size(), gone)), true, to);
 }
 
@@ -50,7 +55,7 @@ void Recorded::record(ByteView bytes, bool ours, Address other) {
     if (kind_ == Wire::Kind::serial) {
         add(time, direction, rtac_serial_packet(bytes, time, direction));
     } else if (kind_ == Wire::Kind::udp) {
-        const Wire wire = line_->wire();
+        const Wire wire = line().wire();
         if (other.port == 0) other = wire.remote;
         add(time, direction, udp_packet(bytes, ours ? Route{wire.local, other} : Route{other, wire.local}));
     } else if (conversation_) {
@@ -60,7 +65,9 @@ void Recorded::record(ByteView bytes, bool ours, Address other) {
 }
 
 void Recorded::add(pcapng::WallTime time, Direction direction, ByteView packet) {
-    recording_.add({interface_, time, direction, {}}, packet);
+    std::string comment;
+    if (direction == Direction::sent) comment.swap(remarks_);
+    recording_.add({interface_, time, direction, std::move(comment)}, packet);
 }
 
 }  // namespace echoloop

@@ -17,6 +17,9 @@ std::vector<ScenarioDevice> read_devices(const Value* value, const Place& place,
 /// `position` and `rpy_deg` of a pose; identity for what is absent.
 Pose read_pose(const Value* value, const std::string& path, Problems& problems);
 
+/// The value of a key that is described as an option: from the section where given, else its default.
+OptionValue read_option(const Option& option, const Section& section, Problems& problems);
+
 /// Every option of the model: from `value` where given, else its default.
 Options read_options(const Value* value, const std::string& path, const Model& model, Problems& problems);
 

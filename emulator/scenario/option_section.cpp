@@ -44,6 +44,14 @@ void refuse_moved(const Section& section, const Model& model, Problems& problems
 
 }  // namespace
 
+OptionValue read_option(const Option& option, const Section& section, Problems& problems) {
+    const Value* given = section.get(option.name);
+    if (given == nullptr) return option.default_value;
+    const auto name = section.path_of(option.name);
+    Checker checker(problems);
+    return std::visit(ReadOption{option, *given, name, checker}, option.default_value);
+}
+
 Options read_options(const Value* value, const std::string& path, const Model& model, Problems& problems) {
     std::vector<std::string_view> known;
     for (const auto& option : model.options) known.push_back(option.name);
@@ -51,15 +59,8 @@ Options read_options(const Value* value, const std::string& path, const Model& m
     for (const auto& moved : model.moved) with_moved.push_back(moved.option);
     const Section section(value, path, with_moved, problems);
     refuse_moved(section, model, problems);
-    Checker checker(problems);
     Options options;
-    for (const auto& option : model.options) {
-        const Value* given = section.get(option.name);
-        const auto name = section.path_of(option.name);
-        options[option.name] =
-            given == nullptr ? option.default_value
-                             : std::visit(ReadOption{option, *given, name, checker}, option.default_value);
-    }
+    for (const auto& option : model.options) options[option.name] = read_option(option, section, problems);
     return options;
 }
 

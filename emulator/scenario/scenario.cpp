@@ -1,8 +1,10 @@
 #include "emulator/scenario/scenario.h"
 
+#include "emulator/faults/control_place.h"
 #include "emulator/scenario/clock_section.h"
 #include "emulator/scenario/device_section.h"
 #include "emulator/scenario/effects_section.h"
+#include "emulator/scenario/faults_section.h"
 #include "emulator/scenario/file.h"
 #include "emulator/scenario/number.h"
 #include "emulator/scenario/objects_section.h"
@@ -75,6 +77,18 @@ Animations read_animations(const Section& top) {
     return word == "off" ? Animations::off : word == "once" ? Animations::once : Animations::loop;
 }
 
+std::string read_control(const Section& top, Problems& problems) {
+    const Value* value = top.get("control");
+    if (value == nullptr) return {};
+    std::string text = top.text("control", "");
+    try {
+        if (value->is_scalar()) parse_control_place(text);
+    } catch (const std::invalid_argument& error) {
+        problems.add(value->place, std::string("control: ") + error.what());
+    }
+    return text;
+}
+
 RendererOptions read_render(const Section& top, Problems& problems) {
     const Section section(top.get("render"), "render", {"rule", "context", "pixels"}, problems);
     RendererOptions options;
@@ -95,7 +109,7 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     Value root = parse_tree(text, problems);
     apply_overrides(root, set_arguments, problems);
     const Section top(
-        &root, "", {"scene", "seed", "water", "vehicle", "objects", "animations", "clock", "render", "effects", "devices"}, problems);
+        &root, "", {"scene", "seed", "water", "vehicle", "objects", "animations", "clock", "render", "effects", "devices", "faults", "control"}, problems);
     if (!root.is_map() && root.kind != Value::Kind::null) problems.throw_if_any();
     Scenario scenario;
     scenario.file = file;
@@ -114,6 +128,8 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     const double surface = scenario.render.surface.value_or(WaterSurface{}).height;
     scenario.water = read_water(water, scenario.world_from_body.position.z, surface, problems);
     scenario.devices = read_devices(top.get("devices"), top.place(), scenario, models, problems);
+    scenario.control = read_control(top, problems);
+    scenario.faults = read_faults(top.get("faults"), scenario.devices, problems);
     problems.throw_if_any();
     return scenario;
 }

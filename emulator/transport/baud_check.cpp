@@ -7,17 +7,17 @@
 namespace echoloop {
 
 BaudCheck::BaudCheck(Clock& clock, std::unique_ptr<Transport> line, double rate, std::string device)
-    : line_(std::move(line)), clock_(clock), alarm_(clock), rate_(rate), device_(std::move(device)) {}
+    : Decorator(std::move(line)), clock_(clock), alarm_(clock), rate_(rate), device_(std::move(device)) {}
 
 void BaudCheck::start(Events events) {
     Events ours = events;
     ours.received = [this, received = std::move(events.received)](ByteView bytes, Address from) {
-        const uart::Receiver driver = line_->far_end();
+        const uart::Receiver driver = line().far_end();
         if (!disagrees_with(driver)) return received(bytes, from);
         const Bytes garbage = uart::as_heard(bytes, driver.rate, {rate_});
         if (!garbage.empty()) received(garbage, from);
     };
-    line_->start(std::move(ours));
+    line().start(std::move(ours));
 }
 
 bool BaudCheck::disagrees_with(const uart::Receiver& driver) {
@@ -33,9 +33,9 @@ bool BaudCheck::disagrees_with(const uart::Receiver& driver) {
 }
 
 Task<void> BaudCheck::write(ByteView bytes, Address to) {
-    const uart::Receiver driver = line_->far_end();
+    const uart::Receiver driver = line().far_end();
     if (!disagrees_with(driver)) {
-        co_await line_->write(bytes, to);
+        co_await line().write(bytes, to);
         co_return;
     }
     const Time begin = std::max(free_, clock_.now());
@@ -53,7 +53,7 @@ Task<void> BaudCheck::write_garbage(Bytes garbage, Time begin, Time duration) {
         const ByteView part = ByteView(garbage).subspan(done, std::min(chunk, garbage.size() - done));
         done += part.size();
         co_await alarm_.until(begin + from_seconds(each * static_cast<double>(done)));
-        if (!closed_) co_await line_->write(part, {});
+        if (!closed_) co_await line().write(part, {});
     }
     if (!closed_) co_await alarm_.until(begin + duration);
 }
@@ -61,7 +61,7 @@ Task<void> BaudCheck::write_garbage(Bytes garbage, Time begin, Time duration) {
 void BaudCheck::close() {
     closed_ = true;
     alarm_.cancel();
-    line_->close();
+    line().close();
 }
 
 }  // namespace echoloop

@@ -5,10 +5,10 @@
 namespace echoloop {
 
 Paced::Paced(Clock& clock, std::unique_ptr<Transport> line, double rate, OtherRate other)
-    : line_(std::move(line)), clock_(clock), alarm_(clock), rate_(rate), other_(other) {}
+    : Decorator(std::move(line)), clock_(clock), alarm_(clock), rate_(rate), other_(other) {}
 
 double Paced::rate_now() const {
-    const double driver = line_->far_end().rate;
+    const double driver = line().far_end().rate;
     if (driver <= 0) return rate_;
     if (other_ == OtherRate::followed || uart::agree(driver, rate_)) return driver;
     return other_ == OtherRate::garbage ? 0 : rate_;
@@ -17,7 +17,7 @@ double Paced::rate_now() const {
 Task<void> Paced::write(ByteView bytes, Address to) {
     const double rate = rate_now();
     if (rate <= 0) {
-        co_await line_->write(bytes, to);
+        co_await line().write(bytes, to);
         co_return;
     }
     // Small chunks, each handed over when its last byte would have arrived: a UART's FIFO does about the
@@ -30,14 +30,14 @@ Task<void> Paced::write(ByteView bytes, Address to) {
         bytes = bytes.subspan(part.size());
         free_ += from_seconds(static_cast<double>(part.size()) * byte_time);
         co_await alarm_.until(free_);
-        if (!closed_) co_await line_->write(part, to);
+        if (!closed_) co_await line().write(part, to);
     }
 }
 
 void Paced::close() {
     closed_ = true;
     alarm_.cancel();
-    line_->close();
+    line().close();
 }
 
 }  // namespace echoloop

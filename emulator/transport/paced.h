@@ -3,11 +3,11 @@
 #pragma once
 
 #include "emulator/clock.h"
-#include "emulator/transport/transport.h"
+#include "emulator/transport/decorator.h"
 
 namespace echoloop {
 
-class Paced final : public Transport {
+class Paced final : public Decorator {
   public:
     /// What another rate than the device's, set by the driver of a pty, does: nothing; set the pace as well
     /// (automatic baud); or leave the pace to the BaudCheck around this one.
@@ -17,22 +17,13 @@ class Paced final : public Transport {
     /// is the pace.
     Paced(Clock& clock, std::unique_ptr<Transport> line, double rate, OtherRate other = OtherRate::ignored);
 
-    void start(Events events) override { line_->start(std::move(events)); }
     Task<void> write(ByteView bytes, Address to) override;
-    void hang_up() override { line_->hang_up(); }
     void close() override;
-    std::string describe() const override { return line_->describe(); }
-    Wire wire() const override { return line_->wire(); }
-    uart::Receiver far_end() const override { return line_->far_end(); }
-    std::uint64_t bytes_in() const override { return line_->bytes_in(); }
-    std::uint64_t bytes_out() const override { return line_->bytes_out(); }
-    std::uint64_t bytes_lost() const override { return line_->bytes_lost(); }
 
   private:
     /// bit/s; 0: not paced.
     double rate_now() const;
 
-    std::unique_ptr<Transport> line_;
     Clock& clock_;
     Alarm alarm_;
     double rate_;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <spdlog/spdlog.h>
 #include <stdlib.h>
 #include <sys/inotify.h>
 #include <sys/ioctl.h>
@@ -65,13 +66,18 @@ int open_watch(const std::string& path) {
 
 }  // namespace
 
-Pty::Pty(asio::io_context& io, const std::filesystem::path& link) : master_(io), watch_(io) {
+Pty::Pty(asio::io_context& io, const std::filesystem::path& link)
+    : master_(io), watch_(io), wanted_link_(link) {
+    open();
+}
+
+void Pty::open() {
     const int master = open_master();
     master_.assign(master);
     slave_path_ = slave_name(master);
     slave_ = open_raw_slave(slave_path_);
     watch_.assign(open_watch(slave_path_));
-    if (!link.empty()) link_.emplace(link, slave_path_);
+    if (!wanted_link_.empty()) link_.emplace(wanted_link_, slave_path_);
 }
 
 Pty::~Pty() { close(); }
@@ -91,8 +97,29 @@ void Pty::settle() {
     ::poll(sides.data(), sides.size(), 0);
 }
 
+void Pty::unplug() {
+    link_.reset();  // first, so that who notices the hang-up finds it gone
+    close();
+    openers_ = 0;
+}
+
+void Pty::plug() {
+    if (master_.is_open()) return;
+    try {
+        open();
+        begin();
+        events_.reconnected();
+    } catch (const StartError& error) {
+        spdlog::error("{}; it stays unplugged", error.what());
+    }
+}
+
 void Pty::start(Events events) {
     events_ = std::move(events);
+    begin();
+}
+
+void Pty::begin() {
     asio::co_spawn(master_.get_executor(), read_line(), Serving(describe()));
     asio::co_spawn(watch_.get_executor(), watch_openers(), Serving(describe()));
 }
@@ -165,7 +192,8 @@ Task<void> Pty::write(ByteView bytes, Address) {
     // overrun.
     constexpr std::chrono::milliseconds patience(200), pause(2);
     const auto give_up = std::chrono::steady_clock::now() + patience;
-    while (!bytes.empty() && opened() && master_.is_open()) {
+    const std::string terminal = slave_path_;
+    while (!bytes.empty() && opened() && master_.is_open() && terminal == slave_path_) {
         const ssize_t n = ::write(master_.native_handle(), bytes.data(), bytes.size());
         if (n > 0) {
             count_out(static_cast<std::size_t>(n));

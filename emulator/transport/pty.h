@@ -33,14 +33,21 @@ class Pty final : public CountingTransport {
 
     void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
+    /// The terminal hangs up, as a pulled adapter's does, and its link is gone.
+    void unplug() override;
+    /// Another terminal behind the same link.
+    void plug() override;
     void close() override;
     void settle() override;
     std::string describe() const override;
     uart::Receiver far_end() const override;
     /// True while a driver has the slave open.
     bool opened() const { return openers_ > 0; }
+    bool has_driver() const override { return opened(); }
 
   private:
+    void open();
+    void begin();
     Task<void> read_line();
     Task<void> watch_openers();
     void handle_watch(ByteView events);
@@ -54,6 +61,7 @@ class Pty final : public CountingTransport {
     asio::posix::stream_descriptor watch_;  ///< inotify on the slave: open and close of drivers
     int slave_ = -1;                        ///< kept open, so that the master never reads EIO
     std::string slave_path_;
+    std::filesystem::path wanted_link_;  ///< empty: none
     std::optional<PtyLink> link_;
     Events events_;
     int openers_ = 0;

@@ -2,7 +2,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "emulator/transport/address.h"
 
@@ -56,6 +58,12 @@ void hang_up_on(Tcp::socket& socket) {
     socket.shutdown(Tcp::socket::shutdown_both, ignored);
 }
 
+void close_with_reset(Tcp::socket& socket) {
+    error_code ignored;
+    socket.set_option(Tcp::socket::linger(true, 0), ignored);
+    socket.close(ignored);
+}
+
 }  // namespace
 
 TcpListener::TcpListener(asio::io_context& io, Address bind) : acceptor_(bind_acceptor(io, bind)) {}
@@ -96,8 +104,9 @@ Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver) {
         count_in(n);
         events_.received(ByteView(buffer).first(n), {});
     }
-    driver->close(ec);
-    driver_.reset();
+    const bool forgotten = std::ranges::find(forgotten_, driver) != forgotten_.end();
+    if (!forgotten) driver->close(ec);
+    if (driver == driver_) driver_.reset();
     if (acceptor_.is_open()) events_.disconnected();
 }
 
@@ -113,7 +122,45 @@ void TcpListener::hang_up() {
     if (driver_) hang_up_on(*driver_);
 }
 
+void TcpListener::unplug() {
+    error_code ignored;
+    if (unplugged_.port != 0) return;
+    unplugged_ = to_address(acceptor_.local_endpoint(ignored));
+    acceptor_.close(ignored);
+    if (driver_) driver_->close(ignored);
+}
+
+void TcpListener::plug() {
+    if (unplugged_.port == 0) return;
+    const Address bind = std::exchange(unplugged_, {});
+    try {
+        acceptor_ = bind_acceptor(static_cast<asio::io_context&>(acceptor_.get_executor().context()), bind);
+        asio::co_spawn(acceptor_.get_executor(), accept_drivers(), Serving(describe()));
+    } catch (const StartError& error) {
+        spdlog::error("{}; it stays unplugged", error.what());
+    }
+}
+
+void TcpListener::reset() {
+    if (driver_) close_with_reset(*driver_);
+}
+
+void TcpListener::forget() {
+    if (!driver_) return;
+    error_code ignored;
+    forgotten_.push_back(driver_);
+    driver_->cancel(ignored);
+    driver_.reset();
+}
+
+void TcpListener::reset_forgotten() {
+    for (const auto& driver : forgotten_) close_with_reset(*driver);
+    forgotten_.clear();
+}
+
 void TcpListener::close() {
+    unplugged_ = {};
+    forgotten_.clear();
     error_code ignored;
     acceptor_.close(ignored);
     if (driver_) driver_->close(ignored);
@@ -143,8 +190,8 @@ Task<void> TcpClient::keep_connected() {
     while (!closing_) {
         Tcp::resolver resolver(socket_.get_executor());
         const auto found = co_await resolver.async_resolve(Tcp::v4(), host_, std::to_string(port_), into(ec));
-        if (!ec) co_await socket_.async_connect(*found.begin(), into(ec));
-        if (!ec && !closing_) co_await read_stream();
+        if (!ec && !unplugged_) co_await socket_.async_connect(*found.begin(), into(ec));
+        if (!ec && !closing_ && !unplugged_) co_await read_stream();
         if (closing_) co_return;
         socket_.close(ec);
         retry_.expires_after(std::chrono::seconds(1));
@@ -167,6 +214,9 @@ Task<void> TcpClient::read_stream() {
         }
     }
     connected_ = false;
+    if (std::exchange(forgetting_, false)) {
+        forgotten_.push_back(std::exchange(socket_, Tcp::socket(socket_.get_executor())));
+    }
     if (!closing_) events_.disconnected();
 }
 
@@ -179,6 +229,33 @@ Task<void> TcpClient::write(ByteView bytes, Address) {
 
 void TcpClient::hang_up() {
     if (connected_) hang_up_on(socket_);
+}
+
+void TcpClient::unplug() {
+    unplugged_ = true;
+    error_code ignored;
+    socket_.close(ignored);
+}
+
+void TcpClient::plug() {
+    unplugged_ = false;
+    retry_.cancel();
+}
+
+void TcpClient::reset() {
+    if (connected_) close_with_reset(socket_);
+}
+
+void TcpClient::reset_forgotten() {
+    for (Tcp::socket& socket : forgotten_) close_with_reset(socket);
+    forgotten_.clear();
+}
+
+void TcpClient::forget() {
+    if (!connected_) return;
+    error_code ignored;
+    forgetting_ = true;
+    socket_.cancel(ignored);
 }
 
 void TcpClient::close() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "emulator/transport/transport.h"
 
@@ -17,6 +18,12 @@ class TcpListener final : public CountingTransport {
     void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
     void hang_up() override;
+    bool has_driver() const override { return driver_ != nullptr; }
+    void unplug() override;
+    void plug() override;
+    void reset() override;
+    void forget() override;
+    void reset_forgotten() override;
     void close() override;
     std::string describe() const override;
     Wire wire() const override;
@@ -27,6 +34,8 @@ class TcpListener final : public CountingTransport {
 
     asio::ip::tcp::acceptor acceptor_;
     std::shared_ptr<asio::ip::tcp::socket> driver_;  ///< a writer may still hold the one that has gone
+    std::vector<std::shared_ptr<asio::ip::tcp::socket>> forgotten_;
+    Address unplugged_;  ///< where it listened; port 0: it is plugged in
     Events events_;
 };
 
@@ -38,6 +47,12 @@ class TcpClient final : public CountingTransport {
     void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
     void hang_up() override;
+    bool has_driver() const override { return connected_; }
+    void unplug() override;
+    void plug() override;
+    void reset() override;
+    void forget() override;
+    void reset_forgotten() override;
     void close() override;
     std::string describe() const override;
     Wire wire() const override;
@@ -52,6 +67,8 @@ class TcpClient final : public CountingTransport {
     std::uint16_t port_;
     bool closing_ = false;
     bool connected_ = false;
+    bool unplugged_ = false, forgetting_ = false;
+    std::vector<asio::ip::tcp::socket> forgotten_;
     Events events_;
 };
 

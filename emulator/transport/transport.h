@@ -42,6 +42,19 @@ class Transport {
     virtual Task<void> write(ByteView bytes, Address to) = 0;
     /// Ends the connection with whoever is at the other end; another may follow. A line has none.
     virtual void hang_up() {}
+    /// False while bytes would be lost because nobody is there to read them; true where nobody can know.
+    virtual bool has_driver() const { return true; }
+    /// A remark on the bytes that are written next, for a recording of them.
+    virtual void annotate(const std::string& /*remark*/) {}
+    /// The cable is pulled; whoever is at the other end finds out as the system lets them. Then it is put
+    /// back.
+    virtual void unplug() {}
+    virtual void plug() {}
+    /// TCP: ends the connection with a reset.
+    virtual void reset() {}
+    /// TCP: leaves the connection to itself, unread and unanswered; another may follow. Later it is reset.
+    virtual void forget() {}
+    virtual void reset_forgotten() {}
     virtual void close() = 0;
     /// The kernel is to hand over what it carries in either direction before this returns. Sockets do anyway.
     virtual void settle() {}

@@ -11,10 +11,10 @@ constexpr std::size_t packet = 62;  // 64 bytes at full speed, two of them statu
 }  // namespace
 
 UsbAdapter::UsbAdapter(Clock& clock, std::unique_ptr<Transport> line, Time latency)
-    : line_(std::move(line)), clock_(clock), alarm_(clock), latency_(latency) {}
+    : Decorator(std::move(line)), clock_(clock), alarm_(clock), latency_(latency) {}
 
 void UsbAdapter::start(Events events) {
-    line_->start(std::move(events));
+    line().start(std::move(events));
     rings_ = clock_.now() + latency_;
     asio::co_spawn(clock_.io(), keep_flushing(), Serving(describe()));
 }
@@ -27,7 +27,7 @@ Task<void> UsbAdapter::write(ByteView bytes, Address to) {
         if (waiting_.size() < packet) continue;
         rings_ = clock_.now() + latency_;
         const Bytes full = std::exchange(waiting_, {});
-        co_await line_->write(full, to);
+        co_await line().write(full, to);
     }
 }
 
@@ -38,14 +38,14 @@ Task<void> UsbAdapter::keep_flushing() {
         if (closed_ || clock_.now() < rings_) continue;
         rings_ = std::max(rings_ + latency_, clock_.now());
         const Bytes rest = std::exchange(waiting_, {});
-        if (!rest.empty()) co_await line_->write(rest, {});
+        if (!rest.empty()) co_await line().write(rest, {});
     }
 }
 
 void UsbAdapter::close() {
     closed_ = true;
     alarm_.cancel();
-    line_->close();
+    line().close();
 }
 
 }  // namespace echoloop

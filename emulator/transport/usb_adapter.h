@@ -4,11 +4,11 @@
 #pragma once
 
 #include "emulator/clock.h"
-#include "emulator/transport/transport.h"
+#include "emulator/transport/decorator.h"
 
 namespace echoloop {
 
-class UsbAdapter final : public Transport {
+class UsbAdapter final : public Decorator {
   public:
     /// `latency`: of its timer; 16 ms in FTDI's chips unless their driver sets another.
     UsbAdapter(Clock& clock, std::unique_ptr<Transport> line, Time latency);
@@ -17,17 +17,10 @@ class UsbAdapter final : public Transport {
     /// Returns at once: what does not fill a packet waits for the timer.
     Task<void> write(ByteView bytes, Address to) override;
     void close() override;
-    std::string describe() const override { return line_->describe(); }
-    Wire wire() const override { return line_->wire(); }
-    uart::Receiver far_end() const override { return line_->far_end(); }
-    std::uint64_t bytes_in() const override { return line_->bytes_in(); }
-    std::uint64_t bytes_out() const override { return line_->bytes_out(); }
-    std::uint64_t bytes_lost() const override { return line_->bytes_lost(); }
 
   private:
     Task<void> keep_flushing();
 
-    std::unique_ptr<Transport> line_;
     Clock& clock_;
     Alarm alarm_;
     Time latency_;

@@ -60,6 +60,14 @@ class Documentation(unittest.TestCase):
         known = json.loads(output("check", str(ROOT / "config" / "tank.yaml"), "--json"))["effects"]
         self.assertEqual(re.findall(r"^\| `(\w+)` \|", table, re.M), list(known))
 
+    def test_faults_are_listed_as_the_program_knows_them(self):
+        text = (ROOT / "docs" / "faults.md").read_text()
+        rows = re.findall(r"^\| `(\w+)` \|[^|]+\|([^|]*)\|$", text[text.index("| kind |") : text.index("Faults of one")], re.M)
+        known = json.loads(output("list", "--faults", "--json"))["faults"]
+        self.assertEqual([name for name, _ in rows], [fault["name"] for fault in known])
+        for fault, (_, parameters) in zip(known, rows):
+            self.assertEqual(re.findall(r"`(\w+)`", parameters), [p["name"] for p in fault["parameters"]], fault["name"])
+
     def test_every_scenario_of_config_is_good(self):
         for file in (ROOT / "config").glob("*.yaml"):
             with self.subTest(file.name):

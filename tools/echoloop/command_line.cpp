@@ -36,6 +36,7 @@ CLI::Option* add(CLI::App& app, const Argument& argument, Given& given) {
     CLI::Option* option = app.add_option(argument.name, keep, argument.help);
     option->type_name(argument.what)->expected(1)->required(argument.required);
     if (argument.kind == Kind::repeated) option->expected(1, 1000)->take_all()->allow_extra_args(false);
+    if (argument.kind == Kind::words) option->expected(1, 1000)->take_all()->allow_extra_args();
     if (!argument.choices.empty()) option->check(CLI::IsMember(argument.choices));
     return option;
 }

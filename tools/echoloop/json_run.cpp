@@ -20,16 +20,19 @@ std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
     for (const auto& running : runtime.devices())
         devices.push_back(
             {{"name", running.name}, {"model", running.model->name}, {"places", running.places}});
-    return line_of({{"event", "started"},
-                    {"scene", scenario.scene.string()},
-                    {"triangles", runtime.triangles()},
-                    {"renderer", runtime.renderer()},
-                    {"clock", clock_text(scenario)},
-                    {"devices", devices}});
+    Json started{{"event", "started"},
+                 {"scene", scenario.scene.string()},
+                 {"triangles", runtime.triangles()},
+                 {"renderer", runtime.renderer()},
+                 {"clock", clock_text(scenario)},
+                 {"devices", devices}};
+    if (!scenario.control.empty()) started["control"] = runtime.control();
+    return line_of(started);
 }
 
 std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Runtime& runtime,
-                             const Recording* recording, const TruthFile* truth) {
+                             const Recording* recording, const TruthFile* truth,
+                             const BackgroundFile* labels) {
     Json devices = Json::array();
     for (const auto& s : sessions)
         devices.push_back({{"name", s.name},
@@ -69,6 +72,14 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
                           {"bytes", s.bytes},
                           {"lost", s.lost},
                           {"stopped", s.stopped}};
+    }
+    for (const auto& [device, counts] : runtime.faults())
+        for (std::size_t i = 0; i < fault_kinds; ++i)
+            if (counts[i] > 0) ended["faults"][device][fault_table()[i].name] = counts[i];
+    if (labels != nullptr) {
+        const BackgroundFileSummary s = labels->summary();
+        ended["labels"] = {
+            {"file", labels->file().string()}, {"lines", s.lines}, {"lost", s.lost}, {"stopped", s.stopped}};
     }
     return line_of(ended);
 }

@@ -12,8 +12,9 @@
 namespace echoloop::cli {
 
 std::string run_started_json(const Scenario& scenario, const Runtime& runtime);
-/// Of a run that has ended; `recording`, `truth`: nullptr if there is none.
+/// Of a run that has ended; `recording`, `truth`, `labels`: nullptr if there is none.
 std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Runtime& runtime,
-                             const Recording* recording, const TruthFile* truth);
+                             const Recording* recording, const TruthFile* truth,
+                             const BackgroundFile* labels);
 
 }  // namespace echoloop::cli

@@ -6,6 +6,7 @@
 #include "emulator/scenario/profile_section.h"
 #include "emulator/scenario/section.h"
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/faults_output.h"
 #include "tools/echoloop/json_output.h"
 
 namespace echoloop::cli {
@@ -101,6 +102,14 @@ std::span<const Model> wanted(const Arguments& arguments) {
 }
 
 int run(const Arguments& arguments) {
+    if (arguments.has("--faults")) {
+        if (arguments.has("--json")) {
+            std::printf("%s\n", fault_kinds_json().c_str());
+        } else {
+            print_fault_kinds();
+        }
+        return 0;
+    }
     const auto shown = wanted(arguments);
     if (arguments.has("--json")) {
         std::printf("%s\n", list_json(shown).c_str());
@@ -124,10 +133,12 @@ Verb list_verb() {
             "the sonars that can be emulated, their options and acoustic figures",
             {{Argument::Kind::optional, "MODEL", "", "show the options and figures of this model"},
              {Argument::Kind::flag, "--all", "", "show the options and figures of every model"},
+             {Argument::Kind::flag, "--faults", "", "show the faults that a run can make instead"},
              json_argument()},
             "  echoloop list\n"
             "  echoloop list tritech-micron\n"
             "  echoloop list --all\n"
+            "  echoloop list --faults\n"
             "  echoloop list --json | jq -r '.models[].name'",
             run};
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "emulator/capture/recording.h"
+#include "emulator/faults/control_place.h"
 #include "emulator/pose/input.h"
 #include "emulator/punctual.h"
 #include "emulator/runtime.h"
@@ -11,6 +12,7 @@
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
 #include "tools/echoloop/driver.h"
+#include "tools/echoloop/faults_output.h"
 #include "tools/echoloop/json_run.h"
 
 namespace echoloop::cli {
@@ -30,6 +32,7 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
         line(device.name, device.model->title);
         for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
     }
+    if (!scenario.control.empty()) line("control", runtime.control());
     std::printf("For a driver: echoloop endpoints %s --format ros1 (or ros2, moos, rock)\n",
                 scenario.file.c_str());
     const bool stepped = scenario.clock == ClockMode::stepped;
@@ -121,15 +124,29 @@ void print_truth(const TruthFile& truth) {
                 s.stopped ? "; it stopped early, see above" : "");
 }
 
+/// --control says more than the scenario.
+Scenario with_control(Scenario scenario, const Arguments& arguments) {
+    if (!arguments.has("--control")) return scenario;
+    scenario.control = arguments.text("--control");
+    try {
+        parse_control_place(scenario.control);
+    } catch (const std::invalid_argument& error) {
+        throw StartError(Exit::usage, std::string("--control: ") + error.what());
+    }
+    return scenario;
+}
+
 int run(const Arguments& arguments) {
-    const Scenario scenario = scenario_from(arguments);
+    const Scenario scenario = with_control(scenario_from(arguments), arguments);
     std::optional<double> duration;
     if (arguments.has("--duration")) duration = arguments.number("--duration", 0, 0, 1e9);
     auto recording = recording_from(arguments);
     const auto truth =
         arguments.has("--truth") ? std::make_unique<TruthFile>(arguments.text("--truth")) : nullptr;
+    const auto labels = labels_from(arguments);
     try {
-        Runtime runtime(scenario, {.recording = recording.get(), .truth = truth.get()});
+        Runtime runtime(scenario,
+                        {.recording = recording.get(), .truth = truth.get(), .labels = labels.get()});
         const bool json = arguments.has("--json");
         if (json) {
             std::printf("%s\n", run_started_json(scenario, runtime).c_str());
@@ -142,16 +159,19 @@ int run(const Arguments& arguments) {
         runtime.run(duration);
         if (recording) recording->finish();
         if (truth) truth->finish();
+        if (labels) labels->finish();
         const auto sessions = runtime.summary();
         if (json) {
-            const auto ended = run_summary_json(sessions, runtime, recording.get(), truth.get());
+            const auto ended = run_summary_json(sessions, runtime, recording.get(), truth.get(), labels.get());
             std::printf("%s\n", ended.c_str());
         } else {
             print_summary(sessions);
             if (const auto poses = runtime.poses()) print_poses(*poses);
             if (const auto steps = runtime.steps()) print_steps(*steps);
+            print_faults(runtime.faults());
             if (recording) print_recording(*recording);
             if (truth) print_truth(*truth);
+            if (labels) print_labels(*labels);
         }
         if (arguments.has("--fail-late")) demand_punctuality(sessions);
     } catch (const StartError&) {
@@ -180,6 +200,9 @@ Verb run_verb() {
          {Argument::Kind::value, "--record-size", "MB", "begin another capture file after so many megabytes"},
          {Argument::Kind::value, "--truth", "FILE",
           "write what is really there at every ping, a line of JSON each (docs/truth.md)"},
+         {Argument::Kind::value, "--control", "PLACE",
+          "take faults while it runs, at unix:/PATH or tcp-listen://127.0.0.1:PORT; see echoloop fault"},
+         {Argument::Kind::value, "--labels", "FILE", "write a line of JSON for every fault that is made"},
          {Argument::Kind::flag, "--fail-late", "",
           "end with status 75 if a ping was late, or a message or bytes were lost"},
          {Argument::Kind::flag, "--realtime", "",
@@ -189,6 +212,7 @@ Verb run_verb() {
         "  echoloop run config/demo.yaml\n"
         "  echoloop run config/tank.yaml --duration 60 --record dive.pcapng\n"
         "  echoloop run config/tank.yaml --truth dive.jsonl\n"
+        "  echoloop run config/faults.yaml --labels faults.jsonl --control unix:/tmp/echoloop/control\n"
         "  echoloop run config/demo.yaml --set devices.micron.endpoints='[\"tcp-listen://127.0.0.1:9090\"]'",
         run};
 }

@@ -16,6 +16,7 @@ struct Argument {
         flag,
         value,     ///< --name VALUE, at most once
         repeated,  ///< --name VALUE, any number of times
+        words,     ///< positional, any number of them, at the end
     };
 
     Kind kind;
@@ -60,6 +61,7 @@ Verb diff_verb();
 Verb dissector_verb();
 Verb doctor_verb();
 Verb endpoints_verb();
+Verb fault_verb();
 Verb inspect_verb();
 Verb list_verb();
 Verb render_verb();

@@ -1,0 +1,62 @@
+#include "emulator/faults/answers.h"
+
+#include <nlohmann/json.hpp>
+
+namespace echoloop::answers {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json to_json(const AskedFault& asked, Time now) {
+    const Fault& fault = asked.fault;
+    const FaultRow& row = row_of(fault.kind);
+    Json json{{"id", asked.id}, {"device", fault.device}, {"kind", row.name}};
+    if (!fault.port.empty()) json["port"] = fault.port;
+    if (row.where == FaultRow::Where::bytes) json["direction"] = name_of(fault.direction);
+    for (const auto& [name, value] : fault.parameters)
+        std::visit([&json, &key = name](const auto& v) { json[key] = v; }, value);
+    json["from"] = to_seconds(fault.from);
+    if (!row.momentary && fault.length != Time::max()) json["for"] = to_seconds(fault.length);
+    if (fault.every > Time{}) json["every"] = to_seconds(fault.every);
+    json["on"] = fault.on_until(now).has_value();
+    json["made"] = asked.made;
+    return json;
+}
+
+}  // namespace
+
+std::string refusal(const std::string& reason) { return line_of({{"ok", false}, {"error", reason}}); }
+std::string added(int id) { return line_of({{"ok", true}, {"id", id}}); }
+std::string cleared(std::size_t count) { return line_of({{"ok", true}, {"cleared", count}}); }
+
+std::string list(const Faults& faults, Time now) {
+    Json asked = Json::array();
+    for (const DeviceFaults& device : faults.devices())
+        for (const AskedFault& one : device.asked()) asked.push_back(to_json(one, now));
+    return line_of({{"ok", true}, {"t", to_seconds(now)}, {"faults", asked}});
+}
+
+std::string status(const std::vector<SessionSummary>& sessions, const Faults& faults, Time now) {
+    Json devices = Json::array();
+    for (const SessionSummary& s : sessions) {
+        Json made = Json::object();
+        if (const auto found = faults.labels().counts().find(s.name); found != faults.labels().counts().end())
+            for (std::size_t i = 0; i < fault_kinds; ++i)
+                if (found->second[i] > 0) made[fault_table()[i].name] = found->second[i];
+        devices.push_back({{"name", s.name},
+                           {"pings", s.pings},
+                           {"late_pings", s.late_pings},
+                           {"messages", s.device.messages},
+                           {"rejected", s.device.rejected},
+                           {"skipped_bytes", s.device.skipped_bytes},
+                           {"dropped", s.dropped},
+                           {"bytes_in", s.bytes_in},
+                           {"bytes_out", s.bytes_out},
+                           {"faults", made}});
+    }
+    return line_of({{"ok", true}, {"t", to_seconds(now)}, {"devices", devices}});
+}
+
+}  // namespace echoloop::answers

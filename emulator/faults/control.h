@@ -1,0 +1,46 @@
+// The control socket of a run: lines of JSON in, a line of JSON back for each. It asks for faults and tells
+// of them; nobody can reach it from another machine.
+#pragma once
+
+#include <memory>
+
+#include "emulator/clock.h"
+#include "emulator/faults/control_line.h"
+#include "emulator/faults/control_place.h"
+#include "emulator/faults/faults.h"
+#include "emulator/session.h"
+
+namespace echoloop {
+
+class Control {
+  public:
+    using Summaries = std::function<std::vector<SessionSummary>()>;
+
+    /// Binds the place; a socket file is the user's alone (0600) and replaces one that nobody serves. Throws
+    /// StartError. What is referred to outlives this.
+    Control(Clock& clock, const ControlPlace& place, Faults& faults, std::vector<ScenarioDevice> devices,
+            Summaries summaries);
+    ~Control();
+
+    void start();
+    void close();
+    /// "unix:/tmp/echoloop/control".
+    std::string describe() const;
+
+  private:
+    class Listener;
+    struct Client;
+
+    Task<void> accept();
+    Task<void> serve(std::shared_ptr<Client> client);
+    std::string answer(std::string_view line);
+
+    Clock& clock_;
+    Faults& faults_;
+    std::vector<ScenarioDevice> devices_;
+    Summaries summaries_;
+    std::unique_ptr<Listener> listener_;
+    std::vector<std::weak_ptr<Client>> clients_;
+};
+
+}  // namespace echoloop

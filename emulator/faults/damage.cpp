@@ -1,0 +1,149 @@
+// What faults do to the bytes of a message: lose, double, cut and change them.
+#include <algorithm>
+#include <cmath>
+
+#include "emulator/faults/pieces.h"
+#include "emulator/options.h"
+#include "emulator/transport/uart.h"
+
+namespace echoloop {
+namespace {
+
+std::size_t whole(const AskedFault& asked, std::string_view name) {
+    return static_cast<std::size_t>(integer(asked.fault.parameters, name));
+}
+
+}  // namespace
+
+bool Pieces::happens(const AskedFault& asked, const Dice& dice) {
+    return dice.uniform() < number(asked.fault.parameters, "rate");
+}
+
+FaultEvent Pieces::event(const AskedFault& asked) const {
+    FaultEvent event;
+    event.kind = asked.fault.kind;
+    event.id = asked.id;
+    if (faults_.ping > 0) event.ping = faults_.ping;
+    event.message = message_;
+    return event;
+}
+
+/// Nothing is left of the message at hand; the fault's own events tell of it.
+bool Pieces::unplugged(Time now) {
+    bool is = false;
+    faults_.each(FaultKind::unplug, place_, now, [&is](AskedFault& asked) {
+        is = true;
+        ++asked.swallowed;
+    });
+    return is;
+}
+
+/// True if nothing is left of it but the record of its loss.
+bool Pieces::lose(Piece& piece, Time now) {
+    const auto lost = [&](const AskedFault& asked) {
+        if (!piece.events.empty()) return;
+        piece.events.push_back(event(asked));
+        piece.events.back().length = piece.bytes.size();
+    };
+    faults_.each(FaultKind::silence, place_, now, lost);
+    faults_.each(FaultKind::loss, place_, now, [&](const AskedFault& asked) {
+        if (happens(asked, asked.dice.of(message_))) lost(asked);
+    });
+    if (piece.events.empty()) return false;
+    piece.bytes.clear();
+    return true;
+}
+
+std::vector<Piece> Pieces::copies(Piece piece, Time now) {
+    std::vector<Piece> all{std::move(piece)};
+    faults_.each(FaultKind::duplication, place_, now, [&](const AskedFault& asked) {
+        if (!happens(asked, asked.dice.of(message_))) return;
+        for (std::size_t i = 0; i < whole(asked, "copies"); ++i) {
+            Piece copy = all.front();
+            copy.events.push_back(event(asked));
+            copy.events.back().length = copy.bytes.size();
+            all.push_back(std::move(copy));
+        }
+    });
+    return all;
+}
+
+void Pieces::damage(Piece& piece, std::uint64_t copy, Time now) {
+    faults_.each(FaultKind::baud_mismatch, place_, now,
+                 [&](const AskedFault& asked) { garble(piece, asked); });
+    faults_.each(FaultKind::wrong_checksum, place_, now,
+                 [&](const AskedFault& asked) { spoil_checksums(piece, asked, copy); });
+    faults_.each(FaultKind::truncation, place_, now,
+                 [&](const AskedFault& asked) { cut(piece, asked, copy); });
+    faults_.each(FaultKind::bit_flips, place_, now,
+                 [&](const AskedFault& asked) { flip(piece, asked, copy); });
+}
+
+void Pieces::garble(Piece& piece, const AskedFault& asked) {
+    const double other = number(asked.fault.parameters, "baud");
+    if (traits_.line_rate <= 0 || uart::agree(other, traits_.line_rate)) return;
+    const bool heard = place_.direction == Towards::from_driver;
+    FaultEvent made = event(asked);
+    made.details = {{"baud", other}, {"was", static_cast<std::int64_t>(piece.bytes.size())}};
+    piece.bytes = heard ? uart::as_heard(piece.bytes, traits_.line_rate, {other})
+                        : uart::as_heard(piece.bytes, other, {traits_.line_rate});
+    made.length = piece.bytes.size();
+    piece.events.push_back(std::move(made));
+}
+
+void Pieces::spoil_checksums(Piece& piece, const AskedFault& asked, std::uint64_t copy) {
+    if (traits_.find_checksums == nullptr) return;
+    const Dice message = asked.dice.of(message_).of(copy);
+    for (const ChecksumPlace& place : traits_.find_checksums(piece.bytes)) {
+        const Dice dice = message.of(place.offset);
+        if (!happens(asked, dice)) continue;
+        const std::size_t at = place.offset + dice.below(place.size, 1);
+        std::uint8_t& byte = piece.bytes[at];
+        const auto before = std::int64_t{byte};
+        if (place.hex_digits) {
+            constexpr std::string_view digits = "0123456789ABCDEF";
+            const std::size_t digit = std::min(digits.find(static_cast<char>(byte)), std::size_t{15});
+            byte = static_cast<std::uint8_t>(digits[(digit + 1 + dice.below(15, 2)) % 16]);
+        } else {
+            byte ^= static_cast<std::uint8_t>(1 + dice.below(255, 2));
+        }
+        FaultEvent made = event(asked);
+        made.offset = at;
+        made.length = 1;
+        made.details = {{"was", before}, {"is", std::int64_t{byte}}};
+        piece.events.push_back(std::move(made));
+    }
+}
+
+void Pieces::cut(Piece& piece, const AskedFault& asked, std::uint64_t copy) {
+    const Dice dice = asked.dice.of(message_).of(copy);
+    const std::size_t keep = whole(asked, "keep"), size = piece.bytes.size();
+    if (size < 2 || keep >= size || !happens(asked, dice)) return;
+    const std::size_t left = keep > 0 ? keep : 1 + dice.below(size - 1, 1);
+    piece.bytes.resize(left);
+    std::erase_if(piece.events, [left](const FaultEvent& earlier) { return earlier.offset >= left; });
+    FaultEvent made = event(asked);
+    made.offset = left;
+    made.length = size - left;
+    piece.events.push_back(std::move(made));
+}
+
+/// Bytes from a driver come in whatever parts the system reads them: there the place in the stream counts.
+void Pieces::flip(Piece& piece, const AskedFault& asked, std::uint64_t copy) {
+    const double byte_rate = 1 - std::pow(1 - number(asked.fault.parameters, "rate"), 8);
+    const bool heard = place_.direction == Towards::from_driver;
+    const Dice dice = heard ? asked.dice : asked.dice.of(message_).of(copy);
+    const std::uint64_t first = heard ? position_ : 0;
+    for (std::size_t i = 0; i < piece.bytes.size(); ++i) {
+        if (dice.uniform(2 * (first + i)) >= byte_rate) continue;
+        const auto bit = static_cast<std::int64_t>(dice.below(8, 2 * (first + i) + 1));
+        piece.bytes[i] ^= static_cast<std::uint8_t>(1U << bit);
+        FaultEvent made = event(asked);
+        made.offset = i;
+        made.length = 1;
+        made.details = {{"bit", bit}};
+        piece.events.push_back(std::move(made));
+    }
+}
+
+}  // namespace echoloop
