@@ -75,7 +75,8 @@ class Runtime::Impl {
           movers_(scenario, scene_),
           vehicle_(scenario, *clock_, steps_.get(), movers_.by_lines()),
           water_(shared_water(scenario, *scene_, movers_)),
-          faults_(scenario.seed, scenario.file.string(), records.labels),
+          faults_(scenario.seed, scenario.file.string(), records.labels,
+                  [this] { return clock_->unix_time(); }),
           render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
                          RenderThread::useful(scenario.devices.size())) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
@@ -218,6 +219,7 @@ class Runtime::Impl {
             sessions_.back()->tell(
                 std::make_unique<DeviceTruth>(*records.truth, entry.name, entry.body_from_sonar));
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
+        if (records.remarks) sessions_.back()->remark_pings();
         running_.push_back({entry.name, entry.model, {}});
     }
 

@@ -30,6 +30,7 @@ struct StepSummary;
 /// What a run writes beside the bytes on the wire; nullptr: not asked for. All outlive the runtime.
 struct RunRecords {
     Recording* recording = nullptr;    ///< gets the traffic of every port
+    bool remarks = false;              ///< in the recording each ping says where its sonar was
     TruthFile* truth = nullptr;        ///< gets what is really there at every ping
     BackgroundFile* labels = nullptr;  ///< gets a line for every fault that is made
 };

@@ -3,9 +3,10 @@
 #include <spdlog/spdlog.h>
 
 #include <boost/asio/post.hpp>
+#include <cstdio>
 
-#include "emulator/random_key.h"
 #include "emulator/punctual.h"
+#include "emulator/random_key.h"
 #include "emulator/truth/device_truth.h"
 
 namespace echoloop {
@@ -14,6 +15,18 @@ namespace {
 constexpr std::size_t outbox_limit = 64 << 20;  // bytes; a driver that never reads must not eat the memory
 constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t worth_a_thread = 16'384;  ///< values of an echogram; fewer take a device no time
+
+/// "ping 12: t 1.234 s, sonar at 1.000 2.000 -3.000 m, orientation w 1.0000 x 0.0000 y 0.0000 z 0.0000".
+std::string remark_of(const Transmission& transmission, std::uint64_t number) {
+    const Vec3 p = transmission.world_from_sonar.position;
+    const Quat q = transmission.world_from_sonar.orientation;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "ping %llu: t %.6f s, sonar at %.3f %.3f %.3f m, orientation w %.5f x %.5f y %.5f z %.5f",
+                  static_cast<unsigned long long>(number), to_seconds(transmission.time), p.x, p.y, p.z, q.w,
+                  q.x, q.y, q.z);
+    return text;
+}
 
 /// m, from a point to the corner of the scene's bounds that is farthest from it.
 double farthest_from(Vec3 point, const Bounds& scene) {
@@ -111,7 +124,9 @@ void Session::post_mail(Send send) {
     outbox_bytes_ += send.bytes.size();
     const Time when = send.not_before;
     const bool first = outbox_.empty() || when < outbox_.begin()->first;
-    outbox_.emplace(when, Mail{std::move(send), heard_});
+    outbox_.emplace(when, Mail{std::move(send), heard_, std::exchange(remark_, {})});
+    summary_.most_waiting = std::max(summary_.most_waiting, outbox_.size());
+    summary_.most_waiting_bytes = std::max(summary_.most_waiting_bytes, outbox_bytes_);
     if (first) mail_.cancel();
 }
 
@@ -175,7 +190,7 @@ void Session::hear(UnderWay& ping) {
     const Time now = std::max(ping.due, clock_.now());
     const Time lateness = now - ping.due;
     if (lateness > late_after) ++summary_.late_pings;
-    summary_.worst_lateness = std::max(summary_.worst_lateness, lateness);
+    lateness_.add(lateness);
     ++summary_.pings;
     if (ping.late_before) late_echoes_.keep(ping.sequence - 1, std::move(*ping.late_before->echogram));
     Echogram& echogram = *ping.echoes->echogram;
@@ -183,7 +198,11 @@ void Session::hear(UnderWay& ping) {
     water_.cross_talk.add_to(echogram, ping.transmission);
     heard_ = ping.sequence;
     if (faults_ != nullptr) faults_->heard_ping = heard_;
-    if (truth_) truth_->heard(ping.transmission, ping.situation, ping.unix_time, ping.due, echogram);
+    if (remarks_) remark_ = remark_of(ping.transmission, ping.sequence);
+    auto faults = truth_ && faults_ != nullptr ? faults_->on(now) : std::vector<std::string>{};
+    if (truth_)
+        truth_->heard(ping.transmission, ping.situation, ping.unix_time, ping.due, std::move(faults),
+                      echogram);
     const bool large = echogram.values.size() >= worth_a_thread;
     if (large && water_.listeners && faults_ == nullptr)  // faults belong to this thread
         return hear_elsewhere(std::make_shared<Echogram>(std::move(echogram)), now);
@@ -239,10 +258,11 @@ Task<void> Session::keep_writing() {
             co_await mail_.until(first->first);
             continue;
         }
-        const auto [send, ping] = std::move(outbox_.extract(first).mapped());
+        const auto [send, ping, remark] = std::move(outbox_.extract(first).mapped());
         outbox_bytes_ -= send.bytes.size();
         if (faults_ != nullptr) faults_->ping = ping;
         if (send.port >= transports_.size()) continue;
+        if (!remark.empty()) transports_[send.port]->annotate(remark);
         co_await transports_[send.port]->write(send.bytes, send.to);
         if (send.hang_up) transports_[send.port]->hang_up();
     }
@@ -251,6 +271,9 @@ Task<void> Session::keep_writing() {
 SessionSummary Session::summary() const {
     SessionSummary summary = summary_;
     summary.name = name_;
+    summary.worst_lateness = lateness_.worst();
+    summary.median_lateness = lateness_.not_exceeded_by(0.5);
+    summary.p99_lateness = lateness_.not_exceeded_by(0.99);
     summary.device = device_->counters();
     for (const auto& transport : transports_) {
         summary.bytes_in += transport->bytes_in();

@@ -15,6 +15,7 @@
 #include "emulator/crosstalk.h"
 #include "emulator/device.h"
 #include "emulator/faults/faults.h"
+#include "emulator/lateness.h"
 #include "emulator/render_thread.h"
 #include "emulator/second_time_around.h"
 #include "emulator/transport/transport.h"
@@ -30,8 +31,10 @@ struct SessionSummary {
     DeviceCounters device;
     std::uint64_t pings = 0;       ///< echograms delivered
     std::uint64_t late_pings = 0;  ///< delivered more than a millisecond after they were due
-    Time worst_lateness{};
-    std::uint64_t dropped = 0;  ///< messages that did not fit the outbox
+    Time worst_lateness{}, median_lateness{};
+    Time p99_lateness{};                                   ///< that 99 of 100 pings do not exceed
+    std::uint64_t dropped = 0;                             ///< messages that did not fit the outbox
+    std::size_t most_waiting = 0, most_waiting_bytes = 0;  ///< messages in the outbox at once
     std::uint64_t bytes_in = 0, bytes_out = 0;
     std::uint64_t bytes_lost = 0;  ///< a driver was there and did not take them
 };
@@ -44,8 +47,9 @@ struct SharedWater {
     Bounds scene;
     CrossTalk cross_talk;
     std::size_t sonars = 0;  ///< sessions so far
-    /// Threads on which devices make bytes of large echograms, so that the wires of others do not wait; nullptr: that
-    /// happens in its turn, for runs whose every event has its place. Join them before the sessions end.
+    /// Threads on which devices make bytes of large echograms, so that the wires of others do not wait;
+    /// nullptr: that happens in its turn, for runs whose every event has its place. Join them before the
+    /// sessions end.
     std::shared_ptr<asio::thread_pool> listeners{};
     std::vector<double> reach{};  ///< m, from each mover's origin to its farthest point
 };
@@ -65,6 +69,9 @@ class Session {
     void tell(std::unique_ptr<DeviceTruth> truth);
     /// Before start(): whose messages and pings the faults are made on. It outlives this.
     void tell_of_pings(DeviceFaults& faults) { faults_ = &faults; }
+
+    /// Before start(): the first packet of each ping gets a comment that says where the sonar was.
+    void remark_pings() { remarks_ = true; }
 
     void start();
     /// The device has lost its power: what it was about to send, and its pings, are gone.
@@ -101,6 +108,7 @@ class Session {
     struct Mail {
         Send send;
         std::uint64_t ping;
+        std::string remark;  ///< for a recording; "": none
     };
     Task<void> deliver(UnderWay ping);
     void hear(UnderWay& ping);
@@ -124,8 +132,11 @@ class Session {
 
     std::multimap<Time, Mail> outbox_;  ///< by not_before; equal times keep their order
     std::size_t outbox_bytes_ = 0;
-    Alarm mail_;   ///< rings when the outbox has a new first element
-    Alarm alarm_;  ///< rings at wake_
+    Lateness lateness_;
+    bool remarks_ = false;
+    std::string remark_;  ///< of the ping that was heard last, until a message takes it along
+    Alarm mail_;          ///< rings when the outbox has a new first element
+    Alarm alarm_;         ///< rings at wake_
     Time wake_ = Time::max();
     bool closed_ = false;
     bool hearing_ = false;  ///< the device belongs to another thread

@@ -19,6 +19,14 @@ bool DeviceFaults::clear(int id) {
     return true;
 }
 
+std::vector<std::string> DeviceFaults::on(Time now) const {
+    std::vector<std::string> names;
+    for (const AskedFault& asked : asked_)
+        if (asked.fault.on_until(now))
+            names.push_back(std::string(row_of(asked.fault.kind).name) + " " + std::to_string(asked.id));
+    return names;
+}
+
 void DeviceFaults::record(Time now, const FaultPlace& place, const FaultEvent& event) {
     const auto found = std::ranges::find(asked_, event.id, &AskedFault::id);
     if (found != asked_.end()) ++found->made;

@@ -51,6 +51,8 @@ class DeviceFaults {
 
     void add(int id, Fault fault);
     bool clear(int id);
+    /// Kind and number of each that is on: "bit_flips 3".
+    std::vector<std::string> on(Time now) const;
     void record(Time now, const FaultPlace& place, const FaultEvent& event);
 
     /// Number of the ping that the message at hand belongs to; 0: none yet. The session says it.
@@ -77,8 +79,10 @@ class DeviceFaults {
 class Faults {
   public:
     /// `labels`: nullptr if none are written.
-    Faults(std::uint64_t seed, const std::string& scenario, BackgroundFile* labels)
-        : seed_(seed), labels_(labels, seed, scenario) {}
+    Faults(
+        std::uint64_t seed, const std::string& scenario, BackgroundFile* labels,
+        FaultLabels::UnixTime unix_time = [] { return 0.0; })
+        : seed_(seed), labels_(labels, seed, scenario, std::move(unix_time)) {}
 
     /// Makes the device's at the first call.
     DeviceFaults& of(const std::string& device);

@@ -1,6 +1,5 @@
 #include "emulator/faults/labels.h"
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 namespace echoloop {
@@ -10,27 +9,24 @@ using Json = nlohmann::ordered_json;
 
 std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-double unix_now() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
 
-FaultLabels::FaultLabels(BackgroundFile* file, std::uint64_t seed, const std::string& scenario)
-    : file_(file) {
+FaultLabels::FaultLabels(BackgroundFile* file, std::uint64_t seed, const std::string& scenario,
+                         UnixTime unix_time)
+    : file_(file), unix_time_(std::move(unix_time)) {
     if (file_ == nullptr) return;
     file_->add(line_of({{"format", "echoloop fault labels"},
                         {"version", 1},
                         {"seed", seed},
                         {"scenario", scenario},
-                        {"unix", unix_now()}}));
+                        {"unix", unix_time_()}}));
 }
 
 void FaultLabels::add(Time now, const FaultPlace& place, const FaultEvent& event) {
     const FaultRow& row = row_of(event.kind);
     if (!event.is_end) ++counts_[place.device][static_cast<std::size_t>(event.kind)];
     if (file_ == nullptr) return;
-    Json json{{"t", to_seconds(now)}, {"unix", unix_now()}, {"device", place.device}};
+    Json json{{"t", to_seconds(now)}, {"unix", unix_time_()}, {"device", place.device}};
     if (!place.port.empty()) json["port"] = place.port;
     if (row.where == FaultRow::Where::bytes) json["direction"] = name_of(place.direction);
     if (event.ping) json["ping"] = *event.ping;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -39,14 +40,17 @@ using FaultCounts = std::array<std::uint64_t, fault_kinds>;
 
 class FaultLabels {
   public:
+    /// s since 1970.
+    using UnixTime = std::function<double()>;
     /// `file`: nullptr for counts alone; outlives this. Its first line says what it is.
-    FaultLabels(BackgroundFile* file, std::uint64_t seed, const std::string& scenario);
+    FaultLabels(BackgroundFile* file, std::uint64_t seed, const std::string& scenario, UnixTime unix_time);
 
     void add(Time now, const FaultPlace& place, const FaultEvent& event);
     const std::map<std::string, FaultCounts>& counts() const { return counts_; }
 
   private:
     BackgroundFile* file_;
+    UnixTime unix_time_;
     std::map<std::string, FaultCounts> counts_;
 };
 

@@ -9,14 +9,14 @@ constexpr std::size_t most_waiting = 16 << 20;  // bytes; who sends more during 
 
 }  // namespace
 
-SteppedPort::SteppedPort(SteppedClock& clock, std::unique_ptr<Transport> line)
-    : clock_(clock), line_(std::move(line)) {
-    clock_.on_settle([this] { line_->settle(); });
+SteppedPort::SteppedPort(SteppedClock& clock, std::unique_ptr<Transport> transport)
+    : Decorator(std::move(transport)), clock_(clock) {
+    clock_.on_settle([this] { line().settle(); });
 }
 
 void SteppedPort::start(Events events) {
     events_ = std::move(events);
-    line_->start({.received = [this](ByteView bytes, Address from) { received(bytes, from); },
+    line().start({.received = [this](ByteView bytes, Address from) { received(bytes, from); },
                   .reconnected = [this] { in_turn([this] { events_.reconnected(); }); },
                   .connected = [this](Address peer) { in_turn([this, peer] { events_.connected(peer); }); },
                   .disconnected = [this] { in_turn([this] { events_.disconnected(); }); },
@@ -44,7 +44,7 @@ void SteppedPort::received(ByteView bytes, Address from) {
 
 Task<void> SteppedPort::write(ByteView bytes, Address to) {
     const Clock::Hold hold(clock_);
-    co_await line_->write(bytes, to);
+    co_await line().write(bytes, to);
 }
 
 std::unique_ptr<Transport> in_step(Clock& clock, std::unique_ptr<Transport> line) {

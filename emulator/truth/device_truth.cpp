@@ -3,13 +3,14 @@
 namespace echoloop {
 
 void DeviceTruth::heard(const Transmission& transmission, const Situation& situation, double unix_time,
-                        Time due, Echogram& echogram) {
+                        Time due, std::vector<std::string> faults, Echogram& echogram) {
     PingTruth truth;
     truth.device = device_;
     truth.transmitted = transmission.time;
     truth.due = due;
     truth.unix_time = unix_time;
     truth.movers = situation.movers;
+    truth.faults = std::move(faults);
     truth.world_from_body = transmission.world_from_sonar * sonar_from_body_;
     truth.echo.shot = echogram.shot;
     truth.echo.world_from_sonar = echogram.world_from_sonar;

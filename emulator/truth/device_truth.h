@@ -12,9 +12,10 @@ class DeviceTruth {
     DeviceTruth(TruthFile& file, std::string device, const Pose& body_from_sonar)
         : file_(file), device_(std::move(device)), sonar_from_body_(inverse(body_from_sonar)) {}
 
-    /// Takes the echogram's objects. `unix_time`: s since 1970 when the ping began.
+    /// Takes the echogram's objects. `unix_time`: s since 1970 when the ping began. `faults`: those that are
+    /// on.
     void heard(const Transmission& transmission, const Situation& situation, double unix_time, Time due,
-               Echogram& echogram);
+               std::vector<std::string> faults, Echogram& echogram);
 
   private:
     TruthFile& file_;

@@ -34,7 +34,7 @@ struct PingTruth {
     std::vector<Pose> movers;  ///< Situation::movers
     Pose world_from_body;
     Echogram echo;                    ///< without its values
-    std::vector<std::string> faults;  ///< names of those that were on while the ping was under way
+    std::vector<std::string> faults;  ///< kinds and numbers of those that were on when it was heard
 };
 
 /// The texts, as docs/truth.md says; without the ends of lines.

@@ -44,6 +44,19 @@ class Run(ProgramTest):
         self.assertRegex(self.good("run", FLOOR, *hasty), r"\d late, the worst by [\d.]+ ms")
         self.bad(75, "run", FLOOR, *hasty, "--fail-late")
 
+    def test_the_summary_says_how_late_pings_were_and_how_long_the_queue_was(self):
+        text = self.good("run", FLOOR, "--duration", "1")
+        self.assertRegex(text, r"after they were due: half of them within [\d.]+ ms, 99 of 100 within [\d.]+ ms")
+        self.assertRegex(text, r"at most [1-9]\d* messages? at once in the queue")
+        ended = json.loads(self.good("run", FLOOR, "--duration", "1", "--json").splitlines()[-1])
+        for device in ended["devices"]:
+            median, p99 = device["median_lateness_s"], device["p99_lateness_s"]
+            self.assertTrue(0 <= median <= p99 <= device["worst_lateness_s"], device)
+            self.assertGreater(device["most_waiting_bytes"], 0)
+
+    def test_truth_in_a_recording_needs_a_recording(self):
+        self.assertIn("--record FILE", self.bad(64, "run", TANK, "--record-truth", "--duration", "0"))
+
     def test_a_port_in_use_ends_with_69(self):
         with socket.socket() as taken:
             taken.bind(("127.0.0.1", 0))

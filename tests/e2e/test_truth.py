@@ -4,6 +4,7 @@ import json
 import math
 import os
 import signal
+import subprocess
 import tempfile
 import time
 import unittest
@@ -90,6 +91,26 @@ class Truth(unittest.TestCase):
             expected = [name] if metres < axis + 0.1 else ["grid", "ball", "post"]
             self.assertTrue({objects.get(at), objects.get(at + 1)} & set(expected), (bearing, axis, name, runs))
         self.assertGreater(walls, len(ping["beams"]) / 2)
+
+    def test_names_the_faults_that_were_on(self):
+        faults = "faults: [{device: sonar, kind: loss, rate: 0.5}]\n"
+        with Emulator(scenario() + faults, "--truth", str(self.file)):
+            _, pings = wait_for_lines(self.file, 2)
+        self.assertEqual({tuple(ping["faults"]) for ping in pings}, {("loss 1",)})
+
+    def test_a_recording_says_of_each_ping_where_the_sonar_was(self):
+        capture = Path(self.folder.name) / "run.pcapng"
+        asked = ("--truth", str(self.file), "--record", str(capture), "--record-truth")
+        with Emulator(scenario(), *asked) as emulator:
+            wait_for_lines(self.file, 3)
+            emulator.stop()
+        _, pings = wait_for_lines(self.file, 3)
+        read = subprocess.run(["tshark", "-r", capture, "-Y", "frame.comment", "-T", "fields", "-e", "frame.comment"],
+                              check=True, capture_output=True, text=True)
+        comments = read.stdout.splitlines()
+        self.assertGreaterEqual(len(comments), 3)
+        for number, (comment, ping) in enumerate(zip(comments, pings), 1):
+            self.assertRegex(comment, rf"^ping {number}: t {ping['t']:.3f}\d* s, sonar at 0\.000 0\.000 -2\.000 m, ")
 
     def test_a_killed_run_loses_a_second_at_most(self):
         with Emulator(scenario(), "--truth", str(self.file)) as emulator:

@@ -55,13 +55,18 @@ std::string not_taken(std::uint64_t count, const char* thing, const char* fate) 
 }
 
 void print_summary(const std::vector<SessionSummary>& sessions) {
+    const auto ms = [](Time time) { return plain(to_seconds(time) * 1e3, 2) + " ms"; };
     for (const auto& s : sessions) {
         std::printf("%s%s\n", padded(s.name, 16).c_str(), punctuality(s).c_str());
+        if (s.pings > 0)
+            std::printf("  after they were due: half of them within %s, 99 of 100 within %s\n",
+                        ms(s.median_lateness).c_str(), ms(s.p99_lateness).c_str());
         std::printf("  from the driver: %s, %s understood, %s refused, %s of noise skipped\n",
                     counted(s.bytes_in, "byte").c_str(), counted(s.device.messages, "message").c_str(),
                     std::to_string(s.device.rejected).c_str(),
                     counted(s.device.skipped_bytes, "byte").c_str());
-        std::printf("  to the driver: %s%s%s\n", counted(s.bytes_out, "byte").c_str(),
+        std::printf("  to the driver: %s, at most %s at once in the queue%s%s\n",
+                    counted(s.bytes_out, "byte").c_str(), counted(s.most_waiting, "message").c_str(),
                     not_taken(s.bytes_lost, "byte", "lost").c_str(),
                     not_taken(s.dropped, "message", "dropped").c_str());
     }
@@ -82,6 +87,8 @@ void demand_punctuality(const std::vector<SessionSummary>& sessions) {
 /// nullptr without --record.
 std::unique_ptr<Recording> recording_from(const Arguments& arguments) {
     if (!arguments.has("--record")) {
+        if (arguments.has("--record-truth"))
+            throw StartError(Exit::usage, "--record-truth needs --record FILE, whose packets it comments");
         if (arguments.has("--record-size"))
             throw StartError(Exit::usage, "--record-size needs --record FILE, which it splits into several");
         return nullptr;
@@ -145,8 +152,10 @@ int run(const Arguments& arguments) {
         arguments.has("--truth") ? std::make_unique<TruthFile>(arguments.text("--truth")) : nullptr;
     const auto labels = labels_from(arguments);
     try {
-        Runtime runtime(scenario,
-                        {.recording = recording.get(), .truth = truth.get(), .labels = labels.get()});
+        Runtime runtime(scenario, {.recording = recording.get(),
+                                   .remarks = arguments.has("--record-truth"),
+                                   .truth = truth.get(),
+                                   .labels = labels.get()});
         const bool json = arguments.has("--json");
         if (json) {
             std::printf("%s\n", run_started_json(scenario, runtime).c_str());
@@ -162,7 +171,8 @@ int run(const Arguments& arguments) {
         if (labels) labels->finish();
         const auto sessions = runtime.summary();
         if (json) {
-            const auto ended = run_summary_json(sessions, runtime, recording.get(), truth.get(), labels.get());
+            const auto ended =
+                run_summary_json(sessions, runtime, recording.get(), truth.get(), labels.get());
             std::printf("%s\n", ended.c_str());
         } else {
             print_summary(sessions);
@@ -198,6 +208,8 @@ Verb run_verb() {
          {Argument::Kind::value, "--record", "FILE",
           "write what every port hears and says to a pcapng capture"},
          {Argument::Kind::value, "--record-size", "MB", "begin another capture file after so many megabytes"},
+         {Argument::Kind::flag, "--record-truth", "",
+          "in the capture, each ping's first packet says in a comment where its sonar was"},
          {Argument::Kind::value, "--truth", "FILE",
           "write what is really there at every ping, a line of JSON each (docs/truth.md)"},
          {Argument::Kind::value, "--control", "PLACE",

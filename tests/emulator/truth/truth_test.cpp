@@ -133,7 +133,7 @@ TEST(DeviceTruth, KnowsWhereTheVehicleIsFromItsSonar) {
     Echogram echogram;
     echogram.world_from_sonar = world_from_body * body_from_sonar;
     echogram.objects = {1};
-    device.heard({{}, 0, echogram.world_from_sonar, {}}, {}, 0, {}, echogram);
+    device.heard({{}, 0, echogram.world_from_sonar, {}}, {}, 0, {}, {"bit_flips 3"}, echogram);
     truth.finish();
     const Json line = Json::parse(lines_of(file.path).at(0));
     const double wanted[] = {10, 20, -5};
