@@ -192,9 +192,9 @@ void Session::hear(UnderWay& ping) {
     if (lateness > late_after) ++summary_.late_pings;
     lateness_.add(lateness);
     ++summary_.pings;
-    if (ping.late_before) late_echoes_.keep(ping.sequence - 1, std::move(*ping.late_before->echogram));
-    Echogram& echogram = *ping.echoes->echogram;
-    late_echoes_.add_to(ping.sequence, echogram);
+    auto heard = std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, ping.sequence, now});
+    if (ping.late_before) heard->late_before = std::move(*ping.late_before->echogram);
+    Echogram& echogram = heard->echogram;
     water_.cross_talk.add_to(echogram, ping.transmission);
     heard_ = ping.sequence;
     if (faults_ != nullptr) faults_->heard_ping = heard_;
@@ -205,32 +205,39 @@ void Session::hear(UnderWay& ping) {
                       echogram);
     const bool large = echogram.values.size() >= worth_a_thread;
     if (large && water_.listeners && faults_ == nullptr)  // faults belong to this thread
-        return hear_elsewhere(std::make_shared<Echogram>(std::move(echogram)), now);
-    apply(device_->heard(echogram, now));
+        return hear_elsewhere(std::move(heard));
+    apply(hear_all(*heard));
 }
 
-void Session::hear_elsewhere(std::shared_ptr<Echogram> echogram, Time now) {
+Actions Session::hear_all(Heard& heard) {
+    if (heard.late_before) late_echoes_.keep(heard.sequence - 1, std::move(*heard.late_before));
+    late_echoes_.add_to(heard.sequence, heard.echogram);
+    return device_->heard(heard.echogram, heard.now);
+}
+
+void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
     hearing_ = true;
     auto hold = std::make_shared<const Clock::Hold>(clock_);  // it comes back to the io thread before it ends
-    asio::post(*water_.listeners, [this, &io = io_, alive = alive_, device = device_.get(), echogram, now,
-                                   hold = std::move(hold)]() mutable {
-        [[maybe_unused]] thread_local const bool prompt = (wake_on_time(), true);
-        auto actions = std::make_shared<Actions>();
-        std::exception_ptr fault;
-        try {
-            *actions = device->heard(*echogram, now);
-        } catch (...) {
-            fault = std::current_exception();
-        }
-        asio::post(io, [this, alive, actions, fault, hold = std::move(hold)] {
-            if (!*alive || closed_) return;
-            hearing_ = false;
-            Serving{name_}(fault);
-            apply(std::move(*actions));
-            alarm_.cancel();
-            for (; !waiting_.empty() && !hearing_ && !closed_; waiting_.pop_front()) waiting_.front()();
-        });
-    });
+    asio::post(*water_.listeners,
+               [this, &io = io_, alive = alive_, heard = std::move(heard), hold = std::move(hold)]() mutable {
+                   [[maybe_unused]] thread_local const bool prompt = (wake_on_time(), true);
+                   auto actions = std::make_shared<Actions>();
+                   std::exception_ptr fault;
+                   try {
+                       *actions = hear_all(*heard);
+                   } catch (...) {
+                       fault = std::current_exception();
+                   }
+                   asio::post(io, [this, alive, actions, fault, hold = std::move(hold)] {
+                       if (!*alive || closed_) return;
+                       hearing_ = false;
+                       Serving{name_}(fault);
+                       apply(std::move(*actions));
+                       alarm_.cancel();
+                       for (; !waiting_.empty() && !hearing_ && !closed_; waiting_.pop_front())
+                           waiting_.front()();
+                   });
+               });
 }
 
 void Session::to_device(std::function<void()> event) {

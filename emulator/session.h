@@ -112,7 +112,16 @@ class Session {
     };
     Task<void> deliver(UnderWay ping);
     void hear(UnderWay& ping);
-    void hear_elsewhere(std::shared_ptr<Echogram> echogram, Time now);
+    /// What the device is about to hear; nothing else touches its late echoes meanwhile.
+    struct Heard {
+        Echogram echogram;
+        std::optional<Echogram> late_before;
+        std::uint64_t sequence;
+        Time now;
+    };
+    Actions hear_all(Heard& heard);
+    /// On another thread, which this session outlives.
+    void hear_elsewhere(std::shared_ptr<Heard> heard);
     /// Lets `event` happen to the device now, or once it has heard the echogram that it is busy with.
     void to_device(std::function<void()> event);
     Task<void> keep_waking();

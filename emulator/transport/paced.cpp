@@ -21,9 +21,9 @@ Task<void> Paced::write(ByteView bytes, Address to) {
         co_return;
     }
     // Small chunks, each handed over when its last byte would have arrived: a UART's FIFO does about the
-    // same.
+    // same, and smaller ones would keep a processor busy with a dozen lines.
     const double byte_time = uart::bits_per_byte / rate;
-    const auto chunk = static_cast<std::size_t>(std::clamp(0.001 / byte_time, 1.0, 64.0));
+    const auto chunk = static_cast<std::size_t>(std::clamp(0.003 / byte_time, 1.0, 256.0));
     free_ = std::max(free_, clock_.now());
     while (!bytes.empty() && !closed_) {
         const ByteView part = bytes.first(std::min(chunk, bytes.size()));
