@@ -12,11 +12,12 @@
 namespace echoloop {
 namespace {
 
-/// Rendering gives way to the wire, and fans to single beams. The name is what top and gdb show.
+/// Rendering gives way to the wire, and fans to single beams; but hardly to other programs, which would starve it on a
+/// busy machine. The name is what top and gdb show.
 void begin_thread(RenderThread::Lane lane) {
     const bool every = lane == RenderThread::Lane::every;
     ::pthread_setname_np(::pthread_self(), every ? "render" : "render beams");
-    give_way(every ? 10 : 2);
+    give_way(every ? 2 : 1);
 }
 
 Echogram silence(Shot shot, const Pose& world_from_sonar) {

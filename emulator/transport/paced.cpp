@@ -23,7 +23,7 @@ Task<void> Paced::write(ByteView bytes, Address to) {
     // Small chunks, each handed over when its last byte would have arrived: a UART's FIFO does about the
     // same, and smaller ones would keep a processor busy with a dozen lines.
     const double byte_time = uart::bits_per_byte / rate;
-    const auto chunk = static_cast<std::size_t>(std::clamp(0.003 / byte_time, 1.0, 256.0));
+    const auto chunk = static_cast<std::size_t>(std::clamp(0.002 / byte_time, 1.0, 128.0));
     free_ = std::max(free_, clock_.now());
     while (!bytes.empty() && !closed_) {
         const ByteView part = bytes.first(std::min(chunk, bytes.size()));
