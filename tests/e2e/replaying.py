@@ -7,6 +7,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import termios
 import time
 import tty
 from pathlib import Path
@@ -68,7 +69,7 @@ def udp_listener():
 
 def open_line(path):
     line = os.open(path, os.O_RDWR | os.O_NOCTTY)
-    tty.setraw(line)
+    tty.setraw(line, termios.TCSANOW)  # without the usual flush: what a replay says at once is to be seen
     return line
 
 
@@ -79,6 +80,8 @@ def read_line(line, size, seconds=20):
         if not select.select([line], [], [], max(0, end - time.monotonic()))[0]:
             raise RuntimeError(f"{got} of {size} bytes within {seconds} s")
         data = os.read(line, 4096)
+        if not data:
+            raise RuntimeError(f"the line has ended after {got} of {size} bytes")
         pieces.append((time.monotonic(), data))
         got += len(data)
     return pieces
