@@ -37,6 +37,7 @@ RenderThread::Crew RenderThread::useful(std::size_t sonars) {
 }
 
 RenderThread::RenderThread(const Make& make, Crew crew) {
+    if (crew.threads > 1) keep_rasterisers_on_their_threads();
     std::vector<std::future<void>> ready;
     for (std::size_t i = 0; i < crew.threads; ++i) threads_.push_back(start(make, Lane::every, ready));
     if (crew.single_beams) threads_.push_back(start(make, Lane::single_beams, ready));

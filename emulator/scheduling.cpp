@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdint>
+#include <cstdlib>
 
 namespace echoloop {
 namespace {
@@ -28,6 +29,8 @@ void give_way(int nice) {
     ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), nice);
     set_slice(static_cast<std::uint64_t>(nice) * 500'000);
 }
+
+void keep_rasterisers_on_their_threads() { ::setenv("LP_NUM_THREADS", "0", 0); }
 
 void keep_freed_memory() {
 #ifdef M_TRIM_THRESHOLD

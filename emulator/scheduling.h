@@ -8,6 +8,11 @@ namespace echoloop {
 /// the greater `nice` (1..19).
 void give_way(int nice);
 
+/// Mesa's software rasteriser shares every picture out to threads of its own and waits for them: right for
+/// one sonar at a time, but where several are drawn at once it takes more time than it saves. Before the
+/// first context; a user's own LP_NUM_THREADS counts.
+void keep_rasterisers_on_their_threads();
+
 /// Freed memory stays with this process (GNU C library): echograms and messages of megabytes come and go with
 /// every ping, and to get their pages anew would take longer than to fill them. Before other threads start.
 void keep_freed_memory();

@@ -1,7 +1,5 @@
 #include "render/gl/context.h"
 
-#include <cstdlib>
-#include <mutex>
 #include <stdexcept>
 
 #include "render/gl/egl.h"
@@ -23,17 +21,9 @@ std::unique_ptr<Context> first_of(std::initializer_list<Maker> makers) {
     throw std::runtime_error("no OpenGL context can be made: " + complaints);
 }
 
-/// Mesa's software rasteriser would give every picture to threads of its own and wait for them. Ours are so small that
-/// this takes more time than it saves; several are drawn at once instead. A user's own LP_NUM_THREADS counts.
-void keep_rasteriser_on_its_thread() {
-    static std::once_flag once;
-    std::call_once(once, [] { ::setenv("LP_NUM_THREADS", "0", 0); });
-}
-
 }  // namespace
 
 std::unique_ptr<Context> make_context(std::string_view name) {
-    keep_rasteriser_on_its_thread();
     if (name == "osmesa") return make_osmesa_context();
     if (name == "egl-surfaceless") return make_egl_surfaceless_context();
     if (name == "egl-device") return make_egl_device_context();
