@@ -51,15 +51,29 @@ int status_of(const bench::Report& report) {
     return 0;
 }
 
+/// Those whose names begin so.
+std::vector<bench::WireCase> wire_cases_of(const std::string& beginning) {
+    std::vector<bench::WireCase> cases = bench::wire_cases();
+    std::erase_if(cases, [&](const bench::WireCase& c) { return !c.name.starts_with(beginning); });
+    if (cases.empty())
+        throw StartError(Exit::usage,
+                         "--cases: no name begins with " + beginning + "; bench --wire shows them all");
+    return cases;
+}
+
 int run_wire(const Arguments& arguments) {
     keep_freed_memory();  // as `echoloop run` does
+    constexpr double image = 512 * 1000;
     const auto pings = settings_of(arguments).pings;
-    std::printf("ms of processor time from an echogram to its bytes\n%-28s %12s %9s %10s %8s %8s\n", "", "beams x bins",
-                "messages", "bytes", "median", "p99");
-    for (const bench::WireCase& c : bench::wire_cases()) {
+    std::printf(
+        "ms of processor time from an echogram to its bytes; the last column for 512 x 1000 values\n"
+        "%-28s %12s %9s %10s %8s %8s %8s\n",
+        "", "beams x bins", "messages", "bytes", "median", "p99", "scaled");
+    for (const bench::WireCase& c : wire_cases_of(arguments.text("--cases"))) {
         const bench::WireFigures f = bench::measure_wire(c, pings);
-        std::printf("%-28s %5zu x %4zu %9zu %10zu %8.2f %8.2f\n", f.name.c_str(), f.beams, f.bins, f.messages, f.bytes,
-                    f.median, f.p99);
+        std::printf("%-28s %5zu x %4zu %9zu %10zu %8.2f %8.2f %8.2f\n", f.name.c_str(), f.beams, f.bins,
+                    f.messages, f.bytes, f.median, f.p99,
+                    f.median * image / static_cast<double>(f.beams * f.bins));
     }
     return 0;
 }
@@ -79,7 +93,8 @@ Verb bench_verb() {
     using Kind = Argument::Kind;
     return {"bench",
             "measure how long a ping takes, case by case",
-            {{Kind::value, "--cases", "NAME,...", "these cases, sonars or scenes only"},
+            {{Kind::value, "--cases", "NAME,...",
+              "these cases, sonars or scenes only; with --wire how they begin"},
              {Kind::value, "--scene", "FILE", "every sonar over this scene (.gltf, .glb) instead"},
              {Kind::flag, "--wire", "", "instead: from an echogram to bytes, by model"},
              {Kind::value, "--pings", "N", "pings per case, 1 to 100000; 100 unless given"},

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 #include "emulator/devices/kongsberg-kmall/messages.h"
 
@@ -9,24 +11,41 @@ namespace {
 constexpr double spreading = 30;         // X of the gain, own choice
 constexpr std::uint8_t mwc_version = 2;  // has the fine range of the bottom
 
-/// Gain and reference of every sample, dB.
-std::vector<double> offsets(const Settings& settings, const Echogram& echogram, std::size_t samples) {
-    std::vector<double> all(samples);
+/// Gain and reference of every sample, in the wire's half decibels.
+std::vector<float> offsets(const Settings& settings, const Echogram& echogram, std::size_t samples) {
+    std::vector<float> all(samples);
     for (std::size_t i = 0; i < samples; ++i) {
         const double middle = (static_cast<double>(i) + 0.5) * bins_per_sample * echogram.shot.bin_interval;
-        all[i] =
+        const double db =
             gain(settings, spreading, settings.sound_speed / 2 * middle) - settings.water_column_reference;
+        all[i] = static_cast<float>(2 * db);
     }
     return all;
 }
 
-std::vector<std::int8_t> amplitudes(std::span<const float> beam, const std::vector<double>& offset) {
+/// 20 log10 of a normal float > 0, within 3e-5: octaves, and of the rest m the series of artanh((m - 1) / (m
+/// + 1)). The compiler makes vectors of it, which it cannot of the C library's.
+inline float half_decibels(float power) {
+    constexpr float per_octave = 6.0205999F, per_neper = 17.371779F;  // 20 log10(2), 40 / ln(10)
+    const auto bits = std::bit_cast<std::int32_t>(power);
+    const std::int32_t octaves = (bits - 0x3F3504F3) >> 23;  // from sqrt(1/2) to sqrt(2)
+    const float m = std::bit_cast<float>(bits - octaves * (1 << 23));
+    const float t = (m - 1) / (m + 1), square = t * t;
+    const float series =
+        t * (1 + square * (1.0F / 3 + square * (1.0F / 5 + square * (1.0F / 7 + square * (1.0F / 9)))));
+    return per_octave * static_cast<float>(octaves) + per_neper * series;
+}
+
+/// Means over the bins of each sample, in half decibels.
+std::vector<std::int8_t> amplitudes(std::span<const float> beam, const std::vector<float>& offset) {
+    constexpr float least = std::numeric_limits<float>::min();
     std::vector<std::int8_t> out(offset.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
         float sum = 0;
-        for (const float power : beam.subspan(i * bins_per_sample, bins_per_sample)) sum += power;
-        const double level = sum > 0 ? level_db(sum / bins_per_sample) + offset[i] : -1000;
-        out[i] = static_cast<std::int8_t>(std::lround(std::clamp(2 * level, -128.0, 127.0)));
+        for (std::size_t k = 0; k < bins_per_sample; ++k) sum += beam[i * bins_per_sample + k];
+        const float level = half_decibels(std::max(sum / bins_per_sample, least)) + offset[i];
+        const float cut = std::min(std::max(level, -128.0F), 127.0F);
+        out[i] = static_cast<std::int8_t>(static_cast<std::int32_t>(cut + std::copysign(0.5F, cut)));
     }
     return out;
 }

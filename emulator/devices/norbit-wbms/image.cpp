@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -56,32 +57,79 @@ Grid make_grid(const PingRecord& ping, const Settings& s) {
 
 using Stretch = std::pair<std::size_t, std::size_t>;
 
-/// Amplitudes of one column, at full scale 1 and before they are cut. `stretches` are the bins of each row,
-/// `gain` is of power, one a row.
-void fill_column(const Echogram& echogram, const Grid& g, std::span<const Stretch> stretches,
-                 std::size_t column, const std::vector<float>& gain, std::span<float> out) {
+/// The bins of each row. Rows [first, last) have all of theirs, one row's behind the other's; at the window's
+/// ends some are missing.
+struct Stretches {
+    std::vector<Stretch> rows;
+    std::size_t first = 0, last = 0;
+};
+
+Stretches stretches_of(const Grid& g, const Plan& plan) {
+    Stretches s;
+    for (std::size_t r = 0; r < g.rows; ++r) s.rows.push_back(g.bins_of(r, plan));
+    const auto whole = [&](std::size_t r) { return s.rows[r].second - s.rows[r].first == g.bins_per_row; };
+    while (s.first < g.rows && !whole(s.first)) ++s.first;
+    s.last = s.first;
+    while (s.last < g.rows && whole(s.last) &&
+           s.rows[s.last].first == s.rows[s.first].first + (s.last - s.first) * g.bins_per_row)
+        ++s.last;
+    return s;
+}
+
+/// Adds to every row its share of one beam: the mean of its bins over `beams`.
+void add_beam(std::span<const float> bins, const Stretches& s, std::size_t per_row, std::size_t beams,
+              std::span<float> out) {
+    const auto add_slowly = [&](std::size_t r) {
+        const auto [from, to] = s.rows[r];
+        float sum = 0;
+        for (std::size_t i = from; i < to; ++i) sum += bins[i];
+        out[r] += sum / static_cast<float>((to - from) * beams);
+    };
+    for (std::size_t r = 0; r < s.first; ++r) add_slowly(r);
+    for (std::size_t r = s.last; r < out.size(); ++r) add_slowly(r);
+    if (s.first == s.last) return;
+    const float* from = bins.data() + s.rows[s.first].first;
+    const auto parts = static_cast<float>(per_row * beams);
+    float* to = out.data() + s.first;
+    const std::size_t rows = s.last - s.first;
+    if (per_row == 1) {
+        for (std::size_t r = 0; r < rows; ++r) to[r] += from[r] / parts;
+    } else if (per_row == 2) {
+        for (std::size_t r = 0; r < rows; ++r) to[r] += (from[2 * r] + from[2 * r + 1]) / parts;
+    } else {
+        for (std::size_t r = s.first; r < s.last; ++r) add_slowly(r);
+    }
+}
+
+/// Amplitudes of one column, at full scale 1 and before they are cut. `gain` is of power, one a row.
+void fill_column(const Echogram& echogram, const Grid& g, const Stretches& stretches, std::size_t column,
+                 const std::vector<float>& gain, std::span<float> out) {
     std::fill(out.begin(), out.end(), 0.0F);
     const std::size_t first = column * g.beams_per_column;
-    for (std::size_t beam = first; beam < first + g.beams_per_column; ++beam) {
-        const auto bins = echogram.beam(beam);
-        for (std::size_t r = 0; r < g.rows; ++r) {
-            const auto [from, to] = stretches[r];
-            float sum = 0;
-            for (std::size_t i = from; i < to; ++i) sum += bins[i];
-            out[r] += sum / static_cast<float>((to - from) * g.beams_per_column);
-        }
-    }
+    for (std::size_t beam = first; beam < first + g.beams_per_column; ++beam)
+        add_beam(echogram.beam(beam), stretches, g.bins_per_row, g.beams_per_column, out);
     if (echogram.rule == EchoRule::cerqueira2016) return;
     for (std::size_t r = 0; r < g.rows; ++r) out[r] = std::sqrt(out[r] * gain[r]);
 }
 
+float greatest_of(std::span<const float> amplitudes) {
+    constexpr std::size_t lanes = 16;
+    std::array<float, lanes> most{};
+    std::size_t i = 0;
+    for (; i + lanes <= amplitudes.size(); i += lanes)
+        for (std::size_t k = 0; k < lanes; ++k) most[k] = std::max(most[k], amplitudes[i + k]);
+    for (; i < amplitudes.size(); ++i) most[0] = std::max(most[0], amplitudes[i]);
+    return *std::max_element(most.begin(), most.end());
+}
+
+/// As they are in memory.
 template <class T>
-void store(float amplitude, std::uint8_t* to) {
+T sample_of(float amplitude) {
     if constexpr (std::is_floating_point_v<T>) {
-        wire::store<wire::ByteOrder::little>(amplitude, to);
+        return amplitude;
     } else {
         const auto most = static_cast<float>(std::numeric_limits<T>::max());
-        wire::store<wire::ByteOrder::little>(static_cast<T>(std::min(1.0F, amplitude) * most + 0.49F), to);
+        return static_cast<T>(static_cast<std::int32_t>(std::min(1.0F, amplitude) * most + 0.49F));
     }
 }
 
@@ -92,8 +140,17 @@ constexpr std::size_t columns_at_once = 32;
 template <class T>
 void store_columns(std::span<const float> amplitudes, std::size_t count, std::size_t rows,
                    std::size_t columns, std::uint8_t* to) {
-    for (std::size_t r = 0; r < rows; ++r, to += columns * sizeof(T))
-        for (std::size_t n = 0; n < count; ++n) store<T>(amplitudes[n * rows + r], to + n * sizeof(T));
+    constexpr std::size_t rows_at_once = 64;
+    std::array<T, columns_at_once * rows_at_once> turned;
+    for (std::size_t first = 0; first < rows; first += rows_at_once) {
+        const std::size_t some = std::min(rows_at_once, rows - first);
+        for (std::size_t n = 0; n < count; ++n)
+            for (std::size_t r = 0; r < some; ++r)
+                turned[n * rows_at_once + r] = sample_of<T>(amplitudes[n * rows + first + r]);
+        for (std::size_t r = 0; r < some; ++r, to += columns * sizeof(T))
+            for (std::size_t n = 0; n < count; ++n)
+                wire::store<wire::ByteOrder::little>(turned[n * rows_at_once + r], to + n * sizeof(T));
+    }
 }
 
 void store_columns(norbit::Sample sample, std::span<const float> amplitudes, std::size_t count, const Grid& g,
@@ -179,8 +236,7 @@ Bytes water_column_packet(const PingRecord& ping, const Settings& s, const Echog
     std::uint8_t* const image = packet.data() + norbit::water_column_head;
     std::uint8_t* const angles = image + g.rows * g.columns * size;
     const std::vector<float> gains = row_gains(ping, s, g);
-    std::vector<Stretch> stretches(g.rows);
-    for (std::size_t r = 0; r < g.rows; ++r) stretches[r] = g.bins_of(r, ping.plan);
+    const Stretches stretches = stretches_of(g, ping.plan);
     std::vector<float> block(columns_at_once * g.rows);
     float loudest = 0;
     for (std::size_t first = 0; first < g.columns; first += columns_at_once) {
@@ -189,7 +245,7 @@ Bytes water_column_packet(const PingRecord& ping, const Settings& s, const Echog
             fill_column(echogram, g, stretches, first + n, gains,
                         std::span(block).subspan(n * g.rows, g.rows));
         const std::span<const float> filled(block.data(), count * g.rows);
-        for (const float amplitude : filled) loudest = std::max(loudest, amplitude);
+        loudest = std::max(loudest, greatest_of(filled));
         store_columns(s.sample, filled, count, g, image + first * size);
     }
     for (std::size_t n = 0; n < g.columns; ++n)

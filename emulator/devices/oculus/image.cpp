@@ -32,29 +32,44 @@ class Gamma {
         } else if (gamma_ == 0.5) {
             for (float& x : squares) x = std::sqrt(std::sqrt(x));
         } else {
-            for (float& x : squares) x = looked_up(std::sqrt(std::sqrt(x)));
+            look_up(squares);
         }
     }
 
   private:
-    static constexpr std::size_t last = 1024;
+    static constexpr std::int32_t last = 1024;
 
-    float looked_up(float root) const {
-        const float at = root * static_cast<float>(last);
-        const auto i = std::min(static_cast<std::size_t>(at), last - 1);
-        return table_[i] + (table_[i + 1] - table_[i]) * (at - static_cast<float>(i));
+    /// In two loops: the compiler makes vectors of all but what a table holds.
+    void look_up(std::span<float> squares) const {
+        std::array<std::int32_t, most_beams> step;
+        for (std::size_t i = 0; i < squares.size(); ++i) {
+            const float at = std::max(0.0F, std::sqrt(std::sqrt(squares[i])) * static_cast<float>(last));
+            step[i] = static_cast<std::int32_t>(at);
+            squares[i] = at - static_cast<float>(step[i]);
+        }
+        for (std::size_t i = 0; i < squares.size(); ++i) {
+            const float* at = &table_[static_cast<std::size_t>(step[i])];
+            squares[i] = at[0] + (at[1] - at[0]) * squares[i];
+        }
     }
 
     double gamma_;
-    std::array<float, last + 1> table_{};
+    std::array<float, last + 2> table_{};  ///< with one more, for what is behind the last step
 };
+
+/// Small numbers by way of an int, which vectors have.
+template <class T>
+T to_steps(float value) {
+    if constexpr (sizeof(T) < 4) return static_cast<T>(static_cast<std::int32_t>(value));
+    return static_cast<T>(value);
+}
 
 template <class T>
 void store_samples(std::span<const float> shares, double full_scale, bool mirrored, std::uint8_t* out) {
     // Beyond 24 bits a float has steps of its own, and its full scale must not round up to 2^32.
     const auto scale = static_cast<float>(full_scale);
     std::array<T, most_beams> samples;
-    for (std::size_t i = 0; i < shares.size(); ++i) samples[i] = static_cast<T>(shares[i] * scale + 0.5F);
+    for (std::size_t i = 0; i < shares.size(); ++i) samples[i] = to_steps<T>(shares[i] * scale + 0.5F);
     if (mirrored) std::reverse(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(shares.size()));
     wire::store_array<wire::ByteOrder::little>(std::span<const T>(samples.data(), shares.size()), out);
 }

@@ -230,6 +230,24 @@ TEST(Kmall, TheWaterColumnHasTheEchoAtItsSample) {
     EXPECT_NEAR(amplitude(152), 2 * (150 - 6.02 + 30 * std::log10(8.0) + 0.14 * 8.0 - 200), 1);
 }
 
+// The program's own logarithm rounds as the C library's does, over all that an int8 holds.
+TEST(Kmall, TheWaterColumnIsRoundedToHalfADecibel) {
+    const auto reading = [](double level) {
+        Bench bench = sounder(
+            {{"range", 20.0}, {"pulse", 70e-6}, {"water_column", true}, {"soundings", std::int64_t{2}}});
+        bench.echo_bin = 610;
+        bench.echo_power = static_cast<float>(std::pow(10, level / 10));
+        bench.run_to(100ms);
+        const auto sent = of_type(bench.sent(), "#MWC");
+        return static_cast<int>(static_cast<std::int8_t>(sent.at(0).bytes.at(36 + 12 + 16 + 16 + 16 + 152)));
+    };
+    const double range = 152.5 * 70e-6 * 750, gain = 30 * std::log10(range) + 2 * 0.07 * range - 200;
+    for (double level = 120; level < 240; level += 0.613) {
+        const double exact = 2 * (level - 10 * std::log10(4.0) + gain);
+        EXPECT_NEAR(reading(level), std::clamp(exact, -128.0, 127.0), 0.501) << level;
+    }
+}
+
 TEST(Kmall, EndpointsThatCannotBeAreRefused) {
     EXPECT_THROW(make_device("kongsberg-kmall", {"udp-listen://127.0.0.1:4002"}), std::invalid_argument);
     EXPECT_THROW(

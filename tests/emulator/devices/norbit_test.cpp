@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <bit>
+#include <functional>
 
 #include "tests/emulator/devices/noisy_line.h"
 
@@ -252,6 +253,48 @@ TEST(NorbitWbms, WaterColumnsAreNeverLongerThanThePayloadAllows) {
         EXPECT_LE(sent[0].size(), 24U + 1048576);
         EXPECT_LE(u32(sent[0], 32) * u32(sent[0], 36), 512U * 1024);
         EXPECT_GT(sent[0].size(), 300000U);
+    }
+}
+
+/// The floats of the first beam in the water column of a first ping whose bins hold `power(bin)`, and t0.
+std::pair<std::vector<float>, std::size_t> first_column(const std::string& range, Shot& shot,
+                                                        const std::function<float(std::size_t)>& power) {
+    Bench bench = norbit({{"sample", std::string("f32")}});
+    bench.device().reconnected(water_column);
+    for (const std::string& command :
+         {std::string("set_gate_mode 0"), range, std::string("set_resolution 512 256")})
+        ask(bench, command);
+    ask(bench, "set_power 1");
+    bench.run_to(bench.now);
+    shot = bench.ping->shot;
+    Echogram echo = echo_of(shot, 0, 0);
+    for (std::size_t i = 0; i < echo.values.size(); ++i) echo.values[i] = power(i % shot.bins);
+    for (const Send& send : bench.device().heard(echo, bench.ping->due).send)
+        if (send.port == water_column) {
+            std::vector<float> column(u32(send.bytes, 36));
+            for (std::size_t r = 0; r < column.size(); ++r) column[r] = f32(send.bytes, 192 + 4 * 256 * r);
+            return {column, u32(send.bytes, 52)};
+        }
+    return {};
+}
+
+TEST(NorbitWbms, ARowIsTheMeanPowerOfItsBins) {
+    for (const auto& [range, bins_of_row] : {std::pair("set_range 2.01 7", std::size_t{1}),
+                                             {"set_range 2.01 12", std::size_t{2}},
+                                             {"set_range 2.01 17", std::size_t{3}}}) {
+        Shot shot;
+        const auto even = first_column(range, shot, [](std::size_t) { return 1e10F; }).first;
+        const auto [ramp, t0] =
+            first_column(range, shot, [](std::size_t bin) { return 1e10F * static_cast<float>(bin + 1); });
+        const auto first_bin = static_cast<std::size_t>(std::lround(shot.first_bin_time * 78125));
+        ASSERT_EQ(even.size(), ramp.size());
+        ASSERT_NEAR(static_cast<double>(shot.bins) / static_cast<double>(ramp.size()),
+                    static_cast<double>(bins_of_row), 0.1);
+        for (std::size_t r = 1; r + 1 < ramp.size(); ++r) {
+            const std::size_t from = (t0 + r) * bins_of_row - bins_of_row / 2 - first_bin;
+            const double mean = static_cast<double>(2 * from + bins_of_row + 1) / 2;
+            ASSERT_NEAR(std::pow(ramp[r] / even[r], 2), mean, 1e-4 * mean) << range << ", row " << r;
+        }
     }
 }
 

@@ -50,7 +50,7 @@ Bytes subscription(std::uint32_t type) {
 }
 
 WireCase r2sonic(std::string name, Options options) {
-    options.insert({{"range", 22.4}});  // about 2000 bins of 256 beams
+    options.insert({{"range", 22.65}});  // 2000 bins of 256 beams
     return {"r2sonic " + std::move(name), "r2sonic-2024", std::move(options), {}};
 }
 WireCase oculus(std::string name, std::uint8_t gamma, std::uint8_t flags) {
@@ -59,18 +59,18 @@ WireCase oculus(std::string name, std::uint8_t gamma, std::uint8_t flags) {
 WireCase reson(std::string name, std::uint32_t type) {
     return {"reson " + std::move(name),
             "reson-7k",
-            {{"beams", std::int64_t{512}}, {"range", 21.0}},
+            {{"beams", std::int64_t{512}}, {"range", 21.74}},
             {{0, subscription(type)}}};
 }
-WireCase norbit(std::string name, Options options) {
+WireCase norbit(std::string name, Options options, const std::string& end = "10.05") {
     options.insert({{"power", true}, {"beam_mode", std::string("512EA")}});
     return {"norbit " + std::move(name),
             "norbit-wbms",
             std::move(options),
-            {{0, text("set_gate_mode 0\r\nset_range 0.5 19.5\r\nset_resolution 1000 512\r\n")}}};
+            {{0, text("set_gate_mode 0\r\nset_range 0.5 " + end + "\r\nset_resolution 1000 512\r\n")}}};
 }
-WireCase kmall(std::string name, Options options) {
-    options.insert({{"soundings", std::int64_t{512}}, {"range", 25.0}});
+WireCase kmall(std::string name, Options options, double range = 6.56) {
+    options.insert({{"soundings", std::int64_t{512}}, {"range", range}});
     return {"kmall " + std::move(name), "kongsberg-kmall", std::move(options), {}};
 }
 
@@ -96,8 +96,10 @@ std::vector<WireCase> wire_cases() {
             norbit("512, s16", {}),
             norbit("512, u8", {{"sample", std::string("u8")}}),
             norbit("512, f32", {{"sample", std::string("f32")}}),
+            norbit("512, s16, 2 bins a row", {}, "19.5"),
             kmall("bathymetry", {}),
             kmall("water column", {{"water_column", true}}),
+            kmall("water column, 1000 samples", {{"water_column", true}}, 26.2),
             {"aris 1800",
              "aris-1800",
              {},
