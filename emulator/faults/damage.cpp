@@ -9,6 +9,8 @@
 namespace echoloop {
 namespace {
 
+constexpr std::size_t most_copies = 1000;  // of one message, by however many faults
+
 std::size_t whole(const AskedFault& asked, std::string_view name) {
     return static_cast<std::size_t>(integer(asked.fault.parameters, name));
 }
@@ -58,7 +60,7 @@ std::vector<Piece> Pieces::copies(Piece piece, Time now) {
     std::vector<Piece> all{std::move(piece)};
     faults_.each(FaultKind::duplication, place_, now, [&](const AskedFault& asked) {
         if (!happens(asked, asked.dice.of(message_))) return;
-        for (std::size_t i = 0; i < whole(asked, "copies"); ++i) {
+        for (std::size_t i = 0; i < whole(asked, "copies") && all.size() < most_copies; ++i) {
             Piece copy = all.front();
             copy.events.push_back(event(asked));
             copy.events.back().length = copy.bytes.size();

@@ -1,5 +1,7 @@
 #include "emulator/faults/faulty.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 
 namespace echoloop {
@@ -52,9 +54,14 @@ Task<void> Faulty::write(ByteView bytes, Address to) {
         co_await line().write(bytes, to);
         co_return;
     }
+    const bool had_room = out_.dropped_bytes() == 0;
     out_.add(bytes, to, clock_.now());
+    if (had_room && out_.dropped_bytes() > 0)
+        spdlog::warn("{}: so much waits for its faults that messages are dropped", describe());
     out_bell_.cancel();
 }
+
+std::uint64_t Faulty::bytes_lost() const { return line().bytes_lost() + out_.dropped_bytes(); }
 
 void Faulty::hang_up() {
     if (out_.idle() && !sending_) return line().hang_up();

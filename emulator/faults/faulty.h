@@ -22,6 +22,7 @@ class Faulty final : public Decorator {
 
     void unplug() override;
     void forget() override;
+    std::uint64_t bytes_lost() const override;
 
     /// The device's faults are others now.
     void faults_changed();

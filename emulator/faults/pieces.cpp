@@ -10,6 +10,12 @@ namespace {
 
 constexpr std::size_t queue_limit = 64 << 20;  // bytes
 
+/// Memory that a piece takes; what happened to it may be more than its bytes.
+std::size_t memory_of(const Piece& piece) {
+    constexpr std::size_t each_event = sizeof(FaultEvent) + 100;  // with its details
+    return sizeof(Piece) + piece.bytes.size() + piece.events.size() * each_event;
+}
+
 Time delay(const AskedFault& asked) { return from_seconds(number(asked.fault.parameters, "delay")); }
 
 std::size_t whole(const AskedFault& asked, std::string_view name) {
@@ -55,8 +61,8 @@ void Pieces::add(ByteView bytes, Address to, Time now) {
     message_ = messages_++;
     position_ += last_size_;
     last_size_ = bytes.size();
-    if (queued_bytes_ + bytes.size() > queue_limit) {
-        ++dropped_;
+    if (held() + bytes.size() > queue_limit) {
+        dropped_bytes_ += bytes.size();
         return;
     }
     give_up_waiting(now);
@@ -65,6 +71,7 @@ void Pieces::add(ByteView bytes, Address to, Time now) {
     if (lose(piece, now)) return schedule(std::move(piece), now);
     std::uint64_t copy = 0;
     for (Piece& one : copies(std::move(piece), now)) {
+        if (copy > 0 && held() > queue_limit) break;
         damage(one, copy++, now);
         merge(std::move(one), now);
     }
@@ -212,8 +219,15 @@ void Pieces::narrow(Piece piece, Time ready, Time now) {
 
 void Pieces::queue(Piece piece) {
     last_due_ = piece.due = std::max(piece.due, last_due_);
-    queued_bytes_ += piece.bytes.size();
+    queued_memory_ += memory_of(piece);
     queue_.push_back(std::move(piece));
+}
+
+std::size_t Pieces::held() const {
+    std::size_t sum = queued_memory_;
+    for (const Waiting& one : merging_) sum += memory_of(one.piece);
+    for (const Waiting& one : overtaken_) sum += memory_of(one.piece);
+    return sum;
 }
 
 void Pieces::give_up_waiting(Time now) {
@@ -235,7 +249,7 @@ std::optional<Piece> Pieces::take(Time now) {
     if (queue_.empty() || queue_.front().due > now) return {};
     Piece piece = std::move(queue_.front());
     queue_.pop_front();
-    queued_bytes_ -= piece.bytes.size();
+    queued_memory_ -= memory_of(piece);
     return piece;
 }
 
@@ -260,7 +274,7 @@ void Pieces::clear() {
     merging_.clear();
     overtaken_.clear();
     queue_.clear();
-    queued_bytes_ = 0;
+    queued_memory_ = 0;
     last_due_ = line_free_ = {};
 }
 

@@ -44,8 +44,8 @@ class Pieces {
     /// Another driver is at the other end: what was on its way is gone.
     void clear();
     const FaultPlace& place() const { return place_; }
-    /// Messages that did not fit the queue.
-    std::uint64_t dropped() const { return dropped_; }
+    /// Bytes of messages that did not fit the memory for what waits.
+    std::uint64_t dropped_bytes() const { return dropped_bytes_; }
 
   private:
     /// A piece that waits for others.
@@ -76,6 +76,8 @@ class Pieces {
     void schedule(Piece piece, Time now);
     void narrow(Piece piece, Time ready, Time now);
     void queue(Piece piece);
+    /// Memory that all that waits takes.
+    std::size_t held() const;
     /// What waits for others has waited long enough.
     void give_up_waiting(Time now);
 
@@ -89,8 +91,8 @@ class Pieces {
     std::uint64_t scheduled_ = 0;
     std::deque<Waiting> merging_, overtaken_;
     std::deque<Piece> queue_;
-    std::size_t queued_bytes_ = 0;
-    std::uint64_t dropped_ = 0;
+    std::size_t queued_memory_ = 0;
+    std::uint64_t dropped_bytes_ = 0;
     Time last_due_{};   ///< of those in the queue: none overtakes another
     Time line_free_{};  ///< when the narrow line has carried all so far
 };

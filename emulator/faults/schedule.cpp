@@ -60,9 +60,13 @@ void FaultSchedule::tell_of_moments(const AskedFault& asked, Time now) {
 }
 
 void FaultSchedule::tell_of_cleared() {
+    const auto& asked = faults_.asked();
+    const auto is_asked = [&asked](int id) {
+        return std::ranges::find(asked, id, &AskedFault::id) != asked.end();
+    };
+    std::erase_if(told_up_, [&is_asked](const auto& told) { return !is_asked(told.first); });
     for (auto it = on_.begin(); it != on_.end();) {
-        const auto& asked = faults_.asked();
-        if (std::ranges::find(asked, it->first, &AskedFault::id) != asked.end()) {
+        if (is_asked(it->first)) {
             ++it;
             continue;
         }

@@ -1,13 +1,14 @@
 #include "emulator/pose/mavlink_pose.h"
 
 #include <cmath>
+#include <limits>
 
 namespace echoloop {
 namespace {
 
 enum Rank { angles = 1, quaternion, global, local, simulator, odometry };
 
-constexpr double farthest = 1e6;  // m
+constexpr double farthest = 1e6, longest = 4e9;  // m, s
 
 double seconds(std::uint32_t boot_ms) { return boot_ms * 1e-3; }
 
@@ -17,6 +18,7 @@ Quat enu_attitude(Quat ned_from_frd) { return enu_from_ned({{}, ned_from_frd}).o
 
 /// Makes the attitude a unit quaternion. Written so that numbers that are none are found as well.
 std::string fault_of(PoseMessage& message) {
+    if (message.time && !(*message.time <= longest)) return "a time that cannot be";
     if (message.position && !(norm(*message.position) < farthest)) return "a position that cannot be";
     if (!message.attitude) return {};
     Quat& q = *message.attitude;
@@ -41,11 +43,24 @@ PoseText MavlinkPose::add(const mavlink::Message& message, std::uint8_t system) 
     return {told, ""};
 }
 
-/// Along the ellipsoid WGS 84, whose radii of curvature at the first place make metres of angles.
+/// Along the ellipsoid WGS 84, whose radii of curvature at the first place make metres of angles. Not finite
+/// for a place that is none on the globe.
 Vec3 MavlinkPose::near_first(double latitude_deg, double longitude_deg, double altitude) {
-    constexpr double equator = 6378137.0, eccentricity2 = 6.69437999014e-3;
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    if (!(std::abs(latitude_deg) <= 90) || !(std::abs(longitude_deg) <= 360))
+        return {nowhere, nowhere, nowhere};
     const Place place{deg_to_rad(latitude_deg), deg_to_rad(longitude_deg)};
     if (!first_) first_ = place;
+    const Vec3 moved = from_first(place, altitude);
+    const bool no_fix_yet =
+        first_->latitude == 0 && first_->longitude == 0;  // what autopilots say until then
+    if (!no_fix_yet || norm(moved) < farthest) return moved;
+    first_ = place;
+    return from_first(place, altitude);
+}
+
+Vec3 MavlinkPose::from_first(const Place& place, double altitude) const {
+    constexpr double equator = 6378137.0, eccentricity2 = 6.69437999014e-3;
     const double s = std::sin(first_->latitude), root = std::sqrt(1 - eccentricity2 * s * s);
     const double meridian = equator * (1 - eccentricity2) / (root * root * root), normal = equator / root;
     const double turn = std::remainder(place.longitude - first_->longitude, 2 * std::numbers::pi);

@@ -14,9 +14,9 @@ class MavlinkPose {
     /// `system`: of the sender; the first that tells a pose is the vehicle, others are passed over. Of
     /// several messages that tell the same thing the best counts: ODOMETRY, SIM_STATE, LOCAL_POSITION_NED,
     /// GLOBAL_POSITION_INT; ATTITUDE_QUATERNION before ATTITUDE. Places on the globe become metres east and
-    /// north of the first one; their z is the altitude above mean sea level. Empty if the message tells
-    /// nothing better than what came before. `reason` in the answer: numbers that are not finite or cannot
-    /// be.
+    /// north of the first one (or, if that was 0, 0, which some say until they know better, of the first one
+    /// far from there); their z is the altitude above mean sea level. Empty if the message tells nothing
+    /// better than what came before. `reason` in the answer: numbers that are not finite or cannot be.
     PoseText add(const mavlink::Message& message, std::uint8_t system);
 
   private:
@@ -26,11 +26,13 @@ class MavlinkPose {
     PoseMessage read(const mavlink::GlobalPositionInt& m);
     PoseMessage read(const mavlink::SimState& m);
     PoseMessage read(const mavlink::Odometry& m);
-    Vec3 near_first(double latitude_deg, double longitude_deg, double altitude);
 
     struct Place {
         double latitude = 0, longitude = 0;  ///< rad
     };
+    Vec3 near_first(double latitude_deg, double longitude_deg, double altitude);
+    Vec3 from_first(const Place& place, double altitude) const;
+
     std::optional<std::uint8_t> system_;
     std::optional<Place> first_;
     int rank_ = 0;  ///< of the message at hand

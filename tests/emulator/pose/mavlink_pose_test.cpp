@@ -1,0 +1,70 @@
+// What messages of an autopilot tell that is wrong, or not yet right: it is refused, and spoils nothing that
+// comes behind it.
+#include "emulator/pose/mavlink_pose.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace echoloop {
+namespace {
+
+mavlink::Odometry odometry_at(std::uint64_t time_usec) {
+    mavlink::Odometry message;
+    message.time_usec = time_usec;
+    message.frame_id = mavlink::frames::local_enu;
+    return message;
+}
+
+/// 1e-7 degrees and mm, as on the wire.
+mavlink::GlobalPositionInt place(std::int32_t latitude, std::int32_t longitude) {
+    mavlink::GlobalPositionInt message;
+    message.latitude = latitude;
+    message.longitude = longitude;
+    message.altitude = -5000;
+    return message;
+}
+
+constexpr std::int32_t toulon_latitude = 431000000, toulon_longitude = 59000000;
+
+TEST(MavlinkPose, RefusesTimesBeyondAnyClock) {
+    MavlinkPose pose;
+    EXPECT_TRUE(pose.add(odometry_at(1'700'000'000'000'000), 1).message);  // us since 1970
+    EXPECT_EQ(pose.add(odometry_at(std::numeric_limits<std::uint64_t>::max()), 1).reason,
+              "a time that cannot be");
+}
+
+TEST(MavlinkPose, APlaceThatIsNoneOnTheGlobeIsNoFirstPlaceEither) {
+    MavlinkPose pose;
+    mavlink::SimState far_out;
+    far_out.latitude = 1e30F;
+    far_out.longitude = 6;
+    EXPECT_EQ(pose.add(far_out, 1).reason, "a position that cannot be");
+    EXPECT_EQ(pose.add(place(2'000'000'000, 0), 1).reason, "a position that cannot be");  // 200 degrees north
+    const auto good = pose.add(place(toulon_latitude, toulon_longitude), 1);
+    ASSERT_TRUE(good.message);
+    EXPECT_EQ(*good.message->position, (Vec3{0, 0, -5}));
+}
+
+TEST(MavlinkPose, ZeroZeroIsWhatAnAutopilotSaysBeforeItsFirstFix) {
+    MavlinkPose pose;
+    ASSERT_TRUE(pose.add(place(0, 0), 1).message);
+    const auto fix = pose.add(place(toulon_latitude, toulon_longitude), 1);
+    ASSERT_TRUE(fix.message) << fix.reason;
+    EXPECT_EQ(*fix.message->position, (Vec3{0, 0, -5}));
+    const auto moved = pose.add(place(toulon_latitude + 100, toulon_longitude), 1);
+    ASSERT_TRUE(moved.message);
+    EXPECT_NEAR(moved.message->position->y, 1.11, 0.01);
+    EXPECT_EQ(pose.add(place(0, 0), 1).reason, "a position that cannot be");  // the fix is lost again
+}
+
+TEST(MavlinkPose, AWorldAroundZeroZeroIsAPlaceLikeAnyOther) {
+    MavlinkPose pose;
+    ASSERT_TRUE(pose.add(place(0, 0), 1).message);
+    const auto moved = pose.add(place(0, 1000), 1);
+    ASSERT_TRUE(moved.message);
+    EXPECT_NEAR(moved.message->position->x, 11.13, 0.01);
+}
+
+}  // namespace
+}  // namespace echoloop
