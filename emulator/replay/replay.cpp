@@ -19,6 +19,9 @@ using Scheme = Endpoint::Scheme;
 /// A pty that goes away takes along what its driver has not read yet.
 constexpr std::chrono::milliseconds farewell(500);
 
+/// A message may be empty and takes some all the same.
+std::size_t memory_of(const Bytes& bytes) { return bytes.size() + 100; }
+
 bool waits_for_driver(const Place& place) {
     const Scheme scheme = parse_endpoint(place.endpoint).scheme;
     return scheme != Scheme::udp && scheme != Scheme::serial;
@@ -92,7 +95,7 @@ class Replay::Impl {
         Line(Clock& clock, std::unique_ptr<Transport> open) : transport(std::move(open)), mail(clock) {}
         std::unique_ptr<Transport> transport;
         std::deque<std::pair<Bytes, Time>> waiting;  ///< and when they are due
-        std::size_t bytes = 0;
+        std::size_t memory = 0;                      ///< of all that waits
         bool writing = false;
         Alarm mail;
     };
@@ -127,7 +130,7 @@ class Replay::Impl {
         while (!stopped_ && !player_->ended()) {
             const auto due = player_->due();
             const bool full =
-                std::ranges::any_of(lines_, [](const Line& l) { return l.bytes > most_waiting; });
+                std::ranges::any_of(lines_, [](const Line& l) { return l.memory > most_waiting; });
             if (due && *due <= now() && !full) {
                 hand_over(player_->take(), *due);
                 continue;
@@ -135,7 +138,7 @@ class Replay::Impl {
             co_await alarm_.until(due && !full ? *due : Time::max());
         }
         while (!stopped_ &&
-               std::ranges::any_of(lines_, [](const Line& l) { return l.bytes > 0 || l.writing; })) {
+               std::ranges::any_of(lines_, [](const Line& l) { return l.memory > 0 || l.writing; })) {
             co_await alarm_.until(Time::max());
         }
         const bool lingers = summary_.messages > 0 && std::ranges::any_of(settings_.places, is_pty);
@@ -148,7 +151,7 @@ class Replay::Impl {
         Line& line = lines_[out.port];
         ++summary_.messages;
         summary_.bytes += out.bytes.size();
-        line.bytes += out.bytes.size();
+        line.memory += memory_of(out.bytes);
         line.waiting.emplace_back(std::move(out.bytes), due);
         line.mail.cancel();
     }
@@ -165,7 +168,7 @@ class Replay::Impl {
             summary_.worst_lateness = std::max(summary_.worst_lateness, now() - due);
             co_await line.transport->write(bytes, {});
             line.writing = false;
-            line.bytes -= bytes.size();
+            line.memory -= memory_of(bytes);
             wake();
         }
     }

@@ -1,7 +1,12 @@
 #include "emulator/replay/timed.h"
 
+#include <algorithm>
+
 namespace echoloop::replay {
 namespace {
+
+/// Of a capture that takes no time: what is played over and over lets others have a turn.
+constexpr Time shortest_lap = std::chrono::milliseconds(1);
 
 Time scaled(Time time, double speed) { return from_seconds(to_seconds(time) / speed); }
 
@@ -24,9 +29,9 @@ void TimedPlayer::load() {
     if (!loop_) return;
     source_->rewind();
     next_ = source_->next_of_device();
-    *start_ += scaled(last_ + last_gap_, speed_);
+    const Time first = next_ ? next_->time : Time{};
+    *start_ += std::max(scaled(last_ + last_gap_ - first, speed_), shortest_lap);
     last_ = {};
-    if (next_) *start_ -= scaled(next_->time, speed_);
 }
 
 std::optional<Time> TimedPlayer::due() const {

@@ -39,6 +39,12 @@ TEST(Timed, LapsFollowAfterTheLastGap) {
     EXPECT_EQ(player.counts().laps, 2U);
 }
 
+TEST(Timed, ALapOfACaptureThatTakesNoTimeTakesAMillisecond) {
+    TimedPlayer player(spoken({device(5, "a"), device(5, "b")}), 1, true);
+    player.arrived(ms(0));
+    EXPECT_THAT(said_until(player, 7), ElementsAre("5 a", "5 b", "6 a", "6 b", "7 a", "7 b"));
+}
+
 TEST(Timed, NothingToSayEndsEvenInALoop) {
     TimedPlayer player(spoken({driver(0, "go")}), 1, true);
     player.arrived(ms(0));
