@@ -1,14 +1,6 @@
 #include "emulator/capture/background_file.h"
 
-#include <fcntl.h>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-#include <string_view>
-
-#include "emulator/error.h"
 
 namespace echoloop {
 namespace {
@@ -16,28 +8,10 @@ namespace {
 constexpr std::size_t enough_to_write = 1 << 20;
 constexpr std::chrono::milliseconds longest_wait(500);  // what a kill -9 may lose
 
-/// False with errno set if the disk takes no more.
-bool write_all(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t n = ::write(descriptor, text.data(), text.size());
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return false;
-        text.remove_prefix(static_cast<std::size_t>(n));
-    }
-    return true;
-}
-
 }  // namespace
 
 BackgroundFile::BackgroundFile(std::filesystem::path file, std::string what, BackgroundFileLimits limits)
-    : file_(std::move(file)),
-      what_(std::move(what)),
-      limits_(limits),
-      descriptor_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
-    if (descriptor_ < 0)
-        throw StartError(Exit::cannot_create, file_.string() +
-                                                  ": cannot be written: " + std::strerror(errno) +
-                                                  "; name a file in a folder that you may write to");
+    : what_(std::move(what)), limits_(limits), path_(std::move(file)), file_(path_) {
     thread_ = std::jthread([this](std::stop_token stop) { keep_writing(stop); });
 }
 
@@ -47,8 +21,7 @@ void BackgroundFile::finish() {
     if (!thread_.joinable()) return;
     thread_.request_stop();
     thread_.join();
-    if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = -1;
+    file_.close();
 }
 
 void BackgroundFile::add(std::size_t bytes, Write write) {
@@ -74,6 +47,7 @@ BackgroundFileSummary BackgroundFile::summary() const {
 }
 
 void BackgroundFile::keep_writing(std::stop_token stop) {
+    take_no_signals_for_files();
     bool last = false;
     while (!last) {
         std::deque<Line> lines;
@@ -89,7 +63,7 @@ void BackgroundFile::keep_writing(std::stop_token stop) {
 
 void BackgroundFile::write(std::deque<Line>& lines) {
     std::string text;
-    while (!lines.empty() && descriptor_ >= 0) {
+    while (!lines.empty() && file_.is_open()) {
         text.clear();
         std::size_t held = 0;
         std::uint64_t count = 0;
@@ -105,16 +79,7 @@ void BackgroundFile::write(std::deque<Line>& lines) {
 }
 
 void BackgroundFile::write(const std::string& text, std::uint64_t lines) {
-    std::error_code ec;
-    const auto space = std::filesystem::space(std::filesystem::absolute(file_).parent_path(), ec);
-    if (!ec && space.available < limits_.keep_free + text.size()) return give_up("the disk is nearly full");
-    if (!write_all(descriptor_, text)) {
-        const std::string reason = std::strerror(errno);
-        // Half a line would make the whole file suspect.
-        if (::ftruncate(descriptor_, static_cast<off_t>(summary().bytes)) != 0)
-            spdlog::debug("{} has a cut end", file_.string());
-        return give_up(reason);
-    }
+    if (const auto reason = file_.append(text, limits_.keep_free); !reason.empty()) return give_up(reason);
     const std::scoped_lock lock(mutex_);
     summary_.bytes += text.size();
     summary_.lines += lines;
@@ -122,9 +87,8 @@ void BackgroundFile::write(const std::string& text, std::uint64_t lines) {
 
 void BackgroundFile::give_up(const std::string& reason) {
     spdlog::error("{}: {} has stopped: {}; the emulation goes on. Make room and start again to have it whole",
-                  file_.string(), what_, reason);
-    ::close(descriptor_);
-    descriptor_ = -1;
+                  path_.string(), what_, reason);
+    file_.close();
     const std::scoped_lock lock(mutex_);
     summary_.stopped = true;
     waiting_.clear();

@@ -12,6 +12,8 @@
 #include <string>
 #include <thread>
 
+#include "emulator/capture/disk_file.h"
+
 namespace echoloop {
 
 struct BackgroundFileLimits {
@@ -45,7 +47,7 @@ class BackgroundFile {
     void finish();
 
     BackgroundFileSummary summary() const;
-    const std::filesystem::path& file() const { return file_; }
+    const std::filesystem::path& file() const { return path_; }
 
   private:
     struct Line {
@@ -58,9 +60,9 @@ class BackgroundFile {
     void write(const std::string& text, std::uint64_t lines);
     void give_up(const std::string& reason);
 
-    std::filesystem::path file_;
     std::string what_;
     BackgroundFileLimits limits_;
+    std::filesystem::path path_;
 
     mutable std::mutex mutex_;  // of all that follows up to summary_
     std::condition_variable_any more_;
@@ -68,7 +70,7 @@ class BackgroundFile {
     std::size_t waiting_bytes_ = 0;
     BackgroundFileSummary summary_;
 
-    int descriptor_ = -1;  // of the writing thread
+    DiskFile file_;        // of the writing thread
     std::jthread thread_;  // last: ends first
 };
 

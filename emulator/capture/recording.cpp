@@ -1,11 +1,6 @@
 #include "emulator/capture/recording.h"
 
-#include <fcntl.h>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 
 #include "emulator/error.h"
 
@@ -17,6 +12,10 @@ constexpr std::chrono::milliseconds longest_wait(500);  // what a kill -9 may lo
 
 void append(Bytes& bytes, const Bytes& more) { bytes.insert(bytes.end(), more.begin(), more.end()); }
 
+std::string_view text_of(const Bytes& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 std::filesystem::path numbered(const std::filesystem::path& file, std::size_t number) {
     if (number == 1) return file;
     auto name = file.stem();
@@ -25,32 +24,13 @@ std::filesystem::path numbered(const std::filesystem::path& file, std::size_t nu
     return file.parent_path() / name;
 }
 
-int create(const std::filesystem::path& file) {
-    return ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-}
-
-/// False with errno set if the disk takes no more.
-bool write_all(int descriptor, ByteView bytes) {
-    while (!bytes.empty()) {
-        const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(n));
-    }
-    return true;
-}
-
 }  // namespace
 
 Recording::Recording(std::filesystem::path file, RecordingLimits limits)
     : file_(std::move(file)),
       limits_(limits),
       start_time_(std::chrono::system_clock::now().time_since_epoch()),
-      descriptor_(create(file_)) {
-    if (descriptor_ < 0)
-        throw StartError(Exit::cannot_create, file_.string() +
-                                                  ": cannot be written: " + std::strerror(errno) +
-                                                  "; name a file in a folder that you may write to");
+      disk_(std::in_place, file_) {
     prologue_ = waiting_ = pcapng::section_header("echoloop");
     thread_ = std::jthread([this](std::stop_token stop) { keep_writing(stop); });
 }
@@ -61,8 +41,7 @@ void Recording::finish() {
     if (!thread_.joinable()) return;
     thread_.request_stop();
     thread_.join();
-    if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = -1;
+    disk_.reset();
 }
 
 std::uint32_t Recording::add_interface(pcapng::LinkType type, const std::string& name,
@@ -98,6 +77,7 @@ RecordingSummary Recording::summary() const {
 }
 
 void Recording::keep_writing(std::stop_token stop) {
+    take_no_signals_for_files();
     bool last = false;
     while (!last) {
         Bytes blocks;
@@ -107,22 +87,15 @@ void Recording::keep_writing(std::stop_token stop) {
             last = stop.stop_requested();
             blocks.swap(waiting_);
         }
-        if (!blocks.empty() && descriptor_ >= 0) write(blocks);
+        if (!blocks.empty() && disk_) write(blocks);
     }
 }
 
 void Recording::write(const Bytes& blocks) {
-    if (limits_.file_bytes > 0 && written_ >= limits_.file_bytes) open_file();
-    if (descriptor_ < 0) return;
-    if (!room_for(blocks.size())) return give_up("the disk is nearly full");
-    if (!write_all(descriptor_, blocks)) {
-        const std::string reason = std::strerror(errno);
-        // Half a block would make the whole file suspect.
-        if (::ftruncate(descriptor_, static_cast<off_t>(written_)) != 0)
-            spdlog::debug("{} has a cut end", file_.string());
+    if (limits_.file_bytes > 0 && disk_->size() >= limits_.file_bytes) open_file();
+    if (!disk_) return;
+    if (const auto reason = disk_->append(text_of(blocks), limits_.keep_free); !reason.empty())
         return give_up(reason);
-    }
-    written_ += blocks.size();
     const std::scoped_lock lock(mutex_);
     summary_.bytes += blocks.size();
 }
@@ -136,27 +109,20 @@ void Recording::open_file() {
         prologue = prologue_;
         number = ++summary_.files;
     }
-    ::close(descriptor_);
-    const auto name = numbered(file_, number);
-    descriptor_ = create(name);
-    written_ = 0;
-    if (descriptor_ < 0) return give_up(name.string() + ": " + std::strerror(errno));
-    if (!write_all(descriptor_, prologue)) return give_up(std::strerror(errno));
-    written_ = prologue.size();
-}
-
-bool Recording::room_for(std::size_t bytes) const {
-    std::error_code ec;
-    const auto space = std::filesystem::space(std::filesystem::absolute(file_).parent_path(), ec);
-    return ec || space.available >= limits_.keep_free + bytes;
+    try {
+        disk_.emplace(numbered(file_, number));
+    } catch (const StartError& error) {
+        return give_up(error.what());
+    }
+    if (const auto reason = disk_->append(text_of(prologue), limits_.keep_free); !reason.empty())
+        give_up(reason);
 }
 
 void Recording::give_up(const std::string& reason) {
     spdlog::error(
         "{}: the recording has stopped: {}; the emulation goes on. Make room and start again to record",
         file_.string(), reason);
-    if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = -1;
+    disk_.reset();
     const std::scoped_lock lock(mutex_);
     summary_.stopped = true;
     waiting_ = {};

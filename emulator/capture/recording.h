@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
+#include "emulator/capture/disk_file.h"
 #include "emulator/capture/pcapng.h"
 
 namespace echoloop {
@@ -53,7 +55,6 @@ class Recording {
     void open_file();
     void keep_writing(std::stop_token stop);
     void write(const Bytes& blocks);
-    bool room_for(std::size_t bytes) const;
     void give_up(const std::string& reason);
 
     std::filesystem::path file_;
@@ -68,9 +69,8 @@ class Recording {
     std::uint32_t interfaces_ = 0;
     RecordingSummary summary_;
 
-    int descriptor_ = -1;  // of the writing thread
-    std::uint64_t written_ = 0;
-    std::jthread thread_;  // last: ends first
+    std::optional<DiskFile> disk_;  // of the writing thread
+    std::jthread thread_;           // last: ends first
 };
 
 }  // namespace echoloop

@@ -43,10 +43,10 @@ def free_tcp_port():
 
 
 class Emulator:
-    """`echoloop run` on a scenario text; {folder} and {scenes} in it are filled in, `files` lie beside it. Use as a
-    context manager."""
+    """`echoloop run` on a scenario text; {folder} and {scenes} in it are filled in, `files` lie beside it. `program`:
+    what runs it instead, `limits`: called in the new process first. Use as a context manager."""
 
-    def __init__(self, scenario, *arguments, files=()):
+    def __init__(self, scenario, *arguments, files=(), program=(PROGRAM,), limits=None):
         self.folder = Path(tempfile.mkdtemp(prefix="echoloop-e2e-"))
         self.file = self.folder / "scenario.yaml"
         self.file.write_text(
@@ -56,11 +56,12 @@ class Emulator:
             (self.folder / name).write_text(text)
         self.output = ""
         self.process = subprocess.Popen(
-            [PROGRAM, "run", str(self.file), *arguments],
+            [*program, "run", str(self.file), *arguments],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             stdin=subprocess.DEVNULL,
             env={**os.environ, "NO_COLOR": "1"},
+            preexec_fn=limits,
         )
 
     def __enter__(self):

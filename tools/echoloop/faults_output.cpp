@@ -78,7 +78,7 @@ std::string fault_kinds_json() {
 
 std::unique_ptr<BackgroundFile> labels_from(const Arguments& arguments) {
     return arguments.has("--labels")
-               ? std::make_unique<BackgroundFile>(arguments.text("--labels"), "the labels")
+               ? std::make_unique<BackgroundFile>(arguments.text("--labels"), "the label file")
                : nullptr;
 }
 
@@ -99,7 +99,7 @@ void print_labels(const BackgroundFile& labels) {
         "%s%s: %s%s%s\n", padded("labels", 16).c_str(), labels.file().c_str(),
         counted(s.lines, "line").c_str(),
         s.lost == 0 ? "" : ("; the disk was too slow for " + std::to_string(s.lost) + " more").c_str(),
-        s.stopped ? "; they stopped early, see above" : "");
+        s.stopped ? "; it stopped early, see above" : "");
 }
 
 }  // namespace echoloop::cli

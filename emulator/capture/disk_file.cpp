@@ -1,0 +1,81 @@
+#include "emulator/capture/disk_file.h"
+
+#include <fcntl.h>
+#include <spdlog/spdlog.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include "emulator/error.h"
+
+namespace echoloop {
+namespace {
+
+/// Device files and pipes may have several writers.
+bool is_plain(int descriptor) {
+    struct stat status {};
+    return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+/// False with errno set if the disk takes no more.
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(n));
+    }
+    return true;
+}
+
+}  // namespace
+
+DiskFile::DiskFile(std::filesystem::path file)
+    : file_(std::move(file)), descriptor_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644)) {
+    if (descriptor_ < 0)
+        throw StartError(Exit::cannot_create, file_.string() +
+                                                  ": cannot be written: " + std::strerror(errno) +
+                                                  "; name a file in a folder that you may write to");
+    if (!is_plain(descriptor_)) return;
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        close();
+        throw StartError(
+            Exit::cannot_create,
+            file_.string() + ": is being written already, perhaps by another run; name another file");
+    }
+    if (::ftruncate(descriptor_, 0) != 0) spdlog::debug("{}: {}", file_.string(), std::strerror(errno));
+}
+
+std::string DiskFile::append(std::string_view piece, std::uint64_t keep_free) {
+    std::error_code ec;
+    const auto space = std::filesystem::space(std::filesystem::absolute(file_).parent_path(), ec);
+    if (!ec && space.available < keep_free + piece.size()) return "the disk is nearly full";
+    if (!write_all(descriptor_, piece)) {
+        std::string reason = std::strerror(errno);
+        if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0)
+            spdlog::debug("{} has a cut end", file_.string());
+        return reason;
+    }
+    size_ += piece.size();
+    return {};
+}
+
+void DiskFile::close() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    descriptor_ = -1;
+}
+
+void take_no_signals_for_files() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGPIPE);
+    sigaddset(&signals, SIGXFSZ);
+    ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+}  // namespace echoloop
