@@ -1,0 +1,23 @@
+// The scenario and the scene that a command line names.
+#include "emulator/pose/trajectory_file.h"
+#include "emulator/scenario/scene.h"
+#include "tools/echoloop/common.h"
+
+namespace echoloop::cli {
+
+Scenario scenario_from(const Arguments& arguments) {
+    Scenario scenario = load_scenario(arguments.text("FILE"), arguments.all("--set"), models());
+    if (!scenario.trajectory.empty())
+        scenario.world_from_body = read_trajectory(scenario.trajectory).at({})->pose;
+    return scenario;
+}
+
+std::shared_ptr<const Scene> scene_of(const Scenario& scenario) {
+    try {
+        return load_scene(scenario);
+    } catch (const SceneError& error) {
+        throw StartError(Exit::data, error.what());
+    }
+}
+
+}  // namespace echoloop::cli
