@@ -73,7 +73,7 @@ class Disk(unittest.TestCase):
             if os.environ.get("CI") == "true":
                 self.fail("no mount namespaces here, and CI must have them")
             self.skipTest("no mount namespaces here, so there is no small disk to fill")
-        disk = f"mount -t tmpfs -o size=256m,mode=700 tmpfs {self.folder} && head -c 100k /dev/zero >{self.folder}/other"
+        disk = f"mount -t tmpfs -o mode=700,size=256m tmpfs {self.folder} && head -c 99k /dev/zero >{self.folder}/other"
         script = self.folder.with_name(self.folder.name + ".sh")
         self.addCleanup(script.unlink)
         script.write_text(f'#!/bin/sh\n{disk} && exec {PROGRAM} "$@"\n')
