@@ -28,6 +28,8 @@ bool is_left_over(asio::io_context& io, const fs::path& path) {
     std::error_code ec;
     if (!fs::is_socket(path, ec)) return false;
     Local::socket probe(io);
+    probe.open();
+    probe.non_blocking(true);  // one that serves nobody may have a full row of waiting clients
     error_code refused;
     probe.connect(Local::endpoint(path.string()), refused);
     return refused == asio::error::connection_refused;

@@ -1,12 +1,16 @@
 """The control socket: faults while a run goes on, and what it answers to everything else."""
 
+import contextlib
 import json
 import os
+import shutil
 import socket
 import stat
 import subprocess
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
 from program import PROGRAM, Emulator, free_base_port, free_tcp_port
 from test_faults import PROTOCOL_VERSION, VERSION_REPLY, Pty, request
@@ -111,6 +115,36 @@ class Control(unittest.TestCase):
         self.assertTrue(path.exists(), "it had no time to clear up")
         again = subprocess.run([PROGRAM, "run", str(emulator.file), "--duration", "0"], capture_output=True, text=True, timeout=60)
         self.assertEqual(again.returncode, 0, again.stderr)
+
+    def test_a_place_that_somebody_has_and_does_not_serve_keeps_no_run_waiting(self):
+        folder = Path(tempfile.mkdtemp(prefix="echoloop-control-"))
+        self.addCleanup(shutil.rmtree, folder, ignore_errors=True)
+        deaf, waiting = socket.socket(socket.AF_UNIX), []
+        self.addCleanup(deaf.close)
+        deaf.bind(str(folder / "control"))
+        deaf.listen(0)
+        with contextlib.suppress(BlockingIOError):
+            for _ in range(100):
+                waiting.append(socket.socket(socket.AF_UNIX))
+                self.addCleanup(waiting[-1].close)
+                waiting[-1].setblocking(False)
+                waiting[-1].connect(str(folder / "control"))
+        with self.assertRaises(RuntimeError) as raised:
+            self.start(f"unix:{folder}/control")
+        self.assertIn("exists already", str(raised.exception))
+
+    def test_answers_that_are_no_runs_are_refused(self):
+        for answer in (b"no JSON\n", b'{"ok": "yes"}\n', b'{"ok": true, "faults": [{"id": []}]}\n', b"{", b""):
+            with socket.create_server(("127.0.0.1", 0)) as server:
+                place = "tcp-listen://127.0.0.1:%d" % server.getsockname()[1]
+                with subprocess.Popen([PROGRAM, "fault", place, os.fsdecode(b"\xff"), "loss"], stderr=subprocess.PIPE,
+                                      stdout=subprocess.DEVNULL) as asking:
+                    with server.accept()[0] as connection:
+                        line = json.loads(connection.makefile("rb").readline())
+                        self.assertEqual(line["fault"]["device"], "\ufffd")
+                        connection.sendall(answer)
+                    said = asking.communicate(timeout=60)[1].decode()
+            self.assertEqual(asking.returncode, 74, said)
 
     def test_a_person_types_it(self):
         emulator = self.start("tcp-listen://127.0.0.1:%d" % (port := free_tcp_port()))

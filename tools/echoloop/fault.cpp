@@ -68,16 +68,24 @@ int connect_to(const ControlPlace& place) {
     return ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 ? fd : -1;
 }
 
+/// A line; what is no UTF-8 cannot be a name in a scenario either.
+std::string line_of(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// "" if the run has gone.
 std::string ask(int fd, const std::string& line) {
+    constexpr std::size_t longest = std::size_t{64} << 20;
+    if (::send(fd, line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size())) return {};
     std::string answer;
-    if (::write(fd, line.data(), line.size()) != static_cast<ssize_t>(line.size())) return answer;
-    char buffer[4096];
-    while (answer.find('\n') == std::string::npos) {
+    for (char buffer[4096]; answer.size() < longest;) {
         const ssize_t n = ::read(fd, buffer, sizeof buffer);
-        if (n <= 0) break;
-        answer.append(buffer, static_cast<std::size_t>(n));
+        if (n <= 0) return {};
+        const std::string_view part(buffer, static_cast<std::size_t>(n));
+        answer += part.substr(0, part.find('\n'));
+        if (part.find('\n') != part.npos) return answer;
     }
-    return answer.substr(0, answer.find('\n'));
+    return {};
 }
 
 void print_fault(const Json& fault) {
@@ -126,13 +134,18 @@ int run(const Arguments& arguments) {
         throw StartError(Exit::unavailable, arguments.text("SOCKET") +
                                                 ": cannot be reached: " + std::strerror(errno) +
                                                 "; is there an echoloop run with --control and this place?");
-    const std::string line = ask(fd, request.dump() + "\n");
+    const std::string line = ask(fd, line_of(request));
     ::close(fd);
     const Json answer = Json::parse(line, nullptr, false);
     if (!answer.is_object()) throw StartError(Exit::io, "the run has gone without an answer");
     if (arguments.has("--json")) std::printf("%s\n", line.c_str());
-    if (!answer.value("ok", false)) throw StartError(Exit::data, answer.value("error", "refused"));
-    if (!arguments.has("--json")) print_answer(answer);
+    try {
+        if (!answer.value("ok", false)) throw StartError(Exit::data, answer.value("error", "refused"));
+        if (!arguments.has("--json")) print_answer(answer);
+    } catch (const Json::exception&) {
+        throw StartError(Exit::io,
+                         "the answer is not that of a run; does SOCKET name what its --control does?");
+    }
     return 0;
 }
 
