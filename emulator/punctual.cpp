@@ -51,11 +51,15 @@ void wake_on_time() {
     ::syscall(SYS_sched_setattr, 0, &attributes, 0);
 }
 
-void claim_real_time() {
-    sched_param first{};
-    first.sched_priority = 10;
-    if (::sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &first) != 0)
+void claim_real_time(Turn turn) {
+    sched_param priority{};
+    priority.sched_priority = static_cast<int>(turn);
+    const int policy = turn == Turn::wires ? SCHED_FIFO | SCHED_RESET_ON_FORK : SCHED_FIFO;
+    if (::sched_setscheduler(0, policy, &priority) != 0)
         refuse("the scheduler", "allow it with `ulimit -r 10`, or `setcap cap_sys_nice+ep` on the program");
+}
+
+void lock_memory() {
     if (::mlockall(may_lock_all() ? MCL_CURRENT | MCL_FUTURE : MCL_CURRENT) != 0)
         refuse(
             "locking memory",

@@ -1,4 +1,4 @@
-// Asks the kernel to wake the calling thread on time. It changes no other thread, and nothing that a ping
+// Asks the kernel to wake the calling thread on time, and its memory to stay. Changes nothing that a ping
 // holds.
 #pragma once
 
@@ -8,8 +8,15 @@ namespace echoloop {
 /// that a thread which wakes comes before busy ones. What the kernel refuses stays as it is.
 void wake_on_time();
 
-/// Before all ordinary threads of the machine (SCHED_FIFO), and no page of the program leaves memory. Throws
-/// StartError with the remedy if that is not permitted.
-void claim_real_time();
+/// Who goes before whom in a run that was asked to be on time: SCHED_FIFO priorities.
+enum class Turn { fans = 4, listeners = 6, single_beams = 8, wires = 10 };
+
+/// The calling thread goes before all ordinary threads of the machine, and so do those that it starts from
+/// then on (not those of Turn::wires: none of them serves a wire). Throws StartError with the remedy if that
+/// is not permitted.
+void claim_real_time(Turn turn);
+
+/// No page of the program leaves memory. Throws StartError with the remedy if that is not permitted.
+void lock_memory();
 
 }  // namespace echoloop

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <future>
 
+#include "emulator/punctual.h"
 #include "emulator/scheduling.h"
 #include "render/renderer.h"
 #include "render/workers.h"
@@ -12,13 +13,30 @@
 namespace echoloop {
 namespace {
 
-/// Rendering gives way to the wire, and fans to single beams; but hardly to other programs, which would starve it on a
-/// busy machine. The name is what top and gdb show.
-void begin_thread(RenderThread::Lane lane) {
+/// Rendering gives way to the wire, and fans to single beams; but hardly to other programs, which would
+/// starve it on a busy machine. The name is what top and gdb show.
+void begin_thread(RenderThread::Lane lane, bool real_time) {
     const bool every = lane == RenderThread::Lane::every;
     ::pthread_setname_np(::pthread_self(), every ? "render" : "render beams");
+    if (real_time) return claim_real_time(every ? Turn::fans : Turn::single_beams);
     give_way(every ? 2 : 1);
 }
+
+/// A ping of a single beam is rendered at the turn of its kind, whoever does it.
+class Place {
+  public:
+    explicit Place(bool better) : better_(better) {
+        if (better_) claim_real_time(Turn::single_beams);
+    }
+    ~Place() {
+        if (better_) claim_real_time(Turn::fans);
+    }
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+  private:
+    bool better_;
+};
 
 Echogram silence(Shot shot, const Pose& world_from_sonar) {
     Echogram echogram;
@@ -31,12 +49,12 @@ Echogram silence(Shot shot, const Pose& world_from_sonar) {
 
 }  // namespace
 
-RenderThread::Crew RenderThread::useful(std::size_t sonars) {
+RenderThread::Crew RenderThread::useful(std::size_t sonars, bool real_time) {
     const std::size_t threads = std::clamp<std::size_t>(sonars, 1, Workers::useful());
-    return {threads, sonars > threads};
+    return {threads, sonars > threads, real_time};
 }
 
-RenderThread::RenderThread(const Make& make, Crew crew) {
+RenderThread::RenderThread(const Make& make, Crew crew) : real_time_(crew.real_time) {
     if (crew.threads > 1) keep_rasterisers_on_their_threads();
     std::vector<std::future<void>> ready;
     for (std::size_t i = 0; i < crew.threads; ++i) threads_.push_back(start(make, Lane::every, ready));
@@ -49,9 +67,9 @@ std::jthread RenderThread::start(const Make& make, Lane lane, std::vector<std::f
     std::promise<void> started;
     ready.push_back(started.get_future());
     return std::jthread([this, make, lane, started = std::move(started)](std::stop_token stop) mutable {
-        begin_thread(lane);
         std::unique_ptr<Renderer> renderer;
         try {
+            begin_thread(lane, real_time_);
             renderer = make(lane);
         } catch (...) {
             started.set_exception(std::current_exception());
@@ -97,6 +115,7 @@ void RenderThread::serve(std::stop_token stop, Renderer& renderer, Lane lane) {
         busy_.insert(job.claim.sonar);
         lock.unlock();
         try {
+            const Place place(real_time_ && lane == Lane::every && is_single_beam(job.shot));
             job.done(renderer.render(job.shot, job.situation), {});
         } catch (const std::exception& error) {
             job.done(silence(std::move(job.shot), job.situation.world_from_sonar), error.what());

@@ -29,6 +29,7 @@ class RenderThread {
     struct Crew {
         std::size_t threads = 1;
         bool single_beams = false;  ///< one thread more, for these
+        bool real_time = false;     ///< before all ordinary threads of the machine
     };
     using Make = std::function<std::unique_ptr<Renderer>(Lane)>;
     /// Called on a render thread. `error` is empty if all went well, else the echogram is silence.
@@ -41,15 +42,17 @@ class RenderThread {
     };
 
     /// Runs `make` on every new thread (a GL context belongs to its thread), on several at once, and throws
-    /// what one of them throws.
-    explicit RenderThread(const Make& make, Crew crew = {1, false});
+    /// what one of them throws; StartError if real time is not permitted.
+    RenderThread(const Make& make, Crew crew);
+    /// One thread.
+    explicit RenderThread(const Make& make) : RenderThread(make, Crew{}) {}
     /// Finishes the pings at hand and forgets those that wait.
     ~RenderThread();
 
     void submit(Claim claim, Shot shot, Situation situation, Done done);
 
     /// As many threads as find work with so many sonars on this machine.
-    static Crew useful(std::size_t sonars);
+    static Crew useful(std::size_t sonars, bool real_time = false);
     static bool is_single_beam(const Shot& shot) { return shot.bearings.size() == 1; }
 
   private:
@@ -65,6 +68,7 @@ class RenderThread {
     void serve(std::stop_token stop, Renderer& renderer, Lane lane);
     Jobs::iterator most_urgent(Lane lane);
 
+    const bool real_time_;
     std::mutex mutex_;
     std::condition_variable_any wake_;
     Jobs jobs_;                   ///< in the order of submission

@@ -1,6 +1,10 @@
 #include "emulator/runtime.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <future>
+#include <latch>
 #include <mutex>
 
 #include "emulator/capture/recorded.h"
@@ -9,6 +13,7 @@
 #include "emulator/faults/faulty_session.h"
 #include "emulator/pose/movers.h"
 #include "emulator/pose/vehicle.h"
+#include "emulator/punctual.h"
 #include "emulator/scenario/scene.h"
 #include "emulator/scheduling.h"
 #include "emulator/step_server.h"
@@ -30,7 +35,29 @@ std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io
     return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
 }
 
-SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers) {
+/// Threads on which devices make bytes of large echograms.
+std::shared_ptr<asio::thread_pool> make_listeners(Punctuality punctuality) {
+    constexpr int threads = 2;
+    auto pool = std::make_shared<asio::thread_pool>(threads);
+    std::array<std::packaged_task<void()>, threads> begin;
+    std::array<std::future<void>, threads> begun;
+    std::latch all_here(threads);  // so that no thread takes the task of another
+    for (auto& task : begin) {
+        task = std::packaged_task<void()>([&all_here, punctuality] {
+            all_here.arrive_and_wait();
+            wake_on_time();
+            if (punctuality == Punctuality::real_time) claim_real_time(Turn::listeners);
+        });
+    }
+    std::ranges::transform(begin, begun.begin(), [](auto& task) { return task.get_future(); });
+    for (auto& task : begin) asio::post(*pool, [&task] { task(); });
+    for (auto& result : begun) result.wait();
+    for (auto& result : begun) result.get();
+    return pool;
+}
+
+SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers,
+                         Punctuality punctuality) {
     const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
     const Effects effects = knows_effects ? scenario.render.effects : Effects::none();
     const bool by_the_clock = scenario.clock == ClockMode::real || scenario.clock == ClockMode::scaled;
@@ -40,7 +67,7 @@ SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Mov
             scene.bounds(),
             CrossTalk(scenario.water, effects),
             0,
-            by_the_clock ? std::make_shared<asio::thread_pool>(2) : nullptr,
+            by_the_clock ? make_listeners(punctuality) : nullptr,
             movers.reach()};
 }
 
@@ -65,20 +92,22 @@ void warm_up(Renderer& renderer, const Scenario& scenario, const SharedWater& wa
 
 class Runtime::Impl {
   public:
-    Impl(const Scenario& scenario, const RunRecords& records)
+    Impl(const Scenario& scenario, const RunRecords& records, Punctuality punctuality)
         : scene_(load_scene(with_memory_at_hand(scenario))),
           signals_(io_),
           end_(io_),
           clock_(make_clock(scenario, io_)),
           stepped_(dynamic_cast<SteppedClock*>(clock_.get())),
           steps_(stepped_ == nullptr ? nullptr : make_step_server()),
+          punctuality_(punctuality),
           movers_(scenario, scene_),
           vehicle_(scenario, *clock_, steps_.get(), movers_.by_lines()),
-          water_(shared_water(scenario, *scene_, movers_)),
+          water_(shared_water(scenario, *scene_, movers_, punctuality)),
           faults_(scenario.seed, scenario.file.string(), records.labels,
                   [this] { return clock_->unix_time(); }),
-          render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
-                         RenderThread::useful(scenario.devices.size())) {
+          render_thread_(
+              [this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
+              RenderThread::useful(scenario.devices.size(), punctuality == Punctuality::real_time)) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
         if (stepped_ != nullptr && records.recording != nullptr)
@@ -112,6 +141,11 @@ class Runtime::Impl {
         signals_.async_wait([this](error_code ec, int) {
             if (!ec) stop();
         });
+        wake_on_time();
+        if (punctuality_ == Punctuality::real_time) {
+            claim_real_time(Turn::wires);
+            lock_memory();
+        }
         clock_->begin();
         vehicle_.start();
         movers_.start();
@@ -257,6 +291,7 @@ class Runtime::Impl {
     std::unique_ptr<Clock> clock_;
     SteppedClock* stepped_;              ///< the clock, if it is one
     std::unique_ptr<StepServer> steps_;  ///< if it is
+    Punctuality punctuality_;
     Movers movers_;
     Vehicle vehicle_;
     SharedWater water_;
@@ -268,8 +303,8 @@ class Runtime::Impl {
     RenderThread render_thread_;  // last: joined first, so that no ping comes back to a session that is gone
 };
 
-Runtime::Runtime(const Scenario& scenario, RunRecords records)
-    : impl_(std::make_unique<Impl>(scenario, records)) {}
+Runtime::Runtime(const Scenario& scenario, RunRecords records, Punctuality punctuality)
+    : impl_(std::make_unique<Impl>(scenario, records, punctuality)) {}
 Runtime::~Runtime() = default;
 std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
 std::size_t Runtime::triangles() const { return impl_->triangles(); }

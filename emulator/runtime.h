@@ -35,11 +35,15 @@ struct RunRecords {
     BackgroundFile* labels = nullptr;  ///< gets a line for every fault that is made
 };
 
+/// How much a run asks of the machine to be on time: what anybody may ask, or what needs rights.
+enum class Punctuality { ordinary, real_time };
+
 class Runtime {
   public:
     /// Loads the scene, makes the renderer and opens every endpoint; nothing is said on any of them yet.
     /// Throws SceneError, StartError or std::runtime_error, and then has left nothing behind.
-    explicit Runtime(const Scenario& scenario, RunRecords records = {});
+    explicit Runtime(const Scenario& scenario, RunRecords records = {},
+                     Punctuality punctuality = Punctuality::ordinary);
     ~Runtime();
 
     std::vector<RunningDevice> devices() const;

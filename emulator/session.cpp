@@ -5,7 +5,6 @@
 #include <boost/asio/post.hpp>
 #include <cstdio>
 
-#include "emulator/punctual.h"
 #include "emulator/random_key.h"
 #include "emulator/truth/device_truth.h"
 
@@ -180,6 +179,7 @@ Task<void> Session::ready(std::shared_ptr<Rendering> rendering) {
 Task<void> Session::deliver(UnderWay ping) {
     Alarm due(clock_, sonar_);
     co_await due.until(ping.due);
+    ping.woken = clock_.now();
     co_await ready(ping.echoes);
     co_await ready(ping.late_before);
     if (closed_ || ping.powered != power_cuts_) co_return;
@@ -189,7 +189,10 @@ Task<void> Session::deliver(UnderWay ping) {
 void Session::hear(UnderWay& ping) {
     const Time now = std::max(ping.due, clock_.now());
     const Time lateness = now - ping.due;
-    if (lateness > late_after) ++summary_.late_pings;
+    if (lateness > late_after) {
+        ++summary_.late_pings;
+        if (now - ping.woken > lateness / 2) ++summary_.late_renderings;
+    }
     lateness_.add(lateness);
     ++summary_.pings;
     auto heard = std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, ping.sequence, now});
@@ -220,7 +223,6 @@ void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
     auto hold = std::make_shared<const Clock::Hold>(clock_);  // it comes back to the io thread before it ends
     asio::post(*water_.listeners,
                [this, &io = io_, alive = alive_, heard = std::move(heard), hold = std::move(hold)]() mutable {
-                   [[maybe_unused]] thread_local const bool prompt = (wake_on_time(), true);
                    auto actions = std::make_shared<Actions>();
                    std::exception_ptr fault;
                    try {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "emulator/error.h"
 #include "emulator/transport/far_end.h"
@@ -67,14 +68,14 @@ int open_watch(const std::string& path) {
 }  // namespace
 
 Pty::Pty(asio::io_context& io, const std::filesystem::path& link)
-    : master_(io), watch_(io), wanted_link_(link) {
+    : io_(io), arrivals_(io), watch_(io), wanted_link_(link) {
     open();
 }
 
 void Pty::open() {
-    const int master = open_master();
-    master_.assign(master);
-    slave_path_ = slave_name(master);
+    master_ = open_master();
+    arrivals_.watch(master_);
+    slave_path_ = slave_name(master_);
     slave_ = open_raw_slave(slave_path_);
     watch_.assign(open_watch(slave_path_));
     if (!wanted_link_.empty()) link_.emplace(wanted_link_, slave_path_);
@@ -85,15 +86,15 @@ Pty::~Pty() { close(); }
 void Pty::close() {
     error_code ignored;
     watch_.close(ignored);
-    master_.close(ignored);
-    if (slave_ >= 0) ::close(slave_);
-    slave_ = -1;
+    arrivals_.close();
+    for (int* side : {&master_, &slave_})
+        if (const int fd = std::exchange(*side, -1); fd >= 0) ::close(fd);
     link_.reset();
 }
 
 void Pty::settle() {
     // A work queue carries bytes from one side to the other; who polls a side that has none waits for it.
-    std::array<pollfd, 2> sides{{{master_.native_handle(), POLLIN, 0}, {slave_, POLLIN, 0}}};
+    std::array<pollfd, 2> sides{{{master_, POLLIN, 0}, {slave_, POLLIN, 0}}};
     ::poll(sides.data(), sides.size(), 0);
 }
 
@@ -104,7 +105,7 @@ void Pty::unplug() {
 }
 
 void Pty::plug() {
-    if (master_.is_open()) return;
+    if (master_ >= 0) return;
     try {
         open();
         begin();
@@ -120,20 +121,22 @@ void Pty::start(Events events) {
 }
 
 void Pty::begin() {
-    asio::co_spawn(master_.get_executor(), read_line(), Serving(describe()));
-    asio::co_spawn(watch_.get_executor(), watch_openers(), Serving(describe()));
+    asio::co_spawn(io_, read_line(), Serving(describe()));
+    asio::co_spawn(io_, watch_openers(), Serving(describe()));
 }
 
 Task<void> Pty::read_line() {
-    std::array<std::uint8_t, 4096> buffer;
+    std::array<std::uint8_t, 4096> buffer;  // a terminal holds fewer (N_TTY_BUF_SIZE): one read takes all
     error_code ec;
-    while (master_.is_open()) {
-        const std::size_t n = co_await master_.async_read_some(asio::buffer(buffer), into(ec));
+    while (master_ >= 0) {
+        co_await arrivals_.wait(ec);
         if (ec) co_return;
+        const ssize_t n = ::read(master_, buffer.data(), buffer.size());
+        if (n <= 0) continue;
         note_openers();  // who came before these bytes must not lose them to who left
-        count_in(n);
+        count_in(static_cast<std::size_t>(n));
         note_rate();
-        events_.received(ByteView(buffer).first(n), {});
+        events_.received(ByteView(buffer).first(static_cast<std::size_t>(n)), {});
     }
 }
 
@@ -173,7 +176,7 @@ void Pty::handle_watch(ByteView events) {
 /// is on its way to the device as on a wire.
 void Pty::drop_unread() {
     ::tcflush(slave_, TCIFLUSH);
-    ::ioctl(master_.native_handle(), TCFLSH, TCOFLUSH);
+    ::ioctl(master_, TCFLSH, TCOFLUSH);
 }
 
 uart::Receiver Pty::far_end() const { return slave_ >= 0 ? echoloop::far_end(slave_) : uart::Receiver{}; }
@@ -193,8 +196,8 @@ Task<void> Pty::write(ByteView bytes, Address) {
     constexpr std::chrono::milliseconds patience(200), pause(2);
     const auto give_up = std::chrono::steady_clock::now() + patience;
     const std::string terminal = slave_path_;
-    while (!bytes.empty() && opened() && master_.is_open() && terminal == slave_path_) {
-        const ssize_t n = ::write(master_.native_handle(), bytes.data(), bytes.size());
+    while (!bytes.empty() && opened() && master_ >= 0 && terminal == slave_path_) {
+        const ssize_t n = ::write(master_, bytes.data(), bytes.size());
         if (n > 0) {
             count_out(static_cast<std::size_t>(n));
             bytes = bytes.subspan(static_cast<std::size_t>(n));
@@ -204,7 +207,7 @@ Task<void> Pty::write(ByteView bytes, Address) {
             count_lost(bytes.size());
             co_return;
         }
-        asio::steady_timer timer(master_.get_executor(), pause);
+        asio::steady_timer timer(io_, pause);
         error_code ec;
         co_await timer.async_wait(into(ec));
     }

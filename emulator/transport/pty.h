@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "emulator/transport/transport.h"
+#include "emulator/transport/tty_arrivals.h"
 
 namespace echoloop {
 
@@ -57,7 +58,9 @@ class Pty final : public CountingTransport {
     /// Tells of a rate that the driver has set since the last time.
     void note_rate();
 
-    asio::posix::stream_descriptor master_;
+    asio::io_context& io_;
+    int master_ = -1;  ///< -1: unplugged or closed
+    TtyArrivals arrivals_;
     asio::posix::stream_descriptor watch_;  ///< inotify on the slave: open and close of drivers
     int slave_ = -1;                        ///< kept open, so that the master never reads EIO
     std::string slave_path_;

@@ -38,6 +38,7 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
         devices.push_back({{"name", s.name},
                            {"pings", s.pings},
                            {"late_pings", s.late_pings},
+                           {"late_renderings", s.late_renderings},
                            {"worst_lateness_s", to_seconds(s.worst_lateness)},
                            {"median_lateness_s", to_seconds(s.median_lateness)},
                            {"p99_lateness_s", to_seconds(s.p99_lateness)},

@@ -5,7 +5,6 @@
 #include "emulator/capture/recording.h"
 #include "emulator/faults/control_place.h"
 #include "emulator/pose/input.h"
-#include "emulator/punctual.h"
 #include "emulator/runtime.h"
 #include "emulator/step_server.h"
 #include "emulator/truth/truth.h"
@@ -44,7 +43,8 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
 
 std::string punctuality(const SessionSummary& s) {
     if (s.late_pings == 0) return counted(s.pings, "ping") + ", none late";
-    return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late, the worst by " +
+    return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late (" +
+           std::to_string(s.late_renderings) + " waited for their rendering), the worst by " +
            plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: this machine is too busy or too slow for it";
 }
 
@@ -152,10 +152,12 @@ int run(const Arguments& arguments) {
         arguments.has("--truth") ? std::make_unique<TruthFile>(arguments.text("--truth")) : nullptr;
     const auto labels = labels_from(arguments);
     try {
-        Runtime runtime(scenario, {.recording = recording.get(),
-                                   .remarks = arguments.has("--record-truth"),
-                                   .truth = truth.get(),
-                                   .labels = labels.get()});
+        Runtime runtime(scenario,
+                        {.recording = recording.get(),
+                         .remarks = arguments.has("--record-truth"),
+                         .truth = truth.get(),
+                         .labels = labels.get()},
+                        arguments.has("--realtime") ? Punctuality::real_time : Punctuality::ordinary);
         const bool json = arguments.has("--json");
         if (json) {
             std::printf("%s\n", run_started_json(scenario, runtime).c_str());
@@ -163,8 +165,6 @@ int run(const Arguments& arguments) {
         } else {
             print_start(scenario, runtime, duration);
         }
-        wake_on_time();
-        if (arguments.has("--realtime")) claim_real_time();
         runtime.run(duration);
         if (recording) recording->finish();
         if (truth) truth->finish();
@@ -218,7 +218,7 @@ Verb run_verb() {
          {Argument::Kind::flag, "--fail-late", "",
           "end with status 75 if a ping was late, or a message or bytes were lost"},
          {Argument::Kind::flag, "--realtime", "",
-          "answer before all other programs, from locked memory; needs the permission to"},
+          "render and answer before all other programs, from locked memory; needs the permission to"},
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop run config/demo.yaml\n"

@@ -106,6 +106,23 @@ TEST_F(PtyTest, BytesGoBothWaysUnchanged) {
     ::close(fd);
 }
 
+TEST_F(PtyTest, NoByteOfALongMessageIsLeftBehind) {
+    Pty pty(io_, folder_ / "sonar");
+    start(pty);
+    const int driver = open_link(folder_ / "sonar");
+    Bytes sent(40'000);
+    for (std::size_t i = 0; i < sent.size(); ++i) sent[i] = static_cast<std::uint8_t>(i * 7 / 3);
+    std::size_t written = 0;  // as much as the kernel takes at a time, twice in a row, and then it is read
+    for (int burst = 0; written < sent.size() && burst < 100; ++burst) {
+        for (int twice = 0; twice < 2; ++twice)
+            written += static_cast<std::size_t>(
+                std::max<ssize_t>(0, ::write(driver, sent.data() + written, sent.size() - written)));
+        run_until([&] { return heard_.size() == written; });
+    }
+    EXPECT_EQ(heard_, sent);
+    ::close(driver);
+}
+
 TEST_F(PtyTest, NothingIsKeptForADriverThatIsNotThere) {
     Pty pty(io_, folder_ / "sonar");
     start(pty);
