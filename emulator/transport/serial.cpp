@@ -90,25 +90,50 @@ std::vector<SerialPortName> serial_ports() {
 }
 
 SerialPort::SerialPort(asio::io_context& io, const std::string& path, int baud)
-    : line_(io, open_descriptor(path, baud)), path_(path), baud_(baud) {}
+    : line_(io, open_descriptor(path, baud)), retry_(io), path_(path), baud_(baud) {}
 
 void SerialPort::start(Events events) {
     events_ = std::move(events);
-    asio::co_spawn(line_.get_executor(), read_line(), Serving(describe()));
+    asio::co_spawn(line_.get_executor(), keep_open(), Serving(describe()));
 }
 
-Task<void> SerialPort::read_line() {
+Task<void> SerialPort::keep_open() {
+    while (!closed_) {
+        const error_code gone = co_await read_line();
+        if (closed_) co_return;
+        spdlog::warn("serial port {}: unplugged ({}); this device goes on when {} is back", path_,
+                     gone.message(), path_);
+        error_code ignored;
+        line_.close(ignored);
+        co_await wait_for_return();
+        if (closed_) co_return;
+        spdlog::info("serial port {}: plugged in again", path_);
+        events_.reconnected();
+    }
+}
+
+Task<error_code> SerialPort::read_line() {
     std::array<std::uint8_t, 4096> buffer;
     error_code ec;
-    while (line_.is_open()) {
+    for (;;) {
         const std::size_t n = co_await line_.async_read_some(asio::buffer(buffer), into(ec));
-        if (ec == asio::error::operation_aborted) co_return;
-        if (ec) {
-            spdlog::error("serial port {}: {}; this device is now silent", path_, ec.message());
-            co_return;
-        }
+        if (ec) co_return ec;
         count_in(n);
         events_.received(ByteView(buffer).first(n), {});
+    }
+}
+
+Task<void> SerialPort::wait_for_return() {
+    constexpr std::chrono::milliseconds pause(500);
+    while (!closed_ && !line_.is_open()) {
+        error_code ec;
+        retry_.expires_after(pause);
+        co_await retry_.async_wait(into(ec));
+        if (closed_ || ::access(path_.c_str(), R_OK | W_OK) != 0) continue;
+        try {
+            line_.assign(open_descriptor(path_, baud_));
+        } catch (const StartError&) {  // not ready yet, or another's
+        }
     }
 }
 
@@ -119,7 +144,9 @@ Task<void> SerialPort::write(ByteView bytes, Address) {
 }
 
 void SerialPort::close() {
+    closed_ = true;
     error_code ignored;
+    retry_.cancel(ignored);
     line_.close(ignored);
 }
 

@@ -1,5 +1,5 @@
 // A real serial port, opened and set up through libserialport. Its UART gives the line rate; nothing is paced
-// here.
+// here. An adapter that is pulled out never ends the run: the port is opened again when it is back.
 #pragma once
 
 #include "emulator/transport/transport.h"
@@ -21,16 +21,24 @@ class SerialPort final : public CountingTransport {
     ~SerialPort() override { close(); }
 
     void start(Events events) override;
+    /// While the adapter is away what is written is lost.
     Task<void> write(ByteView bytes, Address to) override;
+    bool has_driver() const override { return line_.is_open(); }
     void close() override;
     std::string describe() const override;
 
   private:
-    Task<void> read_line();
+    Task<void> keep_open();
+    /// Until the port is gone; returns why.
+    Task<error_code> read_line();
+    /// Until the port is there again, or closed for good.
+    Task<void> wait_for_return();
 
     asio::posix::stream_descriptor line_;
+    asio::steady_timer retry_;
     std::string path_;
     int baud_;
+    bool closed_ = false;
     Events events_;
 };
 

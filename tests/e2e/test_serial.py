@@ -5,7 +5,11 @@ the modem-line requests (uart_shim.c). Run under umockdev-wrapper; UART_SHIM nam
 """
 
 import os
+import select
+import time
+import tty
 import unittest
+from pathlib import Path
 
 import gi
 
@@ -17,6 +21,7 @@ from replaying import Folder, open_line, read_line
 from test_record import packets, payload
 from test_record_device import Recorder
 
+import seanet_wire
 from byte_line import ByteLine
 from seanet_handshakes import HANDSHAKES
 from seanet_host import scan
@@ -79,6 +84,58 @@ class OverSerialPort(unittest.TestCase):
         said = [row for row in rows if int(row["rtacser.eventtype"][0], 0) == 1]
         self.assertEqual(payload(said, "data.data"), answer)
         self.assertEqual(payload([row for row in rows if row not in said], "data.data"), asked)
+
+    def test_a_pulled_adapter_is_waited_for(self):
+        """The kernel hangs up on a port whose adapter has gone, as on a pty whose master is closed."""
+        node = Path(self.testbed.get_root_dir()) / "dev" / "ttyEL0"
+        original = os.readlink(node)
+        self.addCleanup(point_to, node, original)
+        point_to(node, self.adapter())
+        with Emulator(SCENARIO % "/dev/ttyEL0") as emulator:
+            self.assertTrue(self.alive(self.other_end))
+            os.close(self.other_end)
+            point_to(node, "/dev/pts/none")
+            emulator.read_until("serial port /dev/ttyEL0: unplugged", 20)
+            busy = processor_seconds(emulator.process.pid)
+            self.assertEqual(select.select([emulator.process.stdout], [], [], 2)[0], [], "it says so once")
+            self.assertLess(processor_seconds(emulator.process.pid) - busy, 0.25)
+            point_to(node, self.adapter())
+            emulator.read_until("serial port /dev/ttyEL0: plugged in again", 20)
+            self.assertTrue(self.alive(self.other_end), "the device has gone on meanwhile")
+            os.write(self.other_end, seanet_wire.build(seanet_wire.SEND_VERSION))
+            self.assertTrue(self.alive(self.other_end, seanet_wire.VERSION_DATA), "and listens")
+            status, output = emulator.stop()
+        os.close(self.other_end)
+        self.assertEqual(status, 0, output)
+        self.assertEqual(output.count("unplugged"), 1)
+
+    def adapter(self):
+        """A new one, named by its terminal; its other end is ours."""
+        self.other_end, line = os.openpty()
+        tty.setraw(line)
+        self.addCleanup(os.close, line)
+        return os.ttyname(line)
+
+    def alive(self, line, message=seanet_wire.ALIVE, seconds=10):
+        """True when such a frame has come."""
+        framer, end = seanet_wire.Framer(), time.monotonic() + seconds
+        while select.select([line], [], [], max(0, end - time.monotonic()))[0]:
+            framer.feed(os.read(line, 4096))
+            while frame := framer.next():
+                if frame.message == message:
+                    return True
+        return False
+
+
+def point_to(node, terminal):
+    """What udev does when an adapter comes and goes."""
+    node.unlink(missing_ok=True)
+    node.symlink_to(terminal)
+
+
+def processor_seconds(pid):
+    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 if __name__ == "__main__":
