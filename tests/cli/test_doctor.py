@@ -14,7 +14,7 @@ class Doctor(ProgramTest):
         report = self.json("doctor")
         self.assertTrue(report["ok"])
         seen = {f["name"]: f for f in report["findings"]}
-        for name in ("processors", "memory", "timers", "OpenGL", "GPU", "pseudo-terminals", "serial ports", "sockets"):
+        for name in ("processors", "memory", "timers", "real time", "OpenGL", "GPU", "pseudo-terminals", "serial ports", "sockets"):
             self.assertTrue(seen[name]["text"], name)
             if seen[name]["state"] != "good":
                 self.assertTrue(seen[name]["remedy"], name)

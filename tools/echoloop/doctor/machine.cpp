@@ -6,6 +6,8 @@
 #include <fstream>
 #include <thread>
 
+#include "emulator/error.h"
+#include "emulator/punctual.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/doctor/findings.h"
 
@@ -57,6 +59,19 @@ Finding timers() {
     return {State::good, "timers", text, ""};
 }
 
+/// Asked on a thread that then ends: nothing of it stays.
+Finding real_time() {
+    std::string text = "allowed: echoloop run --realtime";
+    std::thread([&text] {
+        try {
+            claim_real_time(Turn::fans);
+        } catch (const StartError&) {
+            text = "not allowed, and only echoloop run --realtime needs it";
+        }
+    }).join();
+    return {State::good, "real time", text, ""};
+}
+
 Finding open_files() {
     rlimit limit{};
     ::getrlimit(RLIMIT_NOFILE, &limit);
@@ -79,6 +94,8 @@ Finding receive_buffers() {
 
 }  // namespace
 
-Findings look_at_machine() { return {processors(), memory(), timers(), open_files(), receive_buffers()}; }
+Findings look_at_machine() {
+    return {processors(), memory(), timers(), real_time(), open_files(), receive_buffers()};
+}
 
 }  // namespace echoloop::cli
