@@ -90,7 +90,7 @@ std::vector<SerialPortName> serial_ports() {
 }
 
 SerialPort::SerialPort(asio::io_context& io, const std::string& path, int baud)
-    : line_(io, open_descriptor(path, baud)), retry_(io), path_(path), baud_(baud) {}
+    : line_(io, open_descriptor(path, baud)), arrivals_(io), retry_(io), path_(path), baud_(baud) {}
 
 void SerialPort::start(Events events) {
     events_ = std::move(events);
@@ -104,6 +104,7 @@ Task<void> SerialPort::keep_open() {
         spdlog::warn("serial port {}: unplugged ({}); this device goes on when {} is back", path_,
                      gone.message(), path_);
         error_code ignored;
+        arrivals_.close();
         line_.close(ignored);
         co_await wait_for_return();
         if (closed_) co_return;
@@ -113,13 +114,18 @@ Task<void> SerialPort::keep_open() {
 }
 
 Task<error_code> SerialPort::read_line() {
-    std::array<std::uint8_t, 4096> buffer;
+    std::array<std::uint8_t, 4096> buffer;  // a terminal holds fewer (N_TTY_BUF_SIZE): one read takes all
+    arrivals_.watch(line_.native_handle());
     error_code ec;
     for (;;) {
-        const std::size_t n = co_await line_.async_read_some(asio::buffer(buffer), into(ec));
+        co_await arrivals_.wait(ec);
         if (ec) co_return ec;
-        count_in(n);
-        events_.received(ByteView(buffer).first(n), {});
+        const ssize_t n = ::read(line_.native_handle(), buffer.data(), buffer.size());
+        if (n == 0) co_return asio::error::eof;
+        if (n < 0 && errno != EAGAIN) co_return error_code(errno, asio::error::get_system_category());
+        if (n < 0) continue;
+        count_in(static_cast<std::size_t>(n));
+        events_.received(ByteView(buffer).first(static_cast<std::size_t>(n)), {});
     }
 }
 
@@ -147,6 +153,7 @@ void SerialPort::close() {
     closed_ = true;
     error_code ignored;
     retry_.cancel(ignored);
+    arrivals_.close();
     line_.close(ignored);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "emulator/transport/transport.h"
+#include "emulator/transport/tty_arrivals.h"
 
 namespace echoloop {
 
@@ -35,6 +36,7 @@ class SerialPort final : public CountingTransport {
     Task<void> wait_for_return();
 
     asio::posix::stream_descriptor line_;
+    TtyArrivals arrivals_;
     asio::steady_timer retry_;
     std::string path_;
     int baud_;
