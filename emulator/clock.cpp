@@ -9,6 +9,8 @@ double Clock::unix_time() const {
 
 Task<void> Alarm::until(Time when) {
     constexpr auto never = asio::steady_timer::time_point::max();
+    if (set_) clock_.unset(*this);  // of a coroutine that waits already; the timer's new time wakes it
+    set_ = false;
     if (when == Time::max()) {
         timer_.expires_at(never);
     } else {

@@ -80,6 +80,14 @@ TEST_F(SteppedClockTest, TimeStandsStillBetweenSteps) {
     EXPECT_EQ(notes_[1], "at once 20");
 }
 
+TEST_F(SteppedClockTest, WhoWaitsSecondOnAnAlarmWakesTheFirst) {
+    Alarm alarm(clock_);
+    expect(alarm, 10ms, "first");
+    expect(alarm, 50ms, "second");
+    step({5ms, 100ms});
+    EXPECT_THAT(notes_, ElementsAre("first 0", "step 5", "second 50", "step 100"));
+}
+
 TEST_F(SteppedClockTest, ACancelledAlarmWakesItsCoroutineAtTheTimeOfTheCancel) {
     Alarm alarm(clock_), other(clock_);
     expect(alarm, 50ms, "woken");
