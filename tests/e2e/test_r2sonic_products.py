@@ -67,8 +67,7 @@ class Shapes(R2SonicCase):
                 self.assertEqual(ping.header["model"], model[-4:])
                 self.assertAlmostEqual(math.degrees(ping.header["beam_horizontal"]), beam, places=3)
                 for p in self.inner(ping):
-                    outermost = beam == 2 and abs(math.degrees(p["angle"])) > 59  # has no neighbours for its phase
-                    self.assertLess(abs(p["depth"] - 14) / 14, 0.01 if outermost else 0.005, p["angle"])
+                    self.assertLess(abs(p["depth"] - 14) / 14, 0.005, p["angle"])
                 emulator.stop()
 
     def test_points_of_an_empty_gate_are_bad_and_noise_is_not_believed(self):

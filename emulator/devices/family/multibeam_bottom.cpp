@@ -202,7 +202,8 @@ struct Room {
 
 /// Bin where an echo passes the beam's axis: a line through the direction that each bin's power comes from,
 /// as the beams around share it, which stands for the phase between the halves of an array. Nothing if it
-/// does not pass within the echo. The outermost beams lack neighbours and take the middle.
+/// does not pass within the echo. The outermost beams lack neighbours and take the
+/// middle until continue_to_edges().
 std::optional<double> axis_crossing(const Echogram& echogram, std::size_t index, BinRange bins,
                                     const Extent& extent, Room& room) {
     const std::size_t side = neighbours(echogram.shot, index);
@@ -302,6 +303,7 @@ std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate
     Room room;
     for (std::size_t n = 0; n < detections.size(); ++n)
         detections[n] = detect_in(echogram, n, gates[n], rule, stretches, room);
+    continue_to_edges(detections, echogram.shot.bearings, echogram.shot.beam_width);
     mark_in_line(detections, echogram.shot.bearings);
     return detections;
 }

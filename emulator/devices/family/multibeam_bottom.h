@@ -63,6 +63,11 @@ struct Rule {
 /// flat bottom, so that speckle does not break it up.
 std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate> gates, const Rule& rule);
 
+/// The outermost beams, over half a `beam_width` (rad), have too few neighbours beyond them whose phase they
+/// could share: where their echoes are long, they go on in the line of the beams inside, as far as that meets
+/// the echo. `angles`: rad, one a detection.
+void continue_to_edges(std::span<Detection> detections, std::span<const double> angles, double beam_width);
+
 /// Marks the detections that lie in line with two of their neighbours. `angles`: rad, one a detection.
 void mark_in_line(std::span<Detection> detections, std::span<const double> angles);
 

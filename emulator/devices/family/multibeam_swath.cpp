@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "emulator/devices/family/multibeam_bottom.h"
 
@@ -16,6 +17,37 @@ Point point_of(const Detection& detection, double angle) {
     return {detection.time * std::sin(angle), detection.time * std::cos(angle)};
 }
 
+struct Line {
+    double down = 0, slope = 0;  ///< s below the head, s per s across
+};
+
+/// Least squares through six detections by phase, from beam `first` on, where place() finds them; nothing if
+/// one of them is another.
+template <class Place>
+std::optional<Line> line_through(std::span<const Detection> detections, std::span<const double> angles,
+                                 std::size_t first, const Place& place) {
+    constexpr std::size_t points = 6;
+    if (first + points > std::min(detections.size(), angles.size())) return std::nullopt;
+    Point mean;
+    double across = 0, both = 0;
+    for (const bool about_mean : {false, true})
+        for (std::size_t beam = first; beam < first + points; ++beam) {
+            const Detection& detection = detections[place(beam)];
+            if (detection.method != Method::phase) return std::nullopt;
+            const Point point = point_of(detection, angles[place(beam)]);
+            if (about_mean) {
+                across += (point.across - mean.across) * (point.across - mean.across);
+                both += (point.across - mean.across) * (point.down - mean.down);
+            } else {
+                mean.across += point.across / points;
+                mean.down += point.down / points;
+            }
+        }
+    if (!(across > 0)) return std::nullopt;
+    const double slope = both / across;
+    return Line{mean.down - slope * mean.across, slope};
+}
+
 /// Two-way time at which the beam at `angle` meets the line through two points; 0 if it does not.
 double time_on_line(Point a, Point b, double angle) {
     const double x = b.across - a.across, z = b.down - a.down;
@@ -24,6 +56,22 @@ double time_on_line(Point a, Point b, double angle) {
 }
 
 }  // namespace
+
+void continue_to_edges(std::span<Detection> detections, std::span<const double> angles, double beam_width) {
+    const std::size_t count = std::min(detections.size(), angles.size());
+    for (const bool last : {false, true}) {
+        const auto place = [&](std::size_t beam) { return last ? count - 1 - beam : beam; };
+        std::size_t edges = 1;  // without neighbours for half a beam width outwards
+        while (edges < count && std::abs(angles[place(edges)] - angles[place(0)]) < beam_width / 2) ++edges;
+        const auto line = line_through(detections, angles, edges, place);
+        for (std::size_t beam = 0; line && beam < edges; ++beam) {
+            Detection& own = detections[place(beam)];
+            const double angle = angles[place(beam)];
+            const double time = line->down / (std::cos(angle) - line->slope * std::sin(angle));
+            if (own.method == Method::phase && own.begin <= time && time <= own.end) own.time = time;
+        }
+    }
+}
 
 void mark_in_line(std::span<Detection> detections, std::span<const double> angles) {
     constexpr double tolerance = 0.02;  // of the time, own choice

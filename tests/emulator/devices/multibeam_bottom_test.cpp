@@ -121,6 +121,18 @@ TEST(MultibeamPhase, IsMoreExactThanTheMiddleOfTheEcho) {
     EXPECT_NEAR(slant(all[beam]), flat(20)(shot.bearings[beam]), 0.003 * 33);
 }
 
+TEST(MultibeamPhase, OutermostBeamsGoOnInLine) {
+    Shot shot = wide_fan(60);
+    shot.beam_width = deg_to_rad(2);
+    double worst = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const auto all = detect(bottom_echo(shot, flat(14), {.seed = seed}));
+        for (const std::size_t edge : {0U, 1U, 2U, 253U, 254U, 255U})
+            worst = std::max(worst, std::abs(slant(all[edge]) / flat(14)(shot.bearings[edge]) - 1));
+    }
+    EXPECT_LT(worst, 0.005);
+}
+
 TEST(MultibeamNoise, WeakEchoesAreLostAndWhatIsFoundInNoiseIsNeitherBrightNorInLine) {
     const Shot shot = wide_fan(45);
     EXPECT_EQ(found(detect(bottom_echo(shot, flat(15), {.echo = 1e6}))), 256U);
