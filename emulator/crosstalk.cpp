@@ -36,8 +36,30 @@ double transmitted_amplitude(const Shot& shot, const FanPattern& pattern, Vec3 d
     return std::max(amplitude, db_to_amplitude(CrossTalk::side_level));
 }
 
+/// Power 0..1 by which an axis of beams hears an angle off each of them.
+double heard(const std::optional<TwoWayPattern>& pattern, double angle, double box) {
+    if (!pattern) return std::abs(angle) <= box / 2 ? 1 : 0;
+    const double amplitude = pattern->amplitude(angle);
+    return amplitude * amplitude;
+}
+
+/// The same for rows of beams.
+std::vector<double> received_by_rows(const Shot& shot, const FanPattern& pattern, Vec3 direction) {
+    const FanDirection seen = pattern.at(direction);
+    std::vector<double> out;
+    out.reserve(shot.beams());
+    for (const double elevation : shot.elevations) {
+        const double row = heard(pattern.upwards(), seen.elevation - elevation, shot.fan_height);
+        for (const double axis : shot.bearings)
+            out.push_back(row * heard(pattern.across(), (seen.bearing - axis) * std::cos(seen.elevation),
+                                      shot.beam_width));
+    }
+    return out;
+}
+
 /// Power 0..1 with which each beam receives from a direction.
 std::vector<double> received_powers(const Shot& shot, const FanPattern& pattern, Vec3 direction) {
+    if (shot.rows() > 1) return received_by_rows(shot, pattern, direction);
     const FanDirection seen = pattern.at(direction);
     std::vector<double> out(shot.bearings.size(), seen.receive * seen.receive);
     if (out.size() == 1) return out;
@@ -72,6 +94,8 @@ double band_overlap(const Shot& pulse, const Shot& receiver) {
 void CrossTalk::transmitted(Transmission transmission) {
     auto& bearings = transmission.shot.bearings;
     if (bearings.size() > 2) bearings = {bearings.front(), bearings.back()};
+    auto& elevations = transmission.shot.elevations;
+    if (elevations.size() > 2) elevations = {elevations.front(), elevations.back()};
     while (!recent_.empty() && recent_.front().time < transmission.time - memory) recent_.pop_front();
     const auto later = std::ranges::upper_bound(recent_, transmission.time, {}, &Transmission::time);
     recent_.insert(later, std::move(transmission));

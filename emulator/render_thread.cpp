@@ -41,8 +41,8 @@ class Place {
 Echogram silence(Shot shot, const Pose& world_from_sonar) {
     Echogram echogram;
     echogram.world_from_sonar = world_from_sonar;
-    echogram.values.assign(shot.bearings.size() * shot.bins, 0.0F);
-    echogram.truth.resize(shot.bearings.size());
+    echogram.values.assign(shot.beams() * shot.bins, 0.0F);
+    echogram.truth.resize(shot.beams());
     echogram.shot = std::move(shot);
     return echogram;
 }

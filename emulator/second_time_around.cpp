@@ -73,6 +73,7 @@ struct BinMap {
 std::optional<Shot> late_shot(const Shot& shot, const Water& water, const Effects& effects, double farthest) {
     const double window = static_cast<double>(shot.bins) * shot.bin_interval;
     const double begin = shot.interval + shot.first_bin_time;
+    if (shot.rows() > 1) return std::nullopt;  // sonars that image at once are too high for far echoes
     if (!effects.has(Effect::second_time_around) || !(shot.interval > 0) || begin + window > longest_window)
         return std::nullopt;
     const double range = sound_speed(water) / 2 * begin;

@@ -49,13 +49,19 @@ struct Receiver {
 /// (starboard positive), an elevation is positive upwards:
 ///     direction = (cos e cos b, -cos e sin b, sin e), b = pan + bearing, e relative to the tilted fan plane.
 /// `pan` turns the head about z first, `tilt` then raises the fan about the panned y axis (negative looks down).
+/// With `elevations` the beams stand in rows above each other, and e of a beam is that of its row: a whole image in one
+/// ping. Its rows and columns must not be farther apart than beams are high and wide, or what is between them is missing
+/// from side lobes.
 struct Shot {
     std::uint64_t ping = 0;        ///< ping number of the device, keys the random numbers
     double pan = 0;                ///< rad, bearing of the fan's centre
     double tilt = 0;               ///< rad, elevation of the fan's centre plane
     std::vector<double> bearings;  ///< rad, beam centres relative to pan, strictly ascending, within +-pi
+    /// rad, of rows of beams, each with all bearings; strictly ascending, within +-60 deg, as the bearings then are.
+    /// Empty: one row, in the fan's plane.
+    std::vector<double> elevations;
     double beam_width = 0;         ///< rad, horizontal width of one beam (two-way, -3 dB)
-    double fan_height = 0;         ///< rad, vertical aperture of the fan (-3 dB)
+    double fan_height = 0;         ///< rad, vertical aperture of the fan, or of each beam of rows (-3 dB)
     double first_bin_time = 0;     ///< s, two-way time of the leading edge of bin 0 (t0)
     double bin_interval = 0;       ///< s, two-way time per bin (dt)
     std::size_t bins = 0;          ///< range bins per beam
@@ -69,6 +75,9 @@ struct Shot {
     double interval = 0;            ///< s to the next transmission; 0: so long that nothing is heard of this one
     std::uint64_t random_key = 0;   ///< of seed and device; the session sets it, a device leaves it alone
 
+    std::size_t rows() const { return elevations.empty() ? 1 : elevations.size(); }
+    std::size_t beams() const { return bearings.size() * rows(); }
+
     friend bool operator==(const Shot&, const Shot&) = default;
 };
 
@@ -78,7 +87,7 @@ struct BeamTruth {
     float nearest_range = std::numeric_limits<float>::quiet_NaN();  ///< m, nearest surface in the beam; NaN: none
 };
 
-/// beams x bins of received level, beam-major (all bins of beam 0 first).
+/// beams x bins of received level, beam-major (all bins of beam 0 first); the beams row by row, the lowest first.
 struct Echogram {
     Shot shot;
     Pose world_from_sonar;
@@ -91,7 +100,7 @@ struct Echogram {
     /// direct echo comes from; 0: nothing there.
     std::vector<std::uint16_t> objects;
 
-    std::size_t beams() const { return shot.bearings.size(); }
+    std::size_t beams() const { return shot.beams(); }
     std::span<const float> beam(std::size_t index) const {
         return std::span(values).subspan(index * shot.bins, shot.bins);
     }

@@ -12,6 +12,11 @@
 #include "render/fan/target_beams.h"
 #include "render/fan/truth.h"
 #include "render/gl/scene_drawer.h"
+#include "render/grid/object_finder.h"
+#include "render/grid/paths.h"
+#include "render/grid/plan_cache.h"
+#include "render/grid/rows.h"
+#include "render/grid/truth.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -55,7 +60,9 @@ class Renderer::Impl {
           tracer_(scene, options_.surface, options_.effects),
           drawer_(checked_context(), scene),
           plans_({options_.columns_per_beam, options_.pixel_density}),
+          grids_({options_.columns_per_beam, options_.pixel_density}),
           binning_(workers_),
+          grid_binning_(workers_),
           finder_(workers_),
           chain_(options_.effects, options_.speckle) {
         for (const std::uint32_t material : drawer_.material_of_surface())
@@ -63,6 +70,7 @@ class Renderer::Impl {
     }
 
     Echogram render(const Shot& shot, const Situation& situation) {
+        if (!shot.elevations.empty()) return render_grid(shot, situation);
         const Pose& pose = situation.world_from_sonar;
         const FanPlan& plan = draw(shot, situation);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
@@ -81,6 +89,7 @@ class Renderer::Impl {
     }
 
     ChannelImage render_channels(const Shot& shot, const Situation& situation) {
+        if (!shot.elevations.empty()) throw std::invalid_argument("shot: elevations must be none for channels");
         const FanPlan& plan = draw(shot, situation);
         ChannelImage image{plan.lines, plan.samples, {}, {}, {}};
         for (std::size_t sample = 0; sample < plan.samples; ++sample)
@@ -98,6 +107,32 @@ class Renderer::Impl {
         echoloop::validate(water_);
         validate(options_);
         return gl::make_context(options_.context);
+    }
+
+    /// Rows of beams: one drawing for all.
+    Echogram render_grid(const Shot& shot, const Situation& situation) {
+        const Pose& pose = situation.world_from_sonar;
+        check(shot, situation);
+        const GridEntry& entry = grids_.entry_for(grid_geometry_of(shot, effects()), situation.detail);
+        const GridPlan& plan = entry.plan;
+        draw(plan.drawing, shot, pose);
+        Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
+        BinningInput input = binning_input(shot, plan.drawing, out.sound_speed);
+        input.paths = {};
+        GridPaths paths;
+        profile_.paths = timed([&] {
+            trace_paths(shot, pose, out.sound_speed);
+            paths = share_paths(paths_, plan, entry.geometry, entry.lobes);
+        });
+        profile_.bins = timed([&] {
+            grid_binning_.bin(input, plan, paths.arrivals, out.values);
+            out.truth = find_grid_truth(input, plan, shot);
+        });
+        if (options_.rule == EchoRule::radiometric)
+            profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(paths.points), out); });
+        if (situation.objects)
+            find_grid_objects(input, plan, drawer_.object_of_surface(), least_of_object(out), out.objects);
+        return out;
     }
 
     void trace_paths(const Shot& shot, const Pose& pose, double c) {
@@ -119,10 +154,13 @@ class Renderer::Impl {
 
     /// Which object is in which bin. What is 10 dB below the noise is not there: nobody could hear it.
     void find_objects(const FanPlan& plan, Echogram& out) {
+        finder_.find(binning_input(out.shot, plan, out.sound_speed), drawer_.object_of_surface(),
+                     least_of_object(out), out.objects);
+    }
+    static double least_of_object(const Echogram& out) {
         const double bin_length = out.sound_speed / 2 * out.shot.bin_interval;
         const double bins_at_once = std::max(1.0, range_resolution(out.shot, out.sound_speed) / bin_length);
-        finder_.find(binning_input(out.shot, plan, out.sound_speed), drawer_.object_of_surface(),
-                     0.1 * out.noise_power / bins_at_once, out.objects);
+        return 0.1 * out.noise_power / bins_at_once;
     }
 
     BinningInput binning_input(const Shot& shot, const FanPlan& plan, double c) const {
@@ -160,8 +198,8 @@ class Renderer::Impl {
         for (const Pose& pose : movers_) validate(pose);
     }
 
-    /// Fills pixels_ and returns the plan that they follow.
-    const FanPlan& draw(const Shot& shot, const Situation& situation) {
+    /// Throws as render().
+    void check(const Shot& shot, const Situation& situation) {
         if (std::this_thread::get_id() != thread_)
             throw std::logic_error("a Renderer works only on the thread that made it");
         echoloop::validate(shot);
@@ -170,11 +208,20 @@ class Renderer::Impl {
         if (!(situation.detail >= 0.1 && situation.detail <= 1))
             throw std::invalid_argument("situation: detail must be within 0.1..1");
         place_movers(situation);
+    }
+
+    /// Fills pixels_ and returns the plan that they follow.
+    const FanPlan& draw(const Shot& shot, const Situation& situation) {
+        check(shot, situation);
         const FanPlan& plan = plans_.plan_for(geometry_of(shot, effects()), situation.detail);
+        draw(plan, shot, situation.world_from_sonar);
+        return plan;
+    }
+
+    void draw(const FanPlan& plan, const Shot& shot, const Pose& pose) {
         drawer_.draw(plan, world_from_fan(shot, pose), movers_, end_range(shot), offset_of(shot), pixels_);
         const gl::DrawProfile& drawn = drawer_.profile();
         profile_ = {drawn.cull, drawn.draw, drawn.read_back, 0, 0, 0, drawn.triangles, drawn.chunks, drawn.pixels};
-        return plan;
     }
 
     void add_channels(ChannelImage& image, const FanPlan& plan, std::size_t line, std::size_t sample) const {
@@ -195,8 +242,10 @@ class Renderer::Impl {
     gl::SceneDrawer drawer_;
     std::vector<StrengthTable> strength_;
     PlanCache plans_;
+    GridCache grids_;
     Workers workers_;
     Binning binning_;
+    GridBinning grid_binning_;
     ObjectFinder finder_;
     AcousticChain chain_;
     PathEchoes paths_;

@@ -29,9 +29,22 @@ void check_bearings(const Shot& shot) {
     require(within(shot.tilt, -std::numbers::pi / 2, std::numbers::pi / 2), "tilt", "within +-pi/2");
 }
 
+void check_rows(const Shot& shot) {
+    constexpr double widest = deg_to_rad(60);
+    if (shot.elevations.empty()) return;
+    require(shot.bearings.size() >= 2 && within(static_cast<double>(shot.rows()), 2, 256) && shot.beams() <= 65536,
+            "elevations", "none, or 2..256 rows of 2 beams or more, 65536 beams in all");
+    for (std::size_t i = 0; i < shot.rows(); ++i) {
+        require(within(shot.elevations[i], -widest, widest), "elevations", "within +-60 deg");
+        require(i == 0 || shot.elevations[i] > shot.elevations[i - 1], "elevations", "strictly ascending");
+    }
+    require(shot.bearings.front() >= -widest && shot.bearings.back() <= widest, "bearings",
+            "within +-60 deg where there are rows");
+}
+
 void check_window(const Shot& shot) {
     require(within(static_cast<double>(shot.bins), 1, 65536), "bins", "within 1..65536");
-    require(shot.bins * shot.bearings.size() <= std::size_t{16} << 20, "bins",
+    require(shot.bins * shot.beams() <= std::size_t{16} << 20, "bins",
             "at most 16 Mi for all beams together");
     require(within(shot.first_bin_time, 0, 60), "first_bin_time", "within 0..60 s");
     require(within(shot.bin_interval, 1e-7, 10), "bin_interval", "within 100 ns..10 s");
@@ -43,6 +56,7 @@ void check_window(const Shot& shot) {
 
 void validate(const Shot& shot) {
     check_bearings(shot);
+    check_rows(shot);
     check_window(shot);
     require(within(shot.frequency, 1e3, 1e7), "frequency", "within 1 kHz..10 MHz");
     require(within(shot.pulse_length, 0, 10), "pulse_length", "within 0..10 s");

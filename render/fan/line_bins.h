@@ -50,6 +50,7 @@ class LineBins {
         end_ = 0;
     }
     bool empty() const { return begin_ >= end_; }
+    const float* values() const { return values_; }
     std::size_t begin() const { return begin_; }
     std::size_t end() const { return end_; }
 

@@ -115,4 +115,25 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, Amount amoun
         for_each_echo<Amount::echo>(in, gain, reader, weight, view.samples, deposit);
 }
 
+void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
+                 LineReader& reader, std::vector<PixelEcho>& echoes) {
+    reader.read(in, view, line);
+    echoes.clear();
+    const auto list = [&](std::size_t i, float near, float far, float value, float slope) {
+        echoes.push_back({static_cast<std::uint32_t>(i), near, far, value, slope});
+    };
+    const std::size_t first = view.first_pixel + line * view.samples, count = view.samples;
+    const float *weight = &in.plan.weight[first], *coverage = &in.plan.coverage[first];
+    switch (amount) {
+        case Amount::echo:
+            return for_each_echo<Amount::echo>(in, gain, reader, weight, count, list);
+        case Amount::wanted_echo:
+            return for_each_echo<Amount::wanted_echo>(in, gain, reader, weight, count, list);
+        case Amount::paper_echo:
+            return for_each_echo<Amount::paper_echo>(in, gain, reader, coverage, count, list);
+        case Amount::paper_share:
+            return for_each_echo<Amount::paper_share>(in, gain, reader, coverage, count, list);
+    }
+}
+
 }  // namespace echoloop

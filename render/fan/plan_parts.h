@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/fan/lobe.h"
@@ -46,6 +47,8 @@ void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height)
 void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& geometry, const FanLobes& lobes);
 /// Appends views of all directions that the level views leave out, as far as the array hears them.
 void add_surround(FanPlan& plan, FanPart& part, const FanLobes& lobes, double density);
+/// All directions in front of an array: five faces of a cube of `side` x `side` pixels, those beside cut in half.
+std::array<View, 5> front_half_cube(std::size_t side);
 /// Sorts lines and surround pixels into sectors and finds what each beam hears of them.
 void add_far_lobes(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const FanLobes& lobes);
 

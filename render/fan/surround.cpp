@@ -25,19 +25,6 @@ Direction direction_at(const View& view, Quat array_from_view, double line, doub
     return {std::atan2(-d.y, d.x), std::atan2(d.z, std::sqrt(d.x * d.x + d.y * d.y))};
 }
 
-/// The faces, level ones with bearings relative to the array's axis.
-std::array<View, 5> faces(std::size_t side) {
-    constexpr double right_angle = std::numbers::pi / 2;
-    const auto face = [side](double bearing, double elevation, double left, double right, double bottom, double top) {
-        View view{bearing, elevation, left, right, bottom, top, side, side, 0, 0};
-        view.lines = static_cast<std::size_t>(static_cast<double>(side) * (right - left) / 2);
-        view.samples = static_cast<std::size_t>(static_cast<double>(side) * (top - bottom) / 2);
-        return view;
-    };
-    return {face(0, 0, -1, 1, -1, 1), face(-right_angle, 0, 0, 1, -1, 1), face(right_angle, 0, -1, 0, -1, 1),
-            face(0, -right_angle, -1, 1, 0, 1), face(0, right_angle, -1, 1, -1, 0)};
-}
-
 class Surround {
   public:
     Surround(FanPlan& plan, const FanPart& part, const FanLobes& lobes) : plan_(plan), part_(part), lobes_(lobes) {}
@@ -130,6 +117,18 @@ class Surround {
 
 }  // namespace
 
+std::array<View, 5> front_half_cube(std::size_t side) {
+    constexpr double right_angle = std::numbers::pi / 2;
+    const auto face = [side](double bearing, double elevation, double left, double right, double bottom, double top) {
+        View view{bearing, elevation, left, right, bottom, top, side, side, 0, 0};
+        view.lines = static_cast<std::size_t>(static_cast<double>(side) * (right - left) / 2);
+        view.samples = static_cast<std::size_t>(static_cast<double>(side) * (top - bottom) / 2);
+        return view;
+    };
+    return {face(0, 0, -1, 1, -1, 1), face(-right_angle, 0, 0, 1, -1, 1), face(right_angle, 0, -1, 0, -1, 1),
+            face(0, -right_angle, -1, 1, 0, 1), face(0, right_angle, -1, 1, -1, 0)};
+}
+
 void add_surround(FanPlan& plan, FanPart& part, const FanLobes& lobes, double density) {
     part.first_surround = plan.views.size();
     if (part.last_edge - part.first_edge > widest_part) return;
@@ -138,7 +137,7 @@ void add_surround(FanPlan& plan, FanPart& part, const FanLobes& lobes, double de
     const auto wished = static_cast<std::size_t>(usual * std::sqrt(density));
     const std::size_t side = std::clamp<std::size_t>(wished, 16, plan.samples) / 2 * 2;
     Surround surround(plan, part, lobes);
-    for (View view : faces(side)) {
+    for (View view : front_half_cube(side)) {
         const double relative = view.bearing;
         view.bearing += part.centre;
         part.surrounds += surround.add(view, relative);

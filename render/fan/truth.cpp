@@ -48,16 +48,18 @@ float range_between(std::span<const Pixel> pixels, std::size_t samples, Between 
     return std::lerp(left, right, line.share);
 }
 
-float axis_range(const FanPlan& plan, std::span<const Pixel> pixels, double bearing, PixelOffset offset) {
+}  // namespace
+
+float axis_range(const FanPlan& plan, std::span<const Pixel> pixels, double bearing, double elevation,
+                 PixelOffset offset) {
     const View& view = plan.view_at(bearing);
-    const double line = (std::tan(bearing - view.bearing) - view.left) / view.line_width() - offset.line;
-    const double sample = view.top / view.sample_height() - offset.sample;
+    const double x = std::tan(bearing - view.bearing), y = std::tan(elevation) * std::sqrt(1 + x * x);
+    const double line = (x - view.left) / view.line_width() - offset.line;
+    const double sample = (view.top - y) / view.sample_height() - offset.sample;
     Between lines = between(line, view.lines);
     lines.lower += view.first_line;
-    return range_between(pixels, plan.samples, lines, between(sample, plan.samples));
+    return range_between(pixels, plan.samples, lines, between(sample, view.samples));
 }
-
-}  // namespace
 
 std::vector<BeamTruth> find_truth(const FanPlan& plan, std::span<const Pixel> pixels,
                                   std::span<const double> bearings, PixelOffset offset) {
@@ -69,7 +71,7 @@ std::vector<BeamTruth> find_truth(const FanPlan& plan, std::span<const Pixel> pi
         float nearest = nothing;
         for (std::size_t i = 0; i < own.nominal_lines; ++i)
             nearest = std::min(nearest, lines[own.first_nominal + i]);
-        truth[beam].axis_range = axis_range(plan, pixels, bearings[beam], offset);
+        truth[beam].axis_range = axis_range(plan, pixels, bearings[beam], 0, offset);
         if (nearest < nothing) truth[beam].nearest_range = nearest;
     }
     return truth;

@@ -8,6 +8,10 @@
 
 namespace echoloop {
 
+/// m, of what stands in a direction relative to the plan's level plane; NaN: nothing.
+float axis_range(const FanPlan& plan, std::span<const Pixel> pixels, double bearing, double elevation,
+                 PixelOffset offset);
+
 /// One entry per bearing. `offset` is where in its pixels the ping sampled.
 std::vector<BeamTruth> find_truth(const FanPlan& plan, std::span<const Pixel> pixels,
                                   std::span<const double> bearings, PixelOffset offset);

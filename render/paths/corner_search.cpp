@@ -55,7 +55,7 @@ void find_corner_echoes(const PathPing& ping, std::span<const Corner> corners, s
         if (amplitude == 0) continue;
         const double phase = 2 * ping.wavenumber * range + (amplitude < 0 ? std::numbers::pi : 0);
         out.push_back({range, amplitude * amplitude, std::remainder(phase, 2 * std::numbers::pi),
-                       seen.bearing, corner.faces});
+                       seen.bearing, corner.faces, seen.elevation});
     }
 }
 

@@ -56,6 +56,7 @@ class DiffuseSearch {
     DiffuseSearch(const PathPing& ping, std::vector<PathEcho>& out, std::vector<Corner>& corners)
         : ping_(ping),
           cells_(ping.shot, ping.pattern.half_width(), ping.pattern.half_height()),
+          rows_(ping.shot.rows() > 1),
           out_(out),
           corners_(ping, corners) {
         const auto& bearings = ping.shot.bearings;
@@ -155,13 +156,20 @@ class DiffuseSearch {
         }
         const double power = echo.amplitude * echo.amplitude * strength;
         if (power > 0)
-            fill_beams(cell, echo.bearing,
-                       {static_cast<float>(near), static_cast<float>(far), static_cast<float>(power), 0});
+            fill_beams(cell, echo, static_cast<float>(near), static_cast<float>(far), static_cast<float>(power));
     }
 
     /// A cell is wider than a beam: its echo comes from all its bearings.
-    void fill_beams(const LobeCell& cell, double bearing, PathEcho echo) {
-        const double width = cell.last_bearing - cell.first_bearing;
+    void fill_beams(const LobeCell& cell, const PairEcho& arrival, float near, float far, float power) {
+        PathEcho echo;
+        echo.near_range = near, echo.far_range = far, echo.power = power;
+        const double width = cell.last_bearing - cell.first_bearing, bearing = arrival.bearing;
+        if (rows_) {  // beams share it by their patterns over the cell
+            echo.bearing = static_cast<float>(bearing), echo.elevation = static_cast<float>(arrival.elevation);
+            echo.width = static_cast<float>(width), echo.height = static_cast<float>(cell.high - cell.low);
+            out_.push_back(echo);
+            return;
+        }
         const int copies = spacing_ > 0 ? std::clamp(static_cast<int>(std::ceil(width / spacing_)), 1, most_copies) : 1;
         const double first = bearing - (cell.bearing - cell.first_bearing);
         echo.power /= static_cast<float>(copies);
@@ -173,6 +181,7 @@ class DiffuseSearch {
 
     const PathPing& ping_;
     LobeCells cells_;
+    bool rows_;
     std::vector<PathEcho>& out_;
     CornerList corners_;
     double spacing_ = 0;

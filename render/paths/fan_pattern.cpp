@@ -7,7 +7,10 @@
 namespace echoloop {
 
 FanPattern::Key FanPattern::key_of(const Shot& shot) {
-    return {shot.horizontal, shot.vertical, shot.beam_width, shot.fan_height, shot.bearings};
+    Key key{shot.horizontal, shot.vertical, shot.beam_width, shot.fan_height, shot.bearings};
+    key.rows = shot.rows() > 1;
+    if (key.rows) key.lowest_row = shot.elevations.front(), key.highest_row = shot.elevations.back();
+    return key;
 }
 
 FanPattern::FanPattern(const Shot& shot, const Effects& effects)
@@ -46,8 +49,13 @@ bool FanPattern::is_behind(double bearing) const {
 FanDirection FanPattern::at(Vec3 d) const {
     FanDirection out;
     out.bearing = std::atan2(-d.y, d.x);
-    const double elevation = std::asin(std::clamp(d.z, -1.0, 1.0));
-    out.transmit = amplitude(vertical_, half_height_, side_lobes_, elevation);
+    out.elevation = std::asin(std::clamp(d.z, -1.0, 1.0));
+    if (key_.rows) {
+        const bool lit = out.elevation > key_.lowest_row - half_height_ && out.elevation < key_.highest_row + half_height_;
+        out.transmit = out.receive = lit && !is_behind(out.bearing) ? 1 : 0;
+        return out;
+    }
+    out.transmit = amplitude(vertical_, half_height_, side_lobes_, out.elevation);
     out.receive = key_.vertical.ways == 2 || !vertical_ ? out.transmit : 1;
     if (key_.bearings.size() > 1) {
         // An axis that is directive one way only is broad the other way, but not broader than the baffle lets

@@ -13,11 +13,13 @@ namespace echoloop {
 /// A direction as the aperture sees it.
 struct FanDirection {
     double bearing = 0;                ///< rad, relative to Shot::pan, clockwise positive
+    double elevation = 0;              ///< rad, over the fan's plane
     double transmit = 0, receive = 0;  ///< amplitude relative to the axis, -1..1
 };
 
 /// Which way of an axis with AxisPattern::ways == 1 is directive: horizontally the receiver (multibeam sonars
-/// form their beams there), vertically the transmitter. The horizontal pattern counts for a single beam only:
+/// form their beams there), vertically the transmitter. Rows of beams (Shot::elevations) are formed by the receiver both
+/// ways, and the transmitter fills them all alike: the pattern is 1 within their limits and 0 beyond. The horizontal pattern counts for a single beam only:
 /// those who share echoes among the beams of a fan know theirs.
 class FanPattern {
   public:
@@ -30,6 +32,8 @@ class FanPattern {
 
     /// Of each beam across the fan; empty: a box.
     const std::optional<TwoWayPattern>& across() const { return horizontal_; }
+    /// The same in elevation.
+    const std::optional<TwoWayPattern>& upwards() const { return vertical_; }
     /// rad above and below the fan's plane, to the first nulls or the edge of the box.
     double half_height() const { return half_height_; }
     /// rad beside a beam's axis, the same.
@@ -40,6 +44,8 @@ class FanPattern {
         AxisPattern horizontal, vertical;
         double beam_width, fan_height;
         std::vector<double> bearings;
+        double lowest_row = 0, highest_row = 0;
+        bool rows = false;
         friend bool operator==(const Key&, const Key&) = default;
     };
     static Key key_of(const Shot& shot);

@@ -6,6 +6,7 @@ namespace echoloop {
 namespace {
 
 constexpr std::size_t most_columns = 32, fan_cells = 512, most_rows = 32;
+constexpr std::size_t columns_of_rows = 64;  ///< where a shot has rows of beams
 
 /// k-th value of the sequence in 0..1: the fraction of k / g or k / g^2, g = 1.32471795724.
 double r2(std::uint64_t k, int axis) {
@@ -17,6 +18,10 @@ double r2(std::uint64_t k, int axis) {
 
 LobeCells::LobeCells(const Shot& shot, double half_width, double half_height)
     : half_height_(std::min(half_height, 1.5)) {
+    if (shot.rows() > 1)
+        half_height_ = std::min(1.5, half_height + std::max(-shot.elevations.front(), shot.elevations.back()));
+    const std::size_t columns_at_most = shot.rows() > 1 ? columns_of_rows : most_columns;
+    const std::size_t all_cells = shot.rows() > 1 ? columns_of_rows * most_rows : fan_cells;
     for (const double bearing : shot.bearings) {
         if (!intervals_.empty() && bearing - half_width <= intervals_.back().last)
             intervals_.back().last = bearing + half_width;
@@ -25,9 +30,9 @@ LobeCells::LobeCells(const Shot& shot, double half_width, double half_height)
     }
     double total = 0;
     for (const Interval& interval : intervals_) total += interval.last - interval.first;
-    const std::size_t wished = std::clamp(shot.bearings.size(), std::size_t{2}, most_columns);
-    const std::size_t rows = std::min(most_rows, fan_cells / wished);
-    std::uint64_t k = shot.ping * fan_cells;
+    const std::size_t wished = std::clamp(shot.bearings.size(), std::size_t{2}, columns_at_most);
+    const std::size_t rows = std::min(most_rows, all_cells / wished);
+    std::uint64_t k = shot.ping * all_cells;
     for (const Interval& interval : intervals_) {
         const double length = interval.last - interval.first;
         const double columns = std::ceil(length / total * static_cast<double>(wished) - 1e-9);

@@ -23,6 +23,7 @@ struct PairEcho {
     double range = 0;      ///< m, apparent: half the length of both ways
     double amplitude = 0;  ///< uPa; negative: turned by pi
     double bearing = 0;    ///< rad, of arrival, relative to Shot::pan
+    double elevation = 0;  ///< rad, the same over the fan's plane
 };
 
 struct PathPing {
@@ -54,7 +55,7 @@ struct PathPing {
         if (way.length >= end_range) return;
         const double patterns = way.at_sonar.transmit * way.at_sonar.receive;
         add(PairEcho{way.length, arrival(way.length, way.length) * patterns * way.reflection * way.reflection,
-                     way.at_sonar.bearing});
+                     way.at_sonar.bearing, way.at_sonar.elevation});
     }
 
     /// The same for two different ways: out by one and back by the other, and the reverse. Both take as long
@@ -68,12 +69,14 @@ struct PathPing {
         const double by_a = base * b.at_sonar.transmit * a.at_sonar.receive;
         const double by_b = base * a.at_sonar.transmit * b.at_sonar.receive;
         const double apart = std::abs(a.at_sonar.bearing - b.at_sonar.bearing);
-        if (shot.bearings.size() == 1 || apart < shot.beam_width / 2) {
-            const bool rather_a = std::abs(by_a) > std::abs(by_b);
-            add(PairEcho{range, by_a + by_b, rather_a ? a.at_sonar.bearing : b.at_sonar.bearing});
+        const bool in_one_row =
+            shot.rows() == 1 || std::abs(a.at_sonar.elevation - b.at_sonar.elevation) < shot.fan_height / 2;
+        if (shot.bearings.size() == 1 || (apart < shot.beam_width / 2 && in_one_row)) {
+            const FanDirection& from = std::abs(by_a) > std::abs(by_b) ? a.at_sonar : b.at_sonar;
+            add(PairEcho{range, by_a + by_b, from.bearing, from.elevation});
         } else {
-            add(PairEcho{range, by_a, a.at_sonar.bearing});
-            add(PairEcho{range, by_b, b.at_sonar.bearing});
+            add(PairEcho{range, by_a, a.at_sonar.bearing, a.at_sonar.elevation});
+            add(PairEcho{range, by_b, b.at_sonar.bearing, b.at_sonar.elevation});
         }
     }
 };

@@ -28,6 +28,9 @@ struct PathEcho {
           far_range = 0;  ///< m, apparent slant range: half the path's length; spread evenly between
     float power = 0;      ///< uPa^2, as if the pulse were infinitely short
     float bearing = 0;    ///< rad, where it arrives from, relative to Shot::pan
+    /// rad, where the shot has rows: over the fan's plane, and how far the directions reach that it comes from; the
+    /// receiver's vertical pattern is left out too.
+    float elevation = 0, width = 0, height = 0;
 };
 
 /// The echo of a target of declared strength by one of its paths, or that of a corner. Echoes of one range
@@ -38,6 +41,7 @@ struct TargetEcho {
     double phase = 0;    ///< rad, of the path's length and reflections
     double bearing = 0;  ///< rad, of arrival, relative to Shot::pan
     int bounces = 0;     ///< reflections on the way there and back
+    double elevation = 0;  ///< rad, over the fan's plane; where the shot has rows, its vertical pattern is left out too
 };
 
 struct PathEchoes {

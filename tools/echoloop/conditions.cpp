@@ -18,7 +18,8 @@ std::pair<double, double> elevations(const Scenario& scenario, const ScenarioDev
         const Shot shot = device.model->default_shot(device.config, step, 0);
         for (const double bearing : shot.bearings)
             for (const double part : {-0.5, 0.0, 0.5}) {
-                const double e = shot.tilt + part * shot.fan_height, b = shot.pan + bearing;
+                const double row = shot.rows() == 1 ? 0 : part < 0 ? shot.elevations.front() : shot.elevations.back();
+                const double e = shot.tilt + row + part * shot.fan_height, b = shot.pan + bearing;
                 const Vec3 ahead{std::cos(e) * std::cos(b), -std::cos(e) * std::sin(b), std::sin(e)};
                 const double up = (world_from_sonar * ahead).z - world_from_sonar.position.z;
                 const double elevation = std::asin(std::clamp(up, -1.0, 1.0));

@@ -41,6 +41,13 @@ std::pair<std::size_t, std::size_t> steps_of(const Model& model, const Arguments
     return {static_cast<std::size_t>(step), static_cast<std::size_t>(step) + 1};
 }
 
+/// What is drawn of a sonar with rows of beams: the row just above the middle, as a fan.
+Shot in_one_plane(Shot shot) {
+    if (shot.rows() > 1) shot.tilt += shot.elevations[shot.rows() / 2];
+    shot.elevations.clear();
+    return shot;
+}
+
 std::string extension_of(const Arguments& arguments) {
     auto extension = std::filesystem::path(arguments.text("--out")).extension().string();
     const bool channels = arguments.has("--channels");
@@ -84,7 +91,7 @@ class Job {
 
   private:
     Shot shot(std::size_t step) const {
-        Shot shot = device_.model->default_shot(device_.config, step, range_);
+        Shot shot = in_one_plane(device_.model->default_shot(device_.config, step, range_));
         shot.random_key = random_key(scenario_.seed, device_.name);  // as the session does
         return shot;
     }

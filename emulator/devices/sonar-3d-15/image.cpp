@@ -1,6 +1,7 @@
 #include "emulator/devices/sonar-3d-15/image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace echoloop::sonar_3d_15 {
@@ -8,6 +9,19 @@ namespace {
 
 constexpr double strength_per_db = 5;  // 100 log10 of an amplitude
 constexpr double bins_per_pulse = 1.5;
+
+/// Index of the greatest, the first of them; many lanes side by side, of which the compiler makes vectors.
+std::size_t peak_of(std::span<const float> levels) {
+    constexpr std::size_t lanes = 16;
+    std::array<float, lanes> most{};
+    std::size_t i = 0;
+    for (; i + lanes <= levels.size(); i += lanes)
+        for (std::size_t k = 0; k < lanes; ++k) most[k] = std::max(most[k], levels[i + k]);
+    for (; i < levels.size(); ++i) most[0] = std::max(most[0], levels[i]);
+    const float greatest = *std::max_element(most.begin(), most.end());
+    const auto found = std::find(levels.begin(), levels.end(), greatest);
+    return found == levels.end() ? 0 : static_cast<std::size_t>(found - levels.begin());
+}
 
 /// Mean place of the power in the peak and its two neighbours, in bins from the start of the first.
 double centre_of(std::span<const float> levels, std::size_t peak) {
@@ -39,13 +53,12 @@ Plan make_plan(const State& state, double speed, const Settings& settings) {
     return plan;
 }
 
-Shot make_shot(const Plan& plan, double tilt, const std::vector<double>& bearings, const Settings& settings,
-               std::uint64_t number) {
+Shot make_shot(const Plan& plan, const View& view, const Settings& settings, std::uint64_t number) {
     const ModeFigures& mode = settings.mode(plan.high);
     Shot shot;
     shot.ping = number;
-    shot.tilt = tilt;
-    shot.bearings = bearings;
+    shot.bearings = view.bearings;
+    shot.elevations = view.elevations;
     shot.beam_width = mode.beam_width;
     shot.fan_height = mode.fan_height;
     shot.first_bin_time = 2 * plan.range_min / plan.speed;
@@ -59,14 +72,14 @@ Shot make_shot(const Plan& plan, double tilt, const std::vector<double>& bearing
     shot.vertical = settings.acoustics.vertical;
     shot.receiver = settings.acoustics.receiver;
     shot.receiver.directivity_index = mode.directivity_index;
+    shot.interval = plan.period;
     return shot;
 }
 
 std::optional<Pixel> strongest(const Echogram& echogram, std::size_t beam, const Plan& plan,
                                const Settings& settings) {
     const auto levels = echogram.beam(beam);
-    const auto peak =
-        static_cast<std::size_t>(std::max_element(levels.begin(), levels.end()) - levels.begin());
+    const std::size_t peak = peak_of(levels);
     const double power = levels[peak];
     if (!(power > 0)) return std::nullopt;
     const double distance = plan.range_min + centre_of(levels, peak) * plan.bin;

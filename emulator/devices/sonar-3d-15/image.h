@@ -1,5 +1,5 @@
-// One image: the plan of its pings, and the strongest echo of each beam as a pixel. Pure functions of
-// settings and echograms.
+// One image: the plan of its ping, and the strongest echo of each beam as a pixel. Pure functions of settings
+// and echograms.
 #pragma once
 
 #include <optional>
@@ -15,15 +15,14 @@ struct Plan {
     double speed = 0;                     ///< m/s, as the sonar believes
     std::size_t bins = 0;
     double bin = 0;     ///< m
-    double period = 0;  ///< s from the first fan to the image
+    double period = 0;  ///< s from the transmission to the image
 };
 
 /// `speed`: m/s, the one in use.
 Plan make_plan(const State& state, double speed, const Settings& settings);
 
-/// The shot of one fan. `number` counts fans and keys the random numbers.
-Shot make_shot(const Plan& plan, double tilt, const std::vector<double>& bearings, const Settings& settings,
-               std::uint64_t number);
+/// The shot of all beams at once. `number` counts shots and keys the random numbers.
+Shot make_shot(const Plan& plan, const View& view, const Settings& settings, std::uint64_t number);
 
 struct Pixel {
     double distance = 0;        ///< m, as the sonar believes

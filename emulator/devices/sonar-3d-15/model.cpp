@@ -33,7 +33,6 @@ std::unique_ptr<Device> make(const DeviceConfig& config) {
     return std::make_unique<Sonar>(read_settings(config), read_wiring(config.endpoints));
 }
 
-/// The fan just above the middle row.
 Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     const Settings settings = read_settings(config);
     State state = settings.start;
@@ -41,7 +40,7 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     if (state.range_max <= state.range_min) state.range_min = 0;
     const View view = make_view(settings.mode(state.high), settings.first_row_up);
     const Plan plan = make_plan(state, config.sound_speed, settings);
-    return make_shot(plan, view.tilts[view.tilts.size() / 2], view.bearings, settings, step + 1);
+    return make_shot(plan, view, settings, step + 1);
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ double Sonar::speed_of(const State& state) const {
     return automatic_speed(settings_.water_temperature, state.salt ? salt_water : fresh_water);
 }
 
-/// Drops the image under way; the fan under way is waited for, since there is one ping at a time.
+/// Drops the image under way; its shot is waited for, since there is one at a time.
 void Sonar::restart(Time now) {
     shooting_.reset();
     if (state_.enabled && !ping_under_way_) begin_image(now);
@@ -106,53 +106,36 @@ void Sonar::begin_image(Time now) {
         view_is_high_ = state_.high;
         view_ = make_view(settings_.mode(state_.high), settings_.first_row_up);
     }
-    shooting_ = Shooting{make_plan(state_, speed_, settings_), now, 0, {}, {}};
-    shooting_->distances.assign(width * height, 0);
-    shooting_->strengths.assign(width * height, 0);
-    transmit(now);
-}
-
-/// The fans share the image's period evenly, so that rendering has all of it.
-void Sonar::transmit(Time now) {
-    const Shooting& image = *shooting_;
-    const double share = static_cast<double>(image.fan + 1) / static_cast<double>(view_.tilts.size());
-    const Time due = image.start + from_seconds(image.plan.period * share);
+    ++shots_;
+    shooting_ = Shooting{make_plan(state_, speed_, settings_), now};
     ping_under_way_ = true;
-    actions_.ping = Ping{make_shot(image.plan, view_.tilts[image.fan], view_.bearings, settings_, ++fans_),
-                         std::max(due, now)};
+    actions_.ping = Ping{make_shot(shooting_->plan, view_, settings_, shots_),
+                         now + from_seconds(shooting_->plan.period)};
 }
 
 Actions Sonar::heard(const Echogram& echogram, Time now) {
-    if (!ping_under_way_ || echogram.shot.ping != fans_) return take_actions();
+    if (!ping_under_way_ || echogram.shot.ping != shots_) return take_actions();
     ping_under_way_ = false;
-    if (shooting_ && echogram.beams() == view_.bearings.size() &&
-        echogram.shot.bins == shooting_->plan.bins) {
-        take_fan(echogram);
-        if (++shooting_->fan < view_.tilts.size()) {
-            transmit(now);
-            return take_actions();
-        }
-        send_image();
-    }
+    if (shooting_ && echogram.beams() == width * height && echogram.shot.bins == shooting_->plan.bins)
+        send_image(echogram);
     restart(now);
     return take_actions();
 }
 
-void Sonar::take_fan(const Echogram& echogram) {
-    for (const PixelBeam& at : view_.pixels[shooting_->fan]) {
-        const auto pixel = strongest(echogram, at.beam, shooting_->plan, settings_);
-        if (!pixel) continue;
-        const long counts = std::lround(pixel->distance / static_cast<double>(pixel_scale));
-        shooting_->distances[at.pixel] = static_cast<std::uint32_t>(std::clamp(counts, 1L, 65535L));
-        shooting_->strengths[at.pixel] = pixel->strength;
-    }
-}
-
-void Sonar::send_image() {
+void Sonar::send_image(const Echogram& echogram) {
     ++counters_.pings;
     const std::uint32_t number = images_++;
     const auto to = destination();
     if (!to) return;
+    std::vector<std::uint32_t> distances(width * height, 0);
+    wire::Bytes strengths(width * height, 0);
+    for (std::size_t beam = 0; beam < width * height; ++beam) {
+        const auto pixel = strongest(echogram, beam, shooting_->plan, settings_);
+        if (!pixel) continue;
+        const long counts = std::lround(pixel->distance / static_cast<double>(pixel_scale));
+        distances[view_.pixel_of(beam)] = static_cast<std::uint32_t>(std::clamp(counts, 1L, 65535L));
+        strengths[view_.pixel_of(beam)] = pixel->strength;
+    }
     const Plan& plan = shooting_->plan;
     const ModeFigures& mode = settings_.mode(plan.high);
     const auto fill = [&](auto& message) {
@@ -169,11 +152,11 @@ void Sonar::send_image() {
     sonar3d::RangeImage ranges;
     fill(ranges);
     ranges.image_pixel_scale = pixel_scale;
-    ranges.image_pixel_data = std::move(shooting_->distances);
+    ranges.image_pixel_data = std::move(distances);
     send_packet(std::move(ranges), *to);
     sonar3d::BitmapImage bitmap;
     fill(bitmap);
-    bitmap.image_pixel_data = std::move(shooting_->strengths);
+    bitmap.image_pixel_data = std::move(strengths);
     send_packet(std::move(bitmap), *to);
 }
 

@@ -27,21 +27,16 @@ class Sonar final : public Device {
     DeviceCounters counters() const override { return counters_; }
 
   private:
-    /// An image that is being shot, one fan after another.
+    /// An image that is being shot.
     struct Shooting {
         Plan plan;
         Time start{};
-        std::size_t fan = 0;  ///< under way
-        std::vector<std::uint32_t> distances;
-        wire::Bytes strengths;
     };
 
     void obey(const http::Request& request, Time now);
     void restart(Time now);
     void begin_image(Time now);
-    void transmit(Time now);
-    void take_fan(const Echogram& echogram);
-    void send_image();
+    void send_image(const Echogram& echogram);
     void send_packet(sonar3d::Message message, Address to);
     std::optional<Address> destination() const;
     double speed_of(const State& state) const;
@@ -60,7 +55,7 @@ class Sonar final : public Device {
     bool view_is_high_ = false;
     std::optional<Shooting> shooting_;
     bool ping_under_way_ = false;
-    std::uint64_t fans_ = 0;  ///< transmitted
+    std::uint64_t shots_ = 0;  ///< transmitted
     std::uint32_t images_ = 0;
     Actions actions_;
     DeviceCounters counters_;

@@ -42,10 +42,10 @@ inline Echogram echo_of(const Shot& shot, std::size_t bin, float power) {
     Echogram echogram;
     echogram.shot = shot;
     echogram.sound_speed = 1500;
-    echogram.values.assign(shot.bearings.size() * shot.bins, 0.0F);
-    echogram.truth.resize(shot.bearings.size());
+    echogram.values.assign(shot.beams() * shot.bins, 0.0F);
+    echogram.truth.resize(shot.beams());
     if (bin < shot.bins)
-        for (std::size_t beam = 0; beam < shot.bearings.size(); ++beam)
+        for (std::size_t beam = 0; beam < shot.beams(); ++beam)
             echogram.values[beam * shot.bins + bin] = power;
     return echogram;
 }

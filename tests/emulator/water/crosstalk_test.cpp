@@ -163,5 +163,37 @@ TEST(CrossTalk, FindsThePulseAmongManyPings) {
     EXPECT_NEAR(total(echogram) / echogram.values[20], 1, 1e-5);
 }
 
+// 5 rows of 5 beams, 0.1 rad apart; the pulse comes from straight ahead.
+TEST(CrossTalk, RowsOfBeamsHearAPulseWhereItComesFrom) {
+    Transmission receiver = own;
+    receiver.shot.bearings = receiver.shot.elevations = {-0.2, -0.1, 0, 0.1, 0.2};
+    receiver.shot.fan_height = 0.1;
+    receiver.shot.horizontal = receiver.shot.vertical = {ApertureShape::hamming, 1};
+    const Echogram echo = [&] {
+        CrossTalk cross_talk(water(), steady);
+        cross_talk.transmitted(other());
+        Echogram silent = silence(receiver.shot);
+        silent.values.assign(25 * 100, 0.0F);
+        cross_talk.add_to(silent, receiver);
+        return silent;
+    }();
+    const auto power = [&](std::size_t row, std::size_t column) { return echo.values[(row * 5 + column) * 100 + 30]; };
+    EXPECT_GT(power(2, 2), 0);
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_FLOAT_EQ(power(2, i), power(i, 2)) << "alike across and upwards";
+        EXPECT_LT(power(i, 4), 0.01F * power(2, 2));
+        EXPECT_LT(power(4, i), 0.01F * power(2, 2));
+    }
+    // And what has rows transmits over all of them.
+    Transmission sender = other();
+    sender.shot.bearings = sender.shot.elevations = {-0.2, 0.2};
+    sender.shot.fan_height = 0.1;
+    const float ahead = heard(sender).values[30];
+    sender.world_from_sonar.orientation = axis_angle({0, 0, 1}, std::numbers::pi) * axis_angle({0, 1, 0}, 0.15);
+    EXPECT_FLOAT_EQ(heard(sender).values[30], ahead);
+    sender.world_from_sonar.orientation = axis_angle({0, 0, 1}, std::numbers::pi) * axis_angle({0, 1, 0}, 0.5);
+    EXPECT_LT(heard(sender).values[30], 0.01F * ahead);
+}
+
 }  // namespace
 }  // namespace echoloop

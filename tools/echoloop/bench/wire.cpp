@@ -27,15 +27,15 @@ Echogram made_up(const Shot& shot) {
     echogram.shot = shot;
     echogram.sound_speed = 1500;
     echogram.noise_power = 1e9;
-    echogram.values.resize(shot.bearings.size() * shot.bins);
-    echogram.truth.resize(shot.bearings.size());
+    echogram.values.resize(shot.beams() * shot.bins);
+    echogram.truth.resize(shot.beams());
     std::uint32_t state = 1;
     for (float& value : echogram.values) {
         state = state * 1664525U + 1013904223U;
         value = 1e9F * static_cast<float>((state >> 8) + 1) * 0x1p-23F;
     }
     const std::size_t bottom = shot.bins * 3 / 4, last = std::min(shot.bins, bottom + 8);
-    for (std::size_t beam = 0; beam < shot.bearings.size(); ++beam)
+    for (std::size_t beam = 0; beam < shot.beams(); ++beam)
         for (std::size_t bin = bottom; bin < last; ++bin) echogram.values[beam * shot.bins + bin] += 1e14F;
     return echogram;
 }
@@ -79,7 +79,7 @@ class Driven {
         const double begin = thread_ms();
         Actions actions = device_->heard(echogram, now_);
         const double taken = thread_ms() - begin;
-        figures.beams = ping.shot.bearings.size(), figures.bins = ping.shot.bins;
+        figures.beams = ping.shot.beams(), figures.bins = ping.shot.bins;
         figures.messages = actions.send.size(), figures.bytes = 0;
         for (const Send& send : actions.send) figures.bytes += send.bytes.size();
         take(std::move(actions));

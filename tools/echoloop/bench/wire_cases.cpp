@@ -107,7 +107,7 @@ std::vector<WireCase> wire_cases() {
               {0, hex("0000002508032a2108071500007041"
                       "18f60720ec0f2884523008380b40034801500158016500009041")}}},
             {"delta t", "imagenex-deltat", {}, {}},
-            {"sonar 3d, one fan", "sonar-3d-15", {{"acoustics", true}}, {}}};
+            {"sonar 3d", "sonar-3d-15", {{"acoustics", true}}, {}}};
 }
 
 }  // namespace echoloop::bench

@@ -39,10 +39,15 @@ double time_of_ping(Renderer& renderer, const ScenarioDevice& device, const Pose
 
 Finding ping(Renderer& renderer, const ScenarioDevice& device, const Pose& world_from_sonar) {
     const Shot shot = device.model->default_shot(device.config, 0, 0);
-    const double window = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
+    // A sonar of many rows shoots no faster than it says.
+    const double window = shot.rows() > 1
+                              ? shot.interval
+                              : shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
     const double taken = time_of_ping(renderer, device, world_from_sonar);
     const std::string text = device.name + ": " + plain(taken * 1e3, 1) +
-                             " ms to render what the sonar listens to for " + plain(window * 1e3, 1) + " ms";
+                             (shot.rows() > 1 ? " ms to render what the sonar shoots every "
+                                              : " ms to render what the sonar listens to for ") +
+                             plain(window * 1e3, 1) + " ms";
     if (taken > window)
         return {State::weak, "ping", text,
                 "its pings will be late; render: {pixels: 0.5} or a simpler scene takes less, a longer range "

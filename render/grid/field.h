@@ -1,0 +1,26 @@
+// The steps in which plan_grid() makes a plan. Used by the planning code only.
+#pragma once
+
+#include "render/grid/lobes.h"
+#include "render/grid/plan.h"
+
+namespace echoloop {
+
+/// rad; directions between them are drawn finely.
+struct FieldLimits {
+    double left, right, bottom, top;
+
+    bool contains(double bearing, double elevation) const {
+        return bearing > left && bearing < right && elevation > bottom && elevation < top;
+    }
+};
+
+FieldLimits limits_of(const GridGeometry& geometry, const GridLobes& lobes);
+/// Appends views of the field, and finds who hears their pixels.
+void add_field(GridPlan& plan, const GridGeometry& geometry, const GridLobes& lobes,
+               const FieldLimits& limits, const PlanDensity& density);
+/// Appends views of what is around the field, and finds what beams hear through side lobes.
+void add_grid_far(GridPlan& plan, const GridGeometry& geometry, const GridLobes& lobes,
+                  const FieldLimits& limits, double density);
+
+}  // namespace echoloop

@@ -1,0 +1,28 @@
+#include "render/grid/rows.h"
+
+#include <algorithm>
+
+#include "render/acoustics/random.h"
+
+namespace echoloop {
+
+void apply_to_rows(AcousticChain& chain, std::vector<PointEcho> points, Echogram& echogram) {
+    const Shot& grid = echogram.shot;
+    const std::size_t columns = grid.bearings.size(), size = columns * grid.bins;
+    std::ranges::stable_sort(points, {}, &PointEcho::beam);
+    Shot row = grid;
+    row.elevations.clear();
+    auto first = points.begin();
+    for (std::size_t i = 0; i < grid.rows(); ++i) {
+        row.tilt = grid.tilt + grid.elevations[i];
+        row.random_key = mix(grid.random_key, i);
+        const auto last =
+            std::ranges::lower_bound(first, points.end(), (i + 1) * columns, {}, &PointEcho::beam);
+        std::for_each(first, last, [&](PointEcho& point) { point.beam -= i * columns; });
+        echogram.noise_power = chain.apply(row, echogram.world_from_sonar, echogram.sound_speed,
+                                           {first, last}, std::span(echogram.values).subspan(i * size, size));
+        first = last;
+    }
+}
+
+}  // namespace echoloop
