@@ -16,6 +16,9 @@ namespace {
 
 using Scheme = Endpoint::Scheme;
 
+/// Who opens a line flushes it next, as tcsetattr(TCSAFLUSH) and many drivers do; what was said meanwhile is
+/// lost.
+constexpr std::chrono::milliseconds grace(100);
 /// A pty that goes away takes along what its driver has not read yet.
 constexpr std::chrono::milliseconds farewell(500);
 
@@ -48,6 +51,7 @@ class Replay::Impl {
           clock_(io_),
           signals_(io_),
           alarm_(clock_),
+          grace_(clock_),
           end_(io_) {
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
         for (const Place& place : settings_.places) lines_.emplace_back(clock_, open_place(clock_, place));
@@ -111,8 +115,19 @@ class Replay::Impl {
                                            },
                                        .reconnected = [this, port] { player_->reconnected(port); },
                                        .connected = [this](Address) { arrived(true); },
-                                       .opened = [this] { arrived(true); }});
+                                       .opened = [this] { opened(); }});
         asio::co_spawn(io_, keep_writing(lines_[port]), Serving("replay"));
+    }
+
+    void opened() {
+        summary_.driver_came = true;
+        if (!arrived_ && !std::exchange(opened_, true))
+            asio::co_spawn(io_, arrive_after_grace(), Serving("replay"));
+    }
+
+    Task<void> arrive_after_grace() {
+        co_await grace_.until(now() + grace);
+        if (!stopped_) arrived(true);
     }
 
     void arrived(bool driver) {
@@ -192,9 +207,11 @@ class Replay::Impl {
     RealClock clock_;
     asio::signal_set signals_;
     Alarm alarm_;  ///< rings when something is due
+    Alarm grace_;  ///< rings when who has opened a line is ready
     asio::steady_timer end_;
     std::deque<Line> lines_;
     std::optional<StandardInput> lines_of_input_;
+    bool opened_ = false;
     std::optional<Time> arrived_;
     Summary summary_;
     bool stopped_ = false;
