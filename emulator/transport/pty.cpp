@@ -96,6 +96,8 @@ void Pty::settle() {
     // A work queue carries bytes from one side to the other; who polls a side that has none waits for it.
     std::array<pollfd, 2> sides{{{master_, POLLIN, 0}, {slave_, POLLIN, 0}}};
     ::poll(sides.data(), sides.size(), 0);
+    // Who reads finds bytes a moment before epoll knows of them, which is enough to miss a step.
+    while (events_.received && hear()) continue;
 }
 
 void Pty::unplug() {
@@ -126,18 +128,23 @@ void Pty::begin() {
 }
 
 Task<void> Pty::read_line() {
-    std::array<std::uint8_t, 4096> buffer;  // a terminal holds fewer (N_TTY_BUF_SIZE): one read takes all
     error_code ec;
     while (master_ >= 0) {
         co_await arrivals_.wait(ec);
         if (ec) co_return;
-        const ssize_t n = ::read(master_, buffer.data(), buffer.size());
-        if (n <= 0) continue;
-        note_openers();  // who came before these bytes must not lose them to who left
-        count_in(static_cast<std::size_t>(n));
-        note_rate();
-        events_.received(ByteView(buffer).first(static_cast<std::size_t>(n)), {});
+        hear();
     }
+}
+
+bool Pty::hear() {
+    std::array<std::uint8_t, 4096> buffer;  // a terminal holds fewer (N_TTY_BUF_SIZE): one read takes all
+    const ssize_t n = master_ < 0 ? 0 : ::read(master_, buffer.data(), buffer.size());
+    if (n <= 0) return false;
+    note_openers();  // who came before these bytes must not lose them to who left
+    count_in(static_cast<std::size_t>(n));
+    note_rate();
+    events_.received(ByteView(buffer).first(static_cast<std::size_t>(n)), {});
+    return true;
 }
 
 Task<void> Pty::watch_openers() {

@@ -50,6 +50,8 @@ class Pty final : public CountingTransport {
     void open();
     void begin();
     Task<void> read_line();
+    /// Passes on what has arrived; false if nothing has.
+    bool hear();
     Task<void> watch_openers();
     void handle_watch(ByteView events);
     /// Takes note of who has opened and closed the slave by now.
