@@ -11,6 +11,11 @@ bool has_events_of_its_own(FaultKind kind) {
     return kind == FaultKind::stuck_motor || kind == FaultKind::frozen_image;
 }
 
+bool is_tcp(const Transport& line) {
+    const Wire::Kind kind = line.wire().kind;
+    return kind == Wire::Kind::tcp_server || kind == Wire::Kind::tcp_client;
+}
+
 /// bit/s; 0 if it has none.
 double own_rate(const DeviceConfig& config) {
     return config.options.contains("baud") ? number(config.options, "baud") : 0;
@@ -77,16 +82,23 @@ void FaultySession::change_line(Faulty& line, const Fault& fault, bool begins) {
     if (fault.kind == FaultKind::reset) line.reset();
 }
 
-/// A network device that has lost its power knows none of its connections any more and resets them.
+/// A network device without power takes no connection; back again, it knows none of the old ones and resets
+/// them. A serial line stays, with nobody at its end.
 Task<void> FaultySession::reboot(Time off) {
     const std::uint64_t cut = ++power_cuts_;
     session_->cut_power();
     device_->cut_power();
-    for (Faulty* line : lines_) line->forget();
+    for (Faulty* line : lines_) {
+        line->forget();
+        if (is_tcp(*line)) line->unplug();
+    }
     const Time on = clock_.now() + off;
     while (clock_.now() < on && !closed_ && cut == power_cuts_) co_await power_.until(on);
     if (closed_ || cut != power_cuts_) co_return;
-    for (Faulty* line : lines_) line->reset_forgotten();
+    for (Faulty* line : lines_) {
+        if (is_tcp(*line)) line->plug();
+        line->reset_forgotten();
+    }
     session_->power_up();
 }
 

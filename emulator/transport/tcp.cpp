@@ -234,7 +234,7 @@ void TcpClient::hang_up() {
 void TcpClient::unplug() {
     unplugged_ = true;
     error_code ignored;
-    socket_.close(ignored);
+    if (!forgetting_) socket_.close(ignored);
 }
 
 void TcpClient::plug() {
@@ -247,6 +247,7 @@ void TcpClient::reset() {
 }
 
 void TcpClient::reset_forgotten() {
+    if (std::exchange(forgetting_, false)) close_with_reset(socket_);
     for (Tcp::socket& socket : forgotten_) close_with_reset(socket);
     forgotten_.clear();
 }
