@@ -55,21 +55,23 @@ std::unique_ptr<Device> make_device(const WireCase& the_case) {
 /// A device and the part of a session that keeps the time.
 class Driven {
   public:
-    explicit Driven(const WireCase& the_case) : device_(make_device(the_case)) {
+    explicit Driven(const WireCase& the_case) : device_(make_device(the_case)), words_(the_case.words) {
         take(device_->started(now_));
         for (std::size_t port = 0; port < device_->ports().size(); ++port) {
             device_->reconnected(port);
             take(device_->connected(port, {0x7F000001, 50000}, now_));
         }
-        for (const auto& word : the_case.words)
-            take(device_->received({word.port, word.bytes, {0x7F000001, 50000}}, now_));
+        say_words();
     }
 
     /// ms of processor time from the next echogram to its bytes.
     double ping(WireFigures& figures) {
-        for (int patience = 10'000; !ping_; --patience) {
-            if (patience == 0 || wake_ == Time::max())
+        constexpr int most = 10'000, until_words = 100;  // some sonars stop when their host is silent
+        for (int woken = 1; !ping_; ++woken) {
+            if (woken == most || wake_ == Time::max())
                 throw std::runtime_error("bench: " + figures.name + " does not ping");
+            if (woken % until_words == 0) say_words();
+            if (ping_) break;
             now_ = std::max(now_, std::exchange(wake_, Time::max()));
             take(device_->woken(now_));
         }
@@ -87,12 +89,17 @@ class Driven {
     }
 
   private:
+    void say_words() {
+        for (const auto& word : words_)
+            take(device_->received({word.port, word.bytes, {0x7F000001, 50000}}, now_));
+    }
     void take(Actions actions) {
         if (actions.wake) wake_ = *actions.wake;
         if (actions.ping) ping_ = std::move(actions.ping);
     }
 
     std::unique_ptr<Device> device_;
+    std::vector<WireCase::Word> words_;
     Time now_{}, wake_ = Time::max();
     std::optional<Ping> ping_;
 };
