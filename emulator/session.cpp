@@ -230,7 +230,8 @@ void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
                    } catch (...) {
                        fault = std::current_exception();
                    }
-                   asio::post(io, [this, alive, actions, fault, hold = std::move(hold)] {
+                   asio::post(io, [this, alive = std::move(alive), actions = std::move(actions),
+                                   fault = std::move(fault), hold = std::move(hold)] {
                        if (!*alive || closed_) return;
                        hearing_ = false;
                        Serving{name_}(fault);

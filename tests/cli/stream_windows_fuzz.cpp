@@ -1,0 +1,58 @@
+// libFuzzer: any bytes, over and over, as a file that is longer than a window: its messages must be those
+// that all of it gives at once. The first byte chooses the family.
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "tools/capture/input.h"
+#include "tools/capture/stream_windows.h"
+
+using namespace echoloop;
+
+namespace {
+
+struct Place {
+    std::string name;
+    std::size_t offset, size;
+    friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// Touching noise of one reason is one place, as decode_windows has it.
+void add(std::vector<Place>& places, const inspect::Message& message) {
+    const bool joins = !places.empty() && message.name.empty() && places.back().name == "?" + message.reason;
+    if (joins) {
+        places.back().size += message.size;
+    } else {
+        places.push_back(
+            {message.name.empty() ? "?" + message.reason : message.name, message.offset, message.size});
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size < 16) return 0;
+    const auto families = inspect::families();
+    const auto& family = families[data[0] % families.size()];
+    if (family.framing != inspect::Framing::stream) return 0;
+    Bytes bytes;
+    const std::size_t length = (std::size_t{512} << 10) + 3 * family.longest_frame;
+    while (bytes.size() < length) bytes.insert(bytes.end(), data + 1, data + size);
+    const int descriptor = ::memfd_create("bytes", MFD_CLOEXEC);
+    if (descriptor < 0 ||
+        ::write(descriptor, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
+        return 0;
+    std::vector<Place> all, windows;
+    for (const auto& message : family.decode(bytes)) add(all, message);
+    capture::Input input("/proc/self/fd/" + std::to_string(descriptor));
+    const std::size_t read =
+        capture::decode_windows(input, family, [&windows](const auto& message) { add(windows, message); });
+    ::close(descriptor);
+    if (read != bytes.size() || all != windows) std::abort();
+    return 0;
+}
