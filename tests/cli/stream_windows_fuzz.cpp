@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -33,6 +34,16 @@ void add(std::vector<Place>& places, const inspect::Message& message) {
     }
 }
 
+/// Silence with `part` where the first window has its last safe byte, and where it ends.
+Bytes file_of(ByteView part, std::size_t before, const inspect::Family& family) {
+    const std::size_t window = std::max(std::size_t{512} << 10, 2 * family.longest_frame);
+    Bytes bytes(window + 2 * part.size() + 1000);
+    for (const std::size_t place : {window - family.longest_frame, window})
+        std::ranges::copy(part,
+                          bytes.begin() + static_cast<std::ptrdiff_t>(place - std::min(before, part.size())));
+    return bytes;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -40,9 +51,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto families = inspect::families();
     const auto& family = families[data[0] % families.size()];
     if (family.framing != inspect::Framing::stream) return 0;
-    Bytes bytes;
-    const std::size_t length = (std::size_t{512} << 10) + 3 * family.longest_frame;
-    while (bytes.size() < length) bytes.insert(bytes.end(), data + 1, data + size);
+    const ByteView part(data + 2, std::min<std::size_t>(size - 2, family.longest_frame / 2));
+    const Bytes bytes = file_of(part, data[1] * 4U, family);
     const int descriptor = ::memfd_create("bytes", MFD_CLOEXEC);
     if (descriptor < 0 ||
         ::write(descriptor, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
