@@ -31,8 +31,6 @@ void add_row(float* sum, const LineBins& row, const float* values, float weight)
         add_scaled(sum + row.begin(), values + row.begin(), weight, row.end() - row.begin());
 }
 
-/// Adds what main lobes hear of the field's pixels to the beams' bins, in the order of the pixels and on one
-/// thread: many pixels share a beam.
 class MainLobes {
   public:
     MainLobes(const BinningInput& in, const GridPlan& plan, std::vector<LineBins>& beams)
@@ -73,7 +71,9 @@ class MainLobes {
     std::vector<PixelEcho> echoes_;
 };
 
-std::vector<LineBins> rows_of(std::vector<float>& values, std::size_t beams, std::size_t bins) {
+}  // namespace
+
+std::vector<LineBins> bins_of_beams(std::vector<float>& values, std::size_t beams, std::size_t bins) {
     values.assign(beams * bins, 0.0F);
     std::vector<LineBins> rows;
     rows.reserve(beams);
@@ -81,25 +81,25 @@ std::vector<LineBins> rows_of(std::vector<float>& values, std::size_t beams, std
     return rows;
 }
 
-}  // namespace
-
-void bin_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount, std::vector<float>& values) {
-    std::vector<LineBins> beams = rows_of(values, plan.across.size(), in.bins);
+void add_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount,
+                    std::vector<LineBins>& beams) {
     MainLobes(in, plan, beams).add(amount);
 }
 
 void GridBinning::bin(const BinningInput& in, const GridPlan& plan, std::span<const Arrival> arrivals,
                       std::vector<float>& values) {
     if (in.rule != EchoRule::radiometric) {
-        bin_main_lobes(in, plan, Amount::paper_share, shares_);
-        bin_main_lobes(in, plan, Amount::paper_echo, values);
+        beams_ = bins_of_beams(shares_, plan.across.size(), in.bins);
+        add_main_lobes(in, plan, Amount::paper_share, beams_);
+        beams_ = bins_of_beams(values, plan.across.size(), in.bins);
+        add_main_lobes(in, plan, Amount::paper_echo, beams_);
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
         return;
     }
     const BinGain gain(in);
-    beams_ = rows_of(values, plan.across.size(), in.bins);
-    MainLobes(in, plan, beams_).add(Amount::echo);
+    beams_ = bins_of_beams(values, plan.across.size(), in.bins);
+    add_main_lobes(in, plan, Amount::echo, beams_);
     add_arrivals(in, gain, arrivals);
     if (plan.far.nodes > 0) {
         far_.resize(plan.rows * sectors_per_part, plan.far.nodes * sectors_per_part, in.bins);

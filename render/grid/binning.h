@@ -9,9 +9,13 @@
 
 namespace echoloop {
 
-/// Fills `values` (beams x bins) with what main lobes hear, before the gain of the bins. `in.plan` is
-/// `plan.drawing`.
-void bin_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount, std::vector<float>& values);
+/// The bins of every beam, all 0, in `values` (beams x bins).
+std::vector<LineBins> bins_of_beams(std::vector<float>& values, std::size_t beams, std::size_t bins);
+
+/// Adds what main lobes hear of the field's pixels to the beams' bins, before the gain of the bins. In the
+/// order of the pixels and on one thread: many pixels share a beam. `in.plan` is `plan.drawing`.
+void add_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount,
+                    std::vector<LineBins>& beams);
 
 /// An echo of complete power that arrives along a beam.
 struct Arrival {

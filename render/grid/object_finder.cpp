@@ -31,18 +31,23 @@ void find_grid_objects(BinningInput in, const GridPlan& plan,
     constexpr std::uint32_t last_number = std::numeric_limits<std::uint16_t>::max();
     const std::vector<float> gain = BinGain(in).values();
     std::vector<float> power, strongest(plan.across.size() * in.bins, static_cast<float>(least));
+    std::vector<LineBins> beams = bins_of_beams(power, plan.across.size(), in.bins);
     objects.assign(strongest.size(), 0);
     std::vector<std::uint8_t> wanted(object_of_surface.size());
     in.wanted = wanted;
     for (const std::uint32_t object : objects_in_sight(in, plan, object_of_surface)) {
         for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = object_of_surface[i] == object ? 1 : 0;
-        bin_main_lobes(in, plan, Amount::wanted_echo, power);
+        add_main_lobes(in, plan, Amount::wanted_echo, beams);
         const auto number = static_cast<std::uint16_t>(std::min(object + 1, last_number));
-        for (std::size_t i = 0; i < power.size(); ++i)
-            if (const float here = power[i] * gain[i % in.bins]; here > strongest[i]) {
-                strongest[i] = here;
+        for (std::size_t beam = 0; beam < beams.size(); ++beam) {
+            for (std::size_t bin = beams[beam].begin(); bin < beams[beam].end(); ++bin) {
+                const std::size_t i = beam * in.bins + bin;
+                if (power[i] * gain[bin] <= strongest[i]) continue;
+                strongest[i] = power[i] * gain[bin];
                 objects[i] = number;
             }
+            beams[beam].clear();
+        }
     }
 }
 
