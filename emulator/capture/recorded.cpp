@@ -3,8 +3,17 @@
 namespace echoloop {
 
 using pcapng::Direction;
+namespace {
 
-Recorded::Recorded(std::unique_ptr<Transport> transport, Recording& recording, const std::string& name, Side side)
+void append(std::string& remarks, const std::string& remark) {
+    constexpr std::size_t most = 4096;  // of a packet with very many faults
+    if (remarks.size() < most) remarks += (remarks.empty() ? "" : "\n") + remark;
+}
+
+}  // namespace
+
+Recorded::Recorded(std::unique_ptr<Transport> transport, Recording& recording, const std::string& name,
+                   Side side)
     : Decorator(std::move(transport)),
       recording_(recording),
       side_(side),
@@ -16,8 +25,9 @@ Recorded::Recorded(std::unique_ptr<Transport> transport, Recording& recording, c
 void Recorded::start(Events events) {
     Events ours = events;
     ours.received = [this, received = std::move(events.received)](ByteView bytes, Address from) {
-        record(bytes, false, from);
-        received(bytes, from);
+        const auto time = recording_.now();
+        received(bytes, from);  // first: it may have remarks
+        record(bytes, false, from, time);
     };
     ours.reconnected = [this, reconnected = std::move(events.reconnected)] {
         begin_conversation();
@@ -26,10 +36,9 @@ void Recorded::start(Events events) {
     line().start(std::move(ours));
 }
 
-void Recorded::annotate(const std::string& remark) {
-    constexpr std::size_t most = 4096;  // of a packet with very many faults
-    if (remarks_.size() < most) remarks_ += (remarks_.empty() ? "" : "\n") + remark;
-}
+void Recorded::annotate(const std::string& remark) { append(remarks_, remark); }
+
+void Recorded::annotate_received(const std::string& remark) { append(remarks_on_received_, remark); }
 
 void Recorded::begin_conversation() {
     const Wire wire = line().wire();
@@ -45,28 +54,30 @@ Task<void> Recorded::write(ByteView bytes, Address to) {
     const std::uint64_t before = line().bytes_out();
     co_await line().write(bytes, to);
     const std::uint64_t gone = line().bytes_out() - before;
-    if (gone > 0) record(bytes.first(std::min<std::size_t>(bytes.size(), gone)), true, to);
+    if (gone > 0) record(bytes.first(std::min<std::size_t>(bytes.size(), gone)), true, to, recording_.now());
 }
 
 /// `ours`: written by the user of this transport.
-void Recorded::record(ByteView bytes, bool ours, Address other) {
-    const auto time = recording_.now();
+void Recorded::record(ByteView bytes, bool ours, Address other, pcapng::WallTime time) {
+    std::string* const remarks = ours ? &remarks_ : &remarks_on_received_;
     const auto direction = ours == (side_ == Side::device) ? Direction::sent : Direction::received;
     if (kind_ == Wire::Kind::serial) {
-        add(time, direction, rtac_serial_packet(bytes, time, direction));
+        add(time, direction, rtac_serial_packet(bytes, time, direction), remarks);
     } else if (kind_ == Wire::Kind::udp) {
         const Wire wire = line().wire();
         if (other.port == 0) other = wire.remote;
-        add(time, direction, udp_packet(bytes, ours ? Route{wire.local, other} : Route{other, wire.local}));
+        add(time, direction, udp_packet(bytes, ours ? Route{wire.local, other} : Route{other, wire.local}),
+            remarks);
     } else if (conversation_) {
         for (const auto& segment : conversation_->data(bytes, direction))
-            add(time, direction, segment.packet);
+            add(time, direction, segment.packet, remarks);
     }
 }
 
-void Recorded::add(pcapng::WallTime time, Direction direction, ByteView packet) {
+/// The first packet takes the remarks along.
+void Recorded::add(pcapng::WallTime time, Direction direction, ByteView packet, std::string* remarks) {
     std::string comment;
-    if (direction == Direction::sent) comment.swap(remarks_);
+    if (remarks != nullptr) comment.swap(*remarks);
     recording_.add({interface_, time, direction, std::move(comment)}, packet);
 }
 

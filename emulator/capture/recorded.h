@@ -23,17 +23,19 @@ class Recorded final : public Decorator {
     Task<void> write(ByteView bytes, Address to) override;
     /// Becomes the comment of the next packet that is sent.
     void annotate(const std::string& remark) override;
+    void annotate_received(const std::string& remark) override;
 
   private:
     void begin_conversation();
-    void record(ByteView bytes, bool ours, Address other);
-    void add(pcapng::WallTime time, pcapng::Direction direction, ByteView packet);
+    void record(ByteView bytes, bool ours, Address other, pcapng::WallTime time);
+    void add(pcapng::WallTime time, pcapng::Direction direction, ByteView packet,
+             std::string* remarks = nullptr);
 
     Recording& recording_;
     Side side_;
     Wire::Kind kind_;
     std::uint32_t interface_;
-    std::string remarks_;
+    std::string remarks_, remarks_on_received_;
     std::optional<TcpConversation> conversation_;
 };
 

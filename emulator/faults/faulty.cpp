@@ -35,6 +35,7 @@ void Faulty::start(Events events) {
             return events_.received(bytes, from);
         }
         in_.add(bytes, from, clock_.now());
+        for (const FaultEvent& event : in_.made_of_last()) line().annotate_received(comment_of(event));
         hear_what_is_due();
         in_bell_.cancel();
     };

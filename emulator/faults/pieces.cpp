@@ -61,6 +61,7 @@ void Pieces::add(ByteView bytes, Address to, Time now) {
     message_ = messages_++;
     position_ += last_size_;
     last_size_ = bytes.size();
+    first_new_ = queue_.size();
     if (held() + bytes.size() > queue_limit) {
         dropped_bytes_ += bytes.size();
         return;
@@ -75,6 +76,21 @@ void Pieces::add(ByteView bytes, Address to, Time now) {
         damage(one, copy++, now);
         merge(std::move(one), now);
     }
+}
+
+std::vector<FaultEvent> Pieces::made_of_last() const {
+    std::vector<FaultEvent> made;
+    const auto gather = [&](const Piece& piece, bool waits) {
+        for (FaultEvent event : piece.events) {
+            if (event.message != message_) continue;
+            if (waits) event.details.clear();  // how many it will have waited for
+            made.push_back(std::move(event));
+        }
+    };
+    for (std::size_t i = first_new_; i < queue_.size(); ++i) gather(queue_[i], false);
+    for (const auto* all : {&merging_, &overtaken_})
+        for (const Waiting& one : *all) gather(one.piece, true);
+    return made;
 }
 
 void Pieces::merge(Piece piece, Time now) {

@@ -30,6 +30,8 @@ class Pieces {
     Pieces(DeviceFaults& faults, FaultPlace place, const MessageTraits& traits);
 
     void add(ByteView bytes, Address to, Time now);
+    /// What befell the message that was added last, so far as is known yet.
+    std::vector<FaultEvent> made_of_last() const;
     /// The connection is to end behind all that was added.
     void hang_up(Time now);
     /// One that nothing happens to took another way.
@@ -91,6 +93,7 @@ class Pieces {
     std::uint64_t scheduled_ = 0;
     std::deque<Waiting> merging_, overtaken_;
     std::deque<Piece> queue_;
+    std::size_t first_new_ = 0;  ///< in the queue: what was added last
     std::size_t queued_memory_ = 0;
     std::uint64_t dropped_bytes_ = 0;
     Time last_due_{};   ///< of those in the queue: none overtakes another

@@ -14,6 +14,7 @@ class Decorator : public Transport {
     void hang_up() override { line_->hang_up(); }
     bool has_driver() const override { return line_->has_driver(); }
     void annotate(const std::string& remark) override { line_->annotate(remark); }
+    void annotate_received(const std::string& remark) override { line_->annotate_received(remark); }
     void unplug() override { line_->unplug(); }
     void plug() override { line_->plug(); }
     void reset() override { line_->reset(); }

@@ -46,6 +46,8 @@ class Transport {
     virtual bool has_driver() const { return true; }
     /// A remark on the bytes that are written next, for a recording of them.
     virtual void annotate(const std::string& /*remark*/) {}
+    /// The same on the bytes that `received` is being called with.
+    virtual void annotate_received(const std::string& /*remark*/) {}
     /// The cable is pulled; whoever is at the other end finds out as the system lets them. Then it is put
     /// back.
     virtual void unplug() {}

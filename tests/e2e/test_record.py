@@ -18,6 +18,7 @@ from program import PROGRAM, Emulator, free_base_port, free_tcp_port
 
 REBOOT = bytes.fromhex("40303030380800ff02031080020a")
 SEND_VERSION = bytes.fromhex("40303030380800ff02031780020a")
+PROTOCOL_VERSION = bytes.fromhex("42520200060000000500a100")  # general_request for message 5
 HEAD = "{name: head, model: tritech-micron, endpoints: ['%s'], options: {first_alive: 0.1}}"
 SONAR = "{name: sonar, model: r2sonic-2024, endpoints: ['udp-listen://127.0.0.1:%d', 'udp://127.0.0.1:%d']}"
 
@@ -60,6 +61,29 @@ class Record(unittest.TestCase):
         self.assertEqual(payload(received, "data.data"), SEND_VERSION)
         self.assertTrue(payload(sent, "data.data").startswith(heard))
         self.assertEqual({int(row["frame.packet_flags_direction"][0], 0) for row in sent}, {2})
+
+    def test_what_befalls_a_drivers_words_is_remarked_on_them(self):
+        kinds = ("loss, rate: 0.3", "bit_flips, rate: 0.003", "latency, delay: 0.2", "reordering, rate: 0.2")
+        faults = "".join(f"  - {{device: sounder, direction: from_driver, kind: {kind}}}\n" for kind in kinds)
+        labels, port = self.file.with_name("labels"), free_base_port(1)
+        sounder = "{name: sounder, model: ping1d, endpoints: ['udp-listen://127.0.0.1:%d']}" % port
+        with Emulator(scenario(sounder) + "faults:\n" + faults, "--record", self.file, "--labels", labels) as emulator:
+            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as driver:
+                driver.connect(("127.0.0.1", port))
+                driver.settimeout(20)
+                for _ in range(40):
+                    driver.send(PROTOCOL_VERSION)
+                with contextlib.suppress(TimeoutError):  # all that will be answered is, when no more comes
+                    while driver.recv(4096):
+                        driver.settimeout(1.5)
+            emulator.stop()
+        events = [json.loads(line) for line in labels.read_text().splitlines()[1:]]
+        self.assertEqual({e["kind"] for e in events}, {"loss", "bit_flips", "latency", "reordering"})
+        rows = packets(self.file, "udp.payload", "frame.comment", only=f"udp.dstport == {port}")
+        self.assertEqual(payload(rows, "udp.payload"), 40 * PROTOCOL_VERSION, "as it was said")
+        remarks = [(number, text.split(",")[0]) for number, row in enumerate(rows)
+                   for comment in row.get("frame.comment", []) for text in comment.split("\n")]
+        self.assertEqual(sorted(remarks), sorted((e["message"], f"{e['kind']}: message {e['message']}") for e in events))
 
     def test_datagrams_as_they_were_on_the_wire(self):
         base = free_base_port(16)
