@@ -64,7 +64,18 @@ class Bench(ProgramTest):
                      for x in ("1", "4"))
         self.assertAlmostEqual(four / one, 4, delta=0.5)
 
+    def test_the_way_to_the_wire_is_told_by_model(self):
+        lines = self.good("bench", "--wire", "--pings", "2", "--cases", "oculus").splitlines()[2:]
+        self.assertEqual(len(lines), 5)
+        for line in lines:
+            self.assertRegex(line, r"^oculus .* 512 x 1000 +1 +\d+ +[0-9.]+ +[0-9.]+ +[0-9.]+$")
+        # 300 pings: this one stops where its host says nothing for long.
+        (line,) = self.good("bench", "--wire", "--pings", "300", "--cases", "aris").splitlines()[2:]
+        median, _, scaled = map(float, line.split()[-3:])
+        self.assertAlmostEqual(scaled, median * 512 * 1000 / (96 * 1014), delta=0.03)  # the median has two digits
+
     def test_wrong_usage(self):
+        self.assertIn("--cases: no name begins with kayak", self.bad(64, "bench", "--wire", "--cases", "kayak"))
         self.assertIn("there is no case 'fsl-simple'; did you mean 'fls-simple'?",
                       self.bad(64, "bench", "--cases", "fsl-simple"))
         self.assertIn("--pings: expected a whole number", self.bad(64, "bench", "--pings", "1.5"))
