@@ -6,7 +6,7 @@ import resource
 import struct
 import unittest
 
-from captures import ETHERNET, REBOOT, RTAC_SERIAL, SEND_DATA, Pcapng, ethernet, ipv4, rtac
+from captures import ETHERNET, RAW, REBOOT, RTAC_SERIAL, SEND_DATA, Pcapng, ethernet, ipv4, rtac
 from program import ProgramTest, run
 
 
@@ -229,6 +229,25 @@ class Diff(ProgramTest):
         done = run("diff", many, many)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 1200 * 1024)
+
+    def test_a_capture_of_very_many_addresses_takes_no_time(self):
+        """Each speaks once: from one to another, from everywhere to one, and from ever other ports."""
+        frame = ping_frame(5, b"")
+        talks = {"pairs": lambda i: ((10 << 24) + i, (11 << 24) + i, 4000, 5000), "ports": lambda i: (9, 8, 4000, i),
+                 "many to one": lambda i: ((10 << 24) + i, 11 << 24, 4000, 5000)}
+        for name, ends in talks.items():
+            capture = Pcapng().interface(RAW, b"")
+            for i in range(20_000):
+                source, target, from_port, to_port = ends(i)
+                packet = struct.pack(">BBHHHBBHII", 0x45, 0, 28 + len(frame), 0, 0, 64, 17, 0, source, target)
+                capture.packet(0, packet + struct.pack(">HHHH", from_port, to_port, 8 + len(frame), 0) + frame, 10**9 + i)
+            file = self.file(capture.data, name)
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            done = run("diff", file, file, "--json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 15, name)
+            if name == "pairs":
+                self.assertIn(b"only its first 500 messages are compared; --port picks a device", done.stdout)
 
 
 if __name__ == "__main__":

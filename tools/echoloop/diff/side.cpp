@@ -73,12 +73,15 @@ class Loader {
   public:
     Loader(Side& side, const SideSettings& settings) : side_(side), settings_(settings) {}
 
-    bool full() const { return used_ > settings_.most_bytes; }
+    bool full() const { return full_ || used_ > settings_.most_bytes; }
 
     void add(const capture::MessageOrigin& origin, const inspect::Message& message) {
         if (full() || !fits(origin.way, settings_.port)) return;
         if (!start_) start_ = origin.time;
-        Direction& direction = direction_of(origin);
+        Direction* const found = direction_of(origin);
+        full_ = found == nullptr;
+        if (full_) return;
+        Direction& direction = *found;
         if (message.name.empty()) {
             direction.undecoded_bytes += message.size;
             side_.undecoded_bytes += message.size;
@@ -95,7 +98,11 @@ class Loader {
     }
 
   private:
-    Direction& direction_of(const capture::MessageOrigin& origin) {
+    // Each direction is compared with each of the other side, and each of its ways with theirs.
+    static constexpr std::size_t most_directions = 500, most_ways = 2000;
+
+    /// nullptr if there are too many.
+    Direction* direction_of(const capture::MessageOrigin& origin) {
         const auto is_it = [&](const Direction& one) {
             return one.family == origin.family &&
                    std::any_of(one.ways.begin(), one.ways.end(),
@@ -103,19 +110,24 @@ class Loader {
         };
         auto found = std::find_if(side_.directions.begin(), side_.directions.end(), is_it);
         if (found == side_.directions.end()) {
+            if (side_.directions.size() >= most_directions) return nullptr;
             side_.directions.emplace_back();
             found = side_.directions.end() - 1;
             found->family = origin.family;
         }
-        if (std::find(found->ways.begin(), found->ways.end(), origin.way) == found->ways.end())
+        const bool known = std::find(found->ways.begin(), found->ways.end(), origin.way) != found->ways.end();
+        if (!known && (found->ways.empty() || ways_ < most_ways)) {
             found->ways.push_back(origin.way);
-        return *found;
+            ++ways_;
+        }
+        return &*found;
     }
 
     Side& side_;
     const SideSettings& settings_;
     std::optional<double> start_;
-    std::size_t used_ = 0;
+    std::size_t used_ = 0, ways_ = 0;
+    bool full_ = false;  ///< of directions
 };
 
 /// A file of bytes is one direction, and has no times.
