@@ -8,6 +8,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("ECHOLOOP", str(ROOT / "build" / "release" / "bin" / "echoloop"))
+TURN = 2.4  # s, of a Ping360 (its documentation)
 
 
 def ping_time(config):
@@ -23,15 +24,26 @@ class TimeBudget(unittest.TestCase):
         self.assertAlmostEqual(budget["wire"], 12240 / 115200, places=6)
         self.assertAlmostEqual(budget["listen"], 1200 * 88 * 25e-9, places=6)
         self.assertAlmostEqual(budget["transmit"], 11e-6, places=9)
+        self.assertAlmostEqual(budget["motor"], TURN / 400, delta=1e-4, msg="one gradian of a turn")
+        self.assertAlmostEqual(budget["work"], 0, places=6)
+
+    def test_a_micron_that_steps_by_16_sixteenths(self):
+        budget = ping_time("tank.yaml")
+        self.assertEqual(budget["bytes"], 13 + 31 + 200 + 1, "header, fields, bins, line feed")
+        self.assertAlmostEqual(budget["listen"], 200 * 52 * 640e-9, places=6)
+        self.assertAlmostEqual(budget["motor"], 16 * 25 * 10e-6, delta=1e-6, msg="MoTime for each 1/16 gradian")
+        self.assertAlmostEqual(budget["wire"], 2450 / 115200, places=6)
 
     def test_an_881a_of_10_m(self):
         budget = ping_time("imagenex-881a.yaml")
         self.assertEqual(budget["bytes"], 265)
+        self.assertAlmostEqual(budget["motor"], 0, delta=2e-4, msg="it turns while it listens, up to a step of 2.1 deg")
         self.assertAlmostEqual(budget["work"], 4.7e-3, delta=0.2e-3, msg="the maker's table of turns")
 
     def test_an_echosounder_of_100_m_at_4800_bit_per_second(self):
         budget = ping_time("echosounder.yaml")
         self.assertEqual(budget["line_rate"], 4800)
+        self.assertIsNone(budget["motor"])
         self.assertAlmostEqual(budget["listen"], 2 * 100 / 1500, delta=2e-3)
         self.assertAlmostEqual(budget["wire"], budget["bytes"] * 10 / 4800, places=6)
 

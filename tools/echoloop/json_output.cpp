@@ -156,8 +156,9 @@ Json bench_row(const bench::Row& row) {
 /// s each; null: not known without a driver.
 Json ping_time(const TimeBudget& b) {
     const auto known = [](const auto& value) { return value ? Json(*value) : Json(); };
-    return {{"transmit", b.transmit},  {"listen", b.listen},    {"work", known(b.work)},
-            {"bytes", known(b.bytes)}, {"wire", known(b.wire)}, {"line_rate", b.line_rate}};
+    return {{"transmit", b.transmit},  {"listen", b.listen},      {"motor", known(b.motor)},
+            {"work", known(b.work)},   {"bytes", known(b.bytes)}, {"wire", known(b.wire)},
+            {"line_rate", b.line_rate}};
 }
 
 }  // namespace
