@@ -120,18 +120,19 @@ class Stretches {
         return i;
     }
 
-    /// Four quarters at a time: one sum would wait for itself at every bin.
+    /// Four bins are added to each other first: one sum would wait for itself at every bin.
     void add_up(std::span<const float> beam) {
-        const std::size_t quarter = beam.size() / 4;
-        double sums[4] = {};
-        for (std::size_t i = 0; i < quarter; ++i)
-            for (std::size_t q = 0; q < 4; ++q) sum_[q * quarter + i + 1] = sums[q] += beam[q * quarter + i];
         double before = sum_[0] = 0;
-        for (std::size_t q = 1; q < 4; ++q) {
-            before += sums[q - 1];
-            for (std::size_t i = 1; i <= quarter; ++i) sum_[q * quarter + i] += before;
+        std::size_t i = 0;
+        for (; i + 4 <= beam.size(); i += 4) {
+            const double one = beam[i], two = one + beam[i + 1], three = beam[i + 2],
+                         four = three + beam[i + 3];
+            const double middle = before + two;
+            double* sum = &sum_[i + 1];
+            sum[0] = before + one, sum[1] = middle, sum[2] = middle + three;
+            sum[3] = before += two + four;
         }
-        for (std::size_t i = 4 * quarter; i < beam.size(); ++i) sum_[i + 1] = sum_[i] + beam[i];
+        for (; i < beam.size(); ++i) sum_[i + 1] = before += beam[i];
     }
 
     std::vector<double> sum_;

@@ -87,18 +87,20 @@ void add_beam(std::span<const float> bins, const Stretches& s, std::size_t per_r
     };
     for (std::size_t r = 0; r < s.first; ++r) add_slowly(r);
     for (std::size_t r = s.last; r < out.size(); ++r) add_slowly(r);
+    const std::size_t parts = per_row * beams;
+    if (per_row > 2 || !std::has_single_bit(parts)) {
+        for (std::size_t r = s.first; r < s.last; ++r) add_slowly(r);
+        return;
+    }
     if (s.first == s.last) return;
+    const float share = 1 / static_cast<float>(parts);  // exact
     const float* from = bins.data() + s.rows[s.first].first;
-    const auto parts = static_cast<float>(per_row * beams);
     float* to = out.data() + s.first;
     const std::size_t rows = s.last - s.first;
-    if (per_row == 1) {
-        for (std::size_t r = 0; r < rows; ++r) to[r] += from[r] / parts;
-    } else if (per_row == 2) {
-        for (std::size_t r = 0; r < rows; ++r) to[r] += (from[2 * r] + from[2 * r + 1]) / parts;
-    } else {
-        for (std::size_t r = s.first; r < s.last; ++r) add_slowly(r);
-    }
+    if (per_row == 1)
+        for (std::size_t r = 0; r < rows; ++r) to[r] += from[r] * share;
+    else
+        for (std::size_t r = 0; r < rows; ++r) to[r] += (from[2 * r] + from[2 * r + 1]) * share;
 }
 
 /// Amplitudes of one column, at full scale 1 and before they are cut. `gain` is of power, one a row.
