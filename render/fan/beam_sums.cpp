@@ -1,5 +1,7 @@
 #include "render/fan/beam_sums.h"
 
+#include <span>
+
 #include "render/simd.h"
 
 namespace echoloop {
@@ -25,7 +27,8 @@ void add_row(float* sum, const LineBins& row, const float* values, float weight)
 void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines) {
     if (plan.line_sector.empty()) return;
     for (const FanPart& part : plan.parts)
-        for (std::size_t line = part.first_line; part.beams > 1 && line < part.first_line + part.lines; ++line)
+        for (std::size_t line = part.first_line; part.beams > 1 && line < part.first_line + part.lines;
+             ++line)
             if (const LineBins& row = lines.line(line); !row.empty()) {
                 const SectorShare share = plan.line_sector[line];
                 const float* values = lines.line_values(line);
@@ -34,7 +37,8 @@ void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines) {
             }
 }
 
-void BeamSums::sum_nodes(const FanPlan&, const FanPart& part, std::size_t bins, LineSums& lines, Workers& workers) {
+void BeamSums::sum_nodes(const FanPlan&, const FanPart& part, std::size_t bins, LineSums& lines,
+                         Workers& workers) {
     nodes_.assign(part.nodes * bins, 0.0F);
     workers.run(part.nodes, [&](std::size_t node) {
         for (std::size_t s = 0; s < part.sectors; ++s)
@@ -54,10 +58,25 @@ void BeamSums::add_far(const FanPart& part, std::size_t beam, std::size_t bins, 
     if (share > 0) add_scaled(sum, &nodes_[next * bins], share, bins);
 }
 
-void BeamSums::sum(const FanPlan& plan, std::size_t bins, LineSums& lines, const std::vector<float>& gain,
-                   Workers& workers, std::vector<float>& values) {
+void BeamSums::find_bearings(const FanPlan& plan, PixelOffset offset) {
+    bearings_.clear();
+    if (plan.across.empty()) return;
+    for (const View& view : std::span(plan.views).first(plan.level_views))
+        for (std::size_t line = 0; line < view.lines; ++line)
+            bearings_.push_back(
+                static_cast<float>(view.bearing_at(static_cast<double>(line) + 0.5 + offset.line)));
+}
+
+float BeamSums::weight_of(const FanPlan& plan, const BeamLines& own, std::size_t i) const {
+    if (bearings_.empty()) return plan.line_weight[own.first_weight + i];
+    return plan.across.at(bearings_[own.first_line + i] - static_cast<float>(own.bearing));
+}
+
+void BeamSums::sum(const FanPlan& plan, PixelOffset offset, std::size_t bins, LineSums& lines,
+                   const std::vector<float>& gain, Workers& workers, std::vector<float>& values) {
     values.resize(plan.beams.size() * bins);
     sum_sectors(plan, lines);
+    find_bearings(plan, offset);
     for (const FanPart& part : plan.parts) {
         if (part.sectors > 0) sum_nodes(plan, part, bins, lines, workers);
         constexpr std::size_t beams_at_once = 16;
@@ -68,8 +87,9 @@ void BeamSums::sum(const FanPlan& plan, std::size_t bins, LineSums& lines, const
                 float* sum = &values[(part.first_beam + beam) * bins];
                 std::fill(sum, sum + bins, 0.0F);
                 for (std::size_t i = 0; i < own.lines; ++i)
-                    if (const float weight = plan.line_weight[own.first_weight + i]; weight > 0)
-                        add_row(sum, lines.line(own.first_line + i), lines.line_values(own.first_line + i), weight);
+                    if (const float weight = weight_of(plan, own, i); weight > 0)
+                        add_row(sum, lines.line(own.first_line + i), lines.line_values(own.first_line + i),
+                                weight);
                 if (part.sectors > 0) add_far(part, beam, bins, sum);
                 if (!gain.empty()) multiply(sum, gain.data(), bins);
             }

@@ -1,5 +1,5 @@
-// From the echo of lines and sectors to that of beams: each beam weighs its own lines one by one and everything else by
-// sector. Knows no pixels.
+// From the echo of lines and sectors to that of beams: each beam weighs its own lines one by one and
+// everything else by sector. Knows no pixels.
 #pragma once
 
 #include <vector>
@@ -11,16 +11,23 @@ namespace echoloop {
 
 class BeamSums {
   public:
-    /// Fills `values` (beams x bins); multiplies each bin with `gain` unless that is empty.
-    void sum(const FanPlan& plan, std::size_t bins, LineSums& lines, const std::vector<float>& gain, Workers& workers,
-             std::vector<float>& values);
+    /// `offset`: where in the pixels the ping sampled; a line that lies off its middle is weighed there, so
+    /// that the mean over pings has the pattern itself. Fills `values` (beams x bins); multiplies each bin
+    /// with `gain` unless that is empty.
+    void sum(const FanPlan& plan, PixelOffset offset, std::size_t bins, LineSums& lines,
+             const std::vector<float>& gain, Workers& workers, std::vector<float>& values);
 
   private:
     void sum_sectors(const FanPlan& plan, LineSums& lines);
-    void sum_nodes(const FanPlan& plan, const FanPart& part, std::size_t bins, LineSums& lines, Workers& workers);
+    void sum_nodes(const FanPlan& plan, const FanPart& part, std::size_t bins, LineSums& lines,
+                   Workers& workers);
     void add_far(const FanPart& part, std::size_t beam, std::size_t bins, float* sum) const;
 
-    std::vector<float> nodes_;  ///< of one part, nodes x bins
+    void find_bearings(const FanPlan& plan, PixelOffset offset);
+    float weight_of(const FanPlan& plan, const BeamLines& own, std::size_t i) const;
+
+    std::vector<float> bearings_;  ///< rad, where each level line was sampled
+    std::vector<float> nodes_;     ///< of one part, nodes x bins
 };
 
 }  // namespace echoloop

@@ -49,14 +49,15 @@ class Binning::Impl {
             add_levels(in, gain, Amount::echo);
             add_surround(in, gain);
             add_paths(in, gain);
-            beams_.sum(in.plan, in.bins, sums_, gain.values(), workers_, values);
+            beams_.sum(in.plan, in.offset, in.bins, sums_, gain.values(), workers_, values);
             return;
         }
         add_levels(in, gain, Amount::paper_share);
-        beams_.sum(in.plan, in.bins, sums_, {}, workers_, shares_);
+        beams_.sum(in.plan, in.offset, in.bins, sums_, {}, workers_, shares_);
         add_levels(in, gain, Amount::paper_echo);
-        beams_.sum(in.plan, in.bins, sums_, {}, workers_, values);
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
+        beams_.sum(in.plan, in.offset, in.bins, sums_, {}, workers_, values);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
     }
 
   private:
@@ -74,9 +75,10 @@ class Binning::Impl {
 
     void add_surround(const BinningInput& in, const BinGain& gain) {
         LineReader reader;
-        for (const View& view : std::span(in.plan.views).subspan(in.plan.level_views))
-            for (std::size_t line = 0; line < view.lines; ++line)
-                add_surround_line(in, gain, Amount::echo, view, line, reader, sums_);
+        for (const FanPart& part : in.plan.parts)
+            for (const View& view : std::span(in.plan.views).subspan(part.first_surround, part.surrounds))
+                for (std::size_t line = 0; line < view.lines; ++line)
+                    add_surround_line(in, gain, false, part, view, line, reader, sums_);
     }
 
     /// Their power is complete, so the gain that the beams will get is taken out first.
@@ -91,15 +93,16 @@ class Binning::Impl {
         }
     }
 
-    /// Where an echo that arrives from `bearing` is added up. A single beam's is complete: it has its sector, or the
-    /// line on its axis.
+    /// Where an echo that arrives from `bearing` is added up. A single beam's is complete: it has its sector,
+    /// or the line on its axis.
     LineBins* row_of(const FanPlan& plan, double bearing) {
         const FanPart& part = plan.parts.front();
         if (plan.beams.size() == 1)
             return part.sectors > 0 ? &sums_.sector(0) : &sums_.line(line_at(plan, part.centre).value_or(0));
         if (const auto line = line_at(plan, bearing)) return &sums_.line(*line);
         if (part.sectors == 0) return nullptr;
-        return &sums_.sector(sector_at(part, SectorKind::beside, cone_angle(bearing - part.centre, 0)).sector);
+        return &sums_.sector(
+            sector_at(part, SectorKind::beside, cone_angle(bearing - part.centre, 0)).sector);
     }
 
     Workers& workers_;

@@ -36,11 +36,17 @@ std::array<Vec3, 4> side_planes(const View& view, const Pose& world_from_fan, do
             up - (view.bottom - margin) * forward, (view.top + margin) * forward - up};
 }
 
+double tolerance_at(const ViewLimits& limits, double distance) {
+    constexpr double least = 0.1;
+    if (distance >= limits.full_tolerance_range) return limits.tolerance;
+    const double share = distance / limits.full_tolerance_range;
+    return limits.tolerance * std::max(share * share, least);
+}
+
 }  // namespace
 
 void find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
-                  const ViewLimits& limits,
-                  std::vector<std::uint32_t>& nodes) {
+                  const ViewLimits& limits, std::vector<std::uint32_t>& nodes) {
     const auto planes = side_planes(view, frame_from_fan, limits.margin);
     const Vec3 eye = frame_from_fan.position;
     std::vector<std::pair<float, std::uint32_t>> found;
@@ -50,7 +56,8 @@ void find_visible(const Scene& scene, NodeRange range, const View& view, const P
         const bool seen = distance <= limits.end_range &&
                           std::none_of(planes.begin(), planes.end(),
                                        [&](Vec3 normal) { return behind(node.bounds, eye, normal); });
-        const bool good = static_cast<double>(node.error) <= limits.tolerance * distance;  // also every chunk
+        const bool good =
+            static_cast<double>(node.error) <= tolerance_at(limits, distance) * distance;  // also chunks
         if (seen && good) found.emplace_back(static_cast<float>(distance), i);
         i = seen && !good ? i + 1 : node.next;
     }

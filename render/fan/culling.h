@@ -14,6 +14,8 @@ struct ViewLimits {
     double end_range = 0;  ///< m, nothing farther is wanted
     double margin = 0;     ///< by which the view's pyramid is grown, on the image plane
     double tolerance = 0;  ///< rad, by which a surface may be off where that allows a coarser stand-in
+    double full_tolerance_range =
+        0;  ///< m, from where on it may be that; nearer, it falls with the square of range
 };
 
 /// Nodes [first, last) of a scene: whole trees in one frame.
@@ -21,10 +23,9 @@ struct NodeRange {
     std::uint32_t first = 0, last = 0;
 };
 
-/// Indices of nodes in `range` that reach into the view and together hold everything that it sees of them, nearest
-/// first. `frame_from_fan`: in the frame of those nodes.
+/// Indices of nodes in `range` that reach into the view and together hold everything that it sees of them,
+/// nearest first. `frame_from_fan`: in the frame of those nodes.
 void find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
-                  const ViewLimits& limits,
-                  std::vector<std::uint32_t>& nodes);
+                  const ViewLimits& limits, std::vector<std::uint32_t>& nodes);
 
 }  // namespace echoloop

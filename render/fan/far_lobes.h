@@ -1,5 +1,6 @@
-// Side lobes far off the axis. Their echo is summed into sectors of the angle about the array's plane, and each sector
-// reaches a beam with its mean two-way pattern: the lobes themselves are far narrower than what is seen through them.
+// Side lobes far off the axis. Their echo is summed into sectors of the angle about the array's plane, and
+// each sector reaches a beam with its mean two-way pattern: the lobes themselves are far narrower than what
+// is seen through them.
 #pragma once
 
 #include <algorithm>
@@ -12,27 +13,34 @@ namespace echoloop {
 
 inline constexpr std::size_t sectors_per_part = 60;  ///< over 180 deg
 
-/// A line array cannot tell directions on a cone about it apart: the angle of that cone, measured from the array's
-/// plane of symmetry; the bearing itself in the fan's plane.
+/// A line array cannot tell directions on a cone about it apart: the angle of that cone, measured from the
+/// array's plane of symmetry; the bearing itself in the fan's plane.
 inline double cone_angle(double bearing, double elevation) {
     return std::asin(std::clamp(std::sin(bearing) * std::cos(elevation), -1.0, 1.0));
 }
 
-/// Sectors of a part with several beams: of its level lines, of what lies beside them, and of what lies above and below.
-/// A single beam has one sector.
+/// Sectors of a part with several beams: of its level lines, of what lies beside them, and of what lies above
+/// and below. A single beam has one sector.
 enum class SectorKind : std::size_t { lines, beside, off_plane };
 
 inline double sector_middle(std::size_t sector) {
     return (static_cast<double>(sector) / (sectors_per_part - 1) - 0.5) * std::numbers::pi;
 }
 
-inline SectorShare sector_at(const FanPart& part, SectorKind kind, double angle) {
+/// The angle counted in spacings of sectors, from the first one on.
+inline double sector_place(double angle) { return (angle / std::numbers::pi + 0.5) * (sectors_per_part - 1); }
+
+/// `place`: of sector_place().
+inline SectorShare sector_at_place(const FanPart& part, SectorKind kind, double place) {
     if (part.beams == 1) return {static_cast<std::uint16_t>(part.first_sector), 0};
-    const double at = (angle / std::numbers::pi + 0.5) * (sectors_per_part - 1);
-    const double first = std::clamp(std::floor(at), 0.0, static_cast<double>(sectors_per_part - 2));
-    const std::size_t sector =
-        part.first_sector + static_cast<std::size_t>(kind) * sectors_per_part + static_cast<std::size_t>(first);
-    return {static_cast<std::uint16_t>(sector), static_cast<float>(std::clamp(at - first, 0.0, 1.0))};
+    const double first = std::clamp(std::floor(place), 0.0, static_cast<double>(sectors_per_part - 2));
+    const std::size_t sector = part.first_sector + static_cast<std::size_t>(kind) * sectors_per_part +
+                               static_cast<std::size_t>(first);
+    return {static_cast<std::uint16_t>(sector), static_cast<float>(std::clamp(place - first, 0.0, 1.0))};
+}
+
+inline SectorShare sector_at(const FanPart& part, SectorKind kind, double angle) {
+    return sector_at_place(part, kind, sector_place(angle));
 }
 
 }  // namespace echoloop

@@ -6,7 +6,8 @@
 namespace echoloop {
 namespace {
 
-constexpr double widest_view = deg_to_rad(62);  ///< beyond, the edge's pixels would be much narrower than the centre's
+constexpr double widest_view =
+    deg_to_rad(62);  ///< beyond, the edge's pixels would be much narrower than the centre's
 constexpr double widest_line = deg_to_rad(0.4);
 constexpr std::size_t fewest_lines = 8, most_lines = 8192;
 constexpr std::size_t fewest_samples = 64, most_samples = 2048, most_pixels = std::size_t{4} << 20;
@@ -35,7 +36,8 @@ void weigh_line(FanPlan& plan, const View& view, std::size_t line, const FanLobe
         const double lower = view.elevation_at(at, static_cast<double>(sample + 1));
         const double covered = share_within(lower, upper, -edge, edge);
         const double from = std::max(lower, -edge), to = std::min(upper, edge);
-        double power = covered > 0 && from < to && !lobes.vertical.is_box() ? lobes.vertical.mean(from, to) : 1.0;
+        double power =
+            covered > 0 && from < to && !lobes.vertical.is_box() ? lobes.vertical.mean(from, to) : 1.0;
         if (lobes.piston && covered > 0) power = lobes.of_single(bearing, (from + to) / 2);
         if (lobes.surround) power *= level_share(lobes, (from + to) / 2);
         upper = lower;
@@ -52,6 +54,13 @@ SampleRange nominal_samples(const View& view, std::size_t line, double fan_heigh
             view.elevation_at(at, static_cast<double>(sample + 1)) < fan_height / 2)
             range = {std::min(range.first, sample), sample + 1};
     return range;
+}
+
+LobeTable lobe_table(const Lobe& lobe, double reach, double step) {
+    LobeTable table{step, {}};
+    for (double off = 0; off < reach + 2 * step; off += step)
+        table.values.push_back(static_cast<float>(lobe.power(off)));
+    return table;
 }
 
 bool alike(const View& a, const View& b) { return a.right == b.right && a.lines == b.lines; }
@@ -113,10 +122,14 @@ void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height)
 void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& g, const FanLobes& lobes) {
     const double reach = lobes.horizontal.is_box() || !g.side_lobes ? lobes.horizontal.edge()
                                                                     : near_beam_widths * g.beam_width;
+    if (!lobes.horizontal.is_box() && !lobes.piston && plan.across.empty())
+        plan.across = lobe_table(lobes.horizontal, reach + 2 * widest_line, g.beam_width / 100);
     for (std::size_t b = part.first_beam; b < part.first_beam + part.beams; ++b) {
         BeamLines& beam = plan.beams[b];
-        const double bearing = g.bearings[b];
-        const auto begin = [&](double edge) { return part.first_line + lines_before(plan, part, bearing + edge); };
+        const double bearing = beam.bearing = g.bearings[b];
+        const auto begin = [&](double edge) {
+            return part.first_line + lines_before(plan, part, bearing + edge);
+        };
         const auto widened = [&](double edge) { return std::max(begin(edge), part.first_line + 1) - 1; };
         beam.first_line = widened(-reach);
         beam.lines = begin(reach) - beam.first_line;

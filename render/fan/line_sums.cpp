@@ -1,51 +1,112 @@
 #include "render/fan/line_sums.h"
 
+#include "render/fan/far_lobes.h"
+
 namespace echoloop {
 namespace {
 
-constexpr bool is_echo(Amount amount) { return amount == Amount::echo || amount == Amount::wanted_echo; }
-
-template <Amount amount>
-inline float amount_of(const BinningInput& in, const PixelRow& row, std::size_t i, float middle, float weight) {
-    if constexpr (amount == Amount::paper_share) return weight;
-    if constexpr (amount == Amount::paper_echo) return weight * cerqueira_sigmoid(row.cosine()[i]);
-    // cos(i) is the distance of the surface's plane over R, and was taken at the sample point.
-    const float cosine = std::min(row.cosine()[i] * row.range()[i] / middle, 1.0F);
-    return weight * in.strength[static_cast<std::size_t>(row.surface()[i]) - 1].at(cosine);
+/// m, of the window.
+float end_of(const BinningInput& in) {
+    return static_cast<float>(in.first_range + static_cast<double>(in.bins) * in.bin_length);
 }
 
-/// Calls deposit(i, near, far, amount, slope) for every pixel of the line that shows a surface and has weight.
-template <Amount amount, typename Deposit>
-void for_each_echo(const BinningInput& in, const BinGain& gain, const LineReader& reader, const float* weight,
-                   std::size_t samples, const Deposit& deposit) {
-    const auto per_metre = static_cast<float>(1 / in.bin_length),
-               start = static_cast<float>(in.first_range / in.bin_length),
-               near_limit = static_cast<float>(gain.near_limit());
-    const PixelRow& row = reader.row();
-    const Extents& extents = reader.extents();
-    const float *surface = row.surface(), *near_edge = extents.near.data(), *far_edge = extents.far.data();
-    for (std::size_t i = 0; i < samples; ++i) {
-        if (surface[i] == 0 || weight[i] == 0) continue;
-        if constexpr (amount == Amount::wanted_echo)
-            if (in.wanted[static_cast<std::size_t>(surface[i]) - 1] == 0) continue;
-        const float middle = extents.middle[i];
-        const float near = near_edge[i] * per_metre - start, far = far_edge[i] * per_metre - start;
-        float value = amount_of<amount>(in, row, i, middle, weight[i]);
-        if (is_echo(amount) && middle < near_limit && far - near < 1) value *= gain.correction(middle);
-        // Along a plane seen at grazing incidence the solid angle of a slice of range falls as R^-2, cos(i) as R^-1.
+constexpr bool is_echo(Amount amount) { return amount == Amount::echo || amount == Amount::wanted_echo; }
+
+/// What a pixel sends back per weight. `plane`: m, distance of its surface's plane, which is cos(i) times R
+/// anywhere on it.
+template <Amount amount>
+inline float strength_of(const BinningInput& in, float surface, float plane, float range) {
+    if constexpr (amount == Amount::paper_share) return 1;
+    const float cosine = std::min(plane / range, 1.0F);
+    if constexpr (amount == Amount::paper_echo) return cerqueira_sigmoid(cosine);
+    return in.strength[static_cast<std::size_t>(surface) - 1].at(cosine);
+}
+
+template <Amount amount>
+inline bool counts(const BinningInput& in, float surface) {
+    if constexpr (amount == Amount::wanted_echo) return in.wanted[static_cast<std::size_t>(surface) - 1] != 0;
+    return true;
+}
+
+/// From m to bins, and what the gain of a whole bin leaves out.
+class RangeScale {
+  public:
+    RangeScale(const BinningInput& in, const BinGain& gain)
+        : gain_(gain),
+          per_metre(static_cast<float>(1 / in.bin_length)),
+          start_(static_cast<float>(in.first_range / in.bin_length)),
+          near_limit_(static_cast<float>(gain.near_limit())) {}
+
+    float bin(float range) const { return range * per_metre - start_; }
+    /// `length`: bins, over which the echo is spread.
+    float correction(float range, float length) const {
+        return range < near_limit_ && length < 1 ? gain_.correction(range) : 1;
+    }
+
+  private:
+    const BinGain& gain_;
+
+  public:
+    const float per_metre;
+
+  private:
+    float start_, near_limit_;
+};
+
+/// What both owners of stretch `i` send back from its middle.
+template <Amount amount>
+inline float echo_of(const BinningInput& in, const PixelRow& row, const Stretches& s, std::size_t i) {
+    const auto upper = static_cast<std::ptrdiff_t>(i) - 1, lower = static_cast<std::ptrdiff_t>(i);
+    const float *surface = row.surface(), *range = row.range(), *cosine = row.cosine();
+    const auto plane = [&](std::ptrdiff_t sample) { return cosine[sample] * range[sample]; };
+    if (surface[upper] == surface[lower]) {
+        if (!counts<amount>(in, surface[lower])) return 0;
+        return (s.of_upper[i] + s.of_lower[i]) *
+               strength_of<amount>(in, surface[lower], 0.5F * (plane(upper) + plane(lower)), s.middle[i]);
+    }
+    float sum = 0;
+    if (s.of_upper[i] > 0 && counts<amount>(in, surface[upper]))
+        sum += s.of_upper[i] * strength_of<amount>(in, surface[upper], plane(upper), s.middle[i]);
+    if (s.of_lower[i] > 0 && counts<amount>(in, surface[lower]))
+        sum += s.of_lower[i] * strength_of<amount>(in, surface[lower], plane(lower), s.middle[i]);
+    return sum;
+}
+
+template <Amount amount>
+void add_stretches(const BinningInput& in, const RangeScale& scale, const PixelRow& row, const Stretches& s,
+                   LineBins& bins) {
+    for (std::size_t i = 0; i < s.middle.size(); ++i) {
+        if (!(s.of_upper[i] + s.of_lower[i] > 0)) continue;
+        const float near = scale.bin(s.near[i]), far = scale.bin(s.far[i]), middle = s.middle[i];
+        float value = echo_of<amount>(in, row, s, i);
+        if (is_echo(amount)) value *= scale.correction(middle, far - near);
+        // Along a plane seen at grazing incidence the solid angle of a slice of range falls as R^-2, cos(i)
+        // as R^-1.
         const float steepest = 1.8F / (far - near);  // beyond, the density at the far end would be negative
-        deposit(i, near, far, value, std::max(-3 / (middle * per_metre), -steepest));
+        bins.deposit(near, far, value, std::max(-3 / (middle * scale.per_metre), -steepest));
     }
 }
 
 template <Amount amount>
-void add_level(const BinningInput& in, const BinGain& gain, const LineReader& reader, const float* weight,
-               std::size_t samples, LineBins& bins) {
+void add_samples(const BinningInput& in, const RangeScale& scale, const PixelRow& row, const Stretches& s,
+                 LineBins& bins) {
+    for (std::size_t i = 0; i < s.at_sample.size(); ++i) {
+        if (!(s.at_sample[i] > 0) || !counts<amount>(in, row.surface()[i])) continue;
+        const float range = row.range()[i];
+        float value =
+            s.at_sample[i] * strength_of<amount>(in, row.surface()[i], row.cosine()[i] * range, range);
+        if (is_echo(amount)) value *= scale.correction(range, 2 * s.half_width[i] * scale.per_metre);
+        const float half = s.half_width[i];
+        bins.deposit(scale.bin(range - half), scale.bin(range + half), value);
+    }
+}
+
+template <Amount amount>
+void add_level(const BinningInput& in, const BinGain& gain, const LineReader& reader, LineBins& bins) {
     LineBins local = bins;  // its limits stay in registers
-    for_each_echo<amount>(in, gain, reader, weight, samples,
-                          [&](std::size_t, float near, float far, float value, float slope) {
-                              local.deposit(near, far, value, slope);
-                          });
+    const RangeScale scale(in, gain);
+    add_stretches<amount>(in, scale, reader.row(), reader.stretches, local);
+    add_samples<amount>(in, scale, reader.row(), reader.stretches, local);
     bins = local;
 }
 
@@ -67,72 +128,92 @@ void LineSums::resize(std::size_t lines, std::size_t sectors, std::size_t bins) 
 void LineReader::read(const BinningInput& in, const View& view, std::size_t line) {
     const std::size_t stride = in.plan.samples, number = view.first_line + line;
     const Pixel* pixels = &in.pixels[number * stride];
+    const float end = end_of(in);
     const bool first = line == 0, last = line + 1 == view.lines;
     if (next_ == number) {
         std::swap(rows_[0], rows_[1]);
         std::swap(rows_[1], rows_[2]);
     } else {
-        if (!first) rows_[0].load(pixels - stride, view.samples);
-        rows_[1].load(pixels, view.samples);
+        if (!first) rows_[0].load(pixels - stride, view.samples, end);
+        rows_[1].load(pixels, view.samples, end);
     }
-    if (!last) rows_[2].load(pixels + stride, view.samples);
+    if (!last) rows_[2].load(pixels + stride, view.samples, end);
     next_ = last ? no_line : number + 1;
-    const float* coverage = &in.plan.coverage[view.first_pixel + line * view.samples];
-    find_extents(first ? rows_[1] : rows_[0], rows_[1], last ? rows_[1] : rows_[2], coverage, in.offset, view.samples,
-                 number >= in.plan.lines, extents_);
+    first_ = first, last_ = last;
 }
 
-void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
-                    LineReader& reader, LineBins& bins) {
+void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
+                    std::size_t line, LineReader& reader, LineBins& bins) {
     reader.read(in, view, line);
-    const std::size_t first = view.first_pixel + line * view.samples;
+    const float* coverage = &in.plan.coverage[view.first_pixel + line * view.samples];
+    const bool echo = is_echo(amount);
+    const float* weight = echo ? &in.plan.weight[view.first_pixel + line * view.samples] : coverage;
+    find_stretches(reader.before(), reader.row(), reader.after(), coverage, weight, in.offset, view.samples,
+                   static_cast<float>(in.bin_length), end_of(in), reader.stretches);
     switch (amount) {
         case Amount::echo:
-            return add_level<Amount::echo>(in, gain, reader, &in.plan.weight[first], view.samples, bins);
+            return add_level<Amount::echo>(in, gain, reader, bins);
         case Amount::wanted_echo:
-            return add_level<Amount::wanted_echo>(in, gain, reader, &in.plan.weight[first], view.samples, bins);
+            return add_level<Amount::wanted_echo>(in, gain, reader, bins);
         case Amount::paper_echo:
-            return add_level<Amount::paper_echo>(in, gain, reader, &in.plan.coverage[first], view.samples, bins);
+            return add_level<Amount::paper_echo>(in, gain, reader, bins);
         case Amount::paper_share:
-            return add_level<Amount::paper_share>(in, gain, reader, &in.plan.coverage[first], view.samples, bins);
+            return add_level<Amount::paper_share>(in, gain, reader, bins);
     }
 }
 
-void add_surround_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
-                       LineReader& reader, LineSums& sums) {
-    reader.read(in, view, line);
-    const std::size_t first = view.first_pixel + line * view.samples;
-    const SectorShare* share = &in.plan.sector[first - in.plan.first_surround_pixel];
-    const auto deposit = [&](std::size_t i, float near, float far, float value, float slope) {
-        const SectorShare to = share[i];
-        if (to.next < 1) sums.sector(to.sector).deposit(near, far, value * (1 - to.next), slope);
-        if (to.next > 0) sums.sector(to.sector + 1U).deposit(near, far, value * to.next, slope);
-    };
-    const float* weight = &in.plan.weight[first];
-    if (amount == Amount::wanted_echo)
-        for_each_echo<Amount::wanted_echo>(in, gain, reader, weight, view.samples, deposit);
-    else
-        for_each_echo<Amount::echo>(in, gain, reader, weight, view.samples, deposit);
-}
+namespace {
 
-void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
-                 LineReader& reader, std::vector<PixelEcho>& echoes) {
+/// Adds the echo of a surround pixel to the sectors on both sides of where it was sampled.
+class SectorSums {
+  public:
+    SectorSums(const FanPart& part, PixelOffset offset, LineSums& sums)
+        : part_(part),
+          sums_(sums),
+          line_(static_cast<float>(offset.line)),
+          sample_(static_cast<float>(offset.sample)) {}
+
+    void add(const SurroundPixel& pixel, float near, float far, float strength) {
+        const float beside = strength * pixel.beside.at(line_, sample_);
+        const float off_plane = strength * pixel.off_plane.at(line_, sample_);
+        if (part_.beams == 1) return sums_.sector(part_.first_sector).deposit(near, far, beside + off_plane);
+        const auto place = static_cast<double>(pixel.sector.at(line_, sample_));
+        if (beside > 0) add(sector_at_place(part_, SectorKind::beside, place), near, far, beside);
+        if (off_plane > 0) add(sector_at_place(part_, SectorKind::off_plane, place), near, far, off_plane);
+    }
+
+  private:
+    void add(SectorShare to, float near, float far, float value) {
+        if (to.next < 1) sums_.sector(to.sector).deposit(near, far, value * (1 - to.next));
+        if (to.next > 0) sums_.sector(to.sector + 1U).deposit(near, far, value * to.next);
+    }
+
+    const FanPart& part_;
+    LineSums& sums_;
+    const float line_, sample_;
+};
+
+}  // namespace
+
+void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wanted, const FanPart& part,
+                       const View& view, std::size_t line, LineReader& reader, LineSums& sums) {
     reader.read(in, view, line);
-    echoes.clear();
-    const auto list = [&](std::size_t i, float near, float far, float value, float slope) {
-        echoes.push_back({static_cast<std::uint32_t>(i), near, far, value, slope});
-    };
-    const std::size_t first = view.first_pixel + line * view.samples, count = view.samples;
-    const float *weight = &in.plan.weight[first], *coverage = &in.plan.coverage[first];
-    switch (amount) {
-        case Amount::echo:
-            return for_each_echo<Amount::echo>(in, gain, reader, weight, count, list);
-        case Amount::wanted_echo:
-            return for_each_echo<Amount::wanted_echo>(in, gain, reader, weight, count, list);
-        case Amount::paper_echo:
-            return for_each_echo<Amount::paper_echo>(in, gain, reader, coverage, count, list);
-        case Amount::paper_share:
-            return for_each_echo<Amount::paper_share>(in, gain, reader, coverage, count, list);
+    find_extents(reader.before(), reader.row(), reader.after(), view.samples, reader.extents);
+    const PixelRow& row = reader.row();
+    const RangeScale scale(in, gain);
+    SectorSums sectors(part, in.offset, sums);
+    const std::size_t first = view.first_pixel + line * view.samples;
+    const SurroundPixel* pixels = &in.plan.surround[first - in.plan.first_surround_pixel];
+    const float* weight = &in.plan.weight[first];
+    for (std::size_t i = 0; i < view.samples; ++i) {
+        const SurroundPixel& pixel = pixels[i];
+        const float surface = row.surface()[i], range = row.range()[i];
+        if (surface == 0 || weight[i] == 0) continue;
+        if (only_wanted && !counts<Amount::wanted_echo>(in, surface)) continue;
+        const float near = scale.bin(reader.extents.near[i]), far = scale.bin(reader.extents.far[i]);
+        const float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
+                               scale.correction(range, far - near);
+        sectors.add(pixel, near, far, strength);
     }
 }
 

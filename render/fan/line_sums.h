@@ -1,5 +1,5 @@
-// The echo of every line of pixels and of every surround sector, per range bin, before it goes to the beams. Owns the
-// scratch memory of one kind of sum; knows no beams.
+// The echo of every line of pixels and of every surround sector, per range bin, before it goes to the beams.
+// Owns the scratch memory of one kind of sum; knows no beams.
 #pragma once
 
 #include <vector>
@@ -7,6 +7,7 @@
 #include "render/fan/bin_gain.h"
 #include "render/fan/line_bins.h"
 #include "render/fan/pixel_rows.h"
+#include "render/fan/stretches.h"
 
 namespace echoloop {
 
@@ -27,18 +28,23 @@ class LineSums {
 /// Reads the pixels of one thread's lines; keeps three rows, so that neighbouring lines are unpacked once.
 class LineReader {
   public:
-    /// Extents and rows of line `line` of `view`; valid until the next call.
+    /// Line `line` of `view` and its neighbours; valid until the next call.
     void read(const BinningInput& in, const View& view, std::size_t line);
     /// Forgets what it has read; before other pixels.
     void restart() { next_ = no_line; }
     const PixelRow& row() const { return rows_[1]; }
-    const Extents& extents() const { return extents_; }
+    /// The lines on both sides, at a view's edge the line itself.
+    const PixelRow& before() const { return first_ ? rows_[1] : rows_[0]; }
+    const PixelRow& after() const { return last_ ? rows_[1] : rows_[2]; }
+
+    Stretches stretches;  ///< for who reads level lines
+    Extents extents;      ///< for who reads a surround's
 
   private:
     static constexpr std::size_t no_line = static_cast<std::size_t>(-1);
     PixelRow rows_[3];
     std::size_t next_ = no_line;  ///< image line that rows_[2] holds
-    Extents extents_;
+    bool first_ = true, last_ = true;
 };
 
 /// What a pixel adds for each rule, before the gain of its bin.
@@ -50,19 +56,11 @@ enum class Amount {
 };
 
 /// Adds the pixels of a level line to its bins.
-void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
-                    LineReader& reader, LineBins& bins);
-/// Adds the pixels of a surround line to their sectors; `amount`: an echo.
-void add_surround_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
-                       LineReader& reader, LineSums& sums);
-
-/// What one pixel adds: an amount from bin `near` to bin `far`, see LineBins::deposit().
-struct PixelEcho {
-    std::uint32_t sample;
-    float near, far, amount, slope;
-};
-/// The echoes of a line's pixels in their order, for those who share them out otherwise.
-void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, const View& view, std::size_t line,
-                 LineReader& reader, std::vector<PixelEcho>& echoes);
+void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
+                    std::size_t line, LineReader& reader, LineBins& bins);
+/// Adds the pixels of a surround line of `part` to their sectors; `only_wanted`: of the surfaces in
+/// BinningInput::wanted.
+void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wanted, const FanPart& part,
+                       const View& view, std::size_t line, LineReader& reader, LineSums& sums);
 
 }  // namespace echoloop

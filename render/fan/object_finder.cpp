@@ -53,9 +53,9 @@ void ObjectFinder::sum_object(BinningInput in, const BinGain& gain, std::span<co
     LineReader reader;
     for (const auto& [object, line] : lines.subspan(level.size())) {
         const View& view = view_with(in.plan, line);
-        add_surround_line(in, gain, Amount::wanted_echo, view, line - view.first_line, reader, sums_);
+        add_surround_line(in, gain, true, in.plan.part_of(view), view, line - view.first_line, reader, sums_);
     }
-    beams_.sum(in.plan, in.bins, sums_, gain.values(), workers_, power_);
+    beams_.sum(in.plan, in.offset, in.bins, sums_, gain.values(), workers_, power_);
 }
 
 void ObjectFinder::find(const BinningInput& input, std::span<const std::uint32_t> object_of_surface,

@@ -1,90 +1,84 @@
 #include "render/fan/pixel_rows.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "render/simd.h"
 
 namespace echoloop {
 namespace {
 
-/// Change of range from one pixel to the next, from its footprint's size and the ranges on both sides. A side without
-/// a surface tells nothing.
-struct Neighbour {
-    float range, surface;
-};
-
-inline float range_step(Neighbour previous, float range, Neighbour next, float footprint) {
-    constexpr float none = 1e30F;
-    const float from_previous = previous.surface == 0 ? none : range - previous.range;
-    const float to_next = next.surface == 0 ? none : next.range - range;
-    const float nearer = std::abs(from_previous) < std::abs(to_next) ? from_previous : to_next;
-    return std::copysign(std::min(footprint, 1.5F * std::abs(nearer)), nearer);
+ECHOLOOP_SIMD
+void extents_of(const PixelArrays row, const PixelArrays before, const PixelArrays after, int count,
+                float* __restrict near, float* __restrict far) {
+    for (int i = 0; i < count; ++i) {
+        const float r = row.range[i], size = std::abs(row.footprint[i]);
+        const float along =
+            range_step(row.range[i - 1], row.surface[i - 1], r, row.range[i + 1], row.surface[i + 1], size);
+        const float across = range_step(before, row, after, i);
+        const float half = 0.5F * sample_width * std::sqrt(along * along + across * across);
+        near[i] = std::max(r - half, r * row.cosine[i]);  // no point of the plane is nearer than its foot
+        far[i] = r + half;
+    }
 }
 
 ECHOLOOP_SIMD
-void extents_of(const float* __restrict range, const float* __restrict cosine, const float* __restrict footprint,
-                const float* __restrict surface,
-                const float* __restrict range_before, const float* __restrict surface_before,
-                const float* __restrict range_after, const float* __restrict surface_after,
-                const float* __restrict coverage, float line_offset, float sample_offset, int count, float both_ways,
-                float* __restrict near, float* __restrict middle, float* __restrict far) {
-    constexpr float at_least = 0.01F;  // m, a step that is no outline
-    const int half = count / 2;
-    for (int i = 0; i < count; ++i) {
-        const float r = range[i], hidden = 1 - coverage[i];
-        const bool along_line = footprint[i] >= 0;
-        const float size = std::abs(footprint[i]);
-        const float vertical = range_step({range[i - 1], surface[i - 1]}, r, {range[i + 1], surface[i + 1]}, size);
-        const float across = range_step({range_before[i], surface_before[i]}, r, {range_after[i], surface_after[i]}, size);
-        const float greater = along_line ? vertical : across, smaller = both_ways * (along_line ? across : vertical);
-        const float step = std::copysign(std::sqrt(greater * greater + smaller * smaller), greater);
-        const float centre = along_line ? -sample_offset : -line_offset;
-        const float upper = along_line && i < half ? hidden : 0.0F, lower = along_line && i >= half ? hidden : 0.0F;
-        const float most = 3 * size + at_least;
-        const bool outline = along_line && (!(std::abs(range[i - 1] - r) < most) || !(std::abs(range[i + 1] - r) < most));
-        const float begin = outline ? -0.0625F : centre - 0.5F + upper, end = outline ? 0.0625F : centre + 0.5F - lower;
-        const float square = r * r;
-        const float first = square / (r - step * begin), last = square / (r - step * end);
-        near[i] = std::max(std::min(first, last), r * cosine[i]);  // no point of the plane is nearer than its foot
-        far[i] = std::max(first, last);
-        middle[i] = square / (r - step * (0.5F * (begin + end)));
+void invert(const float* __restrict range, const float* __restrict surface, std::size_t count,
+            float* __restrict inverse) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float one_over = 1 / range[i];
+        inverse[i] = surface[i] != 0 ? one_over : 0.0F;
     }
 }
 
 }  // namespace
 
-void PixelRow::load(const Pixel* pixels, std::size_t count) {
-    for (auto* row : {&range_, &cosine_, &footprint_, &surface_}) {
-        row->resize(count + 2);
-        row->front() = row->back() = 0;
-    }
+/// Places are those of the arrays.
+void PixelRow::go_on_beyond(float end, std::size_t missing, std::size_t nearest, std::size_t next) {
+    if (surface_[nearest] == 0 || surface_[next] == 0) return;
+    const float inverse = 2 / range_[nearest] - 1 / range_[next];
+    if (!(inverse * end < 1) || range_[nearest] > end) return;
+    const float range = 1 / std::max(inverse, 1e-6F), growth = range / range_[nearest];
+    range_[missing] = range, surface_[missing] = surface_[nearest];
+    cosine_[missing] = cosine_[nearest] / growth, footprint_[missing] = footprint_[nearest] * growth * growth;
+}
+
+void PixelRow::load(const Pixel* pixels, std::size_t count, float end) {
+    for (auto* row : {&range_, &cosine_, &footprint_, &surface_}) row->resize(count + 2);
     for (std::size_t i = 0; i < count; ++i) {
         range_[i + 1] = pixels[i].range;
         cosine_[i + 1] = pixels[i].cosine;
         footprint_[i + 1] = pixels[i].footprint;
         surface_[i + 1] = pixels[i].surface;
     }
-    range_.front() = range_[1];  // the limit of the view is no outline
-    range_.back() = range_[count];
+    for (std::size_t i = 1; i <= count; ++i) {
+        if (pixels[i - 1].surface != 0) continue;
+        if (i + 2 <= count && pixels[i].surface != 0) go_on_beyond(end, i, i + 1, i + 2);
+        if (i > 2 && pixels[i - 2].surface != 0) go_on_beyond(end, i, i - 1, i - 2);
+    }
+    const auto go_on = [](const std::vector<float>& range, std::size_t from, std::size_t by) {
+        const float inverse = 2 / range[from] - 1 / range[by];  // 1 / R is linear on a plane
+        const bool usable = std::abs(inverse * range[from] - 1) < 0.2F;
+        return usable ? 1 / inverse : range[from];
+    };
+    const std::size_t next = std::min<std::size_t>(2, count), previous = std::max<std::size_t>(1, count - 1);
+    range_.front() = go_on(range_, 1, next), range_.back() = go_on(range_, count, previous);
+    for (auto* row : {&cosine_, &footprint_, &surface_})
+        row->front() = (*row)[1], row->back() = (*row)[count];
+    inverse_.resize(count + 2);
+    invert(range_.data(), surface_.data(), count + 2, inverse_.data());
 }
 
-void Extents::resize(std::size_t count) {
-    near.resize(count), middle.resize(count), far.resize(count);
-}
-
-void find_extents(const PixelRow& before, const PixelRow& row, const PixelRow& after, const float* coverage,
-                  PixelOffset offset, std::size_t count, bool both_ways, Extents& extents) {
-    extents.resize(count);
+void find_extents(const PixelRow& before, const PixelRow& row, const PixelRow& after, std::size_t count,
+                  Extents& extents) {
+    extents.near.resize(count), extents.far.resize(count);
     // At a view's edge the line itself stands for its neighbour and must not tell a step: no surface.
     static thread_local std::vector<float> nothing;
     nothing.assign(count, 0.0F);
-    const float* no_surface = nothing.data();
-    extents_of(row.range(), row.cosine(), row.footprint(), row.surface(), before.range(),
-               &before == &row ? no_surface : before.surface(), after.range(),
-               &after == &row ? no_surface : after.surface(), coverage, static_cast<float>(offset.line),
-               static_cast<float>(offset.sample), static_cast<int>(count), both_ways ? 1.0F : 0.0F, extents.near.data(), extents.middle.data(),
-               extents.far.data());
+    const auto neighbour = [&](const PixelRow& other) {
+        PixelArrays arrays = other.arrays();
+        if (&other == &row) arrays.surface = nothing.data();
+        return arrays;
+    };
+    extents_of(row.arrays(), neighbour(before), neighbour(after), static_cast<int>(count),
+               extents.near.data(), extents.far.data());
 }
 
 }  // namespace echoloop

@@ -1,7 +1,9 @@
-// One line of pixels as arrays of numbers, and the stretch of range that each pixel stands for. Keeps to the pixel: it
-// never smooths across an edge.
+// One line of pixels as arrays of numbers, and the stretch of range that each pixel of a surround stands for.
+// Keeps to the pixel: it never smooths across an edge.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -9,38 +11,60 @@
 
 namespace echoloop {
 
-/// A line's pixels, one array per quantity, with room for a neighbour at both ends.
+/// `inverse`: 1/m, of range; 0 where there is no surface.
+struct PixelArrays {
+    const float *range, *cosine, *footprint, *surface, *inverse;
+};
+
+/// A line's pixels, one array per quantity, with a neighbour at both ends that goes on as the line does.
 class PixelRow {
   public:
-    void load(const Pixel* pixels, std::size_t count);
+    /// `end`: m, of the window. Nothing is drawn that lies beyond; a plane that only just reaches there goes
+    /// on by a pixel, so that it does not look like an outline.
+    void load(const Pixel* pixels, std::size_t count, float end);
     const float* range() const { return range_.data() + 1; }
     const float* cosine() const { return cosine_.data() + 1; }
     const float* footprint() const { return footprint_.data() + 1; }
     const float* surface() const { return surface_.data() + 1; }
+    PixelArrays arrays() const { return {range(), cosine(), footprint(), surface(), inverse_.data() + 1}; }
 
   private:
-    std::vector<float> range_, cosine_, footprint_, surface_;
+    void go_on_beyond(float end, std::size_t missing, std::size_t nearest, std::size_t next);
+
+    std::vector<float> range_, cosine_, footprint_, surface_, inverse_;
 };
 
-/// m, on the surfaces' planes, one per pixel.
+/// Change of range across a pixel, from the size of its footprint and its neighbours' ranges. The plane of a
+/// facet may reach much farther than the facet, as on the crest of a ripple, so it goes at most half as far
+/// again as the step to the nearer neighbour. A side without a surface tells nothing.
+inline float range_step(float before, float before_surface, float range, float after, float after_surface,
+                        float footprint) {
+    constexpr float none = 1e30F;
+    const float from_before = before_surface == 0 ? none : range - before;
+    const float to_after = after_surface == 0 ? none : after - range;
+    const float nearer = std::abs(from_before) < std::abs(to_after) ? from_before : to_after;
+    return std::copysign(std::min(footprint, 1.5F * std::abs(nearer)), nearer);
+}
+
+/// Of pixel i, from line to line.
+inline float range_step(const PixelArrays& before, const PixelArrays& row, const PixelArrays& after, int i) {
+    return range_step(before.range[i], before.surface[i], row.range[i], after.range[i], after.surface[i],
+                      std::abs(row.footprint[i]));
+}
+
+/// The part of a pixel that a sample stands for which is weighed by where it lies: a whole pixel would smooth
+/// the echo a second time.
+inline constexpr float sample_width = 0.4F;
+
+/// m, one per pixel: a stretch around the sample.
 struct Extents {
-    std::vector<float> near, middle, far;
-    void resize(std::size_t count);
+    std::vector<float> near, far;
 };
 
-/// The ping sampled somewhere in the pixel; the extent is that of the whole pixel (at the fan's upper and lower edge of
-/// its covered part), so a smooth surface sounds the same wherever the samples fall.
-///
-/// The plane of a facet may reach much farther than the facet, as on the crest of a ripple, so a footprint goes at most
-/// half as far again as the step to the nearer neighbour. On a smooth surface that never binds. On a plane at grazing
-/// incidence 1 / R is linear in the angle, and elsewhere the steps are too small to matter.
-///
-/// With `both_ways` a pixel's range changes along its line and across lines alike, as in square pixels: the extent then
-/// has the variance of both together. Else only the greater change counts: lines are narrow.
-///
-/// `before` and `after` are the lines on both sides, at a view's edge the line itself. Pixels without a surface get
-/// meaningless extents.
-void find_extents(const PixelRow& before, const PixelRow& row, const PixelRow& after, const float* coverage,
-                  PixelOffset offset, std::size_t count, bool both_ways, Extents& extents);
+/// Range changes along a line and across lines alike, as in square pixels: the extent has the variance of
+/// both together. `before` and `after` are the lines on both sides, at a view's edge the line itself. Pixels
+/// without a surface get meaningless extents.
+void find_extents(const PixelRow& before, const PixelRow& row, const PixelRow& after, std::size_t count,
+                  Extents& extents);
 
 }  // namespace echoloop

@@ -31,7 +31,8 @@ Lobe lobe_of(const FanGeometry& g, AxisPattern axis, double width, double edge_p
     return g.patterns ? Lobe::pattern(axis, width, edge_power) : Lobe::box(width);
 }
 
-/// Where the surround takes over from the level views, they have lost 13 dB; without it they show the main lobe.
+/// Where the surround takes over from the level views, they have lost 13 dB; without it they show the main
+/// lobe.
 double vertical_edge_power(const FanGeometry& g) { return g.side_lobes ? 0.05 : 0.003; }
 
 }  // namespace
@@ -44,20 +45,32 @@ FanLobes::FanLobes(const FanGeometry& g)
       piston(single && g.vertical.shape == ApertureShape::piston) {}
 
 double FanLobes::of_single(double bearing, double elevation) const {
-    if (piston) return vertical.power(std::acos(std::clamp(std::cos(bearing) * std::cos(elevation), -1.0, 1.0)));
+    if (piston)
+        return vertical.power(std::acos(std::clamp(std::cos(bearing) * std::cos(elevation), -1.0, 1.0)));
     return horizontal.power(bearing) * vertical.power(elevation);
 }
 
 const View& FanPlan::view_of(std::size_t line) const {
-    const auto after = std::upper_bound(views.begin(), views.begin() + static_cast<std::ptrdiff_t>(level_views), line,
-                                        [](std::size_t l, const View& view) { return l < view.first_line; });
+    const auto after =
+        std::upper_bound(views.begin(), views.begin() + static_cast<std::ptrdiff_t>(level_views), line,
+                         [](std::size_t l, const View& view) { return l < view.first_line; });
     return *(after - 1);
 }
 
 const View& FanPlan::view_at(double bearing) const {
-    const auto off = [bearing](const View& view) { return std::abs(bearing - view.bearing) - std::atan(view.right); };
+    const auto off = [bearing](const View& view) {
+        return std::abs(bearing - view.bearing) - std::atan(view.right);
+    };
     return *std::min_element(views.begin(), views.begin() + static_cast<std::ptrdiff_t>(level_views),
                              [&](const View& a, const View& b) { return off(a) < off(b); });
+}
+
+const FanPart& FanPlan::part_of(const View& view) const {
+    const auto number = static_cast<std::size_t>(&view - views.data());
+    const auto after = std::find_if(parts.begin(), parts.end(), [&](const FanPart& part) {
+        return number < part.first_surround + part.surrounds;
+    });
+    return after == parts.end() ? parts.back() : *after;
 }
 
 std::size_t FanPlan::pixels() const {
@@ -69,14 +82,9 @@ std::size_t FanPlan::pixels() const {
 FanGeometry geometry_of(const Shot& shot, const Effects& effects) {
     const double end = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
     const bool patterns = effects.has(Effect::beam_pattern);
-    return {shot.bearings,
-            shot.beam_width,
-            shot.fan_height,
-            std::max(2 * shot.bin_interval / end, lowest_step),
-            shot.horizontal,
-            shot.vertical,
-            patterns,
-            patterns && effects.has(Effect::side_lobes)};
+    return {
+        shot.bearings,   shot.beam_width, shot.fan_height, std::max(2 * shot.bin_interval / end, lowest_step),
+        shot.horizontal, shot.vertical,   patterns,        patterns && effects.has(Effect::side_lobes)};
 }
 
 FanPlan plan_fan(const FanGeometry& geometry, const PlanDensity& density) {

@@ -1,7 +1,9 @@
-// How a fan is drawn: its perspective views, the weight of every pixel, and which lines belong to which beams.
-// Depends on the fan's geometry only, so one plan serves many pings.
+// How a fan is drawn: its perspective views, the weight of every pixel, and which lines belong to which
+// beams. Depends on the fan's geometry only, so one plan serves many pings.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +20,7 @@ struct PlanDensity {
 
 /// The lines whose echo a beam hears directly, in its main lobe and the side lobes next to it.
 struct BeamLines {
+    double bearing = 0;  ///< rad, of its axis
     std::size_t first_line = 0, lines = 0;
     std::size_t first_weight = 0;                      ///< in FanPlan::line_weight, one per line
     std::size_t first_nominal = 0, nominal_lines = 0;  ///< lines that lie within beam_width
@@ -28,11 +31,25 @@ struct SampleRange {
     std::size_t first = 0, last = 0;
 };
 
-/// A far sector, and how much of a pixel or line goes to the next one: sectors are tents, so that coarse pixels leave
-/// no pattern.
+/// A far sector, and how much of a pixel or line goes to the next one: sectors are tents, so that coarse
+/// pixels leave no pattern.
 struct SectorShare {
     std::uint16_t sector = 0;
     float next = 0;
+};
+
+/// Something across one pixel: its mean, and how it changes from edge to edge along lines and along samples.
+struct Linear {
+    float mean = 0, line = 0, sample = 0;
+    /// Pixels from its middle.
+    float at(float lines, float samples) const { return mean + line * lines + sample * samples; }
+};
+
+/// What the array hears of a surround pixel, by where in it a ping samples: then the mean over pings is right
+/// to second order, however much the pattern changes across the pixel.
+struct SurroundPixel {
+    Linear beside, off_plane;  ///< sr, solid angle times the pattern
+    Linear sector;             ///< in spacings of sectors, from the first one of a kind
 };
 
 /// Beams that belong to one array, less than two beam widths apart; a side-scan sonar has two of them.
@@ -42,10 +59,24 @@ struct FanPart {
     std::size_t first_surround = 0, surrounds = 0;  ///< its views of everything else
     double centre = 0;                              ///< rad, bearing of the array's axis
     double first_edge = 0, last_edge = 0;           ///< rad, bearings between which it is drawn finely
-    /// Far side lobes: `sectors` sums of echo (see far_lobes.h) feed every `beams_per_node`th beam with weights
-    /// far[node * sectors + sector]; the beams between are interpolated.
+    /// Far side lobes: `sectors` sums of echo (see far_lobes.h) feed every `beams_per_node`th beam with
+    /// weights far[node * sectors + sector]; the beams between are interpolated.
     std::size_t first_sector = 0, sectors = 0, nodes = 0, beams_per_node = 1;
     std::vector<float> far;
+};
+
+/// A beam's two-way power over bearing, so finely that what lies between its values is as if linear.
+struct LobeTable {
+    double step = 0;            ///< rad
+    std::vector<float> values;  ///< from the axis on
+    bool empty() const { return values.empty(); }
+    /// `off`: rad off the axis.
+    float at(float off) const {
+        const float place = std::abs(off) / static_cast<float>(step);
+        const std::size_t cell = std::min(static_cast<std::size_t>(place), values.size() - 2);
+        const float share = std::min(place - static_cast<float>(cell), 1.0F);
+        return values[cell] + share * (values[cell + 1] - values[cell]);
+    }
 };
 
 struct FanPlan {
@@ -56,23 +87,27 @@ struct FanPlan {
     std::size_t image_lines = 0;  ///< of the image that holds all views, one below the other
     std::size_t samples = 0;      ///< of a level line, and the image's width
 
-    /// Per pixel of each distinct view, see View::first_pixel: the share 0..1 of the pixel that is drawn finely, and
-    /// the same times the pixel's solid angle in sr and its pattern.
+    /// Per pixel of each distinct view, see View::first_pixel: the share 0..1 of the pixel that is drawn
+    /// finely, and the same times the pixel's solid angle in sr and its pattern.
     std::vector<float> coverage, weight;
     std::size_t first_surround_pixel = 0;
-    std::vector<SectorShare> sector;  ///< per pixel of a surround view, from first_surround_pixel on
+    std::vector<SurroundPixel>
+        surround;  ///< from first_surround_pixel on; `weight` is the mean of both kinds
 
     std::vector<SampleRange> nominal;  ///< of every level line
 
     std::vector<BeamLines> beams;
-    std::vector<float> line_weight;         ///< share of a line's power that a beam hears, 0..1
+    std::vector<float> line_weight;        ///< share of a line's power that a beam hears, 0..1
+    LobeTable across;                      ///< the same by where in a line a ping samples; empty for boxes
     std::vector<SectorShare> line_sector;  ///< far sector of every level line
-    std::size_t sectors = 0;                ///< of all parts together
+    std::size_t sectors = 0;               ///< of all parts together
 
     /// The level view that holds an image line.
     const View& view_of(std::size_t line) const;
     /// The level view that shows a bearing, or the one that comes nearest to it.
     const View& view_at(double bearing) const;
+    /// The part that a surround view belongs to.
+    const FanPart& part_of(const View& view) const;
     std::size_t pixels() const;  ///< of all views
 };
 

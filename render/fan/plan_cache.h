@@ -34,7 +34,7 @@ class PlanCache {
         std::size_t bytes =
             sizeof(FanPlan) + plan.beams.size() * (sizeof(BeamLines) + sizeof(double)) +
             (plan.coverage.size() + plan.weight.size() + plan.line_weight.size()) * sizeof(float) +
-            (plan.sector.size() + plan.line_sector.size()) * sizeof(SectorShare);
+            plan.surround.size() * sizeof(SurroundPixel) + plan.line_sector.size() * sizeof(SectorShare);
         for (const FanPart& part : plan.parts) bytes += part.far.size() * sizeof(float);
         return bytes;
     }

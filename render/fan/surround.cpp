@@ -1,5 +1,5 @@
-// All directions in front of an array that its level views leave out, seen coarsely: five faces of a cube, cut at the
-// array's plane. Side lobes hear from there the first bottom return and targets outside the fan.
+// All directions in front of an array that its level views leave out, seen coarsely: five faces of a cube,
+// cut at the array's plane. Side lobes hear from there the first bottom return and targets outside the fan.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace echoloop {
 namespace {
 
 constexpr double pixels_per_side = 64, pixels_of_single_beam = 40;
-constexpr double least_power = 3e-6;  ///< two ways; below, a direction is not heard
+constexpr double least_power = 3e-6;             ///< two ways; below, a direction is not heard
 constexpr double widest_part = deg_to_rad(170);  ///< a ring of transducers has no plane and no surround
 
 struct Direction {
@@ -25,19 +25,48 @@ Direction direction_at(const View& view, Quat array_from_view, double line, doub
     return {std::atan2(-d.y, d.x), std::atan2(d.z, std::sqrt(d.x * d.x + d.y * d.y))};
 }
 
+/// The plane that comes nearest to values in a pixel, parts x parts of them.
+class Fit {
+  public:
+    static constexpr int parts = 6;  ///< so that the limit of the level views cuts pixels smoothly
+    static double place(int part) { return (part + 0.5) / parts - 0.5; }
+
+    void add(double line, double sample, double value) {
+        mean_ += value, line_ += line * value, sample_ += sample * value;
+    }
+    Linear linear() const {
+        constexpr double count = parts * parts,
+                         squares = count * (parts * parts - 1) / (12.0 * parts * parts);
+        return {static_cast<float>(mean_ / count), static_cast<float>(line_ / squares),
+                static_cast<float>(sample_ / squares)};
+    }
+    /// Flatter where it would else fall below nothing in a corner.
+    Linear positive() const {
+        Linear fit = linear();
+        const float change = std::abs(fit.line) + std::abs(fit.sample), most = 2 * fit.mean;
+        const float share = change > most ? most / change : 1;
+        fit.line *= share, fit.sample *= share;
+        return fit;
+    }
+
+  private:
+    double mean_ = 0, line_ = 0, sample_ = 0;
+};
+
 class Surround {
   public:
-    Surround(FanPlan& plan, const FanPart& part, const FanLobes& lobes) : plan_(plan), part_(part), lobes_(lobes) {}
+    Surround(FanPlan& plan, const FanPart& part, const FanLobes& lobes)
+        : plan_(plan), part_(part), lobes_(lobes) {}
 
     /// Appends what the array hears of the face: the rectangle of pixels that have weight, if any.
     bool add(const View& face, double bearing) {
         View turned = face;
         turned.bearing = bearing;
         array_from_view_ = turned.fan_from_view();
-        power_.clear();
+        heard_.clear();
         for (std::size_t line = 0; line < face.lines; ++line)
             for (std::size_t sample = 0; sample < face.samples; ++sample)
-                power_.push_back(mean_power(face, line, sample));
+                heard_.push_back(heard_of(face, line, sample));
         const Rectangle heard = rectangle(face);
         if (heard.last_line <= heard.first_line) return false;
         View view = cropped(face, heard);
@@ -61,7 +90,7 @@ class Surround {
         Rectangle r{face.lines, 0, face.samples, 0};
         for (std::size_t line = 0; line < face.lines; ++line)
             for (std::size_t sample = 0; sample < face.samples; ++sample)
-                if (power_[line * face.samples + sample] > 0)
+                if (power_of(heard_[line * face.samples + sample]) > 0)
                     r = {std::min(r.first_line, line), line + 1, std::min(r.first_sample, sample),
                          std::max(r.last_sample, sample + 1)};
         return r;
@@ -69,36 +98,48 @@ class Surround {
 
     static View cropped(const View& face, const Rectangle& r) {
         View view = face;
-        view.left = face.x(static_cast<double>(r.first_line)), view.right = face.x(static_cast<double>(r.last_line));
+        view.left = face.x(static_cast<double>(r.first_line)),
+        view.right = face.x(static_cast<double>(r.last_line));
         view.top = face.y(static_cast<double>(r.first_sample));
         view.bottom = face.y(static_cast<double>(r.last_sample));
         view.lines = r.last_line - r.first_line, view.samples = r.last_sample - r.first_sample;
         return view;
     }
 
-    double mean_power(const View& view, std::size_t line, std::size_t sample) const {
-        constexpr int parts = 3;  // per side, so that the limit of the level views cuts pixels smoothly
-        double power = 0;
-        for (int i = 0; i < parts * parts; ++i)
-            power += power_at(direction_at(view, array_from_view_, static_cast<double>(line) + (i / parts + 0.5) / parts,
-                                           static_cast<double>(sample) + (i % parts + 0.5) / parts));
-        return power / (parts * parts);
+    static float power_of(const SurroundPixel& p) { return p.beside.mean + p.off_plane.mean; }
+
+    /// The pattern's powers and the sector across a pixel, each as the line that fits best.
+    SurroundPixel heard_of(const View& view, std::size_t line, std::size_t sample) const {
+        Fit beside, off_plane, sector;
+        for (int i = 0; i < Fit::parts * Fit::parts; ++i) {
+            const double u = Fit::place(i / Fit::parts), v = Fit::place(i % Fit::parts);
+            const Direction d = direction_at(view, array_from_view_, static_cast<double>(line) + 0.5 + u,
+                                             static_cast<double>(sample) + 0.5 + v);
+            (is_beside(d) ? beside : off_plane).add(u, v, power_at(d));
+            sector.add(u, v, sector_place(cone_angle(d.bearing, d.elevation)));
+        }
+        return {beside.positive(), off_plane.positive(), sector.linear()};
     }
 
     void add_pixel(const View& view, std::size_t line, std::size_t sample) {
         const double at = static_cast<double>(line) + 0.5;
-        const Direction middle = direction_at(view, array_from_view_, at, static_cast<double>(sample) + 0.5);
+        SurroundPixel heard = heard_[line * view.samples + sample];
+        const auto solid_angle = static_cast<float>(view.solid_angle(view.x(at) * view.x(at), sample));
+        for (Linear* power : {&heard.beside, &heard.off_plane})
+            for (float* part : {&power->mean, &power->line, &power->sample}) *part *= solid_angle;
         plan_.coverage.push_back(1);
-        plan_.weight.push_back(static_cast<float>(power_[line * view.samples + sample] *
-                                                  view.solid_angle(view.x(at) * view.x(at), sample)));
-        const bool beside = std::abs(middle.elevation) <= edge();
-        plan_.sector.push_back(sector_at(part_, beside ? SectorKind::beside : SectorKind::off_plane,
-                                         cone_angle(middle.bearing, middle.elevation)));
+        plan_.weight.push_back(power_of(heard));
+        plan_.surround.push_back(heard);
     }
 
+    bool is_ahead(Direction d) const {
+        const double bearing = part_.centre + d.bearing;
+        return bearing >= part_.first_edge && bearing <= part_.last_edge;
+    }
+    bool is_beside(Direction d) const { return !is_ahead(d) && std::abs(d.elevation) <= edge(); }
+
     double power_at(Direction d) const {
-        const bool ahead = part_.centre + d.bearing >= part_.first_edge && part_.centre + d.bearing <= part_.last_edge;
-        const double left = ahead ? 1 - level_share(lobes_, d.elevation) : 1;
+        const double left = is_ahead(d) ? 1 - level_share(lobes_, d.elevation) : 1;
         if (left == 0) return 0;
         if (lobes_.piston) return left * lobes_.of_single(d.bearing, d.elevation);
         const double across = lobes_.single ? lobes_.horizontal.power(cone_angle(d.bearing, d.elevation)) : 1;
@@ -111,15 +152,16 @@ class Surround {
     FanPlan& plan_;
     const FanPart& part_;
     const FanLobes& lobes_;
-    Quat array_from_view_;       ///< of the face at hand
-    std::vector<double> power_;  ///< of its pixels
+    Quat array_from_view_;              ///< of the face at hand
+    std::vector<SurroundPixel> heard_;  ///< of its pixels, of which each has the solid angle 1
 };
 
 }  // namespace
 
 std::array<View, 5> front_half_cube(std::size_t side) {
     constexpr double right_angle = std::numbers::pi / 2;
-    const auto face = [side](double bearing, double elevation, double left, double right, double bottom, double top) {
+    const auto face = [side](double bearing, double elevation, double left, double right, double bottom,
+                             double top) {
         View view{bearing, elevation, left, right, bottom, top, side, side, 0, 0};
         view.lines = static_cast<std::size_t>(static_cast<double>(side) * (right - left) / 2);
         view.samples = static_cast<std::size_t>(static_cast<double>(side) * (top - bottom) / 2);

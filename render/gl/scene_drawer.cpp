@@ -20,9 +20,14 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// rad, by which a coarse stand-in may be off at most; on average it is a third of that. Pixels of more than
-/// a degree show what side lobes hear.
-double tolerance_of(double pixel) { return (pixel > deg_to_rad(1) ? 1.5 : 0.5) * pixel; }
+/// By how much a coarse stand-in may be off at most; on average it is a third of that. Pixels of more than a
+/// degree show what side lobes hear: first of all the nearest bottom, whose first return shifts with it, so
+/// near stand-ins are finer.
+ViewLimits limits_of(const View& view, double end_range) {
+    const double pixel = std::max(view.line_width(), view.sample_height());
+    const bool coarse = pixel > deg_to_rad(1);
+    return {end_range, pixel, (coarse ? 1.5 : 0.5) * pixel, coarse ? 0.4 * end_range : 0};
+}
 
 /// Makes the context current before the members that need it are built.
 Context& current(Context& context) {
@@ -145,7 +150,9 @@ void SceneDrawer::bind_target(int width, int height) {
     constexpr int step = 64;  // pixels, as llvmpipe's tiles
     width = (width + step - 1) / step * step;
     height = (height + step - 1) / step * step;
-    const auto fits = [&](const SizedTarget& target) { return target.width == width && target.height == height; };
+    const auto fits = [&](const SizedTarget& target) {
+        return target.width == width && target.height == height;
+    };
     const auto make = [&] {
         constexpr std::size_t bytes = 20;  // four floats of colour and one of depth
         return std::pair(SizedTarget{width, height, std::make_unique<FloatTarget>(gl_, width, height)},
@@ -157,8 +164,7 @@ void SceneDrawer::bind_target(int width, int height) {
 void SceneDrawer::draw_view(const View& view, NodeRange range, const Pose& frame_from_fan, double end_range,
                             PixelOffset offset) {
     const auto begin = Clock::now();
-    const double pixel = std::max(view.line_width(), view.sample_height());
-    find_visible(*scene_, range, view, frame_from_fan, {end_range, pixel, tolerance_of(pixel)}, visible_);
+    find_visible(*scene_, range, view, frame_from_fan, limits_of(view, end_range), visible_);
     for (DrawList& list : lists_) list.clear();
     for (const std::uint32_t node : visible_) list(scene_->nodes()[node]);
     profile_.chunks += visible_.size();
@@ -191,8 +197,8 @@ void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, std::spa
     for (std::size_t i = 0; i < movers.size(); ++i) {
         const SceneMover& mover = scene_->movers()[i];
         for (const View& view : plan.views)
-            draw_view(view, {mover.first_node, mover.last_node}, inverse(movers[i]) * world_from_fan, end_range,
-                      offset);
+            draw_view(view, {mover.first_node, mover.last_node}, inverse(movers[i]) * world_from_fan,
+                      end_range, offset);
     }
     gl_.Finish();  // costs nothing, as the next call would wait, and tells drawing from reading
     profile_.draw = seconds_since(begin) - profile_.cull;

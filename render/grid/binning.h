@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "render/fan/line_sums.h"
+#include "render/fan/pixel_echoes.h"
 #include "render/grid/plan.h"
 
 namespace echoloop {

@@ -1,0 +1,20 @@
+// The echoes of single pixels, for who shares them out otherwise than by line. Knows no beams.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/fan/line_sums.h"
+
+namespace echoloop {
+
+/// What one pixel adds: an amount from bin `near` to bin `far`, see LineBins::deposit().
+struct PixelEcho {
+    std::uint32_t sample;
+    float near, far, amount, slope;
+};
+/// The echoes of a line's pixels in their order, for those who share them out otherwise.
+void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
+                 std::size_t line, LineReader& reader, std::vector<PixelEcho>& echoes);
+
+}  // namespace echoloop
