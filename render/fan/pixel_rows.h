@@ -54,7 +54,7 @@ inline float range_step(const PixelArrays& before, const PixelArrays& row, const
 
 /// The part of a pixel that a sample stands for which is weighed by where it lies: a whole pixel would smooth
 /// the echo a second time.
-inline constexpr float sample_width = 0.4F;
+inline constexpr float sample_width = 0.3F;
 
 /// m, one per pixel: a stretch around the sample.
 struct Extents {

@@ -26,7 +26,7 @@ double seconds_since(Clock::time_point begin) {
 ViewLimits limits_of(const View& view, double end_range) {
     const double pixel = std::max(view.line_width(), view.sample_height());
     const bool coarse = pixel > deg_to_rad(1);
-    return {end_range, pixel, (coarse ? 1.5 : 0.5) * pixel, coarse ? 0.4 * end_range : 0};
+    return {end_range, pixel, (coarse ? 1.5 : 0.5) * pixel, coarse ? 0.45 * end_range : 0};
 }
 
 /// Makes the context current before the members that need it are built.
