@@ -54,7 +54,7 @@ RenderThread::Crew RenderThread::useful(std::size_t sonars, bool real_time) {
     return {threads, sonars > threads, real_time};
 }
 
-RenderThread::RenderThread(const Make& make, Crew crew) : real_time_(crew.real_time) {
+RenderThread::RenderThread(const Make& make, Crew crew) : real_time_(crew.real_time), every_(crew.threads) {
     if (crew.threads > 1) keep_rasterisers_on_their_threads();
     std::vector<std::future<void>> ready;
     for (std::size_t i = 0; i < crew.threads; ++i) threads_.push_back(start(make, Lane::every, ready));
@@ -99,6 +99,7 @@ RenderThread::Jobs::iterator RenderThread::most_urgent(Lane lane) {
     for (auto job = jobs_.begin(); job != jobs_.end(); ++job) {
         if (!seen.insert(job->claim.sonar).second) continue;
         if (lane == Lane::single_beams && !is_single_beam(job->shot)) continue;
+        if (!leaves_a_thread(job->shot)) continue;
         if (best == jobs_.end() || job->claim.needed < best->claim.needed) best = job;
     }
     return best;
@@ -113,6 +114,8 @@ void RenderThread::serve(std::stop_token stop, Renderer& renderer, Lane lane) {
         Job job = std::move(*next);
         jobs_.erase(next);
         busy_.insert(job.claim.sonar);
+        const std::size_t images = job.shot.rows() > 1 ? 1 : 0;
+        images_ += images;
         lock.unlock();
         try {
             const Place place(real_time_ && lane == Lane::every && is_single_beam(job.shot));
@@ -122,6 +125,7 @@ void RenderThread::serve(std::stop_token stop, Renderer& renderer, Lane lane) {
         }
         lock.lock();
         busy_.erase(job.claim.sonar);
+        images_ -= images;
         const bool more = !jobs_.empty();
         lock.unlock();
         if (more) wake_.notify_all();

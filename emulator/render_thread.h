@@ -67,12 +67,18 @@ class RenderThread {
     std::jthread start(const Make& make, Lane lane, std::vector<std::future<void>>& ready);
     void serve(std::stop_token stop, Renderer& renderer, Lane lane);
     Jobs::iterator most_urgent(Lane lane);
+    /// Shots with rows of beams take ten times as long as fans: they leave a thread to the others where there are two.
+    bool leaves_a_thread(const Shot& shot) const {
+        return shot.rows() == 1 || images_ == 0 || images_ + 1 < every_;
+    }
 
     const bool real_time_;
+    const std::size_t every_;  ///< threads of that lane
     std::mutex mutex_;
     std::condition_variable_any wake_;
     Jobs jobs_;                   ///< in the order of submission
     std::set<std::size_t> busy_;  ///< sonars whose ping is being rendered
+    std::size_t images_ = 0;      ///< shots with rows that are being rendered
     std::vector<std::jthread> threads_;
 };
 

@@ -29,6 +29,12 @@ Shot shot_of(std::size_t beams, std::uint64_t ping = 0) {
     return shot;
 }
 
+Shot rows() {
+    Shot shot = shot_of(4);
+    shot.elevations = {-0.02, 0, 0.02};
+    return shot;
+}
+
 class RenderThreads : public testing::Test {
   protected:
     void start(RenderThread::Crew crew) {
@@ -36,13 +42,17 @@ class RenderThreads : public testing::Test {
     }
     /// Notes `name` when the ping is rendered.
     void submit(const std::string& name, std::size_t sonar, int needed, std::size_t beams) {
-        crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot_of(beams), {},
+        submit(name, sonar, needed, shot_of(beams));
+    }
+    void submit(const std::string& name, std::size_t sonar, int needed, const Shot& shot) {
+        crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot, {},
                       [this, name](const Echogram&, const std::string&) { note(name); });
     }
     /// Keeps a thread busy until release().
-    void block(std::size_t sonar, std::size_t beams) {
+    void block(std::size_t sonar, std::size_t beams) { block(sonar, shot_of(beams)); }
+    void block(std::size_t sonar, const Shot& shot) {
         std::promise<void> begun;
-        crew_->submit({sonar, {}}, shot_of(beams), {}, [&begun, this](const Echogram&, const std::string&) {
+        crew_->submit({sonar, {}}, shot, {}, [&begun, this](const Echogram&, const std::string&) {
             begun.set_value();
             gate_.wait();
         });
@@ -70,6 +80,16 @@ class RenderThreads : public testing::Test {
     std::vector<std::string> rendered_;
     std::optional<RenderThread> crew_;
 };
+
+TEST_F(RenderThreads, ShotsWithRowsLeaveAThreadToTheOthers) {
+    start({2, false});
+    block(1, rows());
+    submit("image", 2, 10, rows());
+    submit("fan", 3, 20, 2);
+    EXPECT_THAT(wait_for(1), ElementsAre("fan"));
+    release();
+    EXPECT_THAT(wait_for(2), ElementsAre("fan", "image"));
+}
 
 TEST_F(RenderThreads, WhatIsNeededFirstComesFirst) {
     start({1, false});
