@@ -5,10 +5,10 @@ ETHERNET, RAW, SLL, NULL, RTAC_SERIAL = 1, 101, 113, 0, 250
 
 
 def pcap(packets, link=ETHERNET, snaplen=262144):
-    data = struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, snaplen, link)
+    parts = [struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, snaplen, link)]
     for i, packet in enumerate(packets):
-        data += struct.pack("<IIII", 1000 + i, 500000, len(packet), len(packet)) + packet
-    return data
+        parts += [struct.pack("<IIII", 1000 + i, 500000, len(packet), len(packet)), packet]
+    return b"".join(parts)
 
 
 def udp(payload, length=None):

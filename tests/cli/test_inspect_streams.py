@@ -1,4 +1,5 @@
 """echoloop inspect on captures that hold streams: TCP connections, serial lines, pcapng with several kinds of link."""
+import resource
 import struct
 import unittest
 
@@ -66,6 +67,14 @@ class Streams(ProgramTest):
     def test_bytes_that_the_capture_lacks_spoil_one_message_only(self):
         data = self.segments((b"", 99, SYN), (REBOOT, 100), (SEND_DATA[9:], 123), (REBOOT, 132), (REBOOT, 146))
         self.assertEqual(self.names(data), ["ReBoot", "", "ReBoot", "ReBoot"])
+
+    def test_very_many_bytes_behind_gaps_take_no_time(self):
+        start, before = 100 + len(REBOOT), resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        data = self.segments((b"", 99, SYN), (REBOOT, 100), *[(b"x", start + 3 * i + 2) for i in range(100_000)])
+        messages = self.messages(data, "--family", "seanet")
+        self.assertEqual(messages[0]["name"], "ReBoot")
+        self.assertEqual(sum(message["size"] for message in messages[1:]), 100_000)
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 10)
 
     def test_both_directions_are_apart(self):
         packets = [ethernet(ipv4(tcp(REBOOT[:7], 5, ports=(1, 2)), protocol=6)),

@@ -6,6 +6,9 @@ namespace echoloop::capture {
 namespace {
 
 constexpr std::size_t most_streams = 1024, most_waiting = 1 << 20;
+constexpr std::size_t each_piece = 100;  // bytes of memory beside its own
+
+constexpr std::uint32_t half_of_all = 0x80000000;  // what lies farther ahead lies behind
 
 /// How far `a` lies behind `b`; sequence numbers wrap.
 std::int32_t behind(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b); }
@@ -21,7 +24,9 @@ void TcpStreams::add(const TcpSegment& segment, const Each& each) {
         if (segment.begins) return;
     }
     if (segment.payload.empty()) return;
-    Bytes& kept = stream.early[segment.sequence];
+    const auto [place, is_new] = stream.early.try_emplace(segment.sequence);
+    Bytes& kept = place->second;
+    if (is_new) stream.waiting += each_piece;
     if (kept.size() < segment.payload.size()) {
         stream.waiting += segment.payload.size() - kept.size();
         kept = segment.payload;
@@ -35,12 +40,12 @@ void TcpStreams::finish(const Each& each) {
 
 void TcpStreams::give_out(const Way& way, Stream& stream, const Each& each, bool over_gaps) {
     while (!stream.early.empty()) {
-        const auto nearest = std::ranges::min_element(
-            stream.early, {}, [&stream](const auto& piece) { return behind(piece.first, stream.next); });
+        auto nearest = stream.early.lower_bound(stream.next + half_of_all);
+        if (nearest == stream.early.end()) nearest = stream.early.begin();
         const std::int32_t ahead = behind(nearest->first, stream.next);
         if (ahead > 0 && !over_gaps) return;
         const Bytes bytes = std::move(nearest->second);
-        stream.waiting -= bytes.size();
+        stream.waiting -= bytes.size() + each_piece;
         stream.early.erase(nearest);
         const std::size_t known =
             ahead > 0 ? 0

@@ -23,7 +23,7 @@ class TcpStreams {
         bool begun = false;
         std::uint32_t next = 0;
         std::map<std::uint32_t, Bytes> early;  ///< by sequence number
-        std::size_t waiting = 0;               ///< bytes in `early`
+        std::size_t waiting = 0;               ///< bytes of memory for `early`
     };
 
     static void give_out(const Way& way, Stream& stream, const Each& each, bool over_gaps);
