@@ -66,19 +66,17 @@ void Session::start() {
             {.received =
                  [this, port](ByteView bytes, Address from) {
                      if (!hearing_) return apply(device_->received({port, bytes, from}, clock_.now()));
-                     to_device([this, port, kept = Bytes(bytes.begin(), bytes.end()), from] {
-                         apply(device_->received({port, kept, from}, clock_.now()));
+                     act([this, port, kept = Bytes(bytes.begin(), bytes.end()), from] {
+                         return device_->received({port, kept, from}, clock_.now());
                      });
                  },
              .reconnected = [this, port] { to_device([this, port] { device_->reconnected(port); }); },
              .connected =
                  [this, port](Address peer) {
-                     to_device([this, port, peer] { apply(device_->connected(port, peer, clock_.now())); });
+                     act([this, port, peer] { return device_->connected(port, peer, clock_.now()); });
                  },
              .disconnected =
-                 [this, port] {
-                     to_device([this, port] { apply(device_->disconnected(port, clock_.now())); });
-                 },
+                 [this, port] { act([this, port] { return device_->disconnected(port, clock_.now()); }); },
              .line_rate =
                  [this, port](double rate) {
                      to_device([this, port, rate] { device_->line_rate(port, rate); });
@@ -89,13 +87,14 @@ void Session::start() {
     apply(device_->started(clock_.now()));
 }
 
-void Session::cut_power() {
+void Session::cut_power(std::function<void()> cut) {
     ++power_cuts_;
     outbox_.clear();
     outbox_bytes_ = 0;
     wake_ = Time::max();
     late_.reset();
     alarm_.cancel();
+    to_device(std::move(cut));
 }
 
 void Session::close() {
@@ -183,7 +182,9 @@ Task<void> Session::deliver(UnderWay ping) {
     co_await ready(ping.echoes);
     co_await ready(ping.late_before);
     if (closed_ || ping.powered != power_cuts_) co_return;
-    to_device([this, heard = std::make_shared<UnderWay>(std::move(ping))] { hear(*heard); });
+    to_device([this, heard = std::make_shared<UnderWay>(std::move(ping))] {
+        if (heard->powered == power_cuts_) hear(*heard);
+    });
 }
 
 void Session::hear(UnderWay& ping) {
@@ -206,10 +207,10 @@ void Session::hear(UnderWay& ping) {
     if (truth_)
         truth_->heard(ping.transmission, ping.situation, ping.unix_time, ping.due, std::move(faults),
                       echogram);
+    before_hearing_(now);
     const bool large = echogram.values.size() >= worth_a_thread;
-    if (large && water_.listeners && faults_ == nullptr)  // faults belong to this thread
-        return hear_elsewhere(std::move(heard));
-    apply(hear_all(*heard));
+    if (large && water_.listeners) return hear_elsewhere(std::move(heard));
+    apply(after_hearing_(hear_all(*heard), now));
 }
 
 Actions Session::hear_all(Heard& heard) {
@@ -220,31 +221,33 @@ Actions Session::hear_all(Heard& heard) {
 
 void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
     hearing_ = true;
+    counters_ = device_->counters();
     auto hold = std::make_shared<const Clock::Hold>(clock_);  // it comes back to the io thread before it ends
-    asio::post(*water_.listeners,
-               [this, &io = io_, alive = alive_, heard = std::move(heard), hold = std::move(hold)]() mutable {
-                   auto actions = std::make_shared<Actions>();
-                   std::exception_ptr fault;
-                   try {
-                       *actions = hear_all(*heard);
-                   } catch (...) {
-                       fault = std::current_exception();
-                   }
-                   asio::post(io, [this, alive = std::move(alive), actions = std::move(actions),
-                                   fault = std::move(fault), hold = std::move(hold)] {
-                       if (!*alive || closed_) return;
-                       hearing_ = false;
-                       Serving{name_}(fault);
-                       apply(std::move(*actions));
-                       alarm_.cancel();
-                       for (; !waiting_.empty() && !hearing_ && !closed_; waiting_.pop_front())
-                           waiting_.front()();
-                   });
-               });
+    asio::post(*water_.listeners, [this, &io = io_, alive = alive_, heard = std::move(heard),
+                                   powered = power_cuts_, hold = std::move(hold)]() mutable {
+        auto actions = std::make_shared<Actions>();
+        std::exception_ptr fault;
+        try {
+            *actions = hear_all(*heard);
+        } catch (...) {
+            fault = std::current_exception();
+        }
+        asio::post(io, [this, now = heard->now, powered, alive = std::move(alive),
+                        actions = std::move(actions), fault = std::move(fault), hold = std::move(hold)] {
+            if (!*alive || closed_) return;
+            hearing_ = false;
+            Serving{name_}(fault);
+            if (powered == power_cuts_) apply(after_hearing_(std::move(*actions), now));
+            alarm_.cancel();
+            for (; !waiting_.empty() && !hearing_ && !closed_; waiting_.pop_front()) waiting_.front()();
+        });
+    });
 }
 
-void Session::to_device(std::function<void()> event) {
-    hearing_ ? waiting_.push_back(std::move(event)) : event();
+void Session::act(std::function<Actions()> event) {
+    to_device([this, event = std::move(event), powered = power_cuts_] {
+        if (powered == power_cuts_) apply(event());
+    });
 }
 
 Task<void> Session::keep_waking() {
@@ -284,7 +287,7 @@ SessionSummary Session::summary() const {
     summary.worst_lateness = lateness_.worst();
     summary.median_lateness = lateness_.not_exceeded_by(0.5);
     summary.p99_lateness = lateness_.not_exceeded_by(0.99);
-    summary.device = device_->counters();
+    summary.device = hearing_ ? counters_ : device_->counters();
     for (const auto& transport : transports_) {
         summary.bytes_in += transport->bytes_in();
         summary.bytes_out += transport->bytes_out();

@@ -75,10 +75,19 @@ class Session {
     void remark_pings() { remarks_ = true; }
 
     void start();
-    /// The device has lost its power: what it was about to send, and its pings, are gone.
-    void cut_power();
+    /// `before` is called on this thread before the device hears an echogram, and `after` with what
+    /// that made it do, wherever it heard it.
+    void around_hearing(std::function<void(Time)> before, std::function<Actions(Actions, Time)> after) {
+        before_hearing_ = std::move(before);
+        after_hearing_ = std::move(after);
+    }
+    /// The device has lost its power: what it was about to send, and its pings, are gone. `cut` is called
+    /// when no thread is with the device.
+    void cut_power(std::function<void()> cut);
     /// Powers the device up again.
-    void power_up() { apply(device_->started(clock_.now())); }
+    void power_up() {
+        to_device([this] { apply(device_->started(clock_.now())); });
+    }
     void close();
     const std::vector<std::unique_ptr<Transport>>& transports() const { return transports_; }
     SessionSummary summary() const;
@@ -125,7 +134,9 @@ class Session {
     /// On another thread, which this session outlives.
     void hear_elsewhere(std::shared_ptr<Heard> heard);
     /// Lets `event` happen to the device now, or once it has heard the echogram that it is busy with.
-    void to_device(std::function<void()> event);
+    void to_device(std::function<void()> event) { hearing_ ? waiting_.push_back(std::move(event)) : event(); }
+    /// The same with what it did; nothing if it has lost its power meanwhile.
+    void act(std::function<Actions()> event);
     Task<void> keep_waking();
     Task<void> keep_writing();
     void post_mail(Send send);
@@ -150,7 +161,10 @@ class Session {
     Alarm alarm_;         ///< rings at wake_
     Time wake_ = Time::max();
     bool closed_ = false;
-    bool hearing_ = false;  ///< the device belongs to another thread
+    bool hearing_ = false;     ///< the device belongs to another thread
+    DeviceCounters counters_;  ///< meanwhile: what they were before
+    std::function<void(Time)> before_hearing_ = [](Time) {};
+    std::function<Actions(Actions, Time)> after_hearing_ = [](Actions actions, Time) { return actions; };
     std::deque<std::function<void()>> waiting_;
     DeviceFaults* faults_ = nullptr;  ///< nullptr: none can come
     std::uint64_t power_cuts_ = 0;

@@ -56,36 +56,31 @@ void FaultyDevice::line_rate(std::size_t port, double rate) {
     if (device_) device_->line_rate(port, rate);
 }
 
-Actions FaultyDevice::heard(const Echogram& echogram, Time now) {
-    if (!device_) return {};
-    const Echogram* again = frozen(echogram, now);
-    if (again == nullptr) return with_faults(device_->heard(echogram, now), now);
-    Echogram shown = echogram;
-    show_again(*again, shown);
-    return with_faults(device_->heard(shown, now), now);
-}
-
-/// The echogram to show in place of `echogram`; nullptr: this one.
-const Echogram* FaultyDevice::frozen(const Echogram& echogram, Time now) {
-    bool freezing = false, asked_for = false;
+void FaultyDevice::about_to_hear(Time now) {
+    shown_ = Image::passed;
     for (const AskedFault& asked : faults_.asked())
-        asked_for = asked_for || asked.fault.kind == FaultKind::frozen_image;
-    if (!asked_for) {
-        image_.reset();
-        return nullptr;
-    }
+        if (asked.fault.kind == FaultKind::frozen_image) shown_ = Image::kept;
     faults_.each(FaultKind::frozen_image, now, [&](AskedFault& asked) {
-        freezing = true;
         if (!image_) return;
+        shown_ = Image::frozen;
         FaultEvent event;
         event.kind = FaultKind::frozen_image;
         event.id = asked.id;
         event.ping = faults_.heard_ping;
         faults_.record(now, {faults_.name()}, event);
     });
-    if (freezing && image_) return &*image_;
-    image_ = echogram;
-    return nullptr;
+}
+
+Actions FaultyDevice::heard(const Echogram& echogram, Time now) {
+    if (!device_) return {};
+    if (shown_ == Image::frozen) {
+        Echogram shown = echogram;
+        show_again(*image_, shown);
+        return device_->heard(shown, now);
+    }
+    image_.reset();
+    if (shown_ == Image::kept) image_ = echogram;
+    return device_->heard(echogram, now);
 }
 
 Actions FaultyDevice::with_faults(Actions actions, Time now) {

@@ -22,7 +22,12 @@ class FaultyDevice final : public Device {
     std::vector<Port> ports() const override { return ports_; }
     Actions started(Time now) override;
     Actions received(const Received& data, Time now) override;
+    /// Comes before each heard(), on the thread of everything else.
+    void about_to_hear(Time now);
+    /// On any thread while no other calls. What it returns goes through answered(), on the thread of
+    /// everything else.
     Actions heard(const Echogram& echogram, Time now) override;
+    Actions answered(Actions actions, Time now) { return with_faults(std::move(actions), now); }
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
     Actions connected(std::size_t port, Address peer, Time now) override;
@@ -34,7 +39,6 @@ class FaultyDevice final : public Device {
     /// What is wrong with the ping that the device asks for.
     Actions with_faults(Actions actions, Time now);
     void stick(Shot& shot, Time now);
-    const Echogram* frozen(const Echogram& echogram, Time now);
 
     Make make_;
     DeviceFaults& faults_;
@@ -44,6 +48,8 @@ class FaultyDevice final : public Device {
     DeviceCounters before_;                ///< of those that lost their power
     std::uint64_t pings_ = 0;
     std::optional<double> last_pan_, stuck_at_;
+    enum class Image { passed, kept, frozen };
+    Image shown_ = Image::passed;    ///< of what is heard next
     std::optional<Echogram> image_;  ///< the one that is frozen, or the last
 };
 

@@ -57,6 +57,9 @@ std::vector<std::unique_ptr<Transport>> FaultySession::lines(
 
 void FaultySession::start(Session& session) {
     session_ = &session;
+    session.around_hearing(
+        [this](Time now) { device_->about_to_hear(now); },
+        [this](Actions actions, Time now) { return device_->answered(std::move(actions), now); });
     schedule_.start();
 }
 
@@ -86,8 +89,7 @@ void FaultySession::change_line(Faulty& line, const Fault& fault, bool begins) {
 /// them. A serial line stays, with nobody at its end.
 Task<void> FaultySession::reboot(Time off) {
     const std::uint64_t cut = ++power_cuts_;
-    session_->cut_power();
-    device_->cut_power();
+    session_->cut_power([this] { device_->cut_power(); });
     for (Faulty* line : lines_) {
         line->forget();
         if (is_tcp(*line)) line->unplug();

@@ -196,6 +196,25 @@ class Multibeam(Case):
         self.assertRegex(faults[0], "ping 1 after ", "a host that counts pings notices")
         self.check_label()
 
+    def test_loses_its_power_again_and_again_while_it_hears(self):
+        """Its echograms are large enough to be heard on a thread of their own."""
+        gui = free_base_port(16)
+        host = r2sonic_host.Host(("127.0.0.1", gui))
+        self.addCleanup(host.close)
+        base = free_base_port(32)
+        self.start((MULTIBEAM % (base, gui, base + 16)).replace("ping_rate: 5", "ping_rate: 25"),
+                   "faults: [{device: sonar, kind: reboot, at: 0.5, every: 0.13}, {device: sonar, kind: frozen_image}]")
+        self.events, pings = [], 0
+        end = time.monotonic() + 6
+        while time.monotonic() < end:
+            pings += sum(e["event"] == "ping" for e in host.poll(0.1))
+            self.assertTrue(self.control.ask({"status": True})["ok"])
+        self.assertGreater(pings, 10)
+        status, output = self.emulator.stop()
+        self.assertEqual(status, 0, output)
+        reboots = [line for line in self.labels.read_text().splitlines() if '"reboot"' in line]
+        self.assertGreater(len(reboots), 20)
+
     def has_range(self, event, metres):
         return event["event"] == "ping" and abs(event["ping"].header["range"] - metres) < 1e-3
 

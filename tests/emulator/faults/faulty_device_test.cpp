@@ -60,6 +60,7 @@ class FaultyDeviceTest : public testing::Test {
         echogram.shot.bearings = {0};
         echogram.shot.bins = bins;
         echogram.values.assign(bins, level);
+        device_.about_to_hear(now);
         device_.heard(echogram, now);
     }
     std::uint64_t made(FaultKind kind) const {
