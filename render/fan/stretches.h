@@ -27,7 +27,7 @@ struct Stretches {
 /// over pings whatever there is, and whatever the size of the pixels. It is spread over a part of the step to
 /// its neighbours only: over all of it, outlines and the ends of shadows would be blurred in the mean.
 ///
-/// Where range changes mostly across lines, a stretch has a part of that as its width in the same way.
+/// Where range changes mostly across lines, a stretch is as wide as that, or single pings of a slanting floor would be combs.
 ///
 /// `weight`: of each pixel, of which the share `coverage` counts. `before` and `after` are the lines on both
 /// sides, at a view's edge the line itself. `bin_length` and `end` of the window: m. Stretches without weight
