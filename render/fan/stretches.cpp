@@ -71,7 +71,7 @@ void find_widths(const PixelArrays row, const PixelArrays before, const PixelArr
         const float sample =
             range_step(row.range[i - 1], row.surface[i - 1], r, row.range[i + 1], row.surface[i + 1], size);
         across[i] = row.footprint[i] < 0 ? std::abs(line) : 0.0F;
-        half_along[i] = 0.5F * sample_width * std::abs(sample);
+        half_along[i] = 0.5F * std::sqrt(sample * sample + line * line);
     }
 }
 

@@ -24,10 +24,10 @@ struct Stretches {
 ///
 /// Elsewhere nobody knows what is between two samples: where the one surface ends and the other begins, or by
 /// how much a crest hides the trough behind it. There each sample keeps its weight: that has the right mean
-/// over pings whatever there is, and whatever the size of the pixels. It is spread over a part of the step to
-/// its neighbours only: over all of it, outlines and the ends of shadows would be blurred in the mean.
+/// over pings whatever there is, and whatever the size of the pixels. It is spread over the step to its
+/// neighbours, along lines and across: less would blur the mean less, but single pings would be combs.
 ///
-/// Where range changes mostly across lines, a stretch is as wide as that, or single pings of a slanting floor would be combs.
+/// Where range changes mostly across lines, a stretch is as wide as that, for the same reason.
 ///
 /// `weight`: of each pixel, of which the share `coverage` counts. `before` and `after` are the lines on both
 /// sides, at a view's edge the line itself. `bin_length` and `end` of the window: m. Stretches without weight
