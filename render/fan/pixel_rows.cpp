@@ -13,7 +13,7 @@ void extents_of(const PixelArrays row, const PixelArrays before, const PixelArra
         const float along =
             range_step(row.range[i - 1], row.surface[i - 1], r, row.range[i + 1], row.surface[i + 1], size);
         const float across = range_step(before, row, after, i);
-        const float half = 0.5F * sample_width * std::sqrt(along * along + across * across);
+        const float half = 0.5F * std::sqrt(along * along + across * across);
         near[i] = std::max(r - half, r * row.cosine[i]);  // no point of the plane is nearer than its foot
         far[i] = r + half;
     }

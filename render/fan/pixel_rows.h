@@ -52,10 +52,6 @@ inline float range_step(const PixelArrays& before, const PixelArrays& row, const
                       std::abs(row.footprint[i]));
 }
 
-/// The part of a pixel that a sample stands for which is weighed by where it lies: a whole pixel would smooth
-/// the echo a second time.
-inline constexpr float sample_width = 0.3F;
-
 /// m, one per pixel: a stretch around the sample.
 struct Extents {
     std::vector<float> near, far;
