@@ -73,7 +73,8 @@ class PingViewer(unittest.TestCase):
             self.assertEqual((ping.gain, ping.period), (1, wide.period))
             degrees = (ping.angle - 200) * 0.9
             step = wide.bin_length(SOUND_SPEED)
-            self.assertAlmostEqual(edge(ping, wide, 99), wall(degrees), delta=2 * step + 0.02 * wall(degrees))
+            # a beam of 2 deg meets a slanting wall sooner on one side
+            self.assertAlmostEqual(edge(ping, wide, 99), wall(degrees), delta=2 * step + 0.025 * wall(degrees))
         host.line_break()
         host.silence()
         self.assertIsNone(host.hear(0.5), "a break ends the scan")
