@@ -87,6 +87,9 @@ RenderThread::~RenderThread() {
 void RenderThread::submit(Claim claim, Shot shot, Situation situation, Done done) {
     {
         const std::lock_guard lock(mutex_);
+        for (Job& before : jobs_)  // this sonar's earlier pings come first, so they are needed as soon
+            if (before.claim.sonar == claim.sonar)
+                before.claim.needed = std::min(before.claim.needed, claim.needed);
         jobs_.push_back({claim, std::move(shot), std::move(situation), std::move(done)});
     }
     wake_.notify_all();  // not every thread takes every job

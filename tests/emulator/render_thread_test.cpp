@@ -101,14 +101,14 @@ TEST_F(RenderThreads, WhatIsNeededFirstComesFirst) {
     EXPECT_THAT(wait_for(3), ElementsAre("at 10", "at 20", "at 30"));
 }
 
-TEST_F(RenderThreads, PingsOfOneSonarKeepTheirOrder) {
+TEST_F(RenderThreads, PingsOfOneSonarKeepTheirOrderAndHurryForTheLast) {
     start({1, false});
     block(9, 1);
     submit("its first, at 30", 1, 30, 2);
     submit("its second, at 10", 1, 10, 2);
     submit("another's, at 20", 2, 20, 2);
     release();
-    EXPECT_THAT(wait_for(3), ElementsAre("another's, at 20", "its first, at 30", "its second, at 10"));
+    EXPECT_THAT(wait_for(3), ElementsAre("its first, at 30", "its second, at 10", "another's, at 20"));
 }
 
 TEST_F(RenderThreads, ASonarHasOnePingUnderWayHoweverManyThreadsAreFree) {
