@@ -28,7 +28,8 @@ Direction direction_at(const View& view, Quat array_from_view, double line, doub
 /// The plane that comes nearest to values in a pixel, parts x parts of them.
 class Fit {
   public:
-    static constexpr int parts = 6;  ///< so that the limit of the level views cuts pixels smoothly
+    static constexpr int parts =
+        4;  ///< cuts pixels smoothly at the limit of the level views; 6 plan a ping too late
     static double place(int part) { return (part + 0.5) / parts - 0.5; }
 
     void add(double line, double sample, double value) {

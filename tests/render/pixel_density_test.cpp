@@ -115,7 +115,7 @@ std::vector<Place> places() {
     const auto boxes = scene_of({test::floor_at(-5, 200), test::box("box", {15, 2, -4}, {3, 4, 2}, 0.4),
                                  test::wall_at(35, 40, -5, 5)});
     return {
-        {"floor", scene_of({test::floor_at(-5, 200)}), {}, 50, 1.3, 0.4, 0.006, 0.01},
+        {"floor", scene_of({test::floor_at(-5, 200)}), {}, 50, 1.3, 0.45, 0.006, 0.01},
         {"boxes", boxes, {}, 50, 0.5, 0.2, 0.008, 0},
         {"big100k", Scene::from_meshes(bench::scene_meshes("big100k")), {}, 50, 1.5, 0.7, 0.045, 0.04},
         {"manifold", Scene::load(scenes + "manifold.glb"), {{-17.5, 0, -3.1}, {}}, 50, 2.1, 1.0, 0.13, 0.07},
