@@ -20,7 +20,8 @@ import public_driver
 public_driver.use("ping360", "brping")
 
 from brping import S500, Omniscan450, definitions  # noqa: E402
-from program import PROGRAM, Emulator, free_base_port, free_tcp_port  # noqa: E402
+from ports import free_port  # noqa: E402
+from program import PROGRAM, Emulator  # noqa: E402
 
 SOUND_SPEED = 1500.0
 TO_PORT, TO_STERN, TO_FLOOR = 4.0, 6.0, 2.0  # m, from (0, 0, -2) to the tank's walls and its floor
@@ -63,8 +64,8 @@ def leading_edge(levels):
 class Cerulean(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.udp = free_base_port(2)
-        cls.tcp = [free_tcp_port() for _ in range(3)]
+        cls.udp = free_port(2)
+        cls.tcp = [free_port() for _ in range(3)]
         ports = (cls.tcp[0], cls.udp, cls.tcp[1], cls.tcp[2], cls.udp + 1)
         cls.emulator = Emulator(SHARP + TANK % ports)
         cls.emulator.__enter__()

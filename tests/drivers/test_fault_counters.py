@@ -12,7 +12,8 @@ import unittest
 from pathlib import Path
 
 import public_driver
-from program import Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import Emulator
 
 LABELS = "labels.jsonl"
 FAULTS_END = 4  # s of run time; what comes later is clean and shows that all before it has come
@@ -66,7 +67,7 @@ class Brping(Counted):
         from brping import Ping1D, definitions
 
         self.definitions = definitions
-        port = free_base_port(1)
+        port = free_port()
         self.start(SOUNDER % port, "ping1d", *faults)
         sonar = Ping1D()
         sonar.connect_udp("127.0.0.1", port)
@@ -167,7 +168,7 @@ class Wlsonar(Counted):
         import wlsonar
         import wlsonar.range_image_protocol as rip
 
-        port = free_tcp_port()
+        port = free_port()
         self.start(SONAR_3D % port, "sonar", *faults)
         sock = wlsonar.open_sonar_udp_unicast_socket(udp_port=0, iface_ip="127.0.0.1")
         self.addCleanup(sock.close)

@@ -19,7 +19,7 @@ from pymavlink.dialects.v10 import ardupilotmega as v1  # noqa: E402
 from pymavlink.dialects.v20 import ardupilotmega as v2  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "tests" / "e2e"))
-from program import free_base_port, free_tcp_port  # noqa: E402
+from ports import free_port  # noqa: E402
 from test_pose import FLOOR_Z, Depths, PoseCase  # noqa: E402
 
 HOME = (43.1, 5.9)  # deg
@@ -58,7 +58,7 @@ class Mavlink(PoseCase):
 
     def test_local_position_and_attitude_in_both_versions(self):
         for dialect in (v1, v2):
-            port = free_base_port()
+            port = free_port(8)
             depths = self.depths_at(port)
             with Pilot(port, dialect) as pilot:
                 pilot.say("attitude", 1000, 0, 0, 0.5, 0, 0, 0)
@@ -70,7 +70,7 @@ class Mavlink(PoseCase):
             self.assertRegex(self.emulator.stop()[1], r"vehicle +4 poses from \S+, 0 refused, 0 jumps")
 
     def test_roll_tilts_the_beam(self):
-        port = free_base_port()
+        port = free_port(8)
         depths = self.depths_at(port)
         with Pilot(port) as pilot:
             pilot.say("local_position_ned", 1000, 0, 0, 9, 0, 0, 0)
@@ -93,7 +93,7 @@ class Mavlink(PoseCase):
             depths.wait_for(-z - FLOOR_Z)
 
     def test_places_on_the_globe(self):
-        port = free_tcp_port()
+        port = free_port()
         depths = self.depths_at(port, tcp=True)
         with Pilot(port, tcp=True) as pilot:
             lat, lon = (round(angle * 1e7) for angle in HOME)
@@ -104,7 +104,7 @@ class Mavlink(PoseCase):
             depths.wait_for(5)
 
     def test_odometry_and_sim_state_stand_for_themselves(self):
-        port = free_base_port()
+        port = free_port(8)
         depths = self.depths_at(port)
         q = [1, 0, 0, 0]
         with Pilot(port) as pilot:
@@ -120,7 +120,7 @@ class Mavlink(PoseCase):
                 self.assertLess(abs(depths.next() - 8), 0.2)
 
     def test_noise_other_messages_and_other_systems_do_no_harm(self):
-        port = free_tcp_port()
+        port = free_port()
         depths = self.depths_at(port, tcp=True)
         with Pilot(port, tcp=True) as pilot, Pilot(port, tcp=False) as other:
             other.mavlink = v2.MAVLink(None, srcSystem=42)

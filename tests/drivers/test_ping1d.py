@@ -11,7 +11,8 @@ import public_driver
 public_driver.use("ping1d", "brping")
 
 from brping import Ping1D, definitions, pingmessage  # noqa: E402
-from program import Emulator, free_base_port  # noqa: E402
+from ports import free_port  # noqa: E402
+from program import Emulator  # noqa: E402
 
 TANK = """
 scene: {scenes}/tank.glb
@@ -39,7 +40,7 @@ PATIENCE = 20  # s, on a machine that compiles something else
 
 class Echosounder(unittest.TestCase):
     def connected(self, height, pitch):
-        port = free_base_port(1)
+        port = free_port()
         emulator = Emulator(TANK % (height, pitch, f"udp-listen://127.0.0.1:{port}"))
         emulator.__enter__()
         self.addCleanup(emulator.__exit__, None, None, None)

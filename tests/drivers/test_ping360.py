@@ -9,7 +9,8 @@ import public_driver
 public_driver.use("ping360", "brping")
 
 from brping import Ping360, definitions  # noqa: E402
-from program import Emulator, free_base_port  # noqa: E402
+from ports import free_port  # noqa: E402
+from program import Emulator  # noqa: E402
 
 SOUND_SPEED = 1500.0
 HALF_LENGTH, HALF_WIDTH = 6.0, 4.0  # m, the tank's walls as seen from its middle
@@ -118,7 +119,7 @@ class OverPty(Walls):
 
 class OverUdp(Walls):
     def test_a_full_turn_by_auto_transmit(self):
-        port = free_base_port(1)
+        port = free_port()
         with Emulator(TANK % (f"udp-listen://127.0.0.1:{port}", "") + SHARP):
             sonar = Ping360()
             sonar.connect_udp("127.0.0.1", port)
@@ -139,7 +140,7 @@ class OverUdp(Walls):
             self.assertIsNone(sonar.wait_message([definitions.PING360_AUTO_DEVICE_DATA], 0.5), "it has stopped")
 
     def test_refusals_come_with_a_text(self):
-        port = free_base_port(1)
+        port = free_port()
         with Emulator(TANK % (f"udp-listen://127.0.0.1:{port}", "") + SHARP):
             sonar = Ping360()
             sonar.connect_udp("127.0.0.1", port)

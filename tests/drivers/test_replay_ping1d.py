@@ -7,7 +7,7 @@ import public_driver
 public_driver.use("ping1d", "brping")
 
 from brping import Ping1D, definitions, pingmessage  # noqa: E402
-from program import free_base_port  # noqa: E402
+from ports import free_port  # noqa: E402
 from replayed import Recorded, requests_line  # noqa: E402
 
 TANK = """
@@ -38,7 +38,7 @@ class Replayed(unittest.TestCase):
         return heard
 
     def test_what_it_asks_in_another_order(self):
-        port = free_base_port(1)
+        port = free_port()
         names = ["range", "distance", "profile", "general_info", "gain_setting", "firmware_version"]
         run = Recorded(TANK % f"udp-listen://127.0.0.1:{port}")
         self.addCleanup(run.remove)
@@ -54,7 +54,7 @@ class Replayed(unittest.TestCase):
         self.assertRegex(requests_line(output), r"[1-9]\d* that the capture does not hold: PcbTemperature request \d+;")
 
     def test_a_stream_that_it_begins_and_ends(self):
-        port = free_base_port(1)
+        port = free_port()
         run = Recorded(TANK % f"udp-listen://127.0.0.1:{port}")
         self.addCleanup(run.remove)
         with run:

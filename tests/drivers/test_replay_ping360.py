@@ -7,7 +7,7 @@ import public_driver
 public_driver.use("ping360", "brping")
 
 from brping import Ping360, definitions  # noqa: E402
-from program import free_base_port  # noqa: E402
+from ports import free_port  # noqa: E402
 from replayed import Recorded, requests_line  # noqa: E402
 
 SAMPLES, PERIOD = 400, 444
@@ -70,7 +70,7 @@ class Replayed(unittest.TestCase):
             self.assertIn("0 that the capture does not hold", requests_line(output))
 
     def test_a_scan_by_itself_over_udp(self):
-        port = free_base_port(1)
+        port = free_port()
         run = self.recorded(f"udp-listen://127.0.0.1:{port}")
         with run:
             seen = self.scan(self.on_udp(port))

@@ -8,7 +8,7 @@ public_driver.use("wlsonar", "wlsonar")
 
 import wlsonar  # noqa: E402
 import wlsonar.range_image_protocol as rip  # noqa: E402
-from program import free_tcp_port  # noqa: E402
+from ports import free_port  # noqa: E402
 from replayed import Recorded, requests_line  # noqa: E402
 
 TANK = """
@@ -39,7 +39,7 @@ class Replayed(unittest.TestCase):
         return sock
 
     def test_images_after_settings(self):
-        port, sock = free_tcp_port(), self.socket()
+        port, sock = free_port(), self.socket()
         run = Recorded(TANK % port)
         self.addCleanup(run.remove)
         with run:

@@ -15,7 +15,8 @@ os.environ["MAVLINK20"] = "1"
 from pymavlink.dialects.v20 import ardupilotmega as v2  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "tests" / "e2e"))
-from program import Emulator, free_base_port, free_tcp_port  # noqa: E402
+from ports import free_port  # noqa: E402
+from program import Emulator  # noqa: E402
 from stepper import Circle, Stepper, single  # noqa: E402
 from test_mavlink import Pilot  # noqa: E402
 from test_stepped import MULTIBEAM, SCENARIO, SOUNDER, Datagrams  # noqa: E402
@@ -65,7 +66,7 @@ class SamePoses(unittest.TestCase):
     def bytes_of(self, say):
         circle = Circle(radius=1.5, depth=2, seconds=10)
         sounder, multibeam = Datagrams(self.addCleanup), Datagrams(self.addCleanup, 8)
-        steps, head = free_tcp_port(), free_base_port(16)
+        steps, head = free_port(), free_port(16)
         poses = head + 15
         devices = [SOUNDER % sounder.port, MULTIBEAM % (head, multibeam.port, head + 12)]
         text = SCENARIO % {"devices": ", ".join(devices), "clock": ", input: 'tcp-listen://127.0.0.1:%d'" % steps,

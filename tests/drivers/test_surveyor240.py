@@ -19,7 +19,8 @@ import public_driver
 public_driver.use("ping360", "brping")
 
 from brping import Surveyor240, definitions  # noqa: E402
-from program import PROGRAM, ROOT, Emulator, free_base_port, free_tcp_port  # noqa: E402
+from ports import free_port  # noqa: E402
+from program import PROGRAM, ROOT, Emulator  # noqa: E402
 
 DEPTH = 4.0  # m below the head
 SCENARIO = """
@@ -58,7 +59,7 @@ class NoEnd:
 
 class SurveyorCase(unittest.TestCase):
     def start(self, scheme, **arguments):
-        port = free_tcp_port() if scheme == "tcp" else free_base_port(1)
+        port = free_port() if scheme == "tcp" else free_port()
         self.emulator = Emulator(SCENARIO % (scheme, port))
         self.addCleanup(self.emulator.__exit__, None, None, None)
         self.emulator.__enter__()

@@ -14,7 +14,8 @@ public_driver.use("wlsonar", "wlsonar")
 
 import wlsonar  # noqa: E402
 import wlsonar.range_image_protocol as rip  # noqa: E402
-from program import PROGRAM, Emulator, free_tcp_port  # noqa: E402
+from ports import free_port  # noqa: E402
+from program import PROGRAM, Emulator  # noqa: E402
 
 TANK = """
 scene: {scenes}/tank.glb
@@ -33,7 +34,7 @@ BEAM_ACROSS, BEAM_ALONG = math.radians(0.9), math.radians(0.6)
 
 class Wlsonar(unittest.TestCase):
     def start(self, options="", multipath="on"):
-        port = free_tcp_port()
+        port = free_port()
         emulator = Emulator(TANK % (multipath, port, options))
         emulator.__enter__()
         self.addCleanup(emulator.__exit__, None, None, None)

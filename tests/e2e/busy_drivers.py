@@ -5,7 +5,8 @@ import socket
 import struct
 import threading
 
-from program import free_base_port, free_tcp_port
+import program  # noqa: F401: puts tests/hosts where Python looks
+from ports import free_port
 
 import imagenex_wire
 import norbit_host
@@ -57,14 +58,14 @@ class R2Sonic(Driver):
     def __init__(self, name, image):
         super().__init__(name)
         self.image, self.sockets = image, []
-        self.gui = free_base_port()
+        self.gui = free_port(8)
         for offset in (0, 2, 3):
             s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
             s.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
             s.bind(("127.0.0.1", self.gui + offset))
             s.settimeout(10)
             self.sockets.append(s)
-        self.head = free_base_port()
+        self.head = free_port(8)
         self.held = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)  # until the sonar takes it
         self.held.bind(("127.0.0.1", self.head))
 
@@ -93,7 +94,7 @@ class R2Sonic(Driver):
 class Oculus(Driver):
     def __init__(self, name):
         super().__init__(name)
-        self.tcp, self.status = free_tcp_port(), free_base_port()
+        self.tcp, self.status = free_port(), free_port(8)
 
     def endpoints(self):
         return [f"tcp-listen://127.0.0.1:{self.tcp}", f"udp://127.255.255.255:{self.status}"]
@@ -120,7 +121,7 @@ class Norbit(Driver):
 
     def __init__(self, name):
         super().__init__(name)
-        self.ports = [free_tcp_port() for _ in range(3)]
+        self.ports = [free_port() for _ in range(3)]
 
     def endpoints(self):
         return [f"tcp-listen://127.0.0.1:{port}" for port in self.ports]

@@ -6,7 +6,8 @@ import sys
 import time
 import unittest
 
-from program import ROOT, Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import ROOT, Emulator
 
 from aris_host import EXAMPLES, Host
 
@@ -30,7 +31,7 @@ LONG = {"mode": 3, "rate": 5.0, "samples": 1250, "delay": 2024, "cycle": 20000, 
 
 class ArisCase(unittest.TestCase):
     def start(self, scene, position, tilt=0, model="aris-1800", options=""):
-        commands, beacon = free_tcp_port(), free_base_port(1)
+        commands, beacon = free_port(), free_port()
         self.host = host = Host(beacon, commands)
         self.addCleanup(host.close)
         values = {"scene": scene, "position": position, "tilt": tilt, "model": model, "options": options}

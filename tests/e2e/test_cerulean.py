@@ -7,7 +7,8 @@ import statistics
 import time
 import unittest
 
-from program import ROOT, Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import ROOT, Emulator
 
 import byte_line
 import cerulean_wire as wire
@@ -100,7 +101,7 @@ class Host:
 
 class CeruleanCase(unittest.TestCase):
     def start(self, model, scene=TANK, z=-2.0, rpy="0, 0, 90", link="tcp", effects="", options=""):
-        port = free_base_port(1) if link == "udp" else free_tcp_port()
+        port = free_port() if link == "udp" else free_port()
         endpoint = "pty:{folder}/line" if link == "pty" else f"{link}-listen://127.0.0.1:{port}"
         emulator = Emulator(SCENARIO % (scene, z, effects, model, rpy, endpoint, options))
         self.addCleanup(emulator.__exit__, None, None, None)

@@ -12,7 +12,8 @@ import time
 import unittest
 from pathlib import Path
 
-from program import PROGRAM, Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import PROGRAM, Emulator
 from test_faults import PROTOCOL_VERSION, VERSION_REPLY, Pty, request
 
 SOUNDER = """
@@ -147,7 +148,7 @@ class Control(unittest.TestCase):
             self.assertEqual(asking.returncode, 74, said)
 
     def test_a_person_types_it(self):
-        emulator = self.start("tcp-listen://127.0.0.1:%d" % (port := free_tcp_port()))
+        emulator = self.start("tcp-listen://127.0.0.1:%d" % (port := free_port()))
         place = f"tcp-listen://127.0.0.1:{port}"
 
         def fault(*words):

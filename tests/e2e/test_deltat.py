@@ -9,7 +9,8 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, Emulator, free_base_port
+from ports import free_port
+from program import PROGRAM, Emulator
 
 import deltat_wire as wire
 
@@ -32,7 +33,7 @@ class DeltaTCase(unittest.TestCase):
     def start(self, z=-12.0, roll=0, pitch=0, speed=1500, options="range: 20", scene=FLAT):
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.addCleanup(self.socket.close)
-        self.socket.bind(("127.0.0.1", free_base_port(1)))
+        self.socket.bind(("127.0.0.1", free_port()))
         self.socket.settimeout(20)
         port = self.socket.getsockname()[1]
         self.emulator = Emulator(SCENARIO % (scene, speed, z, roll, pitch, port, options))

@@ -10,7 +10,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from program import PROGRAM, ROOT, Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import PROGRAM, ROOT, Emulator
 
 import oculus_wire
 from ping360_host import TRANSDUCER, frame
@@ -67,7 +68,7 @@ class Diff(unittest.TestCase):
 
     def scan(self, name, gains, port=None):
         """A run that is asked for a ping at each of some angles, with these gains."""
-        port = port or free_base_port(1)
+        port = port or free_port()
         file = self.folder / name
         with Emulator(PING360 % port, "--record", str(file)) as emulator, \
                 socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as host:
@@ -99,7 +100,7 @@ class Diff(unittest.TestCase):
         self.assertEqual(data["different"], 1)
 
     def test_a_run_against_the_recording_of_a_real_sonic_2026(self):
-        base, file = free_base_port(16), self.folder / "sonic.pcapng"
+        base, file = free_port(16), self.folder / "sonic.pcapng"
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
             listener.bind(("127.0.0.1", base + 8))
             listener.settimeout(20)
@@ -119,7 +120,7 @@ class Diff(unittest.TestCase):
         self.assertFalse(report["equal"])
 
     def test_a_run_against_the_bytes_of_a_real_oculus(self):
-        port, status, file = free_tcp_port(), free_base_port(1), self.folder / "oculus.pcapng"
+        port, status, file = free_port(), free_port(), self.folder / "oculus.pcapng"
         with Emulator(OCULUS % (port, status), "--record", str(file)) as emulator, \
                 socket.create_connection(("127.0.0.1", port), timeout=20) as host:
             host.sendall(oculus_wire.fire())

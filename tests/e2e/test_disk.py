@@ -13,7 +13,8 @@ import time
 import unittest
 from pathlib import Path
 
-from program import PROGRAM, READY, ROOT, Emulator, free_base_port
+from ports import free_port
+from program import PROGRAM, READY, ROOT, Emulator
 
 SCENARIO = """scene: {scenes}/tank.glb
 devices:
@@ -35,7 +36,7 @@ class Disk(unittest.TestCase):
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp(prefix="echoloop-disk-"))
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-        self.base = free_base_port(16)
+        self.base = free_port(16)
         self.listener = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.addCleanup(self.listener.close)
         self.listener.bind(("127.0.0.1", self.base + 8))

@@ -16,7 +16,8 @@ import unittest
 from pathlib import Path
 
 import tshark
-from program import PROGRAM, ROOT, Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import PROGRAM, ROOT, Emulator
 
 sys.path.insert(0, str(ROOT / "tests" / "hosts"))
 import oculus_wire  # noqa: E402
@@ -68,7 +69,7 @@ class Live(unittest.TestCase):
     def setUpClass(cls):
         cls.closing = contextlib.ExitStack()
         cls.addClassCleanup(cls.closing.close)
-        base, tcp = free_base_port(32), [free_tcp_port() for _ in range(8)]
+        base, tcp = free_port(32), [free_port() for _ in range(8)]
         text = SCENARIO
         for number in range(31, -1, -1):
             text = text.replace(f"PORT{number}", str(base + number))

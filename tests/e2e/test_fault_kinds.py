@@ -12,7 +12,8 @@ import time
 import unittest
 from pathlib import Path
 
-from program import Emulator, free_base_port
+from ports import free_port
+from program import Emulator
 
 import blping_host
 import ping360_host
@@ -51,7 +52,7 @@ class Datagrams:
     """A Ping1D on UDP that pings by itself: [(s since 1970, datagram)]."""
 
     def __init__(self, case, *faults, message=DISTANCE, way=None):
-        port = free_base_port(1)
+        port = free_port()
         scenario = sounder(f"udp-listen://127.0.0.1:{port}", *faults)
         if way is not None:
             scenario = scenario.replace("{pose: {position: [0, 0, -2]}}", "{trajectory: way.csv}")
@@ -249,7 +250,7 @@ def difference(one, other):
 class Sonar(Case):
     @with_patience
     def test_a_stuck_motor_shows_one_bearing_whatever_the_head_says(self):
-        port = free_base_port(1)
+        port = free_port()
         emulator = self.start(PING360 % (f"udp-listen://127.0.0.1:{port}", "{device: head, kind: stuck_motor, from: 2, for: 2}"))
         pings = []
         with ping360_host.Host("127.0.0.1", port) as host:

@@ -13,7 +13,8 @@ import tty
 import unittest
 from pathlib import Path
 
-from program import Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import Emulator
 
 import blping_host
 
@@ -242,7 +243,7 @@ class Connections(unittest.TestCase):
         return driver
 
     def test_a_reset_is_one_and_the_next_driver_is_served(self):
-        port = free_tcp_port()
+        port = free_port()
         with self.head(port, "kind: reset, at: 2"):
             driver = self.connected(port)
             with self.assertRaises(ConnectionResetError):
@@ -251,7 +252,7 @@ class Connections(unittest.TestCase):
             self.heard(self.connected(port))
 
     def test_half_open_is_silence_without_an_end_and_then_a_reset(self):
-        port = free_tcp_port()
+        port = free_port()
         with self.head(port, "kind: half_open, at: 2, for: 3"):
             driver = self.connected(port)
             self.heard(driver)
@@ -264,7 +265,7 @@ class Connections(unittest.TestCase):
             self.heard(self.connected(port))
 
     def test_unplugged_tcp_is_closed_and_refused(self):
-        port = free_tcp_port()
+        port = free_port()
         with self.head(port, "kind: unplug, at: 2, for: 2"):
             driver = self.connected(port)
             while driver.recv(4096):
@@ -283,7 +284,7 @@ class Connections(unittest.TestCase):
 
 class Udp(unittest.TestCase):
     def test_unplugged_udp_is_silent(self):
-        port = free_base_port(1)
+        port = free_port()
         with Emulator(sounder(f"udp-listen://127.0.0.1:{port}", "kind: unplug, at: 0, for: 3"), ) as emulator:
             with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as driver:
                 driver.connect(("127.0.0.1", port))

@@ -5,7 +5,8 @@ import statistics
 import time
 import unittest
 
-from program import Emulator, free_tcp_port
+from ports import free_port
+from program import Emulator
 
 import imagenex_wire as wire
 from byte_line import open_line
@@ -159,7 +160,7 @@ class Sonar(ImagenexCase):
         self.assertNotEqual(host.ask(wire.command()).position, first.position)
 
     def test_over_tcp_after_noise_and_half_a_command(self):
-        port = free_tcp_port()
+        port = free_port()
         host = self.start(TANK % (0, REAL, f"tcp-listen://127.0.0.1:{port}", ""), path=f"tcp://127.0.0.1:{port}")
         host.line.write(bytes(range(253)) * 20 + wire.command()[:13])
         self.assertEqual(host.ask(wire.command()).letter, "G")

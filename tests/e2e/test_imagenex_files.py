@@ -6,7 +6,8 @@ import unittest
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from program import PROGRAM, Emulator, free_tcp_port
+from ports import free_port
+from program import PROGRAM, Emulator
 
 import imagenex_wire as wire
 from byte_line import open_line
@@ -64,7 +65,7 @@ class Files(unittest.TestCase):
         self.assertEqual([shot.time for shot in shots], sorted(shot.time for shot in shots))
 
     def test_an_81a_over_tcp(self):
-        port = free_tcp_port()
+        port = free_port()
         commands = [wire.command(points=25, step=8)] * 3 + [wire.command(profile=1)]
         replies = self.record(
             SONAR % f"tcp-listen://127.0.0.1:{port}", [(f"tcp://127.0.0.1:{port}", commands)]

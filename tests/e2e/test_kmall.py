@@ -5,7 +5,8 @@ import socket
 import time
 import unittest
 
-from program import Emulator, free_base_port
+from ports import free_port
+from program import Emulator
 
 import kmall_wire as wire
 
@@ -25,7 +26,7 @@ devices:
 
 class KmallCase(unittest.TestCase):
     def start(self, options="range: 25", rpy="0, 0, 0"):
-        self.commands = free_base_port()
+        self.commands = free_port(8)
         self.joiner = wire.Joiner()
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.addCleanup(self.socket.close)
@@ -87,10 +88,11 @@ class Bathymetry(KmallCase):
 
     def test_equal_distances_and_another_mode(self):
         self.start("range: 25, beam_spacing: equidistant, frequency: 400e3, mrz_version: \"0\", ping_rate: 10")
-        first, second = self.next("#MRZ"), self.next("#MRZ")
-        self.assertEqual(first[0]["version"], 0)
-        self.assertAlmostEqual(second[0]["time"] - first[0]["time"], 0.1, delta=0.005)
-        ping = wire.read_mrz(second[1])
+        pings = [self.next("#MRZ") for _ in range(8)]
+        self.assertEqual(pings[0][0]["version"], 0)
+        steps = [b["time"] - a["time"] for (a, _), (b, _) in zip(pings, pings[1:])]
+        self.assertAlmostEqual(sorted(steps)[3], 0.1, delta=0.005, msg=f"half of them on a busy machine, too: {steps}")
+        ping = wire.read_mrz(pings[1][1])
         self.assertEqual(ping["frequency"], 400e3)
         self.check_floor(ping)
         across = [math.tan(math.radians(s["angle"])) for s in ping["soundings"]]

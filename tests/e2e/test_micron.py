@@ -5,7 +5,8 @@ import os
 import unittest
 from pathlib import Path
 
-from program import Emulator, free_tcp_port
+from ports import free_port
+from program import Emulator
 
 import seanet_wire as wire
 from byte_line import open_line
@@ -175,7 +176,7 @@ class OverPty(MicronCase):
 
 class OverTcp(MicronCase):
     def test_over_a_tcp_bridge_with_every_effect_on(self):
-        port = free_tcp_port()
+        port = free_port()
         with Emulator(TANK % (f"tcp-listen://127.0.0.1:{port}", ", baud: 0")):
             line = open_line(f"tcp://127.0.0.1:{port}")
             self.addCleanup(line.close)

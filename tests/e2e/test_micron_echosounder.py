@@ -5,7 +5,8 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, Emulator, free_tcp_port
+from ports import free_port
+from program import PROGRAM, Emulator
 
 import byte_line
 
@@ -110,7 +111,7 @@ class Behaviour(Altimeter):
         self.assertAlmostEqual((time.monotonic() - begin) / 20, 0.1, delta=0.03)
 
     def test_it_answers_a_z_over_tcp_and_runs_again_after_an_f(self):
-        port = free_tcp_port()
+        port = free_port()
         self.start(8.0, "mode: interrogated", f"tcp-listen://127.0.0.1:{port}")
         self.assertEqual(self.line.read(0.5), b"")
         for _ in range(3):

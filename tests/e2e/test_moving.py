@@ -9,7 +9,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from program import PROGRAM, ROOT, Emulator, free_base_port
+from ports import free_port
+from program import PROGRAM, ROOT, Emulator
 from test_pose import Depths
 from test_truth import wait_for_lines
 
@@ -107,7 +108,7 @@ class Moving(unittest.TestCase):
         self.depths.wait_for(6)  # the ball is where the file puts it, out of the beam
 
     def test_lines_move_objects_and_the_vehicle(self):
-        base = free_base_port()
+        base = free_port(8)
         emulator = self.start(
             "objects: [{node: ball}, {node: post}]", vehicle=", input: 'udp-listen://127.0.0.1:%d'" % base
         )
@@ -132,7 +133,7 @@ class Moving(unittest.TestCase):
         self.assertIn("did you mean 'ball'?", output)
 
     def test_an_input_of_its_own(self):
-        base = free_base_port()
+        base = free_port(8)
         self.start("objects: [{node: ball, pose: {position: [-4.4, 0, -2]}, input: 'udp-listen://127.0.0.1:%d'}]" % base)
         self.depths.wait_for(4.4 - RADIUS)
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:

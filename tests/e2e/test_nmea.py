@@ -14,7 +14,8 @@ import time
 import unittest
 from pathlib import Path
 
-from program import PROGRAM, Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import PROGRAM, Emulator
 
 import byte_line
 
@@ -55,7 +56,7 @@ class Gpsd:
     """gpsd on one source of sentences, asked over its own JSON protocol. Ended by its process id."""
 
     def __init__(self, source, log):
-        self.port, self.source, self.log = free_tcp_port(), source, log
+        self.port, self.source, self.log = free_port(), source, log
         command = [GPSD, "-N", "-n", "-b", "-D", "6", "-S", str(self.port), source]
         with open(log, "wb") as out:
             self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=out)
@@ -118,7 +119,7 @@ class WithGpsd(NmeaCase):
         self.assertEqual(status, 0, output)
 
     def test_passes_the_depth_on_beside_the_position_of_a_vessel(self):
-        port = free_base_port()
+        port = free_port(8)
         emulator = self.start(f"udp://127.0.0.1:{port}", z=-5)
         gpsd = self.gpsd(emulator, f"udp://127.0.0.1:{port}")
         with gpsd.connect() as reports, reports.makefile() as lines:

@@ -4,7 +4,8 @@ import math
 import time
 import unittest
 
-from program import Emulator, free_tcp_port
+from ports import free_port
+from program import Emulator
 
 import norbit_host
 
@@ -25,7 +26,7 @@ START = ("set_power 1", "set_gate_mode 0", "set_range .5 30", "set_time_source 1
 
 class NorbitCase(unittest.TestCase):
     def start(self, options="", image=True, scene="flat.glb", at="0, 0, -12", pitch=90, commands=START):
-        ports = [free_tcp_port() for _ in range(3)]
+        ports = [free_port() for _ in range(3)]
         emulator = Emulator(SCENARIO % (scene, at, pitch, *ports, options))
         self.addCleanup(emulator.__exit__, None, None, None)
         emulator.__enter__()

@@ -7,7 +7,8 @@ import sys
 import time
 import unittest
 
-from program import ROOT, Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import ROOT, Emulator
 
 import oculus_wire as wire
 from oculus_host import Host
@@ -32,7 +33,7 @@ SEA = {"sound_speed": C, "mode": wire.LOW}
 
 class OculusCase(unittest.TestCase):
     def start(self, scene, position, tilt=0, model="oculus-m750d", options=""):
-        data, status = free_tcp_port(), free_base_port(1)
+        data, status = free_port(), free_port()
         host = Host(status, data)
         self.addCleanup(host.close)
         emulator = Emulator(

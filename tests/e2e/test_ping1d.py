@@ -10,7 +10,8 @@ import time
 import unittest
 from pathlib import Path
 
-from program import Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import Emulator
 
 import blping_host
 
@@ -134,7 +135,7 @@ class Depths(Ping1dCase):
     DEPTHS = [0.35, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0]
 
     def test_from_a_third_of_a_metre_to_fifty_metres(self):
-        port = free_base_port(len(self.DEPTHS))
+        port = free_port(len(self.DEPTHS))
         self.start(
             *(
                 device(i, depth, f"udp-listen://127.0.0.1:{port + i}", "ping_interval: 250")
@@ -169,7 +170,7 @@ class Depths(Ping1dCase):
 class WithoutABottom(Ping1dCase):
     def test_nothing_is_trusted(self):
         """15 m to the floor, but it listens to 10 m."""
-        port = free_base_port(1)
+        port = free_port()
         self.start(device(0, 15, f"udp-listen://127.0.0.1:{port}", "mode_auto: false, ping_interval: 500"))
         host = self.udp(port)
         host.say(1400, struct.pack("<H", 1300))
@@ -182,7 +183,7 @@ class WithoutABottom(Ping1dCase):
         self.assertLess(sum(confidences) / len(confidences), 10, confidences)
 
     def test_the_range_looks_further_and_further_out(self):
-        port = free_base_port(1)
+        port = free_port()
         self.start(
             device(0, 15, f"udp-listen://127.0.0.1:{port}", "scan_length: 1000, ping_interval: 400", pitch=0)
         )
@@ -195,7 +196,7 @@ class WithoutABottom(Ping1dCase):
 
 class Settings(Ping1dCase):
     def test_gain_speed_and_points_change_the_picture(self):
-        port = free_base_port(1)
+        port = free_port()
         self.start(device(0, 4, f"udp-listen://127.0.0.1:{port}", "mode_auto: false"))
         host = self.udp(port)
         profile = Profile(host.ask(1300, b"", 1300))
@@ -224,7 +225,7 @@ class Settings(Ping1dCase):
             time.sleep(0.02)
 
     def test_the_open_firmware_streams_by_itself(self):
-        port = free_tcp_port()
+        port = free_port()
         options = (
             "firmware: 0.0.0, device_id: 0, device_type: 9, mode_auto: false, scan_length: 1000, gain: 6, "
             "ping_interval: 300, stream_at_start: true, ack_continuous: false, streamed: profile"
@@ -260,11 +261,11 @@ class Rangefinder(Ping1dCase):
         self.check("pty:{folder}/ping1d", "{folder}/ping1d")
 
     def test_over_tcp(self):
-        port = free_tcp_port()
+        port = free_port()
         self.check(f"tcp-listen://127.0.0.1:{port}", f"tcp://127.0.0.1:{port}")
 
     def test_over_udp(self):
-        port = free_base_port(1)
+        port = free_port()
         self.check(f"udp-listen://127.0.0.1:{port}", f"udp://127.0.0.1:{port}")
 
     def test_at_9600_baud_it_gets_as_many_as_the_line_carries(self):

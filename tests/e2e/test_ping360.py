@@ -4,7 +4,8 @@ import math
 import re
 import unittest
 
-from program import ROOT, Emulator, free_base_port
+from ports import free_port
+from program import ROOT, Emulator
 
 import ping360_host as wire
 from ping360_host import Host, Settings
@@ -38,7 +39,7 @@ def edge(ping, settings, least=80):
 
 class PingViewer(unittest.TestCase):
     def run_host(self):
-        port = free_base_port(1)
+        port = free_port()
         self.enterContext(Emulator(SCENARIO % f"udp-listen://127.0.0.1:{port}"))
         return self.enterContext(Host("127.0.0.1", port))
 
@@ -108,7 +109,7 @@ class Discovery(unittest.TestCase):
                 self.assertEqual(host.ask(wire.PROTOCOL_VERSION).payload, bytes([1, 0, 0, 0]))
 
     def test_finds_nothing_where_nobody_would_get_through(self):
-        port = free_base_port(1)
+        port = free_port()
         with Emulator(SCENARIO % f"udp-listen://127.0.0.1:{port}") as emulator:
             emulator.stop()
             self.assertFalse(re.search(r"\b30303\b", emulator.output))

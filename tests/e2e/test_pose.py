@@ -8,7 +8,8 @@ import threading
 import time
 import unittest
 
-from program import Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import Emulator
 
 FLOOR_Z = -20.0  # of the scene flat.glb
 SOUNDER = """
@@ -72,7 +73,7 @@ class Pose(PoseCase):
         self.assertTrue(all(abs(depth - 7) < TOLERANCE for depth in seen[-8:]), seen)
 
     def test_lines_of_json_over_udp_then_silence(self):
-        depths, port = Depths(self), free_base_port()
+        depths, port = Depths(self), free_port(8)
         emulator = self.start("{pose: {position: [0, 0, -4]}, input: 'udp-listen://127.0.0.1:%d'}" % port, depths)
         self.assertAlmostEqual(depths.next(), 16, delta=TOLERANCE)  # until somebody speaks
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as pilot:
@@ -90,7 +91,7 @@ class Pose(PoseCase):
         self.assertEqual(output.count("a pose was refused"), 1)
 
     def test_both_dialects_over_tcp_mean_the_same_place(self):
-        depths, port = Depths(self), free_tcp_port()
+        depths, port = Depths(self), free_port()
         self.start("{input: 'tcp-listen://127.0.0.1:%d'}" % port, depths)
         with socket.create_connection(("127.0.0.1", port), timeout=20) as pilot:
             own = {"t": 1.0, "position": [3, 4, -13], "rpy_deg": [0, 0, 90]}
@@ -110,7 +111,7 @@ class Pose(PoseCase):
                 self.assertLess(time.monotonic(), end)
 
     def test_the_pose_is_that_of_the_ping_and_not_of_the_last_message(self):
-        depths, port = Depths(self), free_base_port()
+        depths, port = Depths(self), free_port(8)
         self.start("{input: 'udp-listen://127.0.0.1:%d'}" % port, depths)
         stop = threading.Event()
 
@@ -134,7 +135,7 @@ class Pose(PoseCase):
         self.assertLess(max(steps), 3 * sum(steps) / len(steps), steps)
 
     def test_two_programs_cannot_take_the_same_poses(self):
-        depths, port = Depths(self), free_base_port()
+        depths, port = Depths(self), free_port(8)
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
             taken.bind(("127.0.0.1", port))
             with self.assertRaisesRegex(RuntimeError, "already in use"):

@@ -4,7 +4,8 @@ import math
 import time
 import unittest
 
-from program import Emulator, free_base_port
+from ports import free_port
+from program import Emulator
 
 from r2sonic_host import Host
 from r2sonic_reader import soundings
@@ -25,10 +26,10 @@ FLAT_Z = -20.0
 
 class R2SonicCase(unittest.TestCase):
     def start(self, z=-12.0, options="", model="r2sonic-2024", scene="{scenes}/flat.glb", roll=0.0):
-        gui, head, sim = free_base_port(), None, None
+        gui, head, sim = free_port(8), None, None
         host = Host(("127.0.0.1", gui), None, None)
         self.addCleanup(host.close)
-        head = free_base_port()
+        head = free_port(8)
         sim = head + 16
         emulator = Emulator(FLOOR % (scene, z, roll, model, head, gui, sim, options))
         self.addCleanup(emulator.__exit__, None, None, None)

@@ -10,7 +10,8 @@ import time
 import unittest
 from pathlib import Path
 
-from program import Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import Emulator
 
 import ping360_host
 import r2sonic_host
@@ -129,7 +130,7 @@ class Micron(Case):
 
     @with_patience
     def test_takes_no_connection_while_it_is_off_and_resets_the_old_one(self):
-        port = free_tcp_port()
+        port = free_port()
         self.start(MICRON % f"tcp-listen://127.0.0.1:{port}")
         with socket.create_connection(("127.0.0.1", port), timeout=20) as old:
             Head(lambda _: old.recv(4096), old.sendall).scan(2)
@@ -150,7 +151,7 @@ class Micron(Case):
 class Ping360(Case):
     @with_patience
     def test_forgets_that_it_was_scanning(self):
-        port = free_base_port(1)
+        port = free_port()
         self.start(f"model: ping360, endpoints: ['udp-listen://127.0.0.1:{port}']")
         with ping360_host.Host("127.0.0.1", port) as host:
             host.scan(ping360_host.Settings(samples=200), 100, 300)
@@ -169,10 +170,10 @@ class Ping360(Case):
 class Multibeam(Case):
     @with_patience
     def test_announces_itself_again_and_has_its_first_settings(self):
-        gui = free_base_port(16)
+        gui = free_port(16)
         host = r2sonic_host.Host(("127.0.0.1", gui))
         self.addCleanup(host.close)
-        base = free_base_port(32)
+        base = free_port(32)
         self.start(MULTIBEAM % (base, gui, base + 16))
         host.head = ("127.0.0.1", base)
         self.events = []
@@ -198,10 +199,10 @@ class Multibeam(Case):
 
     def test_loses_its_power_again_and_again_while_it_hears(self):
         """Its echograms are large enough to be heard on a thread of their own."""
-        gui = free_base_port(16)
+        gui = free_port(16)
         host = r2sonic_host.Host(("127.0.0.1", gui))
         self.addCleanup(host.close)
-        base = free_base_port(32)
+        base = free_port(32)
         self.start((MULTIBEAM % (base, gui, base + 16)).replace("ping_rate: 5", "ping_rate: 25"),
                    "faults: [{device: sonar, kind: reboot, at: 0.5, every: 0.13}, {device: sonar, kind: frozen_image}]")
         self.events, pings = [], 0

@@ -14,7 +14,8 @@ import tty
 import unittest
 from pathlib import Path
 
-from program import PROGRAM, Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import PROGRAM, Emulator
 
 REBOOT = bytes.fromhex("40303030380800ff02031080020a")
 SEND_VERSION = bytes.fromhex("40303030380800ff02031780020a")
@@ -65,7 +66,7 @@ class Record(unittest.TestCase):
     def test_what_befalls_a_drivers_words_is_remarked_on_them(self):
         kinds = ("loss, rate: 0.3", "bit_flips, rate: 0.003", "latency, delay: 0.2", "reordering, rate: 0.2")
         faults = "".join(f"  - {{device: sounder, direction: from_driver, kind: {kind}}}\n" for kind in kinds)
-        labels, port = self.file.with_name("labels"), free_base_port(1)
+        labels, port = self.file.with_name("labels"), free_port()
         sounder = "{name: sounder, model: ping1d, endpoints: ['udp-listen://127.0.0.1:%d']}" % port
         with Emulator(scenario(sounder) + "faults:\n" + faults, "--record", self.file, "--labels", labels) as emulator:
             with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as driver:
@@ -86,7 +87,7 @@ class Record(unittest.TestCase):
         self.assertEqual(sorted(remarks), sorted((e["message"], f"{e['kind']}: message {e['message']}") for e in events))
 
     def test_datagrams_as_they_were_on_the_wire(self):
-        base = free_base_port(16)
+        base = free_port(16)
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
             listener.bind(("127.0.0.1", base + 8))
             with Emulator(scenario(SONAR % (base, base + 8)), "--record", self.file) as emulator:
@@ -100,7 +101,7 @@ class Record(unittest.TestCase):
         self.assertEqual(packets(self.file, "frame.number", only="_ws.malformed"), [])
 
     def test_a_tcp_connection_is_one_stream(self):
-        port = free_tcp_port()
+        port = free_port()
         with Emulator(scenario(HEAD % f"tcp-listen://127.0.0.1:{port}"), "--record", self.file) as emulator:
             with socket.create_connection(("127.0.0.1", port), timeout=20) as driver:
                 driver.sendall(SEND_VERSION)
@@ -137,7 +138,7 @@ class Record(unittest.TestCase):
         self.assertIn("VersionData", [m["name"] for m in messages])
 
     def test_files_of_limited_size_are_each_whole(self):
-        base = free_base_port(16)
+        base = free_port(16)
         options = ("--record", self.file, "--record-size", "0.02")
         with Emulator(scenario(SONAR % (base, base + 8)), *options) as emulator:
             end = time.monotonic() + 30
@@ -152,7 +153,7 @@ class Record(unittest.TestCase):
             self.assertIn(b"Number of packets", summary.stdout)
 
     def test_a_full_disk_ends_the_recording_and_not_the_emulation(self):
-        base = free_base_port(16)
+        base = free_port(16)
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
             listener.bind(("127.0.0.1", base + 8))
             with Emulator(scenario(SONAR % (base, base + 8)), "--record", "/dev/full") as emulator:

@@ -8,7 +8,8 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, free_base_port, free_tcp_port
+from ports import free_port
+from program import PROGRAM
 from replaying import Folder, Replay, open_line, read_line
 from test_record import packets, payload
 
@@ -57,7 +58,7 @@ class Record(unittest.TestCase):
     def test_a_connection_between_both(self):
         listener = socket.create_server(("127.0.0.1", 0))
         listener.settimeout(20)
-        port, driver_port = listener.getsockname()[1], free_tcp_port()
+        port, driver_port = listener.getsockname()[1], free_port()
         with listener, Recorder(f"tcp://127.0.0.1:{port}", f"tcp-listen://127.0.0.1:{driver_port}", "--out",
                                 self.capture, "--name", "head") as recorder:
             device, _ = listener.accept()
@@ -83,7 +84,7 @@ class Record(unittest.TestCase):
     def test_when_the_driver_leaves_the_device_is_left_too(self):
         listener = socket.create_server(("127.0.0.1", 0))
         listener.settimeout(20)
-        driver_port = free_tcp_port()
+        driver_port = free_port()
         with listener, Recorder(f"tcp://127.0.0.1:{listener.getsockname()[1]}", f"tcp-listen://127.0.0.1:{driver_port}",
                                 "--out", self.capture):
             device, _ = listener.accept()
@@ -93,7 +94,7 @@ class Record(unittest.TestCase):
                 self.assertEqual(device.recv(1), b"")
 
     def test_datagrams_keep_their_bounds_and_what_was_recorded_can_be_replayed(self):
-        base = free_base_port(2)
+        base = free_port(2)
         device = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         driver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         device.bind(("127.0.0.1", base))

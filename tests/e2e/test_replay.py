@@ -11,7 +11,8 @@ import termios
 import time
 import unittest
 
-from program import PROGRAM, ROOT, free_tcp_port
+from ports import free_port
+from program import PROGRAM, ROOT
 from replaying import Folder, Replay, open_line, read_line, udp_listener
 
 from captures import ETHERNET, RAW, RTAC_SERIAL, Pcapng, ethernet, fragments, ipv4, pcap, rtac, tcp
@@ -225,7 +226,7 @@ class Streams(Played):
     def test_tcp_segments_come_in_their_order_to_who_connects(self):
         parts = [(b"", 99, 2), (b"two ", 104), (b"one ", 100), (b"two ", 104), (b"three", 108)]
         capture = self.file("a.pcap", pcap([ethernet(ipv4(tcp(*part), protocol=6)) for part in parts]))
-        port = free_tcp_port()
+        port = free_port()
         with Replay(capture, f"tcp-listen://127.0.0.1:{port}", "--speed", 100) as replay:
             with socket.create_connection(("127.0.0.1", port), timeout=20) as driver:
                 said = b""

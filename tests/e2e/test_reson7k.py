@@ -8,7 +8,8 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, Emulator, free_tcp_port
+from ports import free_port
+from program import PROGRAM, Emulator
 
 import reson_wire as wire
 from reson_host import Host
@@ -29,7 +30,7 @@ C = 1500.0
 
 class ResonCase(unittest.TestCase):
     def start(self, scene="flat", position=(0, 0, -12), pitch=90, udp=False):
-        self.port = free_tcp_port()
+        self.port = free_port()
         self.emulator = Emulator(SCENARIO % (scene, list(position), pitch, self.port))
         self.addCleanup(self.emulator.__exit__, None, None, None)
         self.emulator.__enter__()

@@ -8,7 +8,8 @@ import struct
 import sys
 import unittest
 
-from program import ROOT, Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import ROOT, Emulator
 
 sys.path.insert(0, str(ROOT / "tests" / "hosts"))
 from sonar3d_wire import Image  # noqa: E402
@@ -28,10 +29,10 @@ devices:
 
 class Host(unittest.TestCase):
     def start(self, pitch=0, options="", unicast=True):
-        self.port = free_tcp_port()
+        self.port = free_port()
         self.images = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.addCleanup(self.images.close)
-        self.images.bind(("127.0.0.1", free_base_port(1)))
+        self.images.bind(("127.0.0.1", free_port()))
         self.images.settimeout(30)
         second = ', "udp://127.0.0.1:%d"' % self.images.getsockname()[1] if unicast else ""
         emulator = Emulator(TANK % (pitch, self.port, second, options))

@@ -16,7 +16,8 @@ import time
 import unittest
 from pathlib import Path
 
-from program import PROGRAM, ROOT, Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import PROGRAM, ROOT, Emulator
 
 import ping360_host
 from stepper import Circle, Refused, Stepper, UdpStepper
@@ -42,7 +43,7 @@ class Datagrams:
     """Everything that a device sends to some neighbouring ports."""
 
     def __init__(self, at_end, ports=1):
-        self.port, self.sockets, self.heard, self.total = free_base_port(ports), [], [], 0
+        self.port, self.sockets, self.heard, self.total = free_port(ports), [], [], 0
         for i in range(ports):
             s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
             at_end(s.close)
@@ -104,7 +105,7 @@ class SteppedCase(unittest.TestCase):
 
     def sounder_run(self, *arguments):
         """A run with one echosounder: (emulator, port of the steps, what it says)."""
-        said, port = Datagrams(self.addCleanup), free_tcp_port()
+        said, port = Datagrams(self.addCleanup), free_port()
         emulator = self.emulator([SOUNDER % said.port], ", input: 'tcp-listen://127.0.0.1:%d'" % port, "", *arguments)
         return emulator, port, said
 
@@ -114,7 +115,7 @@ class SameBytes(SteppedCase):
         """One run of a vehicle on a circle with three sonars: (hash of all bytes, pings of the scanning head)."""
         with contextlib.ExitStack() as stack:
             sounder, multibeam = Datagrams(stack.callback), Datagrams(stack.callback, HOST_PORTS)
-            head, port = free_base_port(16), free_tcp_port()
+            head, port = free_port(16), free_port()
             devices = [SOUNDER % sounder.port, MULTIBEAM % (head, multibeam.port, head + 12), SCANNER]
             emulator = self.emulator(devices, ", input: 'tcp-listen://127.0.0.1:%d'" % port, scenario=scenario)
             simulator = stack.enter_context(Stepper(port))
@@ -260,7 +261,7 @@ class Lockstep(SteppedCase):
         self.assertRegex(emulator.stop()[1], r"clock +2 steps to 2.5 s of the run")
 
     def test_datagrams_whose_answer_was_lost(self):
-        said, port = Datagrams(self.addCleanup), free_base_port()
+        said, port = Datagrams(self.addCleanup), free_port(8)
         self.emulator([SOUNDER % said.port], "", ", input: 'udp-listen://127.0.0.1:%d'" % port)
         simulator = self.simulator(port, UdpStepper)
         for _ in range(3):
@@ -271,7 +272,7 @@ class Lockstep(SteppedCase):
             simulator.step(1)
 
     def test_a_clock_that_is_not_stepped_says_so(self):
-        said, port = Datagrams(self.addCleanup), free_tcp_port()
+        said, port = Datagrams(self.addCleanup), free_port()
         scenario = (SCENARIO % {"devices": SOUNDER % said.port, "clock": "",
                                 "vehicle": ", input: 'tcp-listen://127.0.0.1:%d'" % port}).replace("stepped", "real")
         with Emulator(scenario):
@@ -308,12 +309,12 @@ class Documentation(SteppedCase):
     def test_the_simulator_of_the_readme_runs(self):
         readme = (ROOT / "emulator" / "scenario" / "README.md").read_text()
         code = re.search(r"```python\n(.*?now.*?)```", readme, re.S)[1]
-        port = free_tcp_port()
+        port = free_port()
         self.assertIn("9501", code)
         code = code.replace("9501", str(port))
         arguments = ["--set", f"clock.input=tcp-listen://127.0.0.1:{port}",
                      "--set", f"devices.sounder.endpoints=['udp://127.0.0.1:{Datagrams(self.addCleanup).port}']",
-                     "--set", f"devices.scanner.endpoints=['udp-listen://127.0.0.1:{free_base_port()}']"]
+                     "--set", f"devices.scanner.endpoints=['udp-listen://127.0.0.1:{free_port(8)}']"]
         run = subprocess.Popen([PROGRAM, "run", str(ROOT / "config" / "stepped.yaml"), *arguments],
                                stdout=subprocess.PIPE, text=True)
         self.addCleanup(run.stdout.close)

@@ -14,7 +14,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from program import Emulator, free_tcp_port
+from ports import free_port
+from program import Emulator
 
 import ping360_host
 import seanet_wire
@@ -149,7 +150,7 @@ class Case(unittest.TestCase):
         """One run: (what each driver heard between two steps, the lines of the label file)."""
         with contextlib.ExitStack() as stack:
             folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="echoloop-stepped-")))
-            said, port, steps = Datagrams(stack.callback), free_tcp_port(), free_tcp_port()
+            said, port, steps = Datagrams(stack.callback), free_port(), free_port()
             text = SCENARIO % {"sounder": SOUNDER % said.port, "head": port, "steps": steps}
             emulator = stack.enter_context(Emulator(text, "--labels", folder / "labels"))
             simulator = stack.enter_context(Stepper(steps, timeout=20))

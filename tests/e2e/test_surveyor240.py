@@ -6,7 +6,8 @@ import math
 import struct
 import unittest
 
-from program import Emulator, free_base_port, free_tcp_port
+from ports import free_port
+from program import Emulator
 
 import surveyor_wire as wire
 from surveyor_host import Host
@@ -57,7 +58,7 @@ def footprint(y, z):
 
 class SurveyorCase(unittest.TestCase):
     def start(self, scene=FLAT, z=-12.0, roll=0, pitch=0, vehicle="", options="", datagrams=False, utc=None, files=()):
-        port = free_base_port(1) if datagrams else free_tcp_port()
+        port = free_port() if datagrams else free_port()
         endpoint = f"{'udp' if datagrams else 'tcp'}-listen://127.0.0.1:{port}"
         vehicle = vehicle or f"pose: {{position: [0, 0, {z}], rpy_deg: [{roll}, {pitch}, 30]}}"
         emulator = Emulator(SCENARIO % (scene, vehicle, endpoint, options), files=files)

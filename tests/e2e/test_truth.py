@@ -10,7 +10,8 @@ import time
 import unittest
 from pathlib import Path
 
-from program import Emulator, free_base_port
+from ports import free_port
+from program import Emulator
 
 # The tank's inner faces: x = +-6, y = +-4; the floor at z = -4. The sonar is in its middle, 2 m down.
 WALLS = {"wall_east": (6, 0), "wall_west": (-6, 0), "wall_north": (0, 4), "wall_south": (0, -4)}
@@ -23,7 +24,7 @@ devices:
 
 
 def scenario(yaw=0):
-    port = free_base_port()
+    port = free_port(8)
     return SCENARIO % (yaw, port, port + 1)
 
 

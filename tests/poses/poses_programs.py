@@ -32,12 +32,6 @@ devices:
 """
 
 
-def free_udp_port():
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as s:
-        s.bind(("127.0.0.1", 0))
-        return s.getsockname()[1]
-
-
 def need(condition, what):
     """Skips the test, or fails it in CI, if what it needs is not there."""
     if condition:

@@ -3,12 +3,12 @@
 import atexit
 import os
 import queue
-import socket
 import tempfile
 import time
 import xmlrpc.client
 
 from poses_programs import Process, need
+from ports import free_port
 
 try:
     import rospy
@@ -20,12 +20,6 @@ try:
 except ImportError as error:
     rospy = None
     missing = str(error)
-
-
-def free_port():
-    with socket.socket() as s:
-        s.bind(("127.0.0.1", 0))
-        return s.getsockname()[1]
 
 
 class Master:

@@ -9,8 +9,8 @@ import unittest
 import ros1_system as ros
 from gz_system import ENV as GZ_ENV
 from gz_system import Publisher
-from poses_programs import PosesCase, Process, free_udp_port, program
-from program import free_tcp_port
+from poses_programs import PosesCase, Process, program
+from ports import free_port
 from ros1_system import Master
 from rosbridge_double import Double, message
 from stepper import Circle, Stepper
@@ -64,8 +64,8 @@ class Ear:
 class CirclingVehicle(PosesCase):
     def bytes_of(self, tell, circle=Circle()):
         """What the sonars say while `tell(port, poses)` steps the emulator; poses are (ns, position, quaternion)."""
-        port, ears = free_tcp_port(), [Ear(), Ear()]
-        emulator = self.emulator(SCENARIO % (port, ears[0].port, free_udp_port(), ears[1].port))
+        port, ears = free_port(), [Ear(), Ear()]
+        emulator = self.emulator(SCENARIO % (port, ears[0].port, free_port(), ears[1].port))
         poses = [(n * STEP * 10**6, *circle.at(n * STEP / 1000)) for n in range(SECONDS * 1000 // STEP + 1)]
         try:
             tell(port, poses)

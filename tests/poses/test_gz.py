@@ -9,7 +9,8 @@ import unittest
 from pathlib import Path
 
 from gz_system import ENV, Publisher
-from poses_programs import FLOOR_Z, PosesCase, Process, free_udp_port, need, program
+from poses_programs import FLOOR_Z, PosesCase, Process, need, program
+from ports import free_port
 
 TOPIC_TOOL = "/usr/libexec/ignition/transport11/ign-transport-topic"
 
@@ -21,7 +22,7 @@ class Gazebo(PosesCase):
         return helper
 
     def test_both_generations_of_names(self):
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         helper = self.helper("--topic", "/model/rov/pose", "--to", f"udp://127.0.0.1:{port}")
         self.assertIn(ENV["IGN_PARTITION"], helper.output)
@@ -37,7 +38,7 @@ class Gazebo(PosesCase):
         self.assertRegex(output, r"vehicle +[1-9]\d* poses from /model/rov/pose\n$")
 
     def test_one_of_many_poses(self):
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         topic = "/world/sea/dynamic_pose/info"
         helper = self.helper("--topic", f"{topic}#rov", "--to", f"udp://127.0.0.1:{port}")
@@ -66,7 +67,7 @@ class Gazebo(PosesCase):
         self.assertRegex(helper.stop()[1], r"vehicle +1 poses from /poses\nthe ball +1 poses from /poses\n")
 
     def test_what_cannot_be_is_refused_and_counted(self):
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         helper = self.helper("--topic", "/pose", "--to", f"udp://127.0.0.1:{port}")
         clock = Publisher(self, "/pose", "gz.msgs.Clock")
@@ -83,7 +84,7 @@ class Gazebo(PosesCase):
 
     def test_poses_of_debians_own_tool(self):
         need(Path(TOPIC_TOOL).exists(), "ign-transport-topic is missing (tools/install test)")
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         helper = self.helper("--topic", "/tool", "--to", f"udp://127.0.0.1:{port}")
 

@@ -4,8 +4,8 @@ import time
 import unittest
 
 import ros1_system as ros
-from poses_programs import FLOOR_Z, PosesCase, Process, free_udp_port, program
-from program import free_tcp_port
+from poses_programs import FLOOR_Z, PosesCase, Process, program
+from ports import free_port
 from ros1_system import Master
 
 
@@ -15,7 +15,7 @@ class Ros1(PosesCase):
 
     def test_every_type_of_pose(self):
         master = Master.get().start()
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         kinds = {"odom": ros.Odometry, "pose": ros.PoseStamped, "cov": ros.PoseWithCovarianceStamped,
                  "transform": ros.TransformStamped}
@@ -33,7 +33,7 @@ class Ros1(PosesCase):
 
     def test_tf_through_a_chain_of_frames(self):
         Master.get().start()
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         helper = self.helper("--topic", "/tf#keel", "--world", "map", "--to", f"udp://127.0.0.1:{port}")
         fixed = ros.publisher("/tf_static", ros.TFMessage)
@@ -55,7 +55,7 @@ class Ros1(PosesCase):
 
     def test_north_east_down(self):
         Master.get().start()
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         helper = self.helper("--topic", "/ned", "--frame", "ned", "--to", f"udp://127.0.0.1:{port}")
         out = ros.publisher("/ned", ros.PoseStamped)
@@ -64,7 +64,7 @@ class Ros1(PosesCase):
 
     def test_what_cannot_be_is_refused_and_counted(self):
         Master.get().start()
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         helper = self.helper("--topic", "/bad", "--object", "ball=/clock", "--to", f"udp://127.0.0.1:{port}")
         out = ros.publisher("/bad", ros.PoseStamped)
@@ -84,9 +84,9 @@ class Ros1(PosesCase):
         self.assertRegex(output, r"refused +6 messages \(the last: /clock: its type rosgraph_msgs/Clock tells no pose")
 
     def test_without_a_master_or_an_emulator_it_waits_and_says_so_once(self):
-        port = free_tcp_port()
+        port = free_port()
         alone = Process(self, program("echoloop-pose-ros1"), "--topic", "/odom",
-                        env={**Master.get().env, "ROS_MASTER_URI": f"http://127.0.0.1:{free_tcp_port()}"})
+                        env={**Master.get().env, "ROS_MASTER_URI": f"http://127.0.0.1:{free_port()}"})
         alone.wait_for("no ROS master at http://127.0.0.1:")
         Master.get().start()
         helper = self.helper("--topic", "/late", "--to", f"tcp://127.0.0.1:{port}")

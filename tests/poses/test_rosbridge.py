@@ -3,8 +3,8 @@
 import time
 import unittest
 
-from poses_programs import FLOOR_Z, PosesCase, Process, free_udp_port, program
-from program import free_tcp_port
+from poses_programs import FLOOR_Z, PosesCase, Process, program
+from ports import free_port
 from rosbridge_double import Double, message
 
 
@@ -13,7 +13,7 @@ class Rosbridge(PosesCase):
         return Process(self, program("echoloop-pose-rosbridge"), "--server", server, *arguments)
 
     def test_every_shape_of_both_generations(self):
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         topic = "/pose"
         double = Double(self, [topic])
@@ -30,7 +30,7 @@ class Rosbridge(PosesCase):
         self.assertRegex(output, r"vehicle +[1-9]\d* poses from /pose\n$")
 
     def test_tf_through_a_chain_of_frames(self):
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         double = Double(self, ["/tf", "/tf_static"])
         helper = self.helper(double.url, "--topic", "/tf#keel", "--to", f"udp://127.0.0.1:{port}")
@@ -65,7 +65,7 @@ class Rosbridge(PosesCase):
         self.assertEqual(helper.stop()[0], 0)
 
     def test_hostile_text_is_refused_and_counted(self):
-        port = free_udp_port()
+        port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         topic = "/pose"
         double = Double(self, [topic])
@@ -89,7 +89,7 @@ class Rosbridge(PosesCase):
         self.assertRegex(output, r"refused +11 messages \(the last: /pose: the position is more than 1000 km")
 
     def test_a_server_that_comes_goes_and_comes_back(self):
-        port, server = free_udp_port(), free_tcp_port()
+        port, server = free_port(), free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
         helper = self.helper(f"ws://127.0.0.1:{server}", "--topic", "/pose", "--to", f"udp://127.0.0.1:{port}")
         helper.wait_for("trying until a rosbridge server listens there")

@@ -13,6 +13,7 @@ using cerulean::Id;
 
 constexpr Time processing = std::chrono::milliseconds(5);  // from the last range step to the points
 constexpr Time look = std::chrono::milliseconds(50);       // for a look at the attitude between pings
+constexpr Time patience = std::chrono::seconds(1);         // with a look that a busy machine is late with
 constexpr Time water_period = std::chrono::seconds(1);
 constexpr Time longest_wait = std::chrono::milliseconds(40);  // of a message behind others
 constexpr float no_sensor = -1000;                            // the maker's definition
@@ -172,19 +173,23 @@ Time Surveyor240::period() const {
 void Surveyor240::transmit(Time now) {
     plan_ = make_plan(parameters_, automatic_, settings_);
     transmitted_ = now;
+    looking_.reset();  // the ping will tell
     actions_.ping =
         Ping{make_shot(plan_, settings_, ++ping_), now + from_seconds(plan_.listening()) + processing};
 }
 
 void Surveyor240::look_at_attitude(Time now) {
-    looked_ = now;
+    if (looking_ && now - *looking_ < patience) return;
+    looking_ = now;
     actions_.ping = Ping{silent_shot(settings_), now + look};
 }
 
 Actions Surveyor240::heard(const Echogram& echogram, Time now) {
     now_ = now;
     if (echogram.shot.ping == 0) {
-        take_pose(echogram, looked_);
+        if (!looking_) return take_actions();
+        take_pose(echogram, *looking_);
+        looking_.reset();
         if (next_attitude_ != Time::max()) tell(attitude());
         return take_actions();
     }

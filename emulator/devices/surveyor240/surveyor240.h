@@ -72,7 +72,7 @@ class Surveyor240 final : public Device {
     cerulean::surveyor::YzPointData yz_;            ///< both of the last ping heard
     Pose pose_;                                     ///< of the last look or ping
     std::optional<Time> pose_at_;                   ///< when that was; nothing before the first
-    Time looked_{};                                 ///< when the last look began
+    std::optional<Time> looking_;                   ///< when the look began that is under way
     std::optional<std::uint64_t> utc_at_power_up_;  ///< ms since 1970
     std::uint32_t ping_ = 0;
     PingPacer pacer_;

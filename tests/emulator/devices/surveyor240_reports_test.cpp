@@ -74,6 +74,20 @@ TEST(Surveyor240Attitude, IsReportedTenTimesASecondToEveryHostThatHasSpoken) {
     }
 }
 
+TEST(Surveyor240Attitude, ALookThatComesLateIsToldWithItsOwnTime) {
+    Bench bench = surveyor();
+    bench.say(frame(6, "0500"));
+    bench.run_to(1s + 100ms);  // a look has just begun
+    bench.ping->due = 1s + 320ms;
+    bench.sent();
+    bench.run_to(1s + 330ms);
+    const auto reports = of_id(bench.sent(), attitude_report);
+    ASSERT_EQ(reports.size(), 1U);
+    EXPECT_EQ(u32(reports[0].bytes, 40), 1100U);
+    bench.run_to(2s + 60ms);
+    EXPECT_EQ(u32(of_id(bench.sent(), attitude_report).back().bytes, 40), 2000U) << "then it goes on";
+}
+
 TEST(Surveyor240Attitude, WhilePingingItIsThatOfTheLastPing) {
     Bench bench = surveyor();
     Set set;
