@@ -37,6 +37,19 @@ void make_directories(const fs::path& link) {
             "; name a directory that you may write in the endpoint, e.g. pty:/tmp/echoloop/micron");
 }
 
+/// Why a link cannot be made where something is, and what to do.
+std::string taken(const fs::path& link) {
+    std::error_code ec;
+    const auto target = fs::read_symlink(link, ec);
+    const std::string other = "; name another link in the endpoint";
+    if (!ec && target.string().rfind("/dev/pts/", 0) == 0)
+        return ": exists already and leads to " + target.string() +
+               ", which somebody has open: perhaps another run" + other + ", or end that run";
+    if (!ec) return ": exists already and leads to " + target.string() + other + ", or remove it";
+    return std::string(": exists already and is a ") + (fs::is_directory(link, ec) ? "folder" : "file") +
+           other;
+}
+
 }  // namespace
 
 PtyLink::PtyLink(fs::path link, fs::path slave) : link_(std::move(link)), slave_(std::move(slave)) {
@@ -45,11 +58,7 @@ PtyLink::PtyLink(fs::path link, fs::path slave) : link_(std::move(link)), slave_
     if (is_stale_pty_link(link_, slave_)) fs::remove(link_, ec);
     fs::create_symlink(slave_, link_, ec);
     if (!ec) return;
-    if (ec == std::errc::file_exists)
-        throw StartError(Exit::cannot_create,
-                         link_.string() +
-                             ": exists already and is not a left-over of an emulator that ended; "
-                             "another run may be using it. Remove it or name another link in the endpoint");
+    if (ec == std::errc::file_exists) throw StartError(Exit::cannot_create, link_.string() + taken(link_));
     const bool denied = ec == std::errc::permission_denied || ec == std::errc::read_only_file_system;
     throw StartError(denied ? Exit::no_permission : Exit::cannot_create,
                      link_.string() + ": pty link cannot be made: " + ec.message() +

@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 
 #include "emulator/error.h"
@@ -25,12 +26,12 @@ std::string last_reason() {
     return text ? text.get() : "unknown error";
 }
 
+constexpr auto other_ports =
+    "; `ls /dev/serial/by-id` shows the ports there are. For a line without hardware use a pty: endpoint";
+
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
     const bool denied = errno == EACCES || errno == EPERM;
-    const std::string remedy = denied
-                                   ? "; join the group that owns the device (often dialout)"
-                                   : "; `ls /dev/serial/by-id` shows the ports there are. For a line without "
-                                     "hardware use a pty: endpoint";
+    const std::string remedy = denied ? "; join the group that owns the device (often dialout)" : other_ports;
     throw StartError(denied ? Exit::no_permission : Exit::unavailable,
                      "serial port " + path + ": " + what + ": " + last_reason() + remedy);
 }
@@ -41,7 +42,11 @@ struct FreeList {
 
 PortHandle find_port(const std::string& path) {
     sp_port* raw = nullptr;
-    if (sp_get_port_by_name(path.c_str(), &raw) != SP_OK) fail(path, "cannot be found");
+    if (sp_get_port_by_name(path.c_str(), &raw) != SP_OK) {
+        if (std::filesystem::exists(path))
+            throw StartError(Exit::unavailable, path + ": is no serial port" + other_ports);
+        fail(path, "cannot be found");
+    }
     return PortHandle(raw);
 }
 

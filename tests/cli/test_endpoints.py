@@ -63,6 +63,34 @@ class Endpoints(ProgramTest):
             text = self.good("endpoints", DEMO, "--format", name)
             self.assertTrue(all(line.startswith("#") for line in text.splitlines()), text)
 
+    def test_without_a_driver_the_addresses_are_there_as_comments(self):
+        text = self.good("endpoints", DEMO, "--format", "dune")
+        self.assertRegex(text, r"\n#   line +/tmp/echoloop/micron, 115200 bit/s 8N1\n")
+        self.assertRegex(text, r"\n#   sends bathymetry to +127\.0\.0\.1:65400\n")
+
+    def test_ping360_in_ros(self):
+        ping360 = str(Path(DEMO).with_name("ping360.yaml"))
+        self.assertIn("\nrosrun ping360_sonar ping360_node _device:=/tmp/echoloop/ping360 _baudrate:=115200 ",
+                      self.good("endpoints", ping360, "--format", "ros1"))
+        line = self.good("endpoints", ping360, "--format", "ros2")
+        self.assertIn(" -p fallback_emulated:=false -p device:=/tmp/echoloop/ping360 -p baudrate:=115200\n", line)
+        bridge = self.good("endpoints", ping360, "--format", "ros2", "--set",
+                           "devices.ping360.endpoints=[udp-listen://127.0.0.1:9092]")
+        self.assertIn(" -p connection_type:=udp -p udp_address:=127.0.0.1 -p udp_port:=9092\n", bridge)
+
+    def test_range_finders_of_ardupilot(self):
+        ping1d = str(Path(DEMO).with_name("ping1d.yaml"))
+        text = self.good("endpoints", ping1d, "--format", "sitl")
+        self.assertIn('-A "--serial5=uart:/tmp/echoloop/ping1d:115200"\n', text)
+        self.assertIn("param set RNGFND1_TYPE 23\n", text)
+        udp = self.good("endpoints", ping1d, "--format", "sitl", "--set", "devices.ping1d.endpoints=[udp-listen://127.0.0.1:9090]")
+        self.assertIn('"--serial5=udpclient:127.0.0.1:9090"', udp)
+        nmea = self.good("endpoints", ECHOSOUNDER, "--format", "sitl")
+        self.assertIn('uart:/tmp/echoloop/echosounder:4800"\nparam set SERIAL5_PROTOCOL 9\nparam set SERIAL5_BAUD 4\n', nmea)
+        self.assertIn("param set RNGFND1_TYPE 17\n", nmea)
+        sent = self.good("endpoints", ECHOSOUNDER, "--format", "sitl", "--set", "devices.echosounder.endpoints=[udp://127.0.0.1:10110]")
+        self.assertIn("no driver of ArduPilot for nmea-echosounder is known", sent)  # SITL opens no such port
+
     def test_json(self):
         report = self.json("endpoints", DEMO, "--format", "ros1")
         self.assertEqual(report["format"], "ros1")

@@ -67,8 +67,17 @@ class Run(ProgramTest):
     def test_a_link_name_that_exists_ends_with_73_and_stays(self):
         (self.folder / "mine").write_text("precious")
         text = self.bad(73, "run", TANK, "--duration", "0", *self.micron(f"pty:{self.folder}/mine"))
-        self.assertIn("exists already", text)
+        self.assertIn("/mine: exists already and is a file; name another link", text)
         self.assertEqual((self.folder / "mine").read_text(), "precious")
+        (self.folder / "link").symlink_to(self.folder / "mine")
+        text = self.bad(73, "run", TANK, "--duration", "0", *self.micron(f"pty:{self.folder}/link"))
+        self.assertIn(f"exists already and leads to {self.folder}/mine; ", text)
+
+    def test_what_is_no_serial_port_ends_with_69(self):
+        for path in ("/dev/null", TANK):
+            text = self.bad(69, "run", TANK, "--duration", "0", *self.micron(f"serial://{path}:9600"))
+            self.assertIn(f"{path}: is no serial port; ", text)
+            self.assertIn("use a pty: endpoint", text)
 
     def test_a_folder_without_permission_ends_with_73(self):
         self.assertIn("/proc/no", self.bad(73, "run", TANK, "--duration", "0", *self.micron("pty:/proc/no/micron")))

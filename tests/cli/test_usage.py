@@ -23,6 +23,10 @@ class Usage(ProgramTest):
         self.assertIn("which verb? see echoloop --help", self.bad(64))
         self.assertIn("unknown verb 'chekc'; did you mean 'check'?", self.bad(64, "chekc"))
         self.assertIn("FILE is required; see echoloop check --help", self.bad(64, "check"))
+        self.assertIn("unknown option '--durtion' of run; did you mean '--duration'?",
+                      self.bad(64, "run", TANK, "--durtion", "3"))
+        self.assertIn("unknown option '--rnage' of render; did you mean '--range'?",
+                      self.bad(64, "render", TANK, "--rnage=3"))
         self.assertIn("--frobnicate", self.bad(64, "list", "--frobnicate"))
         self.assertIn("ros1", self.bad(64, "endpoints", TANK, "--format", "ros3"))
         self.assertIn("--duration: expected a number, 0 to 1000000000, got 'long'",

@@ -59,10 +59,29 @@ void refuse_unknown_verb(int argc, const char* const* argv) {
                      "unknown verb " + scenario::in_quotes(argv[1]) + scenario::suggestion(argv[1], known));
 }
 
+/// "--durtion" of run is meant for "--duration": the parser itself only says that it was not expected.
+void refuse_unknown_options(int argc, const char* const* argv) {
+    const auto verb =
+        std::find_if(verbs().begin(), verbs().end(), [&](const Verb& v) { return v.name == argv[1]; });
+    if (verb == verbs().end()) return;
+    std::vector<std::string_view> known{"--help"};
+    for (const auto& argument : verb->arguments)
+        if (argument.name.starts_with("--")) known.push_back(argument.name);
+    for (int i = 2; i < argc; ++i) {
+        const auto word = std::string_view(argv[i]).substr(0, std::string_view(argv[i]).find('='));
+        if (word == "--") return;
+        if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
+        throw StartError(Exit::usage, "unknown option " + scenario::in_quotes(word) + " of " + verb->name +
+                                          scenario::suggestion(word, known) + "; see echoloop " + verb->name +
+                                          " --help");
+    }
+}
+
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
     refuse_unknown_verb(argc, argv);
+    refuse_unknown_options(argc, argv);
     CLI::App app(purpose, "echoloop");
     app.get_formatter()->column_width(36);
     app.get_formatter()->label("SUBCOMMAND", "VERB");

@@ -2,23 +2,15 @@
 
 #include "emulator/endpoint.h"
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/driver_port.h"
 #include "tools/echoloop/driver_seanet.h"
+#include "tools/echoloop/driver_vehicle.h"
 
 namespace echoloop::cli {
 namespace {
 
 constexpr std::uint16_t status_offset = 2;  // R2Sonic: what is sent where, counted from the host's base port
 constexpr std::uint16_t image_offset = 3;
-
-std::string address_text(const std::string& host, int port) { return host + ":" + std::to_string(port); }
-
-/// Of a device's serial line; what it is not paced by may as well be the usual rate.
-int line_rate(const ScenarioDevice& device) {
-    constexpr int usual_rate = 115200;
-    const auto found = device.config.options.find("baud");
-    const double* rate = found == device.config.options.end() ? nullptr : std::get_if<double>(&found->second);
-    return rate != nullptr && *rate > 0 ? static_cast<int>(*rate) : usual_rate;
-}
 
 bool is_r2sonic(const ScenarioDevice& device) { return device.model->name.starts_with("r2sonic-"); }
 /// The heads that those drivers can read: the profiler is none of them.
@@ -53,10 +45,7 @@ std::string title_of(const std::string& format) {
 }
 
 DriverHint no_driver(const ScenarioDevice& device, const std::string& format) {
-    return {"",
-            {},
-            "no driver of " + title_of(format) + " for " + device.model->name +
-                " is known to us; without --format the plain addresses are printed"};
+    return {"", {}, "no driver of " + title_of(format) + " for " + device.model->name + " is known to us"};
 }
 
 }  // namespace
@@ -92,12 +81,9 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
 }
 
 DriverHint driver_hint(const ScenarioDevice& device, const std::string& format) {
-    if (is_seanet(device)) {
-        auto hint = seanet_driver_hint(device, format);
-        return hint.driver.empty() && hint.note.empty() ? no_driver(device, format) : hint;
-    }
     if (is_r2sonic(device) && format == "ros2") return r2sonic_ros2(device);
-    return no_driver(device, format);
+    auto hint = is_seanet(device) ? seanet_driver_hint(device, format) : vehicle_driver_hint(device, format);
+    return hint.driver.empty() && hint.note.empty() ? no_driver(device, format) : hint;
 }
 
 }  // namespace echoloop::cli

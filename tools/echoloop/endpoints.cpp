@@ -16,7 +16,10 @@ void print_hint(const DeviceEndpoints& entry) {
     const auto& hint = entry.hint;
     std::printf("# %s (%s)%s%s\n", entry.device->name.c_str(), entry.device->model->name.c_str(),
                 hint.driver.empty() ? "" : ": ", hint.driver.c_str());
-    if (!hint.note.empty()) std::printf("# %s\n", hint.note.c_str());
+    const bool known = !hint.driver.empty();
+    if (!hint.note.empty()) std::printf("# %s%s\n", hint.note.c_str(), known ? "" : "; its plain addresses:");
+    if (!known)
+        for (const auto& place : entry.places) std::printf("#   %s\n", place_line(place).c_str());
     for (const auto& line : hint.paste) std::printf("%s\n", line.c_str());
 }
 
