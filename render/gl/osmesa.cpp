@@ -3,7 +3,13 @@
 #include <dlfcn.h>
 
 #include <array>
+#include <list>
+#include <mutex>
 #include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "render/gl/library_copy.h"
 
 #ifdef __has_feature  // clang
 #if __has_feature(address_sanitizer)
@@ -42,28 +48,71 @@ void resolve(void* handle, const char* name, Function& function) {
                                  "; install libosmesa6 22.3 or newer");
 }
 
-/// Loaded once and never unloaded: LLVM's threads outlive any context.
-const Library& library() {
-    static const Library loaded = [] {
-        void* handle = nullptr;
-        for (const char* name : {"libOSMesa.so.8", "libOSMesa.so"})
-            if (!handle) handle = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-        if (!handle)
-            throw std::runtime_error(std::string("cannot load libOSMesa (") + dlerror() +
-                                     "); install it with: apt-get install libosmesa6");
-        Library lib;
-        resolve(handle, "OSMesaCreateContextAttribs", lib.create);
-        resolve(handle, "OSMesaDestroyContext", lib.destroy);
-        resolve(handle, "OSMesaMakeCurrent", lib.make_current);
-        resolve(handle, "OSMesaGetProcAddress", lib.proc_address);
-        return lib;
-    }();
-    return loaded;
+void* load_osmesa() {
+    for (const char* name : {"libOSMesa.so.8", "libOSMesa.so"})
+        if (void* handle = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return handle;
+    throw std::runtime_error(std::string("cannot load libOSMesa (") + dlerror() +
+                             "); install it with: apt-get install libosmesa6");
 }
+
+Library resolved(void* handle) {
+    Library lib;
+    resolve(handle, "OSMesaCreateContextAttribs", lib.create);
+    resolve(handle, "OSMesaDestroyContext", lib.destroy);
+    resolve(handle, "OSMesaMakeCurrent", lib.make_current);
+    resolve(handle, "OSMesaGetProcAddress", lib.proc_address);
+    return lib;
+}
+
+/// OSMesa draws one picture at a time, whatever the number of its contexts: a single beam would wait for a
+/// fan that another thread draws. So every thread that has contexts beside another's gets a copy of the
+/// library to itself, a dozen megabytes. On one thread copies would not do: they share what is current there.
+/// They are never unloaded: LLVM's threads outlive any context.
+class Libraries {
+  public:
+    static Libraries& all() {
+        static Libraries libraries;
+        return libraries;
+    }
+    /// This thread's, else one that nobody uses, else a new copy; where there are none, the first.
+    const Library& take() {
+        const std::lock_guard lock(mutex_);
+        Instance& instance = instance_for(std::this_thread::get_id());
+        if (instance.contexts++ == 0) instance.owner = std::this_thread::get_id();
+        return instance.library;
+    }
+    void give_back(const Library& library) {
+        const std::lock_guard lock(mutex_);
+        for (Instance& instance : instances_)
+            if (&instance.library == &library) --instance.contexts;
+    }
+
+  private:
+    static constexpr std::size_t most = 8;
+    struct Instance {
+        Library library;
+        std::thread::id owner{};
+        std::size_t contexts = 0;
+    };
+
+    Instance& instance_for(std::thread::id thread) {
+        for (Instance& instance : instances_)
+            if (instance.contexts > 0 && instance.owner == thread) return instance;
+        for (Instance& instance : instances_)
+            if (instance.contexts == 0) return instance;
+        if (instances_.empty()) return instances_.emplace_back(Instance{resolved(first_ = load_osmesa())});
+        void* copy = instances_.size() < most ? load_copy(first_) : nullptr;
+        return copy == nullptr ? instances_.front() : instances_.emplace_back(Instance{resolved(copy)});
+    }
+
+    std::mutex mutex_;
+    void* first_ = nullptr;
+    std::list<Instance> instances_;
+};
 
 class OsMesaContext final : public Context {
   public:
-    OsMesaContext() : lib_(library()) {
+    OsMesaContext() : lib_(Libraries::all().take()) {
         const std::array attributes{osmesa_format,
                                     osmesa_rgba,
                                     osmesa_depth_bits,
@@ -78,13 +127,15 @@ class OsMesaContext final : public Context {
                                     5,
                                     0};
         context_ = lib_.create(attributes.data(), nullptr);
-        if (!context_)
-            throw std::runtime_error(
-                "OSMesa offers no OpenGL 4.5 core context; install libosmesa6 22.3 or newer");
+        if (context_ != nullptr) return;
+        Libraries::all().give_back(lib_);
+        throw std::runtime_error(
+            "OSMesa offers no OpenGL 4.5 core context; install libosmesa6 22.3 or newer");
     }
     ~OsMesaContext() override {
         lib_.make_current(nullptr, nullptr, 0, 0, 0);
         lib_.destroy(context_);
+        Libraries::all().give_back(lib_);
     }
 
     void make_current() override {

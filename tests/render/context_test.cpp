@@ -5,7 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
+#include <latch>
+#include <set>
+#include <sstream>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "render/gl/egl.h"
 #include "tests/render/meshes.h"
@@ -78,6 +85,51 @@ TEST(GlContext, AutoFindsOne) {
     const Result result = render_with("auto");
     EXPECT_EQ(result.problem, "");
     EXPECT_FALSE(result.values.empty());
+}
+
+/// How many instances of libOSMesa this process has loaded.
+std::size_t instances_of_osmesa() {
+    std::ifstream maps("/proc/self/maps");
+    std::set<std::string> files;
+    for (std::string line; std::getline(maps, line);)
+        if (line.find("libOSMesa") != std::string::npos) {
+            std::istringstream words(line);
+            std::string addresses, rights, offset, device, inode;
+            words >> addresses >> rights >> offset >> device >> inode;
+            files.insert(inode);
+        }
+    return files.size();
+}
+
+// One instance draws one picture at a time; on one thread several would share what is current.
+TEST(GlContext, OfOsMesaHasALibraryOfItsOwnOnEachThread) {
+    const auto context = gl::make_context("osmesa"), another = gl::make_context("osmesa");
+    std::size_t most = 0;
+    for (int i = 0; i < 3; ++i) {
+        std::latch both(2);
+        const auto hold = [&] {
+            const auto own = gl::make_context("osmesa");
+            both.arrive_and_wait();
+        };
+        std::thread first(hold), second(hold);
+        first.join();
+        second.join();
+        if (i > 0) EXPECT_EQ(instances_of_osmesa(), most) << "those of threads that ended serve again";
+        most = instances_of_osmesa();
+        EXPECT_GE(most, 3U);
+    }
+}
+
+TEST(GlContext, OfOsMesaDrawsTheSameOnThreadsAtOnce) {
+    const Result alone = render_with("osmesa");
+    std::array<Result, 3> results;
+    std::vector<std::thread> threads;
+    for (Result& result : results) threads.emplace_back([&] { result = render_with("osmesa"); });
+    for (auto& thread : threads) thread.join();
+    for (const Result& result : results) {
+        EXPECT_EQ(result.problem, "");
+        EXPECT_TRUE(result.values == alone.values);
+    }
 }
 
 TEST(GlContext, UnknownNamesListTheKnownOnes) {
