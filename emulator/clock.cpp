@@ -18,6 +18,7 @@ Task<void> Alarm::until(Time when) {
     }
     error_code ec;
     co_await timer_.async_wait(into(ec));
+    if (!ec) clock_.rang(when);
 }
 
 void Alarm::cancel() {
@@ -29,6 +30,20 @@ void Alarm::cancel() {
 Time RealClock::now() const {
     const std::chrono::duration<double, std::nano> real = Steady::now() - start_;
     return Time(static_cast<Time::rep>(real.count() * rate_));
+}
+
+void RealClock::run() {
+    while (io().run_one() > 0) worked_until_ = now();
+}
+
+void RealClock::rang(Time when) {
+    if (worked_until_ > when) return;
+    slept_from_ = worked_until_;
+    slept_to_ = now();
+}
+
+Time RealClock::overslept(Time due) const {
+    return slept_from_ <= due && due < slept_to_ ? slept_to_ - due : Time{};
 }
 
 void RealClock::set(Alarm& alarm, Time when) { alarm.timer_.expires_at(instant(when)); }

@@ -32,6 +32,10 @@ class Clock {
     /// s since 1970, for time stamps.
     double unix_time() const;
     double unix_start() const { return unix_start_.value_or(unix_time()); }
+    /// Of the time that has passed since `due`, how much the thread slept though an alarm should have rung:
+    /// other programs, the kernel or the host of a virtual machine had its processor. At least; 0 where
+    /// unknown.
+    virtual Time overslept(Time) const { return {}; }
 
     /// While one lives, something is under way whose outcome belongs to this moment (an echogram that is due,
     /// a write that does not fit yet): a stepped clock does not move on. Others take no notice.
@@ -56,6 +60,8 @@ class Clock {
     virtual void set(Alarm& alarm, Time when) = 0;
     /// Before it rang.
     virtual void unset(Alarm& alarm) = 0;
+    /// An alarm that was set to `when` has rung.
+    virtual void rang(Time) {}
 
     asio::io_context& io_;
     std::optional<double> unix_start_;
@@ -106,16 +112,20 @@ class RealClock final : public Clock {
 
     Time now() const override;
     void begin() override { start_ = Steady::now(); }
-    void run() override { io().run(); }
+    void run() override;
+    Time overslept(Time due) const override;
 
   private:
     void set(Alarm& alarm, Time when) override;
     void unset(Alarm&) override {}
+    void rang(Time when) override;
     /// Instant of the steady clock at which run time `t` comes.
     Steady::time_point instant(Time t) const;
 
     Steady::time_point start_;
     double rate_;
+    Time worked_until_{};             ///< when the last thing to do was done
+    Time slept_from_{}, slept_to_{};  ///< before an alarm rang
 };
 
 }  // namespace echoloop

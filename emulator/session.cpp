@@ -179,6 +179,7 @@ Task<void> Session::deliver(UnderWay ping) {
     Alarm due(clock_, sonar_);
     co_await due.until(ping.due);
     ping.woken = clock_.now();
+    ping.overslept = clock_.overslept(ping.due);
     co_await ready(ping.echoes);
     co_await ready(ping.late_before);
     if (closed_ || ping.powered != power_cuts_) co_return;
@@ -193,6 +194,7 @@ void Session::hear(UnderWay& ping) {
     if (lateness > late_after) {
         ++summary_.late_pings;
         if (now - ping.woken > lateness / 2) ++summary_.late_renderings;
+        if (ping.overslept > lateness / 2) ++summary_.late_wakings;
     }
     lateness_.add(lateness);
     ++summary_.pings;

@@ -32,6 +32,7 @@ struct SessionSummary {
     std::uint64_t pings = 0;            ///< echograms delivered
     std::uint64_t late_pings = 0;       ///< delivered more than a millisecond after they were due
     std::uint64_t late_renderings = 0;  ///< of those, whose echogram was what they waited for
+    std::uint64_t late_wakings = 0;     ///< of those, for which the machine woke this program too late
     Time worst_lateness{}, median_lateness{};
     Time p99_lateness{};                                   ///< that 99 of 100 pings do not exceed
     std::uint64_t dropped = 0;                             ///< messages that did not fit the outbox
@@ -114,6 +115,7 @@ class Session {
         double unix_time;       ///< s since 1970, of the transmission
         std::uint64_t powered;  ///< power_cuts_ when it was sent
         Time woken{};           ///< when it was seen to be due
+        Time overslept{};       ///< by then
     };
     /// A message, and the number of the ping that the device had heard last.
     struct Mail {

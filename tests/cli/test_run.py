@@ -41,7 +41,7 @@ class Run(ProgramTest):
 
     def test_a_missed_deadline_fails_a_run_only_on_request(self):
         hasty = ("--set", "clock={mode: scaled, rate: 1000}", "--duration", "0.5")  # no machine is that fast
-        self.assertRegex(self.good("run", FLOOR, *hasty), r"\d late \(\d+ waited for their rendering\), the worst by [\d.]+ ms")
+        self.assertRegex(self.good("run", FLOOR, *hasty), r"\d late \(\d+ waited for their rendering, \d+ until the machine woke the program\), the worst by [\d.]+ ms")
         self.bad(75, "run", FLOOR, *hasty, "--fail-late")
 
     def test_the_summary_says_how_late_pings_were_and_how_long_the_queue_was(self):

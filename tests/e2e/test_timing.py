@@ -3,7 +3,10 @@ the machine may be busy; tools/timing measures exactly."""
 
 import json
 import os
+import re
 import select
+import signal
+import socket
 import subprocess
 import sys
 import termios
@@ -11,6 +14,7 @@ import time
 import tty
 import unittest
 
+from ports import free_port
 from program import PROGRAM, ROOT, Emulator
 
 SOUNDER = """
@@ -22,6 +26,17 @@ devices:
     mount: {rpy_deg: [0, 90, 0]}
     endpoints: ["pty:{folder}/line%s"]
     options: {rate: 5, baud: %d}
+"""
+
+FAR = """
+scene: {scenes}/flat.glb
+vehicle: {pose: {position: [0, 0, -2]}}
+devices:
+  - name: bathymetry
+    model: r2sonic-2024
+    mount: {rpy_deg: [0, 90, 0]}
+    endpoints: ["udp-listen://127.0.0.1:%d", "udp://127.0.0.1:%d"]
+    options: {range: 400, ping_rate: 60}
 """
 
 
@@ -76,6 +91,31 @@ class Lines(unittest.TestCase):
         _, plain, _ = self.listen(38400)
         _, gathered, _ = self.listen(38400, query="?usb_latency=50")
         self.assertLess(len(gathered), len(plain) / 2)
+
+
+class Late(unittest.TestCase):
+    def test_pings_that_were_late_since_the_program_did_not_run_are_told_apart(self):
+        device, gui = free_port(32), free_port(16)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as host, Emulator(FAR % (device, gui)) as emulator:
+            host.bind(("127.0.0.1", gui))
+            host.settimeout(20)
+            for pause in (0.1, 0.2, 0.3):
+                self.ping(host)
+                time.sleep(pause)  # of the 0.53 s that the next one is on its way
+                emulator.process.send_signal(signal.SIGSTOP)
+                time.sleep(1)
+                emulator.process.send_signal(signal.SIGCONT)
+            log = emulator.stop()[1]
+        late, rendering, waking, worst = re.search(
+            r"(\d+) late \((\d+) waited for their rendering, (\d+) until the machine woke the program\), "
+            r"the worst by ([\d.]+) ms", log).groups()
+        self.assertGreaterEqual(int(waking), 1, log)
+        self.assertLessEqual(int(rendering) + int(waking), int(late), log)
+        self.assertGreater(float(worst), 300, log)
+
+    def ping(self, host):
+        while host.recv(65536)[:4] != b"BTH0":
+            pass
 
 
 class Pace(unittest.TestCase):

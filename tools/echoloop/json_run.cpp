@@ -39,6 +39,7 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
                            {"pings", s.pings},
                            {"late_pings", s.late_pings},
                            {"late_renderings", s.late_renderings},
+                           {"late_wakings", s.late_wakings},
                            {"worst_lateness_s", to_seconds(s.worst_lateness)},
                            {"median_lateness_s", to_seconds(s.median_lateness)},
                            {"p99_lateness_s", to_seconds(s.p99_lateness)},

@@ -44,7 +44,8 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
 std::string punctuality(const SessionSummary& s) {
     if (s.late_pings == 0) return counted(s.pings, "ping") + ", none late";
     return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late (" +
-           std::to_string(s.late_renderings) + " waited for their rendering), the worst by " +
+           std::to_string(s.late_renderings) + " waited for their rendering, " +
+           std::to_string(s.late_wakings) + " until the machine woke the program), the worst by " +
            plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: this machine is too busy or too slow for it";
 }
 
