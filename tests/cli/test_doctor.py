@@ -1,9 +1,21 @@
 """echoloop doctor: what it looks at, and that a fault is named with its remedy."""
+import ctypes
 import json
+import re
+import resource
 import socket
+import subprocess
 import unittest
 
-from program import DEMO, TANK, ProgramTest, run
+from program import DEMO, PROGRAM, TANK, ProgramTest, run
+
+PR_CAPBSET_DROP, CAP_SYS_NICE = 24, 23
+
+
+def give_up_real_time():
+    """What this process starts may not go before others: as on a machine where nobody has allowed it."""
+    resource.setrlimit(resource.RLIMIT_RTPRIO, (0, 0))
+    ctypes.CDLL(None).prctl(PR_CAPBSET_DROP, CAP_SYS_NICE, 0, 0, 0)
 
 
 class Doctor(ProgramTest):
@@ -19,6 +31,24 @@ class Doctor(ProgramTest):
             if seen[name]["state"] != "good":
                 self.assertTrue(seen[name]["remedy"], name)
         self.assertEqual(seen["OpenGL"]["state"], "good")
+
+    def test_says_whether_a_run_may_go_before_other_programs(self):
+        run_it = [PROGRAM, "run", TANK, "--duration", "0", "--realtime", *self.to(f"pty:{self.folder}/micron")]
+        for before in (None, give_up_real_time):
+            text = subprocess.run([PROGRAM, "doctor"], preexec_fn=before, capture_output=True, text=True, check=True).stdout
+            may = subprocess.run(run_it, preexec_fn=before, capture_output=True, check=False).returncode == 0
+            line = re.search(r"(?m)^good +real time +(.*)$", text)[1]
+            self.assertEqual(line.startswith("allowed: "), may, line)
+            self.assertEqual("not allowed" in line, not may, line)
+        self.assertFalse(may, "without the right to it")
+
+    def test_says_how_long_a_byte_takes_across_a_pseudo_terminal(self):
+        for _ in range(3):
+            found = next(f for f in self.json("doctor")["findings"] if f["name"] == "pseudo-terminals")
+            half, most = (float(n) for n in re.search(r"within ([\d.]+) ms, 1 of 100 after ([\d.]+) ms", found["text"]).groups())
+            self.assertTrue(0 <= half <= most, found)
+            self.assertGreater(most, 0)
+            self.assertEqual(found["state"], "weak" if most > 1 else "good", found)
 
     def test_tries_a_scenario_on_it(self):
         text = self.good("doctor", TANK, *self.to(f"pty:{self.folder}/micron"))

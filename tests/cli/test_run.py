@@ -1,13 +1,19 @@
 """echoloop run: start-up lines, clean ends, and starts that fail whole."""
 import json
+import os
+import re
 import signal
 import socket
+import struct
 import subprocess
+import time
+import tty
 import unittest
 
 from program import PROGRAM, ROOT, TANK, ProgramTest
 
 FLOOR = str(ROOT / "config" / "bathymetry.yaml")
+PING360 = str(ROOT / "config" / "ping360.yaml")
 
 
 class Run(ProgramTest):
@@ -42,7 +48,44 @@ class Run(ProgramTest):
     def test_a_missed_deadline_fails_a_run_only_on_request(self):
         hasty = ("--set", "clock={mode: scaled, rate: 1000}", "--duration", "0.5")  # no machine is that fast
         self.assertRegex(self.good("run", FLOOR, *hasty), r"\d late \(\d+ waited for their rendering, \d+ until the machine woke the program\), the worst by [\d.]+ ms")
-        self.bad(75, "run", FLOOR, *hasty, "--fail-late")
+        self.assertRegex(self.bad(75, "run", FLOOR, *hasty, "--fail-late"),
+                         r"multibeam: [1-9]\d* late pings?, 0 dropped messages and 0 lost bytes, and --fail-late allows none")
+        ended = json.loads(self.good("run", FLOOR, *hasty, "--json").splitlines()[-1])["devices"][0]
+        self.assertGreater(ended["late_renderings"], ended["late_pings"] / 2)
+
+    def test_pings_of_a_run_that_was_kept_from_running_did_not_wait_for_their_rendering(self):
+        slow = ("--set", "devices.multibeam.options={range: 100, ping_rate: 5}")  # 133 ms for a rendering of few
+        with subprocess.Popen([PROGRAM, "run", FLOOR, "--json", *slow], stdout=subprocess.PIPE) as process:
+            process.stdout.readline()
+            stops = 4
+            for _ in range(stops):
+                time.sleep(0.3)
+                process.send_signal(signal.SIGSTOP)
+                time.sleep(0.5)  # longer than from one ping to the next
+                process.send_signal(signal.SIGCONT)
+            process.send_signal(signal.SIGINT)
+            ended = json.loads(process.stdout.readline())["devices"][0]
+            self.assertEqual(process.wait(timeout=60), 0)
+        self.assertGreaterEqual(ended["late_pings"] - ended["late_renderings"], stops - 1)  # the last may be under way
+        self.assertGreater(ended["worst_lateness_s"], 0.2)
+
+    def test_bytes_that_a_driver_does_not_read_are_lost_and_a_run_can_fail_for_it(self):
+        link = self.folder / "ping360"
+        scan = (1, 1, 80, 200, 750, 1200, 0, 399, 1, 0)  # mode, gain, duration, period, kHz, samples, start, stop, step, delay
+        frame = b"BR" + struct.pack("<HHBB", 16, 2602, 0, 0) + struct.pack("<BBHHHHHHBB", *scan)
+        arguments = ("run", PING360, "--duration", "5", "--fail-late", "--set", f"devices.ping360.endpoints=['pty:{link}']")
+        with subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            while "Ctrl-C" not in process.stdout.readline():
+                pass
+            line = os.open(link, os.O_RDWR | os.O_NOCTTY)
+            tty.setraw(line)
+            os.write(line, frame + struct.pack("<H", sum(frame)))
+            output, errors = process.communicate(timeout=60)
+            os.close(line)
+        self.assertEqual(process.returncode, 75, errors)
+        lost = re.search(r"; (\d+) bytes? lost, because the driver did not read them", output)
+        self.assertTrue(lost, output)
+        self.assertIn(f" and {lost[1]} lost byte", errors)
 
     def test_the_summary_says_how_late_pings_were_and_how_long_the_queue_was(self):
         text = self.good("run", FLOOR, "--duration", "1")

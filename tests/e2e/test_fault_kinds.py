@@ -1,5 +1,6 @@
 """Each kind of fault that changes when messages come, or what a sonar shows: what a driver's end sees of it, and that the
-label file says exactly that. The readers of bytes here are written apart from the program."""
+label file says exactly that. The readers of bytes here are written apart from the program. Beside busy programs everything
+is late now and then, so times are told by medians, and by the kernel's stamps where it gives them."""
 
 import math
 import os
@@ -19,11 +20,12 @@ import blping_host
 import ping360_host
 import seanet_wire
 from test_faults import PROTOCOL_VERSION, VERSION_REPLY, Pty, labels, request, sounder
-from test_replay import with_patience
 
 SET_INTERVAL, START, DISTANCE, PROFILE = 1004, 1400, 1212, 1300
 INTERVAL = 0.1  # s between the pings of a sounder
-SLACK = 0.05  # s that this process may find a byte later than the program has written it
+SLACK = 0.05  # s that bytes may be later than the program says they are, usually
+WORST = 2  # s, now and then
+SO_TIMESTAMPNS = 35  # socket(7): Python has no name for it
 
 
 class Case(unittest.TestCase):
@@ -47,9 +49,15 @@ class Case(unittest.TestCase):
         self.assertEqual({(e["device"], e["kind"]) for e in events}, {(device, kind)})
         return events
 
+    def assert_on_time(self, seconds):
+        """How far things were from their times: usually not by more than SLACK."""
+        off = [abs(s) for s in seconds]
+        self.assertLess(statistics.median(off), SLACK, seconds)
+        self.assertLess(max(off), WORST, seconds)
+
 
 class Datagrams:
-    """A Ping1D on UDP that pings by itself: [(s since 1970, datagram)]."""
+    """A Ping1D on UDP that pings by itself: [(s since 1970, datagram)], by the kernel's stamps of when they were sent."""
 
     def __init__(self, case, *faults, message=DISTANCE, way=None):
         port = free_port()
@@ -61,14 +69,16 @@ class Datagrams:
         case.addCleanup(self.socket.close)
         self.socket.connect(("127.0.0.1", port))
         self.socket.settimeout(20)
+        self.socket.setsockopt(socket.SOL_SOCKET, SO_TIMESTAMPNS, 1)
         self.socket.send(blping_host.frame(SET_INTERVAL, struct.pack("<H", round(1000 * INTERVAL))))
         self.socket.send(blping_host.frame(START, struct.pack("<H", message)))
         self.heard = []
 
     def take(self, count):
         for _ in range(count):
-            data = self.socket.recv(65536)
-            self.heard.append((time.time(), data))
+            data, stamps, _, _ = self.socket.recvmsg(65536, socket.CMSG_SPACE(16))
+            seconds, nanoseconds = struct.unpack("qq", stamps[0][2])
+            self.heard.append((seconds + 1e-9 * nanoseconds, data))
 
 
 def number_of(datagram):
@@ -86,7 +96,6 @@ def offsets(datagrams):
 
 
 class Order(Case):
-    @with_patience
     def test_overtaken_datagrams_are_those_of_the_labels(self):
         run = Datagrams(self, "kind: reordering, rate: 0.2")
         run.take(62)  # two acknowledgements, then pings
@@ -114,7 +123,6 @@ class Order(Case):
                 self.assertEqual((event["offset"], event["length"]),
                                  (seen[number_of(said[message])], len(said[message])))
 
-    @with_patience
     def test_merged_messages_are_one_datagram(self):
         run = Datagrams(self, "kind: merge, messages: 3, from: 1")
         run.take(20)
@@ -126,20 +134,20 @@ class Order(Case):
             self.assertEqual(numbers, list(range(numbers[0], numbers[0] + 3)))
         events = self.told(run.emulator, "merge")
         where = dict(zip(offsets([data for _, data in run.heard]), run.heard))
-        for event in events[: len(merged)]:
-            at, data = where[event["offset"]]
-            self.assertEqual((event["messages"], event["length"]), (3, len(data)))
-            self.assertAlmostEqual(event["unix"], at, delta=SLACK)
+        events = events[: len(merged)]
+        for event in events:
+            self.assertEqual((event["messages"], event["length"]), (3, len(where[event["offset"]][1])))
+        self.assert_on_time([where[e["offset"]][0] - e["unix"] for e in events])
 
 
 class Parts(Case):
-    @with_patience
     def test_a_message_comes_in_parts_with_pauses(self):
-        emulator = self.start(sounder("pty:{folder}/ping1d", "kind: split, parts: 3, gap: 0.15"))
+        gap = 0.4  # s: longer than this process may be kept from reading, or two parts would look like one
+        emulator = self.start(sounder("pty:{folder}/ping1d", f"kind: split, parts: 3, gap: {gap}"))
         driver = Pty(emulator.folder / "ping1d")
         self.addCleanup(driver.close)
         begins, said = [], b""
-        for _ in range(8):
+        for _ in range(5):
             driver.write(request(PROTOCOL_VERSION))
             end = len(said) + VERSION_REPLY
             while len(said) < end:
@@ -147,19 +155,17 @@ class Parts(Case):
                 begins.append((len(said), time.time()))
                 said += os.read(driver.line, 100)
         events = self.told(emulator, "split")
-        self.assertEqual(said[:VERSION_REPLY] * 8, said)
+        self.assertEqual(said[:VERSION_REPLY] * 5, said)
         parts = [(at, when) for at, when in begins if at % VERSION_REPLY]
         self.assertEqual([e["offset"] for e in events], [at for at, _ in parts])
-        for event, (at, when) in zip(events, parts):
+        for event, (at, _) in zip(events, parts):
             self.assertEqual((event["message"], event["direction"]), (at // VERSION_REPLY, "to_driver"))
-            self.assertAlmostEqual(event["unix"], when, delta=SLACK)
-        for (_, before), (at, when) in zip(begins, begins[1:]):
-            if at % VERSION_REPLY:
-                self.assertAlmostEqual(when - before, 0.15, delta=SLACK)
+        self.assert_on_time([when - event["unix"] for event, (_, when) in zip(events, parts)])
+        pauses = [when - before for (_, before), (at, when) in zip(begins, begins[1:]) if at % VERSION_REPLY]
+        self.assertAlmostEqual(statistics.median(pauses), gap, delta=SLACK)
 
 
 class Time(Case):
-    @with_patience
     def test_jitter_is_the_delays_of_the_labels(self):
         run = Datagrams(self, "kind: jitter, delay: 0.08")
         run.take(42)
@@ -169,17 +175,15 @@ class Time(Case):
         self.assertEqual([e["offset"] for e in events[: len(arrivals)]], offsets([data for _, data in run.heard]))
         self.assertTrue(all(0 <= delay <= 0.08 for delay in delays))
         self.assertGreater(max(delays) - min(delays), 0.04)
-        for event, when in zip(events, arrivals):
-            self.assertAlmostEqual(event["unix"], when, delta=SLACK)
+        self.assert_on_time([when - event["unix"] for event, when in zip(events, arrivals)])
 
         def off(times):  # s from the regular pace, of the pings
             return statistics.median(abs(b - a - INTERVAL) for a, b in zip(times[2:], times[3:]))
 
         regular = [when - delay for when, delay in zip(arrivals, delays)]
         self.assertGreater(off(arrivals), 0.01)
-        self.assertLess(off(regular), 0.006)
+        self.assertLess(off(regular), off(arrivals) / 2, "without the delays of the labels they are regular again")
 
-    @with_patience
     def test_a_stale_burst_is_old_pings_all_at_once(self):
         run = Datagrams(self, "kind: stale_burst, from: 2, for: 1.5")
         run.take(50)
@@ -188,25 +192,22 @@ class Time(Case):
         numbers = [number_of(data) for _, data in run.heard]
         pings = numbers[2:]
         self.assertEqual(pings, list(range(pings[0], pings[0] + len(pings))), "none is lost, in their order")
-        silence = max(range(1, len(times)), key=lambda i: times[i] - times[i - 1])
-        self.assertGreater(times[silence] - times[silence - 1], 1.3)
-        burst = [i for i in range(silence, len(times)) if times[i] - times[silence] < SLACK]
-        self.assertIn(len(events), (len(burst), len(burst) - 1), "and one may come at its time")
-        self.assertGreater(len(events), 10)
-        where = offsets([data for _, data in run.heard])
-        self.assertEqual([e["offset"] for e in events], [where[i] for i in burst[: len(events)]])
-        for event, i in zip(events, burst):
-            self.assertAlmostEqual(event["unix"], times[i], delta=SLACK)
-            self.assertAlmostEqual(event["t"], 3.5, delta=SLACK)
+        where = {at: i for i, at in enumerate(offsets([data for _, data in run.heard]))}
+        burst = [where[e["offset"]] for e in events]
+        self.assertEqual(burst, list(range(burst[0], burst[-1] + 1)))
+        self.assertGreater(len(burst), 10)
+        self.assertGreater(times[burst[0]] - times[burst[0] - 1], 1.3, "silence before it")
+        self.assert_on_time([times[i] - times[burst[0]] for i in burst])
+        self.assert_on_time([times[i] - event["unix"] for event, i in zip(events, burst)])
+        self.assert_on_time([event["t"] - 3.5 for event in events])
         delays = [e["delay"] for e in events]
-        for longer, shorter in zip(delays, delays[1:]):
-            self.assertAlmostEqual(longer - shorter, INTERVAL, delta=SLACK)
-        after = times[burst[-1] + 1:]
-        self.assertAlmostEqual(statistics.median(b - a for a, b in zip(after, after[1:])), INTERVAL, delta=0.01)
+        self.assertAlmostEqual(statistics.median(a - b for a, b in zip(delays, delays[1:])), INTERVAL, delta=0.02)
+        after = times[burst[-1] + 2:]  # the first one may have come while the burst did
+        self.assertAlmostEqual(statistics.median(b - a for a, b in zip(after, after[1:])), INTERVAL, delta=0.02)
 
-    @with_patience
     def test_a_narrow_line_carries_so_many_bytes_in_a_second(self):
-        emulator = self.start(PING360 % ("pty:{folder}/line", "{device: head, kind: bandwidth, bits_per_second: 20000}"))
+        rate = 5000  # bit/s
+        emulator = self.start(PING360 % ("pty:{folder}/line", "{device: head, kind: bandwidth, bits_per_second: %d}" % rate))
         driver = Pty(emulator.folder / "line")
         self.addCleanup(driver.close)
         driver.write(transducer(angle=0, samples=1000))
@@ -218,17 +219,18 @@ class Time(Case):
         self.assertEqual(len(ping360_host.ping_of(ping360_host.parse(data)).data), 1000)
         (begin, first), (end, _) = times[0], times[-1]
         self.assertGreater(len(times), 10, "it trickles")
-        self.assertAlmostEqual((size - first) / (end - begin), 20000 / 8, delta=0.1 * 20000 / 8)
+        self.assertAlmostEqual((size - first) / (end - begin), rate / 8, delta=0.1 * rate / 8)
         events = self.told(emulator, "bandwidth", "head")
         self.assertEqual([(e["message"], e["offset"], e["length"]) for e in events], [(0, 0, size)])
-        self.assertAlmostEqual(events[0]["delay"], size * 8 / 20000, delta=1e-6)
-        self.assertAlmostEqual(events[0]["unix"], begin, delta=SLACK)
+        self.assertAlmostEqual(events[0]["delay"], size * 8 / rate, delta=1e-6)
+        self.assertAlmostEqual(events[0]["unix"], begin, delta=WORST)
 
 
 PING360 = """
 scene: {scenes}/tank.glb
 water: {temperature: 15, salinity: 0, ph: 7, sound_speed: 1500}
 effects: {noise: off, speckle: off, multipath: off, second_time_around: off}
+render: {pixels: 16}    # so that two pings at one bearing differ by less than a count
 vehicle: {pose: {position: [0.5, 0.7, -2]}}
 devices:
   - {name: head, model: ping360, endpoints: ["%s"]}
@@ -248,7 +250,6 @@ def difference(one, other):
 
 
 class Sonar(Case):
-    @with_patience
     def test_a_stuck_motor_shows_one_bearing_whatever_the_head_says(self):
         port = free_port()
         emulator = self.start(PING360 % (f"udp-listen://127.0.0.1:{port}", "{device: head, kind: stuck_motor, from: 2, for: 2}"))
@@ -275,7 +276,6 @@ class Sonar(Case):
         self.assertGreaterEqual(events[0]["t"], 2)
         self.assertLess(events[-1]["t"], 4)
 
-    @with_patience
     def test_a_frozen_image_stays_while_time_goes_on(self):
         way = "t,x,y,z,qw,qx,qy,qz\n0,0,0,-2,1,0,0,0\n30,4,0,-3,1,0,0,0\n"
         run = Datagrams(self, "kind: frozen_image, from: 2, for: 2", message=PROFILE, way=way)
@@ -306,7 +306,6 @@ faults:
 
 
 class Rates(Case):
-    @with_patience
     def test_two_uarts_that_disagree_hear_nothing_of_one_another(self):
         emulator = self.start(MICRON)
         driver = Pty(emulator.folder / "line")

@@ -1,4 +1,5 @@
 // echoloop run: the emulator, until a signal or the end of the time.
+#include <cerrno>
 #include <cstdio>
 #include <optional>
 
@@ -32,8 +33,8 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
         for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
     }
     if (!scenario.control.empty()) line("control", runtime.control());
-    std::printf("For a driver: echoloop endpoints %s --format ros1 (or ros2, moos, rock)\n",
-                scenario.file.c_str());
+    std::printf("For a driver: %s endpoints %s --format ros1 (or ros2, moos, rock, sitl)\n",
+                program_invocation_name, scenario.file.c_str());
     const bool stepped = scenario.clock == ClockMode::stepped;
     const std::string end =
         duration ? " for " + plain(*duration, 1) + (stepped ? " s of the run" : " s") : "";

@@ -133,6 +133,66 @@ TEST(MultibeamPhase, OutermostBeamsGoOnInLine) {
     EXPECT_LT(worst, 0.005);
 }
 
+/// A flat floor, 14 m below, as 20 beams of 1 deg from -70 deg on hear it by phase; the two outermost on
+/// either side are 1 % off.
+struct FlatSwath {
+    std::vector<Detection> detections;
+    std::vector<double> angles;
+
+    FlatSwath() {
+        for (int beam = 0; beam < 20; ++beam) {
+            angles.push_back(deg_to_rad(-70 + beam));
+            Detection heard;
+            heard.method = Method::phase;
+            heard.time = right(angles.size() - 1) * (beam < 2 || beam >= 18 ? 1.01 : 1);
+            heard.begin = 0.9 * heard.time;
+            heard.end = 1.1 * heard.time;
+            detections.push_back(heard);
+        }
+    }
+
+    double right(std::size_t beam) const { return 14 / 750.0 / std::cos(angles[beam]); }
+    /// How far a beam is off, after continue_to_edges() with beams of 3 deg.
+    double error(std::size_t beam) {
+        auto continued = detections;
+        multibeam::continue_to_edges(continued, angles, deg_to_rad(3));
+        return std::abs(continued[beam].time / right(beam) - 1);
+    }
+};
+
+TEST(MultibeamEdges, GoOnInTheLineOfTheBeamsInside) {
+    FlatSwath swath;
+    for (const std::size_t edge : {0U, 1U, 18U, 19U}) EXPECT_LT(swath.error(edge), 1e-9) << edge;
+    swath.detections[3].time *= 1.001;
+    EXPECT_NEAR(swath.error(3), 0.001, 1e-9) << "no edge: it stays as it was heard";
+}
+
+TEST(MultibeamEdges, StayWhereTheirEchoDoesNotMeetTheLine) {
+    FlatSwath swath;
+    swath.detections[0].end = 0.999 * swath.right(0);
+    swath.detections[19].begin = 1.001 * swath.right(19);
+    for (const std::size_t edge : {0U, 19U}) EXPECT_NEAR(swath.error(edge), 0.01, 1e-9) << edge;
+    for (const std::size_t edge : {1U, 18U}) EXPECT_LT(swath.error(edge), 1e-9) << edge;
+}
+
+TEST(MultibeamEdges, StayWhereTheyOrABeamInsideWereNotHeardByPhase) {
+    FlatSwath swath;
+    swath.detections[0].method = Method::magnitude;
+    swath.detections[14].method = Method::magnitude;
+    EXPECT_NEAR(swath.error(0), 0.01, 1e-9);
+    EXPECT_LT(swath.error(1), 1e-9);
+    for (const std::size_t edge : {18U, 19U}) EXPECT_NEAR(swath.error(edge), 0.01, 1e-9) << "no line";
+}
+
+TEST(MultibeamEdges, StayWhereThereAreTooFewBeamsForALine) {
+    FlatSwath swath;
+    swath.detections.resize(7);
+    swath.angles.resize(7);
+    for (const std::size_t edge : {0U, 1U}) EXPECT_NEAR(swath.error(edge), 0.01, 1e-9) << edge;
+    swath.detections.clear();
+    multibeam::continue_to_edges(swath.detections, swath.angles, deg_to_rad(3));
+}
+
 TEST(MultibeamNoise, WeakEchoesAreLostAndWhatIsFoundInNoiseIsNeitherBrightNorInLine) {
     const Shot shot = wide_fan(45);
     EXPECT_EQ(found(detect(bottom_echo(shot, flat(15), {.echo = 1e6}))), 256U);
