@@ -138,6 +138,7 @@ TEST(MultibeamPhase, OutermostBeamsGoOnInLine) {
 struct FlatSwath {
     std::vector<Detection> detections;
     std::vector<double> angles;
+    std::size_t used = 20;  ///< of them; the others lie behind in memory
 
     FlatSwath() {
         for (int beam = 0; beam < 20; ++beam) {
@@ -155,7 +156,7 @@ struct FlatSwath {
     /// How far a beam is off, after continue_to_edges() with beams of 3 deg.
     double error(std::size_t beam) {
         auto continued = detections;
-        multibeam::continue_to_edges(continued, angles, deg_to_rad(3));
+        multibeam::continue_to_edges(std::span(continued).first(used), angles, deg_to_rad(3));
         return std::abs(continued[beam].time / right(beam) - 1);
     }
 };
@@ -186,11 +187,12 @@ TEST(MultibeamEdges, StayWhereTheyOrABeamInsideWereNotHeardByPhase) {
 
 TEST(MultibeamEdges, StayWhereThereAreTooFewBeamsForALine) {
     FlatSwath swath;
-    swath.detections.resize(7);
-    swath.angles.resize(7);
-    for (const std::size_t edge : {0U, 1U}) EXPECT_NEAR(swath.error(edge), 0.01, 1e-9) << edge;
-    swath.detections.clear();
-    multibeam::continue_to_edges(swath.detections, swath.angles, deg_to_rad(3));
+    for (const std::size_t used : {0U, 1U, 2U, 7U}) {
+        swath.used = used;
+        for (const std::size_t edge : {0U, 1U}) EXPECT_NEAR(swath.error(edge), 0.01, 1e-9) << used;
+    }
+    swath.used = 8;
+    EXPECT_LT(swath.error(0), 1e-9);
 }
 
 TEST(MultibeamNoise, WeakEchoesAreLostAndWhatIsFoundInNoiseIsNeitherBrightNorInLine) {
