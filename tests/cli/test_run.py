@@ -49,7 +49,7 @@ class Run(ProgramTest):
         hasty = ("--set", "clock={mode: scaled, rate: 1000}", "--duration", "0.5")  # no machine is that fast
         self.assertRegex(self.good("run", FLOOR, *hasty), r"\d late \(\d+ waited for their rendering, \d+ until the machine woke the program\), the worst by [\d.]+ ms")
         self.assertRegex(self.bad(75, "run", FLOOR, *hasty, "--fail-late"),
-                         r"multibeam: [1-9]\d* late pings?, 0 dropped messages and 0 lost bytes, and --fail-late allows none")
+                         r"multibeam: [1-9]\d* late pings?, \d+ dropped messages? and \d+ lost bytes?, and --fail-late allows none")
         ended = json.loads(self.good("run", FLOOR, *hasty, "--json").splitlines()[-1])["devices"][0]
         self.assertGreater(ended["late_renderings"], ended["late_pings"] / 2)
 
@@ -67,6 +67,7 @@ class Run(ProgramTest):
             ended = json.loads(process.stdout.readline())["devices"][0]
             self.assertEqual(process.wait(timeout=60), 0)
         self.assertGreaterEqual(ended["late_pings"] - ended["late_renderings"], stops - 1)  # the last may be under way
+        self.assertGreaterEqual(ended["late_wakings"], stops - 1)
         self.assertGreater(ended["worst_lateness_s"], 0.2)
 
     def test_bytes_that_a_driver_does_not_read_are_lost_and_a_run_can_fail_for_it(self):
