@@ -54,8 +54,12 @@ RenderThread::Crew RenderThread::useful(std::size_t sonars, bool real_time) {
     return {threads, sonars > threads, real_time};
 }
 
+std::size_t RenderThread::drawing_threads(std::size_t sonars) {
+    return std::max<std::size_t>(1, Workers::useful() / useful(sonars).threads);
+}
+
 RenderThread::RenderThread(const Make& make, Crew crew) : real_time_(crew.real_time), every_(crew.threads) {
-    if (crew.threads > 1) keep_rasterisers_on_their_threads();
+    keep_rasterisers_on_their_threads();
     std::vector<std::future<void>> ready;
     for (std::size_t i = 0; i < crew.threads; ++i) threads_.push_back(start(make, Lane::every, ready));
     if (crew.single_beams) threads_.push_back(start(make, Lane::single_beams, ready));

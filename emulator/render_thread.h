@@ -53,6 +53,8 @@ class RenderThread {
 
     /// As many threads as find work with so many sonars on this machine.
     static Crew useful(std::size_t sonars, bool real_time = false);
+    /// For each of their renderers.
+    static std::size_t drawing_threads(std::size_t sonars);
     static bool is_single_beam(const Shot& shot) { return shot.bearings.size() == 1; }
 
   private:
@@ -67,7 +69,8 @@ class RenderThread {
     std::jthread start(const Make& make, Lane lane, std::vector<std::future<void>>& ready);
     void serve(std::stop_token stop, Renderer& renderer, Lane lane);
     Jobs::iterator most_urgent(Lane lane);
-    /// Shots with rows of beams take ten times as long as fans: they leave a thread to the others where there are two.
+    /// Shots with rows of beams take ten times as long as fans: they leave a thread to the others where there
+    /// are two.
     bool leaves_a_thread(const Shot& shot) const {
         return shot.rows() == 1 || images_ == 0 || images_ + 1 < every_;
     }

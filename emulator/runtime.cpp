@@ -213,7 +213,9 @@ class Runtime::Impl {
 
     /// On a render thread, several at once.
     std::unique_ptr<Renderer> make_renderer(const Scenario& scenario, RenderThread::Lane lane) {
-        auto renderer = std::make_unique<Renderer>(scene_, scenario.water, scenario.render);
+        RendererOptions options = scenario.render;
+        options.drawing_threads = RenderThread::drawing_threads(scenario.devices.size());
+        auto renderer = std::make_unique<Renderer>(scene_, scenario.water, options);
         std::call_once(described_, [&] { renderer_description_ = renderer->context_description(); });
         warm_up(*renderer, scenario, water_, lane);
         return renderer;

@@ -8,8 +8,8 @@ namespace echoloop {
 /// the greater `nice` (1..19).
 void give_way(int nice);
 
-/// Mesa's software rasteriser shares every picture out to threads of its own and waits for them: right for
-/// one sonar at a time, but where several are drawn at once it takes more time than it saves. Before the
+/// Mesa's software rasteriser shares every picture out to threads of its own and waits for them: for pictures
+/// as small as a sonar's that saves less time than several contexts do, each on its own thread. Before the
 /// first context; a user's own LP_NUM_THREADS counts.
 void keep_rasterisers_on_their_threads();
 

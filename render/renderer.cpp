@@ -11,7 +11,7 @@
 #include "render/fan/plan_cache.h"
 #include "render/fan/target_beams.h"
 #include "render/fan/truth.h"
-#include "render/gl/scene_drawer.h"
+#include "render/gl/drawing_crew.h"
 #include "render/grid/object_finder.h"
 #include "render/grid/paths.h"
 #include "render/grid/plan_cache.h"
@@ -27,6 +27,8 @@ void validate(const RendererOptions& options) {
         throw std::invalid_argument("renderer: columns_per_beam must be within 1..64");
     if (!(options.pixel_density >= 0.1 && options.pixel_density <= 64))
         throw std::invalid_argument("renderer: pixel_density must be within 0.1..64");
+    if (!(options.drawing_threads >= 1 && options.drawing_threads <= 64))
+        throw std::invalid_argument("renderer: drawing_threads must be within 1..64");
 }
 
 void validate(const Pose& pose) {
@@ -58,15 +60,16 @@ class Renderer::Impl {
         : water_(water),
           options_(std::move(options)),
           tracer_(scene, options_.surface, options_.effects),
-          drawer_(checked_context(), scene),
+          crew_((check_settings(), [this] { return gl::make_context(options_.context); }), scene,
+                options_.drawing_threads),
           plans_({options_.columns_per_beam, options_.pixel_density}),
           grids_({options_.columns_per_beam, options_.pixel_density}),
           binning_(workers_),
           grid_binning_(workers_),
           finder_(workers_),
           chain_(options_.effects, options_.speckle) {
-        for (const std::uint32_t material : drawer_.material_of_surface())
-            strength_.emplace_back(drawer_.scene().materials()[material]);
+        for (const std::uint32_t material : drawer().material_of_surface())
+            strength_.emplace_back(drawer().scene().materials()[material]);
     }
 
     Echogram render(const Shot& shot, const Situation& situation) {
@@ -89,7 +92,8 @@ class Renderer::Impl {
     }
 
     ChannelImage render_channels(const Shot& shot, const Situation& situation) {
-        if (!shot.elevations.empty()) throw std::invalid_argument("shot: elevations must be none for channels");
+        if (!shot.elevations.empty())
+            throw std::invalid_argument("shot: elevations must be none for channels");
         const FanPlan& plan = draw(shot, situation);
         ChannelImage image{plan.lines, plan.samples, {}, {}, {}};
         for (std::size_t sample = 0; sample < plan.samples; ++sample)
@@ -98,15 +102,16 @@ class Renderer::Impl {
     }
 
     const RenderProfile& profile() const { return profile_; }
-    const Scene& scene() const { return drawer_.scene(); }
+    const Scene& scene() const { return drawer().scene(); }
     const Water& water() const { return water_; }
-    std::string description() const { return drawer_.description(); }
+    std::string description() const { return drawer().description(); }
 
   private:
-    std::unique_ptr<gl::Context> checked_context() const {
+    const gl::SceneDrawer& drawer() const { return crew_.drawer(); }
+
+    void check_settings() const {
         echoloop::validate(water_);
         validate(options_);
-        return gl::make_context(options_.context);
     }
 
     /// Rows of beams: one drawing for all.
@@ -131,7 +136,7 @@ class Renderer::Impl {
         if (options_.rule == EchoRule::radiometric)
             profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(paths.points), out); });
         if (situation.objects)
-            find_grid_objects(input, plan, drawer_.object_of_surface(), least_of_object(out), out.objects);
+            find_grid_objects(input, plan, drawer().object_of_surface(), least_of_object(out), out.objects);
         return out;
     }
 
@@ -143,8 +148,9 @@ class Renderer::Impl {
 
     /// Np/m.
     double absorption(const Shot& shot) const {
-        return effects().has(Effect::absorption) ? db_to_neper(absorption_db_per_km(water_, shot.frequency) / 1e3)
-                                                 : 0;
+        return effects().has(Effect::absorption)
+                   ? db_to_neper(absorption_db_per_km(water_, shot.frequency) / 1e3)
+                   : 0;
     }
     /// m, of the window.
     double end_range(const Shot& shot) const {
@@ -154,7 +160,7 @@ class Renderer::Impl {
 
     /// Which object is in which bin. What is 10 dB below the noise is not there: nobody could hear it.
     void find_objects(const FanPlan& plan, Echogram& out) {
-        finder_.find(binning_input(out.shot, plan, out.sound_speed), drawer_.object_of_surface(),
+        finder_.find(binning_input(out.shot, plan, out.sound_speed), drawer().object_of_surface(),
                      least_of_object(out), out.objects);
     }
     static double least_of_object(const Echogram& out) {
@@ -219,9 +225,10 @@ class Renderer::Impl {
     }
 
     void draw(const FanPlan& plan, const Shot& shot, const Pose& pose) {
-        drawer_.draw(plan, world_from_fan(shot, pose), movers_, end_range(shot), offset_of(shot), pixels_);
-        const gl::DrawProfile& drawn = drawer_.profile();
-        profile_ = {drawn.cull, drawn.draw, drawn.read_back, 0, 0, 0, drawn.triangles, drawn.chunks, drawn.pixels};
+        crew_.draw(plan, {world_from_fan(shot, pose), movers_, end_range(shot), offset_of(shot)}, pixels_);
+        const gl::DrawProfile& drawn = crew_.profile();
+        profile_ = {drawn.cull, drawn.draw,      drawn.read_back, 0,           0,
+                    0,          drawn.triangles, drawn.chunks,    drawn.pixels};
     }
 
     void add_channels(ChannelImage& image, const FanPlan& plan, std::size_t line, std::size_t sample) const {
@@ -239,7 +246,7 @@ class Renderer::Impl {
     RendererOptions options_;
     std::thread::id thread_ = std::this_thread::get_id();
     PathTracer tracer_;
-    gl::SceneDrawer drawer_;
+    gl::DrawingCrew crew_;
     std::vector<StrengthTable> strength_;
     PlanCache plans_;
     GridCache grids_;

@@ -24,6 +24,7 @@ struct RendererOptions {
     bool jitter = true;  ///< move the sample inside its pixel from ping to ping (by Shot::ping), so that the
                          ///< mean over pings has no error from the pixel grid
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
+    std::size_t drawing_threads = 1;  ///< that share a picture where the context allows it; the pixels are the same
     Effects effects{};             ///< of EchoRule::radiometric; the paper's rule knows none
     SpeckleOptions speckle{};
     /// For multipath: rippled by a light air to begin with, which leaves no mirror at sonar frequencies; empty: none

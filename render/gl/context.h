@@ -24,6 +24,9 @@ class Context {
     virtual Proc proc_address(const char* name) const = 0;
     /// Name of the kind of context, for example "OSMesa".
     virtual std::string_view kind() const = 0;
+    /// Whether it is worth while to draw one picture with two of them, on two threads: not where a GPU or a
+    /// lock serves one after the other.
+    virtual bool draws_beside_others() const { return false; }
 };
 
 /// Makes a context of the named kind: "osmesa", "egl-surfaceless", "egl-device" (a GPU), or "auto": a GPU

@@ -145,6 +145,7 @@ class OsMesaContext final : public Context {
     }
     Proc proc_address(const char* name) const override { return lib_.proc_address(name); }
     std::string_view kind() const override { return "OSMesa"; }
+    bool draws_beside_others() const override { return true; }
 
   private:
     const Library& lib_;

@@ -47,7 +47,30 @@ void set_vertex_layout(const Functions& gl) {
     attribute(2, 1, offsetof(GpuVertex, surface));
 }
 
+void add_seen(const Scene& scene, NodeRange range, const Pose& frame_from_fan, double end_range,
+              SeenView& seen, std::size_t part) {
+    SeenNodes& to = seen.parts[part];
+    to.frame_from_fan = frame_from_fan;
+    find_visible(scene, range, *seen.view, frame_from_fan, limits_of(*seen.view, end_range), to.nodes);
+    seen.chunks += to.nodes.size();
+    for (const std::uint32_t node : to.nodes) seen.triangles += scene.nodes()[node].indices / 3;
+}
+
 }  // namespace
+
+void find_seen(const Scene& scene, const FanPlan& plan, const Outlook& outlook, std::vector<SeenView>& seen) {
+    seen.resize(plan.views.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        seen[i].view = &plan.views[i];
+        seen[i].parts.resize(1 + outlook.movers.size());
+        seen[i].triangles = seen[i].chunks = 0;
+        add_seen(scene, {0, scene.still_nodes()}, outlook.world_from_fan, outlook.end_range, seen[i], 0);
+        // Seen from a mover's own frame nothing of it has moved: neither its buffers nor its bounds.
+        for (std::size_t m = 0; m < outlook.movers.size(); ++m)
+            add_seen(scene, {scene.movers()[m].first_node, scene.movers()[m].last_node},
+                     inverse(outlook.movers[m]) * outlook.world_from_fan, outlook.end_range, seen[i], m + 1);
+    }
+}
 
 SceneDrawer::SceneDrawer(std::unique_ptr<Context> context, std::shared_ptr<const Scene> scene)
     : context_(std::move(context)), scene_(std::move(scene)), gl_(current(*context_)) {
@@ -135,7 +158,6 @@ void SceneDrawer::list(const SceneNode& node) {
     to.counts.push_back(static_cast<GLsizei>(node.indices));
     to.offsets.push_back(reinterpret_cast<const void*>((index + node.first_index) * sizeof(std::uint16_t)));
     to.bases.push_back(static_cast<GLint>(vertex + node.first_vertex));
-    profile_.triangles += node.indices / 3;
 }
 
 void SceneDrawer::submit(const DrawList& list, bool double_sided) const {
@@ -161,27 +183,22 @@ void SceneDrawer::bind_target(int width, int height) {
     targets_.get(fits, make).target->bind();
 }
 
-void SceneDrawer::draw_view(const View& view, NodeRange range, const Pose& frame_from_fan, double end_range,
-                            PixelOffset offset) {
-    const auto begin = Clock::now();
-    find_visible(*scene_, range, view, frame_from_fan, limits_of(view, end_range), visible_);
+void SceneDrawer::draw_part(const View& view, const SeenNodes& part, PixelOffset offset) {
+    if (part.nodes.empty()) return;
     for (DrawList& list : lists_) list.clear();
-    for (const std::uint32_t node : visible_) list(scene_->nodes()[node]);
-    profile_.chunks += visible_.size();
-    profile_.cull += seconds_since(begin);
-    if (visible_.empty()) return;
-    set_view(view, frame_from_fan, offset);
+    for (const std::uint32_t node : part.nodes) list(scene_->nodes()[node]);
+    set_view(view, part.frame_from_fan, offset);
     submit(lists_[0], false);
     submit(lists_[1], true);
 }
 
-void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, std::span<const Pose> movers,
-                       double end_range, PixelOffset offset, std::vector<Pixel>& pixels) {
+/// Every view at its own place in the whole image, whoever draws the others: where a vertex falls among the
+/// pixels is rounded there.
+DrawTimes SceneDrawer::draw(std::span<const SeenView* const> views, ImageSize size, PixelOffset offset,
+                            Pixel* image) {
     const auto begin = Clock::now();
-    profile_ = {};
-    const int width = static_cast<int>(plan.samples), height = static_cast<int>(plan.image_lines);
     context_->make_current();
-    bind_target(width, height);
+    bind_target(static_cast<int>(size.samples), static_cast<int>(size.lines));
     program_->use();
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.Enable(GL_DEPTH_TEST);
@@ -189,24 +206,24 @@ void SceneDrawer::draw(const FanPlan& plan, const Pose& world_from_fan, std::spa
     const GLfloat nothing[4] = {0, 0, 0, 0};  // surface 0, and the depth of infinity
     gl_.ClearBufferfv(GL_COLOR, 0, nothing);
     gl_.ClearBufferfv(GL_DEPTH, 0, nothing);
-    for (const View& view : plan.views) {
-        draw_view(view, {0, scene_->still_nodes()}, world_from_fan, end_range, offset);
-        profile_.pixels += view.lines * view.samples;
-    }
-    // Seen from a mover's own frame nothing of it has moved: neither its buffers nor its bounds.
-    for (std::size_t i = 0; i < movers.size(); ++i) {
-        const SceneMover& mover = scene_->movers()[i];
-        for (const View& view : plan.views)
-            draw_view(view, {mover.first_node, mover.last_node}, inverse(movers[i]) * world_from_fan,
-                      end_range, offset);
-    }
+    for (const SeenView* seen : views)
+        for (const SeenNodes& part : seen->parts) draw_part(*seen->view, part, offset);
     gl_.Finish();  // costs nothing, as the next call would wait, and tells drawing from reading
-    profile_.draw = seconds_since(begin) - profile_.cull;
     const auto drawn = Clock::now();
-    pixels.resize(plan.image_lines * plan.samples);
-    gl_.ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, pixels.data());
+    read_back(views, size.samples, image);
     gl_.check("drawing a fan");
-    profile_.read_back = seconds_since(drawn);
+    return {std::chrono::duration<double>(drawn - begin).count(), seconds_since(drawn)};
+}
+
+/// Views that follow one another in the image are read at once.
+void SceneDrawer::read_back(std::span<const SeenView* const> views, std::size_t samples, Pixel* image) const {
+    for (std::size_t i = 0; i < views.size();) {
+        const std::size_t first = views[i]->view->first_line;
+        std::size_t end = first;
+        for (; i < views.size() && views[i]->view->first_line == end; ++i) end += views[i]->view->lines;
+        gl_.ReadPixels(0, static_cast<GLint>(first), static_cast<GLsizei>(samples),
+                       static_cast<GLsizei>(end - first), GL_RGBA, GL_FLOAT, image + first * samples);
+    }
 }
 
 std::string SceneDrawer::description() const {

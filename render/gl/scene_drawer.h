@@ -15,10 +15,38 @@
 
 namespace echoloop::gl {
 
-/// Where the time of a draw() went, and what it drew.
-struct DrawProfile {
-    double cull = 0, draw = 0, read_back = 0;  ///< s of wall time; draw ends when the last pixel is there
-    std::size_t triangles = 0, chunks = 0, pixels = 0;  ///< drawn; a chunk in two views counts twice
+/// What a view sees of the trees in one frame.
+struct SeenNodes {
+    Pose frame_from_fan;
+    std::vector<std::uint32_t> nodes;
+};
+
+/// What is drawn of one view.
+struct SeenView {
+    const View* view = nullptr;
+    std::vector<SeenNodes> parts;
+    std::size_t triangles = 0, chunks = 0;
+};
+
+/// Where a fan is, and what moves: world_from_object of every mover.
+struct Outlook {
+    Pose world_from_fan;
+    std::span<const Pose> movers{};
+    double end_range = 0;  ///< m; surfaces beyond it may be missing
+    PixelOffset offset{};  ///< moves the sample point within every pixel
+};
+
+/// Fills `seen`, one for every view of the plan, whose places it keeps. Needs no GL.
+void find_seen(const Scene& scene, const FanPlan& plan, const Outlook& outlook, std::vector<SeenView>& seen);
+
+/// Of the image that all views of a plan share.
+struct ImageSize {
+    std::size_t samples = 0, lines = 0;
+};
+
+/// Where the time of a draw() went.
+struct DrawTimes {
+    double draw = 0, read_back = 0;  ///< s of wall time; draw ends when the last pixel is there
 };
 
 class SceneDrawer {
@@ -29,19 +57,15 @@ class SceneDrawer {
     SceneDrawer(const SceneDrawer&) = delete;
     SceneDrawer& operator=(const SceneDrawer&) = delete;
 
-    /// Draws all views of the plan and reads the image back: plan.image_lines x plan.samples pixels. Surfaces
-    /// beyond `end_range` may be missing. `offset` moves the sample point within every pixel.
-    /// `movers`: world_from_object of every one.
-    void draw(const FanPlan& plan, const Pose& world_from_fan, std::span<const Pose> movers, double end_range,
-              PixelOffset offset, std::vector<Pixel>& pixels);
-
-    const DrawProfile& profile() const { return profile_; }  ///< of the last draw()
+    /// Draws these views of a plan, whose image has `size`, and reads them back to where they are in it.
+    DrawTimes draw(std::span<const SeenView* const> views, ImageSize size, PixelOffset offset, Pixel* image);
 
     /// Index into Scene::materials() of every surface number, which is Pixel::surface - 1.
     const std::vector<std::uint32_t>& material_of_surface() const { return material_of_surface_; }
     /// The same into Scene::objects().
     const std::vector<std::uint32_t>& object_of_surface() const { return object_of_surface_; }
     const Scene& scene() const { return *scene_; }
+    const Context& context() const { return *context_; }
     std::string description() const;
 
   private:
@@ -62,9 +86,9 @@ class SceneDrawer {
 
     void upload();
     void bind_target(int width, int height);
-    /// What a view sees of the trees in one frame.
-    void draw_view(const View& view, NodeRange range, const Pose& frame_from_fan, double end_range, PixelOffset offset);
+    void draw_part(const View& view, const SeenNodes& part, PixelOffset offset);
     void set_view(const View& view, const Pose& frame_from_fan, PixelOffset offset) const;
+    void read_back(std::span<const SeenView* const> views, std::size_t samples, Pixel* image) const;
     void list(const SceneNode& node);
     void submit(const DrawList& list, bool double_sided) const;
 
@@ -77,9 +101,7 @@ class SceneDrawer {
     std::unique_ptr<Buffer> vertices_, indices_;
     RecentlyUsed<SizedTarget> targets_{64 << 20};
     std::vector<std::uint32_t> material_of_surface_, object_of_surface_;
-    std::vector<std::uint32_t> visible_;
     std::array<DrawList, 2> lists_;
-    DrawProfile profile_;
 };
 
 }  // namespace echoloop::gl

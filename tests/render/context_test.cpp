@@ -114,7 +114,9 @@ TEST(GlContext, OfOsMesaHasALibraryOfItsOwnOnEachThread) {
         std::thread first(hold), second(hold);
         first.join();
         second.join();
-        if (i > 0) EXPECT_EQ(instances_of_osmesa(), most) << "those of threads that ended serve again";
+        if (i > 0) {
+            EXPECT_EQ(instances_of_osmesa(), most) << "those of threads that ended serve again";
+        }
         most = instances_of_osmesa();
         EXPECT_GE(most, 3U);
     }

@@ -8,7 +8,7 @@
 
 #include "render/fan/culling.h"
 #include "render/fan/plan.h"
-#include "render/gl/scene_drawer.h"
+#include "render/gl/drawing_crew.h"
 #include "render/scene/clusters.h"
 #include "render/scene/corner_normal.h"
 #include "tests/render/meshes.h"
@@ -107,18 +107,20 @@ struct Drawn {
     gl::DrawProfile profile;
 };
 
-Drawn draw(gl::SceneDrawer& drawer, const Effects& effects, const Pose& pose) {
+std::unique_ptr<gl::Context> make_context() { return gl::make_context("auto"); }
+
+Drawn draw(gl::DrawingCrew& drawer, const Effects& effects, const Pose& pose) {
     const Shot shot = shallow_fan();
     const FanPlan plan = plan_fan(geometry_of(shot, effects), {});
     Drawn out;
-    drawer.draw(plan, pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, 50, {}, out.pixels);
+    drawer.draw(plan, {pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, 50}, out.pixels);
     out.profile = drawer.profile();
     return out;
 }
 
 // All that the fan sees is seabed, up to its upper corners, which look down by 20 degrees.
 TEST(Detail, LeavesNoGaps) {
-    gl::SceneDrawer drawer(gl::make_context("auto"), fine_seabed());
+    gl::DrawingCrew drawer(make_context, fine_seabed(), 1);
     for (int i = 0; i < 5; ++i) {
         const Pose pose{{3.0 * i, 5.0 * i, -2},
                         axis_angle({0, 0, 1}, 0.8 * i) * axis_angle({0, 1, 0}, deg_to_rad(15))};
@@ -132,8 +134,8 @@ TEST(Detail, LeavesNoGaps) {
 // Small triangles must not dominate: sixteen times as many on the same ground cost about twice as many drawn.
 TEST(Detail, DrawsHardlyMoreOfAFinerMesh) {
     for (const Effects& effects : {Effects::none(), Effects{}}) {
-        gl::SceneDrawer coarse(gl::make_context("auto"), test::scene_of({seabed(250)}));
-        gl::SceneDrawer fine(gl::make_context("auto"), fine_seabed());
+        gl::DrawingCrew coarse(make_context, test::scene_of({seabed(250)}), 1);
+        gl::DrawingCrew fine(make_context, fine_seabed(), 1);
         const Pose pose{{0, 0, -2}, {}};
         const gl::DrawProfile few = draw(coarse, effects, pose).profile,
                               many = draw(fine, effects, pose).profile;

@@ -15,6 +15,8 @@
 #include <type_traits>
 
 #include "emulator/error.h"
+#include "emulator/render_thread.h"
+#include "emulator/scheduling.h"
 #include "tools/echoloop/bench/scenes.h"
 
 namespace echoloop::bench {
@@ -97,6 +99,8 @@ Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     options.rule = rule;
     options.pixel_density = settings.pixel_density;
     options.context = settings.context;
+    options.drawing_threads = RenderThread::drawing_threads(1);
+    keep_rasterisers_on_their_threads();
     Renderer renderer(scene, {}, options);
     renderer.render(shot_of(the_case, 0), pose_of(0));
     figures.start_up = wall_time() - start;

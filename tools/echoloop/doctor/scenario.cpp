@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "emulator/error.h"
+#include "emulator/render_thread.h"
 #include "emulator/runtime.h"
 #include "render/renderer.h"
 #include "tools/echoloop/common.h"
@@ -60,7 +61,9 @@ Finding ping(Renderer& renderer, const ScenarioDevice& device, const Pose& world
 Findings look_at_scenario(const Scenario& scenario) {
     Findings found{endpoints(scenario)};
     if (found.front().state == State::bad) return found;
-    Renderer renderer(scene_of(scenario), scenario.water, scenario.render);
+    RendererOptions options = scenario.render;
+    options.drawing_threads = RenderThread::drawing_threads(scenario.devices.size());
+    Renderer renderer(scene_of(scenario), scenario.water, options);
     for (const ScenarioDevice& device : scenario.devices)
         found.push_back(ping(renderer, device, scenario.world_from_body * device.body_from_sonar));
     return found;

@@ -1,0 +1,154 @@
+#include "render/gl/drawing_crew.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <future>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+namespace echoloop::gl {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Of llvmpipe: what a view costs, in pixels that show something. Only the balance between threads depends on
+/// it.
+double cost_of(const SeenView& seen) {
+    constexpr double pixels_per_triangle = 6;
+    return static_cast<double>(seen.view->lines * seen.view->samples) +
+           pixels_per_triangle * static_cast<double>(seen.triangles);
+}
+
+/// Less than that is drawn before another thread has woken up: half a millisecond.
+constexpr double worth_sharing = 60'000;
+
+}  // namespace
+
+/// A thread and the drawer that belongs to it.
+class DrawingCrew::Helper {
+  public:
+    Helper(const MakeContext& make, std::shared_ptr<const Scene> scene) {
+        std::promise<void> started;
+        std::future<void> ready = started.get_future();
+        thread_ = std::jthread([this, &make, scene = std::move(scene),
+                                started = std::move(started)](const std::stop_token& stop) mutable {
+            std::unique_ptr<SceneDrawer> drawer;
+            try {
+                drawer = std::make_unique<SceneDrawer>(make(), std::move(scene));
+            } catch (...) {
+                return started.set_exception(std::current_exception());
+            }
+            started.set_value();
+            serve(stop, *drawer);
+        });
+        ready.get();
+    }
+
+    /// The arguments live until end().
+    void begin(std::span<const SeenView* const> views, ImageSize size, PixelOffset offset, Pixel* image) {
+        {
+            const std::lock_guard lock(mutex_);
+            work_ = [=](SceneDrawer& drawer) { return drawer.draw(views, size, offset, image); };
+        }
+        changed_.notify_one();
+    }
+
+    /// Throws what drawing threw.
+    DrawTimes end() {
+        std::unique_lock lock(mutex_);
+        done_.wait(lock, [this] { return !work_; });
+        if (const std::exception_ptr fault = std::exchange(fault_, nullptr)) std::rethrow_exception(fault);
+        return times_;
+    }
+
+  private:
+    void serve(const std::stop_token& stop, SceneDrawer& drawer) {
+        std::unique_lock lock(mutex_);
+        while (changed_.wait(lock, stop, [this] { return static_cast<bool>(work_); })) {
+            const auto work = work_;
+            lock.unlock();
+            DrawTimes times;
+            std::exception_ptr fault;
+            try {
+                times = work(drawer);
+            } catch (...) {
+                fault = std::current_exception();
+            }
+            lock.lock();
+            times_ = times, fault_ = fault;
+            work_ = nullptr;
+            done_.notify_one();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::condition_variable done_;
+    std::function<DrawTimes(SceneDrawer&)> work_;  ///< under way or waiting, under mutex_
+    DrawTimes times_;
+    std::exception_ptr fault_;
+    std::jthread thread_;
+};
+
+DrawingCrew::DrawingCrew(const MakeContext& make, std::shared_ptr<const Scene> scene, std::size_t threads)
+    : own_(make(), scene) {
+    if (own_.context().draws_beside_others())
+        while (helpers_.size() + 1 < threads) helpers_.push_back(std::make_unique<Helper>(make, scene));
+    shares_.resize(1 + helpers_.size());
+}
+
+DrawingCrew::~DrawingCrew() = default;
+
+/// The dearest view first, each to who has least to do.
+void DrawingCrew::share_out() {
+    for (Share& share : shares_) share.views.clear(), share.cost = 0;
+    order_.resize(seen_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::ranges::stable_sort(order_, std::greater<>(), [&](std::size_t i) { return cost_of(seen_[i]); });
+    double cost = 0;
+    for (const SeenView& seen : seen_) cost += cost_of(seen);
+    const auto sharers = shares_.begin() + (cost < worth_sharing ? 1 : std::ssize(shares_));
+    for (const std::size_t i : order_) {
+        Share& share = *std::ranges::min_element(shares_.begin(), sharers, {}, &Share::cost);
+        share.views.push_back(&seen_[i]);
+        share.cost += cost_of(seen_[i]);
+    }
+    for (Share& share : shares_)
+        std::ranges::sort(share.views, {}, [](const SeenView* seen) { return seen->view->first_line; });
+}
+
+void DrawingCrew::draw(const FanPlan& plan, const Outlook& outlook, std::vector<Pixel>& pixels) {
+    const auto begin = Clock::now();
+    find_seen(own_.scene(), plan, outlook, seen_);
+    share_out();
+    profile_ = {std::chrono::duration<double>(Clock::now() - begin).count(), 0, 0, 0, 0, 0};
+    for (const SeenView& seen : seen_) {
+        profile_.triangles += seen.triangles;
+        profile_.chunks += seen.chunks;
+        profile_.pixels += seen.view->lines * seen.view->samples;
+    }
+    const ImageSize size{plan.samples, plan.image_lines};
+    pixels.resize(size.lines * size.samples);
+    for (std::size_t i = 0; i < helpers_.size(); ++i)
+        if (!shares_[i + 1].views.empty())
+            helpers_[i]->begin(shares_[i + 1].views, size, outlook.offset, pixels.data());
+    std::exception_ptr fault;
+    const auto take = [&](const auto& times) {
+        try {
+            const DrawTimes taken = times();
+            profile_.draw = std::max(profile_.draw, taken.draw);
+            profile_.read_back = std::max(profile_.read_back, taken.read_back);
+        } catch (...) {
+            fault = std::current_exception();
+        }
+    };
+    take([&] { return own_.draw(shares_[0].views, size, outlook.offset, pixels.data()); });
+    for (std::size_t i = 0; i < helpers_.size(); ++i)
+        if (!shares_[i + 1].views.empty()) take([&] { return helpers_[i]->end(); });
+    if (fault) std::rethrow_exception(fault);
+}
+
+}  // namespace echoloop::gl

@@ -1,0 +1,51 @@
+// One picture by several threads, each with a GL context of its own and its share of the views: a software
+// rasteriser's time is the processors'. What is drawn does not depend on who draws it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "render/gl/scene_drawer.h"
+
+namespace echoloop::gl {
+
+/// Where the time of a draw() went, and what it drew.
+struct DrawProfile {
+    double cull = 0, draw = 0, read_back = 0;           ///< s of wall time; the last two of who was slowest
+    std::size_t triangles = 0, chunks = 0, pixels = 0;  ///< drawn; a chunk in two views counts twice
+};
+
+class DrawingCrew {
+  public:
+    using MakeContext = std::function<std::unique_ptr<Context>()>;
+
+    /// `threads`: the caller's included, on which draw() is to be called. Contexts that cannot draw beside
+    /// others get one. Throws std::runtime_error.
+    DrawingCrew(const MakeContext& make, std::shared_ptr<const Scene> scene, std::size_t threads);
+    ~DrawingCrew();
+
+    /// Draws all views of the plan: plan.image_lines x plan.samples pixels.
+    void draw(const FanPlan& plan, const Outlook& outlook, std::vector<Pixel>& pixels);
+
+    const DrawProfile& profile() const { return profile_; }  ///< of the last draw()
+    const SceneDrawer& drawer() const { return own_; }       ///< for what all of them know
+
+  private:
+    class Helper;
+    struct Share {
+        std::vector<const SeenView*> views;
+        double cost = 0;
+    };
+
+    void share_out();
+
+    SceneDrawer own_;
+    std::vector<std::unique_ptr<Helper>> helpers_;
+    std::vector<SeenView> seen_;
+    std::vector<Share> shares_;  ///< the caller's first
+    std::vector<std::size_t> order_;
+    DrawProfile profile_;
+};
+
+}  // namespace echoloop::gl
