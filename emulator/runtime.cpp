@@ -19,6 +19,7 @@
 #include "emulator/step_server.h"
 #include "emulator/transport/make.h"
 #include "emulator/truth/device_truth.h"
+#include "render/fan/plan_cache.h"
 #include "render/renderer.h"
 
 namespace echoloop {
@@ -214,6 +215,7 @@ class Runtime::Impl {
     /// On a render thread, several at once.
     std::unique_ptr<Renderer> make_renderer(const Scenario& scenario, RenderThread::Lane lane) {
         RendererOptions options = scenario.render;
+        options.plans = plans_;
         options.drawing_threads = RenderThread::drawing_threads(scenario.devices.size());
         auto renderer = std::make_unique<Renderer>(scene_, scenario.water, options);
         std::call_once(described_, [&] { renderer_description_ = renderer->context_description(); });
@@ -287,6 +289,7 @@ class Runtime::Impl {
     std::shared_ptr<const Scene> scene_;
     std::string renderer_description_;
     std::once_flag described_;
+    const std::shared_ptr<PlanCache> plans_ = std::make_shared<PlanCache>();
     asio::io_context io_;
     asio::signal_set signals_;
     asio::steady_timer end_;

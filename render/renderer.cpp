@@ -62,7 +62,7 @@ class Renderer::Impl {
           tracer_(scene, options_.surface, options_.effects),
           crew_((check_settings(), [this] { return gl::make_context(options_.context); }), scene,
                 options_.drawing_threads),
-          plans_({options_.columns_per_beam, options_.pixel_density}),
+          plans_(options_.plans ? options_.plans : std::make_shared<PlanCache>()),
           grids_({options_.columns_per_beam, options_.pixel_density}),
           binning_(workers_),
           grid_binning_(workers_),
@@ -219,9 +219,10 @@ class Renderer::Impl {
     /// Fills pixels_ and returns the plan that they follow.
     const FanPlan& draw(const Shot& shot, const Situation& situation) {
         check(shot, situation);
-        const FanPlan& plan = plans_.plan_for(geometry_of(shot, effects()), situation.detail);
-        draw(plan, shot, situation.world_from_sonar);
-        return plan;
+        plan_ = plans_->plan_for(geometry_of(shot, effects()),
+                                 {options_.columns_per_beam, options_.pixel_density * situation.detail});
+        draw(*plan_, shot, situation.world_from_sonar);
+        return *plan_;
     }
 
     void draw(const FanPlan& plan, const Shot& shot, const Pose& pose) {
@@ -248,7 +249,8 @@ class Renderer::Impl {
     PathTracer tracer_;
     gl::DrawingCrew crew_;
     std::vector<StrengthTable> strength_;
-    PlanCache plans_;
+    std::shared_ptr<PlanCache> plans_;
+    PlanCache::Plan plan_;  ///< of the ping at hand
     GridCache grids_;
     Workers workers_;
     Binning binning_;

@@ -17,6 +17,8 @@
 
 namespace echoloop {
 
+class PlanCache;
+
 struct RendererOptions {
     EchoRule rule = EchoRule::radiometric;
     double columns_per_beam = 1.5;  ///< rendered bearings across one beam, 1..64
@@ -25,6 +27,7 @@ struct RendererOptions {
                          ///< mean over pings has no error from the pixel grid
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
     std::size_t drawing_threads = 1;  ///< that share a picture where the context allows it; the pixels are the same
+    std::shared_ptr<PlanCache> plans{};  ///< shared by several renderers; empty: one of its own
     Effects effects{};             ///< of EchoRule::radiometric; the paper's rule knows none
     SpeckleOptions speckle{};
     /// For multipath: rippled by a light air to begin with, which leaves no mirror at sonar frequencies; empty: none

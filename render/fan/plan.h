@@ -16,6 +16,7 @@ namespace echoloop {
 struct PlanDensity {
     double columns_per_beam = 1.5;
     double pixels = 1;  ///< factor on the number of pixels
+    bool operator==(const PlanDensity&) const = default;
 };
 
 /// The lines whose echo a beam hears directly, in its main lobe and the side lobes next to it.

@@ -1,46 +1,37 @@
-// The plans of the fans that were drawn last. Never holds much more than 64 MB of them.
+// The plans of the fans that were drawn last, for several renderers. Never holds much more than 64 MB of
+// them.
 #pragma once
 
+#include <future>
+#include <list>
+#include <memory>
+#include <mutex>
+
 #include "render/fan/plan.h"
-#include "render/recently_used.h"
 
 namespace echoloop {
 
+/// May be used by several threads at once.
 class PlanCache {
   public:
-    explicit PlanCache(PlanDensity density) : density_(density) {}
+    using Plan = std::shared_ptr<const FanPlan>;
 
-    /// The plan of this geometry, made if it is not at hand. `detail`: factor on its pixels. Valid until the next
-    /// call.
-    const FanPlan& plan_for(const FanGeometry& geometry, double detail = 1) {
-        const auto fits = [&](const Entry& entry) { return entry.detail == detail && entry.geometry == geometry; };
-        const auto make = [&] {
-            const PlanDensity density{density_.columns_per_beam, density_.pixels * detail};
-            Entry entry{geometry, detail, plan_fan(geometry, density)};
-            const std::size_t weight = bytes_of(entry.plan);
-            return std::pair(std::move(entry), weight);
-        };
-        return plans_.get(fits, make).plan;
-    }
+    /// The plan of this geometry, made if it is not at hand: once, however many ask for it meanwhile.
+    Plan plan_for(const FanGeometry& geometry, const PlanDensity& density);
 
   private:
     struct Entry {
         FanGeometry geometry;
-        double detail;
-        FanPlan plan;
+        PlanDensity density;
+        std::shared_future<Plan> plan;
+        std::size_t bytes = 0;  ///< once it is made
     };
-    /// Of what grows with the fan.
-    static std::size_t bytes_of(const FanPlan& plan) {
-        std::size_t bytes =
-            sizeof(FanPlan) + plan.beams.size() * (sizeof(BeamLines) + sizeof(double)) +
-            (plan.coverage.size() + plan.weight.size() + plan.line_weight.size()) * sizeof(float) +
-            plan.surround.size() * sizeof(SurroundPixel) + plan.line_sector.size() * sizeof(SectorShare);
-        for (const FanPart& part : plan.parts) bytes += part.far.size() * sizeof(float);
-        return bytes;
-    }
 
-    PlanDensity density_;
-    RecentlyUsed<Entry> plans_{64 << 20};
+    /// Drops what was used least recently.
+    void limit();
+
+    std::mutex mutex_;
+    std::list<Entry> entries_;  ///< last used first, under mutex_
 };
 
 }  // namespace echoloop
