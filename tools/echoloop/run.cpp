@@ -42,12 +42,21 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
     std::fflush(stdout);
 }
 
+/// Why most late pings were late, and what helps.
+std::string remedy(const SessionSummary& s) {
+    if (2 * s.late_renderings > s.late_pings)
+        return "rendering takes too long: fewer sonars, a simpler scene or render: {pixels: 0.5} help";
+    if (2 * s.late_wakings > s.late_pings)
+        return "other programs or the host had the processors: --realtime and docs/timing.md help";
+    return "this machine is too busy or too slow for it";
+}
+
 std::string punctuality(const SessionSummary& s) {
     if (s.late_pings == 0) return counted(s.pings, "ping") + ", none late";
     return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late (" +
            std::to_string(s.late_renderings) + " waited for their rendering, " +
            std::to_string(s.late_wakings) + " until the machine woke the program), the worst by " +
-           plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: this machine is too busy or too slow for it";
+           plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: " + remedy(s);
 }
 
 /// Nothing where nothing is missing.
@@ -78,12 +87,11 @@ void print_summary(const std::vector<SessionSummary>& sessions) {
 void demand_punctuality(const std::vector<SessionSummary>& sessions) {
     for (const auto& s : sessions)
         if (s.late_pings > 0 || s.dropped > 0 || s.bytes_lost > 0)
-            throw StartError(Exit::late,
-                             s.name + ": " + counted(s.late_pings, "late ping") + ", " +
-                                 counted(s.dropped, "dropped message") + " and " +
-                                 counted(s.bytes_lost, "lost byte") +
-                                 ", and --fail-late allows none; run fewer sonars at once, or see "
-                                 "where the time goes with echoloop bench");
+            throw StartError(Exit::late, s.name + ": " + counted(s.late_pings, "late ping") + ", " +
+                                             counted(s.dropped, "dropped message") + " and " +
+                                             counted(s.bytes_lost, "lost byte") +
+                                             ", and --fail-late allows none; " +
+                                             (s.late_pings > 0 ? remedy(s) : "the driver must read faster"));
 }
 
 /// nullptr without --record.
