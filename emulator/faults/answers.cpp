@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "emulator/faults/seconds.h"
+
 namespace echoloop::answers {
 namespace {
 
@@ -17,9 +19,9 @@ Json to_json(const AskedFault& asked, Time now) {
     if (row.where == FaultRow::Where::bytes) json["direction"] = name_of(fault.direction);
     for (const auto& [name, value] : fault.parameters)
         std::visit([&json, &key = name](const auto& v) { json[key] = v; }, value);
-    json["from"] = to_seconds(fault.from);
-    if (!row.momentary && fault.length != Time::max()) json["for"] = to_seconds(fault.length);
-    if (fault.every > Time{}) json["every"] = to_seconds(fault.every);
+    json["from"] = told_seconds(fault.from);
+    if (!row.momentary && fault.length != Time::max()) json["for"] = told_seconds(fault.length);
+    if (fault.every > Time{}) json["every"] = told_seconds(fault.every);
     json["on"] = fault.on_until(now).has_value();
     json["made"] = asked.made;
     return json;
@@ -35,7 +37,7 @@ std::string list(const Faults& faults, Time now) {
     Json asked = Json::array();
     for (const DeviceFaults& device : faults.devices())
         for (const AskedFault& one : device.asked()) asked.push_back(to_json(one, now));
-    return line_of({{"ok", true}, {"t", to_seconds(now)}, {"faults", asked}});
+    return line_of({{"ok", true}, {"t", told_seconds(now)}, {"faults", asked}});
 }
 
 std::string status(const std::vector<SessionSummary>& sessions, const Faults& faults, Time now) {
@@ -56,7 +58,7 @@ std::string status(const std::vector<SessionSummary>& sessions, const Faults& fa
                            {"bytes_out", s.bytes_out},
                            {"faults", made}});
     }
-    return line_of({{"ok", true}, {"t", to_seconds(now)}, {"devices", devices}});
+    return line_of({{"ok", true}, {"t", told_seconds(now)}, {"devices", devices}});
 }
 
 }  // namespace echoloop::answers

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "emulator/faults/seconds.h"
+
 namespace echoloop {
 namespace {
 
@@ -26,7 +28,7 @@ void FaultLabels::add(Time now, const FaultPlace& place, const FaultEvent& event
     const FaultRow& row = row_of(event.kind);
     if (!event.is_end) ++counts_[place.device][static_cast<std::size_t>(event.kind)];
     if (file_ == nullptr) return;
-    Json json{{"t", to_seconds(now)}, {"unix", unix_time_()}, {"device", place.device}};
+    Json json{{"t", told_seconds(now)}, {"unix", unix_time_()}, {"device", place.device}};
     if (!place.port.empty()) json["port"] = place.port;
     if (row.where == FaultRow::Where::bytes) json["direction"] = name_of(place.direction);
     if (event.ping) json["ping"] = *event.ping;

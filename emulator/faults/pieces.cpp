@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "emulator/faults/seconds.h"
 #include "emulator/options.h"
 
 namespace echoloop {
@@ -192,7 +193,7 @@ void Pieces::schedule(Piece piece, Time now) {
         piece.due += delay;
         piece.events.push_back(event(asked));
         piece.events.back().length = piece.bytes.size();
-        piece.events.back().details = {{"delay", to_seconds(delay)}};
+        piece.events.back().details = {{"delay", told_seconds(delay)}};
     };
     if (!piece.bytes.empty()) {
         faults_.each(FaultKind::latency, place_, now,
@@ -222,7 +223,7 @@ void Pieces::narrow(Piece piece, Time ready, Time now) {
     made.length = size;
     const Time whole_time = from_seconds(static_cast<double>(size) / bytes_per_second);
     const Time begin = std::max(piece.due, line_free_);
-    made.details = {{"delay", to_seconds(begin + whole_time - ready)}};
+    made.details = {{"delay", told_seconds(begin + whole_time - ready)}};
     line_free_ = begin + whole_time;
     for (std::size_t at = 0; at < size;) {
         const std::size_t end = traits_.stream ? std::min(size, at + part) : size;

@@ -61,7 +61,7 @@ class Parser {
     }
 
     Track finish() {
-        if (track_.empty()) fail("there are no poses in it");
+        if (track_.empty()) throw StartError(Exit::data, name_ + ": there are no poses in it");
         return std::move(track_);
     }
 

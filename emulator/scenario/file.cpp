@@ -36,6 +36,10 @@ std::optional<FileFault> file_fault(const std::filesystem::path& file) {
 
 std::string read_scenario_file(const std::filesystem::path& file) {
     if (const auto fault = file_fault(file)) refuse(file, fault->kind, fault->message);
+    if (file.extension() == ".glb" || file.extension() == ".gltf")
+        refuse(file, Problem::Kind::invalid,
+               "a scene is no scenario; write one that names it, with scene: " + file.string() +
+                   " and devices: [{name: micron, model: tritech-micron}]");
     std::error_code error;
     const auto size = std::filesystem::file_size(file, error);
     if (error || size > largest_file)

@@ -2,10 +2,15 @@
 import json
 import unittest
 
-from program import DEMO, TANK, ProgramTest, run
+from program import DEMO, ROOT, TANK, ProgramTest, run
 
 
 class Check(ProgramTest):
+    def test_a_scene_is_no_scenario(self):
+        scene = ROOT / "config" / "scenes" / "tank.glb"
+        text = self.bad(78, "check", scene)
+        self.assertIn(f"{scene}: a scene is no scenario; write one that names it, with scene: {scene}", text)
+
     def test_a_good_scenario(self):
         text = self.good("check", DEMO)
         self.assertRegex(text, r"scenario +\S+demo.yaml: good")

@@ -106,6 +106,11 @@ class Run(ProgramTest):
             self.assertTrue(0 <= median <= p99 <= device["worst_lateness_s"], device)
             self.assertGreater(device["most_waiting_bytes"], 0)
 
+    def test_a_vehicle_without_a_pose_from_outside_is_told(self):
+        pilot = f"vehicle={{input: 'pty:{self.folder}/pilot'}}"
+        text = self.good("run", TANK, "--duration", "0.2", "--set", pilot, *self.micron(f"pty:{self.folder}/line"))
+        self.assertRegex(text, r"(?m)^vehicle +0 poses from .*: nobody said where the vehicle is, and it stayed where vehicle\.pose")
+
     def test_truth_in_a_recording_needs_a_recording(self):
         self.assertIn("--record FILE", self.bad(64, "run", TANK, "--record-truth", "--duration", "0"))
 

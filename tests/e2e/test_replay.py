@@ -264,6 +264,8 @@ class Streams(Played):
         self.assertIn("save standard input", self.refused(64, "-", "pty:/tmp/x"))
         self.assertIn("nothing to play", self.refused(64, self.file("b.pcapng", Pcapng().data), "pty:/tmp/x"))
         self.refused(66, self.folder / "missing", "pty:/tmp/x")
+        self.assertIn("'%s' is empty; a tcpdump that still runs" % (self.folder / "e.pcap"),
+                      self.refused(65, self.file("e.pcap", b""), "pty:/tmp/x"))
         cut = capture.read_bytes()[:-30]
         self.assertIn("the last block is cut short",
                       self.refused(64, self.file("c.pcapng", cut), "pty:/tmp/x", "--port", "none"))

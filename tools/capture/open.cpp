@@ -19,6 +19,10 @@ std::unique_ptr<CaptureReader> open_capture(Input& input, const OpenSettings& se
     if (SerialLog::recognises(input)) return std::make_unique<SerialLog>(input);
     if (const auto* family = MessageFile::recognise(input))
         return std::make_unique<MessageFile>(input, *family, settings.interval);
+    if (input.peek(1).empty())
+        throw StartError(Exit::data, scenario::in_quotes(input.name()) +
+                                         " is empty; a tcpdump that still runs writes late: end it first, or "
+                                         "give it -U");
     throw StartError(Exit::data,
                      scenario::in_quotes(input.name()) +
                          " is no capture that can be read: neither pcap nor pcapng, nor a log of Ping "

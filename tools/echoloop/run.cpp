@@ -110,11 +110,13 @@ std::unique_ptr<Recording> recording_from(const Arguments& arguments) {
 }
 
 void print_poses(const PoseSummary& s) {
-    std::printf("%s%s from %s, %llu refused%s, %s, %s with a stale pose\n", padded("vehicle", 16).c_str(),
-                counted(s.accepted, "pose").c_str(), s.place.c_str(),
-                static_cast<unsigned long long>(s.refused),
-                s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str(),
-                counted(s.jumps, "jump").c_str(), counted(s.stale_pings, "ping").c_str());
+    std::printf(
+        "%s%s from %s, %llu refused%s, %s, %s with a stale pose%s\n", padded("vehicle", 16).c_str(),
+        counted(s.accepted, "pose").c_str(), s.place.c_str(), static_cast<unsigned long long>(s.refused),
+        s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str(),
+        counted(s.jumps, "jump").c_str(), counted(s.stale_pings, "ping").c_str(),
+        s.accepted == 0 ? ": nobody said where the vehicle is, and it stayed where vehicle.pose puts it"
+                        : "");
 }
 
 void print_steps(const StepSummary& s) {

@@ -110,7 +110,7 @@ TEST(Trajectory, CsvWithAndWithoutAHeaderAndTumSayTheSame) {
 
 TEST(Trajectory, FaultsNameFileLineAndReason) {
     const std::pair<const char*, const char*> texts[] = {
-        {"", "dive.csv:0: there are no poses"},
+        {"", "dive.csv: there are no poses"},
         {"0 0 0 0 0 0 1", "dive.csv:1: expected 8 numbers"},
         {"0,0,0,0,1,0,0,0\n1,0,0,zero,1,0,0,0", "dive.csv:2: 'zero' is not a finite number"},
         {"0,0,0,nan,1,0,0,0", "'nan' is not a finite number"},
