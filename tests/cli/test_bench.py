@@ -42,6 +42,11 @@ class Bench(ProgramTest):
             expected = "aim" if median <= target["aim_ms"] else "least" if median <= target["least_ms"] else "no"
             self.assertEqual(target["reached"], expected)
 
+    def test_a_missed_aim_is_explained(self):
+        missed = self.good("bench", "--pings", "1", "--cases", "scanning-simple", "--pixels", "64")
+        self.assertRegex(missed, r"[\d.]+ over the aim: draw and read-back alone, a rasteriser's floor, take [\d.]+, "
+                                 r"(bins|acoustics|paths|cull) [\d.]+\n")
+
     def test_cases_by_sonar_and_scene(self):
         def names(words):
             return [c["case"] for c in self.json("bench", "--pings", "1", "--cases", words)["cases"]][:3]

@@ -1,8 +1,10 @@
 #include "tools/echoloop/bench/report.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdarg>
 #include <cstdio>
+#include <utility>
 
 #include "tools/echoloop/common.h"
 
@@ -45,6 +47,18 @@ std::string target_text(const Row& row) {
                   cli::plain(target.least, 2).c_str(), reached(row).c_str(), target.reference.c_str());
 }
 
+/// Why the aim was missed: what a rasteriser needs at least, and what takes longest of the rest.
+std::string miss_text(const Row& row) {
+    if (reached(row) != "least" && reached(row) != "no") return {};
+    const Figures& f = row.figures;
+    const std::array rest{std::pair{f.bins, "bins"}, std::pair{f.acoustics, "acoustics"},
+                          std::pair{f.paths, "paths"}, std::pair{f.cull, "cull"}};
+    const auto& [time, name] = *std::ranges::max_element(rest);
+    return format(
+        "    %.2f over the aim: draw and read-back alone, a rasteriser's floor, take %.2f, %s %.2f\n",
+        f.wall.median - row.the_case.target->aim, f.draw + f.read_back, name, time);
+}
+
 std::string text_of(const Row& row) {
     const Figures& f = row.figures;
     std::string text = cli::padded(row.the_case.name(), 24) + rule_name(row.rule) + "\n";
@@ -56,6 +70,7 @@ std::string text_of(const Row& row) {
         "    %.0f triangles drawn, %.0f in the scene; %.0f pixels; start-up %.2f s; memory %.0f MB, peak "
         "%.0f MB\n",
         f.triangles, f.scene_triangles, f.pixels, f.start_up, f.resident, f.peak);
+    text += miss_text(row);
     return text;
 }
 
