@@ -97,9 +97,25 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
     return best;
 }
 
+namespace {
+
+/// "'egl-surfaceless' or 'egl-device'" of 'egl': those that hold the word; "" if none does.
+std::string holding(std::string_view word, const std::vector<std::string_view>& known) {
+    constexpr std::size_t shortest = 3;
+    std::string list;
+    if (word.size() < shortest) return list;
+    for (const auto candidate : known)
+        if (candidate.find(word) != std::string_view::npos)
+            list += (list.empty() ? "" : " or ") + in_quotes(candidate);
+    return list;
+}
+
+}  // namespace
+
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& known) {
     const auto near = nearest(word, known);
     if (!near.empty()) return "; did you mean " + in_quotes(near) + "?";
+    if (const auto longer = holding(word, known); !longer.empty()) return "; did you mean " + longer + "?";
     if (known.empty()) return "; there are none";
     std::string list;
     for (const auto candidate : known) list += (list.empty() ? "" : ", ") + std::string(candidate);

@@ -25,16 +25,19 @@ bool is_stale_pty_link(const fs::path& link, const fs::path& our_slave) {
     return fd < 0 && (errno == EIO || errno == ENXIO || errno == ENOENT);
 }
 
+/// Where another user's /tmp/echoloop is in nobody's way.
+std::string own_place() { return "pty:/tmp/echoloop-" + std::to_string(::getuid()) + "/micron"; }
+
 void make_directories(const fs::path& link) {
     if (link.parent_path().empty()) return;
     std::error_code ec;
     fs::create_directories(link.parent_path(), ec);
     if (!ec) return;
     const bool denied = ec == std::errc::permission_denied || ec == std::errc::read_only_file_system;
-    throw StartError(
-        denied ? Exit::no_permission : Exit::cannot_create,
-        link.parent_path().string() + ": directory for the pty link cannot be made: " + ec.message() +
-            "; name a directory that you may write in the endpoint, e.g. pty:/tmp/echoloop/micron");
+    throw StartError(denied ? Exit::no_permission : Exit::cannot_create,
+                     link.parent_path().string() +
+                         ": directory for the pty link cannot be made: " + ec.message() +
+                         "; name a directory that you may write in the endpoint, e.g. " + own_place());
 }
 
 /// Why a link cannot be made where something is, and what to do.
@@ -62,7 +65,7 @@ PtyLink::PtyLink(fs::path link, fs::path slave) : link_(std::move(link)), slave_
     const bool denied = ec == std::errc::permission_denied || ec == std::errc::read_only_file_system;
     throw StartError(denied ? Exit::no_permission : Exit::cannot_create,
                      link_.string() + ": pty link cannot be made: " + ec.message() +
-                         "; name a place that you may write in the endpoint, e.g. pty:/tmp/echoloop/micron");
+                         "; name a place that you may write in the endpoint, e.g. " + own_place());
 }
 
 PtyLink::~PtyLink() {

@@ -12,6 +12,7 @@ using Json = nlohmann::json;
 using scene_limits::elements;
 
 Json parse(std::string_view text) {
+    if (text.empty()) scene_fault("", "the file is empty", "export the scene again as glTF 2.0");
     check_json_shape(text);
     try {
         return Json::parse(text);

@@ -137,7 +137,9 @@ class Run(ProgramTest):
             self.assertIn("use a pty: endpoint", text)
 
     def test_a_folder_without_permission_ends_with_73(self):
-        self.assertIn("/proc/no", self.bad(73, "run", TANK, "--duration", "0", *self.micron("pty:/proc/no/micron")))
+        text = self.bad(73, "run", TANK, "--duration", "0", *self.micron("pty:/proc/no/micron"))
+        self.assertIn("/proc/no", text)
+        self.assertIn(f"e.g. pty:/tmp/echoloop-{os.getuid()}/micron", text)  # nobody else's
 
     def test_nothing_is_half_started(self):
         link = self.folder / "first"

@@ -87,12 +87,13 @@ class Profiler(unittest.TestCase):
         with Emulator(PROFILER % (0, PTY, "")) as emulator:
             host = self.host(emulator)
             host.configure(profiler.Command(left=5600, right=800, step=32, range=10.0))  # astern: no objects ahead
-            first, took = host.scan()
-            second, _ = host.scan()
+            (first, one), (second, other) = host.scan(), host.scan()
         self.assertTrue(first.clockwise)
         self.assertFalse(second.clockwise, "passes alternate")
         # 51 pings of 13.5 ms and 8 ms for the motor in between
-        self.assertAlmostEqual(took, 51 * 0.0135 + 50 * 0.008, delta=0.25)
+        told = 51 * 0.0135 + 50 * 0.008
+        self.assertGreater(min(one, other), told - 0.1)
+        self.assertLess(min(one, other), told + 0.25, "the quicker one: a busy machine may hold up a pass")
         for reply in (first, second):
             self.assertEqual(len(reply.times), 51)
             errors = [r - wall_range(b) for b, r in reply.echoes() if 165 <= math.degrees(b) % 360 <= 195]
