@@ -9,7 +9,7 @@
 #include "tools/capture/open.h"
 #include "tools/capture/stream_windows.h"
 #include "tools/echoloop/common.h"
-#include "tools/echoloop/json_output.h"
+#include "tools/echoloop/json_inspect.h"
 #include "tools/echoloop/terminal.h"
 
 namespace echoloop::cli {
