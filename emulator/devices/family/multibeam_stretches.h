@@ -1,0 +1,129 @@
+// Means over stretches of a multibeam's beam that are as long as its footprint on a flat bottom, and where
+// they are greatest. Of one beam at a time; it decides nothing about a bottom. In a header, since every bin
+// passes through it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "render/echogram.h"
+
+namespace echoloop::multibeam {
+
+/// Length of the pulse, s, of a chirp after compression.
+inline double pulse_length(const Shot& shot) {
+    return shot.bandwidth > 0 ? 1 / shot.bandwidth : shot.pulse_length;
+}
+
+/// Sums of a beam's bins, for means over stretches of it.
+class Stretches {
+  public:
+    /// The bins [first, last) of beam `index`.
+    void start(const Echogram& echogram, std::size_t index, std::size_t first, std::size_t last) {
+        const Shot& shot = echogram.shot;
+        const auto beam = echogram.beam(index).subspan(first, last - first);
+        sum_.resize(beam.size() + 1);
+        add_up(beam);
+        // A flat bottom's echo lasts t * beam width * tan(angle); three pulses at least, so that speckle
+        // averages.
+        const double angle = std::abs(shot.bearings[index]);
+        slope_ = shot.beam_width * std::tan(angle) / 2;
+        steep_ = shot.beam_width * std::tan(std::min(angle + deg_to_rad(30), deg_to_rad(85)));
+        const double pulses = 3 * std::max(pulse_length(shot), shot.bin_interval);
+        before_ = shot.first_bin_time / shot.bin_interval + static_cast<double>(first);
+        first_half_ = pulses / 2 / shot.bin_interval + before_ * slope_;
+    }
+    std::size_t size() const { return sum_.size() - 1; }
+    /// Half the bins of a footprint around bin `i`.
+    std::size_t half(std::size_t i) const {
+        return static_cast<std::size_t>(first_half_ + slope_ * static_cast<double>(i)) + 1;
+    }
+    /// Bins that an infinitely short pulse's echo around bin `i` lasts at most, of a bottom that slopes by 30
+    /// deg.
+    double longest_footprint(std::size_t i) const { return steep_ * (before_ + static_cast<double>(i)); }
+    /// Mean over the footprint around bin `i`.
+    double mean(std::size_t i) const {
+        const std::size_t h = half(i);
+        const std::size_t from = i - std::min(i, h), to = std::min(i + h + 1, size());
+        return (sum_[to] - sum_[from]) / static_cast<double>(2 * h + 1);
+    }
+    /// Bin around which the mean is greatest: found at a coarse step, then nearby.
+    std::size_t peak() const {
+        Best best;
+        for (std::size_t i = 0; i < size();) i = look(i, size(), std::max<std::size_t>(1, half(i) / 4), best);
+        const std::size_t near = half(best.bin) / 4, from = best.bin - std::min(best.bin, near);
+        const std::size_t end = std::min(best.bin + near + 1, size());
+        for (std::size_t i = from; i < end;) i = look(i, end, 1, best);
+        return best.bin;
+    }
+    /// The run around a peak within 10 dB of it and clear of the noise.
+    std::pair<std::size_t, std::size_t> run_around(std::size_t peak, double noise_power) const {
+        const double floor = std::max(mean(peak) / 10.0, 2 * noise_power);
+        std::size_t from = peak, to = peak + 1;
+        while (from > 0 && mean(from - 1) > floor) --from;
+        while (to < size() && mean(to) > floor) ++to;
+        return {from, to};
+    }
+
+  private:
+    struct Best {
+        std::size_t bin = 0;
+        double mean = -1;
+    };
+
+    /// Every `step`th bin from `i` on, as long as the footprint has the same number of bins; where it went on
+    /// to.
+    std::size_t look(std::size_t i, std::size_t end, std::size_t step, Best& best) const {
+        const std::size_t h = half(i);
+        const double until = slope_ > 0 ? std::ceil((static_cast<double>(h) - first_half_) / slope_) : 1e9;
+        const std::size_t same = std::clamp(static_cast<std::size_t>(std::min(until, 1e9)), i + 1, end);
+        const double weight = 1 / static_cast<double>(2 * h + 1);
+        const auto take = [&best](std::size_t bin, double value) {
+            if (value > best.mean) best = {bin, value};
+        };
+        while (i < same) {
+            // Four together, so that none waits for the comparison before it; seldom is one of them the best
+            // so far.
+            if (i >= h && i + 3 * step < same && i + 3 * step + h < size()) {
+                const double *from = &sum_[i - h], *to = &sum_[i + h + 1];
+                double values[4];
+                if (step == 1)  // in vectors
+                    for (std::size_t k = 0; k < 4; ++k) values[k] = (to[k] - from[k]) * weight;
+                else
+                    for (std::size_t k = 0; k < 4; ++k) values[k] = (to[k * step] - from[k * step]) * weight;
+                if (std::max(std::max(values[0], values[1]), std::max(values[2], values[3])) > best.mean)
+                    for (std::size_t k = 0; k < 4; ++k) take(i + k * step, values[k]);
+                i += 4 * step;
+                continue;
+            }
+            const std::size_t from = i > h ? i - h : 0, to = std::min(i + h + 1, size());
+            take(i, (sum_[to] - sum_[from]) * weight);
+            i += step;
+        }
+        return i;
+    }
+
+    /// Four bins are added to each other first: one sum would wait for itself at every bin.
+    void add_up(std::span<const float> beam) {
+        double before = sum_[0] = 0;
+        std::size_t i = 0;
+        for (; i + 4 <= beam.size(); i += 4) {
+            const double one = beam[i], two = one + beam[i + 1], three = beam[i + 2],
+                         four = three + beam[i + 3];
+            const double middle = before + two;
+            double* sum = &sum_[i + 1];
+            sum[0] = before + one, sum[1] = middle, sum[2] = middle + three;
+            sum[3] = before += two + four;
+        }
+        for (; i < beam.size(); ++i) sum_[i + 1] = before += beam[i];
+    }
+
+    std::vector<double> sum_;
+    double slope_ = 0, steep_ = 0, first_half_ = 0;
+    double before_ = 0;  ///< bins from the transmission to the first
+};
+
+}  // namespace echoloop::multibeam
