@@ -103,25 +103,35 @@ void add_beam(std::span<const float> bins, const Stretches& s, std::size_t per_r
         for (std::size_t r = 0; r < rows; ++r) to[r] += (from[2 * r] + from[2 * r + 1]) * share;
 }
 
-/// Amplitudes of one column, at full scale 1 and before they are cut. `gain` is of power, one a row.
-void fill_column(const Echogram& echogram, const Grid& g, const Stretches& stretches, std::size_t column,
-                 const std::vector<float>& gain, std::span<float> out) {
+/// Makes amplitudes of powers, each with its gain; the greatest of them. Roots keep the order of powers.
+float to_amplitudes(std::span<float> values, std::span<const float> gain) {
+    constexpr std::size_t lanes = 16;
+    std::array<float, lanes> most{};
+    std::size_t i = 0;
+    for (; i + lanes <= values.size(); i += lanes) {
+        float* const some = &values[i];
+        for (std::size_t k = 0; k < lanes; ++k) some[k] *= gain[i + k];
+        for (std::size_t k = 0; k < lanes; ++k) most[k] = most[k] < some[k] ? some[k] : most[k];
+        for (std::size_t k = 0; k < lanes; ++k) some[k] = std::sqrt(some[k]);
+    }
+    for (; i < values.size(); ++i) {
+        const float power = values[i] * gain[i];
+        most[0] = std::max(most[0], power);
+        values[i] = std::sqrt(power);
+    }
+    return std::sqrt(*std::max_element(most.begin(), most.end()));
+}
+
+/// Amplitudes of one column, at full scale 1 and before they are cut; the greatest of them. `gain` is of
+/// power, one a row.
+float fill_column(const Echogram& echogram, const Grid& g, const Stretches& stretches, std::size_t column,
+                  const std::vector<float>& gain, std::span<float> out) {
     std::fill(out.begin(), out.end(), 0.0F);
     const std::size_t first = column * g.beams_per_column;
     for (std::size_t beam = first; beam < first + g.beams_per_column; ++beam)
         add_beam(echogram.beam(beam), stretches, g.bins_per_row, g.beams_per_column, out);
-    if (echogram.rule == EchoRule::cerqueira2016) return;
-    for (std::size_t r = 0; r < g.rows; ++r) out[r] = std::sqrt(out[r] * gain[r]);
-}
-
-float greatest_of(std::span<const float> amplitudes) {
-    constexpr std::size_t lanes = 16;
-    std::array<float, lanes> most{};
-    std::size_t i = 0;
-    for (; i + lanes <= amplitudes.size(); i += lanes)
-        for (std::size_t k = 0; k < lanes; ++k) most[k] = std::max(most[k], amplitudes[i + k]);
-    for (; i < amplitudes.size(); ++i) most[0] = std::max(most[0], amplitudes[i]);
-    return *std::max_element(most.begin(), most.end());
+    if (echogram.rule == EchoRule::cerqueira2016) return *std::max_element(out.begin(), out.end());
+    return to_amplitudes(out, gain);
 }
 
 /// As they are in memory.
@@ -244,11 +254,9 @@ Bytes water_column_packet(const PingRecord& ping, const Settings& s, const Echog
     for (std::size_t first = 0; first < g.columns; first += columns_at_once) {
         const std::size_t count = std::min(columns_at_once, g.columns - first);
         for (std::size_t n = 0; n < count; ++n)
-            fill_column(echogram, g, stretches, first + n, gains,
-                        std::span(block).subspan(n * g.rows, g.rows));
-        const std::span<const float> filled(block.data(), count * g.rows);
-        loudest = std::max(loudest, greatest_of(filled));
-        store_columns(s.sample, filled, count, g, image + first * size);
+            loudest = std::max(loudest, fill_column(echogram, g, stretches, first + n, gains,
+                                                    std::span(block).subspan(n * g.rows, g.rows)));
+        store_columns(s.sample, std::span(block).first(count * g.rows), count, g, image + first * size);
     }
     for (std::size_t n = 0; n < g.columns; ++n)
         wire::store<wire::ByteOrder::little>(column_angle(ping.plan, g, n), angles + 4 * n);

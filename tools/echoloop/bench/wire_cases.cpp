@@ -78,6 +78,12 @@ WireCase kmall(std::string name, Options options, double range = 6.56) {
 
 std::vector<WireCase> wire_cases() {
     const std::string whole_echo = "magnitude";
+    const Options looking_forward{{"system", std::string("forward-looking")}};  // no bottom is looked for
+    const auto with_samples = [&](const char* sample) {
+        Options options = looking_forward;
+        options.insert({{"sample", std::string(sample)}});
+        return options;
+    };
     return {r2sonic("bathymetry", {}),
             r2sonic("image, a bin each", {{"image_height", std::int64_t{2000}}}),
             r2sonic("image, 4 bins each", {{"image_height", std::int64_t{500}}}),
@@ -97,6 +103,9 @@ std::vector<WireCase> wire_cases() {
             norbit("512, u8", {{"sample", std::string("u8")}}),
             norbit("512, f32", {{"sample", std::string("f32")}}),
             norbit("512, s16, 2 bins a row", {}, "19.5"),
+            norbit("image alone, s16", looking_forward),
+            norbit("image alone, u8", with_samples("u8")),
+            norbit("image alone, f32", with_samples("f32")),
             kmall("bathymetry", {}),
             kmall("water column", {{"water_column", true}}),
             kmall("water column, 1000 samples", {{"water_column", true}}, 26.2),
