@@ -34,6 +34,19 @@ class TimeBudget(unittest.TestCase):
         self.assertAlmostEqual(budget["motor"], 16 * 25 * 10e-6, delta=1e-6, msg="MoTime for each 1/16 gradian")
         self.assertAlmostEqual(budget["wire"], 2450 / 115200, places=6)
 
+    def test_a_profiler_whose_pass_has_a_second_ping(self):
+        budget = ping_time("profiler.yaml")
+        self.assertAlmostEqual(budget["listen"], 200 * 100e-6, places=6, msg="ScanTime")
+        self.assertAlmostEqual(budget["motor"], 16 * 25 * 10e-6, delta=1e-6, msg="MoTime for each 1/16 gradian")
+        self.assertEqual(budget["bytes"], 51 + 2, "header, fields, one echo time, line feed")
+        self.assertAlmostEqual(budget["wire"], 530 / 115200, places=6)
+
+    def test_sonars_without_a_motor_have_no_such_share(self):
+        for config in ("imagenex-852.yaml", "deltat.yaml"):
+            budget = ping_time(config)
+            self.assertIsNone(budget["motor"], config)
+            self.assertIsNotNone(budget["work"], config)
+
     def test_an_881a_of_10_m(self):
         budget = ping_time("imagenex-881a.yaml")
         self.assertEqual(budget["bytes"], 265)

@@ -3,66 +3,13 @@
 #include <algorithm>
 
 #include "emulator/endpoint.h"
-#include "protocols/imagenex/codec.h"
-#include "protocols/oculus/codec.h"
-#include "protocols/ping/codec.h"
-#include "protocols/seanet/codec.h"
+#include "tools/echoloop/asking.h"
 #include "tools/echoloop/common.h"
 
 namespace echoloop::cli {
 namespace {
 
 constexpr Time patience = std::chrono::seconds(5);
-
-Bytes ask_imagenex(bool turns) {
-    imagenex::SwitchCommand command;
-    command.range = 10;
-    command.mode = imagenex::mode::all;
-    command.sector_width = 120;
-    command.step_size = turns ? 1 : 0;
-    command.pulse_length = 10;
-    command.data_points = 25;
-    command.data_bits = 8;
-    return imagenex::encode(imagenex::Message(command));
-}
-
-/// 200 bins of 25 mm, a step of 0.9 deg at 250 us for each 1/16 gradian.
-Bytes configure_seanet(bool turns) {
-    seanet::HeadCommand command;
-    seanet::HeadParameters& p = command.parameters;
-    p.hd_ctrl = seanet::hd_ctrl::adc8on | seanet::hd_ctrl::cont | seanet::hd_ctrl::scanright |
-                seanet::hd_ctrl::raw | seanet::hd_ctrl::hasmot | seanet::hd_ctrl::reply_asl;
-    p.hd_type = 0x11;
-    p.range_scale = 50;
-    p.ad_span = 81;
-    p.motor_time = 25;
-    p.step_size = turns ? 16 : 0;
-    p.ad_interval = 52;
-    p.bins = 200;
-    p.max_ad_buffer = 1000;
-    return seanet::encode(seanet::Message(command));
-}
-
-/// What a driver says to get pings, one after the other; nothing for devices that ping by themselves, or want
-/// a longer talk. `turns`: the last ping is a step of the motor away from the one before.
-std::vector<Bytes> requests_of(const std::string& model, bool turns) {
-    const auto ping360 = [](std::uint16_t angle) {
-        return ping::encode(ping::Message(ping::Transducer{1, 0, angle, 11, 88, 750, 1200, 1, 0}));
-    };
-    if (model == "ping360") return {ping360(0), ping360(turns ? 1 : 0)};
-    if (model == "ping1d") {
-        constexpr std::uint16_t profile = 1300;
-        return {ping::encode(ping::Message(ping::GeneralRequest{profile}))};
-    }
-    if (model.starts_with("imagenex-8")) return {ask_imagenex(turns), ask_imagenex(turns)};
-    if (model.starts_with("oculus-"))
-        return {oculus::encode(oculus::Message(oculus::Fire{.range = 10, .gain = 50}))};
-    if (model == "tritech-micron" || model == "tritech-seaking") {
-        const Bytes ask = seanet::encode(seanet::Message(seanet::SendData{}));
-        return {configure_seanet(turns), ask, ask};
-    }
-    return {};
-}
 
 bool has_motor(const std::string& model) {
     return model == "ping360" || model == "imagenex-881a" || model.starts_with("tritech-");
@@ -73,10 +20,10 @@ class DryRun {
   public:
     DryRun(const ScenarioDevice& entry, bool turns) : device_(entry.model->make(entry.config)) {
         take(device_->started(now_));
-        for (const Bytes& request : requests_of(entry.model->name, turns)) {
+        for (const Bytes& request : requests_of(entry, turns)) {
             if (ping_) hear();
             asked_ = now_;
-            take(device_->received({0, request, {}}, now_));
+            if (!request.empty()) take(device_->received({0, request, {}}, now_));
             wait_for_ping();
         }
     }
@@ -103,7 +50,10 @@ class DryRun {
         silence.truth.resize(silence.beams());
         now_ = ping_->due;
         ping_.reset();
-        return device_->heard(silence, now_).send;
+        Actions actions = device_->heard(silence, now_);
+        auto sends = std::move(actions.send);
+        take(std::move(actions));
+        return sends;
     }
     Time now() const { return now_; }
 
