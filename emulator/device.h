@@ -37,6 +37,7 @@ struct Send {
     Address to;
     Time not_before{};     ///< paces the datagrams of one big frame; the past means now
     bool hang_up = false;  ///< stream ports: the connection is closed behind these bytes, if it is one
+    double line_rate = 0;  ///< serial lines: bit/s of these bytes; 0: the line's own
 };
 
 /// A ping to render. The Session hands the echogram back through heard() at `due`, never earlier:

@@ -278,6 +278,7 @@ Task<void> Session::keep_writing() {
         if (faults_ != nullptr) faults_->ping = ping;
         if (send.port >= transports_.size()) continue;
         if (!remark.empty()) transports_[send.port]->annotate(remark);
+        transports_[send.port]->speak_at(send.line_rate);
         co_await transports_[send.port]->write(send.bytes, send.to);
         if (send.hang_up) transports_[send.port]->hang_up();
     }

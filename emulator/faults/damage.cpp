@@ -83,12 +83,13 @@ void Pieces::damage(Piece& piece, std::uint64_t copy, Time now) {
 
 void Pieces::garble(Piece& piece, const AskedFault& asked) {
     const double other = number(asked.fault.parameters, "baud");
-    if (traits_.line_rate <= 0 || uart::agree(other, traits_.line_rate)) return;
+    const double right = piece.line_rate > 0 ? piece.line_rate : traits_.line_rate;
+    if (traits_.line_rate <= 0 || uart::agree(other, right)) return;
     const bool heard = place_.direction == Towards::from_driver;
     FaultEvent made = event(asked);
     made.details = {{"baud", other}, {"was", static_cast<std::int64_t>(piece.bytes.size())}};
-    piece.bytes = heard ? uart::as_heard(piece.bytes, traits_.line_rate, {other})
-                        : uart::as_heard(piece.bytes, other, {traits_.line_rate});
+    piece.bytes =
+        heard ? uart::as_heard(piece.bytes, right, {other}) : uart::as_heard(piece.bytes, other, {right});
     made.length = piece.bytes.size();
     piece.events.push_back(std::move(made));
 }

@@ -52,11 +52,12 @@ void Faulty::start(Events events) {
 Task<void> Faulty::write(ByteView bytes, Address to) {
     if (!faults_.any() && out_.idle() && !sending_) {
         out_.passed(bytes.size());
+        line().speak_at(line_rate_);
         co_await line().write(bytes, to);
         co_return;
     }
     const bool had_room = out_.dropped_bytes() == 0;
-    out_.add(bytes, to, clock_.now());
+    out_.add(bytes, to, clock_.now(), line_rate_);
     if (had_room && out_.dropped_bytes() > 0)
         spdlog::warn("{}: so much waits for its faults that messages are dropped", describe());
     out_bell_.cancel();
@@ -89,6 +90,7 @@ Task<void> Faulty::send(Piece piece) {
     if (piece.hang_up) line().hang_up();
     const bool missing = piece.bytes.empty() && (!piece.events.empty() || piece.hang_up);
     if (line().has_driver()) in_flight_ += piece.bytes.size();
+    line().speak_at(piece.line_rate);
     if (!missing) co_await line().write(piece.bytes, piece.to);
     const std::uint64_t gone = position() - before;
     for (const FaultEvent& event : piece.events) {

@@ -17,6 +17,7 @@ class Faulty final : public Decorator {
     void start(Events events) override;
     /// While faults are on, the bytes wait in a queue of this line's own.
     Task<void> write(ByteView bytes, Address to) override;
+    void speak_at(double rate) override { line_rate_ = rate; }
     void hang_up() override;
     void close() override;
 
@@ -43,6 +44,7 @@ class Faulty final : public Decorator {
     Pieces out_, in_;
     Alarm out_bell_, in_bell_;  ///< ring when something is due
     Events events_;
+    double line_rate_ = 0;  ///< bit/s of what is written next; 0: the line's own
     bool sending_ = false;
     bool closed_ = false;
     std::uint64_t heard_ = 0;                     ///< bytes that the device got

@@ -92,6 +92,7 @@ Task<void> FaultySession::reboot(Time off) {
     session_->cut_power([this] { device_->cut_power(); });
     for (Faulty* line : lines_) {
         line->forget();
+        line->cut_off();
         if (is_tcp(*line)) line->unplug();
     }
     const Time on = clock_.now() + off;

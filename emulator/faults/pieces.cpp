@@ -29,7 +29,9 @@ Piece part_of(const Piece& piece, std::size_t begin, std::size_t end) {
                 piece.bytes.begin() + static_cast<std::ptrdiff_t>(end)},
                piece.to,
                {},
-               piece.due};
+               piece.due,
+               false,
+               piece.line_rate};
     for (FaultEvent event : piece.events) {
         const bool last = end == piece.bytes.size() && event.offset >= end;
         if (!last && (event.offset < begin || event.offset >= end)) continue;
@@ -37,6 +39,10 @@ Piece part_of(const Piece& piece, std::size_t begin, std::size_t end) {
         part.events.push_back(std::move(event));
     }
     return part;
+}
+
+bool go_together(const Piece& one, const Piece& other) {
+    return one.to == other.to && one.line_rate == other.line_rate;
 }
 
 /// Appends `more` and what happened to it.
@@ -58,7 +64,7 @@ void Pieces::passed(std::size_t size) {
     position_ += std::exchange(last_size_, size);
 }
 
-void Pieces::add(ByteView bytes, Address to, Time now) {
+void Pieces::add(ByteView bytes, Address to, Time now, double line_rate) {
     message_ = messages_++;
     position_ += last_size_;
     last_size_ = bytes.size();
@@ -69,7 +75,7 @@ void Pieces::add(ByteView bytes, Address to, Time now) {
     }
     give_up_waiting(now);
     if (unplugged(now)) return;
-    Piece piece{{bytes.begin(), bytes.end()}, to, {}, now};
+    Piece piece{{bytes.begin(), bytes.end()}, to, {}, now, false, line_rate};
     if (lose(piece, now)) return schedule(std::move(piece), now);
     std::uint64_t copy = 0;
     for (Piece& one : copies(std::move(piece), now)) {
@@ -97,10 +103,11 @@ std::vector<FaultEvent> Pieces::made_of_last() const {
 void Pieces::merge(Piece piece, Time now) {
     const AskedFault* merger = nullptr;
     faults_.each(FaultKind::merge, place_, now, [&](const AskedFault& asked) { merger = &asked; });
-    if (!merging_.empty() && merging_.front().piece.to != piece.to) end_merging(now);
+    if (!merging_.empty() && !go_together(merging_.front().piece, piece)) end_merging(now);
     if (merging_.empty()) {
         if (merger == nullptr) return reorder(std::move(piece), now);
-        merging_.push_back(waiting({{}, piece.to, {}, now}, *merger, "messages", now));
+        merging_.push_back(
+            waiting({{}, piece.to, {}, now, false, piece.line_rate}, *merger, "messages", now));
     }
     Waiting& all = merging_.front();
     append(all.piece, std::move(piece));

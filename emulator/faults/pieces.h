@@ -16,6 +16,7 @@ struct Piece {
     std::vector<FaultEvent> events;  ///< offsets from the start of `bytes`
     Time due{};
     bool hang_up = false;  ///< the connection ends here
+    double line_rate = 0;  ///< bit/s of these bytes on a serial line; 0: its own
 };
 
 /// What faults must know of the messages of a port.
@@ -29,7 +30,8 @@ class Pieces {
   public:
     Pieces(DeviceFaults& faults, FaultPlace place, const MessageTraits& traits);
 
-    void add(ByteView bytes, Address to, Time now);
+    /// `line_rate`: of a piece.
+    void add(ByteView bytes, Address to, Time now, double line_rate = 0);
     /// What befell the message that was added last, so far as is known yet.
     std::vector<FaultEvent> made_of_last() const;
     /// The connection is to end behind all that was added.

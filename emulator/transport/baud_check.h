@@ -3,6 +3,8 @@
 // while the driver has set no rate.
 #pragma once
 
+#include <utility>
+
 #include "emulator/clock.h"
 #include "emulator/transport/decorator.h"
 
@@ -15,19 +17,28 @@ class BaudCheck final : public Decorator {
 
     void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
+    void speak_at(double rate) override;
+    void cut_off() override;
     void close() override;
 
   private:
-    /// Says so in the log, once for each rate.
-    bool disagrees_with(const uart::Receiver& driver);
+    /// Whether a driver at this rate and the device at that one hear garbage. Says so in the log, once for
+    /// each pair.
+    bool disagree(double driver, double own);
+    /// The rate at which the driver said what is heard now, as far as can be known.
+    double rate_of_words();
     Task<void> write_garbage(Bytes garbage, Time begin, Time duration);
 
     Clock& clock_;
     Alarm alarm_;
     double rate_;
     std::string device_;
-    double told_ = 0;  ///< the rate of the driver that the log knows of
-    Time free_{};      ///< when the last byte has left the wire
+    double asked_ = 0;                  ///< at which the device speaks in place of rate_; 0: none
+    double seen_ = 0;                   ///< the driver's, when it was looked at last
+    bool changes_ = false;              ///< this driver has asked for other rates than the device's
+    std::pair<double, double> told_{};  ///< the driver's and the device's that the log knows of
+    Time free_{};                       ///< when the last byte has left the wire
+    std::uint64_t cuts_ = 0;
     bool closed_ = false;
 };
 

@@ -11,6 +11,8 @@ class Decorator : public Transport {
 
     void start(Events events) override { line_->start(std::move(events)); }
     Task<void> write(ByteView bytes, Address to) override { return line_->write(bytes, to); }
+    void speak_at(double rate) override { line_->speak_at(rate); }
+    void cut_off() override { line_->cut_off(); }
     void hang_up() override { line_->hang_up(); }
     bool has_driver() const override { return line_->has_driver(); }
     void annotate(const std::string& remark) override { line_->annotate(remark); }
@@ -21,6 +23,7 @@ class Decorator : public Transport {
     void forget() override { line_->forget(); }
     void reset_forgotten() override { line_->reset_forgotten(); }
     void close() override { line_->close(); }
+    void settle() override { line_->settle(); }
     std::string describe() const override { return line_->describe(); }
     Wire wire() const override { return line_->wire(); }
     uart::Receiver far_end() const override { return line_->far_end(); }

@@ -8,10 +8,10 @@ Paced::Paced(Clock& clock, std::unique_ptr<Transport> line, double rate, OtherRa
     : Decorator(std::move(line)), clock_(clock), alarm_(clock), rate_(rate), other_(other) {}
 
 double Paced::rate_now() const {
-    const double driver = line().far_end().rate;
-    if (driver <= 0) return rate_;
-    if (other_ == OtherRate::followed || uart::agree(driver, rate_)) return driver;
-    return other_ == OtherRate::garbage ? 0 : rate_;
+    const double driver = line().far_end().rate, own = asked_ > 0 ? asked_ : rate_;
+    if (driver <= 0) return own;
+    if (other_ == OtherRate::followed || uart::agree(driver, own)) return driver;
+    return other_ == OtherRate::garbage ? 0 : own;
 }
 
 Task<void> Paced::write(ByteView bytes, Address to) {
@@ -25,13 +25,26 @@ Task<void> Paced::write(ByteView bytes, Address to) {
     const double byte_time = uart::bits_per_byte / rate;
     const auto chunk = static_cast<std::size_t>(std::clamp(0.002 / byte_time, 1.0, 128.0));
     free_ = std::max(free_, clock_.now());
-    while (!bytes.empty() && !closed_) {
+    const std::uint64_t cuts = cuts_;
+    while (!bytes.empty() && !closed_ && cuts == cuts_) {
         const ByteView part = bytes.first(std::min(chunk, bytes.size()));
         bytes = bytes.subspan(part.size());
         free_ += from_seconds(static_cast<double>(part.size()) * byte_time);
         co_await alarm_.until(free_);
-        if (!closed_) co_await line().write(part, to);
+        if (!closed_ && cuts == cuts_) co_await line().write(part, to);
     }
+}
+
+void Paced::speak_at(double rate) {
+    asked_ = rate;
+    line().speak_at(rate);
+}
+
+void Paced::cut_off() {
+    ++cuts_;
+    free_ = {};
+    alarm_.cancel();
+    line().cut_off();
 }
 
 void Paced::close() {

@@ -18,6 +18,8 @@ class Paced final : public Decorator {
     Paced(Clock& clock, std::unique_ptr<Transport> line, double rate, OtherRate other = OtherRate::ignored);
 
     Task<void> write(ByteView bytes, Address to) override;
+    void speak_at(double rate) override;
+    void cut_off() override;
     void close() override;
 
   private:
@@ -27,8 +29,10 @@ class Paced final : public Decorator {
     Clock& clock_;
     Alarm alarm_;
     double rate_;
+    double asked_ = 0;  ///< in place of rate_; 0: none
     OtherRate other_;
     Time free_{};  ///< when the last byte handed over has left the wire
+    std::uint64_t cuts_ = 0;
     bool closed_ = false;
 };
 

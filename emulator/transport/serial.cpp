@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "emulator/error.h"
+#include "emulator/transport/port_rate.h"
 
 namespace echoloop {
 namespace {
@@ -150,8 +151,27 @@ Task<void> SerialPort::wait_for_return() {
 
 Task<void> SerialPort::write(ByteView bytes, Address) {
     error_code ec;
-    if (!line_.is_open()) co_return;
-    count_out(co_await asio::async_write(line_, asio::buffer(bytes.data(), bytes.size()), into(ec)));
+    const double rate = asked_ > 0 ? asked_ : baud_;
+    if (rate != baud_) co_await change_to(rate);
+    if (line_.is_open())
+        count_out(co_await asio::async_write(line_, asio::buffer(bytes.data(), bytes.size()), into(ec)));
+    if (rate != baud_) co_await change_to(baud_);
+}
+
+Task<void> SerialPort::change_to(double rate) {
+    constexpr std::chrono::milliseconds pause(1);
+    asio::steady_timer timer(line_.get_executor());
+    while (line_.is_open() && !has_sent_all(line_.native_handle())) {
+        error_code ec;
+        timer.expires_after(pause);
+        co_await timer.async_wait(into(ec));
+    }
+    if (line_.is_open() && !change_rate(line_.native_handle(), rate))
+        spdlog::warn("serial port {}: cannot change to {:.0f} bit/s: {}", path_, rate, std::strerror(errno));
+}
+
+void SerialPort::cut_off() {
+    if (line_.is_open()) ::tcflush(line_.native_handle(), TCOFLUSH);
 }
 
 void SerialPort::close() {

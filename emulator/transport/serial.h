@@ -24,6 +24,9 @@ class SerialPort final : public CountingTransport {
     void start(Events events) override;
     /// While the adapter is away what is written is lost.
     Task<void> write(ByteView bytes, Address to) override;
+    /// The port itself changes its rate for these writes; it hears nothing at its own meanwhile.
+    void speak_at(double rate) override { asked_ = rate; }
+    void cut_off() override;
     bool has_driver() const override { return line_.is_open(); }
     void close() override;
     std::string describe() const override;
@@ -34,12 +37,15 @@ class SerialPort final : public CountingTransport {
     Task<error_code> read_line();
     /// Until the port is there again, or closed for good.
     Task<void> wait_for_return();
+    /// Once all that was written has left.
+    Task<void> change_to(double rate);
 
     asio::posix::stream_descriptor line_;
     TtyArrivals arrivals_;
     asio::steady_timer retry_;
     std::string path_;
     int baud_;
+    double asked_ = 0;  ///< bit/s of what is written next; 0: baud_
     bool closed_ = false;
     Events events_;
 };

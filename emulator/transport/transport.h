@@ -40,6 +40,11 @@ class Transport {
     virtual void start(Events events) = 0;
     /// Send all of `bytes`. With nobody at the other end they are lost, as on a wire. Never throws for that.
     virtual Task<void> write(ByteView bytes, Address to) = 0;
+    /// A serial line: what is written from now on leaves at this rate, bit/s; 0: at the line's own, at which
+    /// it listens all the time.
+    virtual void speak_at(double /*rate*/) {}
+    /// The device has lost its power: what is still to leave a serial line never does.
+    virtual void cut_off() {}
     /// Ends the connection with whoever is at the other end; another may follow. A line has none.
     virtual void hang_up() {}
     /// False while bytes would be lost because nobody is there to read them; true where nobody can know.

@@ -5,6 +5,7 @@ the modem-line requests (uart_shim.c). Run under umockdev-wrapper; UART_SHIM nam
 """
 
 import os
+import re
 import select
 import time
 import tty
@@ -21,6 +22,8 @@ from replaying import Folder, open_line, read_line
 from test_record import packets, payload
 from test_record_device import Recorder
 
+import imagenex_host
+import imagenex_wire
 import seanet_wire
 from byte_line import ByteLine
 from seanet_handshakes import HANDSHAKES
@@ -44,6 +47,17 @@ devices:
     options: {first_alive: 0.1, recentring_alives: 2}
 """
 
+SOUNDER = """
+scene: {scenes}/flat.glb
+vehicle: {pose: {position: [0, 0, -12]}}
+devices:
+  - name: sounder
+    model: imagenex-852
+    mount: {rpy_deg: [0, 90, 0]}
+    endpoints: ["serial://%s:115200"]
+    options: {reply_baud: honoured}
+"""
+
 
 class OverSerialPort(unittest.TestCase):
     @classmethod
@@ -64,6 +78,19 @@ class OverSerialPort(unittest.TestCase):
             self.assertEqual(len(lines), 30)
             self.assertEqual([faults for _, faults in lines if faults], [])
             self.assertEqual(session.framer.skipped, 0)
+
+    def test_the_port_has_the_rate_that_a_command_asks_for_while_it_answers(self):
+        other_end = self.testbed.get_dev_fd("/dev/ttyEL0")
+        with Emulator(SOUNDER % "/dev/ttyEL0") as emulator:
+            host = imagenex_host.Host(ByteLine(other_end), seconds=20)
+            for code in (6, 0x0B, 0x02):
+                self.assertEqual(host.ask(imagenex_wire.sounder_command(baud=code)).letter, "G")
+                if code != 6:
+                    emulator.read_until("uart: 115200 bit/s", 20)
+                    emulator.output = emulator.output.replace("uart: 115200", "uart: then 115200")
+            _, output = emulator.stop()
+        changes = re.findall(r"uart: (?:then )?(\d+) bit/s, (\d+) left to send", output)
+        self.assertEqual(changes, [("9600", "0"), ("115200", "0"), ("38400", "0"), ("115200", "0")])
 
     def test_a_real_port_is_recorded_and_passed_on_to_a_driver(self):
         other_end = self.testbed.get_dev_fd("/dev/ttyEL0")

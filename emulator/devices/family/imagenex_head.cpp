@@ -86,7 +86,7 @@ void Head::transmit(Time now) {
     shot.ping = ++ping_;
     const std::size_t bytes = imagenex::reply_overhead + format.bytes;
     const Time answer = answer_time(command, bytes, settings_) + move;
-    shot.interval = to_seconds(answer + line_time(bytes, settings_));  // if the host asks in time
+    shot.interval = to_seconds(answer + line_time(command, bytes, settings_));  // if the host asks in time
     under_way_ = true;
     actions_.ping = Ping{std::move(shot), now + answer};
 }
@@ -109,7 +109,7 @@ Actions Head::heard(const Echogram& echogram, Time now) {
     reply.data = echo_data(samples, format, settings_);
     wire::Bytes bytes = imagenex::encode(imagenex::Message(std::move(reply)));
     const std::size_t size = bytes.size();
-    send(std::move(bytes), now);
+    send(std::move(bytes), now, command.reply_baud);
     end_of_reply(size, now);
     return take_actions();
 }
@@ -122,11 +122,15 @@ std::uint8_t Head::status_of(const SwitchCommand& command) const {
 }
 
 void Head::end_of_reply(std::size_t bytes, Time now) {
-    line_free_ = now + line_time(bytes, settings_);
-    transmit_at_ = waiting_ ? line_free_ : next_by_itself(usable(*current_), line_free_);
+    const SwitchCommand command = usable(*current_);
+    line_free_ = now + line_time(command, bytes, settings_);
+    transmit_at_ = waiting_ ? line_free_ : next_by_itself(command, line_free_);
 }
 
-void Head::send(wire::Bytes bytes, Time when) { actions_.send.push_back({0, std::move(bytes), {}, when}); }
+void Head::send(wire::Bytes bytes, Time when, std::uint8_t reply_baud) {
+    const double rate = settings_.line_rate > 0 ? asked_rate(reply_baud, settings_) : 0;
+    actions_.send.push_back({0, std::move(bytes), {}, when, false, rate});
+}
 
 Actions Head::take_actions() {
     actions_.wake = transmit_at_;

@@ -42,8 +42,8 @@ class Head : public Device {
     /// A command for another id; true if something on this line that is not the head obeys it.
     virtual bool obey_other(const wire::Bytes&, Time) { return false; }
 
-    /// Hands bytes to the line, no earlier than `when`.
-    void send(wire::Bytes bytes, Time when);
+    /// Hands bytes to the line, no earlier than `when`, at the rate that byte 21 of their command asks for.
+    void send(wire::Bytes bytes, Time when, std::uint8_t reply_baud);
     const Settings& settings() const { return settings_; }
 
   private:

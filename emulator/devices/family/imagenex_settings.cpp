@@ -49,7 +49,8 @@ std::vector<Option> line_options(const Defaults& defaults) {
         choice_row("mode_byte", {"any", "strict"},
                    "strict: answer only where byte 6 has the bits transmit, send data and slave", spec),
         choice_row("status", defaults.status, "byte 4 of a reply, hexadecimal", spec),
-        choice_row("reply_baud", {"ignored", "honoured"}, "byte 21 of a command", spec),
+        choice_row("reply_baud", {"ignored", "honoured"},
+                   "byte 21 of a command: the rate at which its reply comes", spec),
         number_row(
             "baud", "bit/s", usual_baud, 0, 4e6,
             "line rate of pty and TCP endpoints; 0: the reply comes as one burst when its last byte would",

@@ -7,26 +7,7 @@ namespace {
 
 double wire_seconds(std::size_t bytes, double baud) { return 10.0 * static_cast<double>(bytes) / baud; }
 
-/// Byte 21; what it does not know is the usual rate.
-double reply_baud(const imagenex::SwitchCommand& command, const Settings& settings) {
-    if (!settings.obey_baud) return usual_baud;
-    switch (command.reply_baud) {
-        case 0x0B:
-            return 9600;
-        case 0x03:
-            return 14400;
-        case 0x0C:
-            return 19200;
-        case 0x04:
-            return 28800;
-        case 0x02:
-            return 38400;
-        case 0x05:
-            return 57600;
-        default:
-            return usual_baud;
-    }
-}
+double usual_or(double asked) { return asked > 0 ? asked : usual_baud; }
 
 /// Fit of the maker's table of turns, within 2.1 ms of every cell; the line at 115200 is in it.
 double table_seconds(const imagenex::SwitchCommand& command, std::size_t reply_bytes, double window) {
@@ -42,24 +23,48 @@ double table_seconds(const imagenex::SwitchCommand& command, std::size_t reply_b
 
 }  // namespace
 
+double asked_rate(std::uint8_t reply_baud, const Settings& settings) {
+    if (!settings.obey_baud) return 0;
+    switch (reply_baud) {
+        case 0x0B:
+            return 9600;
+        case 0x03:
+            return 14400;
+        case 0x0C:
+            return 19200;
+        case 0x04:
+            return 28800;
+        case 0x02:
+            return 38400;
+        case 0x05:
+            return 57600;
+        case 0x06:
+            return 115200;
+        default:
+            return 0;
+    }
+}
+
 double shot_seconds(const imagenex::SwitchCommand& command, std::size_t reply_bytes,
                     const Settings& settings) {
     const double window = 2.0 * std::max<int>(command.range, 1) / sound_speed;
-    const double wire = wire_seconds(reply_bytes, reply_baud(command, settings));
+    const double wire = wire_seconds(reply_bytes, usual_or(asked_rate(command.reply_baud, settings)));
     if (settings.timing == ShotTiming::none) return window + wire;
     if (settings.timing == ShotTiming::fixed) return std::max(settings.fixed_time, window + wire);
     return table_seconds(command, reply_bytes, window) + wire - wire_seconds(reply_bytes, usual_baud);
 }
 
-Time line_time(std::size_t bytes, const Settings& settings) {
-    return settings.line_rate > 0 ? from_seconds(wire_seconds(bytes, settings.line_rate)) : Time{};
+Time line_time(const imagenex::SwitchCommand& command, std::size_t bytes, const Settings& settings) {
+    if (settings.line_rate <= 0) return {};
+    const double asked = asked_rate(command.reply_baud, settings);
+    return from_seconds(wire_seconds(bytes, asked > 0 ? asked : settings.line_rate));
 }
 
 Time answer_time(const imagenex::SwitchCommand& command, std::size_t reply_bytes, const Settings& settings) {
     const double window = 2.0 * std::max<int>(command.range, 1) / sound_speed;
     const Time delay = std::chrono::milliseconds(2 * command.switch_delay);
-    const Time all =
-        from_seconds(shot_seconds(command, reply_bytes, settings)) - line_time(reply_bytes, settings);
+    const Time all = from_seconds(shot_seconds(command, reply_bytes, settings)) -
+                     line_time(command, reply_bytes, settings);
     return std::max(all, from_seconds(window)) + delay;
 }
 

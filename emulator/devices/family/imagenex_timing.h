@@ -15,8 +15,11 @@ double shot_seconds(const imagenex::SwitchCommand& command, std::size_t reply_by
 /// line has a rate of its own, as much earlier as the line takes.
 Time answer_time(const imagenex::SwitchCommand& command, std::size_t reply_bytes, const Settings& settings);
 
-/// What `bytes` take on the line's own rate; 0 where it has none.
-Time line_time(std::size_t bytes, const Settings& settings);
+/// bit/s that byte 21 of a command asks of its reply; 0: none of them, or heads of this kind ignore it.
+double asked_rate(std::uint8_t reply_baud, const Settings& settings);
+
+/// What `bytes` of the reply to `command` take on the line; 0 where it has no rate.
+Time line_time(const imagenex::SwitchCommand& command, std::size_t bytes, const Settings& settings);
 
 /// s that the motor takes for a step of 0.3 deg.
 inline constexpr double step_seconds = 2.4e-3;

@@ -81,7 +81,7 @@ bool Sonar::obey_other(const wire::Bytes& frame, Time now) {
     reply.azimuth = imagenex::Packed14(static_cast<std::uint64_t>(azimuth_));
     const Time delay = std::chrono::milliseconds(2 * command->switch_delay);
     const double travel = std::abs(azimuth_ - before) * imagenex_head::step_seconds;
-    send(imagenex::encode(imagenex::Message(reply)), now + delay + from_seconds(travel));
+    send(imagenex::encode(imagenex::Message(reply)), now + delay + from_seconds(travel), command->reply_baud);
     return true;
 }
 

@@ -27,7 +27,8 @@ enum At {
     trigger = 18,
     points,
     bits,
-    profile = 22,
+    baud,
+    profile,
     delay = 24
 };
 
@@ -110,6 +111,40 @@ TEST(Imagenex852, AShotTakesTheEchoTheWorkAndTheLine) {
     Bench paced = sounder({{"baud", 115200.0}});
     ask(paced, command({{range, 5}}));
     EXPECT_NEAR(to_seconds(paced.now), 2 * 5 / 1500.0 + 4.7e-3, 1e-6) << "the line takes the rest";
+}
+
+TEST(Imagenex852, ByteTwentyOneIsTheRateOfTheReplyIfItIsHonoured) {
+    const std::map<int, double> rates{{0x0B, 9600},  {0x03, 14400}, {0x0C, 19200},  {0x04, 28800},
+                                      {0x02, 38400}, {0x05, 57600}, {0x06, 115200}, {0x00, 0},
+                                      {0x01, 0},     {0xFF, 0}};
+    for (const auto& [code, rate] : rates) {
+        Bench bench = sounder({{"baud", 115200.0}, {"reply_baud", std::string("honoured")}});
+        const Bytes words = command({{range, 5}, {baud, code}});
+        bench.say(words);
+        bench.hear();
+        EXPECT_NEAR(to_seconds(bench.now), 2 * 5 / 1500.0 + 4.7e-3, 1e-6) << "whatever the line takes then";
+        const auto sent = bench.sent();
+        ASSERT_EQ(sent.size(), 1u);
+        EXPECT_EQ(sent[0].line_rate, rate) << code;
+        const double end = to_seconds(bench.now) + 5130 / (rate > 0 ? rate : 115200);
+        bench.say(command({{baud, 6}}));
+        EXPECT_FALSE(bench.ping) << "the line is not free yet";
+        EXPECT_NEAR(to_seconds(bench.wake), end, 1e-6) << code;
+        bench.run_to(10s);
+        EXPECT_EQ(bench.sent().at(0).line_rate, 115200) << "each command says it anew";
+        Bench deaf = sounder({{"baud", 115200.0}});
+        deaf.say(words);
+        deaf.hear();
+        EXPECT_EQ(deaf.sent().at(0).line_rate, 0) << "ignored";
+    }
+}
+
+TEST(Imagenex852, AReplyThatComesAsAWholeHasNoRateAndComesWhenItsLastByteWould) {
+    Bench bench = sounder({{"reply_baud", std::string("honoured")}});
+    bench.say(command({{range, 5}, {baud, 0x0B}}));
+    bench.hear();
+    EXPECT_NEAR(to_seconds(bench.now), 2 * 5 / 1500.0 + 4.7e-3 + 5130 / 9600.0, 1e-6);
+    EXPECT_EQ(bench.sent().at(0).line_rate, 0);
 }
 
 TEST(Imagenex852, WhateverTheSwitchesOneLegalReplyComes) {

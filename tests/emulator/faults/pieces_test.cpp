@@ -67,6 +67,27 @@ TEST_F(PiecesTest, WithoutFaultsBytesPassAsTheyAre) {
     EXPECT_TRUE(pieces_.idle());
 }
 
+TEST_F(PiecesTest, APieceKeepsTheRateThatItsMessageLeavesAt) {
+    ask("split", {{"rate", 1.0}, {"parts", std::int64_t{2}}, {"gap", 0.0}});
+    ask("merge", {{"messages", std::int64_t{3}}});
+    pieces_.add(row(3), {}, {}, 9600);
+    pieces_.add(row(3), {}, {}, 9600);
+    pieces_.add(row(3), {}, {}, 57600);
+    std::map<double, std::size_t> bytes_at;
+    for (const Piece& piece : all(1h)) bytes_at[piece.line_rate] += piece.bytes.size();
+    EXPECT_EQ(bytes_at, (std::map<double, std::size_t>{{9600, 6}, {57600, 3}})) << "no write has two rates";
+}
+
+TEST_F(PiecesTest, AWrongRateIsAsWrongAsItIsFromTheRateOfTheMessage) {
+    ask("baud_mismatch", {{"baud", 9600.0}});
+    pieces_.add(row(3), {}, {}, 9600);
+    pieces_.add(row(3), {}, {});
+    const auto pieces = all({});
+    ASSERT_EQ(pieces.size(), 2u);
+    EXPECT_EQ(pieces[0].bytes, row(3)) << "the driver has set what it asked for";
+    EXPECT_EQ(pieces[1].bytes, uart::as_heard(row(3), 9600, {115200}));
+}
+
 TEST_F(PiecesTest, LossTakesItsShareOfWholeMessagesAndSaysWhich) {
     ask("loss", {{"rate", 0.3}});
     std::size_t lost = 0;

@@ -18,12 +18,16 @@ class MemoryLine final : public Transport {
         writes.emplace_back(bytes.begin(), bytes.end());
         co_return;
     }
+    void speak_at(double rate) override { asked.push_back(rate); }
+    void cut_off() override { ++cuts; }
+    void settle() override { ++settled; }
     void close() override {}
     std::string describe() const override { return "memory"; }
     uart::Receiver far_end() const override { return driver; }
     std::uint64_t bytes_in() const override { return 0; }
     std::uint64_t bytes_out() const override { return 0; }
     void hear(const Bytes& bytes) { events_.received(bytes, {}); }
+    void reconnect() { events_.reconnected(); }
     Bytes all() const {
         Bytes bytes;
         for (const Bytes& part : writes) bytes.insert(bytes.end(), part.begin(), part.end());
@@ -32,6 +36,8 @@ class MemoryLine final : public Transport {
 
     uart::Receiver driver;
     std::vector<Bytes> writes;
+    std::vector<double> asked;
+    int cuts = 0, settled = 0;
 
   private:
     Events events_;
@@ -93,6 +99,85 @@ TEST_F(LineTest, AnOwnRateHoldsUnlessTheDriversIsNearIt) {
     EXPECT_GE(write(paced, Bytes(100)), 1000 / 19000.0);
     memory_.driver = {4000000};
     EXPECT_GE(write(paced, Bytes(100)), 1000 / 19200.0) << "the device cannot talk faster";
+}
+
+TEST_F(LineTest, ADeviceMaySpeakAtAnotherRateForAMessage) {
+    Paced paced(clock_, std::move(line_), 921600, Paced::OtherRate::garbage);
+    paced.speak_at(9600);
+    EXPECT_EQ(memory_.asked, std::vector<double>{9600}) << "a real port has to change as well";
+    EXPECT_GE(write(paced, Bytes(48)), 480 / 9600.0);
+    memory_.driver = {9600};
+    EXPECT_GE(write(paced, Bytes(48)), 480 / 9600.0);
+    memory_.driver = {921600};
+    EXPECT_LT(write(paced, Bytes(48)), 480 / 9600.0) << "garbage is somebody else's";
+    memory_.driver = {};
+    paced.speak_at(0);
+    EXPECT_LT(write(paced, Bytes(480)), 4800 / 38400.0) << "at its own again";
+}
+
+TEST_F(LineTest, WhoHasNotFollowedToTheAskedRateHearsGarbageAtItsPace) {
+    BaudCheck check(clock_, std::move(line_), 115200, "sonar");
+    start(check);
+    memory_.driver = {115200};
+    check.speak_at(57600);
+    EXPECT_GE(write(check, Bytes(288, 0x55)), 2880 / 57600.0);
+    const Bytes garbage = memory_.all();
+    EXPECT_EQ(garbage.at(0), 0x66) << "from uart_test";
+    EXPECT_EQ(garbage, uart::as_heard(Bytes(288, 0x55), 57600, {115200}));
+    memory_.writes.clear();
+    memory_.driver = {57600};
+    write(check, {1, 2, 3});
+    EXPECT_EQ(memory_.all(), (Bytes{1, 2, 3}));
+    memory_.hear({0x55});
+    EXPECT_EQ(heard_, (Bytes{0x55})) << "it may have gone there after it had spoken";
+    memory_.reconnect();
+    memory_.hear({0x55});
+    EXPECT_NE(heard_, (Bytes{0x55})) << "another driver, that has asked for nothing";
+    EXPECT_EQ(memory_.asked, std::vector<double>{57600});
+}
+
+TEST_F(LineTest, WordsOfADriverThatHasChangedItsRateSinceAreStillUnderstood) {
+    BaudCheck check(clock_, std::move(line_), 115200, "sonar");
+    start(check);
+    memory_.driver = {115200};
+    memory_.hear({1});
+    memory_.driver = {9600};  // it has asked, and waits for an answer at 9600
+    memory_.hear({2});
+    EXPECT_EQ(heard_, (Bytes{2}));
+    memory_.hear({3});
+    EXPECT_NE(heard_, (Bytes{3})) << "said at 9600";
+    memory_.driver = {115200};
+    memory_.hear({4});
+    EXPECT_EQ(heard_, (Bytes{4}));
+}
+
+TEST_F(LineTest, WithoutPowerTheRestOfAMessageNeverLeaves) {
+    auto paced = std::make_unique<Paced>(clock_, std::move(line_), 9600, Paced::OtherRate::garbage);
+    BaudCheck check(clock_, std::move(paced), 9600, "sonar");
+    for (const double driver : {9600.0, 19200.0}) {  // bytes, garbage
+        memory_.driver = {driver};
+        memory_.writes.clear();
+        asio::co_spawn(
+            io_, [&]() -> Task<void> { co_await check.write(Bytes(9600, 0x55), {}); },
+            [](std::exception_ptr) {});
+        asio::post(io_, [&] { check.cut_off(); });
+        const Time begin = clock_.now();
+        io_.restart();
+        io_.run();
+        EXPECT_LT(clock_.now() - begin, 5s) << driver;
+        EXPECT_LT(memory_.all().size(), 4000u) << driver;
+    }
+    EXPECT_EQ(memory_.cuts, 2);
+    memory_.driver = {9600};
+    memory_.writes.clear();
+    EXPECT_LT(write(check, {1, 2, 3}), 2) << "the next message begins anew";
+    EXPECT_EQ(memory_.all(), (Bytes{1, 2, 3}));
+}
+
+TEST_F(LineTest, ADecoratorLetsTheLineSettle) {
+    BaudCheck check(clock_, std::make_unique<Paced>(clock_, std::move(line_), 9600), 9600, "sonar");
+    check.settle();
+    EXPECT_EQ(memory_.settled, 1);
 }
 
 TEST_F(LineTest, OneWhoListensAtAnotherRateHearsGarbageInBothDirections) {
