@@ -1,10 +1,8 @@
 """The 881A and the 852 end to end: real pty and TCP, hosts written apart from the C++, walls and floor of the scene."""
 
 import math
-import os
 import socket
 import statistics
-import termios
 import time
 import unittest
 
@@ -55,15 +53,6 @@ def walls(degrees, half_beam=1.0):
     """Nearest and farthest wall within the beam."""
     ranges = [wall_range(degrees + half_beam * i / 10) for i in range(-10, 11)]
     return min(ranges), max(ranges)
-
-
-def set_rate(path, baud):
-    """Of the driver's end, as a program sets it between two messages."""
-    fd = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
-    attributes = termios.tcgetattr(fd)
-    attributes[4] = attributes[5] = getattr(termios, f"B{baud}")
-    termios.tcsetattr(fd, termios.TCSANOW, attributes)
-    os.close(fd)
 
 
 def sees_only_walls(degrees):
@@ -223,30 +212,26 @@ class Sounder(ImagenexCase):
         self.assertTrue(0.15 < zeros < 0.6, zeros)
         self.assertTrue(0.005 < full < 0.06, full)
 
-    def replies(self, host, code, own_rate, count=3):
-        """s that the bytes of a reply take, the median of some; the driver hears it at `own_rate`."""
-        path = self.emulator.folder / "line"
+    def reply_seconds(self, host, code, rate):
+        """From a command to the last byte of its reply, which the driver hears at `rate`; the shortest of some."""
         taken = []
-        for _ in range(count):
+        for _ in range(4):
+            start = time.monotonic()
             host.line.write(wire.sounder_command(range=5, baud=code))
-            set_rate(path, own_rate)
-            data, first = b"", None
-            while len(data) < 513:
-                piece = host.read_some(513 - len(data), 5)
-                self.assertTrue(piece, f"code {code}: {len(data)} bytes")
-                data += piece
-                first = first or (len(data), time.monotonic())
-            taken.append((time.monotonic() - first[1]) / (513 - first[0]) * 513)
-            self.assertAlmostEqual(wire.parse(data).profile / 100, 3.0, delta=0.03)
-            set_rate(path, 115200)
-        return statistics.median(taken)
+            host.line.set_baud(rate)
+            reply = wire.parse(host.read(513))
+            taken.append(time.monotonic() - start)
+            self.assertAlmostEqual(reply.profile / 100, 3.0, delta=0.03)
+            host.line.set_baud(115200)
+        return min(taken)
 
     def test_a_reply_has_the_pace_that_its_command_asks_for(self):
         host = self.start(FLOOR % (1500, -17, "reply_baud: honoured"))
+        echo = 2 * 5 / 1500 + 4.7e-3
         for code, rate in ((6, 115200), (0x0B, 9600), (2, 38400), (6, 115200)):
-            seconds = self.replies(host, code, rate)
-            self.assertGreater(seconds, 5130 / rate * 0.7, f"{rate} bit/s; on a busy machine the first byte is read late")
-            self.assertLess(seconds, 5130 / rate * 1.3 + 0.05, f"{rate} bit/s; or the last")
+            seconds = self.reply_seconds(host, code, rate)
+            self.assertGreater(seconds, echo + 5130 / rate - 1e-3, f"{rate} bit/s")
+            self.assertLess(seconds, echo + 1.5 * 5130 / rate + 0.15, f"{rate} bit/s, on a busy machine")
 
     def test_who_stays_at_the_old_rate_hears_garbage_and_is_served_again(self):
         host = self.start(FLOOR % (1500, -17, "reply_baud: honoured"))
@@ -255,18 +240,18 @@ class Sounder(ImagenexCase):
         host.line.write(wire.sounder_command(range=5, baud=0x0B))
         self.emulator.read_until("asked for an answer at 9600 bit/s and has set 115200", 20)
         garbage = host.read_some(9999, 20)
-        while time.monotonic() < start + 0.8:
-            garbage += host.read_some(9999, 0.1)
+        while piece := host.read_some(9999, 0.5):
+            garbage += piece
+        self.assertGreater(time.monotonic() - start, 0.5 + 5130 / 9600, "at its pace")
         self.assertGreater(len(garbage), 100)
         self.assertNotIn(b"IGX", garbage)
         self.assertAlmostEqual(host.ask(wire.sounder_command(range=5, baud=6)).profile / 100, 3.0, delta=0.03)
 
     def test_without_power_the_slow_reply_ends_and_the_head_is_as_it_came(self):
         host = self.start(FLOOR % (1500, -17, "reply_baud: honoured") + "control: unix:{folder}/control\n")
-        path = self.emulator.folder / "line"
         host.ask(wire.sounder_command(range=5, baud=6))
         host.line.write(wire.sounder_command(range=5, baud=0x0B))
-        set_rate(path, 9600)
+        host.line.set_baud(9600)
         with socket.socket(socket.AF_UNIX) as control:
             control.connect(str(self.emulator.folder / "control"))
             got = host.read_some(513, 20)
@@ -274,7 +259,7 @@ class Sounder(ImagenexCase):
             self.assertIn(b'"ok":true', control.recv(4096).replace(b" ", b""))
         got += host.silence(1)
         self.assertLess(len(got), 400, "half a second of bytes was not to come any more")
-        set_rate(path, 115200)
+        host.line.set_baud(115200)
         start = time.monotonic()
         self.assertEqual(host.ask(wire.sounder_command(range=5)).letter, "G")
         self.assertLess(time.monotonic() - start, 0.4)

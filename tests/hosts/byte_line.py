@@ -68,6 +68,12 @@ class ByteLine:
         while self.read(0):
             pass
 
+    def set_baud(self, baud):
+        """The rate of a terminal from now on."""
+        attributes = termios.tcgetattr(self._fd)
+        attributes[4] = attributes[5] = getattr(termios, f"B{baud}")
+        termios.tcsetattr(self._fd, termios.TCSANOW, attributes)
+
     def close(self):
         if self._owner is not None:
             self._owner.close()
