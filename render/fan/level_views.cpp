@@ -9,6 +9,9 @@ namespace {
 constexpr double widest_view =
     deg_to_rad(62);  ///< beyond, the edge's pixels would be much narrower than the centre's
 constexpr double widest_line = deg_to_rad(0.4);
+/// Times the usual pixels, beyond which echoes are spread over what there is and outlines are sharp: who asks for
+/// so many wants to see more.
+constexpr double many_pixels = 4;
 constexpr std::size_t fewest_lines = 8, most_lines = 8192;
 constexpr std::size_t fewest_samples = 64, most_samples = 2048, most_pixels = std::size_t{4} << 20;
 
@@ -88,14 +91,23 @@ void add_level_views(FanPlan& plan, FanPart& part, const FanGeometry& g, const P
     const double span = part.last_edge - part.first_edge, per_side = std::sqrt(density.pixels);
     const auto views = static_cast<std::size_t>(std::ceil(span / widest_view));
     const double width = span / static_cast<double>(views);
-    const double line = std::min(g.beam_width / density.columns_per_beam, widest_line) / per_side;
+    const double line = std::min(g.beam_width / density.columns_per_beam, widest_line);
+    const bool many = density.pixels > many_pixels;
     part.first_line = plan.image_lines;
     for (std::size_t i = 0; i < views; ++i) {
         const double bearing = part.first_edge + (static_cast<double>(i) + 0.5) * width;
         View view = level_view(bearing, width, drawn_half_height(lobes));
-        view.lines = count((view.right - view.left) / line, fewest_lines, most_lines / views);
-        view.samples = count((view.top - view.bottom) / g.elevation_step * per_side, fewest_samples,
-                             std::min(most_samples, most_pixels / (views * view.lines)));
+        const auto set_size = [&](double factor) {
+            view.lines = count((view.right - view.left) / line * factor, fewest_lines, most_lines / views);
+            view.samples = count((view.top - view.bottom) / g.elevation_step * factor, fewest_samples,
+                                 std::min(most_samples, most_pixels / (views * view.lines)));
+        };
+        set_size(many ? per_side : 1);
+        const std::size_t usual_lines = view.lines;
+        plan.usual_samples = std::max(plan.usual_samples, view.samples);
+        set_size(per_side);
+        view.usual_width = usual_size(view.lines, usual_lines);
+        view.sharp_outlines = g.bearings.size() == 1 || many;
         view.first_line = plan.image_lines;
         plan.image_lines += view.lines;
         plan.samples = std::max(plan.samples, view.samples);
@@ -108,6 +120,7 @@ void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height)
     for (std::size_t v = 0; v < plan.level_views; ++v) {
         View& view = plan.views[v];
         view.samples = plan.samples;
+        view.usual_height = usual_size(plan.samples, plan.usual_samples);
         for (std::size_t line = 0; line < view.lines; ++line)
             plan.nominal.push_back(nominal_samples(view, line, fan_height));
         if (v > 0 && alike(view, plan.views[v - 1])) {

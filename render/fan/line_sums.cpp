@@ -125,6 +125,11 @@ void LineSums::resize(std::size_t lines, std::size_t sectors, std::size_t bins) 
     for (std::size_t i = 0; i < sectors; ++i) sectors_.emplace_back(&values_[(lines + i) * bins], bins);
 }
 
+void LineReader::read_alone(const BinningInput& in, const View& view, std::size_t line) {
+    restart();
+    rows_[1].load(&in.pixels[(view.first_line + line) * in.plan.samples], view.samples, end_of(in));
+}
+
 void LineReader::read(const BinningInput& in, const View& view, std::size_t line) {
     const std::size_t stride = in.plan.samples, number = view.first_line + line;
     const Pixel* pixels = &in.pixels[number * stride];
@@ -144,12 +149,12 @@ void LineReader::read(const BinningInput& in, const View& view, std::size_t line
 
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
                     std::size_t line, LineReader& reader, LineBins& bins) {
-    reader.read(in, view, line);
+    reader.read_alone(in, view, line);
     const float* coverage = &in.plan.coverage[view.first_pixel + line * view.samples];
     const bool echo = is_echo(amount);
     const float* weight = echo ? &in.plan.weight[view.first_pixel + line * view.samples] : coverage;
-    find_stretches(reader.before(), reader.row(), reader.after(), coverage, weight, in.offset, view.samples,
-                   static_cast<float>(in.bin_length), end_of(in), reader.stretches);
+    find_stretches(reader.row(), view, coverage, weight, in.offset, static_cast<float>(in.bin_length),
+                   end_of(in), reader.stretches);
     switch (amount) {
         case Amount::echo:
             return add_level<Amount::echo>(in, gain, reader, bins);
@@ -197,8 +202,8 @@ class SectorSums {
 
 void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wanted, const FanPart& part,
                        const View& view, std::size_t line, LineReader& reader, LineSums& sums) {
-    reader.read(in, view, line);
-    find_extents(reader.before(), reader.row(), reader.after(), view.samples, reader.extents);
+    reader.read_alone(in, view, line);
+    find_extents(reader.row(), view, reader.extents);
     const PixelRow& row = reader.row();
     const RangeScale scale(in, gain);
     SectorSums sectors(part, in.offset, sums);

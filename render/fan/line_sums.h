@@ -25,10 +25,12 @@ class LineSums {
     std::vector<LineBins> lines_, sectors_;
 };
 
-/// Reads the pixels of one thread's lines; keeps three rows, so that neighbouring lines are unpacked once.
+/// Reads the pixels of one thread's lines; keeps three rows, so that who needs a line's neighbours unpacks them once.
 class LineReader {
   public:
-    /// Line `line` of `view` and its neighbours; valid until the next call.
+    /// Line `line` of `view`; valid until the next call.
+    void read_alone(const BinningInput& in, const View& view, std::size_t line);
+    /// The same and its neighbours.
     void read(const BinningInput& in, const View& view, std::size_t line);
     /// Forgets what it has read; before other pixels.
     void restart() { next_ = no_line; }

@@ -6,14 +6,10 @@ namespace echoloop {
 namespace {
 
 ECHOLOOP_SIMD
-void extents_of(const PixelArrays row, const PixelArrays before, const PixelArrays after, int count,
-                float* __restrict near, float* __restrict far) {
+void extents_of(const PixelArrays row, const EchoSpread spread, int count, float* __restrict near,
+                float* __restrict far) {
     for (int i = 0; i < count; ++i) {
-        const float r = row.range[i], size = std::abs(row.footprint[i]);
-        const float along =
-            range_step(row.range[i - 1], row.surface[i - 1], r, row.range[i + 1], row.surface[i + 1], size);
-        const float across = range_step(before, row, after, i);
-        const float half = 0.5F * std::sqrt(along * along + across * across);
+        const float r = row.range[i], half = spread.half(row.footprint[i], r);
         near[i] = std::max(r - half, r * row.cosine[i]);  // no point of the plane is nearer than its foot
         far[i] = r + half;
     }
@@ -66,19 +62,10 @@ void PixelRow::load(const Pixel* pixels, std::size_t count, float end) {
     invert(range_.data(), surface_.data(), count + 2, inverse_.data());
 }
 
-void find_extents(const PixelRow& before, const PixelRow& row, const PixelRow& after, std::size_t count,
-                  Extents& extents) {
-    extents.near.resize(count), extents.far.resize(count);
-    // At a view's edge the line itself stands for its neighbour and must not tell a step: no surface.
-    static thread_local std::vector<float> nothing;
-    nothing.assign(count, 0.0F);
-    const auto neighbour = [&](const PixelRow& other) {
-        PixelArrays arrays = other.arrays();
-        if (&other == &row) arrays.surface = nothing.data();
-        return arrays;
-    };
-    extents_of(row.arrays(), neighbour(before), neighbour(after), static_cast<int>(count),
-               extents.near.data(), extents.far.data());
+void find_extents(const PixelRow& row, const View& view, Extents& extents) {
+    extents.near.resize(view.samples), extents.far.resize(view.samples);
+    extents_of(row.arrays(), EchoSpread(view), static_cast<int>(view.samples), extents.near.data(),
+               extents.far.data());
 }
 
 }  // namespace echoloop

@@ -11,7 +11,7 @@
 
 namespace echoloop {
 
-/// `inverse`: 1/m, of range; 0 where there is no surface.
+/// `footprint`: m, see Pixel. `inverse`: 1/m, of range; 0 where there is no surface.
 struct PixelArrays {
     const float *range, *cosine, *footprint, *surface, *inverse;
 };
@@ -46,21 +46,34 @@ inline float range_step(float before, float before_surface, float range, float a
     return std::copysign(std::min(footprint, 1.5F * std::abs(nearer)), nearer);
 }
 
-/// Of pixel i, from line to line.
-inline float range_step(const PixelArrays& before, const PixelArrays& row, const PixelArrays& after, int i) {
-    return range_step(before.range[i], before.surface[i], row.range[i], after.range[i], after.surface[i],
-                      std::abs(row.footprint[i]));
-}
+/// What a sample's echo is spread over where nobody knows what lies beside it: the plane of its surface, as
+/// far as a pixel of the usual size shows it. A function of the sample alone, so that the mean over pings does
+/// not depend on the number of pixels.
+struct EchoSpread {
+    explicit EchoSpread(const View& view)
+        : width(static_cast<float>(view.usual_width)),
+          height(static_cast<float>(view.usual_height)),
+          most_across(static_cast<float>(most * view.usual_width * view.line_width())),
+          most_along(static_cast<float>(most * view.usual_height * view.sample_height())) {}
+
+    /// m. `footprint`: of PixelArrays.
+    float half(float footprint, float range) const {
+        const bool across = footprint < 0;
+        return 0.5F * std::min(std::abs(footprint) * (across ? width : height),
+                               range * (across ? most_across : most_along));
+    }
+
+    /// A plane at less than 11 deg of grazing reaches farther than its facet, as on a ripple's crest.
+    static constexpr double most = 5;
+    float width, height, most_across, most_along;
+};
 
 /// m, one per pixel: a stretch around the sample.
 struct Extents {
     std::vector<float> near, far;
 };
 
-/// Range changes along a line and across lines alike, as in square pixels: the extent has the variance of
-/// both together. `before` and `after` are the lines on both sides, at a view's edge the line itself. Pixels
-/// without a surface get meaningless extents.
-void find_extents(const PixelRow& before, const PixelRow& row, const PixelRow& after, std::size_t count,
-                  Extents& extents);
+/// Pixels without a surface get meaningless extents.
+void find_extents(const PixelRow& row, const View& view, Extents& extents);
 
 }  // namespace echoloop

@@ -87,6 +87,7 @@ struct FanPlan {
     std::size_t lines = 0;        ///< of the level views
     std::size_t image_lines = 0;  ///< of the image that holds all views, one below the other
     std::size_t samples = 0;      ///< of a level line, and the image's width
+    std::size_t usual_samples = 0;  ///< the same at the usual density
 
     /// Per pixel of each distinct view, see View::first_pixel: the share 0..1 of the pixel that is drawn
     /// finely, and the same times the pixel's solid angle in sr and its pattern.

@@ -34,6 +34,11 @@ inline double level_share(const FanLobes& lobes, double elevation) {
     return std::clamp((edge - off) / std::min(deg_to_rad(5), edge / 3), 0.0, 1.0);
 }
 
+/// How many pixels the usual one is wide, where `usual` of them would do for `count`.
+inline double usual_size(std::size_t count, std::size_t usual) {
+    return std::max(1.0, static_cast<double>(count) / static_cast<double>(usual));
+}
+
 /// Near side lobes are summed line by line up to this many beam widths off the axis: five lobes of a line aperture,
 /// down to -25 dB one way.
 inline constexpr double near_beam_widths = 7;

@@ -48,6 +48,18 @@ void find_bends(const PixelArrays row, int count, float least, float end, float*
     }
 }
 
+/// 1 where an outline lies between the samples i - 1 and i: a bend with a step that no plane has.
+ECHOLOOP_SIMD
+void find_outlines(const PixelArrays row, float usual_height, int count, const float* __restrict bend,
+                   float* __restrict outline) {
+    for (int i = 1; i < count; ++i) {
+        const float plane = std::max(std::abs(row.footprint[i]), std::abs(row.footprint[i - 1]));
+        const bool step = std::abs(row.range[i] - row.range[i - 1]) > 3 * usual_height * plane + 0.01F;
+        const bool nothing = (row.inverse[i] == 0) | (row.inverse[i - 1] == 0);
+        outline[i] = nothing | step ? bend[i] : 0.0F;
+    }
+}
+
 /// From bends to the share of each sample that stays where it was sampled.
 ECHOLOOP_SIMD
 void find_held(const float* __restrict bend, int count, float* __restrict held) {
@@ -60,18 +72,27 @@ void find_held(const float* __restrict bend, int count, float* __restrict held) 
     }
 }
 
-/// m, change of range over what a sample stands for: across lines, where that is most of its change, and
-/// along its line.
+/// m, change of range over what a sample stands for: across lines, where that is most of its change, and half
+/// of the greater one.
 ECHOLOOP_SIMD
-void find_widths(const PixelArrays row, const PixelArrays before, const PixelArrays after, int count,
-                 float* __restrict across, float* __restrict half_along) {
+void find_widths(const PixelArrays row, const EchoSpread spread, int count, float* __restrict across,
+                 float* __restrict half_width) {
     for (int i = 0; i < count; ++i) {
-        const float size = std::abs(row.footprint[i]), r = row.range[i];
-        const float line = range_step(before, row, after, i);
-        const float sample =
-            range_step(row.range[i - 1], row.surface[i - 1], r, row.range[i + 1], row.surface[i + 1], size);
-        across[i] = row.footprint[i] < 0 ? std::abs(line) : 0.0F;
-        half_along[i] = 0.5F * std::sqrt(sample * sample + line * line);
+        const float half = spread.half(row.footprint[i], row.range[i]);
+        across[i] = row.footprint[i] < 0 ? 2 * half : 0.0F;
+        half_width[i] = half;
+    }
+}
+
+/// Keeps the echo of samples on their own side of outlines. `near`: 1 beside one, less the farther away, as
+/// find_held() makes it.
+ECHOLOOP_SIMD
+void keep_beside(const float* __restrict near, const float* __restrict footprint, int count,
+                 float* __restrict half_width) {
+    constexpr float beside = 0.1F;  // pixels; less would fall into single bins
+    for (int i = 0; i < count; ++i) {
+        const float away = std::max((1 - near[i]) * fade, beside);
+        half_width[i] = near[i] > 0 ? std::min(half_width[i], away * std::abs(footprint[i])) : half_width[i];
     }
 }
 
@@ -116,27 +137,28 @@ void find_kept(const float* __restrict inverse, const float* __restrict weight, 
 
 }  // namespace
 
-void find_stretches(const PixelRow& before, const PixelRow& row, const PixelRow& after, const float* coverage,
-                    const float* weight, PixelOffset offset, std::size_t count, float bin_length, float end,
-                    Stretches& out) {
+void find_stretches(const PixelRow& row, const View& view, const float* coverage, const float* weight,
+                    PixelOffset offset, float bin_length, float end, Stretches& out) {
+    const std::size_t count = view.samples;
     for (auto* values : {&out.near, &out.middle, &out.far, &out.of_upper, &out.of_lower})
         values->resize(count + 1);
     for (auto* values : {&out.at_sample, &out.half_width}) values->resize(count);
-    static thread_local std::vector<float> density, held, across, bends, nothing;
+    static thread_local std::vector<float> density, held, across, bends;
     for (auto* values : {&density, &held, &across}) values->assign(count + 2, 0.0F);
     bends.assign(count + 1 + 2 * fade, 0.0F);
-    nothing.assign(count, 0.0F);
     for (std::size_t i = 0; i < count; ++i) density[i + 1] = coverage[i] > 0 ? weight[i] / coverage[i] : 0;
     const int samples = static_cast<int>(count);
     find_bends(row.arrays(), samples, 0.25F * bin_length, end, bends.data() + fade);
     find_held(bends.data() + fade, samples, held.data() + 1);
-    const auto neighbour = [&](const PixelRow& other) {
-        PixelArrays arrays = other.arrays();
-        if (&other == &row) arrays.surface = nothing.data();  // a view's edge tells no step
-        return arrays;
-    };
-    find_widths(row.arrays(), neighbour(before), neighbour(after), samples, across.data() + 1,
-                out.half_width.data());
+    find_widths(row.arrays(), EchoSpread(view), samples, across.data() + 1, out.half_width.data());
+    if (view.sharp_outlines) {
+        static thread_local std::vector<float> outlines, near;
+        outlines.assign(bends.size(), 0.0F), near.resize(count);
+        find_outlines(row.arrays(), static_cast<float>(view.usual_height), samples, bends.data() + fade,
+                      outlines.data() + fade);
+        find_held(outlines.data() + fade, samples, near.data());
+        keep_beside(near.data(), row.footprint(), samples, out.half_width.data());
+    }
     for (auto* values : {&held, &across}) values->front() = (*values)[1], values->back() = (*values)[count];
     find_ranges(row.arrays().inverse, {density.data() + 1, held.data() + 1, across.data() + 1},
                 covered_by(coverage, count), static_cast<float>(offset.sample), samples, out.near.data(),

@@ -24,16 +24,15 @@ struct Stretches {
 ///
 /// Elsewhere nobody knows what is between two samples: where the one surface ends and the other begins, or by
 /// how much a crest hides the trough behind it. There each sample keeps its weight: that has the right mean
-/// over pings whatever there is, and whatever the size of the pixels. It is spread over the step to its
-/// neighbours, along lines and across: less would blur the mean less, but single pings would be combs.
+/// over pings whatever there is, and whatever the size of the pixels. It is spread over what a pixel of the usual
+/// size shows of its plane (EchoSpread): less would blur the mean less, but single pings would be combs; what
+/// the neighbours say would depend on the number of pixels.
 ///
-/// Where range changes mostly across lines, a stretch is as wide as that, for the same reason.
+/// Where range changes mostly across lines, a stretch is as wide as that, for the same reasons.
 ///
-/// `weight`: of each pixel, of which the share `coverage` counts. `before` and `after` are the lines on both
-/// sides, at a view's edge the line itself. `bin_length` and `end` of the window: m. Stretches without weight
-/// have meaningless ranges.
-void find_stretches(const PixelRow& before, const PixelRow& row, const PixelRow& after, const float* coverage,
-                    const float* weight, PixelOffset offset, std::size_t count, float bin_length, float end,
-                    Stretches& out);
+/// `weight`: of each pixel, of which the share `coverage` counts. `bin_length` and `end` of the window: m.
+/// Stretches without weight have meaningless ranges.
+void find_stretches(const PixelRow& row, const View& view, const float* coverage, const float* weight,
+                    PixelOffset offset, float bin_length, float end, Stretches& out);
 
 }  // namespace echoloop

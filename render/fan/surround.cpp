@@ -177,12 +177,17 @@ void add_surround(FanPlan& plan, FanPart& part, const FanLobes& lobes, double de
     if (part.last_edge - part.first_edge > widest_part) return;
     part.first_sector = plan.sectors;
     const double usual = part.beams == 1 ? pixels_of_single_beam : pixels_per_side;
-    const auto wished = static_cast<std::size_t>(usual * std::sqrt(density));
-    const std::size_t side = std::clamp<std::size_t>(wished, 16, plan.samples) / 2 * 2;
+    const auto side_at = [&](double factor) {
+        return std::clamp<std::size_t>(static_cast<std::size_t>(usual * std::sqrt(factor)), 16,
+                                       plan.samples) /
+               2 * 2;
+    };
+    const std::size_t side = side_at(density);
     Surround surround(plan, part, lobes);
     for (View view : front_half_cube(side)) {
         const double relative = view.bearing;
         view.bearing += part.centre;
+        view.usual_width = view.usual_height = usual_size(side, side_at(1));
         part.surrounds += surround.add(view, relative);
     }
 }

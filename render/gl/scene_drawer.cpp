@@ -24,7 +24,8 @@ double seconds_since(Clock::time_point begin) {
 /// degree show what side lobes hear: first of all the nearest bottom, whose first return shifts with it, so
 /// near stand-ins are finer.
 ViewLimits limits_of(const View& view, double end_range) {
-    const double pixel = std::max(view.line_width(), view.sample_height());
+    const double pixel =
+        std::max(view.line_width() * view.usual_width, view.sample_height() * view.usual_height);
     const bool coarse = pixel > deg_to_rad(1);
     return {end_range, pixel, (coarse ? 1.5 : 0.5) * pixel, coarse ? 0.45 * end_range : 0};
 }

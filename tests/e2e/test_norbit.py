@@ -190,14 +190,12 @@ class ForwardLooking(NorbitCase):
     def test_walls_of_the_tank_are_where_they_are(self):
         self.start("system: forward-looking", scene="tank.glb", at="0, 0, -1.5", pitch=0,
                    commands=("set_range .5 12", "set_power 1"))
-        images = [self.water_column.first(lambda w, ping=ping: w.ping > ping) for ping in range(8, 16)]
-        image = images[0]
+        image = self.water_column.first(lambda w: w.ping > 10)  # in one of three, a speckle beside the wall is louder
         self.assertEqual(image.mode, 0)
         row = image.c / (2 * image.rate)
         for n, angle in enumerate(image.angles):
             if abs(angle) < math.radians(20):  # the wall ahead, behind what stands in the tank
-                together = [sum(v) for v in zip(*(i.column(n) for i in images))]  # one ping's speckle may be louder
-                column = [(v, image.range(r)) for r, v in enumerate(together) if image.range(r) > 5]
+                column = [(v, image.range(r)) for r, v in enumerate(image.column(n)) if image.range(r) > 5]
                 self.assertAlmostEqual(max(column)[1] * math.cos(angle), 6.0, delta=2 * row, msg=f"{n}")
         self.bathymetry.socket.settimeout(0.3)
         with self.assertRaises(TimeoutError):

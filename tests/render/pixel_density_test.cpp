@@ -115,11 +115,11 @@ std::vector<Place> places() {
     const auto boxes = scene_of({test::floor_at(-5, 200), test::box("box", {15, 2, -4}, {3, 4, 2}, 0.4),
                                  test::wall_at(35, 40, -5, 5)});
     return {
-        {"floor", scene_of({test::floor_at(-5, 200)}), {}, 50, 1.3, 0.45, 0.006, 0.01},
-        {"boxes", boxes, {}, 50, 0.5, 0.2, 0.008, 0},
-        {"big100k", Scene::from_meshes(bench::scene_meshes("big100k")), {}, 50, 1.5, 0.7, 0.045, 0.04},
-        {"manifold", Scene::load(scenes + "manifold.glb"), {{-17.5, 0, -3.1}, {}}, 50, 2.1, 1.0, 0.13, 0.07},
-        {"tank", Scene::load(scenes + "tank.glb"), {{0, 0, -2}, {}}, 12, 0.9, 0.3, 0.022, 0.02}};
+        {"floor", scene_of({test::floor_at(-5, 200)}), {}, 50, 0.2, 0.25, 0, 0.005},
+        {"boxes", boxes, {}, 50, 0.25, 0.2, 0.0005, 0},
+        {"big100k", Scene::from_meshes(bench::scene_meshes("big100k")), {}, 50, 0.25, 0.35, 0.0005, 0.01},
+        {"manifold", Scene::load(scenes + "manifold.glb"), {{-17.5, 0, -3.1}, {}}, 50, 0.4, 0.2, 0.005, 0},
+        {"tank", Scene::load(scenes + "tank.glb"), {{0, 0, -2}, {}}, 12, 0.3, 0.3, 0.0006, 0.01}};
 }
 
 void expect_the_same_bins(const Place& place, const char* sonar, const Shot& shot, std::uint64_t pings,
@@ -135,8 +135,8 @@ void expect_the_same_bins(const Place& place, const char* sonar, const Shot& sho
     EXPECT_NEAR(test::db(total(coarse) / total(fine)), 0, 0.02) << place.name << ", " << sonar;
 }
 
-// Every bin within 30 dB of the loudest, first return and side lobes too. What is left comes from the side
-// lobes' coarse pixels, from outlines and from rough ground; README.md of render has the figures.
+// Every bin within 30 dB of the loudest, first return and side lobes too. What is left comes from thin pipes
+// and from the side lobes' coarse pixels; README.md of render has the figures.
 TEST(PixelDensity, DoublingChangesHardlyABinOfAnArray) {
     for (const Place& place : places())
         expect_the_same_bins(place, "array", quarter_array(place.range), 256, place.array_db,
