@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <link.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/sendfile.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -14,9 +15,16 @@
 namespace echoloop::gl {
 namespace {
 
+/// A limit on the size of files holds for those in memory, too, and ends a program that goes beyond.
+bool may_be_as_long_as(off_t size) {
+    rlimit limit{};
+    return ::getrlimit(RLIMIT_FSIZE, &limit) == 0 &&
+           (limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= static_cast<rlim_t>(size));
+}
+
 bool copy_all(int from, int to) {
     struct stat status {};
-    if (::fstat(from, &status) != 0) return false;
+    if (::fstat(from, &status) != 0 || !may_be_as_long_as(status.st_size)) return false;
     off_t done = 0;
     while (done < status.st_size)
         if (::sendfile(to, from, &done, static_cast<std::size_t>(status.st_size - done)) <= 0) return false;

@@ -2,11 +2,18 @@
 keeps a name for each, so that no two tests get the same between asking and binding. All lie below those that the kernel
 picks by itself for whoever connects or binds to port 0."""
 
+import atexit
 import random
 import socket
 
 FIRST, END = 20000, 32000
-_owned = []  # sockets that hold the names; closed with the process
+_owned = []  # sockets that hold the names
+
+
+@atexit.register
+def _give_back():
+    while _owned:
+        _owned.pop().close()
 
 
 def _own(port):
