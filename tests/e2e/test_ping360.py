@@ -73,9 +73,10 @@ class PingViewer(unittest.TestCase):
         for ping in pings:
             self.assertEqual((ping.gain, ping.period), (1, wide.period))
             degrees = (ping.angle - 200) * 0.9
-            step = wide.bin_length(SOUND_SPEED)
-            # a beam of 2 deg meets a slanting wall sooner on one side
-            self.assertAlmostEqual(edge(ping, wide, 99), wall(degrees), delta=2 * step + 0.025 * wall(degrees))
+            step, found = wide.bin_length(SOUND_SPEED), edge(ping, wide, 99)
+            # One side of a beam of 2 deg meets a slanting wall sooner.
+            self.assertGreater(found, min(wall(degrees - 1), wall(degrees + 1)) - 2 * step, degrees)
+            self.assertLess(found, wall(degrees) + 2 * step, degrees)
         host.line_break()
         host.silence()
         self.assertIsNone(host.hear(0.5), "a break ends the scan")
