@@ -54,15 +54,25 @@ int open_raw_slave(const std::string& path) {
     return fd;
 }
 
-int open_watch(const std::string& path) {
+struct Watch {
+    int fd;
+    int terminal;  ///< the number that events of the slave bear
+};
+
+/// The slave and its folder. Events of the folder come between those of the slave and keep them apart:
+/// inotify makes one of two that are the same and come one after the other (inotify(7)).
+Watch open_watch(const std::filesystem::path& slave) {
     const int fd = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
     if (fd < 0) fail("inotify cannot be opened (raise fs.inotify.max_user_instances)", errno);
-    if (::inotify_add_watch(fd, path.c_str(), IN_OPEN | IN_CLOSE) < 0) {
+    const auto add = [fd](const std::filesystem::path& path) {
+        const int number = ::inotify_add_watch(fd, path.c_str(), IN_OPEN | IN_CLOSE);
+        if (number >= 0) return number;
         const int error = errno;
         ::close(fd);
-        fail(path + " cannot be watched (raise fs.inotify.max_user_watches)", error);
-    }
-    return fd;
+        fail(path.string() + " cannot be watched (raise fs.inotify.max_user_watches)", error);
+    };
+    add(slave.parent_path());
+    return {fd, add(slave)};
 }
 
 }  // namespace
@@ -77,7 +87,9 @@ void Pty::open() {
     arrivals_.watch(master_);
     slave_path_ = slave_name(master_);
     slave_ = open_raw_slave(slave_path_);
-    watch_.assign(open_watch(slave_path_));
+    const Watch watch = open_watch(slave_path_);
+    watch_.assign(watch.fd);
+    watched_ = watch.terminal;
     if (!wanted_link_.empty()) link_.emplace(wanted_link_, slave_path_);
 }
 
@@ -170,6 +182,8 @@ void Pty::handle_watch(ByteView events) {
         inotify_event event;
         std::memcpy(&event, events.data(), sizeof event);
         events = events.subspan(std::min(events.size(), sizeof event + event.len));
+        if (event.mask & IN_Q_OVERFLOW) recount();
+        if (event.wd != watched_) continue;
         if ((event.mask & IN_OPEN) && openers_++ == 0) events_.opened();
         if (event.mask & IN_CLOSE) openers_ = std::max(0, openers_ - 1);
         if ((event.mask & IN_CLOSE) && openers_ == 0) {
@@ -177,6 +191,23 @@ void Pty::handle_watch(ByteView events) {
             events_.reconnected();
         }
     }
+}
+
+/// More drivers came and went unseen than the kernel remembers. The master hangs up when nobody has the slave
+/// open, so it is let go for a moment.
+void Pty::recount() {
+    ::close(slave_);
+    pollfd master{master_, 0, 0};
+    ::poll(&master, 1, 0);
+    slave_ = ::open(slave_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    std::array<std::uint8_t, 4096> own;  // what is told of this
+    while (::read(watch_.native_handle(), own.data(), own.size()) > 0) continue;
+    openers_ = 0;
+    drop_unread();
+    events_.reconnected();
+    if (master.revents & POLLHUP) return;
+    openers_ = 1;
+    events_.opened();
 }
 
 /// What a driver left unread must not reach the next one. What it said last, or the next one says already,

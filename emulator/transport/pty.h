@@ -56,6 +56,7 @@ class Pty final : public CountingTransport {
     void handle_watch(ByteView events);
     /// Takes note of who has opened and closed the slave by now.
     void note_openers();
+    void recount();
     void drop_unread();
     /// Tells of a rate that the driver has set since the last time.
     void note_rate();
@@ -64,6 +65,7 @@ class Pty final : public CountingTransport {
     int master_ = -1;  ///< -1: unplugged or closed
     TtyArrivals arrivals_;
     asio::posix::stream_descriptor watch_;  ///< inotify on the slave: open and close of drivers
+    int watched_ = -1;                      ///< the slave's number in what it tells
     int slave_ = -1;                        ///< kept open, so that the master never reads EIO
     std::string slave_path_;
     std::filesystem::path wanted_link_;  ///< empty: none
