@@ -62,9 +62,16 @@ void Aris::reconnected(std::size_t port) {
     connected_ = true;
 }
 
-Actions Aris::connected(std::size_t port, Address peer, Time) {
-    if (port == command_port) peer_ = peer.ip;
+Actions Aris::connected(std::size_t port, Address peer, Time now) {
+    if (port == command_port) {
+        peer_ = peer.ip;
+        expect_words(now);
+    }
     return take_actions();
+}
+
+void Aris::expect_words(Time now) {
+    if (settings_.silence_limit > 0) next_silence_ = now + from_seconds(settings_.silence_limit);
 }
 
 Actions Aris::disconnected(std::size_t port, Time) {
@@ -76,7 +83,7 @@ Actions Aris::received(const Received& data, Time now) {
     if (data.port == frame_port) take_ack(data.bytes);
     if (data.port != command_port) return take_actions();
     connected_ = true;
-    if (settings_.silence_limit > 0) next_silence_ = now + from_seconds(settings_.silence_limit);
+    expect_words(now);
     framer_.feed(data.bytes);
     while (const auto frame = framer_.next()) obey(frame->command, now);
     return take_actions();

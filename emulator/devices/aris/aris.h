@@ -44,6 +44,8 @@ class Aris final : public Device {
     bool set_clock(const std::string& text, Time now);
     void take_ack(ByteView bytes);
     void forget_controller();
+    /// Starts the controller's time to say something.
+    void expect_words(Time now);
     void plan_next_frame(Time now);
     void transmit(Time now);
     void send_frame(const Echogram& echogram, Time now);

@@ -60,10 +60,22 @@ void Sonar::reconnected(std::size_t port) {
     request_deadline_ = Time::max();
 }
 
+/// Who connects and asks nothing must not keep others out.
+Actions Sonar::connected(std::size_t port, Address, Time now) {
+    if (port == http_port) request_deadline_ = now + request_patience;
+    return take_actions();
+}
+
+Actions Sonar::disconnected(std::size_t port, Time) {
+    reconnected(port);
+    return take_actions();
+}
+
 Actions Sonar::received(const Received& data, Time now) {
     if (data.port != http_port) return take_actions();
     reader_.feed(data.bytes);
     while (const auto next = reader_.next()) {
+        request_deadline_ = Time::max();
         if (const auto* request = std::get_if<http::Request>(&*next)) {
             obey(*request, now);
             continue;
@@ -71,7 +83,7 @@ Actions Sonar::received(const Received& data, Time now) {
         ++counters_.rejected;
         respond(http::response(std::get<http::Refusal>(*next).status));
     }
-    request_deadline_ = reader_.pending_bytes() > 0 ? now + request_patience : Time::max();
+    if (reader_.pending_bytes() > 0) request_deadline_ = now + request_patience;
     return take_actions();
 }
 
@@ -178,10 +190,11 @@ std::optional<Address> Sonar::destination() const {
 
 Actions Sonar::woken(Time now) {
     if (now >= request_deadline_) {
+        const bool begun = reader_.pending_bytes() > 0;
         reader_.clear();
         request_deadline_ = Time::max();
-        ++counters_.rejected;
-        respond(http::response(408));
+        if (begun) ++counters_.rejected;
+        respond(begun ? http::response(408) : Bytes{});
     }
     return take_actions();
 }

@@ -24,6 +24,8 @@ class Sonar final : public Device {
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
+    Actions connected(std::size_t port, Address peer, Time now) override;
+    Actions disconnected(std::size_t port, Time now) override;
     DeviceCounters counters() const override { return counters_; }
 
   private:
@@ -47,7 +49,7 @@ class Sonar final : public Device {
     Wiring wiring_;
     State state_;
     http::RequestReader reader_;
-    Time request_deadline_ = Time::max();  ///< of a request that is not whole
+    Time request_deadline_ = Time::max();  ///< of a request that is not whole, or has not begun
     double speed_ = 0;                     ///< m/s, in use
     Time speed_change_ = Time::max();      ///< when the one set is used
 

@@ -189,6 +189,17 @@ TEST(ArisController, ThatIsSilentIsHungUpOn) {
     EXPECT_EQ(std::ranges::count_if(sent, hung_up), 1);
 }
 
+TEST(ArisController, ThatNeverSaysAWordIsHungUpOnToo) {
+    ArisBench bench;
+    bench.device().connected(0, {0x7F000001, 40000}, bench.now);
+    bench.run_to(9900ms);
+    const auto hung_up = [](const Send& send) { return send.port == 0 && send.hang_up; };
+    EXPECT_TRUE(std::ranges::none_of(bench.sent(), hung_up));
+    bench.run_to(10s);
+    EXPECT_TRUE(std::ranges::any_of(bench.sent(), hung_up));
+    EXPECT_EQ(state(bench.beacons_within(2s).back()), 0U) << "available";
+}
+
 TEST(ArisController, ThatLeavesTakesItsFramesAlong) {
     ArisBench bench;
     bench.say(words::receiver);

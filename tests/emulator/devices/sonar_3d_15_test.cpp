@@ -261,6 +261,20 @@ TEST(Sonar3d15, ARequestThatNeverEndsIsGivenUpAndANewConnectionStartsClean) {
     EXPECT_EQ(sonar.get("/temperature"), "21.0");
 }
 
+TEST(Sonar3d15, AConnectionThatAsksNothingIsClosedForTheNextOne) {
+    SonarBench sonar;
+    const auto wake = sonar.bench->device().connected(0, {0x7F000001, 40000}, 0s).wake;
+    ASSERT_EQ(wake, Time(5s));
+    const auto sent = sonar.bench->device().woken(5s).send;
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_TRUE(sent[0].hang_up && sent[0].bytes.empty());
+    EXPECT_EQ(sonar.bench->device().counters().rejected, 0U);
+    EXPECT_EQ(sonar.get("/temperature"), "21.0");
+    sonar.bench->device().reconnected(0);
+    sonar.bench->device().connected(0, {0x7F000001, 40001}, 10s);
+    EXPECT_EQ(sonar.bench->device().disconnected(0, 11s).wake, Time::max()) << "nobody is waited for";
+}
+
 TEST(Sonar3d15, ServesItsHostAfterNoiseOnTheLine) {
     SonarBench sonar;
     NoisyHost host;
