@@ -55,7 +55,7 @@ void fill(Result& result, const PingRecord& ping, const Settings& settings, cons
 
 template <class Result>
 Bytes with_image(Result& result, const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
-    Bytes bytes = oculus::encode_around_image(result, settings.device_id);
+    Bytes bytes = oculus::encode_around_image(result, settings.message_id);
     write_image(echogram, ping.request, ping.plan, settings,
                 std::span(bytes).subspan(result.image_offset, result.image_size));
     return bytes;
@@ -106,6 +106,6 @@ Bytes make_status(const Settings& settings, std::uint32_t own, std::uint32_t cli
     return oculus::encode(status, settings.device_id, everybody, static_cast<oculus::Id>(settings.status_id));
 }
 
-Bytes make_dummy(const Settings& settings) { return oculus::encode(oculus::Dummy{}, settings.device_id); }
+Bytes make_dummy(const Settings& settings) { return oculus::encode(oculus::Dummy{}, settings.message_id); }
 
 }  // namespace echoloop::oculus_device

@@ -35,13 +35,20 @@ void Oculus::reconnected(std::size_t port) {
     framer_.clear();
     request_.reset();
     ping_under_way_ = false;
-    next_ping_ = Time::max();
+    next_ping_ = next_silence_ = Time::max();
     client_ = 0;
 }
 
-Actions Oculus::connected(std::size_t port, Address peer, Time) {
-    if (port == data_port) client_ = peer.ip;
+Actions Oculus::connected(std::size_t port, Address peer, Time now) {
+    if (port == data_port) {
+        client_ = peer.ip;
+        expect_words(now);
+    }
     return take_actions();
+}
+
+void Oculus::expect_words(Time now) {
+    if (settings_.silence_limit > 0) next_silence_ = now + from_seconds(settings_.silence_limit);
 }
 
 /// Nobody is left whom it could ping for.
@@ -52,6 +59,7 @@ Actions Oculus::disconnected(std::size_t port, Time) {
 
 Actions Oculus::received(const Received& data, Time now) {
     if (data.port != data_port) return take_actions();
+    expect_words(now);
     framer_.feed(data.bytes);
     while (const auto frame = framer_.next()) obey(*frame, now);
     return take_actions();
@@ -68,11 +76,12 @@ void Oculus::obey(const oculus::Frame& frame, Time now) {
         fire(read_request(*v2), now);
 }
 
-void Oculus::fire(const std::optional<Request>& request, Time now) {
+void Oculus::fire(std::optional<Request> request, Time now) {
     if (!request) {
         ++counters_.rejected;
         return;
     }
+    if (settings_.answer != Answer::as_asked) request->v2 = settings_.answer == Answer::v2;
     request_ = request;
     if (!ping_under_way_) plan_next_ping(now);
 }
@@ -121,6 +130,10 @@ Actions Oculus::woken(Time now) {
         Bytes status = make_status(settings_, wiring_.own.ip, client_, depth_);
         actions_.send.push_back({status_port, std::move(status), wiring_.status, {}});
     }
+    if (now >= next_silence_) {
+        reconnected(data_port);
+        actions_.send.push_back({data_port, {}, {}, {}, true});
+    }
     if (now >= next_tick_) tick(now);
     if (now >= next_ping_) transmit(now);
     return take_actions();
@@ -133,7 +146,7 @@ DeviceCounters Oculus::counters() const {
 }
 
 Actions Oculus::take_actions() {
-    actions_.wake = std::min({next_ping_, next_status_, next_tick_});
+    actions_.wake = std::min({next_ping_, next_status_, next_tick_, next_silence_});
     return std::exchange(actions_, {});
 }
 

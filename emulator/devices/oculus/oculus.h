@@ -28,8 +28,10 @@ class Oculus final : public Device {
     DeviceCounters counters() const override;
 
   private:
+    /// Starts the host's time to say something.
+    void expect_words(Time now);
     void obey(const oculus::Frame& frame, Time now);
-    void fire(const std::optional<Request>& request, Time now);
+    void fire(std::optional<Request> request, Time now);
     bool pinging() const;
     void plan_next_ping(Time now);
     void transmit(Time now);
@@ -47,6 +49,7 @@ class Oculus final : public Device {
     std::uint32_t client_ = 0;  ///< who is connected
     double depth_ = 0;          ///< m, at the last ping
     Time next_ping_ = Time::max();
+    Time next_silence_ = Time::max();  ///< when the host will have been silent too long
     Time next_status_ = Time::max();
     Time next_tick_ = Time::max();  ///< of the second that dummies keep
     Actions actions_;

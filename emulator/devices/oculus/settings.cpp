@@ -74,6 +74,8 @@ std::vector<FigureRow> mode_rows(const std::string& mode) {
 std::vector<Option> identity_options() {
     return {
         integer_row("device_id", "", 1001, 1, 65535, "in the status and in every message", "own choice"),
+        integer_row("message_device_id", "", 0, 0, 65535,
+                    "in dummies and results; 0: that of the status, as drivers insist", spec),
         integer_row("part_number", "", 0, 0, 65535, "in the status; 0: of the model", spec),
         text_row("mask", "255.255.255.0", "network mask in the status", "own choice"),
         number_row("temperature", "degC", 10, -4, 40,
@@ -84,6 +86,9 @@ std::vector<Option> identity_options() {
         integer_row("status_message_id", "", 0, 0, 65535, "of the status, which readers do not check", spec),
         integer_row("status_bits", "", 3, 0, 0xFFFFFFFF,
                     "in the status: bits 0-2 state, 3 is normal; bit 15 stops the pings", spec),
+        number_row("silence_limit", "s", 0, 0, 3600,
+                   "a host that says nothing for so long is hung up on; 0: never. One driver tells of 1 s",
+                   spec),
         choice_row("sensors", {"sane", "garbage"},
                    "temperature and pressure in results; real units fill in garbage", spec),
     };
@@ -91,6 +96,8 @@ std::vector<Option> identity_options() {
 
 std::vector<Option> answer_options() {
     return {
+        choice_row("result_version", {"asked", "v1", "v2"},
+                   "of the fire, or always one: a fault that users complain of", spec),
         choice_row("data_16_bit", {"set", "clear"}, "flag bit 1 of a host that wants 16-bit data", spec),
         choice_row("range_in_32_bit", {"flag", "percent"},
                    "unit of the range in 32-bit mode: as bit 0 says, or %", spec),
@@ -138,6 +145,8 @@ Settings read_settings(const DeviceConfig& config) {
     const Options& o = config.options;
     Settings s;
     s.device_id = static_cast<std::uint16_t>(integer(o, "device_id"));
+    s.message_id = static_cast<std::uint16_t>(integer(o, "message_device_id"));
+    if (s.message_id == 0) s.message_id = s.device_id;
     s.part_number = static_cast<std::uint16_t>(integer(o, "part_number"));
     if (s.part_number == 0) s.part_number = static_cast<std::uint16_t>(figure(config.profile, "part_number"));
     s.mask = read_mask(text(o, "mask"));
@@ -147,6 +156,9 @@ Settings read_settings(const DeviceConfig& config) {
     s.status_id = static_cast<std::uint16_t>(integer(o, "status_message_id"));
     s.status_bits = static_cast<std::uint32_t>(integer(o, "status_bits"));
     s.garbage_sensors = text(o, "sensors") == "garbage";
+    s.silence_limit = number(o, "silence_limit");
+    const std::string& version = text(o, "result_version");
+    s.answer = version == "v1" ? Answer::v1 : version == "v2" ? Answer::v2 : Answer::as_asked;
     s.data_16_bit_set = text(o, "data_16_bit") == "set";
     s.percent_in_32_bit = text(o, "range_in_32_bit") == "percent";
     s.float_gain_words = text(o, "gain_word") == "f32";

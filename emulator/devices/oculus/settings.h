@@ -10,6 +10,9 @@
 
 namespace echoloop::oculus_device {
 
+/// Version of the results.
+enum class Answer { as_asked, v1, v2 };
+
 /// Figures of one frequency mode; angles in rad.
 struct ModeFigures {
     double frequency = 0;          ///< Hz
@@ -41,14 +44,17 @@ struct Acoustics {
 };
 
 struct Settings {
-    std::uint16_t device_id = 0;
+    std::uint16_t device_id = 0;   ///< in the status
+    std::uint16_t message_id = 0;  ///< device id in dummies and results
     std::uint16_t part_number = 0;
     std::uint16_t status_id = 0;  ///< message id of the status
     std::uint32_t status_bits = 0;
     double status_period = 1;  ///< s
     oculus::Ipv4 mask{};
-    double temperature = 10;         ///< degC, at the sonar's own sensor
-    double link_speed = 1000;        ///< Mbit/s
+    double temperature = 10;   ///< degC, at the sonar's own sensor
+    double link_speed = 1000;  ///< Mbit/s
+    double silence_limit = 0;  ///< s, of a host; 0: none
+    Answer answer = Answer::as_asked;
     bool data_16_bit_set = true;     ///< flag bit 1 set means 16 bit
     bool percent_in_32_bit = false;  ///< range is a percentage whatever bit 0 says
     bool float_gain_words = false;

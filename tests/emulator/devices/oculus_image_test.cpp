@@ -149,6 +149,9 @@ TEST(OculusOptions, ChangeWhatTheSpecificationLeavesOpen) {
     EXPECT_NEAR(at<double>(seen({{"sound_speed_echo", S("used")}}, {.sound_speed = 0}).bytes, 37), 1490, 5);
     EXPECT_EQ(seen({{"rate_echo", S("useless")}}, {}).bytes[17], 195);
     EXPECT_EQ(at<double>(seen({{"sensors", S("garbage")}}, {}).bytes, 77), -1e194);
+    EXPECT_TRUE(seen({{"result_version", S("v2")}}, {}).v2) << "to a fire of version 1";
+    EXPECT_FALSE(seen({{"result_version", S("v1")}}, {}, true).v2);
+    EXPECT_EQ(at<std::uint16_t>(seen({{"message_device_id", std::int64_t{7}}}, {}).bytes, 2), 7);
     const Wish percent{.flags = 0x0B, .range = 50, .ext_flags = 0x200};
     const Seen half = seen({{"range_in_32_bit", S("percent")}}, percent, true);
     EXPECT_NEAR(static_cast<double>(half.ranges()) * half.resolution(), 20, 0.1) << "half of 40 m";

@@ -103,6 +103,24 @@ TEST(OculusStandby, BeginsWhenTheHostLeaves) {
     EXPECT_EQ(count(bench.sent_within(3s), is_result), 0U);
 }
 
+TEST(OculusHost, ThatIsSilentIsKeptUnlessALimitIsSet) {
+    const auto hung_up = [](const Send& send) { return send.port == 0 && send.hang_up; };
+    for (const bool limited : {false, true}) {
+        OculusBench bench(limited ? Options{{"silence_limit", 1.5}} : Options{});
+        bench.say(fire({}));
+        bench.run_to(1400ms);
+        bench.say(from_hex("534f000000005500000000000000"));  // half a message will do
+        bench.run_to(2800ms);
+        EXPECT_TRUE(std::ranges::none_of(bench.sent(), hung_up));
+        bench.run_to(4s);
+        EXPECT_EQ(count(bench.sent(), hung_up), limited ? 1U : 0U);
+        EXPECT_EQ(count(bench.sent_within(1s), is_result), limited ? 0U : 10U);
+    }
+    OculusBench mute({{"silence_limit", 1.5}});
+    mute.run_to(1600ms);
+    EXPECT_EQ(count(mute.sent(), hung_up), 1U) << "it has never said anything";
+}
+
 TEST(OculusStandby, IsForcedByOverTemperature) {
     OculusBench bench({{"status_bits", std::int64_t{0x8003}}});
     bench.say(fire({}));
