@@ -76,4 +76,8 @@ void mark_in_line(std::span<Detection> detections, std::span<const double> angle
 double median_depth(std::span<const Detection> detections, std::span<const double> angles,
                     double sound_speed);
 
+/// Slope of the bottom across the swath, rad, positive where it is shallower to starboard: the median of
+/// lines through pairs of detections half a swath apart, within 60 deg of the axis; 0 if there are too few.
+double median_slope(std::span<const Detection> detections, std::span<const double> angles);
+
 }  // namespace echoloop::multibeam

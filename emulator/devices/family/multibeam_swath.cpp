@@ -106,4 +106,23 @@ double median_depth(std::span<const Detection> detections, std::span<const doubl
     return *middle;
 }
 
+double median_slope(std::span<const Detection> detections, std::span<const double> angles) {
+    constexpr std::size_t least = 8;
+    std::vector<Point> points;
+    for (std::size_t n = 0; n < detections.size(); ++n)
+        if (detections[n].found() && std::abs(angles[n]) < deg_to_rad(60))
+            points.push_back(point_of(detections[n], angles[n]));
+    if (points.size() < least) return 0;
+    std::vector<double> slopes;
+    const std::size_t half = points.size() / 2;
+    for (std::size_t n = 0; n + half < points.size(); ++n) {
+        const double across = points[n + half].across - points[n].across;
+        if (across > 0) slopes.push_back((points[n].down - points[n + half].down) / across);
+    }
+    if (slopes.empty()) return 0;
+    const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+    std::nth_element(slopes.begin(), middle, slopes.end());
+    return std::atan(*middle);
+}
+
 }  // namespace echoloop::multibeam

@@ -56,7 +56,7 @@ const Row rows[] = {
     {"PRZ0", &Controls::projector_z, -0.2, 0.2},
     {"DGA0", &Controls::gate_min, 0, 1200},
     {"DGB0", &Controls::gate_max, 0, 1200},
-    {"DGS0", &Controls::gate_slope, -80 * deg, 80 * deg},
+    {"DGS0", &Controls::gate_slope, -90 * deg, 90 * deg},
     {"DGO0", &Controls::gate_mode, 0, 0xFFFF},
     {"RGA0", &Controls::range_gate_min, 0, 1200},
     {"RGB0", &Controls::range_gate_max, 0, 1200},

@@ -68,6 +68,7 @@ Address Network::destination(Product product) const {
 std::vector<Send> Network::answers(const r2sonic::R2dd& request, Address from) const {
     if (!answer_) return {};
     const Address to = answer_sender_ ? from : Address{request.gui_ip, request.gui_port};
+    if (is_loopback(wiring_.head.ip) && !is_loopback(to.ip)) return {};
     const auto answer = [&](const r2sonic::R2di& packet) {
         return Send{discovery_port, r2sonic::serialise(packet), to, {}};
     };

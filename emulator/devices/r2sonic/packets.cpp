@@ -91,7 +91,7 @@ r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings, const Echo
 
 r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
                         const std::vector<Detection>& detections,
-                        const std::vector<multibeam::TimeGate>& gates, multibeam::TimeGate axis_gate) {
+                        const std::vector<multibeam::TimeGate>& gates, const r2sonic::G0& gate) {
     r2sonic::Bth0 packet;
     packet.h0 = make_h0(ping, settings);
     packet.angles = ping.beams.section;
@@ -105,8 +105,7 @@ r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
     const double longest = *std::max_element(times.begin(), times.end());
     packet.r0 = r2sonic::pack_times(times, std::max(time_step, static_cast<float>(longest / 65535.0)));
     if (ping.controls.intensity) packet.i1 = make_intensities(detections);
-    packet.g0 = {static_cast<float>(axis_gate.min), static_cast<float>(axis_gate.max),
-                 static_cast<float>(ping.controls.gate_mode == 1 ? ping.controls.gate_slope : 0.0)};
+    packet.g0 = gate;
     if (settings.verbose_gates) packet.g1 = make_gates(gates);
     packet.q0 = r2sonic::pack_quality(nibbles);
     return packet;

@@ -26,7 +26,7 @@ r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings, const Echo
 
 r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
                         const std::vector<multibeam::Detection>& detections,
-                        const std::vector<multibeam::TimeGate>& gates, multibeam::TimeGate axis_gate);
+                        const std::vector<multibeam::TimeGate>& gates, const r2sonic::G0& gate);
 
 /// AID0: the first datagram, then the sections with all beams and ascending bins. Empty without an image.
 std::vector<Bytes> image_datagrams(const PingRecord& ping, const Settings& settings,

@@ -107,13 +107,13 @@ double steering(const Controls& controls, double pitch) {
     return std::clamp(controls.steering + (controls.pitch_stabilised ? pitch : 0), -most, most);
 }
 
-multibeam::Gates bottom_gates(const Controls& c, double last_depth) {
+multibeam::Gates bottom_gates(const Controls& c, const Seabed& last) {
     multibeam::Gates gates;
     const std::uint32_t mode = c.gate_mode & 0xFF;
     if (mode == 1) gates.depth = {c.gate_min, c.gate_max, c.gate_slope};
-    if ((mode == 2 || mode == 3) && last_depth > 0) {
+    if ((mode == 2 || mode == 3) && last.depth > 0) {
         const double part = std::clamp<double>(c.gate_mode >> 8, 5, 90) / 100;
-        gates.depth = {last_depth * (1 - part), last_depth * (1 + part), 0};
+        gates.depth = {last.depth * (1 - part), last.depth * (1 + part), mode == 3 ? last.slope : 0};
     }
     if (c.range_gate) gates.range = {c.range_gate_min, c.range_gate_max};
     return gates;

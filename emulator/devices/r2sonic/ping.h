@@ -48,8 +48,13 @@ Beams beam_angles(const Controls& controls, double roll);
 /// Elevation of the transmit fan, rad: steered, and stabilised against `pitch`.
 double steering(const Controls& controls, double pitch);
 
-/// Depth and range gates as set; `last_depth` (m, 0: unknown) serves the automatic gates.
-multibeam::Gates bottom_gates(const Controls& controls, double last_depth);
+/// The bottom as the ping before has found it.
+struct Seabed {
+    double depth = 0;  ///< m, 0: unknown
+    double slope = 0;  ///< rad, positive where it is shallower to starboard
+};
+/// Depth and range gates as set; `last` serves the automatic gates.
+multibeam::Gates bottom_gates(const Controls& controls, const Seabed& last);
 
 Shot make_shot(const Controls& controls, const Settings& settings, const Beams& beams, double pitch,
                std::uint32_t ping);

@@ -76,7 +76,7 @@ void R2Sonic::switch_head(bool on) {
     ping_ = {};
     ping_under_way_ = ping_asked_ = false;
     last_transmission_.reset();
-    last_depth_ = 0;
+    seabed_ = {};
 }
 
 /// The first ping after `from` that a pulse at the sync input fires; pulses last half their period.
@@ -122,14 +122,16 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
     attitude_ = attitude_of(echogram.world_from_sonar);
     const double c = working_sound_speed(ping_.controls, settings_);
     const double window = static_cast<double>(echogram.shot.bins) * echogram.shot.bin_interval;
-    const multibeam::Gates set = bottom_gates(ping_.controls, last_depth_);
+    const multibeam::Gates set = bottom_gates(ping_.controls, seabed_);
     std::vector<multibeam::TimeGate> gates;
     for (const double angle : angles) gates.push_back(multibeam::time_gate(set, angle, c, window));
     const auto detections = multibeam::detect(
         echogram, gates, {.margin = settings_.acoustics.detection_margin, .echoes_last = settings_.pulse});
     const auto axis_gate = multibeam::time_gate(set, 0, c, window);
-    last_depth_ = multibeam::median_depth(detections, angles, c);
-    send(head_commands, make_bth0(ping_, settings_, detections, gates, axis_gate), Product::bathymetry);
+    seabed_ = {multibeam::median_depth(detections, angles, c), multibeam::median_slope(detections, angles)};
+    const r2sonic::G0 gate{static_cast<float>(axis_gate.min), static_cast<float>(axis_gate.max),
+                           static_cast<float>(set.depth ? set.depth->slope : 0)};
+    send(head_commands, make_bth0(ping_, settings_, detections, gates, gate), Product::bathymetry);
     send_products(echogram, detections, axis_gate, now);
     if (controls_.auto_range & 0x10000) follow_bottom(detections);
     plan_next_ping(now);

@@ -48,8 +48,8 @@ class R2Sonic final : public Device {
     bool ping_under_way_ = false;
     bool ping_asked_ = false;  ///< PNG0 came
     std::optional<Time> last_transmission_;
-    Attitude attitude_;      ///< of the last ping
-    double last_depth_ = 0;  ///< m, for automatic gates
+    Attitude attitude_;  ///< of the last ping
+    Seabed seabed_;      ///< for automatic gates
     std::uint32_t datagrams_received_ = 0, datagrams_sent_ = 0;
     Time next_ping_ = Time::max();
     Time next_status_ = Time::max();

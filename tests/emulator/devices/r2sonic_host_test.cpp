@@ -62,6 +62,20 @@ TEST(R2SonicDiscovery, AnswersTheSender) {
     EXPECT_EQ(name(sent[1].bytes, 4, 6), "100117");
 }
 
+TEST(R2SonicDiscovery, AnswersTheGuiIfToldToButNeverFromLoopbackToANetwork) {
+    Bench bench = head({{"discovery_reply", std::string("gui")}});
+    const auto answered = [&](const Bytes& request) {
+        bench.sent();
+        bench.say(request, 1, {0x7F000001, 41000});
+        return named(bench.sent(), "R2DI");
+    };
+    ASSERT_EQ(answered(discovery_request()).size(), 1u);
+    EXPECT_EQ(answered(discovery_request()).at(0).to, gui);
+    Bytes elsewhere = discovery_request();
+    elsewhere[4] = 10;
+    EXPECT_TRUE(answered(elsewhere).empty());
+}
+
 TEST(R2SonicDiscovery, ConfigurationMovesTheHostOnLoopbackOnly) {
     Bench bench = head({{"trigger", std::string("command")}});
     bench.run_to(1ms);
