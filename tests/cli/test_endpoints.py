@@ -16,6 +16,16 @@ class Endpoints(ProgramTest):
         self.assertRegex(text, r"sends bathymetry to +127\.0\.0\.1:65400")
         self.assertRegex(text, r"sends status to +127\.0\.0\.1:65402")
         self.assertRegex(text, r"sends images to +127\.0\.0\.1:65403")
+        self.assertRegex(text, r"sends TruePix to +127\.0\.0\.1:65401")
+        self.assertRegex(text, r"sends water column to +127\.0\.0\.1:65405")
+        self.assertRegex(text, r"sends snippets to +127\.0\.0\.1:65406")
+
+    def test_where_datagrams_go_that_leave_from_another_port(self):
+        kmall = self.good("endpoints", str(Path(DEMO).with_name("kmall.yaml")))
+        self.assertRegex(kmall, r"listens for commands +127\.0\.0\.1:4002\n +sends datagrams to +127\.0\.0\.1:6020")
+        aris = self.good("endpoints", str(Path(DEMO).with_name("aris.yaml")))
+        self.assertRegex(aris, r"sends beacon to +127\.255\.255\.255:56124")
+        self.assertRegex(aris, r"sends frames to +the controller, or the receiver that it names")
 
     def test_a_device_that_only_sends(self):
         line = self.good("endpoints", ECHOSOUNDER)

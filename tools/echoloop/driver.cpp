@@ -9,8 +9,14 @@
 namespace echoloop::cli {
 namespace {
 
-constexpr std::uint16_t status_offset = 2;  // R2Sonic: what is sent where, counted from the host's base port
 constexpr std::uint16_t image_offset = 3;
+/// R2Sonic: what is sent where, counted from the host's base port.
+struct Product {
+    const char* name;
+    std::uint16_t offset;
+};
+constexpr Product r2sonic_products[] = {{"bathymetry", 0},        {"TruePix", 1},      {"status", 2},
+                                        {"images", image_offset}, {"water column", 5}, {"snippets", 6}};
 
 bool is_r2sonic(const ScenarioDevice& device) { return device.model->name.starts_with("r2sonic-"); }
 /// The heads that those drivers can read: the profiler is none of them.
@@ -29,7 +35,9 @@ DriverHint r2sonic_ros2(const ScenarioDevice& device) {
 }
 
 /// Where a device sends to that listens on no port of its own for it.
-std::string told_host(const ScenarioDevice& device) {
+std::string told_host(const ScenarioDevice& device, const std::string& port) {
+    if (device.model->name.starts_with("aris-") && port == "frames")
+        return "the controller, or the receiver that it names";
     for (const auto& uri : device.config.endpoints) {
         const auto end = parse_endpoint(uri);
         if (end.scheme == Endpoint::Scheme::udp) return address_text(end.host, end.port);
@@ -64,7 +72,7 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
         if (port.kind == Port::Kind::datagram && places.empty() && first.scheme == Endpoint::Scheme::udp) {
             places.push_back({"sends " + port.name + " to", address_text(first.host, first.port)});
         } else if (port.kind == Port::Kind::datagram && port.bind.port == 0) {
-            places.push_back({"sends " + port.name + " to", told_host(device)});
+            places.push_back({"sends " + port.name + " to", told_host(device, port.name)});
         } else if (port.kind == Port::Kind::datagram) {
             places.push_back({"listens for " + port.name, text_of(port.bind)});
         } else {
@@ -72,11 +80,13 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
             places.push_back({port.name, stream_address(end, line_rate(device))});
         }
     }
+    if (device.model->name == "kongsberg-kmall")
+        places.push_back({"sends datagrams to", told_host(device, "")});
     if (!is_r2sonic(device)) return places;
     const auto host = parse_endpoint(device.config.endpoints.at(1));
-    places.push_back({"sends bathymetry to", address_text(host.host, host.port)});
-    places.push_back({"sends status to", address_text(host.host, host.port + status_offset)});
-    places.push_back({"sends images to", address_text(host.host, host.port + image_offset)});
+    for (const Product& product : r2sonic_products)
+        places.push_back({std::string("sends ") + product.name + " to",
+                          address_text(host.host, host.port + product.offset)});
     return places;
 }
 
