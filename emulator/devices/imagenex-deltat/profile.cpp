@@ -106,8 +106,11 @@ Profile83P make_profile(const Echogram& echogram, const PingRecord& ping, const 
     for (const auto& found : detections) ranges.push_back(range_of(found, echogram.shot, ping.controls));
     const auto angles = fan_of(ping.controls).angles();
     const double reach = settings.smoothing * echogram.shot.beam_width;
-    for (const double range : smoothed(ranges, angles, reach))
-        p.ranges.push_back(rounded<std::uint16_t>(1000 * range / p.resolution));
+    const double nearest = ping.controls.minimum_range, farthest = ping.controls.range;
+    for (const double range : smoothed(ranges, angles, reach)) {
+        const double within = range > 0 ? std::clamp(range, nearest, std::max(nearest, farthest)) : 0;
+        p.ranges.push_back(rounded<std::uint16_t>(1000 * within / p.resolution));
+    }
     for (std::size_t n = 0; settings.intensity && n < ranges.size(); ++n) {
         const double echo = intensity(detections[n], echogram.rule, ping.controls, settings);
         p.intensities.push_back(ranges[n] > 0 ? rounded<std::uint16_t>(std::max(echo, 1.0)) : 0);

@@ -1,0 +1,158 @@
+"""A slope of 15 degrees and a step of two metres as every bathymetric sonar but the Sonics tells them, end to end."""
+
+import math
+import socket
+import statistics
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from ports import free_port
+from program import ROOT, Emulator
+from test_r2sonic_products import EDGE_Y, FLOOR_Z, HEAD_Z, RAISED_Z, step_scene
+
+import deltat_wire
+import kmall_wire
+import norbit_host
+import reson_wire
+from reson_host import Host as ResonHost
+
+sys.path.insert(0, str(ROOT / "tools"))
+from scenes.glb import glb  # noqa: E402
+from scenes.materials import MU_DB  # noqa: E402
+
+SCENARIO = """
+scene: "%s"
+seed: 3
+water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
+vehicle: {pose: {position: [0, 0, %g], rpy_deg: [%g, 0, 0]}}
+devices:
+  - name: multibeam
+    model: %s
+    mount: {rpy_deg: [0, 90, 0]}
+    endpoints: [%s]
+    options: {%s}
+"""
+C = 1500.0
+INSIDE = math.radians(60)
+
+
+class Shapes:
+    """What they have in common; points() of each gives (angle to starboard, slant range) of one ping, 0 for no bottom."""
+
+    margin = math.radians(1)  # about a wall, where a beam hears both sides
+
+    def run_on(self, scene, z, roll, endpoints, options):
+        emulator = Emulator(SCENARIO % (scene, z, roll, self.model, ", ".join(f'"{e}"' for e in endpoints), options))
+        self.addCleanup(emulator.__exit__, None, None, None)
+        emulator.__enter__()
+
+    def listen(self):
+        sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.addCleanup(sock.close)
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
+        sock.bind(("127.0.0.1", free_port()))
+        sock.settimeout(20)
+        return sock
+
+    def inside(self):
+        points = [p for p in self.points() if abs(p[0]) <= INSIDE]
+        self.assertGreater(len(points), 150)
+        self.assertTrue(all(found > 0 for _, found in points), "no hole")
+        return points
+
+    def check(self, pairs):
+        """(angle, found, truth) of one ping: within 0.5 %, but for the few that speckle moves; they stay within 1.5 %."""
+        off = [(abs(found / truth - 1), math.degrees(angle)) for angle, found, truth in pairs]
+        self.assertLess(max(off)[0], 0.015, f"at {max(off)[1]:.1f} deg")
+        wrong = [f"{1000 * error:.1f} permille at {angle:.1f}" for error, angle in off if error > 0.005]
+        self.assertLess(len(wrong), 0.05 * len(off), wrong)
+        self.assertLess(abs(statistics.mean(found / truth - 1 for _, found, truth in pairs)), 0.0025)
+
+    def test_a_slope_of_15_degrees(self):
+        depth = 10.0
+        self.start("{scenes}/flat.glb", FLOOR_Z + depth, 15.0)
+        for _ in range(2):
+            self.check([(a, found, depth / math.cos(a - math.radians(15))) for a, found in self.inside()])
+
+    def test_a_step_of_two_metres(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "step.glb"
+            file.write_bytes(glb(step_scene(), MU_DB))
+            self.start(str(file), HEAD_Z, 0)
+            low, high = HEAD_Z - FLOOR_Z, HEAD_Z - RAISED_Z
+            foot, top = math.atan(-EDGE_Y / low), math.atan(-EDGE_Y / high)
+            for _ in range(2):
+                points = self.inside()
+                beside = [(a, r, low if a < foot else high) for a, r in points if not self.is_on_wall(a, foot, top)]
+                self.check([(a, found, depth / math.cos(a)) for a, found, depth in beside])
+                for angle, found in points:
+                    if self.is_on_wall(angle, foot, top):
+                        depth = found * math.cos(angle)
+                        self.assertTrue(high - 0.1 < depth < low + 0.1, f"{depth:.2f} m on the wall")
+
+    def is_on_wall(self, angle, foot, top):
+        return foot - self.margin < angle < top + self.margin
+
+
+class Norbit(Shapes, unittest.TestCase):
+    model = "norbit-wbms"
+
+    def start(self, scene, z, roll):
+        ports = [free_port() for _ in range(3)]
+        self.run_on(scene, z, roll, [f"tcp-listen://127.0.0.1:{port}" for port in ports], "")
+        line, self.stream = norbit_host.Line(ports[0]), norbit_host.Stream(ports[1], 1)
+        self.addCleanup(line.close)
+        self.addCleanup(self.stream.close)
+        for command in ("set_gate_mode 0", "set_range .5 50", "set_power 1"):
+            line.set(command)
+
+    def points(self):
+        return [(p.angle, p.range if p.quality & 1 else 0) for p in self.stream.next().points]
+
+
+class Reson(Shapes, unittest.TestCase):
+    model = "reson-7k"
+
+    def start(self, scene, z, roll):
+        port = free_port()
+        self.run_on(scene, z, roll, [f"tcp-listen://127.0.0.1:{port}"], "range: 50, max_ping_rate: 5, swath: 120")
+        self.host = ResonHost(("127.0.0.1", port), False)
+        self.addCleanup(self.host.close)
+        self.assertEqual(self.host.subscribe(reson_wire.SETTINGS, reson_wire.DETECTIONS), 0)
+        self.host.wait(reson_wire.DETECTIONS)
+
+    def points(self):
+        return [(p[2], C / 2 * p[1]) for p in self.host.wait(reson_wire.DETECTIONS).points()]
+
+
+class Kmall(Shapes, unittest.TestCase):
+    model = "kongsberg-kmall"
+
+    def start(self, scene, z, roll):
+        self.socket, self.joiner = self.listen(), kmall_wire.Joiner()
+        host = self.socket.getsockname()[1]
+        self.run_on(scene, z, roll, [f"udp-listen://127.0.0.1:{free_port()}", f"udp://127.0.0.1:{host}"], "range: 50")
+
+    def points(self):
+        _, body = self.joiner.take(self.socket.recv(65536))
+        soundings = kmall_wire.read_mrz(body)["soundings"]
+        return [(-math.radians(s["angle"]), C / 2 * s["time"] if s["type"] == 0 else 0) for s in soundings]
+
+
+class DeltaT(Shapes, unittest.TestCase):
+    model = "imagenex-deltat"
+    margin = math.radians(2)
+
+    def start(self, scene, z, roll):
+        self.socket = self.listen()
+        self.run_on(scene, z, roll, [f"udp://127.0.0.1:{self.socket.getsockname()[1]}"], 'range: "50"')
+
+    def points(self):
+        profile = deltat_wire.read_83p(self.socket.recv(65536))
+        return [(math.radians(profile.angle(n)), profile.ranges[n]) for n in range(profile.beams)]
+
+
+if __name__ == "__main__":
+    unittest.main()
