@@ -126,6 +126,12 @@ class Wlsonar(unittest.TestCase):
                     self.assertRaises(wlsonar.VersionException, sonar.get_mode)
                 sonar.set_udp_disabled()
 
+    def test_other_messages_are_told_from_damaged_ones(self):
+        sock = self.unicast(self.start("acoustics: true, other_messages: true"))
+        self.shot(sock)
+        with self.assertRaises(rip.UnknownProtobufTypeError):
+            rip.unpackb(sock.recv(65507))
+
     def test_inspect_reads_a_recording(self):
         sock = self.unicast(self.start("acoustics: true"))
         self.shot(sock)

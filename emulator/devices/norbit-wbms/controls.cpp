@@ -116,8 +116,10 @@ std::string answer_other(const norbit::Command& command, Controls& controls, con
     if (command.name == "revision") return say(settings.revision);
     if (command.name == "serial") return say(settings.serial);
     if (command.name == "partno") return say(settings.part_number);
-    if (command.name == "set_ntp_server" && command.arguments.size() == 1)
-        return norbit::write_answer(command);
+    if (command.name == "set_ntp_server" && command.arguments.size() <= 1) {
+        if (!command.arguments.empty()) controls.time_server = command.arguments[0];
+        return say(controls.time_server);
+    }
     if (command.name == "exit") return norbit::write_answer({command.name, {}}, "goodbye");
     if (command.name != "set_default") return {};
     controls = initial_controls(settings);

@@ -32,6 +32,7 @@ struct Controls {
     double snippet_rate = 18, trigger_mode = 3, sidescan_mode = 1, autogate = 2;
     double sound_velocity = -1;
     double time_source = 0;
+    std::string time_server = "0.0.0.0";  ///< told back; no time comes from it
 
     friend bool operator==(const Controls&, const Controls&) = default;
 };

@@ -53,6 +53,7 @@ void NorbitWbms::obey_line(const std::string& line, Time now) {
     const Reply reply = obey(command, controls_, settings_);
     ++(reply.understood ? counters_.messages : counters_.rejected);
     send(command_port, Bytes(reply.text.begin(), reply.text.end()));
+    actions_.send.back().hang_up = command.name == "exit";
     if (!ping_under_way_) plan_next_ping(now);
 }
 

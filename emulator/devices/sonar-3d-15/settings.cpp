@@ -83,6 +83,9 @@ std::vector<Option> answer_options() {
         choice_row("frequency_field", {"5", "hertz"}, "in images: as a real sonar sends, or as documented",
                    spec),
         choice_row("first_row", {"down", "up"}, "where row 0 looks", spec),
+        flag_row("other_messages", false,
+                 "a message of an undocumented type follows the images of each shot: readers must skip it",
+                 spec),
         number_row("temperature", "degC", 21, -20, 100, "inside the sonar", spec),
         number_row("water_temperature", "degC", 10, -4, 40, "for the automatic speed of sound", "own choice"),
         number_row("speed_delay", "s", 0, 0, 120, "until a new speed of sound is used; real units take 20",
@@ -148,6 +151,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.package = text(o, "package");
     s.frequency_in_hertz = text(o, "frequency_field") == "hertz";
     s.first_row_up = text(o, "first_row") == "up";
+    s.other_messages = flag(o, "other_messages");
     s.temperature = number(o, "temperature");
     s.water_temperature = number(o, "water_temperature");
     s.speed_delay = number(o, "speed_delay");

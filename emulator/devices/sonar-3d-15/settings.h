@@ -59,6 +59,7 @@ struct Settings {
     std::string package;              ///< of the protobuf messages
     bool frequency_in_hertz = false;  ///< else 5, as real sonars send
     bool first_row_up = false;
+    bool other_messages = false;   ///< a message that readers do not know follows each shot's images
     double temperature = 0;        ///< degC, inside
     double water_temperature = 0;  ///< degC, for the automatic speed of sound
     double speed_delay = 0;        ///< s until a new speed of sound is used

@@ -170,10 +170,13 @@ void Sonar::send_image(const Echogram& echogram) {
     fill(bitmap);
     bitmap.image_pixel_data = std::move(strengths);
     send_packet(std::move(bitmap), *to);
+    if (settings_.other_messages) send_packet(sonar3d::OtherMessage{{0x08, 0x01}}, *to);
 }
 
 void Sonar::send_packet(sonar3d::Message message, Address to) {
-    const std::string url = sonar3d::type_url(settings_.package, message);
+    std::string url = sonar3d::type_url(settings_.package, message);
+    if (std::holds_alternative<sonar3d::OtherMessage>(message))
+        url = "type.googleapis.com/" + settings_.package + ".Undocumented";
     actions_.send.push_back(
         {image_port, sonar3d::serialise({settings_.version, url, std::move(message)}), to, {}});
 }

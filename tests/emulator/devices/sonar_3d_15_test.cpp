@@ -1,6 +1,5 @@
-// The Sonar 3D-15 as a state machine: what each request changes, which packets go where and when, and that no
-// host can wedge it. Requests are text; packets are read by the offsets of the specification.
-#include "tests/emulator/devices/noisy_line.h"
+// The Sonar 3D-15 as a state machine: what each request changes, which packets go where and when. Requests
+// are text; packets are read by the offsets of the specification.
 #include "tests/emulator/devices/sonar_3d_15_bench.h"
 
 namespace echoloop::test {
@@ -50,6 +49,18 @@ TEST(Sonar3d15, SendsARangeImageAndThenItsStrengthsFiveTimesASecond) {
         EXPECT_EQ(image.message.real(first + 3), 40.0F);
     }
     EXPECT_EQ(range.message.real(9), 50.0F / 65536);
+}
+
+TEST(Sonar3d15, AMessageThatReadersSkipFollowsTheImagesIfToldTo) {
+    Options options = pinging;
+    options.emplace("other_messages", true);
+    SonarBench sonar(options);
+    const auto packets = sonar.packets_until(400ms);
+    ASSERT_EQ(packets.size(), 6U);
+    for (const std::size_t i : {2U, 5U})
+        EXPECT_EQ(SeenImage(packets[i].bytes).type_url,
+                  "type.googleapis.com/waterlinked.sonar.protocol.Undocumented");
+    EXPECT_EQ(SeenImage(packets[3].bytes).sequence(), 1U);
 }
 
 TEST(Sonar3d15, PixelsAreTheStrongestEchoOfTheirDirection) {
@@ -191,104 +202,6 @@ TEST(Sonar3d15, ASecondEndpointIsWhereImagesGoFromTheStart) {
     EXPECT_THROW(SonarBench({}, {"tcp-listen://127.0.0.1:8080", "udp://10.0.0.1:5000"}),
                  std::invalid_argument);
     EXPECT_THROW(SonarBench({}, {"pty:/tmp/x"}), std::invalid_argument);
-}
-
-TEST(Sonar3d15, WhatCannotBeIsRefusedAndChangesNothing) {
-    SonarBench sonar;
-    const std::vector<std::pair<std::string, std::string>> nonsense{
-        {"/acoustics/enabled", "1"},
-        {"/acoustics/enabled", ""},
-        {"/acoustics/range", R"({"min": 3.0, "max": 2.0})"},
-        {"/acoustics/range", R"({"min": -1, "max": 2.0})"},
-        {"/acoustics/range", R"({"min": 0, "max": 15.1})"},
-        {"/acoustics/range", R"({"max": 2.0})"},
-        {"/acoustics/speed_of_sound", "999"},
-        {"/acoustics/speed_of_sound", "2001"},
-        {"/acoustics/speed_of_sound", R"("1500")"},
-        {"/acoustics/mode", R"("medium-frequency")"},
-        {"/acoustics/salinity", "salt"},
-        {"/udp", R"({"mode":"unicast","unicast_destination_ip":"","unicast_destination_port":1})"},
-        {"/udp", R"({"mode":"unicast","unicast_destination_ip":"1.2.3.4","unicast_destination_port":0})"},
-        {"/udp", R"({"mode":"multicast","unicast_destination_ip":"1.2.3.400","unicast_destination_port":0})"},
-        {"/udp", R"({"mode":"multicast","unicast_destination_ip":"","unicast_destination_port":65536})"},
-        {"/udp", R"({"mode":"broadcast","unicast_destination_ip":"","unicast_destination_port":0})"},
-        {"/udp", R"({"mode":"multicast"})"},
-    };
-    for (const auto& [path, body] : nonsense) {
-        const std::string before = sonar.get(path);
-        EXPECT_EQ(sonar.post(path, body), 400) << path << ' ' << body;
-        EXPECT_EQ(sonar.get(path), before);
-    }
-    EXPECT_EQ(sonar.post("/about", "1"), 405);
-    EXPECT_EQ(sonar.status("DELETE " + integration + "/udp HTTP/1.1\r\n\r\n"), 405);
-    EXPECT_EQ(sonar.status(get_text("/nothing")), 404);
-    EXPECT_EQ(sonar.status("GET / HTTP/1.1\r\n\r\n"), 404);
-    EXPECT_EQ(sonar.bench->device().counters().rejected, nonsense.size() + 4);
-}
-
-TEST(Sonar3d15, SaysWhoItIsInTheTypesThatTheMakersClientInsistsOn) {
-    SonarBench sonar;
-    const std::string about = sonar.get("/about");
-    for (const char* part : {R"("chipid":"0x)", R"("hardware_revision":6)", R"("is_ready":true)",
-                             R"("product_id":21045)", R"("product_name":"Sonar 3D-15")", R"("variant":")",
-                             R"("version":"1.7.0)", R"("version_short":"1.7.0")"})
-        EXPECT_NE(about.find(part), std::string::npos) << part;
-    EXPECT_EQ(sonar.get("/temperature"), "21.0") << "with a decimal point";
-    EXPECT_NE(sonar.get("/status").find(R"("systems_check":{"id":")"), std::string::npos);
-}
-
-TEST(Sonar3d15, OlderReleasesHaveNoModes) {
-    SonarBench sonar({{"release", std::string("1.5.1")}});
-    EXPECT_NE(sonar.get("/about").find(R"("version_short":"1.5.1")"), std::string::npos);
-    for (const char* path : {"/status", "/acoustics/mode", "/acoustics/salinity"})
-        EXPECT_EQ(sonar.status(get_text(path)), 404) << path;
-    EXPECT_EQ(sonar.status(get_text("/udp")), 200);
-}
-
-TEST(Sonar3d15, ARequestThatNeverEndsIsGivenUpAndANewConnectionStartsClean) {
-    SonarBench sonar;
-    EXPECT_EQ(sonar.ask("POST " + integration + "/udp HTTP/1.1\r\nContent-Length: 500\r\n\r\n{"), "");
-    sonar.bench->run_to(4999ms);
-    EXPECT_TRUE(sonar.bench->sent().empty());
-    sonar.bench->run_to(5s);
-    const auto sent = sonar.bench->sent();
-    ASSERT_EQ(sent.size(), 1U);
-    EXPECT_EQ(std::string(sent[0].bytes.begin(), sent[0].bytes.begin() + 12), "HTTP/1.1 408");
-    EXPECT_TRUE(sent[0].hang_up) << "as Connection: close says";
-    EXPECT_EQ(sonar.get("/temperature"), "21.0");
-    EXPECT_EQ(sonar.ask("GET /half"), "");
-    sonar.bench->device().reconnected(0);
-    EXPECT_EQ(sonar.get("/temperature"), "21.0");
-}
-
-TEST(Sonar3d15, AConnectionThatAsksNothingIsClosedForTheNextOne) {
-    SonarBench sonar;
-    const auto wake = sonar.bench->device().connected(0, {0x7F000001, 40000}, 0s).wake;
-    ASSERT_EQ(wake, Time(5s));
-    const auto sent = sonar.bench->device().woken(5s).send;
-    ASSERT_EQ(sent.size(), 1U);
-    EXPECT_TRUE(sent[0].hang_up && sent[0].bytes.empty());
-    EXPECT_EQ(sonar.bench->device().counters().rejected, 0U);
-    EXPECT_EQ(sonar.get("/temperature"), "21.0");
-    sonar.bench->device().reconnected(0);
-    sonar.bench->device().connected(0, {0x7F000001, 40001}, 10s);
-    EXPECT_EQ(sonar.bench->device().disconnected(0, 11s).wake, Time::max()) << "nobody is waited for";
-}
-
-TEST(Sonar3d15, ServesItsHostAfterNoiseOnTheLine) {
-    SonarBench sonar;
-    NoisyHost host;
-    for (const std::string& text :
-         {post_text("/acoustics/range", R"({"min": 2.0, "max": 3.0})"), get_text("/about"),
-          post_text("/udp",
-                    R"({"mode":"multicast","unicast_destination_ip":"","unicast_destination_port":0})")})
-        host.words.push_back(to_hex(text_bytes(text)));
-    host.request = to_hex(text_bytes(get_text("/temperature")));
-    host.quiet = 5s;  // what a damaged length waits for is given up by then
-    host.is_answer = [](const Send& send) {
-        return send.port == 0 && std::string(send.bytes.begin(), send.bytes.end()).ends_with("\r\n\r\n21.0");
-    };
-    expect_no_wedge(*sonar.bench, host, 500);
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+// What a Norbit WBMS answers, and which bytes are a command.
+#include "tests/emulator/devices/noisy_line.h"
+#include "tests/emulator/devices/norbit_bench.h"
+
+namespace echoloop::test {
+namespace {
+
+TEST(NorbitWbms, IsSilentUntilPowerIsOn) {
+    Bench bench = norbit();
+    bench.run_to(5s);
+    EXPECT_TRUE(bench.sent().empty());
+    EXPECT_FALSE(bench.ping);
+    EXPECT_EQ(ask(bench, "set_power 1"), "set_power 1\r\n");
+    bench.run_to(bench.now);
+    ASSERT_TRUE(bench.ping);
+    ask(bench, "set_power 0");
+    bench.run_to(8s);
+    EXPECT_EQ(bench.shots.size(), 1U) << "the ping under way is finished, no other follows";
+}
+
+TEST(NorbitWbms, ACommandWithoutALinesEndIsAnsweredAfterAPause) {
+    Bench bench = norbit();
+    bench.say(bytes_of("set_rate 10"));
+    bench.run_to(99ms);
+    EXPECT_TRUE(bench.sent().empty());
+    bench.run_to(100ms);
+    const auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(std::string(sent[0].bytes.begin(), sent[0].bytes.end()), "set_rate 10 # Hz, -1 automatic\r\n");
+    bench.say(bytes_of("set_ra"));
+    bench.device().reconnected(commands);
+    EXPECT_EQ(ask(bench, "set_rate"), "set_rate 10 # Hz, -1 automatic\r\n")
+        << "another host's half is worthless";
+}
+
+TEST(NorbitWbms, AnswersHaveTheValuesInForce) {
+    Bench bench = norbit();
+    EXPECT_EQ(ask(bench, "set_range"), "set_range 0 50 # in meter\r\n");
+    EXPECT_EQ(ask(bench, "set_range 0.5 20.0"), "set_range 0.5 20 # in meter\r\n");
+    for (const char* wrong : {"set_range 1", "set_range 5 5", "set_range 0 601", "set_range a b",
+                              "set_range 1 2 3", "set_range nan 4"})
+        EXPECT_EQ(ask(bench, wrong), "set_range 0.5 20 # out of range, not set\r\n") << wrong;
+    ask(bench, "set_gate_mode 2");
+    EXPECT_EQ(ask(bench, "set_range"), "set_range 0 50 0 50 # in meter\r\n");
+    EXPECT_EQ(ask(bench, "set_resolution 256 100"), "set_resolution 256 128 # out of range, not set\r\n");
+    EXPECT_EQ(ask(bench, "set_tx 700 80 10 200"), "set_tx 700 80 10 200 # kHz, kHz, 0-15, us\r\n");
+    EXPECT_EQ(ask(bench, "sound_velocity 20"), "sound_velocity -1 # out of range, not set\r\n");
+    EXPECT_EQ(ask(bench, "partno"), "partno 12004\r\n");
+    EXPECT_EQ(ask(bench, "set_warp 1"), "error # unknown command\r\n");
+    ask(bench, "set_default");
+    EXPECT_EQ(ask(bench, "set_tx"), "set_tx 400 80 15 500 # kHz, kHz, 0-15, us\r\n");
+    EXPECT_EQ(ask(bench, "set_gate_mode"), "set_gate_mode 1 # 0 range, 1 depth, 2 both\r\n");
+}
+
+TEST(NorbitWbms, ExitEndsTheConnectionBehindItsAnswer) {
+    Bench bench = norbit();
+    for (const auto& [command, ends] : {std::pair{"set_rate 5\r\n", false}, {"exit\r\n", true}}) {
+        bench.say(bytes_of(command));
+        const auto sent = bench.sent();
+        ASSERT_EQ(sent.size(), 1U);
+        EXPECT_EQ(sent[0].hang_up, ends) << command;
+    }
+}
+
+TEST(NorbitWbms, TheNameOfATimeServerIsKept) {
+    Bench bench = norbit();
+    EXPECT_EQ(ask(bench, "set_ntp_server"), "set_ntp_server 0.0.0.0\r\n");
+    EXPECT_EQ(ask(bench, "set_ntp_server 10.0.0.1"), "set_ntp_server 10.0.0.1\r\n");
+    EXPECT_EQ(ask(bench, "set_ntp_server"), "set_ntp_server 10.0.0.1\r\n");
+    ask(bench, "set_default");
+    EXPECT_EQ(ask(bench, "set_ntp_server"), "set_ntp_server 0.0.0.0\r\n");
+}
+
+TEST(NorbitWbms, ANoisyHostIsServedAgainWithinOneRequest) {
+    Bench bench = norbit({{"power", true}});
+    NoisyHost host;
+    for (const char* word :
+         {"set_range .5 30", "set_rate 3", "set_tx 400 80 15 500\r\n", "set_opening_angle 120"})
+        host.words.push_back(to_hex(bytes_of(word)));
+    host.request = to_hex(bytes_of("serial"));
+    host.is_answer = [](const Send& s) {
+        return s.port == commands && std::string(s.bytes.begin(), s.bytes.end()) == "serial 1001\r\n";
+    };
+    host.quiet = 101ms;
+    host.patience = 500ms;
+    expect_no_wedge(bench, host, 500);
+}
+
+}  // namespace
+}  // namespace echoloop::test
