@@ -9,6 +9,11 @@ namespace echoloop::r2sonic {
 
 namespace {
 
+bool has_text(ByteView bytes, std::size_t offset, std::string_view text) {
+    return bytes.size() >= offset + text.size() &&
+           std::equal(text.begin(), text.end(), bytes.begin() + offset);
+}
+
 template <class P>
 Result<Packet> parse_as(ByteView datagram) {
     auto packet = wire::parse<P>(datagram);
@@ -35,6 +40,25 @@ Result<Packet> parse_as<Sni0>(ByteView datagram) {
     return Packet(std::move(packet));
 }
 
+/// The manual prints the head's sensors as "SENa"; firmware may well write all names in capitals.
+wire::Bytes with_usual_names(ByteView datagram) {
+    constexpr std::string_view capitals = "SENA";
+    constexpr std::size_t header = 12, name = 4;
+    wire::Bytes out(datagram.begin(), datagram.end());
+    for (std::size_t at = header; at + name <= out.size();) {
+        const std::size_t words = wire::tagged_words(static_cast<char>(out[at + name - 1]));
+        if (has_text(out, at, capitals)) out[at + name - 1] = 'a';
+        if (words == 0) break;
+        at += name + 4 * words;
+    }
+    return out;
+}
+
+template <class P>
+Result<Packet> parse_status(ByteView datagram) {
+    return parse_as<P>(with_usual_names(datagram));
+}
+
 wire::Bytes bytes_of(const auto& packet) { return wire::serialise(packet); }
 
 wire::Bytes bytes_of(const Sni0& packet) {
@@ -50,11 +74,6 @@ wire::Bytes bytes_of(const Sni0& packet) {
     return std::move(writer.out);
 }
 
-bool has_text(ByteView bytes, std::size_t offset, std::string_view text) {
-    return bytes.size() >= offset + text.size() &&
-           std::equal(text.begin(), text.end(), bytes.begin() + offset);
-}
-
 struct Row {
     std::string_view name;
     std::string_view section;  ///< that stands at byte 12, if the name alone does not tell
@@ -63,7 +82,7 @@ struct Row {
 constexpr Row rows[] = {
     {"BTH0", "", parse_as<Bth0>},       {"AID0", "H0", parse_as<Aid0Head>}, {"AID0", "", parse_as<Aid0Data>},
     {"WCD0", "H0", parse_as<Wcd0Head>}, {"WCD0", "", parse_as<Wcd0Data>},   {"SNI0", "", parse_as<Sni0>},
-    {"TPX0", "", parse_as<Tpx0>},       {"STH0", "", parse_as<Sth0>},       {"STS0", "", parse_as<Sts0>},
+    {"TPX0", "", parse_as<Tpx0>},       {"STH0", "", parse_status<Sth0>},   {"STS0", "", parse_status<Sts0>},
     {"R2DS", "", parse_as<R2ds>},       {"R2DD", "", parse_as<R2dd>},       {"R2DI", "", parse_as<R2di>},
     {"R2DC", "", parse_as<R2dc>},       {"CMD0", "", parse_as<Cmd0>}};
 

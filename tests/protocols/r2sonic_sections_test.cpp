@@ -44,6 +44,16 @@ TEST(R2SonicSections, UnknownOnesAreSkippedWhereverTheyStand) {
     }
 }
 
+TEST(R2SonicSections, SensorsAreReadInEitherCase) {
+    const wire::Bytes plain = golden("sth0");
+    wire::Bytes capitals = plain;
+    ASSERT_EQ(capitals.at(15), 'a');  // of SENa
+    capitals[15] = 'A';
+    const auto expected = parse(plain), packet = parse(capitals);
+    ASSERT_TRUE(expected && packet);
+    EXPECT_EQ(*packet, *expected);
+}
+
 TEST(R2SonicSections, AnotherOrderIsTheSamePacket) {
     const wire::Bytes plain = golden("bth0_equi_angle");  // H0 116, R0 16, A0 36, G0 16, Q0 8
     wire::Bytes turned(plain.begin(), plain.begin() + 12);
