@@ -1,6 +1,7 @@
 """A Norbit WBMS end to end on loopback: the floor is where it is, commands change the next ping and its timing."""
 
 import math
+import statistics
 import time
 import unittest
 
@@ -193,10 +194,15 @@ class ForwardLooking(NorbitCase):
         image = self.water_column.first(lambda w: w.ping > 10)  # in one of three, a speckle beside the wall is louder
         self.assertEqual(image.mode, 0)
         row = image.c / (2 * image.rate)
+        ahead = []
         for n, angle in enumerate(image.angles):
             if abs(angle) < math.radians(20):  # the wall ahead, behind what stands in the tank
                 column = [(v, image.range(r)) for r, v in enumerate(image.column(n)) if image.range(r) > 5]
-                self.assertAlmostEqual(max(column)[1] * math.cos(angle), 6.0, delta=2 * row, msg=f"{n}")
+                ahead.append(max(column)[1] * math.cos(angle))
+        # Somewhere in the fan's height of 20 deg; where the wall meets others, a few beams hear that louder.
+        right = [r for r in ahead if 6 - 2 * row < r < 6 / math.cos(math.radians(10)) + 2 * row]
+        self.assertGreater(len(right), 0.85 * len(ahead), sorted(ahead))
+        self.assertAlmostEqual(statistics.median(ahead), 6.0, delta=2 * row)
         self.bathymetry.socket.settimeout(0.3)
         with self.assertRaises(TimeoutError):
             self.bathymetry.packet()

@@ -91,7 +91,7 @@ Shot make_shot(const Controls& c, const Plan& plan, const Settings& s, std::uint
     shot.tilt = deg_to_rad(c.tx_direction);
     shot.bearings = plan.bearings;
     shot.beam_width = a.receive_beam_width * narrower;
-    shot.fan_height = a.transmit_beam_width * narrower;
+    shot.fan_height = (s.forward_looking ? a.forward_fan_height : a.transmit_beam_width) * narrower;
     shot.first_bin_time = static_cast<double>(plan.first_bin) / plan.bin_rate();
     shot.bin_interval = 1 / plan.bin_rate();
     shot.bins = plan.bins;

@@ -19,6 +19,7 @@ Acoustics read_acoustics(const Profile& p) {
     a.reference_frequency = figure(p, "reference_frequency");
     a.receive_beam_width = deg_to_rad(figure(p, "receive_beam_width"));
     a.transmit_beam_width = deg_to_rad(figure(p, "transmit_beam_width"));
+    a.forward_fan_height = deg_to_rad(figure(p, "forward_fan_height"));
     a.widest_swath = deg_to_rad(figure(p, "widest_swath"));
     a.source_level = figure(p, "source_level");
     a.horizontal = axis_pattern(p, "horizontal");
@@ -60,6 +61,7 @@ std::vector<FigureRow> figure_table() {
         {"reference_frequency", "Hz", "at which the beam widths hold", 80e3, 1e6},
         {"receive_beam_width", "deg", "-3 dB full width across track", 0.05, 20},
         {"transmit_beam_width", "deg", "-3 dB full width along track", 0.05, 60},
+        {"forward_fan_height", "deg", "-3 dB full width along track of the forward-looking system", 0.05, 60},
         {"widest_swath", "deg", "wider opening angles are cut", 10, 340},
         {"source_level", "dB re 1 uPa at 1 m", "on the axis at amplitude 15", 100, 240},
         {"full_scale", "dB re 1 uPa", "reads full scale at 0 dB gain", 50, 300},

@@ -13,6 +13,7 @@ namespace echoloop::norbit_device {
 struct Acoustics {
     double reference_frequency = 0;  ///< Hz, at which the widths hold
     double receive_beam_width = 0, transmit_beam_width = 0;
+    double forward_fan_height = 0;  ///< rad, along track, of the forward-looking system
     double widest_swath = 0;
     double source_level = 0;  ///< dB re 1 uPa at 1 m, at amplitude 15
     AxisPattern horizontal, vertical;

@@ -43,6 +43,12 @@ TEST(NorbitWbms, SettingsMakeTheShot) {
     EXPECT_EQ(shot_after({}, {{"beam_mode", std::string("512EA")}}).bearings.size(), 512U);
 }
 
+TEST(NorbitWbms, AForwardLookingSystemLightsWhatLiesAhead) {
+    const Shot forward = shot_after({}, {{"system", std::string("forward-looking")}});
+    EXPECT_NEAR(rad_to_deg(forward.fan_height), 20, 1e-9);
+    EXPECT_LT(rad_to_deg(shot_after({}).fan_height), 2);
+}
+
 TEST(NorbitWbms, HugeWindowsStayBounded) {
     for (const char* opening : {"set_opening_angle 360", "set_opening_angle 0", "set_opening_angle 140"}) {
         const Shot shot = shot_after({"set_range 0 600", opening, "set_direction -90"});
