@@ -10,6 +10,9 @@
 
 namespace echoloop {
 
+/// Where poses and steps may come from as well, the answers going to standard output. No device has it.
+inline constexpr std::string_view standard_input = "stdin";
+
 /// A parsed endpoint:
 ///     pty:/tmp/echoloop/micron            a pseudo-terminal with a link of that name
 ///         ?baud_check=off                 the driver may set any rate (on: a wrong one makes garbage)

@@ -164,6 +164,7 @@ class Runtime::Impl {
     std::string control() const { return control_ ? control_->describe() : ""; }
     const std::map<std::string, FaultCounts>& faults() const { return faults_.labels().counts(); }
     std::optional<PoseSummary> poses() const { return vehicle_.summary(); }
+    std::map<std::string, PoseSummary> objects() const { return movers_.summary(); }
     std::optional<StepSummary> steps() const {
         return steps_ ? std::optional(steps_->summary()) : std::nullopt;
     }
@@ -315,6 +316,7 @@ std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
 std::size_t Runtime::triangles() const { return impl_->triangles(); }
 std::string Runtime::renderer() const { return impl_->renderer_description(); }
 std::optional<PoseSummary> Runtime::poses() const { return impl_->poses(); }
+std::map<std::string, PoseSummary> Runtime::objects() const { return impl_->objects(); }
 std::optional<StepSummary> Runtime::steps() const { return impl_->steps(); }
 std::map<std::string, FaultCounts> Runtime::faults() const { return impl_->faults(); }
 std::string Runtime::control() const { return impl_->control(); }

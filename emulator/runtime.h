@@ -60,6 +60,8 @@ class Runtime {
     std::map<std::string, FaultCounts> faults() const;
     /// What came from outside about the vehicle; empty if nothing is asked from there.
     std::optional<PoseSummary> poses() const;
+    /// Of the objects that somebody outside moves.
+    std::map<std::string, PoseSummary> objects() const;
     /// Empty unless the clock is stepped.
     std::optional<StepSummary> steps() const;
 

@@ -37,9 +37,15 @@ void StepServer::add(Line line) {
     bell_.cancel();
 }
 
+void StepServer::finish() {
+    finished_ = true;
+    bell_.cancel();
+}
+
 Task<void> StepServer::serve() {
     while (!closed_) {
         if (lines_.empty()) {
+            if (finished_) co_return ended_();
             co_await bell_.until(Time::max());
             continue;
         }

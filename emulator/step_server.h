@@ -50,6 +50,8 @@ class StepServer {
     void start(std::optional<Time> end, std::function<void()> ended);
     void close();
     void add(Line line);
+    /// No more lines come: the run has ended when those that wait are served.
+    void finish();
     StepSummary summary() const;
 
   private:
@@ -67,7 +69,7 @@ class StepServer {
     Alarm bell_;                      ///< rings when there is a line
     std::optional<Time> end_, last_;  ///< last_: what the last step asked for
     std::function<void()> ended_;
-    bool closed_ = false;
+    bool closed_ = false, finished_ = false;
     StepSummary summary_;
 };
 

@@ -2,15 +2,22 @@
 
 #include <spdlog/spdlog.h>
 
+#include "emulator/endpoint.h"
 #include "emulator/scenario/problems.h"
 #include "emulator/transport/make.h"
+#include "emulator/transport/standard_streams.h"
 #include "emulator/transport/stepped_port.h"
 #include "protocols/mavlink/codec.h"
 
 namespace echoloop {
 namespace {
 
-constexpr Time another_clock = std::chrono::seconds(1);
+constexpr Time another_clock = std::chrono::seconds(1), least_of = std::chrono::milliseconds(500);
+
+std::unique_ptr<Transport> open(asio::io_context& io, const std::string& endpoint) {
+    if (endpoint == standard_input) return std::make_unique<StandardStreams>(io);
+    return open_endpoint(io, endpoint);
+}
 
 }  // namespace
 
@@ -18,16 +25,20 @@ Time SenderClock::run_time(double sender_seconds, Time arrival) {
     const Time ahead = arrival - from_seconds(sender_seconds);
     const bool other =
         ahead_ && (sender_seconds < last_ || std::chrono::abs(ahead - *ahead_) > another_clock);
-    ahead_ = ahead_ && !other ? std::min(*ahead_, ahead) : ahead;
+    if (other) ahead_.reset(), before_.reset();
+    if (ahead_ && arrival - since_ >= least_of) before_ = std::exchange(ahead_, std::nullopt);
+    if (!ahead_) since_ = arrival;
+    ahead_ = ahead_ ? std::min(*ahead_, ahead) : ahead;
     last_ = sender_seconds;
-    return from_seconds(sender_seconds) + *ahead_;
+    return from_seconds(sender_seconds) + std::min(*ahead_, before_.value_or(*ahead_));
 }
 
 PoseInput::PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* where, StepServer* steps,
                      ObjectWhereabouts objects)
     : clock_(clock),
-      transport_(in_step(clock, open_endpoint(clock.io(), endpoint))),
+      transport_(in_step(clock, open(clock.io(), endpoint))),
       place_(transport_->describe()),
+      comes_back_(endpoint != standard_input),
       datagrams_(transport_->wire().kind == Wire::Kind::udp),
       where_(where),
       objects_(std::move(objects)),
@@ -35,7 +46,18 @@ PoseInput::PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* whe
 
 void PoseInput::start() {
     transport_->start({.received = [this](ByteView bytes, Address from) { received(bytes, from); },
-                       .reconnected = [this] { begin(); }});
+                       .reconnected = [this] { begin(); },
+                       .disconnected = [this] {
+                           if (!comes_back_) end();
+                       }});
+}
+
+/// Who stepped the clock, and nobody else can do so in their place, has ended the run.
+void PoseInput::end() {
+    constexpr std::uint8_t end = '\n';
+    if (begun_ && !speaks_mavlink_) received({&end, 1}, {});  // of the last line
+    if (has_stepped_) return steps_->finish();
+    spdlog::warn("{}: it has ended; no more {} come from it", place_, steps_ == nullptr ? "poses" : "lines");
 }
 
 /// Somebody else is at the other end.
@@ -60,6 +82,7 @@ void PoseInput::received(ByteView bytes, Address from) {
 }
 
 void PoseInput::mavlink(ByteView bytes) {
+    const auto noise = framer_.skipped_bytes();
     framer_.feed(bytes);
     while (const auto frame = framer_.next()) {
         const auto message = mavlink::parse(*frame);
@@ -68,6 +91,7 @@ void PoseInput::mavlink(ByteView bytes) {
         if (read.message) read.message->own_clock = true;
         take(read);
     }
+    if (framer_.skipped_bytes() != noise) take({{}, "damaged MAVLink, or bytes that are none", {}});
 }
 
 void PoseInput::line(std::string_view text, Address from) {
@@ -80,6 +104,7 @@ void PoseInput::line(std::string_view text, Address from) {
     if (read.message && object.empty() && where_ == nullptr)
         read = {{}, "position: vehicle.trajectory says where the vehicle is", {}};
     if (steps_ == nullptr) return take_unstepped(read, from);
+    has_stepped_ = has_stepped_ || read.now;
     steps_->add({std::move(read), this, from, connection_});
 }
 
@@ -123,7 +148,8 @@ void PoseInput::tell(const PoseMessage& message) {
 }
 
 std::string PoseInput::why_unknown(const std::string& object) const {
-    if (objects_.empty()) return "object: nothing in this scene moves by lines; add objects: [{node: ...}] to the scenario";
+    if (objects_.empty())
+        return "object: nothing in this scene moves by lines; add objects: [{node: ...}] to the scenario";
     std::vector<std::string_view> known;
     for (const auto& [name, where] : objects_) known.push_back(name);
     return "object: the scenario has no " + scenario::in_quotes(object) + scenario::suggestion(object, known);

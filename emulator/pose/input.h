@@ -1,5 +1,5 @@
-// Poses that come from outside while the emulator runs: lines of JSON, or MAVLink, over UDP or TCP. What
-// cannot be read is refused and counted, never guessed.
+// Poses that come from outside while the emulator runs: lines of JSON, or MAVLink, over UDP, TCP, serial
+// lines or standard input. What cannot be read is refused and counted, never guessed.
 #pragma once
 
 #include <map>
@@ -26,13 +26,15 @@ struct PoseSummary {
 };
 
 /// The sender's clock as run time. Messages are never early, so the one with the least delay tells the
-/// difference; a clock that goes back or leaps a second ahead is another clock.
+/// difference: of the last half to whole second, since a simulator's clock may run slower than ours. One that
+/// goes back or leaps a second ahead is another clock.
 class SenderClock {
   public:
     Time run_time(double sender_seconds, Time arrival);
 
   private:
-    std::optional<Time> ahead_;  ///< run time minus the sender's time
+    std::optional<Time> ahead_, before_;  ///< least run time minus the sender's: since `since_`, before that
+    Time since_{};
     double last_ = 0;
 };
 
@@ -41,9 +43,9 @@ using ObjectWhereabouts = std::map<std::string, Whereabouts*>;
 
 class PoseInput final : public LineSource {
   public:
-    /// `endpoint`: as in a scenario. `where` is told the poses; nullptr: nobody asks for them, and lines that
-    /// tell some are refused. `steps`: of a stepped run, else nullptr. All outlive this. Throws StartError if
-    /// the endpoint cannot be opened.
+    /// `endpoint`: as in a scenario, or standard_input. `where` is told the poses; nullptr: nobody asks for
+    /// them, and lines that tell some are refused. `steps`: of a stepped run, else nullptr. All outlive this.
+    /// Throws StartError if the endpoint cannot be opened.
     PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* where, StepServer* steps,
               ObjectWhereabouts objects = {});
 
@@ -62,14 +64,17 @@ class PoseInput final : public LineSource {
     void tell(const PoseMessage& message);
     std::string why_unknown(const std::string& object) const;
     void begin();
+    void end();
 
     Clock& clock_;
     std::unique_ptr<Transport> transport_;
     std::string place_;
+    bool comes_back_;  ///< who is at the other end, or another; standard input ends once
     bool datagrams_;
     Whereabouts* where_;
     ObjectWhereabouts objects_;
     StepServer* steps_;
+    bool has_stepped_ = false;
     bool answering_ = false;  ///< that it is not stepped
     SenderClock sender_;
     std::uint64_t connection_ = 0;

@@ -28,10 +28,24 @@ std::string fault_of(PoseMessage& message) {
     return {};
 }
 
+/// Of an odometry that is told in no frame of the world.
+std::string fault_of_frame(const mavlink::Message& message) {
+    namespace frames = mavlink::frames;
+    const auto* const m = std::get_if<mavlink::Odometry>(&message);
+    if (m == nullptr) return {};
+    for (const auto known : {frames::local_ned, frames::local_enu, frames::local_frd, frames::local_flu})
+        if (m->frame_id == known) return {};
+    return "ODOMETRY in frame " + std::to_string(m->frame_id) +
+           "; frames of the world are MAV_FRAME_LOCAL_NED, _ENU, _FRD and _FLU: 1, 4, 20 and 21";
+}
+
 }  // namespace
 
 PoseText MavlinkPose::add(const mavlink::Message& message, std::uint8_t system) {
-    if (system_ && *system_ != system) return {};
+    if (system_ && *system_ != system)
+        return {{}, "system " + std::to_string(system) + " tells poses as well; the vehicle is system " +
+                        std::to_string(*system_) + ", which was the first to"};
+    if (std::string fault = fault_of_frame(message); !fault.empty()) return {{}, std::move(fault)};
     PoseMessage told = std::visit([this](const auto& m) { return read(m); }, message);
     if (rank_ < position_rank_) told.position.reset();
     if (rank_ < attitude_rank_) told.attitude.reset();
@@ -104,7 +118,6 @@ PoseMessage MavlinkPose::read(const mavlink::Odometry& m) {
     const Pose pose{{m.x, m.y, m.z}, to_quat(m.q)};
     if (m.frame_id == frames::local_enu || m.frame_id == frames::local_flu)  // these have the body up as well
         return {time, pose.position, pose.orientation};
-    if (m.frame_id != frames::local_ned && m.frame_id != frames::local_frd) return {};
     const Pose up = enu_from_ned(pose);
     return {time, up.position, up.orientation};
 }

@@ -11,12 +11,13 @@ namespace echoloop {
 
 class MavlinkPose {
   public:
-    /// `system`: of the sender; the first that tells a pose is the vehicle, others are passed over. Of
+    /// `system`: of the sender; the first that tells a pose is the vehicle, others are refused. Of
     /// several messages that tell the same thing the best counts: ODOMETRY, SIM_STATE, LOCAL_POSITION_NED,
     /// GLOBAL_POSITION_INT; ATTITUDE_QUATERNION before ATTITUDE. Places on the globe become metres east and
     /// north of the first one (or, if that was 0, 0, which some say until they know better, of the first one
     /// far from there); their z is the altitude above mean sea level. Empty if the message tells nothing
-    /// better than what came before. `reason` in the answer: numbers that are not finite or cannot be.
+    /// better than what came before. `reason` in the answer: another system, a frame that is none of the
+    /// world, numbers that are not finite or cannot be.
     PoseText add(const mavlink::Message& message, std::uint8_t system);
 
   private:

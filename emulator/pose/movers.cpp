@@ -1,5 +1,7 @@
 #include "emulator/pose/movers.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +34,7 @@ void Movers::open_inputs(const Scenario& scenario, Clock& clock, StepServer* ste
         const auto mover = std::ranges::find(scene_->movers(), object.node, &SceneMover::name);
         auto& told = std::get<Told>(sources_[static_cast<std::size_t>(mover - scene_->movers().begin())]);
         inputs_.push_back(std::make_unique<PoseInput>(clock, object.input, &told.where, steps));
+        told.input = inputs_.back().get();
     }
 }
 
@@ -59,18 +62,40 @@ void Movers::step(Time from, Time to) {
 std::vector<Pose> Movers::at(Time time) {
     std::vector<std::optional<Pose>> told;
     told.reserve(sources_.size());
-    for (const Source& source : sources_) {
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+        Source& source = sources_[i];
         if (const auto* track = std::get_if<Track>(&source))
             told.push_back(track->at(time)->pose);
         else if (const auto* pose = std::get_if<Pose>(&source))
             told.push_back(*pose);
-        else if (const auto* by = std::get_if<Told>(&source);
+        else if (auto* by = std::get_if<Told>(&source);
                  by != nullptr && (by->placed || !by->where.unknown()))
-            told.push_back(by->where.at(time).pose);
+            told.push_back(pose_of(*by, scene_->movers()[i].name, time));
         else
             told.push_back(std::nullopt);
     }
     return mover_poses(scene_->movers(), to_seconds(time), playback_, told);
+}
+
+Pose Movers::pose_of(Told& told, const std::string& name, Time time) const {
+    const auto [pose, stale] = told.where.at(time);
+    if (stale && told.stale_pings++ == 0)
+        spdlog::warn("object {}: no pose for more than a second; it is taken to stand still", name);
+    return pose;
+}
+
+std::map<std::string, PoseSummary> Movers::summary() const {
+    std::map<std::string, PoseSummary> all;
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+        const auto* const told = std::get_if<Told>(&sources_[i]);
+        if (told == nullptr) continue;
+        PoseSummary& one = all[scene_->movers()[i].name];
+        if (told->input != nullptr) one = told->input->summary();
+        if (told->input == nullptr) one.place = "lines that name it", one.accepted = told->where.told();
+        one.jumps = told->where.jumps();
+        one.stale_pings = told->stale_pings;
+    }
+    return all;
 }
 
 std::vector<double> Movers::reach() const {

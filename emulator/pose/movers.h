@@ -2,7 +2,9 @@
 // somebody outside says, by the scene's own animation, or at rest.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -27,6 +29,9 @@ class Movers {
     /// A stepped run moves on.
     void step(Time from, Time to);
 
+    /// Of each object that somebody outside moves, by name.
+    std::map<std::string, PoseSummary> summary() const;
+
     /// world_from_object of all movers of the scene.
     std::vector<Pose> at(Time time);
     /// m, from each mover's origin to its farthest point.
@@ -37,10 +42,14 @@ class Movers {
     struct Told {
         Whereabouts where;
         bool placed = false;  ///< it has a place before the first word
-        bool by_lines = false;
+        bool by_lines = false;  ///< of the vehicle's input
+        PoseInput* input = nullptr;
+        std::uint64_t stale_pings = 0;
     };
     /// Of one mover; std::monostate: an animation, or nothing.
     using Source = std::variant<std::monostate, Pose, Track, Told>;
+
+    Pose pose_of(Told& told, const std::string& name, Time time) const;
 
     std::shared_ptr<const Scene> scene_;
     Playback playback_;

@@ -43,6 +43,11 @@ std::vector<std::string_view> words(std::string_view line, bool commas) {
     return found;
 }
 
+bool is_number(std::string_view text) {
+    double value = 0;
+    return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
+}
+
 class Parser {
   public:
     explicit Parser(const std::string& name) : name_(name) {}
@@ -55,7 +60,7 @@ class Parser {
         const auto fields = words(text, commas);
         if (!order_) {
             order_ = commas ? csv_order : tum_order;
-            if (commas && std::ranges::find(fields, "t") != fields.end()) return read_header(fields);
+            if (commas && !is_number(fields[0])) return read_header(fields);
         }
         add(row(fields));
     }
@@ -71,13 +76,15 @@ class Parser {
     }
 
     void read_header(const std::vector<std::string_view>& fields) {
-        if (fields.size() != columns) fail("the header must name t,x,y,z,qw,qx,qy,qz");
+        if (fields.size() != columns)
+            fail("the header must name the columns t,x,y,z,qw,qx,qy,qz and no others; it names " +
+                 std::to_string(fields.size()));
         Order order{};
         for (std::size_t i = 0; i < columns; ++i) {
             const auto found = std::ranges::find(names, fields[i]);
             if (found == names.end() || std::ranges::count(fields, fields[i]) != 1)
                 fail("the header must name each of t,x,y,z,qw,qx,qy,qz once; it has '" +
-                     std::string(fields[i]) + "'");
+                     std::string(fields[i].substr(0, 40)) + "'");
             order[i] = static_cast<std::size_t>(found - names.begin());
         }
         order_ = order;
@@ -129,6 +136,8 @@ class Parser {
 
 Track parse_trajectory(std::string_view text, const std::string& name) {
     Parser parser(name);
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // spreadsheets write it
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     while (!text.empty()) {
         const auto end = text.find('\n');
         parser.line(text.substr(0, end));

@@ -21,6 +21,7 @@ Whereabouts::Whereabouts(const Pose& before, bool stepped)
     : before_(before), positions_(rules(stepped)), attitudes_(rules(stepped)) {}
 
 void Whereabouts::tell(Time time, const PoseMessage& message) {
+    if (message.position || message.attitude) ++told_;
     if (message.position && !positions_.add(time, {*message.position, {}})) ++jumps_;
     if (message.attitude) attitudes_.add(time, {{}, *message.attitude});
 }

@@ -30,12 +30,14 @@ class Whereabouts {
     /// Nobody has told anything yet.
     bool unknown() const { return positions_.empty() && attitudes_.empty(); }
     std::uint64_t jumps() const { return jumps_; }
+    /// How many times somebody did; of a stepped run: for how many steps.
+    std::uint64_t told() const { return told_; }
 
   private:
     Pose before_;
     Track positions_, attitudes_;
     PoseMessage next_;
-    std::uint64_t jumps_ = 0;
+    std::uint64_t jumps_ = 0, told_ = 0;
 };
 
 }  // namespace echoloop

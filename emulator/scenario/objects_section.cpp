@@ -44,12 +44,13 @@ std::string read_pose_endpoint(const Section& section, std::string_view key, Pro
     const Value* value = section.get(key);
     if (value == nullptr) return {};
     const std::string uri = section.text(key, "");
+    if (uri == standard_input) return uri;
     try {
         if (parse_endpoint(uri).scheme != Endpoint::Scheme::udp) return uri;
         problems.add(value->place,
                      section.path_of(key) +
                          ": udp:// only sends; poses come to udp-listen://, tcp-listen://, tcp://, "
-                         "serial:// or pty:");
+                         "serial://, pty: or stdin");
     } catch (const std::invalid_argument& error) {
         problems.add(value->place, section.path_of(key) + ": " + error.what());
     }

@@ -21,7 +21,8 @@ class Emulator:
     """`echoloop run` on a scenario text; {folder} and {scenes} in it are filled in, `files` lie beside it. `program`:
     what runs it instead, `limits`: called in the new process first. Use as a context manager."""
 
-    def __init__(self, scenario, *arguments, files=(), program=(PROGRAM,), limits=None):
+    def __init__(self, scenario, *arguments, files=(), program=(PROGRAM,), limits=None,
+                 stdin=subprocess.DEVNULL):
         self.folder = Path(tempfile.mkdtemp(prefix="echoloop-e2e-"))
         self.file = self.folder / "scenario.yaml"
         self.file.write_text(
@@ -34,7 +35,7 @@ class Emulator:
             [*program, "run", str(self.file), *arguments],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
-            stdin=subprocess.DEVNULL,
+            stdin=stdin,
             env={**os.environ, "NO_COLOR": "1"},
             preexec_fn=limits,
         )

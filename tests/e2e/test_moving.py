@@ -134,11 +134,16 @@ class Moving(unittest.TestCase):
 
     def test_an_input_of_its_own(self):
         base = free_port(8)
-        self.start("objects: [{node: ball, pose: {position: [-4.4, 0, -2]}, input: 'udp-listen://127.0.0.1:%d'}]" % base)
+        ball = "{node: ball, pose: {position: [-4.4, 0, -2]}, input: 'udp-listen://127.0.0.1:%d'}" % base
+        emulator = self.start(f"objects: [{ball}]")
         self.depths.wait_for(4.4 - RADIUS)
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            sender.sendto(b"nonsense", ("127.0.0.1", base))
             sender.sendto(b'{"position": [-3.4, 0, -2]}', ("127.0.0.1", base))
             self.depths.wait_for(3.4 - RADIUS)
+            emulator.read_until("object ball: no pose for more than a second", 20)
+        output = emulator.stop()[1]
+        self.assertRegex(output, r"object ball +1 pose from udp\S+, 1 refused \(the last: no JSON\), 0 jumps, [1-9]\d* ping")
 
     def test_an_unknown_node_is_an_error_with_its_place(self):
         file = self.folder / "scenario.yaml"

@@ -4,6 +4,7 @@ import json
 import math
 import re
 import socket
+import subprocess
 import threading
 import time
 import unittest
@@ -54,8 +55,8 @@ class Depths:
 
 
 class PoseCase(unittest.TestCase):
-    def start(self, vehicle, depths, files=()):
-        emulator = Emulator(SOUNDER % (vehicle, depths.port), files=files)
+    def start(self, vehicle, depths, files=(), stdin=subprocess.DEVNULL):
+        emulator = Emulator(SOUNDER % (vehicle, depths.port), files=files, stdin=stdin)
         self.addCleanup(emulator.__exit__, None, None, None)
         return emulator.__enter__()
 
@@ -89,6 +90,24 @@ class Pose(PoseCase):
         self.assertRegex(output, r"vehicle +2 poses from udp-listen://\S+, 5 refused \(the last: [^)]+\)")
         self.assertRegex(output, r"[1-9]\d* pings? with a stale pose(?!: nobody)")
         self.assertEqual(output.count("a pose was refused"), 1)
+
+    def test_lines_of_json_on_standard_input(self):
+        depths = Depths(self)
+        emulator = self.start("{pose: {position: [0, 0, -4]}, input: stdin}", depths, stdin=subprocess.PIPE)
+        depths.wait_for(16)
+        pilot = emulator.process.stdin
+        self.addCleanup(pilot.close)
+        pilot.write(b'{"position": [0, 0, -8]}\nnonsense\n{"position": [0, ')
+        pilot.flush()
+        depths.wait_for(12)
+        pilot.write(b'0, -15]}')  # the last line need not end
+        pilot.close()
+        depths.wait_for(5)
+        emulator.process.stdin = None
+        status, output = emulator.stop()
+        self.assertEqual(status, 0)
+        self.assertRegex(output, r"vehicle +2 poses from stdin, 1 refused \(the last: no JSON\)")
+        self.assertIn("stdin: it has ended", output)
 
     def test_both_dialects_over_tcp_mean_the_same_place(self):
         depths, port = Depths(self), free_port()

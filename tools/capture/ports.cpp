@@ -85,7 +85,8 @@ bool PortFilter::fits_end(const Address& end) const {
 }
 
 bool PortFilter::fits(const PortKey& port) const {
-    return text_ == PortSummary{port, {}, {}, 0, 0}.text() || end_is_first(port).has_value();
+    return text_ == PortSummary{port, {}, {}, 0, 0}.text() || port.name.starts_with(text_ + ' ') ||
+           end_is_first(port).has_value();
 }
 
 std::optional<bool> PortFilter::end_is_first(const PortKey& port) const {

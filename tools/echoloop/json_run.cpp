@@ -13,6 +13,15 @@ using Json = nlohmann::ordered_json;
 
 std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
+Json json_of(const PoseSummary& s) {
+    return {{"place", s.place},
+            {"poses", s.accepted},
+            {"refused", s.refused},
+            {"last_refusal", s.last_refusal},
+            {"jumps", s.jumps},
+            {"stale_pings", s.stale_pings}};
+}
+
 }  // namespace
 
 std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
@@ -53,10 +62,8 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
                            {"bytes_out", s.bytes_out},
                            {"bytes_lost", s.bytes_lost}});
     Json ended{{"event", "ended"}, {"devices", devices}};
-    if (const auto poses = runtime.poses())
-        ended["vehicle"] = {{"place", poses->place},     {"poses", poses->accepted},
-                            {"refused", poses->refused}, {"last_refusal", poses->last_refusal},
-                            {"jumps", poses->jumps},     {"stale_pings", poses->stale_pings}};
+    if (const auto poses = runtime.poses()) ended["vehicle"] = json_of(*poses);
+    for (const auto& [name, poses] : runtime.objects()) ended["objects"][name] = json_of(poses);
     if (const auto steps = runtime.steps())
         ended["clock"] = {{"steps", steps->steps},
                           {"refused", steps->refused},

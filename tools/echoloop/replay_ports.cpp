@@ -62,6 +62,8 @@ class Chooser {
         }
         if (chosen.port.keys.empty())
             refuse("no port " + scenario::in_quotes(filter) + " in the capture", survey_);
+        if (const auto& keys = chosen.port.keys; keys.size() > 1 && !keys.begin()->first.name.empty())
+            refuse(scenario::in_quotes(filter) + " has several ports; name one of them", survey_);
         const bool certain = std::ranges::any_of(chosen.port.keys, [](const auto& k) {
             return k.first.kind == PortKind::serial || !k.first.name.empty();
         });

@@ -109,14 +109,14 @@ std::unique_ptr<Recording> recording_from(const Arguments& arguments) {
     return std::make_unique<Recording>(arguments.text("--record"), limits);
 }
 
-void print_poses(const PoseSummary& s) {
+/// `untold`: what became of it if nobody said where it is.
+void print_poses(const std::string& name, const PoseSummary& s, const char* untold) {
     std::printf(
-        "%s%s from %s, %llu refused%s, %s, %s with a stale pose%s\n", padded("vehicle", 16).c_str(),
+        "%s%s from %s, %llu refused%s, %s, %s with a stale pose%s%s\n", padded(name, 16).c_str(),
         counted(s.accepted, "pose").c_str(), s.place.c_str(), static_cast<unsigned long long>(s.refused),
         s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str(),
         counted(s.jumps, "jump").c_str(), counted(s.stale_pings, "ping").c_str(),
-        s.accepted == 0 ? ": nobody said where the vehicle is, and it stayed where vehicle.pose puts it"
-                        : "");
+        s.accepted == 0 ? ": nobody said where " : "", s.accepted == 0 ? untold : "");
 }
 
 void print_steps(const StepSummary& s) {
@@ -188,7 +188,11 @@ int run(const Arguments& arguments) {
             std::printf("%s\n", ended.c_str());
         } else {
             print_summary(sessions);
-            if (const auto poses = runtime.poses()) print_poses(*poses);
+            if (const auto poses = runtime.poses())
+                print_poses("vehicle", *poses, "the vehicle is, and it stayed where vehicle.pose puts it");
+            for (const auto& [name, poses] : runtime.objects())
+                print_poses("object " + name, poses,
+                            "it is, and it stayed where the scenario or the scene puts it");
             if (const auto steps = runtime.steps()) print_steps(*steps);
             print_faults(runtime.faults());
             if (recording) print_recording(*recording);

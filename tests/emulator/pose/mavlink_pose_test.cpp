@@ -34,6 +34,16 @@ TEST(MavlinkPose, RefusesTimesBeyondAnyClock) {
               "a time that cannot be");
 }
 
+TEST(MavlinkPose, SaysWhyItTakesNoPose) {
+    MavlinkPose pose;
+    auto of_body = odometry_at(1'000'000);
+    of_body.frame_id = 12;  // MAV_FRAME_BODY_FRD
+    EXPECT_EQ(pose.add(of_body, 1).reason.substr(0, 21), "ODOMETRY in frame 12;");
+    EXPECT_TRUE(pose.add(odometry_at(1'000'000), 1).message) << "what was refused spoils nothing";
+    EXPECT_EQ(pose.add(odometry_at(1'100'000), 7).reason,
+              "system 7 tells poses as well; the vehicle is system 1, which was the first to");
+}
+
 TEST(MavlinkPose, APlaceThatIsNoneOnTheGlobeIsNoFirstPlaceEither) {
     MavlinkPose pose;
     mavlink::SimState far_out;

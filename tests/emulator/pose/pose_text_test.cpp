@@ -94,6 +94,7 @@ TEST(Trajectory, CsvWithAndWithoutAHeaderAndTumSayTheSame) {
         "t,x,y,z,qw,qx,qy,qz\n100,0,0,-3,1,0,0,0\n102,4,0,-3,0.70710678,0,0,0.70710678\n",
         "100, 0, 0, -3, 1, 0, 0, 0\r\n102, 4, 0, -3, 0.70710678, 0, 0, 0.70710678\r\n",
         "x,y,z,t,qx,qy,qz,qw\n0,0,-3,100,0,0,0,1\n4,0,-3,102,0,0,0.70710678,0.70710678",
+        "\xEF\xBB\xBFt,x,y,z,qw,qx,qy,qz\n100,0,0,-3,1,0,0,0\n102,4,0,-3,0.70710678,0,0,0.70710678\n",
         "# timestamp tx ty tz qx qy qz qw\n100 0 0 -3 0 0 0 1\n\n102 4 0 -3  0 0 0.70710678 0.70710678\n",
     };
     for (const char* text : texts) {
@@ -119,6 +120,7 @@ TEST(Trajectory, FaultsNameFileLineAndReason) {
         {"0,0,0,9e9,1,0,0,0", "1000 km"},
         {"t,x,y,z,qw,qx,qy,roll\n", "it has 'roll'"},
         {"t,x,y\n", "the header must name"},
+        {"time,x,y,z,qw,qx,qy,qz\n", "the header must name each of t,x,y,z,qw,qx,qy,qz once; it has 'time'"},
     };
     for (const auto& [text, reason] : texts) try {
             parse_trajectory(text, "dive.csv");

@@ -14,6 +14,14 @@ TEST(SenderClock, TheLeastDelayTellsTheDifference) {
     EXPECT_NEAR(to_seconds(clock.run_time(100.2, from_seconds(1.290))), 1.205, 1e-6);
 }
 
+TEST(SenderClock, ASimulatorThatRunsSlowerThanRealTimeIsNotLeftBehind) {
+    SenderClock clock;
+    for (int i = 0; i < 600; ++i) {  // a minute at nine tenths of real time, twenty poses a second of its own
+        const double sent = i * 0.05, arrival = sent / 0.9;
+        EXPECT_NEAR(to_seconds(clock.run_time(sent, from_seconds(arrival))), arrival, 0.11) << sent;
+    }
+}
+
 TEST(SenderClock, AnotherClockIsTakenAsItIs) {
     SenderClock clock;
     clock.run_time(100.0, from_seconds(1));
