@@ -11,7 +11,7 @@ constexpr std::chrono::milliseconds longest_wait(500);  // what a kill -9 may lo
 }  // namespace
 
 BackgroundFile::BackgroundFile(std::filesystem::path file, std::string what, BackgroundFileLimits limits)
-    : what_(std::move(what)), limits_(limits), path_(std::move(file)), file_(path_) {
+    : what_(std::move(what)), limits_(limits), path_(std::move(file)), file_(path_, "{\"") {
     thread_ = std::jthread([this](std::stop_token stop) { keep_writing(stop); });
 }
 

@@ -1,5 +1,5 @@
-// A text file that a thread of its own writes, within half a second: a slow disk delays nobody, a full one
-// ends the file and never the emulation. Knows nothing of what the lines mean.
+// A file of JSON lines that a thread of its own writes, within half a second: a slow disk delays nobody, a
+// full one ends the file and never the emulation. Knows nothing of what the lines mean.
 #pragma once
 
 #include <condition_variable>

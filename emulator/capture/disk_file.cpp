@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <utility>
 
 #include "emulator/error.h"
@@ -33,21 +34,32 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
+/// The name of a scenario behind --record is a slip.
+bool holds_something_else(const std::filesystem::path& file, std::string_view begins) {
+    std::string held(begins.size(), '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(held.data(), static_cast<std::streamsize>(held.size()));
+    held.resize(static_cast<std::size_t>(stream.gcount()));
+    return !begins.starts_with(held);
+}
+
 }  // namespace
 
-DiskFile::DiskFile(std::filesystem::path file)
+void DiskFile::refuse(const std::string& why) {
+    close();
+    throw StartError(Exit::cannot_create, file_.string() + ": " + why + "; name another file");
+}
+
+DiskFile::DiskFile(std::filesystem::path file, std::string_view begins)
     : file_(std::move(file)), descriptor_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644)) {
     if (descriptor_ < 0)
         throw StartError(Exit::cannot_create, file_.string() +
                                                   ": cannot be written: " + std::strerror(errno) +
                                                   "; name a file in a folder that you may write to");
     if (!is_plain(descriptor_)) return;
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        close();
-        throw StartError(
-            Exit::cannot_create,
-            file_.string() + ": is being written already, perhaps by another run; name another file");
-    }
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        refuse("is being written already, perhaps by another run");
+    if (holds_something_else(file_, begins)) refuse("exists and holds something else, which would be lost");
     if (::ftruncate(descriptor_, 0) != 0) spdlog::debug("{}: {}", file_.string(), std::strerror(errno));
 }
 

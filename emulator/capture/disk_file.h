@@ -11,8 +11,9 @@ namespace echoloop {
 
 class DiskFile {
   public:
-    /// Overwrites `file`. Throws StartError if it cannot be made, or if somebody writes to it already.
-    explicit DiskFile(std::filesystem::path file);
+    /// Overwrites `file`, of which every one begins with `begins`. Throws StartError if it cannot be made, if
+    /// somebody writes to it already, or if it holds something else.
+    DiskFile(std::filesystem::path file, std::string_view begins);
     ~DiskFile() { close(); }
     DiskFile(const DiskFile&) = delete;
     DiskFile& operator=(const DiskFile&) = delete;
@@ -25,6 +26,8 @@ class DiskFile {
     std::uint64_t size() const { return size_; }  ///< bytes written
 
   private:
+    [[noreturn]] void refuse(const std::string& why);
+
     std::filesystem::path file_;
     int descriptor_ = -1;
     std::uint64_t size_ = 0;

@@ -7,6 +7,7 @@
 namespace echoloop {
 namespace {
 
+constexpr std::string_view magic = "\x0A\x0D\x0D\x0A";  // of pcapng
 constexpr std::size_t enough_to_write = 1 << 20;
 constexpr std::chrono::milliseconds longest_wait(500);  // what a kill -9 may lose
 
@@ -30,7 +31,7 @@ Recording::Recording(std::filesystem::path file, RecordingLimits limits)
     : file_(std::move(file)),
       limits_(limits),
       start_time_(std::chrono::system_clock::now().time_since_epoch()),
-      disk_(std::in_place, file_) {
+      disk_(std::in_place, file_, magic) {
     prologue_ = waiting_ = pcapng::section_header("echoloop");
     thread_ = std::jthread([this](std::stop_token stop) { keep_writing(stop); });
 }
@@ -110,7 +111,7 @@ void Recording::open_file() {
         number = ++summary_.files;
     }
     try {
-        disk_.emplace(numbered(file_, number));
+        disk_.emplace(numbered(file_, number), magic);
     } catch (const StartError& error) {
         return give_up(error.what());
     }

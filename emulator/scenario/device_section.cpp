@@ -39,7 +39,12 @@ std::uint64_t device_seed(std::uint64_t seed, std::string_view name) {
 class DeviceReader {
   public:
     DeviceReader(const Scenario& scenario, std::span<const Model> models, Problems& problems)
-        : scenario_(scenario), models_(models), problems_(problems) {}
+        : scenario_(scenario), models_(models), problems_(problems) {
+        claim_input(scenario.pose_input, "vehicle.input");
+        if (scenario.step_input != scenario.pose_input) claim_input(scenario.step_input, "clock.input");
+        for (std::size_t i = 0; i < scenario.objects.size(); ++i)
+            claim_input(scenario.objects[i].input, "objects[" + std::to_string(i) + "].input");
+    }
 
     void read(const Value& value, std::size_t index);
     std::vector<ScenarioDevice> take() { return std::move(devices_); }
@@ -50,6 +55,9 @@ class DeviceReader {
     std::vector<std::string> read_endpoints(const Section& section, const Model& model);
     std::optional<Endpoint> parse(const std::string& uri, const Claim& at, const Model& model, bool first);
     void claim(Claim claim);
+    void claim_input(const std::string& uri, std::string path) {
+        if (!uri.empty() && uri != standard_input) claims_.push_back({parse_endpoint(uri), {}, std::move(path)});
+    }
     Profile read_profile(const Section& section, const Model& model);
     Profile read_file(const Section& section, const Model& model);
     void try_make(const ScenarioDevice& device, const Place& place);

@@ -11,7 +11,20 @@ namespace {
 
 constexpr std::size_t most_objects = 64;
 
-void read_object(const Value& value, const std::string& path, const std::filesystem::path& file,
+void refuse_shared_input(const Section& section, const std::string& input, const Scenario& scenario,
+                         const std::vector<ScenarioObject>& objects, Problems& problems) {
+    const auto refuse = [&](const std::string& other, const std::string& remedy) {
+        problems.add(section.get("input")->place,
+                     section.path_of("input") + ": " + input + " is already taken by " + other + "; " + remedy);
+    };
+    if (same_place(input, scenario.pose_input))
+        return refuse("vehicle.input", "leave it out, and lines with \"object\" and this node's name move it");
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (same_place(input, objects[i].input))
+            return refuse("objects[" + std::to_string(i) + "].input", "give each an endpoint of its own");
+}
+
+void read_object(const Value& value, const std::string& path, const Scenario& scenario,
                  std::vector<ScenarioObject>& objects, Problems& problems) {
     const Section section(&value, path, {"node", "pose", "trajectory", "input"}, problems);
     if (!value.is_map()) return;
@@ -30,8 +43,9 @@ void read_object(const Value& value, const std::string& path, const std::filesys
             problems.add(value.place,
                          path + ".node: " + in_quotes(object.node) + " moves in two ways; keep one");
     if (const Value* pose = section.get("pose")) object.pose = read_pose(pose, path + ".pose", problems);
-    object.trajectory = read_trajectory_name(section, file, problems);
+    object.trajectory = read_trajectory_name(section, scenario.file, problems);
     object.input = read_pose_endpoint(section, "input", problems);
+    refuse_shared_input(section, object.input, scenario, objects, problems);
     if (!object.trajectory.empty() && (object.pose || !object.input.empty()))
         problems.add(section.get("trajectory")->key_place,
                      path + ".trajectory says where the object is; remove it, or pose and input");
@@ -70,8 +84,13 @@ std::filesystem::path read_trajectory_name(const Section& section, const std::fi
     return name;
 }
 
-std::vector<ScenarioObject> read_objects(const Value* value, const std::filesystem::path& file,
-                                         Problems& problems) {
+bool same_place(const std::string& a, const std::string& b) {
+    if (a.empty() || b.empty()) return false;
+    if (a == standard_input || b == standard_input) return a == b;
+    return clash(parse_endpoint(a), parse_endpoint(b));
+}
+
+std::vector<ScenarioObject> read_objects(const Value* value, const Scenario& scenario, Problems& problems) {
     std::vector<ScenarioObject> objects;
     if (value == nullptr || value->kind == Value::Kind::null) return objects;
     if (!value->is_sequence() || value->items.size() > most_objects) {
@@ -79,7 +98,7 @@ std::vector<ScenarioObject> read_objects(const Value* value, const std::filesyst
         return objects;
     }
     for (std::size_t i = 0; i < value->items.size(); ++i)
-        read_object(value->items[i], "objects[" + std::to_string(i) + "]", file, objects, problems);
+        read_object(value->items[i], "objects[" + std::to_string(i) + "]", scenario, objects, problems);
     return objects;
 }
 

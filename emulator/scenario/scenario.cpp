@@ -116,7 +116,7 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     scenario.scene = read_scene(top, file, problems);
     scenario.seed = read_seed(top, problems);
     read_vehicle(top, scenario, problems);
-    scenario.objects = read_objects(top.get("objects"), file, problems);
+    scenario.objects = read_objects(top.get("objects"), scenario, problems);
     scenario.animations = read_animations(top);
     read_clock(top, scenario, problems);
     scenario.render = read_render(top, problems);

@@ -85,6 +85,12 @@ class Check(ProgramTest):
         self.assertFalse(report["ok"])
         self.assertEqual([(p["line"], p["column"]) for p in report["problems"]], [(2, 1)])
 
+    def test_the_files_by_which_objects_move_are_read(self):
+        way = self.folder / "way.csv"
+        way.write_text("t,x,y,z\n0,0,0,0\n")
+        text = self.bad(65, "check", TANK, "--set", f"objects=[{{node: ball, trajectory: {way}}}]")
+        self.assertIn(f"{way}:1: the header must name the columns t,x,y,z,qw,qx,qy,qz", text)
+
     def test_a_fault_in_a_set_argument_names_the_argument(self):
         self.assertIn("error: --set water.ph=70: water.ph: 70 is out of range; allowed is 5 to 10",
                       self.bad(78, "check", TANK, "--set", "water.ph=70"))

@@ -110,7 +110,7 @@ class Disk(unittest.TestCase):
         self.assertGreater(faults[-1]["unix"], killed - 1)
 
     def test_what_is_there_is_overwritten(self):
-        (self.folder / "labels.jsonl").write_text("yesterday's labels, many of them\n" * 10_000)
+        (self.folder / "labels.jsonl").write_text('{"yesterday\'s": "labels, many of them"}\n' * 10_000)
         with Emulator(self.scenario, *self.outputs()) as emulator:
             self.hear_a_new_ping()
             self.assertEqual(emulator.stop()[0], 0)
@@ -133,6 +133,13 @@ class Disk(unittest.TestCase):
                 message = self.refused(option, place)
                 self.assertIn(f"{place}: cannot be written: ", message)
                 self.assertIn("name a file in a folder that you may write to", message)
+
+    def test_a_file_of_another_kind_is_not_overwritten(self):
+        other = self.folder / "my.yaml"
+        other.write_text("a day's work")
+        for option, _ in OUTPUTS:
+            self.assertIn(f"{other}: exists and holds something else, which would be lost", self.refused(option, other))
+            self.assertEqual(other.read_text(), "a day's work")
 
     def test_a_file_that_a_run_writes_is_not_another_runs(self):
         """Started twice by mistake, the second one must not spoil what the first one records."""

@@ -243,10 +243,13 @@ class Streams(Played):
         self.assertIn("'one line'", text)
         self.assertIn("choose one with --port", text)
         self.assertIn("no port 'third'", self.refused(64, capture, place, "--port", "third"))
-        with Replay(capture, place, "--port", "other line"):
-            line = open_line(self.folder / "line")
-            self.assertEqual(read_line(line, 1)[0][1], b"b")
-            os.close(line)
+        for port in ("other line", "other"):  # the device's name is enough where it has one port
+            with Replay(capture, place, "--port", port):
+                line = open_line(self.folder / "line")
+                self.assertEqual(read_line(line, 1)[0][1], b"b")
+                os.close(line)
+        both = self.file("b.pcapng", on_lines([(0, SENT, b"a", 0), (1, SENT, b"b", 1)], (b"one line", b"one other")))
+        self.assertIn("'one' has several ports; name one", self.refused(64, both, place, "--port", "one"))
 
     def test_several_ports_at_once(self):
         capture = self.file("a.pcapng", on_lines([(0, SENT, b"a", 0), (1, SENT, b"b", 1)], (b"one", b"other=1")))

@@ -1,6 +1,7 @@
 // echoloop check: would this scenario run? Loads scenario and scene, opens no port and draws nothing.
 #include <cstdio>
 
+#include "emulator/pose/movers.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
 #include "tools/echoloop/json_output.h"
@@ -63,6 +64,7 @@ int run(const Arguments& arguments) {
     try {
         const Scenario scenario = scenario_from(arguments);
         const auto scene = scene_of(scenario);
+        Movers(scenario, scene);  // reads what moves them
         if (arguments.has("--json")) {
             std::printf("%s\n", check_json(scenario, *scene).c_str());
             return 0;
