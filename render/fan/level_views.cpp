@@ -9,8 +9,8 @@ namespace {
 constexpr double widest_view =
     deg_to_rad(62);  ///< beyond, the edge's pixels would be much narrower than the centre's
 constexpr double widest_line = deg_to_rad(0.4);
-/// Times the usual pixels, beyond which echoes are spread over what there is and outlines are sharp: who asks for
-/// so many wants to see more.
+/// Times the usual pixels, beyond which echoes are spread over what there is and outlines are sharp: who asks
+/// for so many wants to see more.
 constexpr double many_pixels = 4;
 constexpr std::size_t fewest_lines = 8, most_lines = 8192;
 constexpr std::size_t fewest_samples = 64, most_samples = 2048, most_pixels = std::size_t{4} << 20;
@@ -88,28 +88,30 @@ void add_level_views(FanPlan& plan, FanPart& part, const FanGeometry& g, const P
     const double edge = lobes.horizontal.edge(), last_beam = g.bearings[part.first_beam + part.beams - 1];
     part.first_edge = std::max(g.bearings[part.first_beam] - edge, part.centre - std::numbers::pi);
     part.last_edge = std::min(last_beam + edge, part.centre + std::numbers::pi);
-    const double span = part.last_edge - part.first_edge, per_side = std::sqrt(density.pixels);
+    const double span = part.last_edge - part.first_edge;
     const auto views = static_cast<std::size_t>(std::ceil(span / widest_view));
     const double width = span / static_cast<double>(views);
     const double line = std::min(g.beam_width / density.columns_per_beam, widest_line);
     const bool many = density.pixels > many_pixels;
+    const double pixels = many ? density.pixels : std::min(density.pixels, 1.0);  // before they are cut
+    const double per_side = std::sqrt(pixels), parts = density.pixels / pixels;
     part.first_line = plan.image_lines;
     for (std::size_t i = 0; i < views; ++i) {
         const double bearing = part.first_edge + (static_cast<double>(i) + 0.5) * width;
         View view = level_view(bearing, width, drawn_half_height(lobes));
-        const auto set_size = [&](double factor) {
-            view.lines = count((view.right - view.left) / line * factor, fewest_lines, most_lines / views);
-            view.samples = count((view.top - view.bottom) / g.elevation_step * factor, fewest_samples,
-                                 std::min(most_samples, most_pixels / (views * view.lines)));
-        };
-        set_size(many ? per_side : 1);
-        const std::size_t usual_lines = view.lines;
-        plan.usual_samples = std::max(plan.usual_samples, view.samples);
-        set_size(per_side);
-        view.usual_width = usual_size(view.lines, usual_lines);
+        const double lines = (view.right - view.left) / line * per_side;
+        const std::size_t whole_lines = count(lines, fewest_lines, most_lines / views);
+        const std::size_t whole =
+            count((view.top - view.bottom) / g.elevation_step * per_side, fewest_samples,
+                  std::min(most_samples, most_pixels / (views * whole_lines)));
+        const std::size_t cuts = std::clamp<std::size_t>(most_samples / whole, 1, cuts_per_side(parts));
+        view.lines = count(lines * parts / static_cast<double>(cuts), fewest_lines, most_lines / views);
+        view.samples = whole * cuts;
+        view.usual_width = usual_size(view.lines, whole_lines);
         view.sharp_outlines = g.bearings.size() == 1 || many;
         view.first_line = plan.image_lines;
         plan.image_lines += view.lines;
+        plan.usual_samples = std::max(plan.usual_samples, whole);
         plan.samples = std::max(plan.samples, view.samples);
         plan.views.push_back(view);
     }

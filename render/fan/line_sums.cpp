@@ -53,60 +53,24 @@ class RangeScale {
     float start_, near_limit_;
 };
 
-/// What both owners of stretch `i` send back from its middle.
+/// `weight`: of each sample. Along a plane seen at grazing incidence the solid angle of a slice of range
+/// falls as R^-2, cos(i) as R^-1.
 template <Amount amount>
-inline float echo_of(const BinningInput& in, const PixelRow& row, const Stretches& s, std::size_t i) {
-    const auto upper = static_cast<std::ptrdiff_t>(i) - 1, lower = static_cast<std::ptrdiff_t>(i);
-    const float *surface = row.surface(), *range = row.range(), *cosine = row.cosine();
-    const auto plane = [&](std::ptrdiff_t sample) { return cosine[sample] * range[sample]; };
-    if (surface[upper] == surface[lower]) {
-        if (!counts<amount>(in, surface[lower])) return 0;
-        return (s.of_upper[i] + s.of_lower[i]) *
-               strength_of<amount>(in, surface[lower], 0.5F * (plane(upper) + plane(lower)), s.middle[i]);
-    }
-    float sum = 0;
-    if (s.of_upper[i] > 0 && counts<amount>(in, surface[upper]))
-        sum += s.of_upper[i] * strength_of<amount>(in, surface[upper], plane(upper), s.middle[i]);
-    if (s.of_lower[i] > 0 && counts<amount>(in, surface[lower]))
-        sum += s.of_lower[i] * strength_of<amount>(in, surface[lower], plane(lower), s.middle[i]);
-    return sum;
-}
-
-template <Amount amount>
-void add_stretches(const BinningInput& in, const RangeScale& scale, const PixelRow& row, const Stretches& s,
-                   LineBins& bins) {
-    for (std::size_t i = 0; i < s.middle.size(); ++i) {
-        if (!(s.of_upper[i] + s.of_lower[i] > 0)) continue;
-        const float near = scale.bin(s.near[i]), far = scale.bin(s.far[i]), middle = s.middle[i];
-        float value = echo_of<amount>(in, row, s, i);
-        if (is_echo(amount)) value *= scale.correction(middle, far - near);
-        // Along a plane seen at grazing incidence the solid angle of a slice of range falls as R^-2, cos(i)
-        // as R^-1.
-        const float steepest = 1.8F / (far - near);  // beyond, the density at the far end would be negative
-        bins.deposit(near, far, value, std::max(-3 / (middle * scale.per_metre), -steepest));
-    }
-}
-
-template <Amount amount>
-void add_samples(const BinningInput& in, const RangeScale& scale, const PixelRow& row, const Stretches& s,
-                 LineBins& bins) {
-    for (std::size_t i = 0; i < s.at_sample.size(); ++i) {
-        if (!(s.at_sample[i] > 0) || !counts<amount>(in, row.surface()[i])) continue;
-        const float range = row.range()[i];
-        float value =
-            s.at_sample[i] * strength_of<amount>(in, row.surface()[i], row.cosine()[i] * range, range);
-        if (is_echo(amount)) value *= scale.correction(range, 2 * s.half_width[i] * scale.per_metre);
-        const float half = s.half_width[i];
-        bins.deposit(scale.bin(range - half), scale.bin(range + half), value);
-    }
-}
-
-template <Amount amount>
-void add_level(const BinningInput& in, const BinGain& gain, const LineReader& reader, LineBins& bins) {
+void add_level(const BinningInput& in, const BinGain& gain, const LineReader& reader, const float* weight,
+               LineBins& bins) {
     LineBins local = bins;  // its limits stay in registers
     const RangeScale scale(in, gain);
-    add_stretches<amount>(in, scale, reader.row(), reader.stretches, local);
-    add_samples<amount>(in, scale, reader.row(), reader.stretches, local);
+    const PixelRow& row = reader.row();
+    for (std::size_t i = 0; i < reader.extents.near.size(); ++i) {
+        const float surface = row.surface()[i];
+        if (surface == 0 || !(weight[i] > 0) || !counts<amount>(in, surface)) continue;
+        const float range = row.range()[i], near = scale.bin(reader.extents.near[i]),
+                    far = scale.bin(reader.extents.far[i]), length = far - near;
+        float value = weight[i] * strength_of<amount>(in, surface, row.cosine()[i] * range, range);
+        if (is_echo(amount)) value *= scale.correction(range, length);
+        const float steepest = 1.8F / length;  // beyond, the density at the far end would be negative
+        local.deposit(near, far, value, std::max(-3 / (range * scale.per_metre), -steepest));
+    }
     bins = local;
 }
 
@@ -151,19 +115,18 @@ void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, 
                     std::size_t line, LineReader& reader, LineBins& bins) {
     reader.read_alone(in, view, line);
     const float* coverage = &in.plan.coverage[view.first_pixel + line * view.samples];
-    const bool echo = is_echo(amount);
-    const float* weight = echo ? &in.plan.weight[view.first_pixel + line * view.samples] : coverage;
-    find_stretches(reader.row(), view, coverage, weight, in.offset, static_cast<float>(in.bin_length),
-                   end_of(in), reader.stretches);
+    const float* weight =
+        is_echo(amount) ? &in.plan.weight[view.first_pixel + line * view.samples] : coverage;
+    find_spreads(reader.row(), view, static_cast<float>(in.bin_length), end_of(in), reader.extents);
     switch (amount) {
         case Amount::echo:
-            return add_level<Amount::echo>(in, gain, reader, bins);
+            return add_level<Amount::echo>(in, gain, reader, weight, bins);
         case Amount::wanted_echo:
-            return add_level<Amount::wanted_echo>(in, gain, reader, bins);
+            return add_level<Amount::wanted_echo>(in, gain, reader, weight, bins);
         case Amount::paper_echo:
-            return add_level<Amount::paper_echo>(in, gain, reader, bins);
+            return add_level<Amount::paper_echo>(in, gain, reader, weight, bins);
         case Amount::paper_share:
-            return add_level<Amount::paper_share>(in, gain, reader, bins);
+            return add_level<Amount::paper_share>(in, gain, reader, weight, bins);
     }
 }
 

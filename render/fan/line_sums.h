@@ -7,7 +7,7 @@
 #include "render/fan/bin_gain.h"
 #include "render/fan/line_bins.h"
 #include "render/fan/pixel_rows.h"
-#include "render/fan/stretches.h"
+#include "render/fan/spreads.h"
 
 namespace echoloop {
 
@@ -39,8 +39,7 @@ class LineReader {
     const PixelRow& before() const { return first_ ? rows_[1] : rows_[0]; }
     const PixelRow& after() const { return last_ ? rows_[1] : rows_[2]; }
 
-    Stretches stretches;  ///< for who reads level lines
-    Extents extents;      ///< for who reads a surround's
+    Extents extents;  ///< what the reader of the line makes of it
 
   private:
     static constexpr std::size_t no_line = static_cast<std::size_t>(-1);

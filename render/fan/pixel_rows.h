@@ -46,26 +46,21 @@ inline float range_step(float before, float before_surface, float range, float a
     return std::copysign(std::min(footprint, 1.5F * std::abs(nearer)), nearer);
 }
 
-/// What a sample's echo is spread over where nobody knows what lies beside it: the plane of its surface, as
-/// far as a pixel of the usual size shows it. A function of the sample alone, so that the mean over pings does
-/// not depend on the number of pixels.
+/// What a sample's echo is spread over: the plane of its surface, as far as a pixel of the usual size shows it. A
+/// function of the sample alone, so that the mean over pings does not depend on the number of pixels.
 struct EchoSpread {
     explicit EchoSpread(const View& view)
-        : width(static_cast<float>(view.usual_width)),
-          height(static_cast<float>(view.usual_height)),
-          most_across(static_cast<float>(most * view.usual_width * view.line_width())),
+        : most_across(static_cast<float>(most * view.usual_width * view.line_width())),
           most_along(static_cast<float>(most * view.usual_height * view.sample_height())) {}
 
     /// m. `footprint`: of PixelArrays.
     float half(float footprint, float range) const {
-        const bool across = footprint < 0;
-        return 0.5F * std::min(std::abs(footprint) * (across ? width : height),
-                               range * (across ? most_across : most_along));
+        return 0.5F * std::min(std::abs(footprint), range * (footprint < 0 ? most_across : most_along));
     }
 
-    /// A plane at less than 11 deg of grazing reaches farther than its facet, as on a ripple's crest.
-    static constexpr double most = 5;
-    float width, height, most_across, most_along;
+    /// A plane at less than 1 deg of grazing reaches farther than its facet, as on a ripple's crest.
+    static constexpr double most = 60;
+    float most_across, most_along;
 };
 
 /// m, one per pixel: a stretch around the sample.

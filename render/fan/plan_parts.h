@@ -39,6 +39,12 @@ inline double usual_size(std::size_t count, std::size_t usual) {
     return std::max(1.0, static_cast<double>(count) / static_cast<double>(usual));
 }
 
+/// Into how many parts each side of a pixel is cut where it makes `parts` of them: a whole number of samples, so that each
+/// has neighbours a pixel away, and a rest of lines.
+inline std::size_t cuts_per_side(double parts) {
+    return static_cast<std::size_t>(std::ceil(std::sqrt(std::max(parts, 1.0)) - 1e-9));
+}
+
 /// Near side lobes are summed line by line up to this many beam widths off the axis: five lobes of a line aperture,
 /// down to -25 dB one way.
 inline constexpr double near_beam_widths = 7;

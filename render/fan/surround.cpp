@@ -54,10 +54,12 @@ class Fit {
     double mean_ = 0, line_ = 0, sample_ = 0;
 };
 
+/// `cuts`: per side, of each pixel of the faces, whose pattern its parts share: so that the mean over pings
+/// hears the same pattern, however many they are.
 class Surround {
   public:
-    Surround(FanPlan& plan, const FanPart& part, const FanLobes& lobes)
-        : plan_(plan), part_(part), lobes_(lobes) {}
+    Surround(FanPlan& plan, const FanPart& part, const FanLobes& lobes, std::size_t cuts)
+        : plan_(plan), part_(part), lobes_(lobes), cuts_(cuts) {}
 
     /// Appends what the array hears of the face: the rectangle of pixels that have weight, if any.
     bool add(const View& face, double bearing) {
@@ -73,8 +75,9 @@ class Surround {
         View view = cropped(face, heard);
         view.first_pixel = plan_.weight.size();
         view.first_line = plan_.image_lines;
-        for (std::size_t line = heard.first_line; line < heard.last_line; ++line)
-            for (std::size_t sample = heard.first_sample; sample < heard.last_sample; ++sample)
+        for (std::size_t line = heard.first_line * cuts_; line < heard.last_line * cuts_; ++line)
+            for (std::size_t sample = heard.first_sample * cuts_; sample < heard.last_sample * cuts_;
+                 ++sample)
                 add_pixel(face, line, sample);
         plan_.image_lines += view.lines;
         plan_.views.push_back(view);
@@ -97,13 +100,15 @@ class Surround {
         return r;
     }
 
-    static View cropped(const View& face, const Rectangle& r) {
+    View cropped(const View& face, const Rectangle& r) const {
         View view = face;
         view.left = face.x(static_cast<double>(r.first_line)),
         view.right = face.x(static_cast<double>(r.last_line));
         view.top = face.y(static_cast<double>(r.first_sample));
         view.bottom = face.y(static_cast<double>(r.last_sample));
-        view.lines = r.last_line - r.first_line, view.samples = r.last_sample - r.first_sample;
+        view.lines = (r.last_line - r.first_line) * cuts_;
+        view.samples = (r.last_sample - r.first_sample) * cuts_;
+        view.usual_width = view.usual_height = static_cast<double>(cuts_);
         return view;
     }
 
@@ -122,15 +127,23 @@ class Surround {
         return {beside.positive(), off_plane.positive(), sector.linear()};
     }
 
-    void add_pixel(const View& view, std::size_t line, std::size_t sample) {
-        const double at = static_cast<double>(line) + 0.5;
-        SurroundPixel heard = heard_[line * view.samples + sample];
-        const auto solid_angle = static_cast<float>(view.solid_angle(view.x(at) * view.x(at), sample));
-        for (Linear* power : {&heard.beside, &heard.off_plane})
-            for (float* part : {&power->mean, &power->line, &power->sample}) *part *= solid_angle;
+    /// `line`, `sample`: of the parts into which the face's pixels are cut.
+    void add_pixel(const View& face, std::size_t line, std::size_t sample) {
+        const std::size_t whole_line = line / cuts_, whole_sample = sample / cuts_;
+        const double at = static_cast<double>(whole_line) + 0.5, count = static_cast<double>(cuts_);
+        const auto place = [&](std::size_t part) {  // in the whole pixel, -0.5..0.5
+            return static_cast<float>((static_cast<double>(part % cuts_) + 0.5) / count - 0.5);
+        };
+        const auto part_of = [&](const Linear& whole, double size) {
+            const auto a = static_cast<float>(size), b = static_cast<float>(size / count);
+            return Linear{a * whole.at(place(line), place(sample)), b * whole.line, b * whole.sample};
+        };
+        const SurroundPixel& whole = heard_[whole_line * face.samples + whole_sample];
+        const double solid_angle = face.solid_angle(face.x(at) * face.x(at), whole_sample) / (count * count);
+        plan_.surround.push_back({part_of(whole.beside, solid_angle), part_of(whole.off_plane, solid_angle),
+                                  part_of(whole.sector, 1)});
         plan_.coverage.push_back(1);
-        plan_.weight.push_back(power_of(heard));
-        plan_.surround.push_back(heard);
+        plan_.weight.push_back(power_of(plan_.surround.back()));
     }
 
     bool is_ahead(Direction d) const {
@@ -153,6 +166,7 @@ class Surround {
     FanPlan& plan_;
     const FanPart& part_;
     const FanLobes& lobes_;
+    const std::size_t cuts_;
     Quat array_from_view_;              ///< of the face at hand
     std::vector<SurroundPixel> heard_;  ///< of its pixels, of which each has the solid angle 1
 };
@@ -177,17 +191,13 @@ void add_surround(FanPlan& plan, FanPart& part, const FanLobes& lobes, double de
     if (part.last_edge - part.first_edge > widest_part) return;
     part.first_sector = plan.sectors;
     const double usual = part.beams == 1 ? pixels_of_single_beam : pixels_per_side;
-    const auto side_at = [&](double factor) {
-        return std::clamp<std::size_t>(static_cast<std::size_t>(usual * std::sqrt(factor)), 16,
-                                       plan.samples) /
-               2 * 2;
-    };
-    const std::size_t side = side_at(density);
-    Surround surround(plan, part, lobes);
+    const auto side =
+        static_cast<std::size_t>(std::max(16.0, usual * std::sqrt(std::min(density, 1.0)))) / 2 * 2;
+    const std::size_t cuts = std::clamp<std::size_t>(plan.samples / side, 1, cuts_per_side(density));
+    Surround surround(plan, part, lobes, cuts);
     for (View view : front_half_cube(side)) {
         const double relative = view.bearing;
         view.bearing += part.centre;
-        view.usual_width = view.usual_height = usual_size(side, side_at(1));
         part.surrounds += surround.add(view, relative);
     }
 }

@@ -1,5 +1,5 @@
-// The shaders that draw one view of a fan. Each pixel gets range, cos(incidence), range footprint and
-// surface.
+// The shaders that draw one view of a fan. Each pixel gets range, cos(incidence), range footprint of
+// a pixel of the usual size, and surface.
 #pragma once
 
 namespace echoloop::gl {
@@ -35,7 +35,7 @@ void main() {
 inline constexpr const char* fan_fragment_shader = R"(#version 450 core
 in vec3 seen;
 in vec4 seen_normal;
-uniform vec2 pixel;            // width along bearing, height along elevation on the image plane
+uniform vec4 pixel;            // width along bearing, height along elevation on the image plane; of a usual one in pixels
 layout(location = 0) out vec4 sample_out;
 void main() {
     float square = dot(seen, seen), inverse = inversesqrt(square), range = square * inverse;
@@ -44,8 +44,8 @@ void main() {
     float lean = max(fract(seen_normal.w) - 0.25, 0.0);  // variance of the normal in the direction that we look along
     cosine = min(cosine + lean * (1.0 - cosine * cosine) / max(cosine, 0.1), 1.0);
     float shrink = seen.z * inverse, slope = range * seen.z;
-    float along_bearing = abs(seen.x * shrink * pixel.x - slope * dFdy(gl_FragCoord.w));
-    float along_elevation = abs(seen.y * shrink * pixel.y + slope * dFdx(gl_FragCoord.w));
+    float along_bearing = pixel.z * abs(seen.x * shrink * pixel.x - slope * dFdy(gl_FragCoord.w));
+    float along_elevation = pixel.w * abs(seen.y * shrink * pixel.y + slope * dFdx(gl_FragCoord.w));
     float footprint = min(max(along_bearing, along_elevation), 0.5 * range);
     footprint = along_elevation >= along_bearing ? footprint : -footprint;
     sample_out = vec4(range, cosine, footprint, floor(seen_normal.w));

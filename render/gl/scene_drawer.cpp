@@ -140,8 +140,9 @@ void SceneDrawer::set_view(const View& view, const Pose& frame_from_fan, PixelOf
     gl_.Uniform4f(uniforms_.window, static_cast<float>(x), static_cast<float>(y),
                   static_cast<float>(2 / (view.right - view.left)),
                   static_cast<float>(2 / (view.top - view.bottom)));
-    gl_.Uniform2f(uniforms_.pixel, static_cast<float>(view.line_width()),
-                  static_cast<float>(view.sample_height()));
+    gl_.Uniform4f(uniforms_.pixel, static_cast<float>(view.line_width()),
+                  static_cast<float>(view.sample_height()), static_cast<float>(view.usual_width),
+                  static_cast<float>(view.usual_height));
     gl_.Viewport(0, static_cast<GLint>(view.first_line), static_cast<GLsizei>(view.samples),
                  static_cast<GLsizei>(view.lines));
 }
