@@ -150,9 +150,11 @@ Result<Datagram> read_command(ByteView bytes) {
     if (!take(command.number) || text.empty() || text.front() != ',')
         return Error{"KSSIS", "number", command_word.size(), Reason::wrong_constant};
     text.remove_prefix(1);
-    if (!take(command.sounder))
+    const std::string_view name = text.substr(0, text.find_first_of(",\r\n"));
+    if (name.empty() || !std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~'; }))
         return Error{"KSSIS", "sounder", bytes.size() - text.size(), Reason::wrong_constant};
-    command.arguments = text;
+    command.sounder = name;
+    command.arguments = text.substr(name.size());
     return Datagram(std::move(command));
 }
 

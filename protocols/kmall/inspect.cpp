@@ -104,7 +104,7 @@ void add_fields(inspect::Message& out, const Command& command) {
         out.fields.push_back(inspect::to_field(view, out.offset));
     };
     add_field("number", std::uint64_t{command.number});
-    add_field("sounder", std::uint64_t{command.sounder});
+    add_field("sounder", command.sounder);
     add_field("arguments", command.arguments);
 }
 

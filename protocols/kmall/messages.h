@@ -61,7 +61,7 @@ struct Part {
 /// Text "$KSSIS,number,sounder,...".
 struct Command {
     unsigned number = 0;
-    unsigned sounder = 0;
+    std::string sounder;    ///< its name, e.g. "EM2040_40"
     std::string arguments;  ///< with the comma before them
 
     friend bool operator==(const Command&, const Command&) = default;

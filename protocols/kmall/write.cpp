@@ -94,7 +94,7 @@ Bytes bytes_of(const M& message) {
 
 Bytes bytes_of(const Command& command) {
     std::string text(command_word);
-    text += std::to_string(command.number) + ',' + std::to_string(command.sounder) + command.arguments;
+    text += std::to_string(command.number) + ',' + command.sounder + command.arguments;
     return {text.begin(), text.end()};
 }
 

@@ -106,7 +106,7 @@ class Commands(KmallCase):
         self.socket.settimeout(1)
         with self.assertRaises(socket.timeout):
             self.socket.recv(65536)
-        self.say("$KSSIS,458,2040")
+        self.say("$KSSIS,458,EM2040_40")
         self.check_floor(self.mrz())
         self.say("$KSSIS,461,2040")
         head, body = self.next("#MWC")

@@ -130,8 +130,10 @@ TEST(Kmall, AFileIsDatagramsBackToBack) {
 
 TEST(Kmall, TextsOfTheControllerAreRead) {
     const auto text = [](const std::string& t) { return parse(wire::Bytes(t.begin(), t.end())); };
-    EXPECT_EQ(std::get<Command>(*text("$KSSIS,458,2040")), (Command{458, 2040, ""}));
-    EXPECT_EQ(std::get<Command>(*text("$KSSIS,457,712\r\n")), (Command{457, 712, "\r\n"}));
+    EXPECT_EQ(std::get<Command>(*text("$KSSIS,458,2040")), (Command{458, "2040", ""}));
+    EXPECT_EQ(std::get<Command>(*text("$KSSIS,457,712\r\n")), (Command{457, "712", "\r\n"}));
+    EXPECT_EQ(std::get<Command>(*text("$KSSIS,262,EM2040_40,RUNT_PARAM=1")),
+              (Command{262, "EM2040_40", ",RUNT_PARAM=1"}));
     for (const char* bad : {"$KSSIS,", "$KSSIS,458", "$KSSIS,458,", "$KSSIS,x,2040", "$KSSIS,99999999999,1",
                             "$KSSIS,-1,2040", "$KSSI,458,2040"})
         EXPECT_FALSE(text(bad)) << bad;

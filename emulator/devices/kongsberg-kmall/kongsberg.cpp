@@ -13,6 +13,12 @@ constexpr Time processing = std::chrono::milliseconds(5);  // from the last samp
 // Numbers of the controller's texts.
 constexpr unsigned stop = 457, start = 458, water_column_off = 460, water_column_on = 461;
 
+/// By the name that its controller gives it, with the system's number or without, or by its number alone.
+bool is_named(const std::string& name, const Settings& settings) {
+    const std::string number = std::to_string(settings.sounder), model = "EM" + number;
+    return name == model + '_' + std::to_string(settings.system_id) || name == model || name == number;
+}
+
 }  // namespace
 
 Kongsberg::Kongsberg(const Settings& settings, const Wiring& wiring) : settings_(settings), wiring_(wiring) {}
@@ -31,7 +37,7 @@ Actions Kongsberg::received(const Received& data, Time now) {
     const auto* command = datagram ? std::get_if<kmall::Command>(&*datagram) : nullptr;
     if (command == nullptr)
         ++counters_.rejected;
-    else if (command->sounder == settings_.sounder)
+    else if (is_named(command->sounder, settings_))
         obey(*command, now);
     return take_actions();
 }

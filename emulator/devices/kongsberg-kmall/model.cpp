@@ -18,7 +18,7 @@ Wiring read_wiring(const std::vector<std::string>& endpoints) {
     if (endpoints.size() != 2)
         throw std::invalid_argument(
             "a Kongsberg multibeam has two endpoints, where commands arrive and where datagrams go, e.g. "
-            "[\"udp-listen://127.0.0.1:4002\", \"udp://127.0.0.1:6020\"]");
+            "[\"udp-listen://127.0.0.1:14002\", \"udp://127.0.0.1:6020\"]");
     Wiring wiring{address_of(endpoints[0], Endpoint::Scheme::udp_listen, "the endpoint for commands"),
                   address_of(endpoints[1], Endpoint::Scheme::udp, "the endpoint of datagrams")};
     if (wiring.own.ip >> 24 == 127 && wiring.host.ip >> 24 != 127)
@@ -46,7 +46,7 @@ Model model() {
     m.name = "kongsberg-kmall";
     m.title = "Kongsberg EM multibeam echosounder, KMALL";
     m.protocol = "KMALL over UDP: #MRZ, #MWC, start and stop";
-    m.default_endpoints = {"udp-listen://127.0.0.1:4002", "udp://127.0.0.1:6020"};
+    m.default_endpoints = {"udp-listen://127.0.0.1:14002", "udp://127.0.0.1:6020"};
     m.endpoint_schemes = {"udp-listen"};
     m.options = option_table();
     m.figures = figure_table();

@@ -57,6 +57,7 @@ TEST(Kmall, ItsFirstDatagramIsWhatTheNotesSay) {
     EXPECT_EQ(at<std::uint32_t>(b, b.size() - 4), b.size());
     EXPECT_EQ(b[8], 2);
     EXPECT_EQ(u16(b, 10), 2040);
+    EXPECT_EQ(b[9], 40) << "system";
     EXPECT_EQ(u16(b, 20), 1) << "one part";
     EXPECT_EQ(u16(b, 22), 1);
     EXPECT_EQ(u16(b, 24), 12);
@@ -174,6 +175,17 @@ TEST(Kmall, TextsStopAndStartIt) {
     bench.sent();
     bench.run_to(8s);
     EXPECT_TRUE(bench.sent().empty());
+    bench.say(text("$KSSIS,458,EM2040_41"));
+    bench.run_to(9s);
+    EXPECT_TRUE(bench.sent().empty()) << "that is another of the same kind";
+    for (const char* name : {"EM2040_40", "EM2040"}) {
+        bench.say(text("$KSSIS,458," + std::string(name) + "\r\n"));
+        bench.run_to(bench.now + 1s);
+        EXPECT_FALSE(bench.sent().empty()) << name;
+        bench.say(text("$KSSIS,457," + std::string(name)));
+        bench.run_to(bench.now + 1s);
+        bench.sent();
+    }
     bench.say(text("$KSSIS,458"));
     EXPECT_EQ(bench.device().counters().rejected, 1U);
 }

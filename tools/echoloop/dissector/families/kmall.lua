@@ -6,7 +6,7 @@ local header, tail, command = 20, 4, "$KSSIS,"
 local T = family.tables
 local command_fields = {
   ProtoField.uint32("sonar.kmall.KSSIS.number", "number", base.DEC, nil, 0, "of the command"),
-  ProtoField.uint32("sonar.kmall.KSSIS.sounder", "sounder", base.DEC, nil, 0, "e.g. 2040"),
+  sonar.text_field("sonar.kmall.KSSIS.sounder", "sounder", "its name, e.g. EM2040_40"),
   sonar.text_field("sonar.kmall.KSSIS.arguments", "arguments", "of the command"),
 }
 for _, field in ipairs(command_fields) do table.insert(family.fields, field) end
@@ -117,10 +117,10 @@ local function show_body(r, tree, kind, parts)
 end
 
 local function show_command(tree, range, text)
-  local number_of_it, sounder, rest = text:match("^%$KSSIS,(%d+),(%d+)(.*)")
-  if not number_of_it then return sonar.fault(tree, "no command of a controller") or "KSSIS" end
+  local number_of_it, sounder, rest = text:match("^%$KSSIS,(%d+),([^,\r\n]+)(.*)")
+  if not number_of_it or sounder:find("[^\33-\126]") then return sonar.fault(tree, "no command of a controller") or "KSSIS" end
   tree:add(command_fields[1], range, tonumber(number_of_it) % 2 ^ 32)
-  tree:add(command_fields[2], range, tonumber(sounder) % 2 ^ 32)
+  tree:add(command_fields[2], range, sounder)
   tree:add(command_fields[3], range, sonar.printable(rest))
   return "KSSIS"
 end
@@ -142,4 +142,4 @@ end
 
 function family.sign(text) return is_command(text, 0) or (family.frame(text, 0) or 0) > 0 end
 
-sonar.add_places(family, {udp = "4002,6020"})
+sonar.add_places(family, {udp = "4002,6020,14002"})
