@@ -6,7 +6,7 @@
 namespace echoloop {
 namespace {
 
-enum Rank { angles = 1, quaternion, global, local, simulator, odometry };
+enum Rank { angles = 1, quaternion, rounded, global, local, simulator, odometry };
 
 constexpr double farthest = 1e6, longest = 4e9;  // m, s
 
@@ -46,12 +46,14 @@ PoseText MavlinkPose::add(const mavlink::Message& message, std::uint8_t system) 
         return {{}, "system " + std::to_string(system) + " tells poses as well; the vehicle is system " +
                         std::to_string(*system_) + ", which was the first to"};
     if (std::string fault = fault_of_frame(message); !fault.empty()) return {{}, std::move(fault)};
+    place_is_rounded_ = false;
     PoseMessage told = std::visit([this](const auto& m) { return read(m); }, message);
-    if (rank_ < position_rank_) told.position.reset();
+    const int rank_of_place = place_is_rounded_ ? Rank::rounded : rank_;
+    if (rank_of_place < position_rank_) told.position.reset();
     if (rank_ < attitude_rank_) told.attitude.reset();
     if (!told.position && !told.attitude) return {};
     if (const auto fault = fault_of(told); !fault.empty()) return {{}, fault};
-    if (told.position) position_rank_ = rank_;
+    if (told.position) position_rank_ = rank_of_place;
     if (told.attitude) attitude_rank_ = rank_;
     system_ = system;
     return {told, ""};
@@ -104,11 +106,16 @@ PoseMessage MavlinkPose::read(const mavlink::GlobalPositionInt& m) {
         seconds(m.time_boot_ms), near_first(m.latitude * 1e-7, m.longitude * 1e-7, m.altitude * 1e-3), {}};
 }
 
-/// It tells no time.
+/// It tells no time. In single precision degrees are rounded to a metre or more.
 PoseMessage MavlinkPose::read(const mavlink::SimState& m) {
     rank_ = simulator;
     if (!std::isfinite(m.latitude) || !std::isfinite(m.longitude)) return {};
-    return {{}, near_first(m.latitude, m.longitude, m.altitude), enu_attitude(to_quat(m.q))};
+    place_is_rounded_ = m.exact_latitude == 0 && m.exact_longitude == 0;
+    const Quat attitude = enu_attitude(to_quat(m.q));
+    if (!place_is_rounded_)
+        return {{}, near_first(m.exact_latitude * 1e-7, m.exact_longitude * 1e-7, m.altitude), attitude};
+    if (position_rank_ > rounded) return {{}, {}, attitude};
+    return {{}, near_first(m.latitude, m.longitude, m.altitude), attitude};
 }
 
 PoseMessage MavlinkPose::read(const mavlink::Odometry& m) {

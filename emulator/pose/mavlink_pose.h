@@ -13,7 +13,7 @@ class MavlinkPose {
   public:
     /// `system`: of the sender; the first that tells a pose is the vehicle, others are refused. Of
     /// several messages that tell the same thing the best counts: ODOMETRY, SIM_STATE, LOCAL_POSITION_NED,
-    /// GLOBAL_POSITION_INT; ATTITUDE_QUATERNION before ATTITUDE. Places on the globe become metres east and
+    /// GLOBAL_POSITION_INT, a SIM_STATE of rounded degrees; ATTITUDE_QUATERNION before ATTITUDE. Places on the globe become metres east and
     /// north of the first one (or, if that was 0, 0, which some say until they know better, of the first one
     /// far from there); their z is the altitude above mean sea level. Empty if the message tells nothing
     /// better than what came before. `reason` in the answer: another system, a frame that is none of the
@@ -36,7 +36,8 @@ class MavlinkPose {
 
     std::optional<std::uint8_t> system_;
     std::optional<Place> first_;
-    int rank_ = 0;  ///< of the message at hand
+    int rank_ = 0;                   ///< of the message at hand
+    bool place_is_rounded_ = false;  ///< that it tells
     int position_rank_ = 0, attitude_rank_ = 0;
 };
 

@@ -64,7 +64,9 @@ constexpr auto wire_layout(Tag<SimState>) {
         field(&SimState::deviation_horizontal, "deviation_horizontal", "", ""),
         field(&SimState::deviation_vertical, "deviation_vertical", "", ""),
         field(&SimState::vn, "vn", "m/s", "north"), field(&SimState::ve, "ve", "m/s", "east"),
-        field(&SimState::vd, "vd", "m/s", "down"));
+        field(&SimState::vd, "vd", "m/s", "down"),
+        field(&SimState::exact_latitude, "exact_latitude", "1e-7 deg", "an extension of version 2"),
+        field(&SimState::exact_longitude, "exact_longitude", "1e-7 deg", "both 0: not told"));
 }
 constexpr auto wire_layout(Tag<Odometry>) {
     return make_layout<Odometry>(

@@ -54,7 +54,8 @@ struct SimState {
     float latitude = 0, longitude = 0;         ///< deg
     float altitude = 0;                        ///< m
     float deviation_horizontal = 0, deviation_vertical = 0;
-    float vn = 0, ve = 0, vd = 0;  ///< m/s
+    float vn = 0, ve = 0, vd = 0;                          ///< m/s
+    std::int32_t exact_latitude = 0, exact_longitude = 0;  ///< 1e-7 deg; both 0: not told (version 1)
 };
 
 struct Odometry {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace echoloop {
@@ -54,6 +55,39 @@ TEST(MavlinkPose, APlaceThatIsNoneOnTheGlobeIsNoFirstPlaceEither) {
     const auto good = pose.add(place(toulon_latitude, toulon_longitude), 1);
     ASSERT_TRUE(good.message);
     EXPECT_EQ(*good.message->position, (Vec3{0, 0, -5}));
+}
+
+/// As a simulator at 149 degrees east tells it: to 1.4 m in single precision.
+mavlink::SimState far_east(std::int32_t longitude) {
+    mavlink::SimState message;
+    message.latitude = -35.3632621F;
+    message.longitude = static_cast<float>(longitude * 1e-7);
+    message.exact_latitude = -353632621;
+    message.exact_longitude = longitude;
+    return message;
+}
+
+TEST(MavlinkPose, ASimulatorsPlaceIsAsExactAsItTellsIt) {
+    MavlinkPose pose;
+    constexpr std::int32_t home = 1491652374;
+    ASSERT_TRUE(pose.add(far_east(home), 1).message);
+    for (int cm = 10; cm < 200; cm += 10) {
+        const auto moved = pose.add(far_east(home + static_cast<std::int32_t>(std::lround(cm / 0.9092))), 1);
+        ASSERT_TRUE(moved.message);
+        EXPECT_NEAR(moved.message->position->x, cm * 0.01, 0.01);
+    }
+}
+
+TEST(MavlinkPose, APlaceInRoundedDegreesCountsLessThanAnyOther) {
+    MavlinkPose pose;
+    auto rounded = far_east(1491652374);
+    rounded.exact_latitude = rounded.exact_longitude = 0;
+    EXPECT_TRUE(pose.add(rounded, 1).message->position) << "better than none";
+    EXPECT_TRUE(pose.add(place(-353632621, 1491652374), 1).message);
+    const auto attitude_only = pose.add(rounded, 1);
+    ASSERT_TRUE(attitude_only.message);
+    EXPECT_FALSE(attitude_only.message->position);
+    EXPECT_TRUE(attitude_only.message->attitude);
 }
 
 TEST(MavlinkPose, ZeroZeroIsWhatAnAutopilotSaysBeforeItsFirstFix) {
