@@ -136,6 +136,9 @@ class Mavlink(PoseCase):
             depths.wait_for(10)
             for _ in range(8):
                 self.assertLess(abs(depths.next() - 10), 0.2)
+        output = self.emulator.stop()[1]
+        self.assertRegex(output, r"vehicle +2 poses from \S+, [2-9] refused")
+        self.assertIn("damaged MAVLink, or bytes that are none", output)
 
 
 if __name__ == "__main__":
