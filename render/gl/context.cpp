@@ -4,11 +4,23 @@
 
 #include "render/gl/egl.h"
 #include "render/gl/osmesa.h"
+#include "render/gl/picture_check.h"
 
 namespace echoloop::gl {
 namespace {
 
 using Maker = std::unique_ptr<Context> (*)();
+
+/// Drivers of GPUs differ; Mesa's software is what the tests draw with.
+template <Maker make>
+std::unique_ptr<Context> checked() {
+    try {
+        check_picture(make());
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error("EGL device: " + std::string(error.what()));
+    }
+    return make();
+}
 
 /// The first that works of those given; else all their complaints.
 std::unique_ptr<Context> first_of(std::initializer_list<Maker> makers) {
@@ -26,7 +38,7 @@ std::unique_ptr<Context> first_of(std::initializer_list<Maker> makers) {
 std::unique_ptr<Context> make_context(std::string_view name) {
     if (name == "osmesa") return make_osmesa_context();
     if (name == "egl-surfaceless") return make_egl_surfaceless_context();
-    if (name == "egl-device") return make_egl_device_context();
+    if (name == "egl-device") return checked<make_egl_device_context>();
     if (name != "auto")
         throw std::invalid_argument("unknown GL context \"" + std::string(name) +
                                     "\"; known are auto, osmesa, egl-surfaceless, egl-device");
@@ -34,7 +46,8 @@ std::unique_ptr<Context> make_context(std::string_view name) {
 }
 
 std::unique_ptr<Context> make_auto_context(bool may_have_gpu) {
-    if (may_have_gpu) return first_of({make_gpu_context, make_osmesa_context, make_egl_surfaceless_context});
+    if (may_have_gpu)
+        return first_of({checked<make_gpu_context>, make_osmesa_context, make_egl_surfaceless_context});
     return first_of({make_osmesa_context, make_egl_surfaceless_context});
 }
 

@@ -26,6 +26,20 @@ TEST(GpuChoice, TheFirstGpuThatWorksIsTaken) {
 }
 
 TEST(GpuChoice, AutoDoesWithoutAGpuThatIsBroken) { EXPECT_EQ(chosen("broken", true), "OSMesa"); }
+TEST(GpuChoice, AutoDoesWithoutAGpuThatDrawsWrongly) { EXPECT_EQ(chosen("wrong", true), "OSMesa"); }
+
+TEST(GpuChoice, AGpuThatDrawsWronglyIsNamedWithWhatItDrew) {
+    ::setenv("ECHOLOOP_DOUBLE_EGL", "wrong", 1);
+    try {
+        gl::make_context("egl-device");
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find("EGL device: it draws a known picture wrongly: range"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(GpuChoice, ASoftwareDeviceIsNoGpu) { EXPECT_EQ(chosen("software", true), "OSMesa"); }
 TEST(GpuChoice, WhereTheKernelOffersNoneNothingIsLookedFor) { EXPECT_EQ(chosen("gpu", false), "OSMesa"); }
 

@@ -1,9 +1,11 @@
 // TEST DOUBLE of libEGL, since a GPU is not to be had on every machine: the system's own EGL with Mesa's
 // software device passed off as hardware, or with a broken GPU before it. What it draws is drawn by Mesa.
-// ECHOLOOP_DOUBLE_EGL says which: "gpu", "broken", or anything else for the system's devices as they are.
+// ECHOLOOP_DOUBLE_EGL says which: "gpu", "wrong" for one whose ranges are a thousandth too long, "broken", or anything
+// else for the system's devices as they are.
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <GL/gl.h>
 #include <dlfcn.h>
 
 #include <cstdlib>
@@ -45,7 +47,7 @@ EGLBoolean query_devices(EGLint most, EGLDeviceEXT* devices, EGLint* count) {
 }
 
 const char* query_device_string(EGLDeviceEXT device, EGLint name) {
-    if (device == &broken_gpu || pretends("gpu")) return "EGL_EXT_device_drm";
+    if (device == &broken_gpu || pretends("gpu") || pretends("wrong")) return "EGL_EXT_device_drm";
     return real_extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT")(device, name);
 }
 
@@ -53,6 +55,12 @@ EGLDisplay get_platform_display(EGLenum platform, void* device, const EGLint* at
     if (device == &broken_gpu) return EGL_NO_DISPLAY;
     return real_extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT")(platform, device,
                                                                                        attributes);
+}
+
+void read_wrongly(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) {
+    using Read = void (*)(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*);
+    real_extension<Read>("glReadPixels")(x, y, width, height, format, type, pixels);
+    for (GLsizei i = 0; i < width * height; ++i) static_cast<float*>(pixels)[4 * i] *= 1.001F;
 }
 
 }  // namespace
@@ -64,6 +72,7 @@ __eglMustCastToProperFunctionPointerType eglGetProcAddress(const char* name) {
     if (!std::strcmp(name, "eglQueryDevicesEXT")) return reinterpret_cast<Any>(query_devices);
     if (!std::strcmp(name, "eglQueryDeviceStringEXT")) return reinterpret_cast<Any>(query_device_string);
     if (!std::strcmp(name, "eglGetPlatformDisplayEXT")) return reinterpret_cast<Any>(get_platform_display);
+    if (!std::strcmp(name, "glReadPixels") && pretends("wrong")) return reinterpret_cast<Any>(read_wrongly);
     return real<decltype(&eglGetProcAddress)>("eglGetProcAddress")(name);
 }
 EGLBoolean eglInitialize(EGLDisplay display, EGLint* major, EGLint* minor) {
