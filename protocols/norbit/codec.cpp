@@ -67,7 +67,7 @@ std::uint32_t crc32(wire::ByteView bytes) {
     const auto& t = crc_tables;
     std::uint32_t c = 0xFFFFFFFFU;
     std::size_t i = 0;
-    const auto four = [&t](std::size_t table, std::uint32_t word) {
+    const auto four = [](std::size_t table, std::uint32_t word) {
         return t[table + 3][word & 0xFF] ^ t[table + 2][word >> 8 & 0xFF] ^ t[table + 1][word >> 16 & 0xFF] ^
                t[table][word >> 24];
     };

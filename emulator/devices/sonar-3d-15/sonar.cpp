@@ -83,7 +83,8 @@ Actions Sonar::received(const Received& data, Time now) {
         ++counters_.rejected;
         respond(http::response(std::get<http::Refusal>(*next).status));
     }
-    if (reader_.pending_bytes() > 0) request_deadline_ = now + request_patience;
+    if (reader_.pending_bytes() > 0)  // a byte now and then buys no more time
+        request_deadline_ = std::min(request_deadline_, now + request_patience);
     return take_actions();
 }
 

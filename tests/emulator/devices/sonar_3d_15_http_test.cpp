@@ -73,6 +73,17 @@ TEST(Sonar3d15, ARequestThatNeverEndsIsGivenUpAndANewConnectionStartsClean) {
     EXPECT_EQ(sonar.get("/temperature"), "21.0");
 }
 
+TEST(Sonar3d15, ARequestThatDripsIsGivenUpAsWell) {
+    SonarBench sonar;
+    EXPECT_EQ(sonar.ask("GET /"), "");
+    sonar.bench->run_to(4s);
+    EXPECT_EQ(sonar.ask("h"), "");
+    sonar.bench->run_to(5s);
+    const auto sent = sonar.bench->sent();
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(std::string(sent[0].bytes.begin(), sent[0].bytes.begin() + 12), "HTTP/1.1 408");
+}
+
 TEST(Sonar3d15, AConnectionThatAsksNothingIsClosedForTheNextOne) {
     SonarBench sonar;
     const auto wake = sonar.bench->device().connected(0, {0x7F000001, 40000}, 0s).wake;
