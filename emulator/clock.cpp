@@ -1,5 +1,7 @@
 #include "emulator/clock.h"
 
+#include "emulator/standstills.h"
+
 namespace echoloop {
 
 double Clock::unix_time() const {
@@ -44,6 +46,12 @@ void RealClock::rang(Time when) {
 
 Time RealClock::overslept(Time due) const {
     return slept_from_ <= due && due < slept_to_ ? slept_to_ - due : Time{};
+}
+
+Time RealClock::stood_still(Time since) const {
+    if (standstills_ == nullptr) return {};
+    const std::chrono::duration<double, std::nano> real = standstills_->within(instant(since), Steady::now());
+    return Time(static_cast<Time::rep>(real.count() * rate_));
 }
 
 void RealClock::set(Alarm& alarm, Time when) { alarm.timer_.expires_at(instant(when)); }

@@ -12,6 +12,7 @@
 namespace echoloop {
 
 class Alarm;
+class Standstills;
 
 /// Time of the run. Everything that waits for it does so with an Alarm, on the thread that runs the clock.
 class Clock {
@@ -36,6 +37,10 @@ class Clock {
     /// other programs, the kernel or the host of a virtual machine had its processor. At least; 0 where
     /// unknown.
     virtual Time overslept(Time) const { return {}; }
+    /// Since then, how long the machine let nothing run; 0 where nobody watches.
+    virtual Time stood_still(Time) const { return {}; }
+    /// It outlives this.
+    void watch(const Standstills* standstills) { standstills_ = standstills; }
 
     /// While one lives, something is under way whose outcome belongs to this moment (an echogram that is due,
     /// a write that does not fit yet): a stepped clock does not move on. Others take no notice.
@@ -52,6 +57,7 @@ class Clock {
 
   protected:
     bool held() const { return *holds_ > 0; }
+    const Standstills* standstills_ = nullptr;
 
   private:
     friend class Alarm;
@@ -114,6 +120,7 @@ class RealClock final : public Clock {
     void begin() override { start_ = Steady::now(); }
     void run() override;
     Time overslept(Time due) const override;
+    Time stood_still(Time since) const override;
 
   private:
     void set(Alarm& alarm, Time when) override;

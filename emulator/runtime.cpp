@@ -1,10 +1,7 @@
 #include "emulator/runtime.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <future>
-#include <latch>
 #include <mutex>
 
 #include "emulator/capture/recorded.h"
@@ -14,11 +11,13 @@
 #include "emulator/pose/movers.h"
 #include "emulator/pose/vehicle.h"
 #include "emulator/punctual.h"
+#include "emulator/real_time.h"
 #include "emulator/scenario/scene.h"
 #include "emulator/scheduling.h"
 #include "emulator/step_server.h"
 #include "emulator/transport/make.h"
 #include "emulator/truth/device_truth.h"
+#include "emulator/warm_up.h"
 #include "render/fan/plan_cache.h"
 #include "render/renderer.h"
 
@@ -36,27 +35,6 @@ std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io
     return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
 }
 
-/// Threads on which devices make bytes of large echograms.
-std::shared_ptr<asio::thread_pool> make_listeners(Punctuality punctuality) {
-    constexpr int threads = 2;
-    auto pool = std::make_shared<asio::thread_pool>(threads);
-    std::array<std::packaged_task<void()>, threads> begin;
-    std::array<std::future<void>, threads> begun;
-    std::latch all_here(threads);  // so that no thread takes the task of another
-    for (auto& task : begin) {
-        task = std::packaged_task<void()>([&all_here, punctuality] {
-            all_here.arrive_and_wait();
-            wake_on_time();
-            if (punctuality == Punctuality::real_time) claim_real_time(Turn::listeners);
-        });
-    }
-    std::ranges::transform(begin, begun.begin(), [](auto& task) { return task.get_future(); });
-    for (auto& task : begin) asio::post(*pool, [&task] { task(); });
-    for (auto& result : begun) result.wait();
-    for (auto& result : begun) result.get();
-    return pool;
-}
-
 SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers,
                          Punctuality punctuality) {
     const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
@@ -72,23 +50,6 @@ SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Mov
             movers.reach()};
 }
 
-/// Plans, shaders and trees are made at the first ping of their kind: before anybody waits for one.
-void warm_up(Renderer& renderer, const Scenario& scenario, const SharedWater& water,
-             RenderThread::Lane lane) {
-    constexpr double everywhere = 1e7;  // m: a scene so large that late echoes matter
-    for (const ScenarioDevice& device : scenario.devices) {
-        const Shot shot = device.model->default_shot(device.config, 0, 0);
-        if (lane == RenderThread::Lane::single_beams && !RenderThread::is_single_beam(shot)) continue;
-        const Pose pose = scenario.world_from_body * device.body_from_sonar;
-        renderer.render(shot, pose);
-        const auto late = late_shot(shot, water.water, water.effects, everywhere);
-        if (!late) continue;
-        Situation coarse = pose;
-        coarse.detail = late_detail;
-        renderer.render(*late, coarse);
-    }
-}
-
 }  // namespace
 
 class Runtime::Impl {
@@ -100,7 +61,7 @@ class Runtime::Impl {
           clock_(make_clock(scenario, io_)),
           stepped_(dynamic_cast<SteppedClock*>(clock_.get())),
           steps_(stepped_ == nullptr ? nullptr : make_step_server()),
-          punctuality_(punctuality),
+          real_time_(punctuality == Punctuality::real_time ? std::make_unique<RealTime>(scenario) : nullptr),
           movers_(scenario, scene_),
           vehicle_(scenario, *clock_, steps_.get(), movers_.by_lines()),
           water_(shared_water(scenario, *scene_, movers_, punctuality)),
@@ -143,7 +104,8 @@ class Runtime::Impl {
             if (!ec) stop();
         });
         wake_on_time();
-        if (punctuality_ == Punctuality::real_time) {
+        if (real_time_) {
+            clock_->watch(&real_time_->standstills());
             claim_real_time(Turn::wires);
             lock_memory();
         }
@@ -167,6 +129,9 @@ class Runtime::Impl {
     std::map<std::string, PoseSummary> objects() const { return movers_.summary(); }
     std::optional<StepSummary> steps() const {
         return steps_ ? std::optional(steps_->summary()) : std::nullopt;
+    }
+    std::optional<RealTimeSummary> real_time() const {
+        return real_time_ ? std::optional(real_time_->summary()) : std::nullopt;
     }
     std::size_t triangles() const { return scene_->triangles(); }
     const std::string& renderer_description() const { return renderer_description_; }
@@ -295,9 +260,9 @@ class Runtime::Impl {
     asio::signal_set signals_;
     asio::steady_timer end_;
     std::unique_ptr<Clock> clock_;
-    SteppedClock* stepped_;              ///< the clock, if it is one
-    std::unique_ptr<StepServer> steps_;  ///< if it is
-    Punctuality punctuality_;
+    SteppedClock* stepped_;                ///< the clock, if it is one
+    std::unique_ptr<StepServer> steps_;    ///< if it is
+    std::unique_ptr<RealTime> real_time_;  ///< nullptr: not asked for
     Movers movers_;
     Vehicle vehicle_;
     SharedWater water_;
@@ -318,6 +283,7 @@ std::string Runtime::renderer() const { return impl_->renderer_description(); }
 std::optional<PoseSummary> Runtime::poses() const { return impl_->poses(); }
 std::map<std::string, PoseSummary> Runtime::objects() const { return impl_->objects(); }
 std::optional<StepSummary> Runtime::steps() const { return impl_->steps(); }
+std::optional<RealTimeSummary> Runtime::real_time() const { return impl_->real_time(); }
 std::map<std::string, FaultCounts> Runtime::faults() const { return impl_->faults(); }
 std::string Runtime::control() const { return impl_->control(); }
 void Runtime::run(std::optional<double> duration) { impl_->run(duration); }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "emulator/faults/labels.h"
+#include "emulator/listeners.h"
 #include "emulator/scenario/scenario.h"
 #include "emulator/session.h"
 
@@ -25,6 +26,7 @@ class BackgroundFile;
 class Recording;
 class TruthFile;
 struct PoseSummary;
+struct RealTimeSummary;
 struct StepSummary;
 
 /// What a run writes beside the bytes on the wire; nullptr: not asked for. All outlive the runtime.
@@ -34,9 +36,6 @@ struct RunRecords {
     TruthFile* truth = nullptr;        ///< gets what is really there at every ping
     BackgroundFile* labels = nullptr;  ///< gets a line for every fault that is made
 };
-
-/// How much a run asks of the machine to be on time: what anybody may ask, or what needs rights.
-enum class Punctuality { ordinary, real_time };
 
 class Runtime {
   public:
@@ -64,6 +63,8 @@ class Runtime {
     std::map<std::string, PoseSummary> objects() const;
     /// Empty unless the clock is stepped.
     std::optional<StepSummary> steps() const;
+    /// Empty unless it was asked for.
+    std::optional<RealTimeSummary> real_time() const;
 
   private:
     class Impl;

@@ -3,8 +3,8 @@
 #include <spdlog/spdlog.h>
 
 #include <boost/asio/post.hpp>
-#include <cstdio>
 
+#include "emulator/capture/remark.h"
 #include "emulator/random_key.h"
 #include "emulator/truth/device_truth.h"
 
@@ -14,18 +14,6 @@ namespace {
 constexpr std::size_t outbox_limit = 64 << 20;  // bytes; a driver that never reads must not eat the memory
 constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t worth_a_thread = 16'384;  ///< values of an echogram; fewer take a device no time
-
-/// "ping 12: t 1.234 s, sonar at 1.000 2.000 -3.000 m, orientation w 1.0000 x 0.0000 y 0.0000 z 0.0000".
-std::string remark_of(const Transmission& transmission, std::uint64_t number) {
-    const Vec3 p = transmission.world_from_sonar.position;
-    const Quat q = transmission.world_from_sonar.orientation;
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "ping %llu: t %.6f s, sonar at %.3f %.3f %.3f m, orientation w %.5f x %.5f y %.5f z %.5f",
-                  static_cast<unsigned long long>(number), to_seconds(transmission.time), p.x, p.y, p.z, q.w,
-                  q.x, q.y, q.z);
-    return text;
-}
 
 /// m, from a point to the corner of the scene's bounds that is farthest from it.
 double farthest_from(Vec3 point, const Bounds& scene) {
@@ -188,15 +176,22 @@ Task<void> Session::deliver(UnderWay ping) {
     });
 }
 
+void Session::count_late(const UnderWay& ping, Time now) {
+    const Time lateness = now - ping.due;
+    ++summary_.late_pings;
+    if (clock_.stood_still(ping.transmission.time) >= lateness - late_after) {
+        ++summary_.late_standstills;
+    } else if (now - ping.woken > lateness / 2) {
+        ++summary_.late_renderings;
+    } else if (ping.overslept > lateness / 2) {
+        ++summary_.late_wakings;
+    }
+}
+
 void Session::hear(UnderWay& ping) {
     const Time now = std::max(ping.due, clock_.now());
-    const Time lateness = now - ping.due;
-    if (lateness > late_after) {
-        ++summary_.late_pings;
-        if (now - ping.woken > lateness / 2) ++summary_.late_renderings;
-        if (ping.overslept > lateness / 2) ++summary_.late_wakings;
-    }
-    lateness_.add(lateness);
+    if (now > ping.due + late_after) count_late(ping, now);
+    lateness_.add(now - ping.due);
     ++summary_.pings;
     auto heard = std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, ping.sequence, now});
     if (ping.late_before) heard->late_before = std::move(*ping.late_before->echogram);

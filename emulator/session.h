@@ -29,10 +29,11 @@ class DeviceTruth;
 struct SessionSummary {
     std::string name;
     DeviceCounters device;
-    std::uint64_t pings = 0;            ///< echograms delivered
-    std::uint64_t late_pings = 0;       ///< delivered more than a millisecond after they were due
-    std::uint64_t late_renderings = 0;  ///< of those, whose echogram was what they waited for
-    std::uint64_t late_wakings = 0;     ///< of those, for which the machine woke this program too late
+    std::uint64_t pings = 0;       ///< echograms delivered
+    std::uint64_t late_pings = 0;  ///< delivered more than a millisecond after they were due
+    /// Of those, by cause: the machine let nothing run (known in real-time runs only), or else the echogram
+    /// was what they waited for, or else the machine woke this program too late.
+    std::uint64_t late_standstills = 0, late_renderings = 0, late_wakings = 0;
     Time worst_lateness{}, median_lateness{};
     Time p99_lateness{};                                   ///< that 99 of 100 pings do not exceed
     std::uint64_t dropped = 0;                             ///< messages that did not fit the outbox
@@ -125,6 +126,7 @@ class Session {
     };
     Task<void> deliver(UnderWay ping);
     void hear(UnderWay& ping);
+    void count_late(const UnderWay& ping, Time now);
     /// What the device is about to hear; nothing else touches its late echoes meanwhile.
     struct Heard {
         Echogram echogram;

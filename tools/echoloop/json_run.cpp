@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "emulator/real_time.h"
 #include "emulator/step_server.h"
 #include "tools/echoloop/conditions.h"
 #include "tools/echoloop/driver.h"
@@ -14,12 +15,9 @@ using Json = nlohmann::ordered_json;
 std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json json_of(const PoseSummary& s) {
-    return {{"place", s.place},
-            {"poses", s.accepted},
-            {"refused", s.refused},
-            {"last_refusal", s.last_refusal},
-            {"jumps", s.jumps},
-            {"stale_pings", s.stale_pings}};
+    return {{"place", s.place},     {"poses", s.accepted},
+            {"refused", s.refused}, {"last_refusal", s.last_refusal},
+            {"jumps", s.jumps},     {"stale_pings", s.stale_pings}};
 }
 
 }  // namespace
@@ -36,6 +34,8 @@ std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
                  {"clock", clock_text(scenario)},
                  {"devices", devices}};
     if (!scenario.control.empty()) started["control"] = runtime.control();
+    if (const auto real_time = runtime.real_time())
+        started["real_time"] = {{"kernel_workers", real_time->workers}};
     return line_of(started);
 }
 
@@ -47,6 +47,7 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
         devices.push_back({{"name", s.name},
                            {"pings", s.pings},
                            {"late_pings", s.late_pings},
+                           {"late_standstills", s.late_standstills},
                            {"late_renderings", s.late_renderings},
                            {"late_wakings", s.late_wakings},
                            {"worst_lateness_s", to_seconds(s.worst_lateness)},
@@ -69,6 +70,11 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
                           {"refused", steps->refused},
                           {"last_refusal", steps->last_refusal},
                           {"run_time_s", to_seconds(steps->run_time)}};
+    if (const auto real_time = runtime.real_time()) {
+        const auto& s = real_time->standstills;
+        ended["standstills"] = {{"count", s.count},
+                                {"longest_s", std::chrono::duration<double>(s.longest).count()}};
+    }
     if (recording != nullptr) {
         const RecordingSummary s = recording->summary();
         ended["recording"] = {{"file", recording->file().string()},

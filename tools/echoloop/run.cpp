@@ -6,6 +6,7 @@
 #include "emulator/capture/recording.h"
 #include "emulator/faults/control_place.h"
 #include "emulator/pose/input.h"
+#include "emulator/real_time.h"
 #include "emulator/runtime.h"
 #include "emulator/step_server.h"
 #include "emulator/truth/truth.h"
@@ -17,6 +18,16 @@
 
 namespace echoloop::cli {
 namespace {
+
+/// Of a run that was asked to be on time, who goes before whom.
+std::string claimed(const RealTimeSummary& s) {
+    if (!s.needs_workers) return "before all other programs";
+    if (s.workers == 0)
+        return "before all other programs, but not the kernel's workers, which carry what goes over "
+               "pseudo-terminals and serial ports: root, outside of containers, may let them go first";
+    return "before all other programs, and until the end " + counted(s.workers, "worker") +
+           " of the kernel too, which carry what goes over pseudo-terminals and serial ports";
+}
 
 void print_start(const Scenario& scenario, const Runtime& runtime, std::optional<double> duration) {
     const auto line = [](const std::string& name, const std::string& text) {
@@ -33,6 +44,7 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
         for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
     }
     if (!scenario.control.empty()) line("control", runtime.control());
+    if (const auto real_time = runtime.real_time()) line("real time", claimed(*real_time));
     std::printf("For a driver: %s endpoints %s --format ros1 (or ros2, moos, rock, sitl)\n",
                 program_invocation_name, scenario.file.c_str());
     const bool stepped = scenario.clock == ClockMode::stepped;
@@ -44,6 +56,8 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
 
 /// Why most late pings were late, and what helps.
 std::string remedy(const SessionSummary& s) {
+    if (2 * s.late_standstills > s.late_pings)
+        return "nothing ran on it meanwhile: another machine, or one that is no virtual machine, helps";
     if (2 * s.late_renderings > s.late_pings)
         return "rendering takes too long: fewer sonars, a simpler scene or render: {pixels: 0.5} help";
     if (2 * s.late_wakings > s.late_pings)
@@ -54,6 +68,9 @@ std::string remedy(const SessionSummary& s) {
 std::string punctuality(const SessionSummary& s) {
     if (s.late_pings == 0) return counted(s.pings, "ping") + ", none late";
     return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late (" +
+           (s.late_standstills == 0
+                ? ""
+                : std::to_string(s.late_standstills) + " since the machine stood still, ") +
            std::to_string(s.late_renderings) + " waited for their rendering, " +
            std::to_string(s.late_wakings) + " until the machine woke the program), the worst by " +
            plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: " + remedy(s);
@@ -111,12 +128,12 @@ std::unique_ptr<Recording> recording_from(const Arguments& arguments) {
 
 /// `untold`: what became of it if nobody said where it is.
 void print_poses(const std::string& name, const PoseSummary& s, const char* untold) {
-    std::printf(
-        "%s%s from %s, %llu refused%s, %s, %s with a stale pose%s%s\n", padded(name, 16).c_str(),
-        counted(s.accepted, "pose").c_str(), s.place.c_str(), static_cast<unsigned long long>(s.refused),
-        s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str(),
-        counted(s.jumps, "jump").c_str(), counted(s.stale_pings, "ping").c_str(),
-        s.accepted == 0 ? ": nobody said where " : "", s.accepted == 0 ? untold : "");
+    std::printf("%s%s from %s, %llu refused%s, %s, %s with a stale pose%s%s\n", padded(name, 16).c_str(),
+                counted(s.accepted, "pose").c_str(), s.place.c_str(),
+                static_cast<unsigned long long>(s.refused),
+                s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str(),
+                counted(s.jumps, "jump").c_str(), counted(s.stale_pings, "ping").c_str(),
+                s.accepted == 0 ? ": nobody said where " : "", s.accepted == 0 ? untold : "");
 }
 
 void print_steps(const StepSummary& s) {
@@ -124,6 +141,15 @@ void print_steps(const StepSummary& s) {
                 counted(s.steps, "step").c_str(), plain(to_seconds(s.run_time), 3).c_str(),
                 static_cast<unsigned long long>(s.refused),
                 s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str());
+}
+
+void print_standstills(const Standstills::Summary& s) {
+    const double longest = std::chrono::duration<double, std::milli>(s.longest).count();
+    std::printf(
+        "%s%s\n", padded("machine", 16).c_str(),
+        s.count == 0
+            ? "never stood still"
+            : ("stood still " + counted(s.count, "time") + ", at most " + plain(longest, 1) + " ms").c_str());
 }
 
 void print_recording(const Recording& recording) {
@@ -194,6 +220,7 @@ int run(const Arguments& arguments) {
                 print_poses("object " + name, poses,
                             "it is, and it stayed where the scenario or the scene puts it");
             if (const auto steps = runtime.steps()) print_steps(*steps);
+            if (const auto real_time = runtime.real_time()) print_standstills(real_time->standstills);
             print_faults(runtime.faults());
             if (recording) print_recording(*recording);
             if (truth) print_truth(*truth);

@@ -1,0 +1,80 @@
+#include "emulator/kernel_workers.h"
+
+#include <dirent.h>
+#include <sched.h>
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace echoloop {
+namespace {
+
+constexpr int before_ordinary_programs = 1;
+
+/// "" if there is none any more.
+std::string name_of(pid_t pid) {
+    const std::string file = "/proc/" + std::to_string(pid) + "/comm";
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> comm(std::fopen(file.c_str(), "re"), &std::fclose);
+    std::array<char, 64> text{};
+    return comm && std::fgets(text.data(), text.size(), comm.get()) != nullptr ? text.data() : "";
+}
+
+/// Of the queue that no processor owns: "kworker/u8:3-events_unbound".
+bool is_worker(pid_t pid) { return name_of(pid).starts_with("kworker/u"); }
+
+template <class F>
+void for_each_process(F&& see) {
+    const std::unique_ptr<DIR, int (*)(DIR*)> processes(::opendir("/proc"), &::closedir);
+    if (!processes) return;
+    while (const dirent* entry = ::readdir(processes.get())) {
+        const std::string_view name = entry->d_name;
+        pid_t pid = 0;
+        if (std::from_chars(name.data(), name.data() + name.size(), pid).ec == std::errc{}) see(pid);
+    }
+}
+
+bool schedule(pid_t pid, int policy, int priority) {
+    sched_param parameters{};
+    parameters.sched_priority = priority;
+    return ::sched_setscheduler(pid, policy, &parameters) == 0;
+}
+
+}  // namespace
+
+KernelWorkers::KernelWorkers() : count_(raise_all()) {
+    if (count_ == 0) return;
+    thread_ = std::jthread([this](const std::stop_token& stop) {
+        std::unique_lock lock(mutex_);
+        while (!ended_.wait_for(lock, stop, std::chrono::seconds(1), [] { return false; }) &&
+               !stop.stop_requested())
+            raise_all();
+    });
+}
+
+KernelWorkers::~KernelWorkers() {
+    thread_ = {};
+    for (const pid_t pid : raised_)
+        if (is_worker(pid) && ::sched_getscheduler(pid) == SCHED_FIFO) schedule(pid, SCHED_OTHER, 0);
+}
+
+std::size_t KernelWorkers::raise_all() {
+    std::size_t first = 0;
+    for_each_process([&](pid_t pid) {
+        const int policy = ::sched_getscheduler(pid);
+        if ((policy != SCHED_OTHER && policy != SCHED_FIFO) || !is_worker(pid)) return;
+        if (policy == SCHED_OTHER) {
+            if (!schedule(pid, SCHED_FIFO, before_ordinary_programs)) return;
+            raised_.insert(pid);
+        }
+        ++first;
+    });
+    return first;
+}
+
+}  // namespace echoloop

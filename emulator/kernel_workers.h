@@ -1,0 +1,40 @@
+// The kernel's own threads that carry the bytes of pseudo-terminals and serial ports to their readers.
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <set>
+#include <thread>
+
+namespace echoloop {
+
+/// Linux hands what is written to a pseudo-terminal, or comes from a serial port, to a worker of its unbound
+/// work queue, which takes its turn among ordinary programs. While one of these lives, such workers go before
+/// them (SCHED_FIFO, priority 1: behind every thread of a real-time run), also those that the kernel makes
+/// meanwhile; then they are as they were. Needs CAP_SYS_NICE; without it nothing changes and count() is 0.
+class KernelWorkers {
+  public:
+    KernelWorkers();
+    ~KernelWorkers();
+    KernelWorkers(const KernelWorkers&) = delete;
+    KernelWorkers& operator=(const KernelWorkers&) = delete;
+
+    /// How many went first when this was made.
+    std::size_t count() const { return count_; }
+
+  private:
+    /// How many go first now, by this or by somebody else.
+    std::size_t raise_all();
+
+    std::set<pid_t> raised_;  ///< by this
+    std::size_t count_;
+    std::mutex mutex_;
+    std::condition_variable_any ended_;
+    std::jthread thread_;  // last: ended first
+};
+
+}  // namespace echoloop

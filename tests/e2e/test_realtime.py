@@ -1,0 +1,107 @@
+"""What `run --realtime` claims of the machine, and what it tells about standstills. Needs the right to real time."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from ports import free_port
+from program import PROGRAM, ROOT
+
+FLOOR = str(ROOT / "config" / "bathymetry.yaml")
+TANK = str(ROOT / "config" / "tank.yaml")
+
+
+def workers():
+    """The kernel's that carry the bytes of pseudo-terminals: scheduling policy by process id."""
+    found = {}
+    for comm in Path("/proc").glob("[0-9]*/comm"):
+        try:
+            if re.match(r"kworker/u\d+:\d+(?!\d*H)", comm.read_text()):
+                found[int(comm.parent.name)] = os.sched_getscheduler(int(comm.parent.name))
+        except (FileNotFoundError, ProcessLookupError):
+            pass  # it ended meanwhile
+    return found
+
+
+def permitted():
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(10))
+    except PermissionError:
+        return False
+    os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+    return True
+
+
+class Run:
+    """`echoloop run ARGUMENTS --json`; its first line, and by end() its last."""
+
+    def __init__(self, *arguments):
+        self.process = subprocess.Popen([PROGRAM, "run", *arguments, "--json"], stdout=subprocess.PIPE, text=True)
+        self.started = json.loads(self.process.stdout.readline())
+
+    def end(self):
+        self.process.send_signal(signal.SIGINT)
+        ended = json.loads(self.process.stdout.readline())
+        self.process.stdout.close()
+        assert self.process.wait(timeout=60) == 0
+        return ended
+
+
+def over_udp():
+    return ("--set", f'devices.multibeam.endpoints=["udp-listen://127.0.0.1:{free_port(32)}", "udp://127.0.0.1:{free_port(16)}"]')
+
+
+@unittest.skipUnless(permitted() or os.environ.get("CI") == "true", "real time is not permitted to this user")
+class RealTime(unittest.TestCase):
+    def over_a_line(self):
+        return "--set", f'devices.micron.endpoints=["pty:/tmp/echoloop-realtime-{os.getpid()}"]'
+
+    def test_the_kernels_workers_go_first_while_it_runs_and_then_are_as_they_were(self):
+        run = Run(TANK, *self.over_a_line(), "--realtime")
+        during = workers()
+        run.end()
+        self.assertGreaterEqual(run.started["real_time"]["kernel_workers"], 1)
+        self.assertGreaterEqual(list(during.values()).count(os.SCHED_FIFO), 1)
+        raised = [pid for pid, policy in during.items() if policy == os.SCHED_FIFO]
+        after = workers()
+        self.assertEqual([after[pid] for pid in raised if pid in after if after[pid] != os.SCHED_OTHER], [])
+
+    def test_a_run_without_lines_or_real_time_leaves_them_alone(self):
+        for arguments in ((FLOOR, *over_udp(), "--realtime"), (TANK, *self.over_a_line())):
+            run = Run(*arguments)
+            during = workers()
+            run.end()
+            self.assertEqual(set(during.values()), {os.SCHED_OTHER}, arguments)
+
+    def stopped_run(self, *arguments):
+        """The end of a run that was stopped for half a second, twice."""
+        run = Run(FLOOR, *over_udp(), *arguments)
+        for _ in range(2):
+            time.sleep(0.5)
+            run.process.send_signal(signal.SIGSTOP)
+            time.sleep(0.5)
+            run.process.send_signal(signal.SIGCONT)
+        time.sleep(0.3)
+        return run.end()
+
+    def test_pings_that_were_late_since_nothing_ran_are_told_apart(self):
+        ended = self.stopped_run("--realtime")
+        device = ended["devices"][0]
+        self.assertGreaterEqual(device["late_standstills"], 1, device)
+        self.assertGreater(ended["standstills"]["count"], 0)
+        self.assertTrue(0.3 < ended["standstills"]["longest_s"] < 5, ended)
+
+    def test_nobody_watches_without_it(self):
+        ended = self.stopped_run()
+        self.assertNotIn("standstills", ended)
+        self.assertEqual(ended["devices"][0]["late_standstills"], 0)
+        self.assertGreaterEqual(ended["devices"][0]["late_pings"], 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
