@@ -87,7 +87,7 @@ void PoseInput::mavlink(ByteView bytes) {
     while (const auto frame = framer_.next()) {
         const auto message = mavlink::parse(*frame);
         if (!message) continue;
-        PoseText read = mavlink_pose_.add(*message, frame->system);
+        PoseText read = mavlink_pose_.add(*message, frame->system, clock_.now());
         if (read.message) read.message->own_clock = true;
         take(read);
     }

@@ -9,6 +9,7 @@ namespace {
 enum Rank { angles = 1, quaternion, rounded, global, local, simulator, odometry };
 
 constexpr double farthest = 1e6, longest = 4e9;  // m, s
+constexpr Time patience = std::chrono::seconds(3);
 
 double seconds(std::uint32_t boot_ms) { return boot_ms * 1e-3; }
 
@@ -41,10 +42,20 @@ std::string fault_of_frame(const mavlink::Message& message) {
 
 }  // namespace
 
-PoseText MavlinkPose::add(const mavlink::Message& message, std::uint8_t system) {
+/// An autopilot that starts anew, or a filter that gives up, leaves others to tell what it told.
+void MavlinkPose::forget_the_silent(Time now) {
+    const bool no_position = now - position_heard_ > patience, no_attitude = now - attitude_heard_ > patience;
+    if (no_position) position_rank_ = 0;
+    if (no_attitude) attitude_rank_ = 0;
+    if (no_position && no_attitude) system_.reset();
+}
+
+PoseText MavlinkPose::add(const mavlink::Message& message, std::uint8_t system, Time heard) {
+    forget_the_silent(heard);
     if (system_ && *system_ != system)
-        return {{}, "system " + std::to_string(system) + " tells poses as well; the vehicle is system " +
-                        std::to_string(*system_) + ", which was the first to"};
+        return {{},
+                "system " + std::to_string(system) + " tells poses as well; the vehicle is system " +
+                    std::to_string(*system_) + ", which was the first to"};
     if (std::string fault = fault_of_frame(message); !fault.empty()) return {{}, std::move(fault)};
     place_is_rounded_ = false;
     PoseMessage told = std::visit([this](const auto& m) { return read(m); }, message);
@@ -53,8 +64,14 @@ PoseText MavlinkPose::add(const mavlink::Message& message, std::uint8_t system) 
     if (rank_ < attitude_rank_) told.attitude.reset();
     if (!told.position && !told.attitude) return {};
     if (const auto fault = fault_of(told); !fault.empty()) return {{}, fault};
-    if (told.position) position_rank_ = rank_of_place;
-    if (told.attitude) attitude_rank_ = rank_;
+    if (told.position) {
+        position_rank_ = rank_of_place;
+        position_heard_ = heard;
+    }
+    if (told.attitude) {
+        attitude_rank_ = rank_;
+        attitude_heard_ = heard;
+    }
     system_ = system;
     return {told, ""};
 }

@@ -43,11 +43,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Time now{};
     for (ByteView rest(data, size); rest.size() >= 4;) {
         const mavlink::Frame frame = frame_of(rest);
-        now += std::chrono::milliseconds(rest[2]);
+        now += std::chrono::milliseconds(20 * rest[2]);  // beyond what it takes to be forgotten
         rest = rest.subspan(4 + frame.payload.size());
         const auto message = mavlink::parse(frame);
         if (!message) continue;
-        const PoseText read = vehicle.add(*message, frame.system);
+        const PoseText read = vehicle.add(*message, frame.system, now);
         if (!read.message) continue;
         where.tell(read.message->time ? sender.run_time(*read.message->time, now) : now, *read.message);
         for (const Time at : {Time{}, now, now + std::chrono::milliseconds(20)}) require(where.at(at).pose);

@@ -26,12 +26,13 @@ mavlink::GlobalPositionInt place(std::int32_t latitude, std::int32_t longitude) 
     return message;
 }
 
+constexpr Time now = std::chrono::seconds(100);
 constexpr std::int32_t toulon_latitude = 431000000, toulon_longitude = 59000000;
 
 TEST(MavlinkPose, RefusesTimesBeyondAnyClock) {
     MavlinkPose pose;
-    EXPECT_TRUE(pose.add(odometry_at(1'700'000'000'000'000), 1).message);  // us since 1970
-    EXPECT_EQ(pose.add(odometry_at(std::numeric_limits<std::uint64_t>::max()), 1).reason,
+    EXPECT_TRUE(pose.add(odometry_at(1'700'000'000'000'000), 1, now).message);  // us since 1970
+    EXPECT_EQ(pose.add(odometry_at(std::numeric_limits<std::uint64_t>::max()), 1, now).reason,
               "a time that cannot be");
 }
 
@@ -39,9 +40,9 @@ TEST(MavlinkPose, SaysWhyItTakesNoPose) {
     MavlinkPose pose;
     auto of_body = odometry_at(1'000'000);
     of_body.frame_id = 12;  // MAV_FRAME_BODY_FRD
-    EXPECT_EQ(pose.add(of_body, 1).reason.substr(0, 21), "ODOMETRY in frame 12;");
-    EXPECT_TRUE(pose.add(odometry_at(1'000'000), 1).message) << "what was refused spoils nothing";
-    EXPECT_EQ(pose.add(odometry_at(1'100'000), 7).reason,
+    EXPECT_EQ(pose.add(of_body, 1, now).reason.substr(0, 21), "ODOMETRY in frame 12;");
+    EXPECT_TRUE(pose.add(odometry_at(1'000'000), 1, now).message) << "what was refused spoils nothing";
+    EXPECT_EQ(pose.add(odometry_at(1'100'000), 7, now).reason,
               "system 7 tells poses as well; the vehicle is system 1, which was the first to");
 }
 
@@ -50,9 +51,10 @@ TEST(MavlinkPose, APlaceThatIsNoneOnTheGlobeIsNoFirstPlaceEither) {
     mavlink::SimState far_out;
     far_out.latitude = 1e30F;
     far_out.longitude = 6;
-    EXPECT_EQ(pose.add(far_out, 1).reason, "a position that cannot be");
-    EXPECT_EQ(pose.add(place(2'000'000'000, 0), 1).reason, "a position that cannot be");  // 200 degrees north
-    const auto good = pose.add(place(toulon_latitude, toulon_longitude), 1);
+    EXPECT_EQ(pose.add(far_out, 1, now).reason, "a position that cannot be");
+    EXPECT_EQ(pose.add(place(2'000'000'000, 0), 1, now).reason,
+              "a position that cannot be");  // 200 degrees north
+    const auto good = pose.add(place(toulon_latitude, toulon_longitude), 1, now);
     ASSERT_TRUE(good.message);
     EXPECT_EQ(*good.message->position, (Vec3{0, 0, -5}));
 }
@@ -70,9 +72,10 @@ mavlink::SimState far_east(std::int32_t longitude) {
 TEST(MavlinkPose, ASimulatorsPlaceIsAsExactAsItTellsIt) {
     MavlinkPose pose;
     constexpr std::int32_t home = 1491652374;
-    ASSERT_TRUE(pose.add(far_east(home), 1).message);
+    ASSERT_TRUE(pose.add(far_east(home), 1, now).message);
     for (int cm = 10; cm < 200; cm += 10) {
-        const auto moved = pose.add(far_east(home + static_cast<std::int32_t>(std::lround(cm / 0.9092))), 1);
+        const auto moved =
+            pose.add(far_east(home + static_cast<std::int32_t>(std::lround(cm / 0.9092))), 1, now);
         ASSERT_TRUE(moved.message);
         EXPECT_NEAR(moved.message->position->x, cm * 0.01, 0.01);
     }
@@ -82,9 +85,9 @@ TEST(MavlinkPose, APlaceInRoundedDegreesCountsLessThanAnyOther) {
     MavlinkPose pose;
     auto rounded = far_east(1491652374);
     rounded.exact_latitude = rounded.exact_longitude = 0;
-    EXPECT_TRUE(pose.add(rounded, 1).message->position) << "better than none";
-    EXPECT_TRUE(pose.add(place(-353632621, 1491652374), 1).message);
-    const auto attitude_only = pose.add(rounded, 1);
+    EXPECT_TRUE(pose.add(rounded, 1, now).message->position) << "better than none";
+    EXPECT_TRUE(pose.add(place(-353632621, 1491652374), 1, now).message);
+    const auto attitude_only = pose.add(rounded, 1, now);
     ASSERT_TRUE(attitude_only.message);
     EXPECT_FALSE(attitude_only.message->position);
     EXPECT_TRUE(attitude_only.message->attitude);
@@ -92,20 +95,42 @@ TEST(MavlinkPose, APlaceInRoundedDegreesCountsLessThanAnyOther) {
 
 TEST(MavlinkPose, ZeroZeroIsWhatAnAutopilotSaysBeforeItsFirstFix) {
     MavlinkPose pose;
-    ASSERT_TRUE(pose.add(place(0, 0), 1).message);
-    const auto fix = pose.add(place(toulon_latitude, toulon_longitude), 1);
+    ASSERT_TRUE(pose.add(place(0, 0), 1, now).message);
+    const auto fix = pose.add(place(toulon_latitude, toulon_longitude), 1, now);
     ASSERT_TRUE(fix.message) << fix.reason;
     EXPECT_EQ(*fix.message->position, (Vec3{0, 0, -5}));
-    const auto moved = pose.add(place(toulon_latitude + 100, toulon_longitude), 1);
+    const auto moved = pose.add(place(toulon_latitude + 100, toulon_longitude), 1, now);
     ASSERT_TRUE(moved.message);
     EXPECT_NEAR(moved.message->position->y, 1.11, 0.01);
-    EXPECT_EQ(pose.add(place(0, 0), 1).reason, "a position that cannot be");  // the fix is lost again
+    EXPECT_EQ(pose.add(place(0, 0), 1, now).reason, "a position that cannot be");  // the fix is lost again
+}
+
+TEST(MavlinkPose, WhatHasFallenSilentMakesRoomForLesserMessages) {
+    MavlinkPose pose;
+    mavlink::LocalPositionNed local;
+    local.x = 3;
+    ASSERT_TRUE(pose.add(odometry_at(1'000'000), 1, now).message);
+    EXPECT_FALSE(pose.add(local, 1, now + std::chrono::seconds(2)).message);
+    const auto later = pose.add(local, 1, now + std::chrono::seconds(4));
+    ASSERT_TRUE(later.message);
+    EXPECT_EQ(later.message->position->y, 3);
+    const auto back = pose.add(odometry_at(5'000'000), 1, now + std::chrono::seconds(5));
+    ASSERT_TRUE(back.message);
+    EXPECT_TRUE(back.message->position) << "the better one counts again at once";
+}
+
+TEST(MavlinkPose, AVehicleThatHasFallenSilentMakesRoomForAnother) {
+    MavlinkPose pose;
+    ASSERT_TRUE(pose.add(odometry_at(1'000'000), 1, now).message);
+    EXPECT_FALSE(pose.add(odometry_at(1'000'000), 7, now + std::chrono::seconds(2)).message);
+    EXPECT_TRUE(pose.add(odometry_at(1'000'000), 7, now + std::chrono::seconds(4)).message);
+    EXPECT_FALSE(pose.add(odometry_at(1'000'000), 1, now + std::chrono::seconds(5)).message);
 }
 
 TEST(MavlinkPose, AWorldAroundZeroZeroIsAPlaceLikeAnyOther) {
     MavlinkPose pose;
-    ASSERT_TRUE(pose.add(place(0, 0), 1).message);
-    const auto moved = pose.add(place(0, 1000), 1);
+    ASSERT_TRUE(pose.add(place(0, 0), 1, now).message);
+    const auto moved = pose.add(place(0, 1000), 1, now);
     ASSERT_TRUE(moved.message);
     EXPECT_NEAR(moved.message->position->x, 11.13, 0.01);
 }
