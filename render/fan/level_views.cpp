@@ -33,7 +33,7 @@ View level_view(double bearing, double width, double half_height) {
 /// Appends one line's weights: the vertical pattern, or the whole one of a piston.
 void weigh_line(FanPlan& plan, const View& view, std::size_t line, const FanLobes& lobes) {
     const double at = static_cast<double>(line) + 0.5, x2 = view.x(at) * view.x(at);
-    const double edge = drawn_half_height(lobes), bearing = std::atan(view.x(at));
+    const double edge = drawn_half_height(lobes), bearing = view.bearing_at(at) - plan.beams.front().bearing;
     double upper = view.elevation_at(at, 0);
     for (std::size_t sample = 0; sample < view.samples; ++sample) {
         const double lower = view.elevation_at(at, static_cast<double>(sample + 1));
@@ -41,7 +41,7 @@ void weigh_line(FanPlan& plan, const View& view, std::size_t line, const FanLobe
         const double from = std::max(lower, -edge), to = std::min(upper, edge);
         double power =
             covered > 0 && from < to && !lobes.vertical.is_box() ? lobes.vertical.mean(from, to) : 1.0;
-        if (lobes.piston && covered > 0) power = lobes.of_single(bearing, (from + to) / 2);
+        if (lobes.piston && covered > 0) power = lobes.of_piston(bearing, (from + to) / 2);
         if (lobes.surround) power *= level_share(lobes, (from + to) / 2);
         upper = lower;
         plan.coverage.push_back(static_cast<float>(covered));
@@ -59,6 +59,25 @@ SampleRange nominal_samples(const View& view, std::size_t line, double fan_heigh
     return range;
 }
 
+/// Over the sine of the angle off the axis, up to an angle. Without side lobes, the main lobe only.
+LobeTable sine_table(const Lobe& lobe, bool side_lobes, double reach, double step) {
+    LobeTable table{step, {}};
+    for (double sine = 0; sine < std::sin(reach) + 3 * step; sine += step) {
+        const double angle = std::asin(std::min(sine, 1.0));
+        table.values.push_back(side_lobes || angle <= lobe.edge() ? static_cast<float>(lobe.power(angle))
+                                                                  : 0.0F);
+    }
+    return table;
+}
+
+/// rad beside the axis, within which the main lobe lies at all elevations that are drawn finely: an upright
+/// aperture's is wider in bearing the higher it looks.
+double drawn_half_width(const FanLobes& lobes) {
+    const double edge = lobes.horizontal.edge();
+    if (!lobes.single || lobes.piston) return edge;
+    return std::asin(std::min(1.0, std::sin(edge) / std::cos(drawn_half_height(lobes))));
+}
+
 LobeTable lobe_table(const Lobe& lobe, double reach, double step) {
     LobeTable table{step, {}};
     for (double off = 0; off < reach + 2 * step; off += step)
@@ -66,7 +85,11 @@ LobeTable lobe_table(const Lobe& lobe, double reach, double step) {
     return table;
 }
 
-bool alike(const View& a, const View& b) { return a.right == b.right && a.lines == b.lines; }
+/// Views whose pixels weigh the same, as beams share out the lines. A piston's pattern is in its pixels'
+/// weights.
+bool alike(const View& a, const View& b, const FanLobes& lobes) {
+    return a.right == b.right && a.lines == b.lines && !lobes.piston;
+}
 
 /// Number of lines wholly or partly left of `bearing`, counted in the part.
 std::size_t lines_before(const FanPlan& plan, const FanPart& part, double bearing) {
@@ -85,7 +108,7 @@ std::size_t lines_before(const FanPlan& plan, const FanPart& part, double bearin
 
 void add_level_views(FanPlan& plan, FanPart& part, const FanGeometry& g, const PlanDensity& density,
                      const FanLobes& lobes) {
-    const double edge = lobes.horizontal.edge(), last_beam = g.bearings[part.first_beam + part.beams - 1];
+    const double edge = drawn_half_width(lobes), last_beam = g.bearings[part.first_beam + part.beams - 1];
     part.first_edge = std::max(g.bearings[part.first_beam] - edge, part.centre - std::numbers::pi);
     part.last_edge = std::min(last_beam + edge, part.centre + std::numbers::pi);
     const double span = part.last_edge - part.first_edge;
@@ -125,7 +148,7 @@ void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height)
         view.usual_height = usual_size(plan.samples, plan.usual_samples);
         for (std::size_t line = 0; line < view.lines; ++line)
             plan.nominal.push_back(nominal_samples(view, line, fan_height));
-        if (v > 0 && alike(view, plan.views[v - 1])) {
+        if (v > 0 && alike(view, plan.views[v - 1], lobes)) {
             view.first_pixel = plan.views[v - 1].first_pixel;
             continue;
         }
@@ -135,13 +158,17 @@ void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height)
 }
 
 void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& g, const FanLobes& lobes) {
-    const double reach = lobes.horizontal.is_box() || !g.side_lobes ? lobes.horizontal.edge()
-                                                                    : near_beam_widths * g.beam_width;
-    if (!lobes.horizontal.is_box() && !lobes.piston && plan.across.empty())
+    const double reach = lobes.single                                 ? part.last_edge - g.bearings.front()
+                         : lobes.horizontal.is_box() || !g.side_lobes ? lobes.horizontal.edge()
+                                                                      : near_beam_widths * g.beam_width;
+    if (!lobes.horizontal.is_box() && !lobes.single && plan.across.empty())
         plan.across = lobe_table(lobes.horizontal, reach + 2 * widest_line, g.beam_width / 100);
+    if (lobes.single && !lobes.piston)
+        plan.beside =
+            sine_table(lobes.horizontal, g.side_lobes, reach + widest_line, std::sin(g.beam_width) / 100);
     for (std::size_t b = part.first_beam; b < part.first_beam + part.beams; ++b) {
         BeamLines& beam = plan.beams[b];
-        const double bearing = beam.bearing = g.bearings[b];
+        const double bearing = beam.bearing;
         const auto begin = [&](double edge) {
             return part.first_line + lines_before(plan, part, bearing + edge);
         };
@@ -154,7 +181,7 @@ void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& g, const
         for (std::size_t line = beam.first_line; line < beam.first_line + beam.lines; ++line) {
             const View& view = plan.view_of(line);
             const auto at = static_cast<double>(line - view.first_line);
-            const double mean = lobes.piston ? 1.0
+            const double mean = lobes.single ? 1.0
                                              : lobes.horizontal.mean(view.bearing_at(at) - bearing,
                                                                      view.bearing_at(at + 1) - bearing);
             plan.line_weight.push_back(static_cast<float>(mean));

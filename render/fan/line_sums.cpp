@@ -1,5 +1,7 @@
 #include "render/fan/line_sums.h"
 
+#include <cmath>
+
 #include "render/fan/far_lobes.h"
 
 namespace echoloop {
@@ -74,6 +76,24 @@ void add_level(const BinningInput& in, const BinGain& gain, const LineReader& re
     bins = local;
 }
 
+/// What a single beam hears of each sample, at the direction where it was taken: a line aperture tells
+/// directions apart by their angle off its plane of symmetry, which for one bearing is the smaller the higher
+/// it looks.
+void weigh_beside(const BinningInput& in, const View& view, std::size_t line, const float* weight,
+                  std::vector<float>& out) {
+    const double x = view.x(static_cast<double>(line) + 0.5 + in.offset.line);
+    const double turn = view.bearing - in.plan.beams.front().bearing;
+    const auto aside = static_cast<float>(std::sin(turn) + x * std::cos(turn)),
+               ahead = static_cast<float>(1 + x * x);
+    const auto top = static_cast<float>(view.y(0.5 + in.offset.sample)),
+               step = static_cast<float>(view.sample_height());
+    out.resize(view.samples);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float y = top - static_cast<float>(i) * step;
+        out[i] = weight[i] * in.plan.beside.at(aside / std::sqrt(ahead + y * y));
+    }
+}
+
 }  // namespace
 
 void LineSums::resize(std::size_t lines, std::size_t sectors, std::size_t bins) {
@@ -114,9 +134,12 @@ void LineReader::read(const BinningInput& in, const View& view, std::size_t line
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
                     std::size_t line, LineReader& reader, LineBins& bins) {
     reader.read_alone(in, view, line);
-    const float* coverage = &in.plan.coverage[view.first_pixel + line * view.samples];
-    const float* weight =
-        is_echo(amount) ? &in.plan.weight[view.first_pixel + line * view.samples] : coverage;
+    const std::size_t first = view.first_pixel + line * view.samples;
+    const float* weight = is_echo(amount) ? &in.plan.weight[first] : &in.plan.coverage[first];
+    if (is_echo(amount) && !in.plan.beside.empty()) {
+        weigh_beside(in, view, line, weight, reader.weights);
+        weight = reader.weights.data();
+    }
     find_spreads(reader.row(), view, static_cast<float>(in.bin_length), end_of(in), reader.extents);
     switch (amount) {
         case Amount::echo:

@@ -40,6 +40,7 @@ class LineReader {
     const PixelRow& after() const { return last_ ? rows_[1] : rows_[2]; }
 
     Extents extents;  ///< what the reader of the line makes of it
+    std::vector<float> weights;  ///< of the line's samples in a single beam
 
   private:
     static constexpr std::size_t no_line = static_cast<std::size_t>(-1);

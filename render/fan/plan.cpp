@@ -44,10 +44,8 @@ FanLobes::FanLobes(const FanGeometry& g)
       single(g.bearings.size() == 1 && g.patterns),
       piston(single && g.vertical.shape == ApertureShape::piston) {}
 
-double FanLobes::of_single(double bearing, double elevation) const {
-    if (piston)
-        return vertical.power(std::acos(std::clamp(std::cos(bearing) * std::cos(elevation), -1.0, 1.0)));
-    return horizontal.power(bearing) * vertical.power(elevation);
+double FanLobes::of_piston(double bearing, double elevation) const {
+    return vertical.power(std::acos(std::clamp(std::cos(bearing) * std::cos(elevation), -1.0, 1.0)));
 }
 
 const View& FanPlan::view_of(std::size_t line) const {
@@ -91,12 +89,12 @@ FanPlan plan_fan(const FanGeometry& geometry, const PlanDensity& density) {
     const FanLobes lobes(geometry);
     FanPlan plan;
     plan.parts = split_beams(geometry);
+    for (const double bearing : geometry.bearings) plan.beams.push_back({.bearing = bearing});
     for (FanPart& part : plan.parts) add_level_views(plan, part, geometry, density, lobes);
     plan.level_views = plan.views.size();
     plan.lines = plan.image_lines;
     weigh_level_pixels(plan, lobes, geometry.fan_height);
     plan.first_surround_pixel = plan.weight.size();
-    plan.beams.resize(geometry.bearings.size());
     for (FanPart& part : plan.parts) {
         share_lines(plan, part, geometry, lobes);
         if (geometry.side_lobes) add_surround(plan, part, lobes, density.pixels);

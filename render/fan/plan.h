@@ -66,12 +66,13 @@ struct FanPart {
     std::vector<float> far;
 };
 
-/// A beam's two-way power over bearing, so finely that what lies between its values is as if linear.
+/// A beam's two-way power over bearing, or over the sine of an angle, so finely that what lies between its values is as
+/// if linear.
 struct LobeTable {
-    double step = 0;            ///< rad
+    double step = 0;            ///< rad, or of the sine
     std::vector<float> values;  ///< from the axis on
     bool empty() const { return values.empty(); }
-    /// `off`: rad off the axis.
+    /// `off`: rad off the axis, or the sine of that.
     float at(float off) const {
         const float place = std::abs(off) / static_cast<float>(step);
         const std::size_t cell = std::min(static_cast<std::size_t>(place), values.size() - 2);
@@ -100,7 +101,10 @@ struct FanPlan {
 
     std::vector<BeamLines> beams;
     std::vector<float> line_weight;        ///< share of a line's power that a beam hears, 0..1
-    LobeTable across;                      ///< the same by where in a line a ping samples; empty for boxes
+    LobeTable across;  ///< the same by where in a line a ping samples; empty for boxes and single beams
+    /// What a single beam hears over the sine of cone_angle(): its samples are weighed one by one. Empty for other beams,
+    /// boxes, and pistons, whose pattern is in `weight`.
+    LobeTable beside;
     std::vector<SectorShare> line_sector;  ///< far sector of every level line
     std::size_t sectors = 0;               ///< of all parts together
 

@@ -19,8 +19,8 @@ struct FanLobes {
     bool single;  ///< one beam: surround pixels are weighed with its whole pattern
     bool piston;  ///< the pattern depends on the angle off the axis only
 
-    /// Two-way power of the one beam at bearing and elevation off its axis.
-    double of_single(double bearing, double elevation) const;
+    /// Two-way power of a piston at bearing and elevation off its axis.
+    double of_piston(double bearing, double elevation) const;
 };
 
 /// rad; level views reach so far above and below the fan's plane.

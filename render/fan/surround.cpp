@@ -155,7 +155,7 @@ class Surround {
     double power_at(Direction d) const {
         const double left = is_ahead(d) ? 1 - level_share(lobes_, d.elevation) : 1;
         if (left == 0) return 0;
-        if (lobes_.piston) return left * lobes_.of_single(d.bearing, d.elevation);
+        if (lobes_.piston) return left * lobes_.of_piston(d.bearing, d.elevation);
         const double across = lobes_.single ? lobes_.horizontal.power(cone_angle(d.bearing, d.elevation)) : 1;
         const double power = across * lobes_.vertical.power(d.elevation);
         return power < least_power ? 0 : left * power;

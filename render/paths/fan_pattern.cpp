@@ -4,7 +4,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/fan/far_lobes.h"
+
 namespace echoloop {
+
+namespace {
+
+/// Off the plane of symmetry of a line aperture, which cannot tell directions on a cone about it apart;
+/// beyond a right angle where that is behind the aperture.
+double cone(double bearing, double elevation) {
+    const double angle = cone_angle(bearing, elevation);
+    return std::abs(bearing) > std::numbers::pi / 2 ? std::copysign(std::numbers::pi, bearing) - angle
+                                                    : angle;
+}
+
+}  // namespace
 
 FanPattern::Key FanPattern::key_of(const Shot& shot) {
     Key key{shot.horizontal, shot.vertical, shot.beam_width, shot.fan_height, shot.bearings};
@@ -51,7 +65,8 @@ FanDirection FanPattern::at(Vec3 d) const {
     out.bearing = std::atan2(-d.y, d.x);
     out.elevation = std::asin(std::clamp(d.z, -1.0, 1.0));
     if (key_.rows) {
-        const bool lit = out.elevation > key_.lowest_row - half_height_ && out.elevation < key_.highest_row + half_height_;
+        const bool lit =
+            out.elevation > key_.lowest_row - half_height_ && out.elevation < key_.highest_row + half_height_;
         out.transmit = out.receive = lit && !is_behind(out.bearing) ? 1 : 0;
         return out;
     }
@@ -66,11 +81,22 @@ FanDirection FanPattern::at(Vec3 d) const {
         }
         return out;
     }
-    const double beside = std::remainder(out.bearing - key_.bearings.front(), 2 * std::numbers::pi);
-    const double across = amplitude(horizontal_, half_width_, side_lobes_, beside);
+    weigh_single(out);
+    return out;
+}
+
+void FanPattern::weigh_single(FanDirection& out) const {
+    const double bearing = std::remainder(out.bearing - key_.bearings.front(), 2 * std::numbers::pi);
+    if (key_.vertical.shape == ApertureShape::piston && vertical_) {
+        const double off = std::acos(std::clamp(std::cos(bearing) * std::cos(out.elevation), -1.0, 1.0));
+        out.transmit = amplitude(vertical_, half_height_, side_lobes_, off);
+        out.receive = key_.vertical.ways == 2 ? out.transmit : 1;
+        return;
+    }
+    const double across = amplitude(horizontal_, half_width_, side_lobes_,
+                                    horizontal_ ? cone(bearing, out.elevation) : bearing);
     out.receive *= across;
     if (key_.horizontal.ways == 2 || !horizontal_) out.transmit *= across;
-    return out;
 }
 
 }  // namespace echoloop

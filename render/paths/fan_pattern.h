@@ -18,9 +18,10 @@ struct FanDirection {
 };
 
 /// Which way of an axis with AxisPattern::ways == 1 is directive: horizontally the receiver (multibeam sonars
-/// form their beams there), vertically the transmitter. Rows of beams (Shot::elevations) are formed by the receiver both
-/// ways, and the transmitter fills them all alike: the pattern is 1 within their limits and 0 beyond. The horizontal pattern counts for a single beam only:
-/// those who share echoes among the beams of a fan know theirs.
+/// form their beams there), vertically the transmitter. Rows of beams (Shot::elevations) are formed by the
+/// receiver both ways, and the transmitter fills them all alike: the pattern is 1 within their limits and 0
+/// beyond. The horizontal pattern counts for a single beam only: those who share echoes among the beams of a
+/// fan know theirs.
 class FanPattern {
   public:
     FanPattern(const Shot& shot, const Effects& effects);
@@ -49,6 +50,8 @@ class FanPattern {
         friend bool operator==(const Key&, const Key&) = default;
     };
     static Key key_of(const Shot& shot);
+    /// Multiplies what the one beam's aperture makes of the direction besides its elevation.
+    void weigh_single(FanDirection& out) const;
     /// A quarter turn or more from every beam.
     bool is_behind(double bearing) const;
     static double amplitude(const std::optional<TwoWayPattern>& pattern, double edge, bool side_lobes,

@@ -85,12 +85,28 @@ void share_out(SectorShare share, double amount, std::vector<double>& sectors) {
     if (share.next > 0) sectors[share.sector + 1U] += share.next * amount;
 }
 
+/// What a single beam hears of a line: its samples differ, as it is the wider the higher it looks.
+double single_beam_sum(const FanPlan& plan, std::size_t line) {
+    const View& view = plan.view_of(line);
+    const double in_view = static_cast<double>(line - view.first_line) + 0.5;
+    double sum = 0;
+    for (std::size_t i = 0; i < view.samples; ++i) {
+        const double elevation = view.elevation_at(in_view, static_cast<double>(i) + 0.5);
+        const double off = std::sin(view.bearing_at(in_view) - plan.beams[0].bearing) * std::cos(elevation);
+        const std::size_t pixel = view.first_pixel + (line - view.first_line) * view.samples + i;
+        sum += plan.weight[pixel] * plan.beside.at(static_cast<float>(off));
+    }
+    return sum;
+}
+
 /// What a beam hears of a world that scatters the same from everywhere: all weights that lead to it.
 double heard(const FanPlan& plan, std::size_t b) {
     const BeamLines& beam = plan.beams[b];
     double sum = 0;
     for (std::size_t i = 0; i < beam.lines; ++i)
-        sum += plan.line_weight[beam.first_weight + i] * line_sum(plan, beam.first_line + i);
+        sum += plan.line_weight[beam.first_weight + i] * (plan.beside.empty()
+                                                              ? line_sum(plan, beam.first_line + i)
+                                                              : single_beam_sum(plan, beam.first_line + i));
     const FanPart& part = plan.parts.front();
     std::vector<double> sectors(plan.sectors);
     if (plan.beams.size() > 1)
@@ -114,7 +130,8 @@ double expected_to_be_heard(const Shot& shot, double beam) {
     double sum = 0;
     for (double e = -std::numbers::pi / 2 + step / 2; e < std::numbers::pi / 2; e += step)
         for (double b = -std::numbers::pi / 2 + step / 2; b < std::numbers::pi / 2; b += step) {
-            const bool level = std::abs(e) < shot.fan_height;  // about where the surround begins
+            // Beams of a fan are upright planes about as far as where the surround begins.
+            const bool level = shot.bearings.size() > 1 && std::abs(e) < shot.fan_height;
             const double off = level ? b - beam : std::asin(std::sin(b) * std::cos(e)) - beam;
             sum += up.power(e) * across.power(off) * std::cos(e) * step * step;
         }

@@ -47,7 +47,7 @@ Powers traced(const std::shared_ptr<const Scene>& scene, std::optional<WaterSurf
               Shot shot) {
     Powers sum{};
     PathTracer tracer(scene, surface, effects);
-    constexpr int pings = 200, parts = 8;
+    constexpr int pings = 1600, parts = 8;
     for (int ping = 0; ping < pings; ++ping) {
         shot.ping = static_cast<std::uint64_t>(ping);
         PathEchoes echoes;
@@ -107,7 +107,9 @@ TEST(DiffusePaths, SurfaceIsHeardThroughSideLobes) {
         return Vec3{c * d.x + s * d.z, d.y, c * d.z - s * d.x};
     };
     const auto pattern = [&](Vec3 d) {
-        return across.amplitude(bearing_of(in_fan(d))) * along.amplitude(std::asin(in_fan(d).z));
+        const double cone = std::asin(-in_fan(d).y);
+        const double angle = in_fan(d).x < 0 ? std::numbers::pi - std::abs(cone) : cone;
+        return across.amplitude(angle) * along.amplitude(std::asin(in_fan(d).z));
     };
     const auto cells = [&](Vec3 d) {
         return std::abs(bearing_of(in_fan(d))) < across.aperture().first_null() &&
