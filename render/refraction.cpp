@@ -70,10 +70,9 @@ double move_along_arc(Ray& ray, const Layer& layer, double c, double time) {
 }
 
 /// m; 0 for a ray that is above the surface by then.
-double displacement_of(std::span<const SoundSpeedPoint> profile, double depth, double elevation,
+double displacement_of(std::span<const SoundSpeedPoint> profile, double speed, double depth, double elevation,
                        double range) {
-    const double c = sound_speed_at(profile, depth);
-    const RayPoint bent = ray_after(profile, {0, depth, elevation}, range / c);
+    const RayPoint bent = ray_after(profile, {0, depth, elevation}, range / speed);
     if (bent.depth < 0) return 0;
     return std::hypot(bent.distance - range * std::cos(elevation),
                       bent.depth - depth + range * std::sin(elevation));
@@ -102,14 +101,14 @@ RayPoint ray_after(std::span<const SoundSpeedPoint> profile, RayPoint start, dou
     return {ray.distance, ray.depth, -ray.angle};
 }
 
-StraightRayError straight_ray_error(std::span<const SoundSpeedPoint> profile, double depth, double range,
-                                    double lowest, double highest) {
+StraightRayError straight_ray_error(std::span<const SoundSpeedPoint> profile, double speed, double depth,
+                                    double range, double lowest, double highest) {
     StraightRayError worst;
-    if (profile.size() < 2) return worst;
+    if (profile.empty()) return worst;
     for (int e = 0; e <= 32; ++e)
         for (int r = 1; r <= 32; ++r) {
             const double elevation = std::lerp(lowest, highest, e / 32.0), at = range * r / 32;
-            const double displacement = displacement_of(profile, depth, elevation, at);
+            const double displacement = displacement_of(profile, speed, depth, elevation, at);
             if (displacement > worst.displacement) worst = {displacement, elevation, at};
         }
     return worst;

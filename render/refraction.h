@@ -30,10 +30,10 @@ struct StraightRayError {
     double range = 0;         ///< m, slant, at which it has it
 };
 
-/// Compares rays from `depth` m with straight ones of the same travel time at the sound speed there, up to
-/// the slant range `range` m, for 33 elevations from `lowest` to `highest` (rad, positive upwards) and 32
-/// ranges; a ray that leaves through the surface counts as far as there. 0 for a profile of no or one point.
-StraightRayError straight_ray_error(std::span<const SoundSpeedPoint> profile, double depth, double range,
-                                    double lowest, double highest);
+/// Compares rays from `depth` m with straight ones of the same travel time at the sound speed `speed` m/s, up
+/// to the slant range `range` m, for 33 elevations from `lowest` to `highest` (rad, positive upwards) and 32
+/// ranges; a ray that leaves through the surface counts as far as there. 0 for a profile of no points.
+StraightRayError straight_ray_error(std::span<const SoundSpeedPoint> profile, double speed, double depth,
+                                    double range, double lowest, double highest);
 
 }  // namespace echoloop

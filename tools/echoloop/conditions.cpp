@@ -18,7 +18,9 @@ std::pair<double, double> elevations(const Scenario& scenario, const ScenarioDev
         const Shot shot = device.model->default_shot(device.config, step, 0);
         for (const double bearing : shot.bearings)
             for (const double part : {-0.5, 0.0, 0.5}) {
-                const double row = shot.rows() == 1 ? 0 : part < 0 ? shot.elevations.front() : shot.elevations.back();
+                const double row = shot.rows() == 1 ? 0
+                                   : part < 0       ? shot.elevations.front()
+                                                    : shot.elevations.back();
                 const double e = shot.tilt + row + part * shot.fan_height, b = shot.pan + bearing;
                 const Vec3 ahead{std::cos(e) * std::cos(b), -std::cos(e) * std::sin(b), std::sin(e)};
                 const double up = (world_from_sonar * ahead).z - world_from_sonar.position.z;
@@ -64,11 +66,11 @@ std::vector<RayBound> ray_bounds(const Scenario& scenario) {
     for (const auto& device : scenario.devices) {
         const Shot shot = device.model->default_shot(device.config, 0, 0);
         const double end = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
-        const double range = end * sound_speed(scenario.water) / 2;
+        const double speed = sound_speed(scenario.water), range = end * speed / 2;
         const auto [low, high] = elevations(scenario, device);
         bounds.push_back(
             {device.name, range,
-             straight_ray_error(scenario.water.profile, scenario.water.depth, range, low, high)});
+             straight_ray_error(scenario.water.profile, speed, scenario.water.depth, range, low, high)});
     }
     return bounds;
 }

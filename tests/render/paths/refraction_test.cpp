@@ -65,17 +65,26 @@ TEST(Refraction, IsotropicWaterKeepsRaysStraight) {
     const RayPoint end = ray_after(water, {0, 10, deg_to_rad(-30)}, 0.1);
     EXPECT_NEAR(end.distance, 148 * std::cos(deg_to_rad(30)), 1e-9);
     EXPECT_NEAR(end.depth, 10 + 74, 1e-9);
-    EXPECT_NEAR(straight_ray_error(water, 10, 60, -0.5, 0.5).displacement, 0, 1e-9);
+    EXPECT_NEAR(straight_ray_error(water, 1480, 10, 60, -0.5, 0.5).displacement, 0, 1e-9);
 }
 
 TEST(Refraction, StraightRaysAreWrongByTheDropOfTheArc) {
-    const auto error = straight_ray_error(v14, 10, 60, deg_to_rad(-5), deg_to_rad(5));
+    const auto error =
+        straight_ray_error(v14, sound_speed_at(v14, 10), 10, 60, deg_to_rad(-5), deg_to_rad(5));
     EXPECT_NEAR(error.displacement, 0.60, 0.02);
     EXPECT_EQ(error.range, 60);
     // Plumb rays do not bend, but sound is faster or slower along them: 1/2 q R^2 / c of range.
-    const auto plumb = straight_ray_error(v14, 0, 60, deg_to_rad(-90), deg_to_rad(-90));
+    const auto plumb = straight_ray_error(v14, 1500, 0, 60, deg_to_rad(-90), deg_to_rad(-90));
     EXPECT_NEAR(plumb.displacement, 0.5 * 0.5 * 3600 / 1500, 0.01);
-    EXPECT_EQ(straight_ray_error({}, 10, 60, -1, 1).displacement, 0);
+    EXPECT_EQ(straight_ray_error({}, 1500, 10, 60, -1, 1).displacement, 0);
+}
+
+// A scenario may give a sound speed beside the profile: echoes are shown by it, however fast sound is there.
+TEST(Refraction, AGivenSoundSpeedThatIsNotTheProfilesCounts) {
+    const Profile water{{0, 1450}, {100, 1450}}, point{{0, 1450}};
+    for (const Profile& profile : {water, point})
+        EXPECT_NEAR(straight_ray_error(profile, 1600, 10, 60, -0.1, 0.1).displacement,
+                    60 * (1 - 1450.0 / 1600), 1e-6);
 }
 
 TEST(Water, TakesItsSoundSpeedFromTheProfile) {

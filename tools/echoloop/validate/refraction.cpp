@@ -13,7 +13,7 @@ void check_refraction(Findings& find) {
     find.within("drop of a level ray at 60 m", "m", 0.600, 0.002, ray.depth);
     const double radius = (ray.distance * ray.distance + ray.depth * ray.depth) / (2 * ray.depth);
     find.within("its radius", "m", 3000, 5, radius);
-    const StraightRayError bound = straight_ray_error(profile, 0, 60, 0, 0);
+    const StraightRayError bound = straight_ray_error(profile, 1500, 0, 60, 0, 0);
     find.within("error that is printed for straight rays to 60 m", "m", 0.600, 0.005, bound.displacement);
 }
 
