@@ -56,7 +56,8 @@ class DeviceReader {
     std::optional<Endpoint> parse(const std::string& uri, const Claim& at, const Model& model, bool first);
     void claim(Claim claim);
     void claim_input(const std::string& uri, std::string path) {
-        if (!uri.empty() && uri != standard_input) claims_.push_back({parse_endpoint(uri), {}, std::move(path)});
+        if (!uri.empty() && uri != standard_input)
+            claims_.push_back({parse_endpoint(uri), {}, std::move(path)});
     }
     Profile read_profile(const Section& section, const Model& model);
     Profile read_file(const Section& section, const Model& model);
@@ -186,8 +187,13 @@ Profile DeviceReader::read_file(const Section& section, const Model& model) {
 }
 
 Profile DeviceReader::read_profile(const Section& section, const Model& model) {
+    const std::size_t before = problems_.count();
     Profile profile = section.get("profile_file") == nullptr ? own_profile(model) : read_file(section, model);
-    read_figures(section.get("profile"), section.path_of("profile"), model, profile, problems_);
+    const Value* figures = section.get("profile");
+    read_figures(figures, section.path_of("profile"), model, profile, problems_);
+    if (problems_.count() == before)
+        check_piston(profile, figures == nullptr ? section.place() : figures->place,
+                     section.path_of("profile"), problems_);
     return profile;
 }
 

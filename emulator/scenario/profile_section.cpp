@@ -103,6 +103,26 @@ void read_figures(const Value* value, const std::string& path, const Model& mode
     }
 }
 
+void check_piston(const Profile& profile, const Place& place, const std::string& path, Problems& problems) {
+    const auto is_disc = [&](const char* figure) {
+        return profile.contains(figure) && figure_of<std::string>(profile, figure) == "piston";
+    };
+    const bool across = is_disc("horizontal_aperture"), along = is_disc("vertical_aperture");
+    if (across != along)
+        problems.add(place,
+                     path +
+                         ": horizontal_aperture and vertical_aperture: one of them is a piston, but a disc's "
+                         "pattern is the same all round; make both a piston, or neither");
+    for (const std::string channel : {"", "low_"}) {
+        const auto width = profile.find(channel + "beam_width"),
+                   height = profile.find(channel + "fan_height");
+        if (!across || !along || width == profile.end() || height == profile.end()) continue;
+        if (width->second.value != height->second.value)
+            problems.add(place, path + ": " + width->first + " and " + height->first +
+                                    " differ, but a piston's beam is round; give both the same width");
+    }
+}
+
 }  // namespace echoloop::scenario
 
 namespace echoloop {

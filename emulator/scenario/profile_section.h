@@ -17,6 +17,10 @@ Profile read_profile(const std::string& text, const std::string& file, const Mod
 void read_figures(const Value* value, const std::string& path, const Model& model, Profile& profile,
                   Problems& problems);
 
+/// Adds a problem at `place`, by the name `path`, where one axis alone is a piston's, or both but not of one
+/// width.
+void check_piston(const Profile& profile, const Place& place, const std::string& path, Problems& problems);
+
 }  // namespace echoloop::scenario
 
 namespace echoloop {

@@ -55,6 +55,19 @@ class Check(ProgramTest):
         self.assertAlmostEqual(bound["range_m"], 20, delta=0.1)
         self.assertAlmostEqual(bound["error_m"], 0.067, delta=0.01)
 
+    def test_a_sound_speed_that_is_not_the_profiles_counts_among_what_straight_rays_are_off(self):
+        layers = ("--set", "water.profile=[[0, 1450]]", "--set", "water.sound_speed=1600")
+        bound = self.json("check", TANK, *layers)["straight_rays"][0]
+        self.assertAlmostEqual(bound["error_m"], bound["range_m"] * (1 - 1450 / 1600), delta=0.01)
+
+    def test_a_disc_that_is_not_round_is_refused(self):
+        text = self.bad(78, "check", TANK, "--set", "devices.micron.profile.vertical_aperture=piston")
+        self.assertIn("devices.micron.profile: horizontal_aperture and vertical_aperture: one of them is a piston", text)
+        both = ("--set", "devices.micron.profile={horizontal_aperture: piston, vertical_aperture: piston, beam_width: 9}")
+        self.assertIn("devices.micron.profile: beam_width and fan_height differ, but a piston's beam is round; give both "
+                      "the same width", self.bad(78, "check", TANK, *both))
+        self.good("check", TANK, *both, "--set", "devices.micron.profile.fan_height=9")
+
     def test_absorption_beyond_its_fit_is_a_warning(self):
         self.assertNotIn("warning", self.good("check", TANK))
         text = self.good("check", TANK, "--set", "devices.micron.profile.frequency=2.25e6")
