@@ -48,6 +48,17 @@ def reads_bytes(family):
                for header in (ROOT / "protocols" / family).glob("*.h"))
 
 
+def absorption(kilohertz):
+    """dB/m by Francois & Garrison, JASA 72 (1982) 1879, at 10 degC, salinity 35, pH 8 and the surface; apart from the
+    program's own."""
+    f, t, s, ph = kilohertz, 10, 35, 8
+    c = 1412 + 3.21 * t + 1.19 * s
+    f1, f2 = 2.8 * 10 ** (4 - 1245 / (t + 273)), 8.17 * 10 ** (8 - 1990 / (t + 273))
+    boric = 8.86 / c * 10 ** (0.78 * ph - 5) * f1 * f ** 2 / (f ** 2 + f1 ** 2)
+    magnesium = 21.44 * s / c * (1 + 0.025 * t) * f2 * f ** 2 / (f ** 2 + f2 ** 2)
+    return (boric + magnesium + (4.937e-4 - 2.59e-5 * t + 9.11e-7 * t ** 2 - 1.5e-8 * t ** 3) * f ** 2) / 1000
+
+
 class EveryModel(unittest.TestCase):
     def test_has_a_readme_that_says_what_is_emulated_what_not_and_from_where(self):
         for name, folder in FOLDERS:
@@ -65,6 +76,18 @@ class EveryModel(unittest.TestCase):
                 self.assertTrue(model["profile"])
                 for figure in model["profile"]:
                     self.assertGreater(len(figure["source"]), 8, figure["name"])
+
+    def test_has_the_absorption_that_its_source_says(self):
+        claim, units = re.compile(r"Francois & Garrison 1982 at ([\d.]+) ([kM])Hz, 10 degC, salinity 35"), {"k": 1, "M": 1000}
+        checked = 0
+        for model in MODELS:
+            for figure in model["profile"]:
+                if said := claim.search(figure["source"]):
+                    with self.subTest(f"{model['name']} {figure['name']}"):
+                        exact = absorption(float(said[1]) * units[said[2]])
+                        self.assertAlmostEqual(figure["value"] / exact, 1, delta=0.025)
+                        checked += 1
+        self.assertGreater(checked, 20)
 
     def test_has_a_scenario_that_check_accepts(self):
         for name, _ in FOLDERS:

@@ -135,8 +135,8 @@ TEST(Ping1d, DistanceAndConfidenceComeFromTheEcho) {
     const Bytes profile = answer(bench, frame(1300));
     EXPECT_EQ(u32(profile, 8), 5025);
     EXPECT_EQ(u32(profile, 24), 10000);
-    // 150 + 20 log 5.025 + 2 * 0.035 * 5.025 + 20 log 12.9 - 140 = 46.59 dB of 60
-    EXPECT_EQ(profile[34 + 100], std::lround(255 * 46.587 / 60));
+    // 150 + 20 log 5.025 + 2 * 0.038 * 5.025 + 20 log 12.9 - 140 = 46.62 dB of 60
+    EXPECT_EQ(profile[34 + 100], std::lround(255 * 46.617 / 60));
     bench.echo_bin = 3;  // 0.175 m
     bench.run_to(500ms);
     EXPECT_EQ(answer(bench, frame(1211))[12], 0) << "too near to be the bottom";
