@@ -38,12 +38,17 @@ void check_time_base(Findings& find) {
     Shot shot = fan(2, 2, 1, 1000, 60);
     shot.first_bin_time = 10e-3;
     shot.bin_interval = 40e-6;
-    const struct { double sound_speed, bin; } table[] = {{1450, 439}, {1500, 416}, {1531, 403}, {1550, 395}};
+    const struct {
+        double sound_speed, bin;
+    } table[] = {{1450, 439}, {1500, 416}, {1531, 403}, {1550, 395}};
     for (const auto& row : table) {
         char name[80];
         std::snprintf(name, sizeof name, "bin of a target, c %.0f m/s", row.sound_speed);
         find.within(name, "bin", row.bin, 1, static_cast<double>(bin_of_target(row.sound_speed, shot)));
     }
+    find.source("Mackenzie, JASA 70 (1981) 807, check value");
+    find.within("sound speed at 25 C, S 35, 1000 m", "m/s", 1550.744, 0.001,
+                mackenzie_sound_speed(25, 35, 1000));
     find.source("20 m times c of the driver over c of the water; half a bin");
     const Shot micron = micron_shot();
     const auto bin = static_cast<double>(bin_of_target(1450, micron));
