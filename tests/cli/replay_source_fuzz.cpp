@@ -32,6 +32,7 @@ SourceSettings settings_of(const std::string& file, const capture::Survey& surve
     for (const auto& found : survey.ports) {
         PlayedPort port;
         port.keys = {{found.key, found.first_is_device()}};
+        port.drivers = found.drivers;
         capture::Input input(file);
         port.family = capture::family_of_port(*capture::open_capture(input, settings.open), port.keys);
         port.byte_time = 1e-3;

@@ -6,7 +6,7 @@
 namespace echoloop::capture {
 namespace {
 
-constexpr std::size_t most_ports = 4096;
+constexpr std::size_t most_ports = 4096, most_drivers = 4096;  // drivers: of each port
 
 std::string address_text(std::uint32_t ip) {
     std::string text;
@@ -29,6 +29,12 @@ Origin origin_of(const CaptureEvent& event, bool of_ports) {
     const PortKind kind = piece != nullptr ? PortKind::tcp : PortKind::udp;
     if (of_ports && event.sent) return {{kind, event.interface, {}, {}}, *event.sent};
     return {{kind, "", std::min(from, to), std::max(from, to)}, from <= to};
+}
+
+std::optional<Address> driver_of(const CaptureEvent& event, const PortKey& port) {
+    const auto* piece = std::get_if<StreamPiece>(&event.content);
+    if (piece == nullptr || port.kind != PortKind::tcp || port.name.empty()) return {};
+    return *event.sent ? piece->to : piece->from;
 }
 
 ByteView bytes_of(const CaptureEvent& event) {
@@ -67,13 +73,16 @@ Survey survey(CaptureReader& capture) {
         const std::size_t number = found == numbers.end() ? result.ports.size() : found->second;
         if (found == numbers.end()) {
             numbers.emplace(key, number);
-            result.ports.push_back({key, {}, {}, event->time, event->time});
+            result.ports.push_back({key, {}, {}, event->time, event->time, {}});
         }
         PortSummary& port = result.ports[number];
         SideCounts& side = by_first ? port.first : port.second;
         ++side.pieces;
         side.bytes += bytes_of(*event).size();
         port.end = event->time;
+        const auto driver = driver_of(*event, key);
+        if (driver && (port.drivers.contains(*driver) || port.drivers.size() < most_drivers))
+            port.drivers[*driver] = event->time;
     }
     result.counts = capture.counts();
     return result;
@@ -85,13 +94,13 @@ bool PortFilter::fits_end(const Address& end) const {
 }
 
 bool PortFilter::fits(const PortKey& port) const {
-    return text_ == PortSummary{port, {}, {}, 0, 0}.text() || port.name.starts_with(text_ + ' ') ||
+    return text_ == PortSummary{port, {}, {}, 0, 0, {}}.text() || port.name.starts_with(text_ + ' ') ||
            end_is_first(port).has_value();
 }
 
 std::optional<bool> PortFilter::end_is_first(const PortKey& port) const {
     if (port.kind == PortKind::serial || !port.name.empty()) return {};
-    if (text_ == PortSummary{port, {}, {}, 0, 0}.text()) return {};
+    if (text_ == PortSummary{port, {}, {}, 0, 0, {}}.text()) return {};
     if (fits_end(port.first)) return true;
     if (fits_end(port.second)) return false;
     return {};

@@ -2,6 +2,8 @@
 // two is the device. Knows no protocol family.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,8 @@ struct Origin {
 
 /// `of_ports`: of the capture's reader.
 Origin origin_of(const CaptureEvent& event, bool of_ports);
+/// The driver whose connection to a TCP port of an emulated device the event is of; empty for other ports.
+std::optional<Address> driver_of(const CaptureEvent& event, const PortKey& port);
 /// The bytes themselves.
 ByteView bytes_of(const CaptureEvent& event);
 
@@ -40,6 +44,9 @@ struct PortSummary {
     PortKey key;
     SideCounts first, second;
     double begin = 0, end = 0;  ///< s, as in the events
+    /// Of a TCP port of an emulated device, where several may have been at once: its drivers, and when each
+    /// was heard or told something last.
+    std::map<Address, double> drivers{};
     /// Certain where the capture says who speaks; else the side that says more is taken for the device.
     bool first_is_device() const;
     const SideCounts& device() const { return first_is_device() ? first : second; }

@@ -92,6 +92,7 @@ class Chooser {
         chosen.begin = first ? port.begin : std::min(chosen.begin, port.begin);
         chosen.end = first ? port.end : std::max(chosen.end, port.end);
         chosen.datagrams = port.key.kind == PortKind::udp;
+        chosen.port.drivers.insert(port.drivers.begin(), port.drivers.end());
     }
 
     Assignment finish(Assignment chosen, const SideCounts& device, const SideCounts& driver,

@@ -20,6 +20,7 @@ void CaptureSource::rewind() {
     input_ = std::make_unique<capture::Input>(settings_.file);
     capture_ = capture::open_capture(*input_, settings_.open);
     readers_.clear();
+    talks_.clear();
     waiting_.clear();
     begin_.reset();
     origin_.reset();
@@ -51,11 +52,28 @@ bool CaptureSource::read_more() {
     return false;
 }
 
+/// What several drivers were told at once is said to the one of a replay once.
+bool CaptureSource::is_played(const PlayedPort& port, const capture::PortKey& key,
+                              const capture::CaptureEvent& event) {
+    const auto driver = capture::driver_of(event, key);
+    if (!driver || port.drivers.size() < 2) return true;
+    Talk& talk = talks_.try_emplace(key, Talk{*driver, {}}).first->second;
+    const ByteView bytes = capture::bytes_of(event);
+    if (talk.driver != *driver) {
+        const auto last = port.drivers.find(talk.driver);
+        if (last != port.drivers.end() && event.time <= last->second) return false;
+        talk.driver = *driver;
+        if (std::ranges::equal(bytes, talk.last)) return false;  // the one before has heard it just now
+    }
+    talk.last.assign(bytes.begin(), bytes.end());
+    return true;
+}
+
 void CaptureSource::add(const capture::CaptureEvent& event) {
     const auto [key, by_first] = capture::origin_of(event, capture_->of_ports());
     const auto wanted =
         std::ranges::find_if(settings_.ports, [&](const auto& p) { return p.keys.contains(key); });
-    if (wanted == settings_.ports.end()) return;
+    if (wanted == settings_.ports.end() || !is_played(*wanted, key, event)) return;
     if (!origin_) origin_ = settings_.from > 0 ? *begin_ + settings_.from : event.time;
     const auto* datagram = std::get_if<capture::Datagram>(&event.content);
     if (datagram != nullptr && datagram->cut) return;

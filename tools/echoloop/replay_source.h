@@ -20,6 +20,9 @@ struct PlayedPort {
     std::map<capture::PortKey, bool> keys;  ///< and whether the played side is `first` there
     const inspect::Family* family = nullptr;
     double byte_time = 0;  ///< s on a paced line; 0: none
+    /// Of several drivers at a port of an emulated device, one is played at a time: the first, and when it
+    /// was heard last, as said here, the next. s, as in the events.
+    std::map<Address, double> drivers{};
 };
 
 struct SourceSettings {
@@ -44,6 +47,7 @@ class CaptureSource final : public replay::Source {
 
     bool read_more();
     void add(const capture::CaptureEvent& event);
+    bool is_played(const PlayedPort& port, const capture::PortKey& key, const capture::CaptureEvent& event);
     void say(replay::Said said);
     void finish_ways();
 
@@ -51,6 +55,12 @@ class CaptureSource final : public replay::Source {
     std::unique_ptr<capture::Input> input_;
     std::unique_ptr<capture::CaptureReader> capture_;
     std::map<Way, replay::MessageReader> readers_;
+    /// Whose words are played, and the last of them or to it.
+    struct Talk {
+        Address driver;
+        Bytes last;
+    };
+    std::map<capture::PortKey, Talk> talks_;
     std::deque<replay::Said> waiting_;
     std::optional<double> begin_;   ///< of the capture
     std::optional<double> origin_;  ///< of what is played
