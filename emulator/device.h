@@ -30,7 +30,8 @@ struct Address {
     friend auto operator<=>(const Address&, const Address&) = default;
 };
 
-/// Bytes to send on port `port` of ports(); a datagram is one element. `to` is for datagram ports.
+/// Bytes to send on port `port` of ports(); a datagram is one element. `to` is for datagram ports, and for
+/// ports of several drivers: one of them, or zero for all who are connected.
 struct Send {
     std::size_t port = 0;
     Bytes bytes;
@@ -53,7 +54,7 @@ struct Actions {
     std::optional<Time> wake;  ///< replaces the pending wake-up; nullopt leaves it as it is
 };
 
-/// What arrived on a port, and from whom.
+/// What arrived on a port, and from whom: zero for a stream that has one driver only.
 struct Received {
     std::size_t port = 0;
     ByteView bytes;
@@ -65,8 +66,12 @@ struct Port {
     enum class Kind { stream, datagram };
     std::string name;  ///< e.g. "line", "commands", "discovery"
     Kind kind = Kind::stream;
-    Address bind;         ///< datagram: where the device listens; port 0 lets the system choose
-    bool shared = false;  ///< datagram: several programs may listen there (discovery broadcasts)
+    Address bind;             ///< datagram: where the device listens; port 0 lets the system choose
+    bool shared = false;      ///< datagram: several programs may listen there (discovery broadcasts)
+    std::size_t drivers = 1;  ///< stream that listens by TCP: how many may be connected at once
+    /// Several drivers: one that does not read holds up the whole device. Else it misses what does not fit
+    /// the memory that is kept for it.
+    bool slow_holds_up = false;
 };
 
 /// Figures of what went wrong on the wire, printed at the end of a run.
@@ -90,12 +95,14 @@ class Device {
     virtual Actions received(const Received& data, Time now) = 0;
     virtual Actions heard(const Echogram& echogram, Time now) = 0;
     virtual Actions woken(Time now) = 0;
-    /// Another driver is at the other end of a stream port: half a frame of the last one is worthless.
+    /// Another driver is at the other end of a stream port: half a frame of the last one is worthless. Never
+    /// called for ports of several drivers.
     virtual void reconnected(std::size_t port) = 0;
-    /// After reconnected(), where the stream is a connection: who is at the other end of it.
+    /// After reconnected(), where the stream is a connection: who is at the other end of it. Where there may
+    /// be several, `peer` tells them apart, in what they say as well, until it is disconnected.
     virtual Actions connected(std::size_t /*port*/, Address /*peer*/, Time /*now*/) { return {}; }
-    /// Nobody is any more. A serial line never tells.
-    virtual Actions disconnected(std::size_t /*port*/, Time /*now*/) { return {}; }
+    /// It is not there any more. A serial line never tells.
+    virtual Actions disconnected(std::size_t /*port*/, Address /*peer*/, Time /*now*/) { return {}; }
     /// The rate, bit/s, that a driver has set on its end of a serial line. A device that follows it
     /// (automatic baud) is as slow as that from now on.
     virtual void line_rate(std::size_t /*port*/, double /*rate*/) {}

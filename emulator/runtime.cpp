@@ -205,12 +205,9 @@ class Runtime::Impl {
                          .get();
         auto device = faults != nullptr ? faults->device(make) : make();
         const auto ports = device->ports();
-        const auto recorded = [&](std::unique_ptr<Transport> wire, const Port& port) {
-            if (records.recording == nullptr) return wire;
-            return std::unique_ptr<Transport>(std::make_unique<Recorded>(std::move(wire), *records.recording,
-                                                                         entry.name + " " + port.name));
-        };
-        auto transports = make_transports(*clock_, ports, config, recorded);
+        const auto around =
+            records.recording != nullptr ? Around(PortRecorder(*records.recording, entry.name)) : Around();
+        auto transports = make_transports(*clock_, ports, config, around);
         if (faults != nullptr) transports = faults->lines(std::move(transports), ports, entry);
         sessions_.push_back(std::make_unique<Session>(
             io_, *clock_, render_thread_, water_, entry.name, std::move(device), std::move(transports),

@@ -64,7 +64,9 @@ void Session::start() {
                      act([this, port, peer] { return device_->connected(port, peer, clock_.now()); });
                  },
              .disconnected =
-                 [this, port] { act([this, port] { return device_->disconnected(port, clock_.now()); }); },
+                 [this, port](Address peer) {
+                     act([this, port, peer] { return device_->disconnected(port, peer, clock_.now()); });
+                 },
              .line_rate =
                  [this, port](double rate) {
                      to_device([this, port, rate] { device_->line_rate(port, rate); });
@@ -275,7 +277,7 @@ Task<void> Session::keep_writing() {
         if (!remark.empty()) transports_[send.port]->annotate(remark);
         transports_[send.port]->speak_at(send.line_rate);
         co_await transports_[send.port]->write(send.bytes, send.to);
-        if (send.hang_up) transports_[send.port]->hang_up();
+        if (send.hang_up) transports_[send.port]->hang_up(send.to);
     }
 }
 

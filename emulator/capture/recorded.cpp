@@ -12,15 +12,20 @@ void append(std::string& remarks, const std::string& remark) {
 
 }  // namespace
 
-Recorded::Recorded(std::unique_ptr<Transport> transport, Recording& recording, const std::string& name,
+std::uint32_t Recorded::add_interface(Recording& recording, const Transport& transport,
+                                      const std::string& name) {
+    const bool serial = transport.wire().kind == Wire::Kind::serial;
+    return recording.add_interface(serial ? pcapng::LinkType::rtac_serial : pcapng::LinkType::raw_ip, name,
+                                   transport.describe());
+}
+
+Recorded::Recorded(std::unique_ptr<Transport> transport, Recording& recording, std::uint32_t interface,
                    Side side)
     : Decorator(std::move(transport)),
       recording_(recording),
       side_(side),
       kind_(line().wire().kind),
-      interface_(recording.add_interface(
-          kind_ == Wire::Kind::serial ? pcapng::LinkType::rtac_serial : pcapng::LinkType::raw_ip, name,
-          line().describe())) {}
+      interface_(interface) {}
 
 void Recorded::start(Events events) {
     Events ours = events;
@@ -79,6 +84,15 @@ void Recorded::add(pcapng::WallTime time, Direction direction, ByteView packet, 
     std::string comment;
     if (remarks != nullptr) comment.swap(*remarks);
     recording_.add({interface_, time, direction, std::move(comment)}, packet);
+}
+
+std::unique_ptr<Transport> PortRecorder::operator()(std::unique_ptr<Transport> wire, const Port& port) {
+    auto found = interfaces_.find(port.name);
+    if (found == interfaces_.end()) {
+        const auto added = Recorded::add_interface(*recording_, *wire, device_ + " " + port.name);
+        found = interfaces_.emplace(port.name, added).first;
+    }
+    return std::make_unique<Recorded>(std::move(wire), *recording_, found->second);
 }
 
 }  // namespace echoloop

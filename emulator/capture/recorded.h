@@ -1,7 +1,9 @@
 // A transport whose traffic goes into a recording as well. It changes neither bytes nor times.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 
 #include "emulator/capture/envelope.h"
 #include "emulator/capture/recording.h"
@@ -14,9 +16,12 @@ class Recorded final : public Decorator {
     /// Who uses the transport: a device, or a driver that has a device at the other end. Recorded is always
     /// how the device sees it.
     enum class Side { device, driver };
-    /// `name`: of the interface in the recording, e.g. "micron line". `recording` outlives this.
-    Recorded(std::unique_ptr<Transport> transport, Recording& recording, const std::string& name,
+    /// `interface`: in the recording, for such a transport. `recording` outlives this.
+    Recorded(std::unique_ptr<Transport> transport, Recording& recording, std::uint32_t interface,
              Side side = Side::device);
+    /// An interface for `transport` and for others of the same port. `name`: e.g. "micron line".
+    static std::uint32_t add_interface(Recording& recording, const Transport& transport,
+                                       const std::string& name);
 
     void start(Events events) override;
     /// Recorded is what really left, when its last byte left.
@@ -37,6 +42,20 @@ class Recorded final : public Decorator {
     std::uint32_t interface_;
     std::string remarks_, remarks_on_received_;
     std::optional<TcpConversation> conversation_;
+};
+
+/// Records the wires of a device's ports: an interface for each port, for all of its drivers together.
+class PortRecorder {
+  public:
+    /// `recording` outlives what this makes.
+    PortRecorder(Recording& recording, std::string device)
+        : recording_(&recording), device_(std::move(device)) {}
+    std::unique_ptr<Transport> operator()(std::unique_ptr<Transport> wire, const Port& port);
+
+  private:
+    Recording* recording_;
+    std::string device_;
+    std::map<std::string, std::uint32_t> interfaces_;  ///< by the port's name
 };
 
 }  // namespace echoloop

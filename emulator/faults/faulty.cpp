@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "emulator/transport/address.h"
+
 namespace echoloop {
 namespace {
 
@@ -23,7 +25,8 @@ Faulty::Faulty(Clock& clock, std::unique_ptr<Transport> transport, DeviceFaults&
       out_(faults, {faults.name(), name, Towards::to_driver}, traits),
       in_(faults, {faults.name(), name, Towards::from_driver}, traits),
       out_bell_(clock),
-      in_bell_(clock) {}
+      in_bell_(clock),
+      several_(traits.several) {}
 
 void Faulty::start(Events events) {
     events_ = std::move(events);
@@ -43,6 +46,10 @@ void Faulty::start(Events events) {
         out_.clear();
         in_.clear();
         events_.reconnected();
+    };
+    own.connected = [this](Address driver) {
+        driver_ = driver;
+        events_.connected(driver);
     };
     line().start(std::move(own));
     asio::co_spawn(clock_.io(), keep_sending(), Serving(describe()));
@@ -65,8 +72,8 @@ Task<void> Faulty::write(ByteView bytes, Address to) {
 
 std::uint64_t Faulty::bytes_lost() const { return line().bytes_lost() + out_.dropped_bytes(); }
 
-void Faulty::hang_up() {
-    if (out_.idle() && !sending_) return line().hang_up();
+void Faulty::hang_up(Address to) {
+    if (out_.idle() && !sending_) return line().hang_up(to);
     out_.hang_up(clock_.now());
     out_bell_.cancel();
 }
@@ -87,7 +94,7 @@ Task<void> Faulty::keep_sending() {
 Task<void> Faulty::send(Piece piece) {
     const std::uint64_t before = position();
     for (const FaultEvent& event : piece.events) line().annotate(comment_of(event));
-    if (piece.hang_up) line().hang_up();
+    if (piece.hang_up) line().hang_up(piece.to);
     const bool missing = piece.bytes.empty() && (!piece.events.empty() || piece.hang_up);
     if (line().has_driver()) in_flight_ += piece.bytes.size();
     line().speak_at(piece.line_rate);
@@ -130,6 +137,7 @@ void Faulty::hear(const Piece& piece) {
 void Faulty::record(const Pieces& pieces, const FaultEvent& event, std::uint64_t base) {
     FaultEvent placed = event;
     placed.offset += base;
+    if (several_) placed.details.emplace_back("driver", to_text(driver_));
     faults_.record(clock_.now(), pieces.place(), placed);
 }
 

@@ -18,7 +18,7 @@ class Faulty final : public Decorator {
     /// While faults are on, the bytes wait in a queue of this line's own.
     Task<void> write(ByteView bytes, Address to) override;
     void speak_at(double rate) override { line_rate_ = rate; }
-    void hang_up() override;
+    void hang_up(Address to) override;
     void close() override;
 
     void unplug() override;
@@ -48,6 +48,8 @@ class Faulty final : public Decorator {
     bool sending_ = false;
     bool closed_ = false;
     std::uint64_t heard_ = 0;                     ///< bytes that the device got
+    bool several_;                                ///< drivers on the port, this is the line of one
+    Address driver_;                              ///< TCP: the last who came
     std::uint64_t seen_out_ = 0, in_flight_ = 0;  ///< bytes that have left the line, and that are still on it
 };
 

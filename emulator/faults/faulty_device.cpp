@@ -47,8 +47,8 @@ Actions FaultyDevice::connected(std::size_t port, Address peer, Time now) {
     return device_ ? with_faults(device_->connected(port, peer, now), now) : Actions{};
 }
 
-Actions FaultyDevice::disconnected(std::size_t port, Time now) {
-    return device_ ? with_faults(device_->disconnected(port, now), now) : Actions{};
+Actions FaultyDevice::disconnected(std::size_t port, Address peer, Time now) {
+    return device_ ? with_faults(device_->disconnected(port, peer, now), now) : Actions{};
 }
 
 void FaultyDevice::line_rate(std::size_t port, double rate) {

@@ -31,7 +31,7 @@ class FaultyDevice final : public Device {
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
     Actions connected(std::size_t port, Address peer, Time now) override;
-    Actions disconnected(std::size_t port, Time now) override;
+    Actions disconnected(std::size_t port, Address peer, Time now) override;
     void line_rate(std::size_t port, double rate) override;
     DeviceCounters counters() const override;
 

@@ -2,6 +2,7 @@
 
 #include "emulator/faults/checksum.h"
 #include "emulator/options.h"
+#include "emulator/transport/driver_lines.h"
 
 namespace echoloop {
 namespace {
@@ -44,10 +45,17 @@ std::vector<std::unique_ptr<Transport>> FaultySession::lines(
         traits.stream = ports[i].kind == Port::Kind::stream;
         const bool serial = transports[i]->wire().kind == Wire::Kind::serial;
         traits.line_rate = serial ? own_rate(device.config) : 0;
-        auto line =
-            std::make_unique<Faulty>(clock_, std::move(transports[i]), faults_, ports[i].name, traits);
-        lines_.push_back(line.get());
-        transports[i] = std::move(line);
+        auto* const several = dynamic_cast<DriverLines*>(transports[i].get());
+        traits.several = several != nullptr;
+        const auto faulty = [&](std::unique_ptr<Transport> open) -> std::unique_ptr<Transport> {
+            auto line = std::make_unique<Faulty>(clock_, std::move(open), faults_, ports[i].name, traits);
+            lines_.push_back(line.get());
+            return line;
+        };
+        if (several != nullptr)
+            several->put_around(faulty);
+        else
+            transports[i] = faulty(std::move(transports[i]));
     }
     faults_.on_change([this] {
         for (Faulty* line : lines_) line->faults_changed();

@@ -24,6 +24,7 @@ struct MessageTraits {
     bool stream = true;                      ///< bytes in a row, not datagrams
     FindChecksums find_checksums = nullptr;  ///< nullptr: they have none
     double line_rate = 0;                    ///< bit/s of a serial line; 0: it is none
+    bool several = false;                    ///< drivers on the port: these are the messages of one
 };
 
 class Pieces {

@@ -47,9 +47,10 @@ PoseInput::PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* whe
 void PoseInput::start() {
     transport_->start({.received = [this](ByteView bytes, Address from) { received(bytes, from); },
                        .reconnected = [this] { begin(); },
-                       .disconnected = [this] {
-                           if (!comes_back_) end();
-                       }});
+                       .disconnected =
+                           [this](Address) {
+                               if (!comes_back_) end();
+                           }});
 }
 
 /// Who stepped the clock, and nobody else can do so in their place, has ended the run.

@@ -56,6 +56,13 @@ class Way {
     std::uint64_t lost_ = 0;
 };
 
+/// As the driver at its end has it.
+std::unique_ptr<Transport> recorded(std::unique_ptr<Transport> line, Recording& recording,
+                                    const std::string& name) {
+    const auto interface = Recorded::add_interface(recording, *line, name);
+    return std::make_unique<Recorded>(std::move(line), recording, interface, Recorded::Side::driver);
+}
+
 /// Where a datagram socket sends, whoever spoke to it last; zero for the others.
 Address named_address(const std::string& uri) {
     const Endpoint endpoint = parse_endpoint(uri);
@@ -71,8 +78,7 @@ class Relay::Impl {
         : settings_(std::move(settings)),
           signals_(io_),
           end_(io_),
-          device_(std::make_unique<Recorded>(open_endpoint(io_, settings_.device), recording,
-                                             settings_.name + " line", Recorded::Side::driver)),
+          device_(recorded(open_endpoint(io_, settings_.device), recording, settings_.name + " line")),
           driver_(open_endpoint(io_, settings_.driver)),
           to_device_(io_, *device_, named_address(settings_.device)),
           to_driver_(io_, *driver_, named_address(settings_.driver)) {
@@ -106,7 +112,7 @@ class Relay::Impl {
     static void join(Transport& from, Way& way, Transport& other) {
         from.start({.received = [&way](ByteView bytes, Address) { way.send(bytes); },
                     .reconnected = [] {},
-                    .disconnected = [&other] { other.hang_up(); }});
+                    .disconnected = [&other](Address) { other.hang_up({}); }});
     }
 
     void stop() {

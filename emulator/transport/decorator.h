@@ -13,7 +13,7 @@ class Decorator : public Transport {
     Task<void> write(ByteView bytes, Address to) override { return line_->write(bytes, to); }
     void speak_at(double rate) override { line_->speak_at(rate); }
     void cut_off() override { line_->cut_off(); }
-    void hang_up() override { line_->hang_up(); }
+    void hang_up(Address to) override { line_->hang_up(to); }
     bool has_driver() const override { return line_->has_driver(); }
     void annotate(const std::string& remark) override { line_->annotate(remark); }
     void annotate_received(const std::string& remark) override { line_->annotate_received(remark); }

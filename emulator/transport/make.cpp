@@ -4,6 +4,7 @@
 #include "emulator/error.h"
 #include "emulator/options.h"
 #include "emulator/transport/baud_check.h"
+#include "emulator/transport/driver_lines.h"
 #include "emulator/transport/paced.h"
 #include "emulator/transport/pty.h"
 #include "emulator/transport/serial.h"
@@ -79,6 +80,16 @@ std::unique_ptr<Transport> open_line(Clock& clock, const Endpoint& endpoint, con
     return std::make_unique<BaudCheck>(clock, std::move(wire), own.rate, config.name);
 }
 
+std::unique_ptr<Transport> open_driver_lines(Clock& clock, const Endpoint& endpoint, const Port& port,
+                                             const Around& around) {
+    const auto door = std::make_shared<TcpDoor>(clock.io(), Address{endpoint.ip, endpoint.port});
+    std::vector<std::unique_ptr<Transport>> lines;
+    for (std::size_t i = 0; i < port.drivers; ++i)
+        lines.push_back(around(in_step(clock, std::make_unique<TcpListener>(door)), port));
+    const auto slow = port.slow_holds_up ? DriverLines::Slow::holds_up : DriverLines::Slow::loses;
+    return std::make_unique<DriverLines>(clock, std::move(lines), slow);
+}
+
 std::unique_ptr<Transport> as_it_is(std::unique_ptr<Transport> wire, const Port&) { return wire; }
 
 }  // namespace
@@ -98,7 +109,9 @@ std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std:
                 wrap(in_step(clock, std::make_unique<Udp>(clock.io(), port.bind, port.shared)), port));
         } else {
             const Endpoint endpoint = parse_endpoint(config.endpoints.at(next_stream++));
-            transports.push_back(open_line(clock, endpoint, config, port, wrap));
+            const bool several = port.drivers > 1 && endpoint.scheme == Endpoint::Scheme::tcp_listen;
+            transports.push_back(several ? open_driver_lines(clock, endpoint, port, wrap)
+                                         : open_line(clock, endpoint, config, port, wrap));
         }
     }
     return transports;

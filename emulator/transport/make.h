@@ -15,7 +15,8 @@ namespace echoloop {
 /// A byte pipe to an endpoint of a scenario, not paced. Throws StartError.
 std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri);
 
-/// Puts something around the wire of a port, or hands it back as it is.
+/// Puts something around the wire of a port, or hands it back as it is; around each driver's where a port
+/// has several.
 using Around = std::function<std::unique_ptr<Transport>(std::unique_ptr<Transport>, const Port&)>;
 
 /// One transport per port: a datagram port binds its own address, stream port i is endpoint i of the

@@ -56,7 +56,7 @@ Task<void> StandardStreams::read() {
         count_in(size);
         events_.received(ByteView(buffer_).first(size), {});
     }
-    if (ec != asio::error::operation_aborted) events_.disconnected();
+    if (ec != asio::error::operation_aborted) events_.disconnected({});
 }
 
 Task<std::size_t> StandardStreams::some(error_code& ec) {

@@ -16,11 +16,12 @@ SteppedPort::SteppedPort(SteppedClock& clock, std::unique_ptr<Transport> transpo
 
 void SteppedPort::start(Events events) {
     events_ = std::move(events);
-    line().start({.received = [this](ByteView bytes, Address from) { received(bytes, from); },
-                  .reconnected = [this] { in_turn([this] { events_.reconnected(); }); },
-                  .connected = [this](Address peer) { in_turn([this, peer] { events_.connected(peer); }); },
-                  .disconnected = [this] { in_turn([this] { events_.disconnected(); }); },
-                  .line_rate = [this](double rate) { in_turn([this, rate] { events_.line_rate(rate); }); }});
+    line().start(
+        {.received = [this](ByteView bytes, Address from) { received(bytes, from); },
+         .reconnected = [this] { in_turn([this] { events_.reconnected(); }); },
+         .connected = [this](Address peer) { in_turn([this, peer] { events_.connected(peer); }); },
+         .disconnected = [this](Address peer) { in_turn([this, peer] { events_.disconnected(peer); }); },
+         .line_rate = [this](double rate) { in_turn([this, rate] { events_.line_rate(rate); }); }});
 }
 
 void SteppedPort::in_turn(std::function<void()> event) {

@@ -1,7 +1,5 @@
 #include "emulator/transport/tcp.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -12,16 +10,6 @@ namespace echoloop {
 namespace {
 
 using Tcp = asio::ip::tcp;
-
-Tcp::acceptor bind_acceptor(asio::io_context& io, Address bind) {
-    Tcp::acceptor acceptor(io, Tcp::v4());
-    acceptor.set_option(Tcp::acceptor::reuse_address(true));
-    error_code ec;
-    acceptor.bind(to_endpoint<Tcp::endpoint>(bind), ec);
-    if (!ec) acceptor.listen(Tcp::acceptor::max_listen_connections, ec);
-    if (ec) throw bind_error("tcp-listen://" + to_text(bind), ec);
-    return acceptor;
-}
 
 /// What does not begin to fit the socket buffer of a driver that does not read is lost; but a message that
 /// has begun is finished, since nobody finds the next one behind half of it.
@@ -66,36 +54,28 @@ void close_with_reset(Tcp::socket& socket) {
 
 }  // namespace
 
-TcpListener::TcpListener(asio::io_context& io, Address bind) : acceptor_(bind_acceptor(io, bind)) {}
+TcpListener::TcpListener(std::shared_ptr<TcpDoor> door) : door_(std::move(door)) { door_->add(*this); }
+
+TcpListener::~TcpListener() {
+    close();
+    door_->remove(*this);
+}
 
 void TcpListener::start(Events events) {
     events_ = std::move(events);
-    asio::co_spawn(acceptor_.get_executor(), accept_drivers(), Serving(describe()));
+    door_->begin();
 }
 
-Task<void> TcpListener::accept_drivers() {
-    error_code ec;
-    while (acceptor_.is_open()) {
-        Tcp::socket socket = co_await acceptor_.async_accept(into(ec));
-        if (ec == asio::error::operation_aborted || !acceptor_.is_open()) co_return;
-        if (ec) {
-            asio::steady_timer breath(acceptor_.get_executor(), std::chrono::milliseconds(100));
-            co_await breath.async_wait(into(ec));
-            continue;
-        }
-        if (driver_) {
-            spdlog::warn("{}: a second driver was turned away; one is connected already", describe());
-            continue;
-        }
-        prepare(socket);
-        driver_ = std::make_shared<Tcp::socket>(std::move(socket));
-        events_.reconnected();
-        events_.connected(ends_of(*driver_, Wire::Kind::tcp_server).remote);
-        asio::co_spawn(acceptor_.get_executor(), serve(driver_), Serving(describe()));
-    }
+void TcpListener::take(Tcp::socket driver) {
+    prepare(driver);
+    driver_ = std::make_shared<Tcp::socket>(std::move(driver));
+    const Address peer = wire().remote;
+    events_.reconnected();
+    events_.connected(peer);
+    asio::co_spawn(door_->io(), serve(driver_, peer), Serving(describe()));
 }
 
-Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver) {
+Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver, Address peer) {
     std::array<std::uint8_t, 4096> buffer;
     error_code ec;
     while (driver->is_open()) {
@@ -107,7 +87,8 @@ Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver) {
     const bool forgotten = std::ranges::find(forgotten_, driver) != forgotten_.end();
     if (!forgotten) driver->close(ec);
     if (driver == driver_) driver_.reset();
-    if (acceptor_.is_open()) events_.disconnected();
+    // The one driver's place stays its own while the cable is pulled; of several, each is another.
+    if (!closed_ && (door_->is_open() || door_->serves_several())) events_.disconnected(peer);
 }
 
 Task<void> TcpListener::write(ByteView bytes, Address) {
@@ -118,27 +99,14 @@ Task<void> TcpListener::write(ByteView bytes, Address) {
     if (driver->is_open()) count_lost(bytes.size() - sent);
 }
 
-void TcpListener::hang_up() {
+void TcpListener::hang_up(Address) {
     if (driver_) hang_up_on(*driver_);
 }
 
 void TcpListener::unplug() {
+    door_->shut();
     error_code ignored;
-    if (unplugged_.port != 0) return;
-    unplugged_ = to_address(acceptor_.local_endpoint(ignored));
-    acceptor_.close(ignored);
     if (driver_) driver_->close(ignored);
-}
-
-void TcpListener::plug() {
-    if (unplugged_.port == 0) return;
-    const Address bind = std::exchange(unplugged_, {});
-    try {
-        acceptor_ = bind_acceptor(static_cast<asio::io_context&>(acceptor_.get_executor().context()), bind);
-        asio::co_spawn(acceptor_.get_executor(), accept_drivers(), Serving(describe()));
-    } catch (const StartError& error) {
-        spdlog::error("{}; it stays unplugged", error.what());
-    }
 }
 
 void TcpListener::reset() {
@@ -159,21 +127,15 @@ void TcpListener::reset_forgotten() {
 }
 
 void TcpListener::close() {
-    unplugged_ = {};
+    closed_ = true;
     forgotten_.clear();
     error_code ignored;
-    acceptor_.close(ignored);
+    door_->close();
     if (driver_) driver_->close(ignored);
 }
 
-std::string TcpListener::describe() const {
-    error_code ec;
-    return "tcp-listen://" + to_text(to_address(acceptor_.local_endpoint(ec)));
-}
-
 Wire TcpListener::wire() const {
-    error_code ec;
-    if (!driver_) return {Wire::Kind::tcp_server, to_address(acceptor_.local_endpoint(ec)), {}};
+    if (!driver_) return {Wire::Kind::tcp_server, door_->address(), {}};
     return ends_of(*driver_, Wire::Kind::tcp_server);
 }
 
@@ -203,7 +165,8 @@ Task<void> TcpClient::read_stream() {
     prepare(socket_);
     connected_ = true;
     events_.reconnected();
-    events_.connected(ends_of(socket_, Wire::Kind::tcp_client).remote);
+    const Address peer = ends_of(socket_, Wire::Kind::tcp_client).remote;
+    events_.connected(peer);
     std::array<std::uint8_t, 4096> buffer;
     error_code ec;
     while (!ec) {
@@ -217,7 +180,7 @@ Task<void> TcpClient::read_stream() {
     if (std::exchange(forgetting_, false)) {
         forgotten_.push_back(std::exchange(socket_, Tcp::socket(socket_.get_executor())));
     }
-    if (!closing_) events_.disconnected();
+    if (!closing_) events_.disconnected(peer);
 }
 
 Task<void> TcpClient::write(ByteView bytes, Address) {
@@ -227,7 +190,7 @@ Task<void> TcpClient::write(ByteView bytes, Address) {
     if (connected_) count_lost(bytes.size() - sent);
 }
 
-void TcpClient::hang_up() {
+void TcpClient::hang_up(Address) {
     if (connected_) hang_up_on(socket_);
 }
 

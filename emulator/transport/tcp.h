@@ -1,41 +1,47 @@
-// A byte stream over TCP: a listener that serves one driver at a time (as a serial bridge does), or a client
-// that keeps trying to reach one.
+// A byte stream over TCP: the line of a driver that comes by a door (one at a time, as a serial bridge serves
+// them), or a client that keeps trying to reach one.
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include "emulator/transport/tcp_door.h"
 #include "emulator/transport/transport.h"
 
 namespace echoloop {
 
+/// The line of one driver at a time.
 class TcpListener final : public CountingTransport {
   public:
-    /// Throws StartError if the address cannot be bound.
-    TcpListener(asio::io_context& io, Address bind);
-    ~TcpListener() override { close(); }
+    /// The only line behind a door of its own. Throws StartError if the address cannot be bound.
+    TcpListener(asio::io_context& io, Address bind) : TcpListener(std::make_shared<TcpDoor>(io, bind)) {}
+    /// One of several lines behind `door`: each has a driver of its own.
+    explicit TcpListener(std::shared_ptr<TcpDoor> door);
+    ~TcpListener() override;
+
+    /// From the door: somebody has come; only while nobody is here.
+    void take(asio::ip::tcp::socket driver);
 
     void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
-    void hang_up() override;
+    void hang_up(Address to) override;
     bool has_driver() const override { return driver_ != nullptr; }
     void unplug() override;
-    void plug() override;
+    void plug() override { door_->open(); }
     void reset() override;
     void forget() override;
     void reset_forgotten() override;
     void close() override;
-    std::string describe() const override;
+    std::string describe() const override { return door_->describe(); }
     Wire wire() const override;
 
   private:
-    Task<void> accept_drivers();
-    Task<void> serve(std::shared_ptr<asio::ip::tcp::socket> driver);
+    Task<void> serve(std::shared_ptr<asio::ip::tcp::socket> driver, Address peer);
 
-    asio::ip::tcp::acceptor acceptor_;
+    std::shared_ptr<TcpDoor> door_;
     std::shared_ptr<asio::ip::tcp::socket> driver_;  ///< a writer may still hold the one that has gone
     std::vector<std::shared_ptr<asio::ip::tcp::socket>> forgotten_;
-    Address unplugged_;  ///< where it listened; port 0: it is plugged in
+    bool closed_ = false;
     Events events_;
 };
 
@@ -46,7 +52,7 @@ class TcpClient final : public CountingTransport {
 
     void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
-    void hang_up() override;
+    void hang_up(Address to) override;
     bool has_driver() const override { return connected_; }
     void unplug() override;
     void plug() override;

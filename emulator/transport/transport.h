@@ -25,10 +25,10 @@ class Transport {
         std::function<void(ByteView, Address from)> received;
         std::function<void()>
             reconnected;  ///< another driver is at the other end: half a frame is worthless now
-        std::function<void(Address)> connected = [](Address) {};  ///< TCP, after reconnected
-        std::function<void()> disconnected = [] {};               ///< TCP
-        std::function<void(double)> line_rate = [](double) {};    ///< pty: the driver has set another, bit/s
-        std::function<void()> opened = [] {};                     ///< pty: a driver has it open now
+        std::function<void(Address)> connected = [](Address) {};     ///< TCP, after reconnected
+        std::function<void(Address)> disconnected = [](Address) {};  ///< TCP: who was connected
+        std::function<void(double)> line_rate = [](double) {};  ///< pty: the driver has set another, bit/s
+        std::function<void()> opened = [] {};                   ///< pty: a driver has it open now
     };
 
     Transport() = default;
@@ -45,8 +45,9 @@ class Transport {
     virtual void speak_at(double /*rate*/) {}
     /// The device has lost its power: what is still to leave a serial line never does.
     virtual void cut_off() {}
-    /// Ends the connection with whoever is at the other end; another may follow. A line has none.
-    virtual void hang_up() {}
+    /// Ends the connection with whoever is at the other end; another may follow. A line has none. `to`: where
+    /// several are, which of them; zero for all.
+    virtual void hang_up(Address /*to*/) {}
     /// False while bytes would be lost because nobody is there to read them; true where nobody can know.
     virtual bool has_driver() const { return true; }
     /// A remark on the bytes that are written next, for a recording of them.

@@ -84,9 +84,4 @@ std::string LineFramer::rest() {
     return {};
 }
 
-void LineFramer::clear() {
-    buffer_.clear();
-    too_long_ = false;
-}
-
 }  // namespace echoloop::norbit

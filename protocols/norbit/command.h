@@ -43,7 +43,6 @@ class LineFramer {
     /// What waits for a line's end, and is forgotten by this; empty if nothing waits or it is too long.
     std::string rest();
     bool waits() const { return !buffer_.empty(); }
-    void clear();
 
     std::uint64_t skipped_bytes() const { return skipped_; }
 

@@ -113,9 +113,4 @@ std::optional<Record> Framer::next() {
     return std::nullopt;
 }
 
-void Framer::clear() {
-    position_ += pending_bytes();
-    begin_ = buffer_.size();
-}
-
 }  // namespace echoloop::reson7k

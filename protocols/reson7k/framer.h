@@ -36,8 +36,6 @@ class Framer {
     std::uint64_t frame_size() const { return position_ - frame_offset_; }
     /// Bytes received that are neither skipped nor part of a returned record.
     std::size_t pending_bytes() const { return buffer_.size() - begin_; }
-    /// Forgets pending bytes without counting them, e.g. when another host connects.
-    void clear();
 
   private:
     /// How many of the pending bytes a record takes, and the record; 0: its end is not there yet.

@@ -74,7 +74,7 @@ void Aris::expect_words(Time now) {
     if (settings_.silence_limit > 0) next_silence_ = now + from_seconds(settings_.silence_limit);
 }
 
-Actions Aris::disconnected(std::size_t port, Time) {
+Actions Aris::disconnected(std::size_t port, Address, Time) {
     if (port == command_port) forget_controller();
     return take_actions();
 }

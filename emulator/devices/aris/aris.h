@@ -24,7 +24,7 @@ class Aris final : public Device {
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
     Actions connected(std::size_t port, Address peer, Time now) override;
-    Actions disconnected(std::size_t port, Time now) override;
+    Actions disconnected(std::size_t port, Address peer, Time now) override;
     DeviceCounters counters() const override;
 
   private:

@@ -16,7 +16,8 @@ NorbitWbms::NorbitWbms(const Settings& settings)
     : settings_(settings), controls_(initial_controls(settings)), digital_gain_(first_gain(settings)) {}
 
 std::vector<Port> NorbitWbms::ports() const {
-    const auto stream = [](const char* name) { return Port{name, Port::Kind::stream, {}, false}; };
+    // How many hosts a real one takes is not known; one that does not read stalls the others.
+    const auto stream = [](const char* name) { return Port{name, Port::Kind::stream, {}, false, 8, true}; };
     return {stream("commands"), stream("bathymetry"), stream("water column")};
 }
 
@@ -25,14 +26,17 @@ Actions NorbitWbms::started(Time now) {
     return take_actions();
 }
 
-/// Settings are the sonar's, whoever is connected.
-void NorbitWbms::reconnected(std::size_t port) {
-    if (port == command_port) lines_.clear();
-    if (port == water_column_port) images_wanted_ = true;
+/// Connecting is subscribing. Settings are the sonar's, whoever is connected.
+Actions NorbitWbms::connected(std::size_t port, Address peer, Time) {
+    if (port == water_column_port) viewers_.insert(peer);
+    return take_actions();
 }
 
-Actions NorbitWbms::disconnected(std::size_t port, Time) {
-    if (port == water_column_port) images_wanted_ = false;
+Actions NorbitWbms::disconnected(std::size_t port, Address peer, Time) {
+    if (port == water_column_port) viewers_.erase(peer);
+    if (port != command_port) return take_actions();
+    if (const auto left = commanders_.extract(peer))
+        counters_.skipped_bytes += left.mapped().lines.skipped_bytes();
     return take_actions();
 }
 
@@ -41,18 +45,20 @@ Actions NorbitWbms::received(const Received& data, Time now) {
         counters_.skipped_bytes += data.bytes.size();
         return take_actions();
     }
-    lines_.feed(data.bytes);
-    while (const auto line = lines_.next()) obey_line(*line, now);
-    line_ends_ = lines_.waits() ? now + from_seconds(settings_.command_pause) : Time::max();
+    Commander& commander = commanders_[data.from];
+    commander.lines.feed(data.bytes);
+    while (const auto line = commander.lines.next()) obey_line(*line, data.from, now);
+    commander.line_ends = commander.lines.waits() ? now + from_seconds(settings_.command_pause) : Time::max();
     return take_actions();
 }
 
-void NorbitWbms::obey_line(const std::string& line, Time now) {
+/// Who asked is answered.
+void NorbitWbms::obey_line(const std::string& line, Address from, Time now) {
     if (line.find_first_not_of(" \t") == std::string::npos) return;
     const auto command = norbit::read_command(line).value_or(norbit::Command{});
     const Reply reply = obey(command, controls_, settings_);
     ++(reply.understood ? counters_.messages : counters_.rejected);
-    send(command_port, Bytes(reply.text.begin(), reply.text.end()));
+    send(command_port, Bytes(reply.text.begin(), reply.text.end()), from);
     actions_.send.back().hang_up = command.name == "exit";
     if (!ping_under_way_) plan_next_ping(now);
 }
@@ -92,7 +98,7 @@ Actions NorbitWbms::heard(const Echogram& echogram, Time now) {
     ++counters_.pings;
     if (ping_.controls.mode != 0)
         send(bathymetry_port, bathymetry_packet(ping_, settings_, echogram, time_stamp(now)));
-    if (images_wanted_) {
+    if (!viewers_.empty()) {
         double peak = 0;
         send(water_column_port, water_column_packet(ping_, settings_, echogram, time_stamp(now), peak));
         digital_gain_ = next_gain(controls_, settings_, ping_.plan.digital_gain, peak);
@@ -102,9 +108,10 @@ Actions NorbitWbms::heard(const Echogram& echogram, Time now) {
 }
 
 Actions NorbitWbms::woken(Time now) {
-    if (now >= line_ends_) {
-        line_ends_ = Time::max();
-        obey_line(lines_.rest(), now);
+    for (auto& [host, commander] : commanders_) {
+        if (now < commander.line_ends) continue;
+        commander.line_ends = Time::max();
+        obey_line(commander.lines.rest(), host, now);
     }
     if (now >= next_ping_) transmit(now);
     return take_actions();
@@ -112,12 +119,15 @@ Actions NorbitWbms::woken(Time now) {
 
 DeviceCounters NorbitWbms::counters() const {
     DeviceCounters counters = counters_;
-    counters.skipped_bytes += lines_.skipped_bytes();
+    for (const auto& [host, commander] : commanders_)
+        counters.skipped_bytes += commander.lines.skipped_bytes();
     return counters;
 }
 
 Actions NorbitWbms::take_actions() {
-    actions_.wake = std::min(next_ping_, line_ends_);
+    Time wake = next_ping_;
+    for (const auto& [host, commander] : commanders_) wake = std::min(wake, commander.line_ends);
+    actions_.wake = wake;
     return std::exchange(actions_, {});
 }
 

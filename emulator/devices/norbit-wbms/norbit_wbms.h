@@ -2,7 +2,9 @@
 // state machine.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,30 +21,39 @@ class NorbitWbms final : public Device {
     Actions received(const Received& data, Time now) override;
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
-    void reconnected(std::size_t port) override;
-    Actions disconnected(std::size_t port, Time now) override;
+    void reconnected(std::size_t) override {}
+    Actions connected(std::size_t port, Address peer, Time now) override;
+    Actions disconnected(std::size_t port, Address peer, Time now) override;
     DeviceCounters counters() const override;
 
   private:
-    void obey_line(const std::string& line, Time now);
+    /// A host on the command port.
+    struct Commander {
+        norbit::LineFramer lines;
+        Time line_ends = Time::max();  ///< a command without a line's end is one then
+    };
+
+    void obey_line(const std::string& line, Address from, Time now);
     bool pinging() const;
     void plan_next_ping(Time now);
     void transmit(Time now);
-    void send(std::size_t port, Bytes bytes) { actions_.send.push_back({port, std::move(bytes), {}, {}}); }
+    /// To one host, or to all.
+    void send(std::size_t port, Bytes bytes, Address to = {}) {
+        actions_.send.push_back({port, std::move(bytes), to, {}});
+    }
     /// s, by the time source that is set.
     double time_stamp(Time time) const;
     Actions take_actions();
 
     Settings settings_;
     Controls controls_;
-    norbit::LineFramer lines_;
-    PingRecord ping_;  ///< the ping under way, or the last one
+    std::map<Address, Commander> commanders_;
+    std::set<Address> viewers_;  ///< hosts on the water column
+    PingRecord ping_;            ///< the ping under way, or the last one
     bool ping_under_way_ = false;
-    bool images_wanted_ = false;  ///< somebody is connected to the water column
-    double digital_gain_ = 0;     ///< dB, of the next ping
+    double digital_gain_ = 0;  ///< dB, of the next ping
     std::optional<Time> last_transmission_;
     Time next_ping_ = Time::max();
-    Time line_ends_ = Time::max();  ///< a command without a line's end is one then
     Actions actions_;
     DeviceCounters counters_;
 };

@@ -52,7 +52,7 @@ void Oculus::expect_words(Time now) {
 }
 
 /// Nobody is left whom it could ping for.
-Actions Oculus::disconnected(std::size_t port, Time) {
+Actions Oculus::disconnected(std::size_t port, Address, Time) {
     reconnected(port);
     return take_actions();
 }

@@ -25,7 +25,9 @@ Reson7k::Reson7k(const Settings& settings, Address own)
     : settings_(settings), own_(own), controls_(settings.start) {}
 
 std::vector<Port> Reson7k::ports() const {
-    return {{"stream", Port::Kind::stream, {}, false}, {"datagrams", Port::Kind::datagram, own_, false}};
+    constexpr std::size_t hosts = 8;  // own choice: how many a real one takes is not known
+    return {{"stream", Port::Kind::stream, {}, false, hosts},
+            {"datagrams", Port::Kind::datagram, own_, false}};
 }
 
 Actions Reson7k::started(Time now) {
@@ -34,14 +36,10 @@ Actions Reson7k::started(Time now) {
 }
 
 /// Closing the connection ends its subscriptions.
-void Reson7k::reconnected(std::size_t port) {
-    if (port != stream_port) return;
-    framer_.clear();
-    subscribers_.end({stream_port, {}});
-}
-
-Actions Reson7k::disconnected(std::size_t port, Time) {
-    reconnected(port);
+Actions Reson7k::disconnected(std::size_t port, Address peer, Time) {
+    if (port != stream_port) return take_actions();
+    if (const auto left = framers_.extract(peer)) counters_.skipped_bytes += left.mapped().skipped_bytes();
+    subscribers_.end({stream_port, peer});
     return take_actions();
 }
 
@@ -53,8 +51,10 @@ Actions Reson7k::received(const Received& data, Time now) {
         while (const auto record = framer.next()) hear_record(*record, {datagram_port, data.from}, now);
         counters_.skipped_bytes += framer.skipped_bytes();
     } else {
-        framer_.feed(data.bytes);
-        while (const auto record = framer_.next()) hear_record(*record, {stream_port, {}}, now);
+        auto& framer =
+            framers_.try_emplace(data.from, reson7k::host_record, reson7k::Source::network).first->second;
+        framer.feed(data.bytes);
+        while (const auto record = framer.next()) hear_record(*record, {stream_port, data.from}, now);
     }
     return take_actions();
 }
@@ -246,7 +246,7 @@ Actions Reson7k::woken(Time now) {
 
 DeviceCounters Reson7k::counters() const {
     DeviceCounters counters = counters_;
-    counters.skipped_bytes += framer_.skipped_bytes();
+    for (const auto& [host, framer] : framers_) counters.skipped_bytes += framer.skipped_bytes();
     return counters;
 }
 

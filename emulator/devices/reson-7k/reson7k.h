@@ -2,6 +2,7 @@
 // machine.
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include "emulator/devices/reson-7k/commands.h"
@@ -21,8 +22,8 @@ class Reson7k final : public Device {
     Actions received(const Received& data, Time now) override;
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
-    void reconnected(std::size_t port) override;
-    Actions disconnected(std::size_t port, Time now) override;
+    void reconnected(std::size_t) override {}
+    Actions disconnected(std::size_t port, Address peer, Time now) override;
     DeviceCounters counters() const override;
 
   private:
@@ -45,7 +46,7 @@ class Reson7k final : public Device {
     Settings settings_;
     Address own_;
     Controls controls_;
-    reson7k::Framer framer_{reson7k::host_record, reson7k::Source::network};
+    std::map<Address, reson7k::Framer> framers_;  ///< of the hosts on TCP
     Subscribers subscribers_;
     PingRecord ping_;  ///< the ping under way, or the last one
     bool ping_under_way_ = false;

@@ -5,7 +5,7 @@
 namespace echoloop::reson7k_device {
 namespace {
 
-constexpr std::size_t most_peers = 16;
+constexpr std::size_t most_peers = 24;  // 8 by TCP, and 16
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Who is told which records of a 7k sonar: the host on TCP, and hosts by UDP. Knows no records' content and
+// Who is told which records of a 7k sonar: hosts on TCP, and hosts by UDP. Knows no records' content and
 // no time.
 #pragma once
 
@@ -15,7 +15,7 @@ enum PortIndex : std::size_t { stream_port, datagram_port };
 /// One end of a connection.
 struct Peer {
     std::size_t port = stream_port;
-    Address address;  ///< of a datagram peer
+    Address address;
     friend bool operator==(const Peer&, const Peer&) = default;
 };
 

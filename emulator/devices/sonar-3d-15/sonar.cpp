@@ -66,7 +66,7 @@ Actions Sonar::connected(std::size_t port, Address, Time now) {
     return take_actions();
 }
 
-Actions Sonar::disconnected(std::size_t port, Time) {
+Actions Sonar::disconnected(std::size_t port, Address, Time) {
     reconnected(port);
     return take_actions();
 }

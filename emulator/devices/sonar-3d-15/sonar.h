@@ -25,7 +25,7 @@ class Sonar final : public Device {
     Actions woken(Time now) override;
     void reconnected(std::size_t port) override;
     Actions connected(std::size_t port, Address peer, Time now) override;
-    Actions disconnected(std::size_t port, Time now) override;
+    Actions disconnected(std::size_t port, Address peer, Time now) override;
     DeviceCounters counters() const override { return counters_; }
 
   private:

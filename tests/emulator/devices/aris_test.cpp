@@ -205,7 +205,7 @@ TEST(ArisController, ThatLeavesTakesItsFramesAlong) {
     bench.say(words::receiver);
     bench.say(words::acoustics);
     EXPECT_FALSE(bench.frames_within(1s).empty());
-    bench.device().disconnected(0, bench.now);
+    bench.device().disconnected(0, {}, bench.now);
     bench.frames_within(50ms);
     EXPECT_TRUE(bench.frames_within(1s).empty());
     EXPECT_EQ(state(bench.beacons_within(2s).back()), 0U) << "available";

@@ -1,11 +1,12 @@
 // Any bytes at any time to every model: it must not crash, hang, send where no port is, or ask for a ping
 // that cannot be rendered. ECHOLOOP_MODEL=NAME tries one model only, ECHOLOOP_MODEL=list names them. The
 // input is {model, options, echo}, then records of {port, pause in 10 ms, length, bytes}; a pause of 255 is
-// another driver at the same port.
+// another driver at the same port, of 254 one more or one less where there are several.
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <random>
+#include <set>
 #include <stdexcept>
 
 #include "tests/emulator/devices/driver.h"
@@ -83,18 +84,38 @@ class ShortBench {
         }
     }
 
-    void say(std::size_t port, ByteView bytes) {
-        bench_.say(bytes, port % ports_.size(), {0x7F000001, 40000});
+    /// The number chooses the port, and who speaks there.
+    void say(std::size_t number, ByteView bytes) {
+        const std::size_t port = number % ports_.size();
+        if (ports_[port].drivers > 1 && !connected_.contains({port, peer(number)})) come_or_go(number);
+        bench_.say(bytes, port, peer(number));
         take();
     }
-    void reconnect(std::size_t port) {
-        port %= ports_.size();
-        if (ports_[port].kind == Port::Kind::stream) bench_.device().reconnected(port);
+    void reconnect(std::size_t number) {
+        const std::size_t port = number % ports_.size();
+        if (ports_[port].kind == Port::Kind::stream && ports_[port].drivers == 1)
+            bench_.device().reconnected(port);
+    }
+    void come_or_go(std::size_t number) {
+        const std::size_t port = number % ports_.size();
+        if (ports_[port].drivers == 1) return;
+        if (connected_.insert({port, peer(number)}).second) {
+            bench_.connect(port, peer(number));
+        } else {
+            bench_.disconnect(port, peer(number));
+            connected_.erase({port, peer(number)});
+        }
+        take();
     }
 
   private:
     static constexpr std::size_t most_effort = 300000;  // bins
 
+    Address peer(std::size_t number) const {
+        const std::size_t port = number % ports_.size(), which = number / ports_.size() % 3;
+        const bool several = ports_[port].drivers > 1;
+        return {0x7F000001, static_cast<std::uint16_t>(40000 + (several ? which : 0))};
+    }
     void take() {
         if (bench_.ping) check(bench_.ping->shot);
         for (const Send& send : bench_.sent()) require(send.port < ports_.size() && !send.bytes.empty());
@@ -103,6 +124,7 @@ class ShortBench {
 
     test::Bench bench_;
     std::vector<Port> ports_;
+    std::set<std::pair<std::size_t, Address>> connected_;  ///< on ports of several drivers
     std::size_t spent_ = 0;
 };
 
@@ -128,6 +150,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::size_t port = input[0], length = std::min<std::size_t>(input[2], input.size() - 3);
         bench.run_for(input[1] * std::chrono::milliseconds(10), 100000);
         if (input[1] == 255) bench.reconnect(port);
+        if (input[1] == 254) bench.come_or_go(port);
         bench.say(port, input.subspan(3, length));
         input = input.subspan(3 + length);
     }

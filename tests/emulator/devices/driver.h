@@ -83,6 +83,10 @@ class Bench {
         say(from_hex(hex), port, from);
     }
 
+    /// One of several drivers of a port comes, and goes.
+    void connect(std::size_t port, Address peer) { take(device_->connected(port, peer, now)); }
+    void disconnect(std::size_t port, Address peer) { take(device_->disconnected(port, peer, now)); }
+
     /// Lets time pass to `end`; wake-ups and echoes come when they are due. Echoes are silence unless `echo`
     /// says so.
     void run_to(Time end) {

@@ -29,12 +29,14 @@ inline Bench norbit(const Options& changes = {}) { return Bench(make_device("nor
 
 inline Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
 
+inline constexpr Address host{0x7F000001, 40000}, other_host{0x7F000001, 40001};
+
 /// The answer to a command with a line's end; everything else that was sent is forgotten.
-inline std::string ask(Bench& bench, const std::string& command) {
+inline std::string ask(Bench& bench, const std::string& command, Address from = host) {
     bench.sent();
-    bench.say(bytes_of(command + "\r\n"));
+    bench.say(bytes_of(command + "\r\n"), commands, from);
     for (const Send& send : bench.sent())
-        if (send.port == commands) return {send.bytes.begin(), send.bytes.end()};
+        if (send.port == commands && send.to == from) return {send.bytes.begin(), send.bytes.end()};
     return "";
 }
 

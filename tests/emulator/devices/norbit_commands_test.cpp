@@ -27,10 +27,30 @@ TEST(NorbitWbms, ACommandWithoutALinesEndIsAnsweredAfterAPause) {
     const auto sent = bench.sent();
     ASSERT_EQ(sent.size(), 1U);
     EXPECT_EQ(std::string(sent[0].bytes.begin(), sent[0].bytes.end()), "set_rate 10 # Hz, -1 automatic\r\n");
-    bench.say(bytes_of("set_ra"));
-    bench.device().reconnected(commands);
-    EXPECT_EQ(ask(bench, "set_rate"), "set_rate 10 # Hz, -1 automatic\r\n")
-        << "another host's half is worthless";
+}
+
+TEST(NorbitWbms, EveryHostIsAnsweredForItself) {
+    Bench bench = norbit();
+    bench.connect(commands, host);
+    bench.connect(commands, other_host);
+    bench.say(bytes_of("set_ra"), commands, host);
+    EXPECT_EQ(ask(bench, "set_rate 10", other_host), "set_rate 10 # Hz, -1 automatic\r\n");
+    bench.say(bytes_of("te\r\n"), commands, host);
+    auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(std::string(sent[0].bytes.begin(), sent[0].bytes.end()), "set_rate 10 # Hz, -1 automatic\r\n");
+    EXPECT_EQ(sent[0].to, host);
+    bench.say(bytes_of("seri"), commands, host);
+    bench.say(bytes_of("revision"), commands, other_host);
+    bench.disconnect(commands, host);
+    bench.run_to(1s);
+    sent = bench.sent();
+    ASSERT_EQ(sent.size(), 1U) << "half a command goes with its host";
+    EXPECT_EQ(sent[0].to, other_host);
+    bench.say(bytes_of("exit\r\n"), commands, other_host);
+    sent = bench.sent();
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_TRUE(sent[0].hang_up && sent[0].to == other_host);
 }
 
 TEST(NorbitWbms, AnswersHaveTheValuesInForce) {

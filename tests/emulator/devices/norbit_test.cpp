@@ -137,7 +137,7 @@ TEST(NorbitWbms, WaterColumnGoesOutOnceSomebodyHasConnected) {
     ask(bench, "set_power 1");
     bench.run_to(1s);
     EXPECT_TRUE(packets(bench, water_column).empty());
-    bench.device().reconnected(water_column);
+    bench.connect(water_column, host);
     place_echo(bench, 9);
     bench.run_to(2s);
     const auto sent = packets(bench, water_column);
@@ -163,10 +163,29 @@ TEST(NorbitWbms, WaterColumnGoesOutOnceSomebodyHasConnected) {
     EXPECT_NEAR(f32(b, 192 + beams * rows * 2), -deg_to_rad(70) * 127 / 128, 1e-5);
 }
 
+TEST(NorbitWbms, EveryPingGoesToAllAndWaterColumnsAsLongAsOneHostIsThere) {
+    Bench bench = norbit({{"power", true}});
+    bench.connect(water_column, host);
+    bench.connect(water_column, other_host);
+    bench.disconnect(water_column, host);
+    bench.run_to(1s);
+    std::size_t images = 0;
+    for (const Send& send : bench.sent()) {
+        EXPECT_EQ(send.to, Address{}) << "all who are connected";
+        images += send.port == water_column;
+    }
+    EXPECT_GT(images, 2U);
+    bench.disconnect(water_column, other_host);
+    bench.run_to(2s);
+    EXPECT_FALSE(packets(bench, bathymetry).empty());
+    bench.run_to(3s);
+    EXPECT_TRUE(packets(bench, water_column).empty());
+}
+
 TEST(NorbitWbms, WaterColumnsAreNeverLongerThanThePayloadAllows) {
     for (const char* sample : {"u8", "s16", "f32"}) {
         Bench bench = norbit({{"beam_mode", std::string("512EA")}, {"sample", std::string(sample)}});
-        bench.device().reconnected(water_column);
+        bench.connect(water_column, host);
         for (const char* command : {"set_resolution 2048 512", "set_range 0 600", "set_power 1"})
             ask(bench, command);
         bench.run_to(1s);
@@ -182,7 +201,7 @@ TEST(NorbitWbms, WaterColumnsAreNeverLongerThanThePayloadAllows) {
 std::pair<std::vector<float>, std::size_t> first_column(const std::string& range, Shot& shot,
                                                         const std::function<float(std::size_t)>& power) {
     Bench bench = norbit({{"sample", std::string("f32")}});
-    bench.device().reconnected(water_column);
+    bench.connect(water_column, host);
     for (const std::string& command :
          {std::string("set_gate_mode 0"), range, std::string("set_resolution 512 256")})
         ask(bench, command);

@@ -48,7 +48,7 @@ TEST(OculusStatus, TellsTheModelTheAddressAndTheClient) {
         };
         bench.device().connected(0, {0xC0A80207, 40000}, bench.now);
         EXPECT_EQ(client_at(1100ms), "c0a80207") << "before it has said anything";
-        bench.device().disconnected(0, bench.now);
+        bench.device().disconnected(0, {}, bench.now);
         EXPECT_EQ(client_at(2100ms), "00000000");
     }
 }
@@ -98,7 +98,7 @@ TEST(OculusStandby, IsTheStateThatAnotherHostFinds) {
 TEST(OculusStandby, BeginsWhenTheHostLeaves) {
     OculusBench bench;
     bench.next_after(fire({}));
-    bench.device().disconnected(0, bench.now);
+    bench.device().disconnected(0, {}, bench.now);
     bench.sent_within(100ms);
     EXPECT_EQ(count(bench.sent_within(3s), is_result), 0U);
 }

@@ -80,7 +80,7 @@ inline std::vector<Seen> records_of(const std::vector<Send>& sends) {
 
 struct Reson : Bench {
     explicit Reson(const Options& changes = {}) : Bench(make_device("reson-7k", {}, changes)) {
-        device().reconnected(0);
+        connect(0, {});
         echo_bin = 400;
         echo_power = 1e12F;
     }

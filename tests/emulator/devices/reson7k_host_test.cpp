@@ -1,4 +1,6 @@
 // What hosts of the 7k multibeam may say, over TCP and UDP, and what they are answered.
+#include <map>
+
 #include "tests/emulator/devices/reson7k_bench.h"
 
 namespace echoloop::test {
@@ -43,7 +45,7 @@ TEST(Reson7k, ServesHostsByUdpUntilTheyEndIt) {
     const Address host{0x7F000001, 40000}, third{0x7F000002, 5000};
     EXPECT_EQ(sonar.answer(control(1051, {1, 7018}), 1, host), 0U);
     EXPECT_EQ(sonar.answer(control(1053, {third.ip, third.port, 1, 7000})), 0U);
-    sonar.device().reconnected(0);
+    sonar.disconnect(0, {});
     sonar.run_to(sonar.now + 200ms);
     const auto sends = sonar.sent();
     Time before{};
@@ -63,6 +65,31 @@ TEST(Reson7k, ServesHostsByUdpUntilTheyEndIt) {
     EXPECT_TRUE(sonar.within(1s).empty());
     EXPECT_EQ(sonar.answer(control(1053, {0x08080808, 53, 1, 7000})), 0x700CU) << "from loopback";
     EXPECT_EQ(sonar.answer(control(1053, {third.ip, 1U << 16 | 5000, 1, 7000})), 0x700CU) << "by TCP";
+}
+
+TEST(Reson7k, HostsOnTcpHaveSubscriptionsOfTheirOwn) {
+    Reson sonar;
+    const Address one{0x7F000001, 40001}, other{0x7F000001, 40002};
+    sonar.connect(0, one);
+    sonar.connect(0, other);
+    const Bytes subscribes = control(1051, {1, 7027});
+    sonar.say(ByteView(subscribes).first(60), 0, one);
+    EXPECT_EQ(sonar.answer(control(1051, {1, 7000}), 0, other), 0U) << "between the halves of another's";
+    EXPECT_EQ(sonar.answer(Bytes(subscribes.begin() + 60, subscribes.end()), 0, one), 0U);
+    std::map<std::uint16_t, std::map<std::uint32_t, std::size_t>> got;
+    for (const Seen& record : sonar.within(1s)) ++got[record.to.port][record.type()];
+    EXPECT_EQ(got.size(), 2U);
+    EXPECT_EQ(got[one.port].size(), 1U);
+    EXPECT_GT(got[one.port][7027], 5U);
+    EXPECT_EQ(got[other.port].size(), 1U);
+    EXPECT_EQ(got[other.port][7000], got[one.port][7027]);
+    sonar.answer(control(1052), 0, other);
+    for (const Seen& record : sonar.within(500ms)) EXPECT_EQ(record.to, one) << "the other's has ended";
+    sonar.answer(control(1051, {1, 7000}), 0, other);
+    sonar.disconnect(0, one);
+    const auto records = sonar.within(500ms);
+    EXPECT_GT(records.size(), 2U);
+    for (const Seen& record : records) EXPECT_EQ(record.to, other) << "who is still connected";
 }
 
 TEST(Reson7k, LongRangesThinTheSamplesOut) {

@@ -34,7 +34,7 @@ TEST(Reson7k, ClosingTheConnectionEndsIt) {
     Reson sonar;
     EXPECT_EQ(sonar.answer(control(1055, {7000, 7030})), 0U);
     EXPECT_FALSE(sonar.within(500ms).empty());
-    sonar.device().reconnected(0);
+    sonar.disconnect(0, {});
     EXPECT_TRUE(sonar.within(500ms).empty());
 }
 

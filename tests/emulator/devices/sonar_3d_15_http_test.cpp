@@ -95,7 +95,7 @@ TEST(Sonar3d15, AConnectionThatAsksNothingIsClosedForTheNextOne) {
     EXPECT_EQ(sonar.get("/temperature"), "21.0");
     sonar.bench->device().reconnected(0);
     sonar.bench->device().connected(0, {0x7F000001, 40001}, 10s);
-    EXPECT_EQ(sonar.bench->device().disconnected(0, 11s).wake, Time::max()) << "nobody is waited for";
+    EXPECT_EQ(sonar.bench->device().disconnected(0, {}, 11s).wake, Time::max()) << "nobody is waited for";
 }
 
 TEST(Sonar3d15, ServesItsHostAfterNoiseOnTheLine) {
