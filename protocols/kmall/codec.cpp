@@ -73,6 +73,12 @@ class Steps {
         }
         return true;
     }
+    bool take_text(std::string& out, std::size_t size) {
+        if (size > left()) return fail("text", Reason::truncated);
+        out.assign(reinterpret_cast<const char*>(bytes_.data()) + at_, size);
+        at_ += size;
+        return true;
+    }
     std::size_t left() const { return bytes_.size() - at_; }
     ByteView rest() const { return bytes_.subspan(at_); }
     bool fail(std::string_view what, Reason reason) {
@@ -126,11 +132,21 @@ bool read(Steps& steps, Part& part) {
     return true;
 }
 
+bool read(Steps& steps, Parameters& p) {
+    if (!steps.take(p.info)) return false;
+    if (p.info.size < known_size<ParametersInfo>) return steps.fail("ParametersInfo", Reason::wrong_size);
+    return steps.take_text(p.text, p.info.size - known_size<ParametersInfo>);
+}
+
+bool read(Steps& steps, SoundProfile& p) {
+    return steps.take_sized(p.info) && steps.take_all(p.points, p.info.points, known_size<SoundProfilePoint>);
+}
+
 template <class M>
-Result<Datagram> read_as(Steps& steps, const Header& header, Partition partition) {
+Result<Datagram> read_as(Steps& steps, const Header& header, Partition partition = {}) {
     M message;
     message.header = header;
-    message.partition = partition;
+    if constexpr (requires { message.partition; }) message.partition = partition;
     if (!read(steps, message)) return steps.error;
     if constexpr (!std::is_same_v<M, Part>)
         if (steps.left() != 0) return Error{"KMALL", "", 0, Reason::trailing_bytes};
@@ -151,6 +167,10 @@ Result<Datagram> read_command(ByteView bytes) {
         return Error{"KSSIS", "number", command_word.size(), Reason::wrong_constant};
     text.remove_prefix(1);
     const std::string_view name = text.substr(0, text.find_first_of(",\r\n"));
+    if (name.find('=') != name.npos) {  // "NAME=...", of a sounder that is found
+        command.arguments = text;
+        return Datagram(std::move(command));
+    }
     if (name.empty() || !std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~'; }))
         return Error{"KSSIS", "sounder", bytes.size() - text.size(), Reason::wrong_constant};
     command.sounder = name;
@@ -188,6 +208,8 @@ Result<Datagram> parse(ByteView datagram) {
     if (header.size != datagram.size() || tail != header.size)
         return Error{"KMALL", "size", 0, Reason::wrong_size};
     const auto type = header.type.view();
+    if (type == "#IIP" || type == "#IOP") return read_as<Parameters>(steps, header);
+    if (type == "#SVP") return read_as<SoundProfile>(steps, header);
     if (type != "#MRZ" && type != "#MWC") return Error{"KMALL", "type", 4, Reason::unknown_message};
     if (!steps.take(partition)) return steps.error;
     if (partition.parts > 1) return read_as<Part>(steps, header, partition);
@@ -198,6 +220,9 @@ std::string_view name_of(const Datagram& datagram) {
     if (std::holds_alternative<Mrz>(datagram)) return "MRZ";
     if (std::holds_alternative<Mwc>(datagram)) return "MWC";
     if (std::holds_alternative<Command>(datagram)) return "KSSIS";
+    if (std::holds_alternative<SoundProfile>(datagram)) return "SVP";
+    if (const auto* parameters = std::get_if<Parameters>(&datagram))
+        return parameters->header.type == wire::Text<4>("#IIP") ? "IIP" : "IOP";
     return std::get<Part>(datagram).header.type == wire::Text<4>("#MRZ") ? "MRZ part" : "MWC part";
 }
 

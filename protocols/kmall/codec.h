@@ -23,7 +23,7 @@ wire::Bytes serialise(const Datagram& datagram);
 /// Where the bytes behind the partition are cut is our own choice.
 std::vector<wire::Bytes> divided(wire::Bytes datagram);
 
-/// "MRZ", "MWC part", "KSSIS".
+/// "MRZ", "MWC part", "IIP", "KSSIS".
 std::string_view name_of(const Datagram& datagram);
 
 }  // namespace echoloop::kmall

@@ -1,5 +1,6 @@
 #include "protocols/kmall/inspect.h"
 
+#include "protocols/kmall/info_layouts.h"
 #include "protocols/kmall/water_layouts.h"
 #include "protocols/wire/visit.h"
 
@@ -49,6 +50,12 @@ class Walk {
         at_ += view.size;
     }
 
+    void add_text(const std::string& name, const std::string& text) {
+        wire::FieldView view{.name = name, .offset = 0, .size = text.size(), .value = text};
+        out_.fields.push_back(inspect::to_field(view, at_));
+        at_ += text.size();
+    }
+
   private:
     static void append(wire::Value& column, const wire::Value& value) {
         auto& numbers = *std::get_if<std::vector<double>>(&column);
@@ -88,13 +95,23 @@ void add(Walk& walk, const Mwc& m) {
     }
 }
 
+void add(Walk& walk, const Parameters& p) {
+    walk.add("info", p.info);
+    walk.add_text("text", p.text);
+}
+
+void add(Walk& walk, const SoundProfile& p) {
+    walk.add("info", p.info, p.info.size);
+    walk.add_all("points", p.points, *wire::fixed_size<SoundProfilePoint>());
+}
+
 void add(Walk& walk, const Part& part) { walk.add_numbers("bytes", part.bytes, 1, ""); }
 
 template <class M>
 void add_fields(inspect::Message& out, const M& message) {
     Walk walk(out);
     walk.add("header", message.header);
-    walk.add("partition", message.partition);
+    if constexpr (requires { message.partition; }) walk.add("partition", message.partition);
     add(walk, message);
 }
 
@@ -136,10 +153,11 @@ std::vector<inspect::Message> decode(wire::ByteView bytes) {
 
 std::vector<wire::Table> tables() {
     using wire::table_of;
-    return {table_of<Header>(),         table_of<Partition>(), table_of<Body>(),
-            table_of<PingInfo>(),       table_of<TxSector>(),  table_of<RxInfo>(),
-            table_of<DetectionClass>(), table_of<Sounding>(),  table_of<WaterTx>(),
-            table_of<WaterSector>(),    table_of<WaterRx>(),   table_of<WaterBeamInfo>()};
+    return {table_of<Header>(),         table_of<Partition>(),        table_of<Body>(),
+            table_of<PingInfo>(),       table_of<TxSector>(),         table_of<RxInfo>(),
+            table_of<DetectionClass>(), table_of<Sounding>(),         table_of<WaterTx>(),
+            table_of<WaterSector>(),    table_of<WaterRx>(),          table_of<WaterBeamInfo>(),
+            table_of<ParametersInfo>(), table_of<SoundProfileInfo>(), table_of<SoundProfilePoint>()};
 }
 
 }  // namespace echoloop::kmall

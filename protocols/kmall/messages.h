@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "protocols/kmall/info_parts.h"
 #include "protocols/kmall/parts.h"
 #include "protocols/kmall/water_parts.h"
 #include "protocols/wire/bytes.h"
@@ -58,15 +59,33 @@ struct Part {
     friend bool operator==(const Part&, const Part&) = default;
 };
 
-/// Text "$KSSIS,number,sounder,...".
+/// #IIP, installation, or #IOP, runtime parameters, as text.
+struct Parameters {
+    Header header;
+    ParametersInfo info;
+    std::string text;
+
+    friend bool operator==(const Parameters&, const Parameters&) = default;
+};
+
+/// #SVP: a profile of the speed of sound.
+struct SoundProfile {
+    Header header;
+    SoundProfileInfo info;
+    std::vector<SoundProfilePoint> points;
+
+    friend bool operator==(const SoundProfile&, const SoundProfile&) = default;
+};
+
+/// Text "$KSSIS,number,sounder,..." of a controller or its host.
 struct Command {
     unsigned number = 0;
-    std::string sounder;    ///< its name, e.g. "EM2040_40"
-    std::string arguments;  ///< with the comma before them
+    std::string sounder;    ///< its name, e.g. "EM2040_40"; "" in the controller's list of sounders
+    std::string arguments;  ///< with the comma before them where there is a name
 
     friend bool operator==(const Command&, const Command&) = default;
 };
 
-using Datagram = std::variant<Mrz, Mwc, Part, Command>;
+using Datagram = std::variant<Mrz, Mwc, Part, Parameters, SoundProfile, Command>;
 
 }  // namespace echoloop::kmall

@@ -1,6 +1,7 @@
 // How long KMALL's structs are. Figures only.
 #pragma once
 
+#include "protocols/kmall/info_layouts.h"
 #include "protocols/kmall/water_layouts.h"
 
 namespace echoloop::kmall {

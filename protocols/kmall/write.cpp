@@ -76,6 +76,18 @@ void write(Pieces& pieces, Mwc m) {
     }
 }
 
+void write(Pieces& pieces, Parameters p) {
+    p.info.size = static_cast<std::uint16_t>(known_size<ParametersInfo> + p.text.size());
+    pieces.add(p.info, known_size<ParametersInfo>);
+    pieces.out.insert(pieces.out.end(), p.text.begin(), p.text.end());
+}
+
+void write(Pieces& pieces, SoundProfile p) {
+    p.info.points = static_cast<std::uint16_t>(p.points.size());
+    add_sized(pieces, p.info);
+    for (const SoundProfilePoint& point : p.points) pieces.add(point, known_size<SoundProfilePoint>);
+}
+
 void write(Pieces& pieces, const Part& part) {
     pieces.out.insert(pieces.out.end(), part.bytes.begin(), part.bytes.end());
 }
@@ -84,7 +96,7 @@ template <class M>
 Bytes bytes_of(const M& message) {
     Pieces pieces;
     pieces.add(message.header, header_size);
-    pieces.add(message.partition, known_size<Partition>);
+    if constexpr (requires { message.partition; }) pieces.add(message.partition, known_size<Partition>);
     write(pieces, message);
     const auto size = static_cast<std::uint32_t>(pieces.out.size() + tail_size);
     wire::store<ByteOrder::little>(size, pieces.out.data());
@@ -107,7 +119,8 @@ Bytes serialise(const Datagram& datagram) {
 std::vector<Bytes> divided(Bytes datagram) {
     constexpr std::size_t around = header_size + known_size<Partition> + tail_size;
     constexpr std::size_t most = largest_datagram - around;
-    if (datagram.size() <= largest_datagram) return {std::move(datagram)};
+    const bool divisible = datagram.size() > largest_datagram && datagram[5] == 'M';  // #MRZ, #MWC
+    if (!divisible) return {std::move(datagram)};
     Part part;
     part.header = *wire::parse<Header>(ByteView(datagram).first(header_size));
     const ByteView all =

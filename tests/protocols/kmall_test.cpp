@@ -52,7 +52,8 @@ TEST(Kmall, BathymetrySurvivesARoundTrip) {
 }
 
 TEST(Kmall, EveryTruncationIsRejected) {
-    for (const char* name : {"mrz_v0", "mrz_v2", "mwc", "mwc_phase1", "mwc_phase2", "mwc_part"}) {
+    for (const char* name :
+         {"mrz_v0", "mrz_v2", "mwc", "mwc_phase1", "mwc_phase2", "mwc_part", "iip", "svp"}) {
         const wire::Bytes whole = golden(name);
         ASSERT_TRUE(parse(whole)) << name;
         for (std::size_t size = 0; size < whole.size(); ++size)
@@ -66,6 +67,17 @@ TEST(Kmall, EveryTruncationIsRejected) {
             EXPECT_FALSE(parse(cut)) << name << " at " << size;
         }
     }
+}
+
+TEST(Kmall, ALyingSizeOfTextOrProfileIsRefused) {
+    for (const int lie : {0, 5, 7, 255}) {
+        wire::Bytes bytes = golden("iip");
+        bytes.at(20) = static_cast<std::uint8_t>(lie);
+        EXPECT_FALSE(parse(bytes)) << lie;
+    }
+    wire::Bytes bytes = golden("svp");
+    bytes.at(22) = 3;
+    EXPECT_EQ(parse(bytes).error().reason, wire::Reason::truncated);
 }
 
 TEST(Kmall, ALyingCountIsRefused) {
@@ -134,6 +146,8 @@ TEST(Kmall, TextsOfTheControllerAreRead) {
     EXPECT_EQ(std::get<Command>(*text("$KSSIS,457,712\r\n")), (Command{457, "712", "\r\n"}));
     EXPECT_EQ(std::get<Command>(*text("$KSSIS,262,EM2040_40,RUNT_PARAM=1")),
               (Command{262, "EM2040_40", ",RUNT_PARAM=1"}));
+    EXPECT_EQ(std::get<Command>(*text("$KSSIS,12,IP=10.0.0.1~~SYSTEM_DESC=EM 2040, END!~~$$$")),
+              (Command{12, "", "IP=10.0.0.1~~SYSTEM_DESC=EM 2040, END!~~$$$"}));
     for (const char* bad : {"$KSSIS,", "$KSSIS,458", "$KSSIS,458,", "$KSSIS,x,2040", "$KSSIS,99999999999,1",
                             "$KSSIS,-1,2040", "$KSSI,458,2040"})
         EXPECT_FALSE(text(bad)) << bad;

@@ -13,8 +13,9 @@ for _, field in ipairs(command_fields) do table.insert(family.fields, field) end
 local image_field = ProtoField.bytes("sonar.kmall.image", "image", base.NONE, "seabed image of all soundings, i16 of 0.1 dB")
 local amplitude_field = ProtoField.bytes("sonar.kmall.amplitude", "amplitude", base.NONE, "i8 of 0.5 dB")
 local phase_field = ProtoField.bytes("sonar.kmall.phase", "phase", base.NONE, "of the samples of a beam")
+local parameters_field = sonar.text_field("sonar.kmall.text", "text", "installation or runtime parameters")
 local part_field = ProtoField.bytes("sonar.kmall.part", "part", base.NONE, "of a divided datagram")
-for _, field in ipairs({image_field, amplitude_field, phase_field, part_field}) do
+for _, field in ipairs({image_field, amplitude_field, phase_field, part_field, parameters_field}) do
   table.insert(family.fields, field)
 end
 
@@ -109,6 +110,27 @@ local function show_mwc(r, tree)
   return true
 end
 
+local function show_parameters(r, tree, text)
+  local at = r.at
+  if not show_struct(r, tree, "ParametersInfo", 6) then return false end
+  local size = number(r, at, "ParametersInfo", "size") - 6
+  if size < 0 or size > r.stop - r.at then return sonar.fault(tree, "text: the bytes end here") end
+  if size > 0 then
+    tree:add(parameters_field, r.tvb(r.at, size), sonar.printable(text:sub(r.at + 1, r.at + size)))
+  end
+  r.at = r.at + size
+  return true
+end
+
+local function show_profile(r, tree)
+  local at = r.at
+  return show_sized(r, tree, "SoundProfileInfo") and
+         show_all(r, tree, "SoundProfilePoint", number(r, at, "SoundProfileInfo", "points"), 20)
+end
+
+-- Of datagrams that have no partition.
+local infos = {["#IIP"] = show_parameters, ["#IOP"] = show_parameters, ["#SVP"] = show_profile}
+
 local function show_body(r, tree, kind, parts)
   if parts > 1 then return show_bytes(r, tree, part_field, r.stop - r.at) end
   if kind == "#MRZ" then return show_mrz(r, tree) end
@@ -118,6 +140,7 @@ end
 
 local function show_command(tree, range, text)
   local number_of_it, sounder, rest = text:match("^%$KSSIS,(%d+),([^,\r\n]+)(.*)")
+  if sounder and sounder:find("=", 1, true) then sounder, rest = "", sounder .. rest end
   if not number_of_it or sounder:find("[^\33-\126]") then return sonar.fault(tree, "no command of a controller") or "KSSIS" end
   tree:add(command_fields[1], range, tonumber(number_of_it) % 2 ^ 32)
   tree:add(command_fields[2], range, sounder)
@@ -132,6 +155,11 @@ function family.display(tree, tvb, at, size, text)
   local kind = text:sub(at + 5, at + 8)
   local r = sonar.reader(family, tvb, at, at + size - tail)
   show_struct(r, tree, "Header", header)
+  if infos[kind] then
+    infos[kind](r, tree, text)
+    sonar.check(tree, "size at the end", sonar.le(text, at + size - tail, tail), size)
+    return kind
+  end
   if r.stop - r.at < 4 then return kind end
   local parts = tvb(r.at, 2):le_uint()
   show_struct(r, tree, "Partition", 4)
