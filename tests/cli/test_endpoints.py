@@ -22,7 +22,8 @@ class Endpoints(ProgramTest):
 
     def test_where_datagrams_go_that_leave_from_another_port(self):
         kmall = self.good("endpoints", str(Path(DEMO).with_name("kmall.yaml")))
-        self.assertRegex(kmall, r"listens for commands +127\.0\.0\.1:14002\n +sends datagrams to +127\.0\.0\.1:6020")
+        self.assertRegex(kmall, r"listens for commands +127\.0\.0\.1:14002\n +sends datagrams to +127\.0\.0\.1:6020"
+                                r"\n +sends texts to +127\.0\.0\.1:4002")
         aris = self.good("endpoints", str(Path(DEMO).with_name("aris.yaml")))
         self.assertRegex(aris, r"sends beacon to +127\.255\.255\.255:56124")
         self.assertRegex(aris, r"sends frames to +the controller, or the receiver that it names")

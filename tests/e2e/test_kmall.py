@@ -1,5 +1,6 @@
 """The Kongsberg multibeam end to end over UDP on loopback: the floor of the scene is where its datagrams say."""
 
+import json
 import math
 import socket
 import time
@@ -124,6 +125,65 @@ class Commands(KmallCase):
         with self.assertRaises(socket.timeout):
             while time.monotonic() < end:
                 self.socket.recv(65536)
+
+
+class Controller(unittest.TestCase):
+    """A host that talks to the controller as a known driver does: from the port where it hears."""
+
+    def setUp(self):
+        self.data, self.texts = (socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(2))
+        for one in (self.data, self.texts):
+            self.addCleanup(one.close)
+            one.bind(("127.0.0.1", 0))
+            one.settimeout(20)
+        self.own = free_port()
+        scenario = SCENARIO.replace('udp://127.0.0.1:%d"', 'udp://127.0.0.1:%d", "udp://127.0.0.1:%d"')
+        emulator = Emulator(scenario % ("0, 0, 0", self.own, self.data.getsockname()[1], self.texts.getsockname()[1],
+                                        "range: 25, pinging: false"))
+        self.addCleanup(emulator.__exit__, None, None, None)
+        emulator.__enter__()
+
+    def say(self, text):
+        self.texts.sendto(text.encode(), ("127.0.0.1", self.own))
+
+    def text(self, number, holds=""):
+        end = time.monotonic() + 20
+        while time.monotonic() < end:
+            found = self.texts.recv(65536)
+            if found.startswith(b"$KSSIS,%d," % number) and holds.encode() in found:
+                return found.decode("latin-1")
+        raise AssertionError(f"no text {number} with {holds}")
+
+    def datagram(self, kind):
+        while True:
+            found = self.data.recv(65536)
+            if found[4:8] == kind:
+                return found
+
+    def test_a_host_finds_it_starts_it_sets_it_and_begins_a_file(self):
+        name = self.text(12).split("NAME=")[1].split("~~")[0]
+        self.assertEqual(name, "EM2040_40")
+        self.assertEqual(self.text(455).split(",")[3:], ["127.0.0.1", str(self.data.getsockname()[1])])
+        self.text(812)
+        self.say(f"$KSSIS,13,{name}")
+        self.assertEqual(self.text(39), f"$KSSIS,39,{name}")
+        self.say(f"$KSSIS,451,{name}")
+        self.assertEqual(len(self.text(616).split(",")), 15)
+        self.say(f"$KSSIS,262,{name},RUNT_PARAM_PU_ANGLE_PORT_RX1=40,RUNT_PARAM_PU_ANGLE_STARB_RX1=50,STPF=10")
+        values = {v["id"]: v["value"] for v in json.loads(self.text(401).split(",", 3)[3])}
+        self.assertEqual(values["RUNT_PARAM_PU_ANGLE_PORT_RX1"], "40")
+        self.say(f"$KSSIS,454,{name}")
+        self.assertIn("EMXV:EM2040,", wire.parameters(self.datagram(b"#IIP")))
+        self.assertIn("\nMax angle Port: 40.0\n", wire.parameters(self.datagram(b"#IOP")))
+        self.assertEqual({speed for _, speed in wire.sound_profile(self.datagram(b"#SVP"))}, {1500.0})
+        self.say(f"$KSSIS,458,{name}")
+        first = self.datagram(b"#MRZ")
+        ping = wire.read_mrz(first[wire.COMMON:-4])
+        self.assertAlmostEqual(ping["soundings"][0]["angle"], 40, delta=1e-3)
+        self.assertAlmostEqual(ping["soundings"][-1]["angle"], -50, delta=1e-3)
+        self.assertAlmostEqual(float(self.text(616, "Depth=8").split("Depth=")[1].split(";")[0]), 8, delta=0.04)
+        self.say(f"$KSSIS,454,{name}")
+        self.assertIn("EMXI:SWLZ=-12.000,", wire.parameters(self.datagram(b"#IIP")), "the surface is 12 m above it")
 
 
 if __name__ == "__main__":

@@ -46,6 +46,22 @@ class Joiner:
         return (head, b"".join(pieces)) if len(pieces) == head["parts"] else None
 
 
+def parameters(datagram):
+    """The text of #IIP or #IOP."""
+    size, = struct.unpack_from("<H", datagram, 20)
+    if 20 + size + 4 != len(datagram):
+        raise Fault(f"{size} bytes of parameters in {len(datagram)}")
+    return datagram[26 : 20 + size].rstrip(b"\0").decode("ascii")
+
+
+def sound_profile(datagram):
+    """[(depth, sound speed)] of #SVP."""
+    size, points = struct.unpack_from("<HH", datagram, 20)
+    if 20 + size + 20 * points + 4 != len(datagram):
+        raise Fault(f"{points} points in {len(datagram)} bytes")
+    return [struct.unpack_from("<ff", datagram, 20 + size + 20 * n) for n in range(points)]
+
+
 def whole(head, body):
     """As one datagram of a .kmall file."""
     size = COMMON + len(body) + 4

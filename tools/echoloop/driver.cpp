@@ -80,8 +80,13 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
             places.push_back({port.name, stream_address(end, line_rate(device))});
         }
     }
-    if (device.model->name == "kongsberg-kmall")
+    if (device.model->name == "kongsberg-kmall") {
         places.push_back({"sends datagrams to", told_host(device, "")});
+        for (std::size_t i = 2; i < device.config.endpoints.size(); ++i) {
+            const auto host = parse_endpoint(device.config.endpoints[i]);
+            places.push_back({"sends texts to", address_text(host.host, host.port)});
+        }
+    }
     if (!is_r2sonic(device)) return places;
     const auto host = parse_endpoint(device.config.endpoints.at(1));
     for (const Product& product : r2sonic_products)

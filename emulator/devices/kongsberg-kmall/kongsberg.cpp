@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "emulator/devices/kongsberg-kmall/controls.h"
+#include "emulator/devices/kongsberg-kmall/records.h"
 #include "protocols/kmall/codec.h"
 
 namespace echoloop::kongsberg_kmall {
@@ -10,24 +12,30 @@ namespace {
 
 constexpr Time processing = std::chrono::milliseconds(5);  // from the last sample to the datagram
 
-// Numbers of the controller's texts.
-constexpr unsigned stop = 457, start = 458, water_column_off = 460, water_column_on = 461;
+constexpr Time texts_interval = std::chrono::seconds(1);  // of 616; that of the others is own choice
+
+// Numbers of the texts to the controller, and of one of its own.
+constexpr unsigned choose = 13, ready = 39, get_values = 261, set_values_number = 262,
+                   send_records_again = 454, stop = 457, start = 458, water_column_off = 460,
+                   water_column_on = 461;
 
 /// By the name that its controller gives it, with the system's number or without, or by its number alone.
 bool is_named(const std::string& name, const Settings& settings) {
-    const std::string number = std::to_string(settings.sounder), model = "EM" + number;
-    return name == model + '_' + std::to_string(settings.system_id) || name == model || name == number;
+    const std::string number = std::to_string(settings.sounder);
+    return name == sounder_name(settings) || name == "EM" + number || name == number;
 }
 
 }  // namespace
 
-Kongsberg::Kongsberg(const Settings& settings, const Wiring& wiring) : settings_(settings), wiring_(wiring) {}
+Kongsberg::Kongsberg(const Settings& settings, const Wiring& wiring)
+    : settings_(settings), wiring_(wiring), started_(settings.pinging) {}
 
 std::vector<Port> Kongsberg::ports() const {
     return {{"commands", Port::Kind::datagram, wiring_.own, false}};
 }
 
 Actions Kongsberg::started(Time now) {
+    if (wiring_.controller) tell_standing(now);
     plan_next_ping(now);
     return take_actions();
 }
@@ -45,10 +53,45 @@ Actions Kongsberg::received(const Received& data, Time now) {
 /// Other numbers, and texts to other sounders, are passed over.
 void Kongsberg::obey(const kmall::Command& command, Time now) {
     ++counters_.messages;
+    if (command.number == choose || command.number == start) started_ = true;
+    if (command.number == choose) tell({ready, sounder_name(settings_), ""});
+    if (command.number == set_values_number) set_values(command.arguments);
+    if (command.number == get_values || command.number == set_values_number) tell(values(settings_));
+    if (command.number == send_records_again) send_records(now);
     if (command.number == stop || command.number == start) settings_.pinging = command.number == start;
     if (command.number == water_column_off || command.number == water_column_on)
         settings_.water_column = command.number == water_column_on;
     if (!ping_under_way_) plan_next_ping(now);
+}
+
+void Kongsberg::set_values(std::string_view assignments) {
+    assignments = assignments.substr(0, assignments.find_first_of("\r\n"));
+    while (!assignments.empty()) {
+        assignments.remove_prefix(1);  // the comma
+        const std::size_t end = std::min(assignments.find(','), assignments.size());
+        if (!set_value(assignments.substr(0, end), settings_)) ++counters_.rejected;
+        assignments.remove_prefix(end);
+    }
+}
+
+void Kongsberg::send_records(Time now) {
+    const PingRecord at{.number = 0, .time = unix_time(now), .period = 0};
+    const kmall::Header header = make_header(at, settings_, "", 0);
+    send(make_installation(header, settings_, water_level_), now);
+    send(make_runtime(header, settings_), now);
+    send(make_sound_profile(header, settings_), now);
+}
+
+void Kongsberg::tell(const kmall::Command& text) {
+    if (wiring_.controller) actions_.send.push_back({0, kmall::serialise(text), *wiring_.controller, {}});
+}
+
+void Kongsberg::tell_standing(Time now) {
+    next_texts_ = now + texts_interval;
+    tell(found(settings_, standing()));
+    tell(unit_found(settings_, standing(), unix_time(now)));
+    tell(data_address(settings_, standing()));
+    if (started_) tell(status(settings_, standing()));
 }
 
 void Kongsberg::plan_next_ping(Time now) {
@@ -61,8 +104,9 @@ void Kongsberg::transmit(Time now) {
     ping_under_way_ = true;
     ping_.period = pings_begun_ > 0 ? to_seconds(now - transmitted_) : 0;
     ping_.number = static_cast<std::uint16_t>(++pings_begun_);
-    ping_.time = settings_.unix_start + to_seconds(now);
+    ping_.time = unix_time(now);
     transmitted_ = now;
+    ping_settings_ = settings_;
     actions_.ping =
         Ping{make_shot(settings_, pings_begun_), now + from_seconds(range_time(settings_)) + processing};
 }
@@ -74,10 +118,15 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     const Shot& shot = echogram.shot;
     const multibeam::TimeGate window{0, static_cast<double>(shot.bins) * shot.bin_interval};
     const std::vector<multibeam::TimeGate> gates(echogram.beams(), window);
-    const auto detections = multibeam::detect(
-        echogram, gates, {.margin = settings_.detection_margin, .echoes_last = settings_.echoes_last});
-    send(make_mrz(ping_, settings_, echogram, detections), now);
-    if (settings_.water_column) send(make_mwc(ping_, settings_, echogram, detections), now);
+    const Settings& s = ping_settings_;
+    const auto detections =
+        multibeam::detect(echogram, gates, {.margin = s.detection_margin, .echoes_last = s.echoes_last});
+    send(make_mrz(ping_, s, echogram, detections), now);
+    water_level_ = echogram.world_from_sonar.position.z;
+    const auto& below = detections[detections.size() / 2];
+    depth_.reset();
+    if (below.found()) depth_ = below.time * s.sound_speed / 2;
+    if (settings_.water_column) send(make_mwc(ping_, s, echogram, detections), now);
     plan_next_ping(now);
     return take_actions();
 }
@@ -95,12 +144,13 @@ void Kongsberg::send(const kmall::Datagram& datagram, Time now) {
 }
 
 Actions Kongsberg::woken(Time now) {
+    if (now >= next_texts_) tell_standing(now);
     if (now >= next_ping_) transmit(now);
     return take_actions();
 }
 
 Actions Kongsberg::take_actions() {
-    actions_.wake = next_ping_;
+    actions_.wake = std::min(next_ping_, next_texts_);
     return std::exchange(actions_, {});
 }
 

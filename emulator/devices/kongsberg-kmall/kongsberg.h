@@ -1,13 +1,18 @@
 // A Kongsberg multibeam that sends KMALL datagrams over UDP. A pure state machine.
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "emulator/devices/kongsberg-kmall/messages.h"
+#include "emulator/devices/kongsberg-kmall/texts.h"
 
 namespace echoloop::kongsberg_kmall {
 
-/// Where commands arrive, and where datagrams go.
+/// Where commands arrive, and where datagrams and the controller's texts go.
 struct Wiring {
     Address own, host;
+    std::optional<Address> controller{};  ///< empty: no texts
 };
 
 class Kongsberg final : public Device {
@@ -24,16 +29,29 @@ class Kongsberg final : public Device {
 
   private:
     void obey(const kmall::Command& command, Time now);
+    /// NAME=VALUE, NAME=VALUE, ...
+    void set_values(std::string_view assignments);
+    /// What a file begins with.
+    void send_records(Time now);
+    void tell(const kmall::Command& text);
+    void tell_standing(Time now);
+    Standing standing() const { return {started_, wiring_.own, wiring_.host, depth_}; }
+    double unix_time(Time now) const { return settings_.unix_start + to_seconds(now); }
     void plan_next_ping(Time now);
     void transmit(Time now);
     void send(const kmall::Datagram& datagram, Time now);
     Actions take_actions();
 
-    Settings settings_;  ///< commands change the first two
+    Settings settings_, ping_settings_;  ///< now, and those of the ping under way
     Wiring wiring_;
     PingRecord ping_;  ///< the ping under way, or the last one
     std::uint64_t pings_begun_ = 0;
     bool ping_under_way_ = false;
+    bool started_ = false;    ///< its host has chosen it
+    double water_level_ = 0;  ///< m below the head, at the last ping
+    std::optional<double>
+        depth_{};  ///< m, of the bottom below the head, at the last ping that found one there
+    Time next_texts_ = Time::max();
     Time transmitted_{};  ///< when the last ping went out
     Time next_ping_ = Time::max();
     Actions actions_;

@@ -35,8 +35,8 @@ PingInfo transmission(const PingRecord& ping, const Settings& s) {
     p.pulse_length = p.effective_pulse_length = f(s.pulse);
     p.bandwidth = f(1 / s.pulse);
     p.absorption = f(1000 * s.absorption);
-    p.port_edge = f(rad_to_deg(s.sector_width / 2));
-    p.starboard_edge = -p.port_edge;
+    p.port_edge = f(rad_to_deg(s.port_edge));
+    p.starboard_edge = f(-rad_to_deg(s.starboard_edge));
     p.transmit_array = f(rad_to_deg(s.transmit_beam_width));
     p.receive_array = f(rad_to_deg(s.receive_beam_width));
     p.power = f(s.power);

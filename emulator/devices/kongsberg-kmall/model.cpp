@@ -15,15 +15,21 @@ Address address_of(const std::string& uri, Endpoint::Scheme scheme, const char* 
 }
 
 Wiring read_wiring(const std::vector<std::string>& endpoints) {
-    if (endpoints.size() != 2)
+    if (endpoints.size() != 2 && endpoints.size() != 3)
         throw std::invalid_argument(
-            "a Kongsberg multibeam has two endpoints, where commands arrive and where datagrams go, e.g. "
-            "[\"udp-listen://127.0.0.1:14002\", \"udp://127.0.0.1:6020\"]");
+            "a Kongsberg multibeam has two endpoints, where commands arrive and where datagrams go, and a "
+            "third "
+            "where its controller's texts are to go, e.g. [\"udp-listen://127.0.0.1:14002\", "
+            "\"udp://127.0.0.1:6020\", \"udp://127.0.0.1:4002\"]");
     Wiring wiring{address_of(endpoints[0], Endpoint::Scheme::udp_listen, "the endpoint for commands"),
                   address_of(endpoints[1], Endpoint::Scheme::udp, "the endpoint of datagrams")};
-    if (wiring.own.ip >> 24 == 127 && wiring.host.ip >> 24 != 127)
+    if (endpoints.size() == 3)
+        wiring.controller = address_of(endpoints[2], Endpoint::Scheme::udp, "the endpoint of texts");
+    const auto elsewhere = [](Address address) { return address.ip >> 24 != 127; };
+    const bool texts = wiring.controller && elsewhere(*wiring.controller);
+    if (!elsewhere(wiring.own) && (elsewhere(wiring.host) || texts))
         throw std::invalid_argument(
-            endpoints[1] +
+            endpoints[texts ? 2 : 1] +
             ": a sounder on a loopback address sends to loopback only; give the first "
             "endpoint an address of that network");
     return wiring;
@@ -45,7 +51,7 @@ Model model() {
     Model m;
     m.name = "kongsberg-kmall";
     m.title = "Kongsberg EM multibeam echosounder, KMALL";
-    m.protocol = "KMALL over UDP: #MRZ, #MWC, start and stop";
+    m.protocol = "KMALL over UDP, commands and status as text";
     m.default_endpoints = {"udp-listen://127.0.0.1:14002", "udp://127.0.0.1:6020"};
     m.endpoint_schemes = {"udp-listen"};
     m.options = option_table();

@@ -10,11 +10,12 @@ constexpr double most_bins = 4096;
 
 std::vector<double> bearings(const Settings& s) {
     std::vector<double> all(s.soundings);
-    const double edge = s.sector_width / 2;
-    for (std::size_t n = 0; n < all.size(); ++n) {
-        const double part = 2 * static_cast<double>(n) / static_cast<double>(all.size() - 1) - 1;
-        all[n] = s.equidistant ? std::atan(part * std::tan(edge)) : part * edge;
-    }
+    const auto even = [&](double port, double starboard, std::size_t n) {
+        return port + (starboard - port) * static_cast<double>(n) / static_cast<double>(all.size() - 1);
+    };
+    for (std::size_t n = 0; n < all.size(); ++n)
+        all[n] = s.equidistant ? std::atan(even(-std::tan(s.port_edge), std::tan(s.starboard_edge), n))
+                               : even(-s.port_edge, s.starboard_edge, n);
     return all;
 }
 

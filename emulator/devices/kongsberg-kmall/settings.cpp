@@ -1,5 +1,8 @@
 #include "emulator/devices/kongsberg-kmall/settings.h"
 
+#include <cmath>
+#include <utility>
+
 #include "emulator/option_rows.h"
 #include "emulator/options.h"
 
@@ -16,7 +19,8 @@ void read_options(const Options& o, Settings& s) {
     s.frequency = number(o, "frequency");
     s.pulse = number(o, "pulse");
     s.power = number(o, "power");
-    s.sector_width = deg_to_rad(number(o, "sector_width"));
+    s.port_edge = s.starboard_edge = deg_to_rad(number(o, "sector_width")) / 2;
+    s.values_as_xml = text(o, "values_text") == "814";
     s.soundings = static_cast<std::size_t>(integer(o, "soundings"));
     s.equidistant = text(o, "beam_spacing") == "equidistant";
     s.ping_rate = number(o, "ping_rate");
@@ -29,21 +33,26 @@ void read_options(const Options& o, Settings& s) {
     s.datagram_gap = number(o, "datagram_gap");
 }
 
-/// Beams widen, and the array gathers less noise from around, below the reference frequency.
 void read_profile(const Profile& p, Settings& s) {
-    const double ratio = figure(p, "reference_frequency") / s.frequency;
     s.source_level = figure(p, "source_level");
-    s.receive_beam_width = deg_to_rad(figure(p, "receive_beam_width")) * ratio;
-    s.transmit_beam_width = deg_to_rad(figure(p, "transmit_beam_width")) * ratio;
+    s.receive_beam_width = deg_to_rad(figure(p, "receive_beam_width"));
+    s.transmit_beam_width = deg_to_rad(figure(p, "transmit_beam_width"));
     s.detection_margin = figure(p, "detection_margin");
     s.water_column_reference = figure(p, "water_column_reference");
     s.horizontal = axis_pattern(p, "horizontal");
     s.vertical = axis_pattern(p, "vertical");
     s.receiver = receiver(p);
-    s.receiver.directivity_index -= 20 * std::log10(ratio);
+    s.tune(std::exchange(s.frequency, figure(p, "reference_frequency")));
 }
 
 }  // namespace
+
+void Settings::tune(double hertz) {
+    const double ratio = std::exchange(frequency, hertz) / hertz;
+    receive_beam_width *= ratio;
+    transmit_beam_width *= ratio;
+    receiver.directivity_index -= 20 * std::log10(ratio);
+}
 
 std::vector<Option> option_table() {
     return {
@@ -68,6 +77,9 @@ std::vector<Option> option_table() {
                     "default of a known driver: EM2040_40"),
         number_row("latitude", "deg", 0, -89, 89, "of the scene's origin", own),
         number_row("longitude", "deg", 0, -180, 180, "of the scene's origin", own),
+        choice_row("values_text", {"401", "814"},
+                   "the number of the text that answers 261 and 262: JSON, or XML of later controllers",
+                   "401: a known driver's list of texts; 814: its code"),
         number_row("datagram_gap", "s", 2e-3, 0, 0.1, "pause between the parts of a water column",
                    "own choice: receivers with default buffers lose faster bursts"),
     };

@@ -12,15 +12,16 @@ struct Settings {
     // What a host's commands change, at power-up.
     bool pinging = true;
     bool water_column = false;
-    // What they do not.
-    double range = 0;         ///< m
-    double frequency = 0;     ///< Hz
-    double pulse = 0;         ///< s
-    double power = 0;         ///< dB re the source level
-    double sector_width = 0;  ///< rad
-    std::size_t soundings = 0;
+    double range = 0;                          ///< m
+    double frequency = 0;                      ///< Hz
+    double port_edge = 0, starboard_edge = 0;  ///< rad, of the fan, from below
     bool equidistant = true;
-    double ping_rate = 0;      ///< Hz, at most
+    double ping_rate = 0;  ///< Hz, at most
+    // What they do not.
+    double pulse = 0;  ///< s
+    double power = 0;  ///< dB re the source level
+    std::size_t soundings = 0;
+    bool values_as_xml = false;
     double absorption = 0;     ///< dB/m, that the sounder reckons with
     std::uint8_t version = 2;  ///< of #MRZ
     std::uint16_t sounder = 2040;
@@ -38,6 +39,9 @@ struct Settings {
     bool tvg = true, echoes_last = true;
     double sound_speed = 1500;  ///< m/s, of the sounder's own sensor: the true one
     double unix_start = 0;      ///< s
+
+    /// Another frequency: beams widen, and the array gathers less noise from around, below the one before.
+    void tune(double hertz);
 };
 
 std::vector<Option> option_table();

@@ -1,40 +1,9 @@
 // The Kongsberg multibeam on the bench: what stands at the offsets of its datagrams, when they come, and what
 // the controller's texts change. Offsets are those of the specification notes on KMALL.
-#include <gtest/gtest.h>
-
-#include <bit>
-
-#include "tests/emulator/devices/driver.h"
-#include "tests/emulator/devices/noisy_line.h"
-#include "tests/emulator/devices/seabed_echo.h"
+#include "tests/emulator/devices/kmall_bench.h"
 
 namespace echoloop::test {
 namespace {
-using namespace std::chrono_literals;
-
-template <class T>
-T at(const Bytes& b, std::size_t offset) {
-    T value;
-    std::copy_n(b.begin() + static_cast<std::ptrdiff_t>(offset), sizeof value,
-                reinterpret_cast<std::uint8_t*>(&value));
-    return value;
-}
-std::uint16_t u16(const Bytes& b, std::size_t offset) { return at<std::uint16_t>(b, offset); }
-float f32(const Bytes& b, std::size_t offset) { return at<float>(b, offset); }
-std::string type(const Send& send) { return {send.bytes.begin() + 4, send.bytes.begin() + 8}; }
-
-Bench sounder(const Options& changes = {}) { return Bench(make_device("kongsberg-kmall", {}, changes)); }
-Bytes text(const std::string& t) { return {t.begin(), t.end()}; }
-std::vector<Send> of_type(const std::vector<Send>& sent, const std::string& wanted) {
-    std::vector<Send> found;
-    for (const Send& send : sent)
-        if (type(send) == wanted) found.push_back(send);
-    return found;
-}
-
-/// Version 2 with one sector: header 20, partition 4, body 12, ping info 152, sector 48, rx info 32.
-constexpr std::size_t ping = 36, rx = ping + 152 + 48, first = rx + 32;
-
 /// The only #MRZ of a bottom.
 Bytes mrz(const Bottom& bottom, const Pose& pose, const Options& changes = {}) {
     Bench bench = sounder(changes);
@@ -267,14 +236,17 @@ TEST(Kmall, EndpointsThatCannotBeAreRefused) {
         std::invalid_argument);
     EXPECT_THROW(make_device("kongsberg-kmall", {"udp-listen://127.0.0.1:4002", "udp://225.1.20.40:6020"}),
                  std::invalid_argument);
+    EXPECT_THROW(make_device("kongsberg-kmall",
+                             {"udp-listen://127.0.0.1:14002", "udp://127.0.0.1:6020", "udp://10.0.0.1:4002"}),
+                 std::invalid_argument);
     EXPECT_NO_THROW(make_device("kongsberg-kmall", {"udp-listen://0.0.0.0:4002", "udp://225.1.20.40:6020"}));
 }
 
 TEST(Kmall, FlippedBytesDoNotWedgeIt) {
     Bench bench = sounder({{"range", 4.0}, {"soundings", std::int64_t{16}}, {"ping_rate", 50.0}});
     const auto hex = [](const std::string& t) { return to_hex(text(t)); };
-    const NoisyHost line{.words = {hex("$KSSIS,457,2040"), hex("$KSSIS,458,2040"), hex("$KSSIS,461,2040"),
-                                   hex("$KSSIS,460,2040")},
+    const NoisyHost line{.words = {hex("$KSSIS,262,2040,SSPA1=50,STPF=50"), hex("$KSSIS,457,2040"),
+                                   hex("$KSSIS,458,2040"), hex("$KSSIS,461,2040"), hex("$KSSIS,460,2040")},
                          .request = hex("$KSSIS,458,2040"),
                          .is_answer = [](const Send& send) { return type(send) == "#MRZ"; },
                          .patience = 50ms};

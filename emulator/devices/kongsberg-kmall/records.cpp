@@ -1,0 +1,74 @@
+#include "emulator/devices/kongsberg-kmall/records.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+namespace echoloop::kongsberg_kmall {
+namespace {
+
+constexpr double unavailable = 200;  // deg, of latitude and longitude
+
+std::string number_text(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+/// Datagrams are multiples of four bytes long; six stand before the text.
+std::string padded(std::string text) {
+    text.resize((text.size() + 6 + 3) / 4 * 4 - 6);
+    return text;
+}
+
+std::string line(std::string_view name, const std::string& value) {
+    return std::string(name) + ": " + value + '\n';
+}
+
+}  // namespace
+
+kmall::Parameters make_installation(kmall::Header header, const Settings& s, double water_level) {
+    header.type = "#IIP";
+    const std::string model = std::to_string(s.sounder), nowhere = "X=0.000;Y=0.000;Z=0.000;",
+                      level = "R=0.000;P=0.000;H=0.000";
+    const std::string text =
+        "OSCV:Empty,EMXV:EM" + model + ",\nSYSTEM:EM " + model + " - Single Tx single Rx,TRAI_TX1:N=1;" +
+        nowhere + level + ";S=" + number_text("%.1f", rad_to_deg(s.transmit_beam_width)) + ",TRAI_RX1:N=1;" +
+        nowhere + level + ",POSI_1:" + nowhere +
+        "D=0.000;G=WGS84;T=System;C=On;U=ACTIVE,POSI_2:U=NOT_SET,POSI_3:U=NOT_SET," + "ATTI_1:" + nowhere +
+        level + ";D=0.000;M=Horizontal;U=ACTIVE,ATTI_2:U=NOT_SET,DPHI:U=NOT_SET," +
+        "EMXI:SWLZ=" + number_text("%.3f", water_level) + ",\n";
+    return {header, {}, padded(text)};
+}
+
+kmall::Parameters make_runtime(kmall::Header header, const Settings& s) {
+    header.type = "#IOP";
+    const double outer = std::cos(std::max(s.port_edge, s.starboard_edge));
+    const std::string text =
+        "\nSector coverage\n" + line("Max angle Port", number_text("%.1f", rad_to_deg(s.port_edge))) +
+        line("Max angle Starboard", number_text("%.1f", rad_to_deg(s.starboard_edge))) +
+        line("Angular coverage Mode", "Manual") +
+        line("Beam spacing", s.equidistant ? "Equidistance" : "Equiangle") + "\nDepth settings\n" +
+        line("Max. depth", number_text("%.1f", s.range * outer)) + line("Dual swath", "Off") +
+        line("Frequency", number_text("%.0f kHz", s.frequency / 1e3)) + line("FM disable", "On") +
+        line("Water column data", s.water_column ? "On" : "Off") + "\nTransmit Control\n" +
+        line("Pitch stabilisation", "Off") + line("Max. Ping Freq. (Hz)", number_text("%.2f", s.ping_rate)) +
+        line("External Trigger", "Off") + line("Yaw Stabilisation Mode", "Off") +
+        "\nSound velocity at Transducer\n" + line("Sound Velocity source", "Probe") + "\nExtra Detections\n" +
+        line("Extra detection", "Off");
+    return {header, {}, padded(text)};
+}
+
+kmall::SoundProfile make_sound_profile(kmall::Header header, const Settings& s) {
+    constexpr float deepest = 12000;
+    header.type = "#SVP";
+    header.version = 1;
+    const auto speed = static_cast<float>(s.sound_speed);
+    kmall::SoundProfileInfo info;
+    info.format = "S00";
+    info.latitude = info.longitude = unavailable;
+    return {header, info, {{0, speed, 0, 0, 0}, {deepest, speed, 0, 0, 0}}};
+}
+
+}  // namespace echoloop::kongsberg_kmall
