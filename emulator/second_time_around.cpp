@@ -23,12 +23,8 @@ double loudest_echo(const Shot& shot, const Water& water, const Effects& effects
 }
 
 double quietest(const Shot& shot, const Effects& effects) {
-    const double band = shot.receiver.bandwidth > 0 ? shot.receiver.bandwidth
-                        : shot.bandwidth > 0        ? shot.bandwidth
-                        : shot.pulse_length > 0     ? 1 / shot.pulse_length
-                                                    : 1;
-    const double noise =
-        thermal_noise_level(shot.frequency) + 10 * std::log10(band) - shot.receiver.directivity_index;
+    const double noise = thermal_noise_level(shot.frequency) + 10 * std::log10(noise_bandwidth(shot)) -
+                         shot.receiver.directivity_index;
     return effects.has(Effect::noise) ? noise : noise - silent_margin;
 }
 

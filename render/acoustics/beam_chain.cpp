@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/acoustics/chain.h"
 #include "render/acoustics/chain_kernels.h"
 
 namespace echoloop {
@@ -13,10 +14,9 @@ enum Kind : std::uint32_t { speckle, speckle_phase, speckle_blend, texture, nois
 
 double power_of(double db) { return std::pow(10, db / 10); }
 
-double noise_bandwidth(const Shot& shot) {
-    if (shot.receiver.bandwidth > 0) return shot.receiver.bandwidth;
-    if (shot.bandwidth > 0) return shot.bandwidth;
-    return 1 / (shot.pulse_length > 0 ? shot.pulse_length : shot.bin_interval);
+/// Hz, over which what is left of the noise is even: a compressed chirp's has the whole sweep.
+double noise_spectrum(const Shot& shot) {
+    return shot.bandwidth > 0 ? shot.bandwidth : noise_bandwidth(shot);
 }
 
 /// uPa^2: thermal and self noise in the receiver's band, less what the array's directivity keeps out.
@@ -52,8 +52,8 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
     }
     if (effects.has(Effect::noise)) {
         noise_power = noise_power_of(shot);
-        noise_looks = pulse ? std::max(1.0, noise_bandwidth(shot) * shot.bin_interval) : 1;
-        if (fine) noise = noise_filter(noise_bandwidth(shot), shot.bin_interval);
+        noise_looks = pulse ? std::max(1.0, noise_spectrum(shot) * shot.bin_interval) : 1;
+        if (fine) noise = noise_filter(noise_spectrum(shot), shot.bin_interval);
     }
     if (speckle) texture_shape = options.shape;
     if (effects.has(Effect::saturation))

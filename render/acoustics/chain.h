@@ -54,6 +54,10 @@ class AcousticChain {
 /// Mellen's thermal noise, -15 + 20 log10 f[kHz] dB re 1 uPa^2/Hz (JASA 24 (1952) 478; 750 kHz: 42.5).
 double thermal_noise_level(double frequency);
 
+/// Hz: of the noise that the receiver lets through, its own where given. Else what a filter matched to the
+/// pulse does, 1 / T also for a chirp, whose compression raises the echo over the noise by the sweep times T.
+double noise_bandwidth(const Shot& shot);
+
 /// m: half the length of the pulse in water, c tau / 2, or of a chirp after compression, c / (2 B).
 double range_resolution(const Shot& shot, double sound_speed);
 

@@ -37,6 +37,8 @@ TEST(Noise, LevelInTheReceiversBand) {
         shot.bandwidth = 20e3;
         shot.receiver.bandwidth = 0;
         EXPECT_NEAR(noise_level(shot), 42.5 + 43.01 - 28, 0.1) << "of a chirp, bins of " << bin;
+        shot.pulse_length = 1e-3;
+        EXPECT_NEAR(noise_level(shot), 42.5 + 30 - 28, 0.1) << "of a long chirp, compressed, bins of " << bin;
     }
 }
 

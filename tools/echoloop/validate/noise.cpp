@@ -9,14 +9,29 @@
 namespace echoloop::validation {
 namespace {
 
-/// What is heard of nothing in a band of 10 kHz by a receiver of 30 dB directivity.
-Echogram silence(double self_noise, std::uint64_t ping = 0) {
+/// A ping of one beam by a receiver of 30 dB directivity and a band of 10 kHz.
+Shot narrow_band(double self_noise, std::uint64_t ping = 0) {
+    Shot shot = fan(3, 30, 1, 16384, 30);
+    shot.ping = ping;
+    shot.receiver.bandwidth = 10e3;
+    shot.receiver.directivity_index = 30;
+    shot.receiver.self_noise = self_noise;
+    return shot;
+}
+
+/// The same, with a matched filter.
+Shot chirp() {
+    Shot shot = narrow_band(-std::numeric_limits<double>::infinity());
+    shot.receiver.bandwidth = 0;
+    shot.pulse_length = 1e-3;
+    shot.bandwidth = 100e3;
+    return shot;
+}
+
+/// What is heard of nothing.
+Echogram silence(const Shot& shot) {
     Echogram e;
-    e.shot = fan(3, 30, 1, 16384, 30);
-    e.shot.ping = ping;
-    e.shot.receiver.bandwidth = 10e3;
-    e.shot.receiver.directivity_index = 30;
-    e.shot.receiver.self_noise = self_noise;
+    e.shot = shot;
     e.sound_speed = 1500;
     e.values.resize(e.shot.bins);
     e.noise_power = AcousticChain(only({Effect::pulse, Effect::noise})).apply(e.shot, {}, 1500, {}, e.values);
@@ -43,16 +58,20 @@ void check_noise(Findings& find) {
     find.source("Mellen 1952: -15 + 20 log10 f[kHz]");
     find.within("thermal noise at 750 kHz", "dB re uPa^2/Hz", 42.5, 0.05, thermal_noise_level(750e3));
     const double none = -std::numeric_limits<double>::infinity();
-    const Echogram e = silence(none);
+    const Echogram e = silence(narrow_band(none)), of_chirp = silence(chirp());
     find.source("NL + 10 log B - DI, B 10 kHz, DI 30 dB");
     find.within("mean of what is heard of nothing", "dB", 52.5, 0.2,
                 db(total(e.values) / static_cast<double>(e.values.size())));
     find.within("mean that the echogram declares", "dB", 52.5, 0.1, db(e.noise_power));
     find.source("isotropic, like the thermal: equal powers add to 3.01 dB more");
     find.within("self noise as loud as the thermal", "dB", 55.51, 0.2,
-                db(total(silence(42.5).values) / static_cast<double>(e.values.size())));
+                db(total(silence(narrow_band(42.5)).values) / static_cast<double>(e.values.size())));
+    find.source("a filter matched to a chirp of 1 ms lets through 1 kHz of noise: NL + 10 log 1 / T - DI");
+    find.within("noise of a chirp of 100 kHz over 1 ms", "dB", 42.5, 0.2,
+                db(total(of_chirp.values) / static_cast<double>(of_chirp.values.size())));
     find.source("every ping has its own noise");
-    find.at_most("correlation of the noise of two pings", "", 0.05, std::abs(likeness(e, silence(none, 1))));
+    find.at_most("correlation of the noise of two pings", "", 0.05,
+                 std::abs(likeness(e, silence(narrow_band(none, 1)))));
     find.source("the gain acts on noise as on echoes");
     find.within("growth of the shown noise over range, gain constant", "dB/decade", 0, 0.6, growth(e, 0));
     find.within("growth of the shown noise over range, gain 40 log R", "dB/decade", 40, 0.6, growth(e, 40));

@@ -98,8 +98,6 @@ Shot sounding(const Acoustics& acoustics, const Tuning& tuning, double pulse) {
     shot.vertical = acoustics.vertical;
     shot.receiver = acoustics.receiver;
     shot.receiver.directivity_index = tuning.band.directivity_index;
-    // A matched filter lets through as much noise as 1 / T, however wide the sweep.
-    shot.receiver.bandwidth = 1 / shot.pulse_length;
     return shot;
 }
 
