@@ -89,7 +89,7 @@ void DriverLines::post(Line& line, std::shared_ptr<const Bytes> bytes) {
         return;
     }
     line.memory += more;
-    line.waiting.push_back({std::move(bytes), remarks_, std::make_unique<const Clock::Hold>(clock_)});
+    line.waiting.push_back({std::move(bytes), remarks_});
     line.mail.cancel();
 }
 

@@ -45,7 +45,6 @@ class DriverLines final : public Transport {
     struct Mail {
         std::shared_ptr<const Bytes> bytes;
         std::vector<std::string> remarks;
-        std::unique_ptr<const Clock::Hold> hold;  ///< the moment is not over before it is said
     };
     struct Line {
         Line(Clock& clock, std::unique_ptr<Transport> open)

@@ -1,6 +1,7 @@
 """Several drivers at one TCP port, as a Norbit WBMS and a 7k sonar serve them: over real sockets, recorded, replayed, faulty."""
 
 import json
+import select
 import shutil
 import subprocess
 import tempfile
@@ -15,6 +16,7 @@ from test_record import packets, payload
 import norbit_host
 import reson_wire
 from reson_host import Host
+from stepper import Stepper
 
 SCENARIO = """
 scene: {scenes}/flat.glb
@@ -128,6 +130,30 @@ class Reson(SeveralDrivers):
         self.assertLess((late.time - early.time).total_seconds(), 40 * 0.1 * 1.5)
         output = emulator.stop()[1]
         self.assertRegex(output, r"does not read; what is for it is lost")
+
+
+class Stepped(SeveralDrivers):
+    def test_time_waits_until_every_driver_has_been_told(self):
+        self.ports, steps = [free_port()], free_port()
+        scenario = (SCENARIO % (RESON % self.ports[0]) + "clock: {mode: stepped}\n").replace(
+            "vehicle: {", f'vehicle: {{input: "tcp-listen://127.0.0.1:{steps}", ')
+        emulator = Emulator(scenario)
+        self.addCleanup(emulator.__exit__, None, None, None)
+        emulator.__enter__()
+        with Stepper(steps) as stepper:
+            stepper.step(0.01)
+            one, other = self.host(), self.host()
+            self.assertEqual(one.subscribe(reson_wire.SETTINGS, reson_wire.BEAMFORMED), 0)
+            self.assertEqual(other.subscribe(reson_wire.SETTINGS), 0)
+            for second in range(1, 4):
+                stepper.send(now=second)
+                early = select.select([stepper.socket], [], [], 0.5)[0]
+                self.assertFalse(early, "19 MB fit no socket: the step is not over before they are read")
+                pings = [one.wait(reson_wire.BEAMFORMED).ping for _ in range(9)]
+                stepper.answer()
+                self.assertEqual(pings, [other.record(0.5).ping for _ in range(9)], "on its way when the step has ended")
+                more = one.wait(reson_wire.BEAMFORMED, 0.5).ping, other.record(0.5).ping
+                self.assertEqual(more[0], more[1])
 
 
 class Recorded(SeveralDrivers):
