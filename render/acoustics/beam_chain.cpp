@@ -9,9 +9,6 @@
 namespace echoloop {
 namespace {
 
-/// What random numbers are for.
-enum Kind : std::uint32_t { speckle, speckle_phase, speckle_blend, texture, noise, noise_phase };
-
 double power_of(double db) { return std::pow(10, db / 10); }
 
 /// Hz, over which what is left of the noise is even: a compressed chirp's has the whole sweep.
@@ -42,7 +39,8 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
       pulse(effects.has(Effect::pulse) && range_resolution(shot, sound_speed) > 0),
       speckle(effects.has(Effect::speckle)),
       shape(shot, sound_speed),
-      grid(shot) {
+      grid(shot),
+      lean(shot, grid.cell_width()) {
     if (pulse) {
         power = power_filter(shape, bin_length);
         looks = std::max(1.0, bin_length / shape.length());
@@ -65,34 +63,45 @@ void BeamChain::start(const ChainPlan& plan, const ChainPing& ping) {
     plan_ = &plan;
     ping_ = ping;
     for (Field& field : fields_) field.cell = ~0U;
-    for (Field* field : {&fields_[0], &fields_[1], &speckle_, &noise_, &points_}) {
-        field->real.resize(random_room(plan.bins));
-        field->imaginary.resize(random_room(plan.bins));
-    }
+    for (Field* field : {&speckle_, &noise_, &points_}) make_room(*field);
     looks_.resize(plan.bins);
     cosines_.resize(plan.bins);
 }
 
-void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::span<float> values) {
-    spread(values);
+void BeamChain::make_room(Field& field) const {
+    field.real.resize(random_room(plan_->bins));
+    field.imaginary.resize(random_room(plan_->bins));
+}
+
+void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::span<const float> means,
+                    std::span<float> values) {
+    if (plan_->leans())
+        std::copy_n(means.begin() + static_cast<std::ptrdiff_t>(beam * plan_->bins), plan_->bins,
+                    values.begin());
+    else
+        spread(values, values);
     const AngularCells cells = plan_->grid.cells_of(ping_.view.turn + ping_.pan + ping_.bearings[beam]);
+    const Field* field = plan_->speckle ? &speckle_of(beam, cells, means) : nullptr;
     if (std::isfinite(plan_->texture_shape)) modulate_texture(cells, values);
     const bool has_points = add_points(points);
     if (plan_->fine) {
-        fine_echo(beam, cells, has_points, values);
+        fine_echo(beam, field, has_points, values);
     } else {
-        coarse_echo(cells, has_points, values);
+        coarse_echo(cells, field, has_points, values);
         if (plan_->noise_power > 0) coarse_noise(beam, values);
     }
     kernels::receive(plan_->power_limit, plan_->amplitude_step, values.size(), values.data());
 }
 
-void BeamChain::spread(std::span<float> values) {
+void BeamChain::spread(std::span<const float> values, std::span<float> means) {
     const LineFilter& filter = plan_->power;
-    if (filter.is_identity()) return;
+    if (filter.is_identity()) {
+        if (means.data() != values.data()) std::copy(values.begin(), values.end(), means.begin());
+        return;
+    }
     padded_.assign(filter.room(values.size()), 0.0F);
     std::copy(values.begin(), values.end(), padded_.begin() + static_cast<std::ptrdiff_t>(filter.before()));
-    filter.apply(padded_, values.size(), values.data(), scratch_);
+    filter.apply(padded_, values.size(), means.data(), scratch_);
 }
 
 void BeamChain::modulate_texture(const AngularCells& cells, std::span<float> values) {
@@ -153,54 +162,16 @@ void BeamChain::fill_field(const LineFilter& filter, const RandomStream& stream,
     filter.apply(padded_imaginary_, plan_->bins, out.imaginary.data(), scratch_);
 }
 
-/// Neighbouring beams share cells: the last two are kept.
-const BeamChain::Field& BeamChain::field_of(std::uint32_t cell) {
-    for (const std::size_t i : {newest_, 1 - newest_})
-        if (fields_[i].cell == cell) {
-            newest_ = i;
-            return fields_[i];
-        }
-    newest_ = 1 - newest_;
-    Field& field = fields_[newest_];
-    field.cell = cell;
-    if (plan_->fine)
-        fill_field(plan_->field, view_stream(cell, speckle), field);
-    else
-        mean_of_looks(view_stream(cell, speckle), plan_->looks, plan_->bins, field.real.data());
-    return field;
-}
-
-const BeamChain::Field& BeamChain::speckle_of(const AngularCells& cells) {
-    const Field& first = field_of(cells.first);
-    if (cells.second_weight == 0) return first;
-    blend(cells, first, field_of(cells.second));
-    return speckle_;
-}
-
-void BeamChain::blend(const AngularCells& cells, const Field& a, const Field& b) {
-    const float w = cells.first_weight, v = cells.second_weight;
-    if (plan_->fine) {
-        kernels::blend(w, a.real.data(), v, b.real.data(), plan_->bins, speckle_.real.data());
-        kernels::blend(w, a.imaginary.data(), v, b.imaginary.data(), plan_->bins, speckle_.imaginary.data());
-        return;
-    }
-    random_cosines(view_stream(cells.first, speckle_blend), plan_->bins, cosines_.data());
-    std::copy_n(a.real.begin(), plan_->bins, speckle_.real.begin());
-    kernels::interfere(w * w, speckle_.real.data(), v * v, b.real.data(), cosines_.data(),
-                       static_cast<float>(plan_->looks), plan_->bins);
-}
-
-void BeamChain::fine_echo(std::size_t beam, const AngularCells& cells, bool points, std::span<float> values) {
+void BeamChain::fine_echo(std::size_t beam, const Field* field, bool points, std::span<float> values) {
     const std::size_t n = values.size();
     const bool noisy = plan_->noise_power > 0;
-    if (!plan_->speckle) {
+    if (!field) {
         if (points) kernels::add_intensity(points_.real.data(), points_.imaginary.data(), n, values.data());
         if (!noisy) return;
     }
     float *real = speckle_.real.data(), *imaginary = speckle_.imaginary.data();
-    if (plan_->speckle) {
-        const Field& field = speckle_of(cells);
-        kernels::modulate(values.data(), field.real.data(), field.imaginary.data(), n, real, imaginary);
+    if (field) {
+        kernels::modulate(values.data(), field->real.data(), field->imaginary.data(), n, real, imaginary);
         if (points) kernels::add(1, points_.real.data(), points_.imaginary.data(), n, real, imaginary);
     } else {
         kernels::square_root(values.data(), n, real);
@@ -214,10 +185,11 @@ void BeamChain::fine_echo(std::size_t beam, const AngularCells& cells, bool poin
     kernels::intensity(real, imaginary, n, values.data());
 }
 
-void BeamChain::coarse_echo(const AngularCells& cells, bool points, std::span<float> values) {
-    if (plan_->speckle) kernels::multiply(speckle_of(cells).real.data(), values.size(), values.data());
+void BeamChain::coarse_echo(const AngularCells& cells, const Field* field, bool points,
+                            std::span<float> values) {
+    if (field) kernels::multiply(field->real.data(), values.size(), values.data());
     if (!points) return;
-    if (plan_->speckle) coarse_points(cells, values);
+    if (field) coarse_points(cells, values);
     kernels::add_intensity(points_.real.data(), points_.imaginary.data(), values.size(), values.data());
 }
 

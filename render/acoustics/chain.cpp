@@ -55,13 +55,23 @@ class AcousticChain::Impl {
         const std::size_t beams = shot.bearings.size();
         const std::size_t parts = values.size() < worth_a_thread ? 1 : std::min(Workers::useful(), beams);
         if (chains_.size() < parts) chains_.resize(parts);
-        const auto work = [&](std::size_t part) {
-            chains_[part].start(plan, ping);
-            for (std::size_t beam = beams * part / parts; beam < beams * (part + 1) / parts; ++beam)
-                chains_[part].run(beam, points_of(points_, beam),
-                                  values.subspan(beam * shot.bins, shot.bins));
+        for (std::size_t part = 0; part < parts; ++part) chains_[part].start(plan, ping);
+        const auto each = [&](const auto& work) {
+            workers_.run(parts, [&](std::size_t part) {
+                for (std::size_t beam = beams * part / parts; beam < beams * (part + 1) / parts; ++beam)
+                    work(chains_[part], beam, values.subspan(beam * shot.bins, shot.bins));
+            });
         };
-        workers_.run(parts, work);
+        if (plan.leans()) {
+            means_.resize(values.size());
+            const std::span means(means_);
+            each([&](BeamChain& chain, std::size_t beam, std::span<const float> bins) {
+                chain.spread(bins, means.subspan(beam * shot.bins, shot.bins));
+            });
+        }
+        each([&](BeamChain& chain, std::size_t beam, std::span<float> bins) {
+            chain.run(beam, points_of(points_, beam), means_, bins);
+        });
         return plan.noise_power;
     }
 
@@ -83,6 +93,7 @@ class AcousticChain::Impl {
     SpeckleOptions speckle_;
     RecentlyUsed<CachedPlan> plans_{most_plans};
     std::vector<PointEcho> points_;
+    std::vector<float> means_;
     std::vector<BeamChain> chains_;  ///< one per part
     Workers workers_;
 };

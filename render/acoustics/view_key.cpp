@@ -43,11 +43,18 @@ AngularGrid::AngularGrid(const Shot& shot)
 
 AngularCells AngularGrid::cells_of(double bearing) const {
     const double turns = bearing / two_pi, place = (turns - std::floor(turns)) * count_;
-    if (!blends_) return {static_cast<std::uint32_t>(std::llround(place)) % count_, 0, 1, 0};
+    if (!blends_) return {static_cast<std::uint32_t>(std::llround(place)) % count_, 0, 1, 0, 0};
     const auto cell = std::min(static_cast<std::uint32_t>(place), count_ - 1);
     const double share = place - cell, norm = std::hypot(1 - share, share);
     return {cell, (cell + 1) % count_, static_cast<float>((1 - share) / norm),
-            static_cast<float>(share / norm)};
+            static_cast<float>(share / norm), static_cast<float>(share)};
 }
+
+std::uint32_t AngularGrid::beside(std::uint32_t cell, int steps) const {
+    const auto count = static_cast<std::int64_t>(count_);
+    return static_cast<std::uint32_t>(((cell + steps) % count + count) % count);
+}
+
+double AngularGrid::cell_width() const { return two_pi / count_; }
 
 }  // namespace echoloop

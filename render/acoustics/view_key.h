@@ -22,6 +22,7 @@ ViewKey view_of(const Shot& shot, const Pose& world_from_sonar, double wavelengt
 struct AngularCells {
     std::uint32_t first = 0, second = 0;
     float first_weight = 1, second_weight = 0;
+    float place = 0;  ///< in cells beyond the first
 };
 
 /// How a shot's beams share angular cells of half a beam width round the circle, so that directions farther
@@ -31,6 +32,9 @@ class AngularGrid {
   public:
     explicit AngularGrid(const Shot& shot);
     AngularCells cells_of(double bearing) const;  ///< rad, in the world
+    /// `steps` cells farther clockwise.
+    std::uint32_t beside(std::uint32_t cell, int steps) const;
+    double cell_width() const;  ///< rad
     bool blends() const { return blends_; }
 
   private:

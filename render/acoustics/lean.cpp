@@ -1,0 +1,55 @@
+#include "render/acoustics/lean.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/acoustics/chain_kernels.h"
+
+namespace echoloop {
+namespace {
+
+constexpr double farthest = 1.25;    // widths between beams; of what lies farther apart slopes tell nothing
+constexpr float not_worth = 0.125F;  // cells
+
+bool too_far_apart(const Shot& shot) {
+    for (std::size_t i = 1; i < shot.bearings.size(); ++i)
+        if (shot.bearings[i] - shot.bearings[i - 1] > farthest * shot.beam_width) return true;
+    return shot.bearings.size() < 3;
+}
+
+}  // namespace
+
+Lean::Lean(const Shot& shot, double cell) : bins_(shot.bins) {
+    if (too_far_apart(shot)) return;
+    const auto& bearings = shot.bearings;
+    const double k = 4 * std::log(2.0) / (shot.beam_width * shot.beam_width);
+    const auto scale = [&](double step) { return static_cast<float>(1 / (2 * k * step * cell)); };
+    const std::size_t last = bearings.size() - 1;
+    beams_.resize(bearings.size());
+    for (std::size_t n = 1; n < last; ++n)
+        beams_[n].terms[0] = {n + 1, n - 1, scale(bearings[n + 1] - bearings[n - 1])};
+    // At the ends by the parabola through three: half of 4 ln P1 - ln P2 - 3 ln P0 a step.
+    const float begin = scale(bearings[2] - bearings[0]), end = scale(bearings[last] - bearings[last - 2]);
+    beams_[0] = {{{1, 0, 3 * begin}, {1, 2, begin}}};
+    beams_[last] = {{{last - 1, last, -3 * end}, {last - 1, last - 2, -end}}};
+}
+
+bool Lean::find(std::size_t beam, std::span<const float> means, float least, std::size_t first,
+                std::span<float> out) const {
+    const auto levels = [&](std::size_t n) { return means.data() + n * bins_ + first; };
+    const auto& terms = beams_[beam].terms;
+    bool matters = false;
+    for (const Term& term : terms)
+        matters = matters || (term.scale != 0 &&
+                              kernels::differ(levels(term.over), levels(term.under),
+                                              std::exp(not_worth / std::abs(term.scale)), least, out.size()));
+    if (!matters) return false;
+    std::fill(out.begin(), out.end(), 0.0F);
+    for (const Term& term : terms)
+        if (term.scale != 0)
+            kernels::add_log_ratio(term.scale, levels(term.over), levels(term.under), out.size(), out.data());
+    kernels::limit(static_cast<float>(most), out.size(), out.data());
+    return true;
+}
+
+}  // namespace echoloop

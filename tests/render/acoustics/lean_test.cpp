@@ -1,0 +1,155 @@
+// Speckle of beams that overlap: the same where they hear the same scatterers.
+#include "render/acoustics/lean.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "tests/render/acoustics/chain_shots.h"
+#include "tests/render/acoustics/statistics.h"
+
+namespace echoloop {
+namespace {
+
+using test::chain_shot;
+
+constexpr double pulse = 0.075;  // m
+const Effects speckled = test::only({Effect::pulse, Effect::speckle});
+
+/// Beams a third of their width apart.
+Shot overlapping(std::size_t beams, std::size_t bins, double bin) {
+    Shot shot = chain_shot(beams, bins, bin, pulse);
+    for (double& bearing : shot.bearings) bearing /= 3;
+    return shot;
+}
+
+/// Mean power where each bin's echo comes from one direction (rad) alone, as on a floor seen obliquely.
+std::vector<float> from_one_direction(const Shot& shot, const std::function<double(std::size_t)>& direction) {
+    std::vector<float> means(shot.bearings.size() * shot.bins);
+    for (std::size_t beam = 0; beam < shot.bearings.size(); ++beam)
+        for (std::size_t bin = 0; bin < shot.bins; ++bin) {
+            const double off = (shot.bearings[beam] - direction(bin)) / shot.beam_width;
+            means[beam * shot.bins + bin] = static_cast<float>(std::exp(-4 * std::log(2.0) * off * off));
+        }
+    return means;
+}
+
+std::vector<float> heard(const Shot& shot, std::vector<float> means, SpeckleOptions options = {}) {
+    AcousticChain(speckled, options).apply(shot, {}, test::water_speed, {}, means);
+    return means;
+}
+
+/// Of every `step`th bin of a beam, power over the mean echo that the chain without speckle gives.
+std::vector<float> speckle_of(const Shot& shot, const std::vector<float>& means, std::size_t beam,
+                              std::size_t step) {
+    auto plain = means;
+    AcousticChain(test::only({Effect::pulse})).apply(shot, {}, test::water_speed, {}, plain);
+    const auto values = heard(shot, means);
+    std::vector<float> out;
+    for (std::size_t bin = 60; bin < shot.bins; bin += step)
+        out.push_back(values[beam * shot.bins + bin] / plain[beam * shot.bins + bin]);
+    return out;
+}
+
+struct Bins {
+    double length;     ///< m
+    std::size_t step;  ///< from one independent value to the next
+};
+
+TEST(Lean, BeamsThatHearTheSameScatterersHaveTheSameSpeckle) {
+    for (const auto [length, step] : {Bins{0.02, 8}, Bins{0.1, 1}, Bins{0.4, 1}}) {
+        const Shot shot = overlapping(31, 4000, length);
+        const auto one =
+            from_one_direction(shot, [](std::size_t bin) { return 1e-6 * static_cast<double>(bin); });
+        const std::vector<float> even(one.size(), 1.0F);
+        const auto beam = [&, step = step](const std::vector<float>& means, std::size_t n) {
+            return speckle_of(shot, means, n, step);
+        };
+        for (const std::size_t n : {13U, 14U, 16U, 18U})
+            EXPECT_GT(correlation(beam(one, 15), beam(one, n)), 0.97) << n << ", bins of " << length;
+        EXPECT_LT(std::abs(correlation(beam(even, 15), beam(even, 18))), 0.15)
+            << "a width apart on an even floor";
+    }
+}
+
+TEST(Lean, TheOutermostBeamsToo) {
+    const Shot shot = overlapping(31, 4000, 0.1);
+    for (const std::size_t edge : {0U, 30U}) {
+        const auto one = from_one_direction(shot, [&](std::size_t) { return 1.01 * shot.bearings[edge]; });
+        const std::size_t inside = edge == 0 ? 2 : 28;
+        EXPECT_GT(correlation(speckle_of(shot, one, edge, 1), speckle_of(shot, one, inside, 1)), 0.97)
+            << edge;
+    }
+}
+
+TEST(Lean, AnEchoOfTwoDirectionsLiesBetween) {
+    // As wide as a beam: each beam hears scatterers that the next but two does not, but some that it does.
+    const Shot shot = overlapping(31, 8000, 0.1);
+    std::vector<float> means(31 * 8000);
+    for (std::size_t beam = 0; beam < 31; ++beam)
+        for (std::size_t bin = 0; bin < 8000; ++bin) {
+            const double off = shot.bearings[beam] / shot.beam_width;
+            means[beam * 8000 + bin] = static_cast<float>(std::exp(-2 * std::log(2.0) * off * off));
+        }
+    const double like = correlation(speckle_of(shot, means, 14, 1), speckle_of(shot, means, 16, 1));
+    EXPECT_GT(like, 0.2);
+    EXPECT_LT(like, 0.9);
+}
+
+// V8 holds whichever direction the echo comes from, while that wanders from cell to cell.
+TEST(Lean, SpeckleStaysFullyDeveloped) {
+    const auto around = [](const Shot& shot, std::size_t beam, double pace) {
+        return from_one_direction(shot, [=, &shot](std::size_t bin) {
+            return shot.bearings[beam] + shot.beam_width * std::sin(pace * static_cast<double>(bin));
+        });
+    };
+    const Shot coarse = overlapping(31, 30'000, 0.1);
+    for (const std::size_t beam : {0U, 20U}) {
+        const auto s = intensity_statistics(speckle_of(coarse, around(coarse, beam, 1e-3), beam, 1));
+        EXPECT_NEAR(s.mean, 1, 0.03) << beam;
+        EXPECT_NEAR(s.scintillation * 0.1 / pulse, 1, 0.06) << beam << ", bins of 1.3 looks";
+    }
+    const Shot fine = overlapping(31, 60'000, 0.02);
+    const auto s = intensity_statistics(speckle_of(fine, around(fine, 15, 1e-4), 15, 8));
+    EXPECT_NEAR(s.mean, 1, 0.04);
+    EXPECT_NEAR(s.scintillation, 1, 0.08);
+    EXPECT_NEAR(s.db_deviation, 5.57, 0.15);
+    EXPECT_LT(s.kolmogorov, s.kolmogorov_limit);
+}
+
+TEST(Lean, DoesNotDependOnThreads) {
+    const Shot many = overlapping(120, 500, 0.03);  // as many as are worth a second thread
+    Shot few = many;
+    few.bearings.resize(30);
+    const auto sweep = [](std::size_t bin) { return 1e-3 * static_cast<double>(bin) - 0.3; };
+    const auto all = heard(many, from_one_direction(many, sweep)),
+               part = heard(few, from_one_direction(few, sweep));
+    EXPECT_EQ(all, heard(many, from_one_direction(many, sweep)));
+    EXPECT_TRUE(std::equal(part.begin(), part.end() - 500, all.begin()))
+        << "but for the last, which lacks a neighbour";
+}
+
+TEST(Lean, IsNoneWhereBeamsAreFewOrFarApart) {
+    EXPECT_TRUE(Lean(chain_shot(3, 10, 0.1, pulse), 0.01).any());
+    EXPECT_FALSE(Lean(chain_shot(2, 10, 0.1, pulse), 0.01).any());
+    Shot wide = chain_shot(3, 10, 0.1, pulse);
+    for (double& bearing : wide.bearings) bearing *= 1.3;
+    EXPECT_FALSE(Lean(wide, 0.01).any());
+}
+
+TEST(Lean, FindsTheDirectionUpToAWidthAndAHalf) {
+    const Shot shot = overlapping(61, 16, 0.1);
+    const double cell = shot.beam_width / 2;
+    for (const double widths : {-3.0, -1.4, -0.3, 0.3, 1.0, 3.0}) {
+        const auto one = from_one_direction(
+            shot, [&](std::size_t) { return shot.bearings[30] + widths * shot.beam_width; });
+        std::vector<float> cells(16);
+        ASSERT_TRUE(Lean(shot, cell).find(30, one, 0, 0, cells));
+        for (const float at : cells) EXPECT_NEAR(at, std::clamp(2 * widths, -3.0, 3.0), 0.01);
+        EXPECT_FALSE(Lean(shot, cell).find(30, one, 2, 0, cells)) << "all of it below what is heard";
+    }
+}
+
+}  // namespace
+}  // namespace echoloop
