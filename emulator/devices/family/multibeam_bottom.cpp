@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "emulator/devices/family/multibeam_stretches.h"
 
@@ -92,6 +93,61 @@ struct Room {
     std::vector<double> powers, moments;
 };
 
+/// Bins from the transmission to that one.
+double bins_until(const Shot& shot, double bin) { return shot.first_bin_time / shot.bin_interval + bin; }
+
+/// A line through the direction that each bin's power comes from. A straight bottom's directions lie evenly
+/// over 1 / time; over time they bend so much that wide beams would see the bottom too deep.
+class DirectionLine {
+  public:
+    /// `first`: the first bin, from the middle of the echo; `whole`: bins from the transmission to that
+    /// middle.
+    DirectionLine(const Room& room, double first, double whole) : room_(room), first_(first), whole_(whole) {}
+
+    /// Where it passes the axis, bins from the middle of the echo, if it does; of the bins within from..to.
+    std::optional<double> crossing(double from, double to) const {
+        const double last = static_cast<double>(room_.powers.size()) - 1;
+        const auto begin = static_cast<std::size_t>(std::clamp(std::ceil(from - first_), 0.0, last));
+        const auto end = static_cast<std::size_t>(std::clamp(std::floor(to - first_), 0.0, last)) + 1;
+        const Sums sums = sums_of(begin, end);
+        const double spread = sums.weight * sums.times - sums.time * sums.time;
+        const double slope = sums.weight * sums.both - sums.time * sums.angle;
+        if (!(spread > 0) || slope == 0) return std::nullopt;
+        const double crossing = sums.time / sums.weight - sums.angle / sums.weight * spread / slope;
+        return crossing < whole_ / 2 ? std::optional(crossing * whole_ / (whole_ - crossing)) : std::nullopt;
+    }
+
+  private:
+    struct Sums {
+        double weight = 0, time = 0, angle = 0, times = 0, both = 0;
+        void add(const Sums& other) {
+            weight += other.weight, time += other.time, angle += other.angle;
+            times += other.times, both += other.both;
+        }
+    };
+    Sums sums_of(std::size_t begin, std::size_t end) const {
+        constexpr std::size_t lanes = 4;  // none of which waits for the sums of another
+        Sums sums[lanes];
+        const double part = 1 / whole_;
+        std::size_t i = begin;
+        const auto add = [&](std::size_t bin, Sums& sum) {
+            const double bins = first_ + static_cast<double>(bin), x = bins * part;
+            const double at = bins * (1 - x * (1 - x));  // bins / (1 + x), near enough
+            const double power = room_.powers[bin], moment = room_.moments[bin];
+            sum.weight += power, sum.time += power * at, sum.times += power * at * at;
+            sum.angle += moment, sum.both += moment * at;
+        };
+        for (; i + lanes <= end; i += lanes)
+            for (std::size_t k = 0; k < lanes; ++k) add(i + k, sums[k]);
+        for (; i < end; ++i) add(i, sums[0]);
+        for (std::size_t k = 1; k < lanes; ++k) sums[0].add(sums[k]);
+        return sums[0];
+    }
+
+    const Room& room_;
+    double first_, whole_;
+};
+
 /// Bin where an echo passes the beam's axis: a line through the direction that each bin's power comes from,
 /// as the beams around share it, which stands for the phase between the halves of an array. Nothing if it
 /// does not pass within the echo. The outermost beams lack neighbours and take the
@@ -100,6 +156,8 @@ std::optional<double> axis_crossing(const Echogram& echogram, std::size_t index,
                                     const Extent& extent, Room& room) {
     const std::size_t side = neighbours(echogram.shot, index);
     if (side == 0) return extent.centre;
+    bins.from = std::max(bins.from, static_cast<std::size_t>(std::max(0.0, extent.centre - extent.length)));
+    bins.to = std::min(bins.to, static_cast<std::size_t>(extent.centre + extent.length) + 1);
     const auto& bearings = echogram.shot.bearings;
     const auto noise = static_cast<float>(echogram.noise_power);
     const std::size_t count = bins.to - bins.from;
@@ -114,21 +172,28 @@ std::optional<double> axis_crossing(const Echogram& echogram, std::size_t index,
             moments[i] += echo * off;
         }
     }
-    double weight = 0, time = 0, angle = 0, times = 0, both = 0;
-    for (std::size_t bin = bins.from; bin < bins.to; ++bin) {
-        const double power = powers[bin - bins.from], moment = moments[bin - bins.from];
-        const double at = static_cast<double>(bin) + 0.5 - extent.centre;
-        weight += power;
-        time += power * at;
-        times += power * at * at;
-        angle += moment;
-        both += moment * at;
+    const DirectionLine line{room, static_cast<double>(bins.from) + 0.5 - extent.centre,
+                             bins_until(echogram.shot, extent.centre)};
+    // First by the whole echo, then by what is near the axis: behind it are side lobes along the track, too.
+    const double half = std::max(2.0, extent.length / 2);
+    double crossing = 0;
+    for (const double reach : {2 * half, half}) {
+        const auto found = line.crossing(crossing - reach, crossing + reach);
+        if (!found || !(std::abs(*found) < extent.length / 2)) return std::nullopt;
+        crossing = *found;
     }
-    const double spread = weight * times - time * time, slope = weight * both - time * angle;
-    if (!(spread > 0) || slope == 0) return std::nullopt;
-    const double crossing = time / weight - angle / weight * spread / slope;
-    if (!(std::abs(crossing) < extent.length / 2)) return std::nullopt;
     return extent.centre + crossing;
+}
+
+/// By which part of its time a level bottom's echo comes too late, since the fan has a height h: at an angle
+/// x along the track the bottom is x^2 / 2 farther. The side lobes of a line, sinc^2(0.886 x / h), leave as
+/// much of that in every equal part of x, as far as the echo lasts.
+double lateness(const Shot& shot, const Extent& extent) {
+    constexpr double of_main_lobe = 0.09;  // half the variance of a Gaussian of width 1
+    if (shot.vertical.shape != ApertureShape::line || shot.vertical.ways != 1)
+        return of_main_lobe * shot.fan_height * shot.fan_height;
+    const double farthest = std::sqrt(extent.length / bins_until(shot, extent.centre));
+    return shot.fan_height * farthest / (2 * std::numbers::pi * std::numbers::pi * 0.886);
 }
 
 /// Least power of a bottom; the paper's rule has neither power nor noise.
@@ -154,7 +219,7 @@ Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, 
     const BinRange run{first + from, first + to};
     const double expected = stretches.longest_footprint(peak) + resolution(shot) / shot.bin_interval;
     const BinRange echo = loudest(echogram.beam(index), run, static_cast<std::size_t>(slack * expected) + 2);
-    const Extent extent = measure(echogram, index, echo);
+    Extent extent = measure(echogram, index, echo);
     if (!(extent.peak > 0) || !std::isfinite(extent.centre)) return {};
     // Interferometry needs an echo that is long against the pulse: the outer beams.
     std::optional<double> crossing;
@@ -163,7 +228,8 @@ Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, 
     const auto time_of = [&](double bin) { return shot.first_bin_time + bin * shot.bin_interval; };
     const double delay = echo_delay(shot, rule.echoes_last);
     Detection detection;
-    detection.time = std::max(0.0, time_of(crossing.value_or(extent.centre)) - delay);
+    const double early = 1 / (1 + lateness(shot, extent));
+    detection.time = std::max(0.0, early * (time_of(crossing.value_or(extent.centre)) - delay));
     detection.begin = std::max(0.0, time_of(static_cast<double>(run.from)));
     detection.end = time_of(static_cast<double>(run.to));
     detection.power = extent.peak;
@@ -196,6 +262,7 @@ std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate
     for (std::size_t n = 0; n < detections.size(); ++n)
         detections[n] = detect_in(echogram, n, gates[n], rule, stretches, room);
     continue_to_edges(detections, echogram.shot.bearings, echogram.shot.beam_width);
+    move_to_neighbours(detections, echogram.shot.bearings, echogram.shot.beam_width);
     mark_in_line(detections, echogram.shot.bearings);
     return detections;
 }

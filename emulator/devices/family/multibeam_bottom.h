@@ -68,6 +68,11 @@ std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate
 /// the echo. `angles`: rad, one a detection.
 void continue_to_edges(std::span<Detection> detections, std::span<const double> angles, double beam_width);
 
+/// A detection off the line of three neighbours on either side, which lie on one themselves, goes to that
+/// line, as far as it meets the own echo: speckle left it next to nothing near its axis. Not where beams are
+/// closer than half a `beam_width` (rad): those share their speckle. `angles`: rad, one a detection.
+void move_to_neighbours(std::span<Detection> detections, std::span<const double> angles, double beam_width);
+
 /// Marks the detections that lie in line with two of their neighbours. `angles`: rad, one a detection.
 void mark_in_line(std::span<Detection> detections, std::span<const double> angles);
 

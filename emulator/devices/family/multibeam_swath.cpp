@@ -48,6 +48,24 @@ std::optional<Line> line_through(std::span<const Detection> detections, std::spa
     return Line{mean.down - slope * mean.across, slope};
 }
 
+/// Least squares through the `side` beams on either side of beam `own`; nothing if one of them found no
+/// bottom.
+std::optional<Line> line_of_neighbours(std::span<const Point> points, std::span<const Detection> detections,
+                                       std::size_t own, std::size_t side) {
+    double n = 0, x = 0, z = 0, xx = 0, xz = 0;
+    const Point origin = points[own];
+    for (std::size_t beam = own - side; beam <= own + side; ++beam) {
+        if (beam == own) continue;
+        if (!detections[beam].found()) return std::nullopt;
+        const double across = points[beam].across - origin.across, down = points[beam].down - origin.down;
+        n += 1, x += across, z += down, xx += across * across, xz += across * down;
+    }
+    const double spread = n * xx - x * x;
+    if (!(spread > 0)) return std::nullopt;
+    const double slope = (n * xz - x * z) / spread;
+    return Line{origin.down + (z - slope * x) / n - slope * origin.across, slope};
+}
+
 /// Two-way time at which the beam at `angle` meets the line through two points; 0 if it does not.
 double time_on_line(Point a, Point b, double angle) {
     const double x = b.across - a.across, z = b.down - a.down;
@@ -70,6 +88,34 @@ void continue_to_edges(std::span<Detection> detections, std::span<const double> 
             const double time = line->down / (std::cos(angle) - line->slope * std::sin(angle));
             if (own.method == Method::phase && own.begin <= time && time <= own.end) own.time = time;
         }
+    }
+}
+
+void move_to_neighbours(std::span<Detection> detections, std::span<const double> angles, double beam_width) {
+    constexpr std::size_t side = 3;
+    constexpr double scattered = 2.5;      // times the neighbours' own distance from their line
+    constexpr double least_off = 0.003;    // of the time: nearer is near enough
+    constexpr double most_uneven = 0.003;  // of the time: neighbours farther off their line make none
+    const std::size_t count = std::min(detections.size(), angles.size());
+    if (count < 2 || 2 * (angles[1] - angles[0]) < beam_width) return;  // neighbours that share their speckle
+    std::vector<Point> points(count);
+    for (std::size_t n = 0; n < count; ++n) points[n] = point_of(detections[n], angles[n]);
+    for (std::size_t n = side; n + side < count; ++n) {
+        Detection& own = detections[n];
+        const auto line = own.found() ? line_of_neighbours(points, detections, n, side) : std::nullopt;
+        if (!line) continue;
+        const auto time_at = [&](std::size_t beam) {
+            return line->down / (std::cos(angles[beam]) - line->slope * std::sin(angles[beam]));
+        };
+        double squares = 0;
+        for (std::size_t beam = n - side; beam <= n + side; ++beam) {
+            const double off = std::hypot(points[beam].across, points[beam].down) / time_at(beam) - 1;
+            if (beam != n) squares += off * off / (2 * side);
+        }
+        const double time = time_at(n), uneven = std::sqrt(squares), off = std::abs(own.time / time - 1);
+        if (uneven < most_uneven && off > std::max(least_off, scattered * uneven) && own.begin <= time &&
+            time <= own.end)
+            own.time = time;
     }
 }
 
