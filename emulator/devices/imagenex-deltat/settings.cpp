@@ -76,7 +76,7 @@ std::vector<Option> option_table() {
         flag_row("intensity", true, "an 83P has intensities, too", own),
         choice_row("range_steps", {"5000", "500"}, "of a range, in the ranges of an 83P",
                    "own choice of the two that there are: 500 would break 0.5 % of a depth in a long range"),
-        number_row("smoothing", "beam widths", 3, 0, 10,
+        number_row("smoothing", "beam widths", 4, 0, 10,
                    "on either side of a beam, over which the bottom is taken as straight; 0: each beam alone",
                    "own choice: beams overlap, and speckle would move each by up to 2 % of the depth"),
         flag_row("orientation", true,

@@ -30,7 +30,7 @@ struct Settings {
     Floats floats = Floats::zeros;
     bool upper_month = true;
     bool fine_ranges = true;  ///< 1 in 5000 of the range, else 1 in 500
-    double smoothing = 3;     ///< beam widths on either side over which the bottom is taken as straight
+    double smoothing = 4;     ///< beam widths on either side over which the bottom is taken as straight
     bool intensity = true;
     bool orientation = true;        ///< pitch, roll and heading are measured
     double frame_rate = 20;         ///< Hz, most pings

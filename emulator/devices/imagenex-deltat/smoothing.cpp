@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace echoloop::delta_t {
 namespace {
@@ -62,15 +63,19 @@ class Smoother {
     }
 
     /// The range of beam `own` on the line through the points from `first` to `last` rad around it; beside a
-    /// step or a bend, on that through as many on its better side.
+    /// step or a bend, on that through as many more on its better side.
     double range(std::size_t own, double first, double last) const {
-        constexpr double clearly = 0.3;  // so much less scatter; else the middle of a line is its surest part
+        // A line is surest in its middle: by so much less at a quarter of it and at its end.
+        constexpr std::pair<double, double> places[] = {{0.25, 2}, {0.75, 2}, {0, 2.7}, {1, 2.7}};
         const double angle = angles_[own], width = last - first;
         Window best = window(first, last);
-        const double limit = clearly * best.scatter;
+        double error = best.scatter;
         const std::size_t least = (best.to - best.from) * 9 / 10;  // the fan ends there otherwise
-        for (const Window& side : {window(angle - width, angle), window(angle, angle + width)})
-            if (side.to - side.from >= least && side.scatter < std::min(limit, best.scatter)) best = side;
+        for (const auto& [place, unsure] : places) {
+            const Window side = window(angle - place * width, angle + (1 - place) * width);
+            if (side.to - side.from >= least && unsure * side.scatter < error)
+                best = side, error = unsure * side.scatter;
+        }
         return refined(best, own);
     }
 
