@@ -8,7 +8,7 @@
 namespace echoloop {
 namespace {
 
-constexpr double farthest = 1.25;    // widths between beams; of what lies farther apart slopes tell nothing
+constexpr double farthest = 0.95;    // widths between beams; those farther apart hear little of the same
 constexpr float not_worth = 0.125F;  // cells
 
 bool too_far_apart(const Shot& shot) {

@@ -131,11 +131,14 @@ TEST(Lean, DoesNotDependOnThreads) {
 }
 
 TEST(Lean, IsNoneWhereBeamsAreFewOrFarApart) {
-    EXPECT_TRUE(Lean(chain_shot(3, 10, 0.1, pulse), 0.01).any());
-    EXPECT_FALSE(Lean(chain_shot(2, 10, 0.1, pulse), 0.01).any());
-    Shot wide = chain_shot(3, 10, 0.1, pulse);
-    for (double& bearing : wide.bearings) bearing *= 1.3;
-    EXPECT_FALSE(Lean(wide, 0.01).any());
+    const auto apart = [](std::size_t beams, double widths) {
+        Shot shot = chain_shot(beams, 10, 0.1, pulse);
+        for (double& bearing : shot.bearings) bearing *= widths;
+        return Lean(shot, 0.01).any();
+    };
+    EXPECT_TRUE(apart(3, 0.9));
+    EXPECT_FALSE(apart(2, 0.9));
+    EXPECT_FALSE(apart(3, 1.0));
 }
 
 TEST(Lean, FindsTheDirectionUpToAWidthAndAHalf) {
