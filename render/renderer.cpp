@@ -120,7 +120,7 @@ class Renderer::Impl {
         check(shot, situation);
         const GridEntry& entry = grids_.entry_for(grid_geometry_of(shot, effects()), situation.detail);
         const GridPlan& plan = entry.plan;
-        draw(plan.drawing, shot, pose);
+        draw(plan.drawing, shot, situation);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
         BinningInput input = binning_input(shot, plan.drawing, out.sound_speed);
         input.paths = {};
@@ -156,6 +156,11 @@ class Renderer::Impl {
     double end_range(const Shot& shot) const {
         return echoloop::sound_speed(water_) / 2 *
                (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
+    }
+
+    /// m; of nothing nearer a pulse still sounds in the window.
+    double begin_range(const Shot& shot) const {
+        return echoloop::sound_speed(water_) / 2 * (shot.first_bin_time - shot.pulse_length);
     }
 
     /// Which object is in which bin. What is 10 dB below the noise is not there: nobody could hear it.
@@ -221,12 +226,19 @@ class Renderer::Impl {
         check(shot, situation);
         plan_ = plans_->plan_for(geometry_of(shot, effects()),
                                  {options_.columns_per_beam, options_.pixel_density * situation.detail});
-        draw(*plan_, shot, situation.world_from_sonar);
+        draw(*plan_, shot, situation);
         return *plan_;
     }
 
-    void draw(const FanPlan& plan, const Shot& shot, const Pose& pose) {
-        crew_.draw(plan, {world_from_fan(shot, pose), movers_, end_range(shot), offset_of(shot)}, pixels_);
+    void draw(const FanPlan& plan, const Shot& shot, const Situation& situation) {
+        const bool background = situation.detail < 1;
+        crew_.draw(plan,
+                   {.world_from_fan = world_from_fan(shot, situation.world_from_sonar),
+                    .movers = movers_,
+                    .end_range = end_range(shot),
+                    .begin_range = background ? begin_range(shot) : 0,
+                    .offset = offset_of(shot)},
+                   pixels_);
         const gl::DrawProfile& drawn = crew_.profile();
         profile_ = {drawn.cull, drawn.draw,      drawn.read_back, 0,           0,
                     0,          drawn.triangles, drawn.chunks,    drawn.pixels};

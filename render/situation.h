@@ -1,5 +1,5 @@
-// Where everything is at the moment of a ping, and what is wanted of it beside its echo. Standard library only; knows no
-// time and no scene.
+// Where everything is at the moment of a ping, and what is wanted of it beside its echo. Standard library
+// only; knows no time and no scene.
 #pragma once
 
 #include <vector>
@@ -15,10 +15,13 @@ struct Situation {
     Situation(Vec3 position, Quat orientation) : world_from_sonar{position, orientation} {}
 
     Pose world_from_sonar;
-    /// world_from_object of Scene::movers(), in their order; what is missing at the end is where the file puts it.
+    /// world_from_object of Scene::movers(), in their order; what is missing at the end is where the file
+    /// puts it.
     std::vector<Pose> movers;
     bool objects = false;  ///< Echogram::objects is wanted
-    double detail = 1;     ///< factor on the number of pixels, 0.1..1: less will do for a faint background
+    /// Factor on the number of pixels, 0.1..1: less will do for a faint background. Below 1 the echogram's
+    /// truth tells of no surface nearer than the window.
+    double detail = 1;
 };
 
 }  // namespace echoloop

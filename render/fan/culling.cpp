@@ -20,6 +20,17 @@ double distance_to(const Bounds& box, Vec3 p) {
     return std::sqrt(squares);
 }
 
+double farthest_in(const Bounds& box, Vec3 p) {
+    const double coordinates[3] = {p.x, p.y, p.z};
+    double squares = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double off =
+            std::max(coordinates[axis] - at(box.min, axis), at(box.max, axis) - coordinates[axis]);
+        squares += off * off;
+    }
+    return std::sqrt(squares);
+}
+
 /// True when the box lies wholly on the negative side of the plane through `eye`.
 bool behind(const Bounds& box, Vec3 eye, Vec3 normal) {
     const Vec3 farthest{normal.x > 0 ? at(box.max, 0) : at(box.min, 0),
@@ -45,25 +56,29 @@ double tolerance_at(const ViewLimits& limits, double distance) {
 
 }  // namespace
 
-void find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
+bool find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
                   const ViewLimits& limits, std::vector<std::uint32_t>& nodes) {
     const auto planes = side_planes(view, frame_from_fan, limits.margin);
     const Vec3 eye = frame_from_fan.position;
     std::vector<std::pair<float, std::uint32_t>> found;
+    bool wanted = false;
     for (std::uint32_t i = range.first; i < range.last;) {
         const SceneNode& node = scene.nodes()[i];
         const double distance = distance_to(node.bounds, eye);
         const bool seen = distance <= limits.end_range &&
                           std::none_of(planes.begin(), planes.end(),
                                        [&](Vec3 normal) { return behind(node.bounds, eye, normal); });
-        const bool good =
-            static_cast<double>(node.error) <= tolerance_at(limits, distance) * distance;  // also chunks
+        const bool hides = seen && farthest_in(node.bounds, eye) < limits.begin_range;
+        const double tolerance = hides ? limits.hiding_tolerance : tolerance_at(limits, distance);
+        const bool good = static_cast<double>(node.error) <= tolerance * distance;  // also chunks
         if (seen && good) found.emplace_back(static_cast<float>(distance), i);
+        wanted |= seen && good && !hides;
         i = seen && !good ? i + 1 : node.next;
     }
     std::sort(found.begin(), found.end());  // nearest first, so that depth tests save shading
     nodes.clear();
     for (const auto& [distance, node] : found) nodes.push_back(node);
+    return wanted;
 }
 
 }  // namespace echoloop

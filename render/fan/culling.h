@@ -15,7 +15,9 @@ struct ViewLimits {
     double margin = 0;     ///< by which the view's pyramid is grown, on the image plane
     double tolerance = 0;  ///< rad, by which a surface may be off where that allows a coarser stand-in
     double full_tolerance_range =
-        0;  ///< m, from where on it may be that; nearer, it falls with the square of range
+        0;                   ///< m, from where on it may be that; nearer, it falls with the square of range
+    double begin_range = 0;  ///< m, nothing nearer is wanted but for what it hides
+    double hiding_tolerance = 0;  ///< rad, the tolerance of that
 };
 
 /// Nodes [first, last) of a scene: whole trees in one frame.
@@ -24,8 +26,9 @@ struct NodeRange {
 };
 
 /// Indices of nodes in `range` that reach into the view and together hold everything that it sees of them,
-/// nearest first. `frame_from_fan`: in the frame of those nodes.
-void find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
+/// nearest first. `frame_from_fan`: in the frame of those nodes. Returns whether any of them may reach into
+/// the ranges that are wanted.
+bool find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
                   const ViewLimits& limits, std::vector<std::uint32_t>& nodes);
 
 }  // namespace echoloop

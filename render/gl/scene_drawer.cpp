@@ -23,11 +23,16 @@ double seconds_since(Clock::time_point begin) {
 /// By how much a coarse stand-in may be off at most; on average it is a third of that. Pixels of more than a
 /// degree show what side lobes hear: first of all the nearest bottom, whose first return shifts with it, so
 /// near stand-ins are finer.
-ViewLimits limits_of(const View& view, double end_range) {
+ViewLimits limits_of(const View& view, const Outlook& outlook) {
     const double pixel =
         std::max(view.line_width() * view.usual_width, view.sample_height() * view.usual_height);
-    const bool coarse = pixel > deg_to_rad(1);
-    return {end_range, pixel, (coarse ? 1.5 : 0.5) * pixel, coarse ? 0.45 * end_range : 0};
+    const bool background = outlook.begin_range > 0, coarse = pixel > deg_to_rad(1);
+    return {.end_range = outlook.end_range,
+            .margin = pixel,
+            .tolerance = (coarse || background ? 1.5 : 0.5) * pixel,
+            .full_tolerance_range = coarse && !background ? 0.45 * outlook.end_range : 0,
+            .begin_range = outlook.begin_range,
+            .hiding_tolerance = 1.5 * pixel};
 }
 
 /// Makes the context current before the members that need it are built.
@@ -48,13 +53,25 @@ void set_vertex_layout(const Functions& gl) {
     attribute(2, 1, offsetof(GpuVertex, surface));
 }
 
-void add_seen(const Scene& scene, NodeRange range, const Pose& frame_from_fan, double end_range,
-              SeenView& seen, std::size_t part) {
-    SeenNodes& to = seen.parts[part];
-    to.frame_from_fan = frame_from_fan;
-    find_visible(scene, range, *seen.view, frame_from_fan, limits_of(*seen.view, end_range), to.nodes);
-    seen.chunks += to.nodes.size();
-    for (const std::uint32_t node : to.nodes) seen.triangles += scene.nodes()[node].indices / 3;
+/// Finds what a view sees of the still scene and of every mover: nothing, where all of it would only hide.
+void find_seen(const Scene& scene, const Outlook& outlook, SeenView& seen) {
+    const ViewLimits limits = limits_of(*seen.view, outlook);
+    bool wanted = false;
+    const auto find = [&](SeenNodes& to, NodeRange range, const Pose& frame_from_fan) {
+        to.frame_from_fan = frame_from_fan;
+        wanted |= find_visible(scene, range, *seen.view, frame_from_fan, limits, to.nodes);
+    };
+    find(seen.parts[0], {0, scene.still_nodes()}, outlook.world_from_fan);
+    // Seen from a mover's own frame nothing of it has moved: neither its buffers nor its bounds.
+    for (std::size_t m = 0; m < outlook.movers.size(); ++m)
+        find(seen.parts[m + 1], {scene.movers()[m].first_node, scene.movers()[m].last_node},
+             inverse(outlook.movers[m]) * outlook.world_from_fan);
+    seen.triangles = seen.chunks = 0;
+    for (SeenNodes& part : seen.parts) {
+        if (!wanted) part.nodes.clear();
+        seen.chunks += part.nodes.size();
+        for (const std::uint32_t node : part.nodes) seen.triangles += scene.nodes()[node].indices / 3;
+    }
 }
 
 }  // namespace
@@ -64,12 +81,7 @@ void find_seen(const Scene& scene, const FanPlan& plan, const Outlook& outlook, 
     for (std::size_t i = 0; i < seen.size(); ++i) {
         seen[i].view = &plan.views[i];
         seen[i].parts.resize(1 + outlook.movers.size());
-        seen[i].triangles = seen[i].chunks = 0;
-        add_seen(scene, {0, scene.still_nodes()}, outlook.world_from_fan, outlook.end_range, seen[i], 0);
-        // Seen from a mover's own frame nothing of it has moved: neither its buffers nor its bounds.
-        for (std::size_t m = 0; m < outlook.movers.size(); ++m)
-            add_seen(scene, {scene.movers()[m].first_node, scene.movers()[m].last_node},
-                     inverse(outlook.movers[m]) * outlook.world_from_fan, outlook.end_range, seen[i], m + 1);
+        find_seen(scene, outlook, seen[i]);
     }
 }
 

@@ -33,6 +33,9 @@ struct Outlook {
     Pose world_from_fan;
     std::span<const Pose> movers{};
     double end_range = 0;  ///< m; surfaces beyond it may be missing
+    /// m; of a faint background, else 0: nearer surfaces only hide what lies beyond and may be missing where
+    /// nothing does, and all may be coarser.
+    double begin_range = 0;
     PixelOffset offset{};  ///< moves the sample point within every pixel
 };
 

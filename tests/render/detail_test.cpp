@@ -109,11 +109,13 @@ struct Drawn {
 
 std::unique_ptr<gl::Context> make_context() { return gl::make_context("auto"); }
 
-Drawn draw(gl::DrawingCrew& drawer, const Effects& effects, const Pose& pose) {
+Drawn draw(gl::DrawingCrew& drawer, const Effects& effects, const Pose& pose, double begin_range = 0) {
     const Shot shot = shallow_fan();
     const FanPlan plan = plan_fan(geometry_of(shot, effects), {});
     Drawn out;
-    drawer.draw(plan, {pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, 50}, out.pixels);
+    drawer.draw(plan,
+                {pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, begin_range + 50, begin_range},
+                out.pixels);
     out.profile = drawer.profile();
     return out;
 }
@@ -144,6 +146,34 @@ TEST(Detail, DrawsHardlyMoreOfAFinerMesh) {
         EXPECT_EQ(few.pixels, many.pixels);
         EXPECT_GT(few.cull + few.draw + few.read_back, 0);
     }
+}
+
+struct Beyond {
+    double pixels = 0, mean_range = 0;
+};
+
+/// Of what a drawing shows between 30 and 50 m.
+Beyond beyond(const Drawn& drawn) {
+    Beyond out;
+    for (const Pixel& pixel : drawn.pixels)
+        if (pixel.surface != 0 && pixel.range > 30 && pixel.range < 50)
+            ++out.pixels, out.mean_range += static_cast<double>(pixel.range);
+    out.mean_range /= out.pixels;
+    return out;
+}
+
+// A late echo's window begins beyond most of what is in view: that hides as much as before, for few
+// triangles.
+TEST(Detail, DrawsCoarselyWhatOnlyHides) {
+    gl::DrawingCrew drawer(make_context, test::scene_of({seabed(1000), test::wall_at(12, 3, -8, 0)}), 1);
+    const Pose pose{{0, 0, -2}, axis_angle({0, 0, 1}, 0.5)};
+    const Drawn whole = draw(drawer, {}, pose, 0), background = draw(drawer, {}, pose, 30);
+    EXPECT_NEAR(beyond(background).pixels / beyond(whole).pixels, 1, 0.02);
+    EXPECT_NEAR(beyond(background).mean_range / beyond(whole).mean_range, 1, 0.005);
+    EXPECT_LT(2 * background.profile.triangles, whole.profile.triangles);
+    const Drawn nothing = draw(drawer, {}, pose, 200);
+    EXPECT_EQ(nothing.profile.triangles, 0U) << "the scene ends at 85 m";
+    for (const Pixel& pixel : nothing.pixels) EXPECT_EQ(pixel.surface, 0);
 }
 
 // With no tolerance every chunk is drawn that reaches into the view, and none twice.
