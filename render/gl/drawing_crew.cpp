@@ -48,10 +48,11 @@ class DrawingCrew::Helper {
     }
 
     /// The arguments live until end().
-    void begin(std::span<const SeenView* const> views, ImageSize size, PixelOffset offset, Pixel* image) {
+    void begin(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,
+               Pixel* image) {
         {
             const std::lock_guard lock(mutex_);
-            work_ = [=](SceneDrawer& drawer) { return drawer.draw(views, size, offset, image); };
+            work_ = [=](SceneDrawer& drawer) { return drawer.draw(views, samples, offset, image); };
         }
         changed_.notify_one();
     }
@@ -116,8 +117,6 @@ void DrawingCrew::share_out() {
         share.views.push_back(&seen_[i]);
         share.cost += cost_of(seen_[i]);
     }
-    for (Share& share : shares_)
-        std::ranges::sort(share.views, {}, [](const SeenView* seen) { return seen->view->first_line; });
 }
 
 void DrawingCrew::draw(const FanPlan& plan, const Outlook& outlook, std::vector<Pixel>& pixels) {
@@ -130,11 +129,10 @@ void DrawingCrew::draw(const FanPlan& plan, const Outlook& outlook, std::vector<
         profile_.chunks += seen.chunks;
         profile_.pixels += seen.view->lines * seen.view->samples;
     }
-    const ImageSize size{plan.samples, plan.image_lines};
-    pixels.resize(size.lines * size.samples);
+    pixels.resize(plan.image_lines * plan.samples);
     for (std::size_t i = 0; i < helpers_.size(); ++i)
         if (!shares_[i + 1].views.empty())
-            helpers_[i]->begin(shares_[i + 1].views, size, outlook.offset, pixels.data());
+            helpers_[i]->begin(shares_[i + 1].views, plan.samples, outlook.offset, pixels.data());
     std::exception_ptr fault;
     const auto take = [&](const auto& times) {
         try {
@@ -145,7 +143,7 @@ void DrawingCrew::draw(const FanPlan& plan, const Outlook& outlook, std::vector<
             fault = std::current_exception();
         }
     };
-    take([&] { return own_.draw(shares_[0].views, size, outlook.offset, pixels.data()); });
+    take([&] { return own_.draw(shares_[0].views, plan.samples, outlook.offset, pixels.data()); });
     for (std::size_t i = 0; i < helpers_.size(); ++i)
         if (!shares_[i + 1].views.empty()) take([&] { return helpers_[i]->end(); });
     if (fault) std::rethrow_exception(fault);

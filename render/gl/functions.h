@@ -49,6 +49,7 @@ namespace echoloop::gl {
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                   \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                 \
     X(PFNGLMULTIDRAWELEMENTSBASEVERTEXPROC, MultiDrawElementsBaseVertex) \
+    X(PFNGLPIXELSTOREIPROC, PixelStorei)                                 \
     X(PFNGLREADPIXELSPROC, ReadPixels)                                   \
     X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                 \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                               \

@@ -155,8 +155,7 @@ void SceneDrawer::set_view(const View& view, const Pose& frame_from_fan, PixelOf
     gl_.Uniform4f(uniforms_.pixel, static_cast<float>(view.line_width()),
                   static_cast<float>(view.sample_height()), static_cast<float>(view.usual_width),
                   static_cast<float>(view.usual_height));
-    gl_.Viewport(0, static_cast<GLint>(view.first_line), static_cast<GLsizei>(view.samples),
-                 static_cast<GLsizei>(view.lines));
+    gl_.Viewport(0, 0, static_cast<GLsizei>(view.samples), static_cast<GLsizei>(view.lines));
 }
 
 void SceneDrawer::DrawList::clear() {
@@ -181,9 +180,9 @@ void SceneDrawer::submit(const DrawList& list, bool double_sided) const {
                                     static_cast<GLsizei>(list.counts.size()), list.bases.data());
 }
 
-/// Fans of nearly the same size share a target.
+/// Views of nearly the same size share a target.
 void SceneDrawer::bind_target(int width, int height) {
-    constexpr int step = 64;  // pixels, as llvmpipe's tiles
+    constexpr int step = 8;  // pixels
     width = (width + step - 1) / step * step;
     height = (height + step - 1) / step * step;
     const auto fits = [&](const SizedTarget& target) {
@@ -206,38 +205,38 @@ void SceneDrawer::draw_part(const View& view, const SeenNodes& part, PixelOffset
     submit(lists_[1], true);
 }
 
-/// Every view at its own place in the whole image, whoever draws the others: where a vertex falls among the
-/// pixels is rounded there.
-DrawTimes SceneDrawer::draw(std::span<const SeenView* const> views, ImageSize size, PixelOffset offset,
+void SceneDrawer::draw_view(const SeenView& seen, PixelOffset offset) {
+    bind_target(static_cast<int>(seen.view->samples), static_cast<int>(seen.view->lines));
+    const GLfloat nothing[4] = {0, 0, 0, 0};  // surface 0, and the depth of infinity
+    gl_.ClearBufferfv(GL_COLOR, 0, nothing);
+    gl_.ClearBufferfv(GL_DEPTH, 0, nothing);
+    for (const SeenNodes& part : seen.parts) draw_part(*seen.view, part, offset);
+    gl_.Finish();  // costs nothing, as the next call would wait, and tells drawing from reading
+}
+
+/// Every view on a target of its own size, as llvmpipe clears and walks through all of a target; and where a
+/// vertex falls among the pixels is rounded there, whoever draws the other views.
+DrawTimes SceneDrawer::draw(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,
                             Pixel* image) {
-    const auto begin = Clock::now();
     context_->make_current();
-    bind_target(static_cast<int>(size.samples), static_cast<int>(size.lines));
     program_->use();
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_GREATER);
-    const GLfloat nothing[4] = {0, 0, 0, 0};  // surface 0, and the depth of infinity
-    gl_.ClearBufferfv(GL_COLOR, 0, nothing);
-    gl_.ClearBufferfv(GL_DEPTH, 0, nothing);
-    for (const SeenView* seen : views)
-        for (const SeenNodes& part : seen->parts) draw_part(*seen->view, part, offset);
-    gl_.Finish();  // costs nothing, as the next call would wait, and tells drawing from reading
-    const auto drawn = Clock::now();
-    read_back(views, size.samples, image);
-    gl_.check("drawing a fan");
-    return {std::chrono::duration<double>(drawn - begin).count(), seconds_since(drawn)};
-}
-
-/// Views that follow one another in the image are read at once.
-void SceneDrawer::read_back(std::span<const SeenView* const> views, std::size_t samples, Pixel* image) const {
-    for (std::size_t i = 0; i < views.size();) {
-        const std::size_t first = views[i]->view->first_line;
-        std::size_t end = first;
-        for (; i < views.size() && views[i]->view->first_line == end; ++i) end += views[i]->view->lines;
-        gl_.ReadPixels(0, static_cast<GLint>(first), static_cast<GLsizei>(samples),
-                       static_cast<GLsizei>(end - first), GL_RGBA, GL_FLOAT, image + first * samples);
+    gl_.PixelStorei(GL_PACK_ROW_LENGTH, static_cast<GLint>(samples));
+    DrawTimes times;
+    for (const SeenView* seen : views) {
+        const View& view = *seen->view;
+        const auto begin = Clock::now();
+        draw_view(*seen, offset);
+        const auto drawn = Clock::now();
+        gl_.ReadPixels(0, 0, static_cast<GLsizei>(view.samples), static_cast<GLsizei>(view.lines), GL_RGBA,
+                       GL_FLOAT, image + view.first_line * samples);
+        times.draw += std::chrono::duration<double>(drawn - begin).count();
+        times.read_back += seconds_since(drawn);
     }
+    gl_.check("drawing a fan");
+    return times;
 }
 
 std::string SceneDrawer::description() const {

@@ -42,11 +42,6 @@ struct Outlook {
 /// Fills `seen`, one for every view of the plan, whose places it keeps. Needs no GL.
 void find_seen(const Scene& scene, const FanPlan& plan, const Outlook& outlook, std::vector<SeenView>& seen);
 
-/// Of the image that all views of a plan share.
-struct ImageSize {
-    std::size_t samples = 0, lines = 0;
-};
-
 /// Where the time of a draw() went.
 struct DrawTimes {
     double draw = 0, read_back = 0;  ///< s of wall time; draw ends when the last pixel is there
@@ -60,8 +55,10 @@ class SceneDrawer {
     SceneDrawer(const SceneDrawer&) = delete;
     SceneDrawer& operator=(const SceneDrawer&) = delete;
 
-    /// Draws these views of a plan, whose image has `size`, and reads them back to where they are in it.
-    DrawTimes draw(std::span<const SeenView* const> views, ImageSize size, PixelOffset offset, Pixel* image);
+    /// Draws these views of a plan and reads them back to where they are in its image, whose lines have so
+    /// many samples.
+    DrawTimes draw(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,
+                   Pixel* image);
 
     /// Index into Scene::materials() of every surface number, which is Pixel::surface - 1.
     const std::vector<std::uint32_t>& material_of_surface() const { return material_of_surface_; }
@@ -89,9 +86,9 @@ class SceneDrawer {
 
     void upload();
     void bind_target(int width, int height);
+    void draw_view(const SeenView& seen, PixelOffset offset);
     void draw_part(const View& view, const SeenNodes& part, PixelOffset offset);
     void set_view(const View& view, const Pose& frame_from_fan, PixelOffset offset) const;
-    void read_back(std::span<const SeenView* const> views, std::size_t samples, Pixel* image) const;
     void list(const SceneNode& node);
     void submit(const DrawList& list, bool double_sided) const;
 
