@@ -32,7 +32,7 @@ ViewLimits limits_of(const View& view, const Outlook& outlook) {
             .tolerance = (coarse || background ? 1.5 : 0.5) * pixel,
             .full_tolerance_range = coarse && !background ? 0.45 * outlook.end_range : 0,
             .begin_range = outlook.begin_range,
-            .hiding_tolerance = 1.5 * pixel};
+            .hiding_tolerance = 4 * pixel};
 }
 
 /// Makes the context current before the members that need it are built.

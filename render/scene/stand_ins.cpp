@@ -15,10 +15,11 @@
 namespace echoloop {
 namespace {
 
-/// Cells so large that the surface of a node falls into about half as many as a chunk has triangles; a
-/// scene's extent in the smallest fits an int.
-int exponent_for(double area) {
-    constexpr double cells = 0.4 * chunk_triangles, smallest = -12, largest = 17;
+/// Cells so large that the surface of a node falls into about half as many as a chunk has triangles, or a few
+/// of a small node's own; a scene's extent in the smallest fits an int.
+int exponent_for(double area, std::size_t triangles) {
+    constexpr double smallest = -12, largest = 17;
+    const double cells = std::min(0.4 * chunk_triangles, 0.1 * static_cast<double>(triangles));
     return static_cast<int>(std::lround(std::clamp(0.5 * std::log2(area / cells), smallest, largest)));
 }
 
@@ -34,7 +35,8 @@ std::map<int, std::vector<std::uint32_t>> nodes_by_exponent(const Mesh& mesh,
     for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
         if (tree.is_chunk(i)) continue;
         const ChunkNode& node = tree.nodes[i];
-        out[exponent_for(area_before[node.first + node.count] - area_before[node.first])].push_back(i);
+        out[exponent_for(area_before[node.first + node.count] - area_before[node.first], node.count)]
+            .push_back(i);
     }
     return out;
 }

@@ -38,6 +38,29 @@ Mesh floor_at(double z, double half_side, int cells, double mu_db) {
     return mesh;
 }
 
+Mesh seabed(int cells) {
+    const double half = 60, step = 2 * half / cells;
+    const auto height = [](double x, double y) {
+        return 0.25 * (std::sin(0.9 * x) * std::cos(0.7 * y) + 0.4 * std::sin(2.3 * x + 1.7 * y));
+    };
+    Mesh mesh;
+    mesh.object = "seabed";
+    for (int row = 0; row <= cells; ++row)
+        for (int column = 0; column <= cells; ++column) {
+            const double x = -half + column * step, y = -half + row * step, d = 1e-4;
+            mesh.positions.push_back({x, y, -6 + height(x, y)});
+            mesh.normals.push_back({(height(x - d, y) - height(x + d, y)) / (2 * d),
+                                    (height(x, y - d) - height(x, y + d)) / (2 * d), 1});
+        }
+    for (int row = 0; row < cells; ++row)
+        for (int column = 0; column < cells; ++column) {
+            const auto i = static_cast<std::uint32_t>(row * (cells + 1) + column), above = i + cells + 1;
+            for (const std::uint32_t corner : {i, i + 1, above + 1, i, above + 1, above})
+                mesh.indices.push_back(corner);
+        }
+    return mesh;
+}
+
 Mesh wall_at(double x, double half_width, double z0, double z1, double mu_db) {
     return quad("wall", {x, half_width, z0}, {x, -half_width, z0}, {x, -half_width, z1}, {x, half_width, z1},
                 mu_db);

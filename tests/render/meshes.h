@@ -13,6 +13,9 @@ Mesh quad(const char* object, Vec3 a, Vec3 b, Vec3 c, Vec3 d, double mu_db = -27
 /// A horizontal square at height z that faces up, `cells` x `cells` quads.
 Mesh floor_at(double z, double half_side, int cells = 1, double mu_db = -27);
 
+/// Bumpy, about z = -6 m, of cells x cells quads on 120 m x 120 m.
+Mesh seabed(int cells);
+
 /// A vertical rectangle at x that faces -x, from z0 to z1 and |y| <= half_width.
 Mesh wall_at(double x, double half_width, double z0, double z1, double mu_db = -27);
 
