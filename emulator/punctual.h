@@ -9,7 +9,7 @@ namespace echoloop {
 void wake_on_time();
 
 /// Who goes before whom in a run that was asked to be on time: SCHED_FIFO priorities.
-enum class Turn { fans = 4, listeners = 6, single_beams = 8, wires = 9, watchers = 10 };
+enum class Turn { fans = 4, urgent_fans = 5, listeners = 6, single_beams = 8, wires = 9, watchers = 10 };
 
 /// The calling thread goes before all ordinary threads of the machine, and so do those that it starts from
 /// then on (not those of Turn::wires: none of them serves a wire). Throws StartError with the remedy if that

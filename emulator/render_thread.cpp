@@ -16,10 +16,16 @@ namespace {
 /// Rendering gives way to the wire, and fans to single beams; but hardly to other programs, which would
 /// starve it on a busy machine. The name is what top and gdb show.
 void begin_thread(RenderThread::Lane lane, bool real_time) {
-    const bool every = lane == RenderThread::Lane::every;
-    ::pthread_setname_np(::pthread_self(), every ? "render" : "render beams");
-    if (real_time) return claim_real_time(every ? Turn::fans : Turn::single_beams);
-    give_way(every ? 2 : 1);
+    using Lane = RenderThread::Lane;
+    const char* name = lane == Lane::every          ? "render"
+                       : lane == Lane::single_beams ? "render beams"
+                                                    : "render urgent";
+    ::pthread_setname_np(::pthread_self(), name);
+    if (real_time)
+        return claim_real_time(lane == Lane::every          ? Turn::fans
+                               : lane == Lane::single_beams ? Turn::single_beams
+                                                            : Turn::urgent_fans);
+    give_way(lane == Lane::every ? 2 : 1);
 }
 
 /// A ping of a single beam is rendered at the turn of its kind, whoever does it.
@@ -49,20 +55,22 @@ Echogram silence(Shot shot, const Pose& world_from_sonar) {
 
 }  // namespace
 
-RenderThread::Crew RenderThread::useful(std::size_t sonars, bool real_time) {
+RenderThread::Crew RenderThread::useful(std::size_t sonars, std::size_t fans, bool real_time) {
     const std::size_t threads = std::clamp<std::size_t>(sonars, 1, Workers::useful());
-    return {threads, sonars > threads, real_time};
+    return {threads, sonars > threads, fans > threads, real_time};
 }
 
 std::size_t RenderThread::drawing_threads(std::size_t sonars) {
-    return std::max<std::size_t>(1, Workers::useful() / useful(sonars).threads);
+    return std::max<std::size_t>(1, Workers::useful() / useful(sonars, 0).threads);
 }
 
-RenderThread::RenderThread(const Make& make, Crew crew) : real_time_(crew.real_time), every_(crew.threads) {
+RenderThread::RenderThread(const Make& make, Crew crew)
+    : real_time_(crew.real_time), urgent_fans_(crew.urgent_fans), every_(crew.threads) {
     keep_rasterisers_on_their_threads();
     std::vector<std::future<void>> ready;
     for (std::size_t i = 0; i < crew.threads; ++i) threads_.push_back(start(make, Lane::every, ready));
     if (crew.single_beams) threads_.push_back(start(make, Lane::single_beams, ready));
+    if (crew.urgent_fans) threads_.push_back(start(make, Lane::urgent_fans, ready));
     for (auto& renderer : ready) renderer.wait();
     for (auto& renderer : ready) renderer.get();
 }
@@ -104,12 +112,18 @@ RenderThread::Jobs::iterator RenderThread::most_urgent(Lane lane) {
     auto best = jobs_.end();
     std::set<std::size_t> seen = busy_;
     for (auto job = jobs_.begin(); job != jobs_.end(); ++job) {
-        if (!seen.insert(job->claim.sonar).second) continue;
-        if (lane == Lane::single_beams && !is_single_beam(job->shot)) continue;
-        if (!leaves_a_thread(job->shot)) continue;
+        if (!seen.insert(job->claim.sonar).second || !is_for(lane, *job)) continue;
         if (best == jobs_.end() || job->claim.needed < best->claim.needed) best = job;
     }
     return best;
+}
+
+bool RenderThread::is_for(Lane lane, const Job& job) const {
+    const bool single_beam = is_single_beam(job.shot);
+    if (lane == Lane::single_beams) return single_beam;
+    if (!leaves_a_thread(job.shot)) return false;
+    return lane == Lane::every ||
+           (!single_beam && under_way_.size() == every_ && job.claim.needed < *under_way_.begin());
 }
 
 void RenderThread::serve(std::stop_token stop, Renderer& renderer, Lane lane) {
@@ -121,9 +135,13 @@ void RenderThread::serve(std::stop_token stop, Renderer& renderer, Lane lane) {
         Job job = std::move(*next);
         jobs_.erase(next);
         busy_.insert(job.claim.sonar);
+        const Time needed = job.claim.needed;
         const std::size_t images = job.shot.rows() > 1 ? 1 : 0;
         images_ += images;
+        if (lane == Lane::every) under_way_.insert(job.claim.needed);
+        const bool others = urgent_fans_ && !jobs_.empty();
         lock.unlock();
+        if (others) wake_.notify_all();  // one of them may have become urgent
         try {
             const Place place(real_time_ && lane == Lane::every && is_single_beam(job.shot));
             job.done(renderer.render(job.shot, job.situation), {});
@@ -133,6 +151,7 @@ void RenderThread::serve(std::stop_token stop, Renderer& renderer, Lane lane) {
         lock.lock();
         busy_.erase(job.claim.sonar);
         images_ -= images;
+        if (lane == Lane::every) under_way_.erase(under_way_.find(needed));
         const bool more = !jobs_.empty();
         lock.unlock();
         if (more) wake_.notify_all();

@@ -23,12 +23,13 @@ class Renderer;
 
 class RenderThread {
   public:
-    /// What a thread takes: single beams only, which are rendered in a moment and do not wait behind fans, or
-    /// all.
-    enum class Lane { every, single_beams };
+    /// What a thread takes: all; single beams only, which are rendered in a moment and do not wait behind
+    /// fans; or fans that are needed before all that the first ones are at, which they interrupt.
+    enum class Lane { every, single_beams, urgent_fans };
     struct Crew {
         std::size_t threads = 1;
         bool single_beams = false;  ///< one thread more, for these
+        bool urgent_fans = false;   ///< and one for these
         bool real_time = false;     ///< before all ordinary threads of the machine
     };
     using Make = std::function<std::unique_ptr<Renderer>(Lane)>;
@@ -51,8 +52,8 @@ class RenderThread {
 
     void submit(Claim claim, Shot shot, Situation situation, Done done);
 
-    /// As many threads as find work with so many sonars on this machine.
-    static Crew useful(std::size_t sonars, bool real_time = false);
+    /// As many threads as find work with so many sonars on this machine, so many of them with fans.
+    static Crew useful(std::size_t sonars, std::size_t fans, bool real_time = false);
     /// For each of their renderers.
     static std::size_t drawing_threads(std::size_t sonars);
     static bool is_single_beam(const Shot& shot) { return shot.bearings.size() == 1; }
@@ -69,19 +70,21 @@ class RenderThread {
     std::jthread start(const Make& make, Lane lane, std::vector<std::future<void>>& ready);
     void serve(std::stop_token stop, Renderer& renderer, Lane lane);
     Jobs::iterator most_urgent(Lane lane);
+    bool is_for(Lane lane, const Job& job) const;
     /// Shots with rows of beams take ten times as long as fans: they leave a thread to the others where there
     /// are two.
     bool leaves_a_thread(const Shot& shot) const {
         return shot.rows() == 1 || images_ == 0 || images_ + 1 < every_;
     }
 
-    const bool real_time_;
+    const bool real_time_, urgent_fans_;
     const std::size_t every_;  ///< threads of that lane
     std::mutex mutex_;
     std::condition_variable_any wake_;
-    Jobs jobs_;                   ///< in the order of submission
-    std::set<std::size_t> busy_;  ///< sonars whose ping is being rendered
-    std::size_t images_ = 0;      ///< shots with rows that are being rendered
+    Jobs jobs_;                      ///< in the order of submission
+    std::set<std::size_t> busy_;     ///< sonars whose ping is being rendered
+    std::multiset<Time> under_way_;  ///< when what the threads for all are at is needed
+    std::size_t images_ = 0;         ///< shots with rows that are being rendered
     std::vector<std::jthread> threads_;
 };
 

@@ -35,6 +35,12 @@ std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io
     return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
 }
 
+std::size_t fans_of(const Scenario& scenario) {
+    return static_cast<std::size_t>(std::ranges::count_if(scenario.devices, [](const ScenarioDevice& device) {
+        return !RenderThread::is_single_beam(device.model->default_shot(device.config, 0, 0));
+    }));
+}
+
 SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers,
                          Punctuality punctuality) {
     const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
@@ -67,9 +73,9 @@ class Runtime::Impl {
           water_(shared_water(scenario, *scene_, movers_, punctuality)),
           faults_(scenario.seed, scenario.file.string(), records.labels,
                   [this] { return clock_->unix_time(); }),
-          render_thread_(
-              [this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
-              RenderThread::useful(scenario.devices.size(), punctuality == Punctuality::real_time)) {
+          render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
+                         RenderThread::useful(scenario.devices.size(), fans_of(scenario),
+                                              punctuality == Punctuality::real_time)) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
         if (stepped_ != nullptr && records.recording != nullptr)

@@ -49,13 +49,14 @@ class RenderThreads : public testing::Test {
                       [this, name](const Echogram&, const std::string&) { note(name); });
     }
     /// Keeps a thread busy until release().
-    void block(std::size_t sonar, std::size_t beams) { block(sonar, shot_of(beams)); }
-    void block(std::size_t sonar, const Shot& shot) {
+    void block(std::size_t sonar, std::size_t beams, int needed = 0) { block(sonar, shot_of(beams), needed); }
+    void block(std::size_t sonar, const Shot& shot, int needed = 0) {
         std::promise<void> begun;
-        crew_->submit({sonar, {}}, shot, {}, [&begun, this](const Echogram&, const std::string&) {
-            begun.set_value();
-            gate_.wait();
-        });
+        crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot, {},
+                      [&begun, this](const Echogram&, const std::string&) {
+                          begun.set_value();
+                          gate_.wait();
+                      });
         begun.get_future().wait();
     }
     void release() { open_.set_value(); }
@@ -131,6 +132,31 @@ TEST_F(RenderThreads, ASingleBeamDoesNotWaitBehindFans) {
     EXPECT_THAT(wait_for(2), ElementsAre("single beam", "fan"));
 }
 
+TEST_F(RenderThreads, AFanThatIsNeededBeforeAllUnderWayInterruptsThem) {
+    start({1, false, true});
+    block(1, 16, 20);
+    submit("as soon", 2, 20, 16);
+    submit("sooner", 3, 10, 16);
+    submit("sooner, but a single beam", 4, 15, 1);
+    EXPECT_THAT(wait_for(1), ElementsAre("sooner"));
+    submit("as soon as that", 5, 10, 16);
+    EXPECT_THAT(wait_for(2), ElementsAre("sooner", "as soon as that"));
+    release();
+    EXPECT_THAT(wait_for(4),
+                ElementsAre("sooner", "as soon as that", "sooner, but a single beam", "as soon"));
+}
+
+TEST_F(RenderThreads, UrgentIsWhatIsNeededBeforeAllUnderWay) {
+    start({2, false, true});
+    block(1, 16, 20);
+    block(2, 16, 5);
+    submit("before one of them only", 3, 10, 16);
+    submit("before both", 4, 1, 16);
+    EXPECT_THAT(wait_for(1), ElementsAre("before both"));
+    release();
+    EXPECT_THAT(wait_for(2), ElementsAre("before both", "before one of them only"));
+}
+
 std::vector<std::vector<float>> rendered(const std::shared_ptr<const Scene>& scene, RenderThread::Crew crew) {
     constexpr std::size_t pings = 24;
     std::vector<std::vector<float>> values(pings);
@@ -163,10 +189,12 @@ TEST(RenderThreadsThatCannotStart, SayWhy) {
 }
 
 TEST(UsefulThreads, AreNoMoreThanFindWork) {
-    EXPECT_EQ(RenderThread::useful(1).threads, 1U);
-    EXPECT_FALSE(RenderThread::useful(1).single_beams);
-    EXPECT_TRUE(RenderThread::useful(100).single_beams);
-    EXPECT_LE(RenderThread::useful(100).threads, 4U);
+    EXPECT_EQ(RenderThread::useful(1, 1).threads, 1U);
+    EXPECT_FALSE(RenderThread::useful(1, 1).single_beams);
+    EXPECT_TRUE(RenderThread::useful(100, 0).single_beams);
+    EXPECT_FALSE(RenderThread::useful(100, 1).urgent_fans);
+    EXPECT_TRUE(RenderThread::useful(100, 50).urgent_fans);
+    EXPECT_LE(RenderThread::useful(100, 50).threads, 4U);
 }
 
 }  // namespace
