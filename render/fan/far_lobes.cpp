@@ -9,7 +9,8 @@ constexpr std::size_t most_nodes = 64;
 
 constexpr double sector_spacing = std::numbers::pi / (sectors_per_part - 1);
 
-/// A beam's power by angle, sampled more finely than any lobe that is drawn: means over sectors ask for it often.
+/// A beam's power by angle, sampled more finely than any lobe that is drawn: means over sectors ask for it
+/// often.
 class PowerTable {
   public:
     explicit PowerTable(const Lobe& lobe) {
@@ -28,11 +29,13 @@ class PowerTable {
 };
 
 /// Mean pattern of a beam over a sector's tent, without the bearings from `skip_first` to `skip_last`.
-double mean_over_sector(const PowerTable& power, double beam, std::size_t sector, double skip_first, double skip_last) {
+double mean_over_sector(const PowerTable& power, double beam, std::size_t sector, double skip_first,
+                        double skip_last) {
     constexpr int steps = 65;
     double sum = 0, weights = 0;
     for (int i = 0; i < steps; ++i) {
-        const double place = 2 * (i + 0.5) / steps - 1, angle = sector_middle(sector) + place * sector_spacing;
+        const double place = 2 * (i + 0.5) / steps - 1,
+                     angle = sector_middle(sector) + place * sector_spacing;
         if (angle >= skip_first && angle <= skip_last) continue;
         sum += (1 - std::abs(place)) * power.at(angle - beam);
         weights += 1 - std::abs(place);
@@ -40,18 +43,22 @@ double mean_over_sector(const PowerTable& power, double beam, std::size_t sector
     return weights > 0 ? sum / weights : 0;
 }
 
-double bearing_of(const FanPlan& plan, std::size_t line) {
-    const View& view = plan.view_of(line);
-    return view.bearing_at(static_cast<double>(line - view.first_line) + 0.5);
+/// rad, of the middles of all level lines.
+std::vector<double> bearings_of_lines(const FanPlan& plan) {
+    std::vector<double> bearings;
+    for (std::size_t v = 0; v < plan.level_views; ++v)
+        for (std::size_t line = 0; line < plan.views[v].lines; ++line)
+            bearings.push_back(plan.views[v].bearing_at(static_cast<double>(line) + 0.5));
+    return bearings;
 }
 
-/// What a beam hears of the part's lines beyond its own ones, as a mean per sector.
-void weigh_lines(const FanPlan& plan, const FanPart& part, const PowerTable& power, const BeamLines& own,
-                 double beam, float* far) {
+/// What a beam hears of the part's lines, at `bearings`, beyond its own ones, as a mean per sector.
+void weigh_lines(const FanPlan& plan, const FanPart& part, const std::vector<double>& bearings,
+                 const PowerTable& power, const BeamLines& own, double beam, float* far) {
     std::vector<double> sums(sectors_per_part), lines(sectors_per_part);
     for (std::size_t line = part.first_line; line < part.first_line + part.lines; ++line) {
         const bool near = line >= own.first_line && line < own.first_line + own.lines;
-        const double heard = near ? 0 : power.at(bearing_of(plan, line) - beam);
+        const double heard = near ? 0 : power.at(bearings[line] - beam);
         const SectorShare share = plan.line_sector[line];
         const std::size_t sector = share.sector - part.first_sector;
         lines[sector] += 1 - share.next, lines[sector + 1] += share.next;
@@ -83,8 +90,9 @@ void add_far_lobes(FanPlan& plan, FanPart& part, const FanGeometry& g, const Fan
         part.far = {1.0F};  // the surround's pixels carry the whole pattern; all lines are the beam's own
         return;
     }
+    const auto bearings = bearings_of_lines(plan);
     for (std::size_t line = part.first_line; line < part.first_line + part.lines; ++line)
-        plan.line_sector[line] = sector_at(part, SectorKind::lines, bearing_of(plan, line) - part.centre);
+        plan.line_sector[line] = sector_at(part, SectorKind::lines, bearings[line] - part.centre);
     const PowerTable power(lobes.horizontal);
     part.beams_per_node = (part.beams + most_nodes - 1) / most_nodes;
     part.nodes = (part.beams - 1 + part.beams_per_node - 1) / part.beams_per_node + 1;
@@ -92,7 +100,7 @@ void add_far_lobes(FanPlan& plan, FanPart& part, const FanGeometry& g, const Fan
     for (std::size_t node = 0; node < part.nodes; ++node) {
         const std::size_t beam = part.first_beam + std::min(node * part.beams_per_node, part.beams - 1);
         float* far = &part.far[node * part.sectors];
-        weigh_lines(plan, part, power, plan.beams[beam], g.bearings[beam], far);
+        weigh_lines(plan, part, bearings, power, plan.beams[beam], g.bearings[beam], far);
         weigh_surround(part, power, g.bearings[beam] - part.centre, far);
     }
 }

@@ -91,6 +91,27 @@ bool alike(const View& a, const View& b, const FanLobes& lobes) {
     return a.right == b.right && a.lines == b.lines && !lobes.piston;
 }
 
+struct Bearings {
+    double low = 0, high = 0;  ///< rad
+};
+
+/// Of the edges of all level lines.
+std::vector<Bearings> bearings_of_lines(const FanPlan& plan) {
+    std::vector<Bearings> bearings;
+    for (std::size_t v = 0; v < plan.level_views; ++v)
+        for (std::size_t line = 0; line < plan.views[v].lines; ++line) {
+            const auto at = static_cast<double>(line);
+            bearings.push_back({plan.views[v].bearing_at(at), plan.views[v].bearing_at(at + 1)});
+        }
+    return bearings;
+}
+
+/// What a beam hears between two angles off its axis, relative to the axis: Simpson's rule.
+double mean_of(const LobeTable& lobe, double low, double high) {
+    const auto at = [&](double angle) { return static_cast<double>(lobe.at(static_cast<float>(angle))); };
+    return (at(low) + 4 * at((low + high) / 2) + at(high)) / 6;
+}
+
 /// Number of lines wholly or partly left of `bearing`, counted in the part.
 std::size_t lines_before(const FanPlan& plan, const FanPart& part, double bearing) {
     std::size_t lines = 0;
@@ -166,6 +187,7 @@ void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& g, const
     if (lobes.single && !lobes.piston)
         plan.beside =
             sine_table(lobes.horizontal, g.side_lobes, reach + widest_line, std::sin(g.beam_width) / 100);
+    const auto bearings = bearings_of_lines(plan);
     for (std::size_t b = part.first_beam; b < part.first_beam + part.beams; ++b) {
         BeamLines& beam = plan.beams[b];
         const double bearing = beam.bearing;
@@ -179,11 +201,10 @@ void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& g, const
         beam.nominal_lines = begin(g.beam_width / 2) - beam.first_nominal;
         beam.first_weight = plan.line_weight.size();
         for (std::size_t line = beam.first_line; line < beam.first_line + beam.lines; ++line) {
-            const View& view = plan.view_of(line);
-            const auto at = static_cast<double>(line - view.first_line);
-            const double mean = lobes.single ? 1.0
-                                             : lobes.horizontal.mean(view.bearing_at(at) - bearing,
-                                                                     view.bearing_at(at + 1) - bearing);
+            const double low = bearings[line].low - bearing, high = bearings[line].high - bearing;
+            const double mean = lobes.single          ? 1.0
+                                : plan.across.empty() ? lobes.horizontal.mean(low, high)
+                                                      : mean_of(plan.across, low, high);
             plan.line_weight.push_back(static_cast<float>(mean));
         }
     }

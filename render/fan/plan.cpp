@@ -97,7 +97,7 @@ FanPlan plan_fan(const FanGeometry& geometry, const PlanDensity& density) {
     plan.first_surround_pixel = plan.weight.size();
     for (FanPart& part : plan.parts) {
         share_lines(plan, part, geometry, lobes);
-        if (geometry.side_lobes) add_surround(plan, part, lobes, density.pixels);
+        if (geometry.side_lobes) add_surround(plan, part, geometry, lobes, density.pixels);
         if (geometry.side_lobes) add_far_lobes(plan, part, geometry, lobes);
     }
     return plan;

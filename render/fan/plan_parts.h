@@ -16,18 +16,20 @@ struct FanLobes {
 
     Lobe horizontal, vertical;
     bool surround;  ///< level views hand over to it at their upper and lower limits
-    bool single;  ///< one beam: surround pixels are weighed with its whole pattern
-    bool piston;  ///< the pattern depends on the angle off the axis only
+    bool single;    ///< one beam: surround pixels are weighed with its whole pattern
+    bool piston;    ///< the pattern depends on the angle off the axis only
 
     /// Two-way power of a piston at bearing and elevation off its axis.
     double of_piston(double bearing, double elevation) const;
 };
 
 /// rad; level views reach so far above and below the fan's plane.
-inline double drawn_half_height(const FanLobes& lobes) { return std::min(lobes.vertical.edge(), deg_to_rad(60)); }
+inline double drawn_half_height(const FanLobes& lobes) {
+    return std::min(lobes.vertical.edge(), deg_to_rad(60));
+}
 
-/// Share 0..1 of a direction's echo that the level views take: it falls to nothing over the last 5 deg, and the surround
-/// takes the rest, so that their pixels of different size leave no seam.
+/// Share 0..1 of a direction's echo that the level views take: it falls to nothing over the last 5 deg, and
+/// the surround takes the rest, so that their pixels of different size leave no seam.
 inline double level_share(const FanLobes& lobes, double elevation) {
     const double edge = drawn_half_height(lobes), off = std::abs(elevation);
     if (!lobes.surround) return off <= edge ? 1 : 0;
@@ -39,14 +41,14 @@ inline double usual_size(std::size_t count, std::size_t usual) {
     return std::max(1.0, static_cast<double>(count) / static_cast<double>(usual));
 }
 
-/// Into how many parts each side of a pixel is cut where it makes `parts` of them: a whole number of samples, so that each
-/// has neighbours a pixel away, and a rest of lines.
+/// Into how many parts each side of a pixel is cut where it makes `parts` of them: a whole number of samples,
+/// so that each has neighbours a pixel away, and a rest of lines.
 inline std::size_t cuts_per_side(double parts) {
     return static_cast<std::size_t>(std::ceil(std::sqrt(std::max(parts, 1.0)) - 1e-9));
 }
 
-/// Near side lobes are summed line by line up to this many beam widths off the axis: five lobes of a line aperture,
-/// down to -25 dB one way.
+/// Near side lobes are summed line by line up to this many beam widths off the axis: five lobes of a line
+/// aperture, down to -25 dB one way.
 inline constexpr double near_beam_widths = 7;
 
 /// Appends the part's level views.
@@ -57,8 +59,10 @@ void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height)
 /// Gives each beam of the part its lines.
 void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& geometry, const FanLobes& lobes);
 /// Appends views of all directions that the level views leave out, as far as the array hears them.
-void add_surround(FanPlan& plan, FanPart& part, const FanLobes& lobes, double density);
-/// All directions in front of an array: five faces of a cube of `side` x `side` pixels, those beside cut in half.
+void add_surround(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const FanLobes& lobes,
+                  double density);
+/// All directions in front of an array: five faces of a cube of `side` x `side` pixels, those beside cut in
+/// half.
 std::array<View, 5> front_half_cube(std::size_t side);
 /// Sorts lines and surround pixels into sectors and finds what each beam hears of them.
 void add_far_lobes(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const FanLobes& lobes);

@@ -15,21 +15,44 @@ constexpr double pixels_per_side = 64, pixels_of_single_beam = 40;
 constexpr double least_power = 3e-6;             ///< two ways; below, a direction is not heard
 constexpr double widest_part = deg_to_rad(170);  ///< a ring of transducers has no plane and no surround
 
+/// Of unit length, relative to the array's axis.
 struct Direction {
-    double bearing, elevation;  ///< rad, relative to the array's axis
+    double ahead, starboard, up;
 };
 
-/// `array_from_view`: the view's rotation relative to the array's axis.
-Direction direction_at(const View& view, Quat array_from_view, double line, double sample) {
-    const Vec3 d = rotate(array_from_view, {1, -view.x(line), view.y(sample)});
-    return {std::atan2(-d.y, d.x), std::atan2(d.z, std::sqrt(d.x * d.x + d.y * d.y))};
+/// The directions that a view's pixels look in.
+class Directions {
+  public:
+    /// `array_from_view`: the view's rotation relative to the array's axis.
+    Directions(const View& view, Quat array_from_view)
+        : view_(view),
+          forward_(rotate(array_from_view, {1, 0, 0})),
+          port_(rotate(array_from_view, {0, 1, 0})),
+          up_(rotate(array_from_view, {0, 0, 1})) {}
+
+    Direction at(double line, double sample) const {
+        const Vec3 d = forward_ - view_.x(line) * port_ + view_.y(sample) * up_;
+        const double shrink = 1 / norm(d);
+        return {shrink * d.x, -shrink * d.y, shrink * d.z};
+    }
+
+  private:
+    const View& view_;
+    Vec3 forward_, port_, up_;
+};
+
+/// A lobe's power over the sine of the angle off its axis: a plan asks for it a hundred thousand times.
+LobeTable over_sine(const Lobe& lobe, double width) {
+    LobeTable table{std::sin(width) / 60, {}};
+    for (double sine = 0; sine < 1 + 2 * table.step; sine += table.step)
+        table.values.push_back(static_cast<float>(lobe.power(std::asin(std::min(sine, 1.0)))));
+    return table;
 }
 
 /// The plane that comes nearest to values in a pixel, parts x parts of them.
+template <int parts>
 class Fit {
   public:
-    static constexpr int parts =
-        4;  ///< cuts pixels smoothly at the limit of the level views; 6 plan a ping too late
     static double place(int part) { return (part + 0.5) / parts - 0.5; }
 
     void add(double line, double sample, double value) {
@@ -58,18 +81,27 @@ class Fit {
 /// hears the same pattern, however many they are.
 class Surround {
   public:
-    Surround(FanPlan& plan, const FanPart& part, const FanLobes& lobes, std::size_t cuts)
-        : plan_(plan), part_(part), lobes_(lobes), cuts_(cuts) {}
+    Surround(FanPlan& plan, const FanPart& part, const FanGeometry& geometry, const FanLobes& lobes,
+             std::size_t cuts)
+        : plan_(plan),
+          part_(part),
+          lobes_(lobes),
+          cuts_(cuts),
+          vertical_(over_sine(lobes.vertical, geometry.fan_height)) {
+        if (lobes.single && !lobes.piston) horizontal_ = over_sine(lobes.horizontal, geometry.beam_width);
+        first_slope_ = std::tan(part.first_edge - part.centre),
+        last_slope_ = std::tan(part.last_edge - part.centre);
+    }
 
     /// Appends what the array hears of the face: the rectangle of pixels that have weight, if any.
     bool add(const View& face, double bearing) {
         View turned = face;
         turned.bearing = bearing;
-        array_from_view_ = turned.fan_from_view();
+        const Directions directions(face, turned.fan_from_view());
         heard_.clear();
         for (std::size_t line = 0; line < face.lines; ++line)
             for (std::size_t sample = 0; sample < face.samples; ++sample)
-                heard_.push_back(heard_of(face, line, sample));
+                heard_.push_back(heard_of(directions, line, sample));
         const Rectangle heard = rectangle(face);
         if (heard.last_line <= heard.first_line) return false;
         View view = cropped(face, heard);
@@ -115,14 +147,24 @@ class Surround {
     static float power_of(const SurroundPixel& p) { return p.beside.mean + p.off_plane.mean; }
 
     /// The pattern's powers and the sector across a pixel, each as the line that fits best.
-    SurroundPixel heard_of(const View& view, std::size_t line, std::size_t sample) const {
-        Fit beside, off_plane, sector;
-        for (int i = 0; i < Fit::parts * Fit::parts; ++i) {
-            const double u = Fit::place(i / Fit::parts), v = Fit::place(i % Fit::parts);
-            const Direction d = direction_at(view, array_from_view_, static_cast<double>(line) + 0.5 + u,
-                                             static_cast<double>(sample) + 0.5 + v);
+    SurroundPixel heard_of(const Directions& directions, std::size_t line, std::size_t sample) const {
+        constexpr int parts =
+            4;  // cuts pixels smoothly at the limit of the level views; 6 plan a ping too late
+        using Power = Fit<parts>;
+        const auto at = [&](double u, double v) {
+            return directions.at(static_cast<double>(line) + 0.5 + u, static_cast<double>(sample) + 0.5 + v);
+        };
+        Power beside, off_plane;
+        for (int i = 0; i < parts * parts; ++i) {
+            const double u = Power::place(i / parts), v = Power::place(i % parts);
+            const Direction d = at(u, v);
             (is_beside(d) ? beside : off_plane).add(u, v, power_at(d));
-            sector.add(u, v, sector_place(cone_angle(d.bearing, d.elevation)));
+        }
+        using Angle = Fit<2>;
+        Angle sector;
+        for (int i = 0; i < 4 && part_.beams > 1; ++i) {
+            const double u = Angle::place(i / 2), v = Angle::place(i % 2);
+            sector.add(u, v, sector_place(angle_of(at(u, v).starboard)));
         }
         return {beside.positive(), off_plane.positive(), sector.linear()};
     }
@@ -147,27 +189,32 @@ class Surround {
     }
 
     bool is_ahead(Direction d) const {
-        const double bearing = part_.centre + d.bearing;
-        return bearing >= part_.first_edge && bearing <= part_.last_edge;
+        return d.starboard >= first_slope_ * d.ahead && d.starboard <= last_slope_ * d.ahead;
     }
-    bool is_beside(Direction d) const { return !is_ahead(d) && std::abs(d.elevation) <= edge(); }
+    bool is_beside(Direction d) const { return !is_ahead(d) && std::abs(d.up) <= sine_of_edge_; }
 
     double power_at(Direction d) const {
-        const double left = is_ahead(d) ? 1 - level_share(lobes_, d.elevation) : 1;
+        const bool ahead = is_ahead(d), below_edge = std::abs(d.up) < sine_of_edge_;
+        const double left = ahead && below_edge ? 1 - level_share(lobes_, angle_of(d.up)) : 1;
         if (left == 0) return 0;
-        if (lobes_.piston) return left * lobes_.of_piston(d.bearing, d.elevation);
-        const double across = lobes_.single ? lobes_.horizontal.power(cone_angle(d.bearing, d.elevation)) : 1;
-        const double power = across * lobes_.vertical.power(d.elevation);
-        return power < least_power ? 0 : left * power;
+        if (lobes_.piston) return left * power(vertical_, std::hypot(d.starboard, d.up));
+        const double across = lobes_.single ? power(horizontal_, d.starboard) : 1;
+        const double both = across * power(vertical_, d.up);
+        return both < least_power ? 0 : left * both;
     }
 
-    double edge() const { return drawn_half_height(lobes_); }
+    static double angle_of(double sine) { return std::asin(std::clamp(sine, -1.0, 1.0)); }
+    static double power(const LobeTable& table, double sine) {
+        return static_cast<double>(table.at(static_cast<float>(sine)));
+    }
 
     FanPlan& plan_;
     const FanPart& part_;
     const FanLobes& lobes_;
     const std::size_t cuts_;
-    Quat array_from_view_;              ///< of the face at hand
+    LobeTable horizontal_, vertical_;          ///< over sines; the first of single beams only
+    double first_slope_ = 0, last_slope_ = 0;  ///< starboard over ahead, between which the level views look
+    double sine_of_edge_ = std::sin(drawn_half_height(lobes_));
     std::vector<SurroundPixel> heard_;  ///< of its pixels, of which each has the solid angle 1
 };
 
@@ -186,7 +233,8 @@ std::array<View, 5> front_half_cube(std::size_t side) {
             face(0, -right_angle, -1, 1, 0, 1), face(0, right_angle, -1, 1, -1, 0)};
 }
 
-void add_surround(FanPlan& plan, FanPart& part, const FanLobes& lobes, double density) {
+void add_surround(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const FanLobes& lobes,
+                  double density) {
     part.first_surround = plan.views.size();
     if (part.last_edge - part.first_edge > widest_part) return;
     part.first_sector = plan.sectors;
@@ -194,7 +242,7 @@ void add_surround(FanPlan& plan, FanPart& part, const FanLobes& lobes, double de
     const auto side =
         static_cast<std::size_t>(std::max(16.0, usual * std::sqrt(std::min(density, 1.0)))) / 2 * 2;
     const std::size_t cuts = std::clamp<std::size_t>(plan.samples / side, 1, cuts_per_side(density));
-    Surround surround(plan, part, lobes, cuts);
+    Surround surround(plan, part, geometry, lobes, cuts);
     for (View view : front_half_cube(side)) {
         const double relative = view.bearing;
         view.bearing += part.centre;
