@@ -106,18 +106,21 @@ const FanPattern& CrossTalk::pattern_of(const Shot& shot) {
                          [&] { return std::pair(FanPattern(shot, effects_), std::size_t{1}); });
 }
 
-void CrossTalk::add_to(Echogram& echogram, const Transmission& own) {
-    if (!effects_.has(Effect::cross_talk)) return;
+std::vector<ForeignPulse> CrossTalk::pulses_in(const Echogram& echogram, const Transmission& own) {
+    std::vector<ForeignPulse> pulses;
+    if (!effects_.has(Effect::cross_talk)) return pulses;
     const Shot& shot = echogram.shot;
     const Time begin = own.time + from_seconds(shot.first_bin_time);
     const Time end = begin + from_seconds(static_cast<double>(shot.bins) * shot.bin_interval);
     const auto first = std::ranges::lower_bound(recent_, begin - farthest, {}, &Transmission::time);
     for (auto other = first; other != recent_.end() && other->time < end; ++other)
         if (other->device != own.device && band_overlap(other->shot, shot) > 0)
-            add_pulse(echogram, own, *other);
+            if (auto pulse = pulse_in(echogram, own, *other)) pulses.push_back(*std::move(pulse));
+    return pulses;
 }
 
-void CrossTalk::add_pulse(Echogram& echogram, const Transmission& own, const Transmission& other) {
+std::optional<ForeignPulse> CrossTalk::pulse_in(const Echogram& echogram, const Transmission& own,
+                                                const Transmission& other) {
     const Shot& shot = echogram.shot;
     const Vec3 from = other.world_from_sonar.position, to = own.world_from_sonar.position;
     const double range = norm(to - from), spread = std::max(range, 1.0);
@@ -125,7 +128,7 @@ void CrossTalk::add_pulse(Echogram& echogram, const Transmission& own, const Tra
         to_seconds(other.time - own.time) + range / echogram.sound_speed - shot.first_bin_time;
     const double first = arrival / shot.bin_interval;
     const double last = first + std::max(other.shot.pulse_length, 1e-9) / shot.bin_interval;
-    if (!(last > 0 && first < static_cast<double>(shot.bins))) return;
+    if (!(last > 0 && first < static_cast<double>(shot.bins))) return std::nullopt;
 
     const double absorption =
         effects_.has(Effect::absorption) ? absorption_db_per_km(water_, other.shot.frequency) / 1e3 : 0;
@@ -133,21 +136,29 @@ void CrossTalk::add_pulse(Echogram& echogram, const Transmission& own, const Tra
     const double amplitude = transmitted_amplitude(other.shot, pattern_of(other.shot), towards(other, to));
     const double power = db_to_power(other.shot.source_level - spreading - absorption * range) * amplitude *
                          amplitude * band_overlap(other.shot, shot);
-    const auto receive = received_powers(shot, pattern_of(shot), towards(own, from));
-    const std::uint64_t key =
-        split_mix(split_mix(shot.random_key ^ other.shot.random_key) ^ shot.ping) ^ other.shot.ping;
+    return ForeignPulse{
+        first, last, power, received_powers(shot, pattern_of(shot), towards(own, from)),
+        split_mix(split_mix(shot.random_key ^ other.shot.random_key) ^ shot.ping) ^ other.shot.ping};
+}
+
+void CrossTalk::add(std::span<const ForeignPulse> pulses, Echogram& echogram) const {
+    const Shot& shot = echogram.shot;
     const double clip = effects_.has(Effect::saturation) ? db_to_power(shot.receiver.saturation_level)
                                                          : std::numeric_limits<double>::infinity();
-    const auto begin = static_cast<std::size_t>(std::max(0.0, first));
-    const auto end = std::min(shot.bins, static_cast<std::size_t>(std::ceil(last)));
-    for (std::size_t beam = 0; beam < receive.size(); ++beam)
-        for (std::size_t bin = begin; bin < end; ++bin) {
-            const double at = static_cast<double>(bin);
-            const double share = std::min(last, at + 1) - std::max(first, at);
-            const double fades = effects_.has(Effect::speckle) ? exponential(split_mix(key + beam) + bin) : 1;
-            float& value = echogram.values[beam * shot.bins + bin];
-            value = static_cast<float>(std::min(value + power * receive[beam] * share * fades, clip));
-        }
+    for (const ForeignPulse& pulse : pulses) {
+        const auto begin = static_cast<std::size_t>(std::max(0.0, pulse.first));
+        const auto end = std::min(shot.bins, static_cast<std::size_t>(std::ceil(pulse.last)));
+        for (std::size_t beam = 0; beam < pulse.receive.size(); ++beam)
+            for (std::size_t bin = begin; bin < end; ++bin) {
+                const double at = static_cast<double>(bin);
+                const double share = std::min(pulse.last, at + 1) - std::max(pulse.first, at);
+                const double fades =
+                    effects_.has(Effect::speckle) ? exponential(split_mix(pulse.key + beam) + bin) : 1;
+                float& value = echogram.values[beam * shot.bins + bin];
+                value = static_cast<float>(
+                    std::min(value + pulse.power * pulse.receive[beam] * share * fades, clip));
+            }
+    }
 }
 
 }  // namespace echoloop

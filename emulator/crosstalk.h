@@ -4,6 +4,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "emulator/device.h"
 #include "render/effects.h"
@@ -24,6 +27,14 @@ struct Transmission {
 /// Share of the energy of a pulse in the band of a receiver, 0..1: both bands are taken for boxes.
 double band_overlap(const Shot& pulse, const Shot& receiver);
 
+/// Another sonar's pulse as a ping hears it.
+struct ForeignPulse {
+    double first = 0, last = 0;   ///< bins of the ping's window, and parts of them
+    double power = 0;             ///< uPa^2 where it arrives
+    std::vector<double> receive;  ///< power 0..1 by which each beam hears it
+    std::uint64_t key = 0;        ///< of its fluctuations
+};
+
 /// Remembers who transmitted when, and adds to a ping the pulses that arrived during its window.
 ///
 /// A pulse arrives at SL - 20 log R - a R (R at least 1 m, where the source level holds), weighted by the
@@ -40,12 +51,14 @@ class CrossTalk {
 
     void transmitted(Transmission transmission);
 
-    /// `own`: the transmission that `echogram` belongs to. Call it when the window is over. Saturation is
-    /// applied again.
-    void add_to(Echogram& echogram, const Transmission& own);
+    /// `own`: the transmission that `echogram` belongs to. Call it when the window is over.
+    std::vector<ForeignPulse> pulses_in(const Echogram& echogram, const Transmission& own);
+    /// Saturation is applied again. On any thread.
+    void add(std::span<const ForeignPulse> pulses, Echogram& echogram) const;
 
   private:
-    void add_pulse(Echogram& echogram, const Transmission& own, const Transmission& other);
+    std::optional<ForeignPulse> pulse_in(const Echogram& echogram, const Transmission& own,
+                                         const Transmission& other);
     const FanPattern& pattern_of(const Shot& shot);
 
     Water water_;

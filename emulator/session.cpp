@@ -195,10 +195,11 @@ void Session::hear(UnderWay& ping) {
     if (now > ping.due + late_after) count_late(ping, now);
     lateness_.add(now - ping.due);
     ++summary_.pings;
-    auto heard = std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, ping.sequence, now});
+    auto heard =
+        std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, {}, ping.sequence, now});
     if (ping.late_before) heard->late_before = std::move(*ping.late_before->echogram);
     Echogram& echogram = heard->echogram;
-    water_.cross_talk.add_to(echogram, ping.transmission);
+    heard->foreign = water_.cross_talk.pulses_in(echogram, ping.transmission);
     heard_ = ping.sequence;
     if (faults_ != nullptr) faults_->heard_ping = heard_;
     if (remarks_) remark_ = remark_of(ping.transmission, ping.sequence);
@@ -213,6 +214,7 @@ void Session::hear(UnderWay& ping) {
 }
 
 Actions Session::hear_all(Heard& heard) {
+    water_.cross_talk.add(heard.foreign, heard.echogram);
     if (heard.late_before) late_echoes_.keep(heard.sequence - 1, std::move(*heard.late_before));
     late_echoes_.add_to(heard.sequence, heard.echogram);
     return device_->heard(heard.echogram, heard.now);

@@ -131,6 +131,7 @@ class Session {
     struct Heard {
         Echogram echogram;
         std::optional<Echogram> late_before;
+        std::vector<ForeignPulse> foreign;
         std::uint64_t sequence;
         Time now;
     };

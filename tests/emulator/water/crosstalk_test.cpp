@@ -55,7 +55,7 @@ Echogram heard(const Transmission& pulse, const Effects& effects = steady,
     cross_talk.transmitted(receiver);
     cross_talk.transmitted(pulse);
     Echogram echogram = silence(receiver.shot);
-    cross_talk.add_to(echogram, receiver);
+    cross_talk.add(cross_talk.pulses_in(echogram, receiver), echogram);
     return echogram;
 }
 
@@ -158,7 +158,7 @@ TEST(CrossTalk, FindsThePulseAmongManyPings) {
     for (int i = 0; i < 2000; ++i) cross_talk.transmitted(other(std::chrono::milliseconds(50) * (i - 1900)));
     cross_talk.transmitted(own);
     Echogram echogram = silence(own.shot);
-    cross_talk.add_to(echogram, own);
+    cross_talk.add(cross_talk.pulses_in(echogram, own), echogram);
     EXPECT_GT(echogram.values[20], 0);  // the one sent together with the own pulse
     EXPECT_NEAR(total(echogram) / echogram.values[20], 1, 1e-5);
 }
@@ -174,7 +174,7 @@ TEST(CrossTalk, RowsOfBeamsHearAPulseWhereItComesFrom) {
         cross_talk.transmitted(other());
         Echogram silent = silence(receiver.shot);
         silent.values.assign(25 * 100, 0.0F);
-        cross_talk.add_to(silent, receiver);
+        cross_talk.add(cross_talk.pulses_in(silent, receiver), silent);
         return silent;
     }();
     const auto power = [&](std::size_t row, std::size_t column) { return echo.values[(row * 5 + column) * 100 + 30]; };
