@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <future>
+#include <utility>
 
 #include "emulator/punctual.h"
 #include "emulator/scheduling.h"
@@ -78,33 +79,40 @@ RenderThread::RenderThread(const Make& make, Crew crew)
 std::jthread RenderThread::start(const Make& make, Lane lane, std::vector<std::future<void>>& ready) {
     std::promise<void> started;
     ready.push_back(started.get_future());
-    return std::jthread([this, make, lane, started = std::move(started)](std::stop_token stop) mutable {
-        std::unique_ptr<Renderer> renderer;
-        try {
-            begin_thread(lane, real_time_);
-            renderer = make(lane);
-        } catch (...) {
-            started.set_exception(std::current_exception());
-            return;
-        }
-        started.set_value();
-        serve(std::move(stop), *renderer, lane);
-    });
+    return std::jthread(
+        [this, make, lane, &own = sleepers_.emplace_back(), started = std::move(started)]() mutable {
+            std::unique_ptr<Renderer> renderer;
+            try {
+                begin_thread(lane, real_time_);
+                renderer = make(lane);
+            } catch (...) {
+                started.set_exception(std::current_exception());
+                return;
+            }
+            started.set_value();
+            serve(*renderer, lane, own);
+        });
 }
 
-RenderThread::~RenderThread() {
-    for (auto& thread : threads_) thread.request_stop();
+RenderThread::End::~End() {
+    std::unique_lock lock(crew.mutex_);
+    crew.ending_ = true;
+    crew.call_all(std::move(lock));
+}
+
+void RenderThread::call_all(std::unique_lock<PriorityMutex> lock) {
+    const auto asleep = std::exchange(asleep_, {});
+    lock.unlock();
+    for (Sleeper* sleeper : asleep) sleeper->call();
 }
 
 void RenderThread::submit(Claim claim, Shot shot, Situation situation, Done done) {
-    {
-        const std::lock_guard lock(mutex_);
-        for (Job& before : jobs_)  // this sonar's earlier pings come first, so they are needed as soon
-            if (before.claim.sonar == claim.sonar)
-                before.claim.needed = std::min(before.claim.needed, claim.needed);
-        jobs_.push_back({claim, std::move(shot), std::move(situation), std::move(done)});
-    }
-    wake_.notify_all();  // not every thread takes every job
+    std::unique_lock lock(mutex_);
+    for (Job& before : jobs_)  // this sonar's earlier pings come first, so they are needed as soon
+        if (before.claim.sonar == claim.sonar)
+            before.claim.needed = std::min(before.claim.needed, claim.needed);
+    jobs_.push_back({claim, std::move(shot), std::move(situation), std::move(done)});
+    call_all(std::move(lock));  // not every thread takes every job
 }
 
 /// Of the first jobs of all sonars that have none under way.
@@ -126,12 +134,17 @@ bool RenderThread::is_for(Lane lane, const Job& job) const {
            (!single_beam && under_way_.size() == every_ && job.claim.needed < *under_way_.begin());
 }
 
-void RenderThread::serve(std::stop_token stop, Renderer& renderer, Lane lane) {
+void RenderThread::serve(Renderer& renderer, Lane lane, Sleeper& own) {
     while (true) {
         std::unique_lock lock(mutex_);
-        auto next = jobs_.end();
-        if (!wake_.wait(lock, stop, [&] { return (next = most_urgent(lane)) != jobs_.end(); })) return;
-        if (stop.stop_requested()) return;
+        auto next = most_urgent(lane);
+        for (; !ending_ && next == jobs_.end(); next = most_urgent(lane)) {
+            asleep_.push_back(&own);
+            lock.unlock();
+            own.sleep();
+            lock.lock();
+        }
+        if (ending_) return;
         Job job = std::move(*next);
         jobs_.erase(next);
         busy_.insert(job.claim.sonar);
@@ -139,22 +152,19 @@ void RenderThread::serve(std::stop_token stop, Renderer& renderer, Lane lane) {
         const std::size_t images = job.shot.rows() > 1 ? 1 : 0;
         images_ += images;
         if (lane == Lane::every) under_way_.insert(job.claim.needed);
-        const bool others = urgent_fans_ && !jobs_.empty();
-        lock.unlock();
-        if (others) wake_.notify_all();  // one of them may have become urgent
+        // One of those that wait may have become urgent.
+        urgent_fans_ && !jobs_.empty() ? call_all(std::move(lock)) : lock.unlock();
         try {
             const Place place(real_time_ && lane == Lane::every && is_single_beam(job.shot));
             job.done(renderer.render(job.shot, job.situation), {});
         } catch (const std::exception& error) {
             job.done(silence(std::move(job.shot), job.situation.world_from_sonar), error.what());
         }
-        lock.lock();
+        lock = std::unique_lock(mutex_);
         busy_.erase(job.claim.sonar);
         images_ -= images;
         if (lane == Lane::every) under_way_.erase(under_way_.find(needed));
-        const bool more = !jobs_.empty();
-        lock.unlock();
-        if (more) wake_.notify_all();
+        if (!jobs_.empty()) call_all(std::move(lock));
     }
 }
 

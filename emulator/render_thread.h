@@ -3,7 +3,6 @@
 // clock.
 #pragma once
 
-#include <condition_variable>
 #include <functional>
 #include <future>
 #include <list>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "emulator/device.h"
+#include "emulator/priority_mutex.h"
 #include "render/echogram.h"
 #include "render/situation.h"
 
@@ -48,7 +48,7 @@ class RenderThread {
     /// One thread.
     explicit RenderThread(const Make& make) : RenderThread(make, Crew{}) {}
     /// Finishes the pings at hand and forgets those that wait.
-    ~RenderThread();
+    ~RenderThread() = default;
 
     void submit(Claim claim, Shot shot, Situation situation, Done done);
 
@@ -68,7 +68,9 @@ class RenderThread {
     using Jobs = std::list<Job>;
 
     std::jthread start(const Make& make, Lane lane, std::vector<std::future<void>>& ready);
-    void serve(std::stop_token stop, Renderer& renderer, Lane lane);
+    void serve(Renderer& renderer, Lane lane, Sleeper& own);
+    /// Of who has no work; the lock is given back.
+    void call_all(std::unique_lock<PriorityMutex> lock);
     Jobs::iterator most_urgent(Lane lane);
     bool is_for(Lane lane, const Job& job) const;
     /// Shots with rows of beams take ten times as long as fans: they leave a thread to the others where there
@@ -79,13 +81,20 @@ class RenderThread {
 
     const bool real_time_, urgent_fans_;
     const std::size_t every_;  ///< threads of that lane
-    std::mutex mutex_;
-    std::condition_variable_any wake_;
+    PriorityMutex mutex_;
+    bool ending_ = false;
+    std::list<Sleeper> sleepers_;    ///< one for each thread
+    std::vector<Sleeper*> asleep_;   ///< those who wait for work
     Jobs jobs_;                      ///< in the order of submission
     std::set<std::size_t> busy_;     ///< sonars whose ping is being rendered
     std::multiset<Time> under_way_;  ///< when what the threads for all are at is needed
     std::size_t images_ = 0;         ///< shots with rows that are being rendered
     std::vector<std::jthread> threads_;
+    /// Before the threads are joined, also if one of them could not start.
+    struct End {
+        RenderThread& crew;
+        ~End();
+    } end_{*this};
 };
 
 }  // namespace echoloop
