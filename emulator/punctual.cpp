@@ -59,6 +59,12 @@ void claim_real_time(Turn turn) {
         refuse("the scheduler", "allow it with `ulimit -r 10`, or `setcap cap_sys_nice+ep` on the program");
 }
 
+void give_turn(pthread_t thread, Turn turn) {
+    sched_param priority{};
+    priority.sched_priority = static_cast<int>(turn);
+    ::pthread_setschedparam(thread, SCHED_FIFO, &priority);
+}
+
 void lock_memory() {
     if (::mlockall(may_lock_all() ? MCL_CURRENT | MCL_FUTURE : MCL_CURRENT) != 0)
         refuse(

@@ -130,8 +130,31 @@ bool RenderThread::is_for(Lane lane, const Job& job) const {
     const bool single_beam = is_single_beam(job.shot);
     if (lane == Lane::single_beams) return single_beam;
     if (!leaves_a_thread(job.shot)) return false;
-    return lane == Lane::every ||
-           (!single_beam && under_way_.size() == every_ && job.claim.needed < *under_way_.begin());
+    if (lane == Lane::every) return true;
+    return !single_beam && under_way_.size() == every_ &&
+           job.claim.needed < std::ranges::max_element(under_way_, {}, &UnderWay::needed)->needed;
+}
+
+/// A thread for all begins with a job. An urgent fan takes the processor of the fan that is needed last.
+void RenderThread::begin(const Job& job) {
+    under_way_.push_back({::pthread_self(), job.claim.needed, !is_single_beam(job.shot)});
+    share_turns();
+}
+
+void RenderThread::end() {
+    std::erase_if(under_way_,
+                  [](const UnderWay& one) { return ::pthread_equal(one.thread, ::pthread_self()); });
+    share_turns();
+}
+
+void RenderThread::share_turns() const {
+    if (!real_time_ || !urgent_fans_) return;
+    const UnderWay* last = nullptr;
+    for (const UnderWay& one : under_way_)
+        if (one.fan && (last == nullptr || one.needed > last->needed)) last = &one;
+    for (const UnderWay& one : under_way_)
+        if (one.fan)
+            give_turn(one.thread, &one == last && under_way_.size() > 1 ? Turn::patient_fans : Turn::fans);
 }
 
 void RenderThread::serve(Renderer& renderer, Lane lane, Sleeper& own) {
@@ -148,10 +171,9 @@ void RenderThread::serve(Renderer& renderer, Lane lane, Sleeper& own) {
         Job job = std::move(*next);
         jobs_.erase(next);
         busy_.insert(job.claim.sonar);
-        const Time needed = job.claim.needed;
         const std::size_t images = job.shot.rows() > 1 ? 1 : 0;
         images_ += images;
-        if (lane == Lane::every) under_way_.insert(job.claim.needed);
+        if (lane == Lane::every) begin(job);
         // One of those that wait may have become urgent.
         urgent_fans_ && !jobs_.empty() ? call_all(std::move(lock)) : lock.unlock();
         try {
@@ -163,7 +185,7 @@ void RenderThread::serve(Renderer& renderer, Lane lane, Sleeper& own) {
         lock = std::unique_lock(mutex_);
         busy_.erase(job.claim.sonar);
         images_ -= images;
-        if (lane == Lane::every) under_way_.erase(under_way_.find(needed));
+        if (lane == Lane::every) end();
         if (!jobs_.empty()) call_all(std::move(lock));
     }
 }

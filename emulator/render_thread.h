@@ -24,7 +24,7 @@ class Renderer;
 class RenderThread {
   public:
     /// What a thread takes: all; single beams only, which are rendered in a moment and do not wait behind
-    /// fans; or fans that are needed before all that the first ones are at, which they interrupt.
+    /// fans; or fans that are needed before one that the first ones are at, which they interrupt.
     enum class Lane { every, single_beams, urgent_fans };
     struct Crew {
         std::size_t threads = 1;
@@ -73,6 +73,9 @@ class RenderThread {
     void call_all(std::unique_lock<PriorityMutex> lock);
     Jobs::iterator most_urgent(Lane lane);
     bool is_for(Lane lane, const Job& job) const;
+    void begin(const Job& job);
+    void end();
+    void share_turns() const;
     /// Shots with rows of beams take ten times as long as fans: they leave a thread to the others where there
     /// are two.
     bool leaves_a_thread(const Shot& shot) const {
@@ -83,12 +86,18 @@ class RenderThread {
     const std::size_t every_;  ///< threads of that lane
     PriorityMutex mutex_;
     bool ending_ = false;
-    std::list<Sleeper> sleepers_;    ///< one for each thread
-    std::vector<Sleeper*> asleep_;   ///< those who wait for work
-    Jobs jobs_;                      ///< in the order of submission
-    std::set<std::size_t> busy_;     ///< sonars whose ping is being rendered
-    std::multiset<Time> under_way_;  ///< when what the threads for all are at is needed
-    std::size_t images_ = 0;         ///< shots with rows that are being rendered
+    std::list<Sleeper> sleepers_;   ///< one for each thread
+    std::vector<Sleeper*> asleep_;  ///< those who wait for work
+    Jobs jobs_;                     ///< in the order of submission
+    std::set<std::size_t> busy_;    ///< sonars whose ping is being rendered
+    /// What a thread for all is at.
+    struct UnderWay {
+        pthread_t thread;
+        Time needed;
+        bool fan;
+    };
+    std::vector<UnderWay> under_way_;
+    std::size_t images_ = 0;  ///< shots with rows that are being rendered
     std::vector<std::jthread> threads_;
     /// Before the threads are joined, also if one of them could not start.
     struct End {

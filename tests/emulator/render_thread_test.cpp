@@ -132,7 +132,7 @@ TEST_F(RenderThreads, ASingleBeamDoesNotWaitBehindFans) {
     EXPECT_THAT(wait_for(2), ElementsAre("single beam", "fan"));
 }
 
-TEST_F(RenderThreads, AFanThatIsNeededBeforeAllUnderWayInterruptsThem) {
+TEST_F(RenderThreads, AFanThatIsNeededBeforeOneUnderWayInterruptsIt) {
     start({1, false, true});
     block(1, 16, 20);
     submit("as soon", 2, 20, 16);
@@ -146,15 +146,15 @@ TEST_F(RenderThreads, AFanThatIsNeededBeforeAllUnderWayInterruptsThem) {
                 ElementsAre("sooner", "as soon as that", "sooner, but a single beam", "as soon"));
 }
 
-TEST_F(RenderThreads, UrgentIsWhatIsNeededBeforeAllUnderWay) {
+TEST_F(RenderThreads, NothingIsUrgentThatIsNeededAfterAllUnderWay) {
     start({2, false, true});
     block(1, 16, 20);
     block(2, 16, 5);
-    submit("before one of them only", 3, 10, 16);
-    submit("before both", 4, 1, 16);
-    EXPECT_THAT(wait_for(1), ElementsAre("before both"));
+    submit("after both", 3, 30, 16);
+    submit("before one", 4, 10, 16);
+    EXPECT_THAT(wait_for(1), ElementsAre("before one"));
     release();
-    EXPECT_THAT(wait_for(2), ElementsAre("before both", "before one of them only"));
+    EXPECT_THAT(wait_for(2), ElementsAre("before one", "after both"));
 }
 
 std::vector<std::vector<float>> rendered(const std::shared_ptr<const Scene>& scene, RenderThread::Crew crew) {
