@@ -43,22 +43,13 @@ double mean_over_sector(const PowerTable& power, double beam, std::size_t sector
     return weights > 0 ? sum / weights : 0;
 }
 
-/// rad, of the middles of all level lines.
-std::vector<double> bearings_of_lines(const FanPlan& plan) {
-    std::vector<double> bearings;
-    for (std::size_t v = 0; v < plan.level_views; ++v)
-        for (std::size_t line = 0; line < plan.views[v].lines; ++line)
-            bearings.push_back(plan.views[v].bearing_at(static_cast<double>(line) + 0.5));
-    return bearings;
-}
-
 /// What a beam hears of the part's lines, at `bearings`, beyond its own ones, as a mean per sector.
-void weigh_lines(const FanPlan& plan, const FanPart& part, const std::vector<double>& bearings,
+void weigh_lines(const FanPlan& plan, const FanPart& part, const std::vector<LineBearings>& bearings,
                  const PowerTable& power, const BeamLines& own, double beam, float* far) {
     std::vector<double> sums(sectors_per_part), lines(sectors_per_part);
     for (std::size_t line = part.first_line; line < part.first_line + part.lines; ++line) {
         const bool near = line >= own.first_line && line < own.first_line + own.lines;
-        const double heard = near ? 0 : power.at(bearings[line] - beam);
+        const double heard = near ? 0 : power.at(bearings[line].middle - beam);
         const SectorShare share = plan.line_sector[line];
         const std::size_t sector = share.sector - part.first_sector;
         lines[sector] += 1 - share.next, lines[sector + 1] += share.next;
@@ -92,7 +83,7 @@ void add_far_lobes(FanPlan& plan, FanPart& part, const FanGeometry& g, const Fan
     }
     const auto bearings = bearings_of_lines(plan);
     for (std::size_t line = part.first_line; line < part.first_line + part.lines; ++line)
-        plan.line_sector[line] = sector_at(part, SectorKind::lines, bearings[line] - part.centre);
+        plan.line_sector[line] = sector_at(part, SectorKind::lines, bearings[line].middle - part.centre);
     const PowerTable power(lobes.horizontal);
     part.beams_per_node = (part.beams + most_nodes - 1) / most_nodes;
     part.nodes = (part.beams - 1 + part.beams_per_node - 1) / part.beams_per_node + 1;

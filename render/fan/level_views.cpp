@@ -91,21 +91,6 @@ bool alike(const View& a, const View& b, const FanLobes& lobes) {
     return a.right == b.right && a.lines == b.lines && !lobes.piston;
 }
 
-struct Bearings {
-    double low = 0, high = 0;  ///< rad
-};
-
-/// Of the edges of all level lines.
-std::vector<Bearings> bearings_of_lines(const FanPlan& plan) {
-    std::vector<Bearings> bearings;
-    for (std::size_t v = 0; v < plan.level_views; ++v)
-        for (std::size_t line = 0; line < plan.views[v].lines; ++line) {
-            const auto at = static_cast<double>(line);
-            bearings.push_back({plan.views[v].bearing_at(at), plan.views[v].bearing_at(at + 1)});
-        }
-    return bearings;
-}
-
 /// What a beam hears between two angles off its axis, relative to the axis: Simpson's rule.
 double mean_of(const LobeTable& lobe, double low, double high) {
     const auto at = [&](double angle) { return static_cast<double>(lobe.at(static_cast<float>(angle))); };
@@ -126,6 +111,17 @@ std::size_t lines_before(const FanPlan& plan, const FanPart& part, double bearin
 }
 
 }  // namespace
+
+std::vector<LineBearings> bearings_of_lines(const FanPlan& plan) {
+    std::vector<LineBearings> bearings;
+    for (std::size_t v = 0; v < plan.level_views; ++v)
+        for (std::size_t line = 0; line < plan.views[v].lines; ++line) {
+            const auto at = static_cast<double>(line);
+            const View& view = plan.views[v];
+            bearings.push_back({view.bearing_at(at), view.bearing_at(at + 0.5), view.bearing_at(at + 1)});
+        }
+    return bearings;
+}
 
 void add_level_views(FanPlan& plan, FanPart& part, const FanGeometry& g, const PlanDensity& density,
                      const FanLobes& lobes) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "render/fan/lobe.h"
 #include "render/fan/plan.h"
@@ -51,6 +52,13 @@ inline std::size_t cuts_per_side(double parts) {
 /// aperture, down to -25 dB one way.
 inline constexpr double near_beam_widths = 7;
 
+/// rad, of a line's edges and its middle.
+struct LineBearings {
+    double low = 0, middle = 0, high = 0;
+};
+
+/// Of all level lines.
+std::vector<LineBearings> bearings_of_lines(const FanPlan& plan);
 /// Appends the part's level views.
 void add_level_views(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const PlanDensity& density,
                      const FanLobes& lobes);
