@@ -127,6 +127,23 @@ std::uint32_t SceneBuilder::material_index(const Material& material) {
     return static_cast<std::uint32_t>(all.size() - 1);
 }
 
+namespace {
+
+void widen(Bounds& bounds, float by) {
+    for (std::size_t axis = 0; axis < 3; ++axis) bounds.min[axis] -= by, bounds.max[axis] += by;
+}
+
+/// Where in the scene's nodes those of a tree go, and where the next tree does: a chunk is one, others have
+/// two, the coarser of both stand-ins first.
+std::vector<std::uint32_t> places_of(const ChunkTree& tree, std::size_t first) {
+    std::vector<std::uint32_t> out{static_cast<std::uint32_t>(first)};
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i)
+        out.push_back(out.back() + (tree.is_chunk(i) ? 1U : 2U));
+    return out;
+}
+
+}  // namespace
+
 void SceneBuilder::add(const Mesh& mesh, const std::string& place) {
     check_mesh(mesh, place);
     const auto indices = without_slivers(mesh);
@@ -138,17 +155,18 @@ void SceneBuilder::add(const Mesh& mesh, const std::string& place) {
     const std::uint32_t object = object_index(mesh.object), material = material_index(mesh.material);
     const ChunkTree tree = cut_into_chunks(mesh.positions, indices);
     const std::size_t first_node = scene_->nodes_.size();
+    const auto place_of = places_of(tree, first_node);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         SceneNode node;
-        node.next = static_cast<std::uint32_t>(first_node) + tree.nodes[i].next;
+        node.next = place_of[tree.nodes[i].next];
         node.object = object;
         node.material = material;
         node.error = std::numeric_limits<float>::infinity();
         if (tree.is_chunk(i)) add_chunk(mesh, indices, tree, i, node);
-        scene_->nodes_.push_back(node);
+        scene_->nodes_.insert(scene_->nodes_.end(), place_of[i + 1] - place_of[i], node);
     }
-    const auto nodes = std::span(scene_->nodes_).subspan(first_node);
-    add_stand_ins(mesh, indices, tree, nodes, scene_->coarse_vertices_, scene_->coarse_indices_);
+    add_stand_ins(mesh, indices, tree, place_of, scene_->nodes_, scene_->coarse_vertices_,
+                  scene_->coarse_indices_);
     bound(first_node);
 }
 
@@ -172,19 +190,17 @@ void SceneBuilder::add_chunk(const Mesh& mesh, std::span<const std::uint32_t> in
     node.error = 0;
 }
 
-/// Bounds of nodes that hold others, from the last to the first: their own stand-in and all below.
+/// Bounds of nodes that hold others, from the last to the first: all chunks below, and by how much the
+/// stand-in is off. What of it reaches beyond them only closes gaps to neighbours.
 void SceneBuilder::bound(std::size_t first_node) {
     auto& nodes = scene_->nodes_;
     for (std::size_t i = nodes.size(); i-- > first_node;) {
         SceneNode& node = nodes[i];
         if (node.next == i + 1) continue;
         node.bounds = empty_bounds();
-        for (std::size_t child = i + 1; child < node.next; child = nodes[child].next) {
-            grow(node.bounds, nodes[child].bounds.min);
-            grow(node.bounds, nodes[child].bounds.max);
-        }
-        for (std::uint32_t k = 0; k < node.vertices; ++k)
-            grow(node.bounds, scene_->coarse_vertices_[node.first_vertex + k].vertex.position);
+        for (std::size_t child = i + 1; child < node.next; child = nodes[child].next)
+            grow(node.bounds, nodes[child].bounds);
+        if (node.coarse) widen(node.bounds, node.error);
     }
 }
 

@@ -61,10 +61,11 @@ std::uint32_t side_of(Vec3 n) {
 
 }  // namespace
 
-std::uint32_t Clusters::place_in(Numbering<Cell>& cells, Cell cell) {
-    const std::uint32_t place = cells(cell);
-    if (place == places_.size()) places_.emplace_back().cell = cell;
-    return place;
+Vec3 MergedPlace::position(double width) const {
+    const Vec3 mean = (1 / area) * moment, best = planes.lowest_near(mean), off = best - mean;
+    const bool near =
+        std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) <= std::max(width, std::sqrt(area));
+    return near ? best : mean;
 }
 
 std::uint32_t Clusters::shade_in(std::uint32_t place, std::uint32_t side) {
@@ -76,8 +77,9 @@ std::uint32_t Clusters::shade_in(std::uint32_t place, std::uint32_t side) {
     return shade - 1;
 }
 
-void Clusters::add_triangle(const Mesh& mesh, const std::uint32_t* corners, const Vec3* borders,
-                            Numbering<Cell>& cells) {
+std::array<std::uint32_t, 3> Clusters::corners_of(const Mesh& mesh, const std::uint32_t* corners,
+                                                  const Vec3* borders, Numbering<Cell>& cells) {
+    std::array<std::uint32_t, 3> out{};
     const Vec3 doubled = doubled_area(mesh, corners);
     const double length = norm(doubled), area = length / 6;  // a third for each corner
     const Vec3 face = (1 / length) * doubled;
@@ -86,8 +88,9 @@ void Clusters::add_triangle(const Mesh& mesh, const std::uint32_t* corners, cons
         const auto tick = [&](double v) {
             return static_cast<std::int32_t>(std::floor((v + grid_origin) / cell_));
         };
-        const std::uint32_t index = place_in(cells, {tick(p.x), tick(p.y), tick(p.z)});
-        Place& place = places_[index];
+        const std::uint32_t index = cells({tick(p.x), tick(p.y), tick(p.z)});
+        if (index == places_.size()) places_.emplace_back();
+        MergedPlace& place = places_[index].merged;
         place.planes.add_plane(face, dot(face, from_middle), area);
         const Vec3 across = cross(borders[corners[k]], face);
         const double chord = norm(across);
@@ -100,86 +103,59 @@ void Clusters::add_triangle(const Mesh& mesh, const std::uint32_t* corners, cons
         const std::uint32_t vertex = shade_in(index, side_of(normal));
         shades_[vertex].sum = shades_[vertex].sum + area * normal;
         shades_[vertex].area += area;
-        vertex_of_corner_.push_back(vertex);
+        out[k] = vertex;
     }
+    return out;
 }
 
-Clusters::Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, int exponent)
-    : cell_(std::ldexp(1.0, exponent)), exponent_(exponent), middle_(middle_of(mesh)) {
+void Clusters::add_triangle(const MergedTriangle& triangle) {
+    const auto place = [&](std::size_t k) { return place_of(triangle.corners[k]); };
+    if (place(0) != place(1) && place(1) != place(2) && place(2) != place(0)) triangles_.push_back(triangle);
+}
+
+Clusters::Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, int exponent,
+                   std::vector<std::uint32_t>* place_of_corner)
+    : cell_(std::ldexp(1.0, exponent)), middle_(middle_of(mesh)) {
     const auto borders = border_chords(mesh, indices);
     Numbering<Cell> cells(indices.size() / 20);
-    vertex_of_corner_.reserve(indices.size());
-    for (std::size_t i = 0; i < indices.size(); i += 3)
-        add_triangle(mesh, &indices[i], borders.data(), cells);
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        const auto corners = corners_of(mesh, &indices[i], borders.data(), cells);
+        add_triangle({static_cast<std::uint32_t>(i / 3), corners});
+        if (place_of_corner != nullptr)
+            for (const std::uint32_t corner : corners) place_of_corner->push_back(place_of(corner));
+    }
     settle();
 }
 
-Clusters::Clusters(Clusters&& finer, int exponent)
-    : cell_(std::ldexp(1.0, exponent)),
-      exponent_(exponent),
-      middle_(finer.middle_),
-      vertex_of_corner_(std::move(finer.vertex_of_corner_)) {
-    const int shift = exponent - finer.exponent_;
-    Numbering<Cell> cells(finer.places_.size() / 3);
-    std::vector<std::uint32_t> place_of, vertex_of;
-    for (const Place& fine : finer.places_) {
-        place_of.push_back(
-            place_in(cells, {fine.cell.x >> shift, fine.cell.y >> shift, fine.cell.z >> shift}));
-        Place& place = places_[place_of.back()];
-        place.planes.add(fine.planes);
-        place.moment = place.moment + fine.moment;
-        place.area += fine.area;
-    }
+Clusters::Clusters(const Clusters& finer, std::span<const std::uint32_t> into)
+    : cell_(finer.cell_), middle_(finer.middle_) {
+    places_.resize(into.empty() ? 0 : *std::ranges::max_element(into) + std::size_t{1});
+    for (std::size_t i = 0; i < into.size(); ++i) places_[into[i]].merged.add(finer.places_[i].merged);
+    std::vector<std::uint32_t> vertex_of;
+    vertex_of.reserve(finer.shades_.size());
     for (const Shade& fine : finer.shades_) {
-        vertex_of.push_back(shade_in(place_of[fine.place], fine.side));
+        vertex_of.push_back(shade_in(into[fine.place], fine.side));
         Shade& shade = shades_[vertex_of.back()];
         shade.sum = shade.sum + fine.sum;
         shade.area += fine.area;
     }
-    for (std::uint32_t& vertex : vertex_of_corner_) vertex = vertex_of[vertex];
+    for (MergedTriangle triangle : finer.triangles_) {
+        for (std::uint32_t& corner : triangle.corners) corner = vertex_of[corner];
+        add_triangle(triangle);
+    }
     settle();
 }
 
 void Clusters::settle() {
     for (Place& place : places_) {
-        const Vec3 mean = (1 / place.area) * place.moment, best = place.planes.lowest_near(mean),
-                   off = best - mean;
-        const bool near = std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) <= cell_;
-        const Vec3 chosen = near ? best : mean;
-        place.position = middle_ + chosen;
-        place.error = 2 * place.planes.rms(chosen);  // at most, on a surface of constant curvature
+        const Vec3 position = place.merged.position(cell_);
+        place.position = middle_ + position;
+        place.error = place.merged.error(position);
     }
     for (Shade& shade : shades_) {
-        const double length = norm(shade.sum);
+        const double length = norm(shade.sum), mean = length / shade.area;
         if (length > 0) shade.normal = (1 / length) * shade.sum;
-        const double spread =
-            length > 0 ? 1 - length / shade.area : 1;  // normals that differ within the cell
-        places_[shade.place].error = std::max(places_[shade.place].error, spread * cell_);
-    }
-    measure_roughness();
-}
-
-/// The variance of the normals within the cell, and once more what of it goes on from cell to cell: facets
-/// between the middles of cells reach over twice as much as a cell. Where normals change linearly by g per
-/// metre, their variance over a square of area A is g^2 A / 12 along each side, and the mean of
-/// |difference|^2 / length^2 over edges of all directions is half the sum of both g^2.
-void Clusters::measure_roughness() {
-    std::vector<double> slope(shades_.size()), edges(shades_.size());
-    for (std::size_t i = 0; i < vertex_of_corner_.size(); i += 3)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = vertex_of_corner_[i + k], b = vertex_of_corner_[i + (k + 1) % 3];
-            const Vec3 along = position(b) - position(a), change = normal(b) - normal(a);
-            if (place_of(a) == place_of(b) || dot(along, along) == 0) continue;
-            for (const std::uint32_t end : {a, b}) {
-                slope[end] += dot(change, change) / dot(along, along);
-                ++edges[end];
-            }
-        }
-    for (std::size_t i = 0; i < shades_.size(); ++i) {
-        Shade& shade = shades_[i];
-        const double mean = norm(shade.sum) / shade.area;
-        const double goes_on = edges[i] > 0 ? slope[i] / edges[i] * shade.area / 6 : 0;
-        shade.roughness = static_cast<float>(std::clamp(1 - mean * mean + goes_on, 0.0, 1.0));
+        shade.roughness = static_cast<float>(std::clamp(1 - mean * mean, 0.0, 1.0));
     }
 }
 

@@ -1,5 +1,5 @@
-// Merges the vertices of one mesh by the cells of a grid that is fixed in the world, so that neighbouring
-// chunks which are made coarser alike still meet. Knows no chunks.
+// Merges the vertices of one mesh, first by the cells of a grid that is fixed in the world, then as it is
+// told; all of the mesh alike, so that neighbouring chunks still meet. Knows no chunks.
 #pragma once
 
 #include <array>
@@ -13,19 +13,45 @@
 
 namespace echoloop {
 
-/// All merged vertices of a mesh for one size of the cells. Each lies where its surface's planes meet best;
-/// its normal is the mean by area of those that look the same way.
+/// What has been merged into one place: its planes, and where they meet best.
+struct MergedPlace {
+    Quadric planes;  ///< from Clusters::middle()
+    Vec3 moment;     ///< sum of area times position
+    double area = 0;
+
+    void add(const MergedPlace& other) {
+        planes.add(other.planes);
+        moment = moment + other.moment;
+        area += other.area;
+    }
+    /// From Clusters::middle(); no farther from the mean position than the place is wide, at least `width`.
+    Vec3 position(double width = 0) const;
+    /// m, how far the surface is off at most, where its curvature is constant.
+    double error(Vec3 position) const { return 2 * planes.rms(position); }
+};
+
+/// A triangle that is left after merging.
+struct MergedTriangle {
+    std::uint32_t number;  ///< in the mesh
+    std::array<std::uint32_t, 3> corners;
+};
+
+/// All merged vertices of a mesh. Each lies where its surface's planes meet best; its normal is the mean by
+/// area of those that look the same way.
 class Clusters {
   public:
-    /// Cells of 2^exponent m. Every triangle has an area.
-    Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, int exponent);
-    /// Larger cells, from smaller ones.
-    Clusters(Clusters&& finer, int exponent);
+    /// By cells of 2^exponent m. Every triangle has an area. Appends to `place_of_corner`, if there is one,
+    /// the place of every index.
+    Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, int exponent,
+             std::vector<std::uint32_t>* place_of_corner = nullptr);
+    /// Fewer places: of those of `finer`, number i goes into number `into[i]`, counted from 0 without gaps.
+    Clusters(const Clusters& finer, std::span<const std::uint32_t> into);
 
     std::size_t vertices() const { return shades_.size(); }
     std::size_t places() const { return places_.size(); }
-    /// The merged vertex of corner `i` (3 t + 0..2) of the mesh.
-    std::uint32_t vertex_of(std::size_t i) const { return vertex_of_corner_[i]; }
+    const MergedPlace& place(std::size_t i) const { return places_[i].merged; }
+    /// In the mesh's order.
+    std::span<const MergedTriangle> triangles() const { return triangles_; }
     /// Two vertices at one place differ in their normals only.
     std::uint32_t place_of(std::uint32_t vertex) const { return shades_[vertex].place; }
     Vec3 position(std::uint32_t vertex) const { return places_[place_of(vertex)].position; }
@@ -45,10 +71,7 @@ class Clusters {
         }
     };
     struct Place {
-        Cell cell;
-        Quadric planes;  ///< from the middle of the mesh
-        Vec3 moment;     ///< sum of area times position
-        double area = 0;
+        MergedPlace merged;
         Vec3 position;
         double error = 0;
         std::array<std::uint32_t, 6> shade{};  ///< by the axis that the normal is nearest to; 1 + index, or 0
@@ -62,19 +85,18 @@ class Clusters {
         float roughness = 0;
     };
 
-    std::uint32_t place_in(Numbering<Cell>& cells, Cell cell);
     std::uint32_t shade_in(std::uint32_t place, std::uint32_t side);
-    void add_triangle(const Mesh& mesh, const std::uint32_t* corners, const Vec3* borders,
-                      Numbering<Cell>& cells);
+    std::array<std::uint32_t, 3> corners_of(const Mesh& mesh, const std::uint32_t* corners,
+                                            const Vec3* borders, Numbering<Cell>& cells);
+    /// Unless it has none left.
+    void add_triangle(const MergedTriangle& triangle);
     void settle();
-    void measure_roughness();
 
     double cell_;  ///< m
-    int exponent_;
     Vec3 middle_;
     std::vector<Place> places_;
     std::vector<Shade> shades_;
-    std::vector<std::uint32_t> vertex_of_corner_;
+    std::vector<MergedTriangle> triangles_;
 };
 
 }  // namespace echoloop

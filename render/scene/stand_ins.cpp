@@ -4,124 +4,141 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "render/scene/clusters.h"
+#include "render/scene/contraction.h"
 #include "render/scene/corner_normal.h"
 
 namespace echoloop {
 namespace {
 
-/// Cells so large that the surface of a node falls into about half as many as a chunk has triangles, or a few
-/// of a small node's own; a scene's extent in the smallest fits an int.
-int exponent_for(double area, std::size_t triangles) {
-    constexpr double smallest = -12, largest = 17;
-    const double cells = std::min(0.4 * chunk_triangles, 0.1 * static_cast<double>(triangles));
-    return static_cast<int>(std::lround(std::clamp(0.5 * std::log2(area / cells), smallest, largest)));
+/// A mesh of more triangles is made coarser by a grid first, which is quicker, down to so many places.
+constexpr std::size_t most_contracted = 300'000;
+constexpr double places_of_grid = 150'000;
+
+/// m, of the cells that merge vertices first: but for large meshes only those at one place.
+int first_exponent(const Mesh& mesh, std::span<const std::uint32_t> indices) {
+    constexpr int smallest = -12;  // a scene's extent in these fits an int
+    if (indices.size() / 3 <= most_contracted) return smallest;
+    double area = 0;
+    for (std::size_t i = 0; i < indices.size(); i += 3) area += norm(doubled_area(mesh, &indices[i])) / 2;
+    return std::max(smallest, static_cast<int>(std::lround(0.5 * std::log2(area / places_of_grid))));
 }
 
-/// The nodes above chunks, by the size of their cells, the finest first.
-std::map<int, std::vector<std::uint32_t>> nodes_by_exponent(const Mesh& mesh,
-                                                            std::span<const std::uint32_t> indices,
-                                                            const ChunkTree& tree) {
-    std::vector<double> area_before{0};  // of the triangles in the tree's order
-    for (const std::uint32_t t : tree.triangles)
-        area_before.push_back(area_before.back() +
-                              norm(doubled_area(mesh, &indices[std::size_t{3} * t])) / 2);
-    std::map<int, std::vector<std::uint32_t>> out;
-    for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
-        if (tree.is_chunk(i)) continue;
-        const ChunkNode& node = tree.nodes[i];
-        out[exponent_for(area_before[node.first + node.count] - area_before[node.first], node.count)]
-            .push_back(i);
-    }
-    return out;
+/// Of a node with so many of the mesh's triangles, how many its stand-ins may have: the coarser and the
+/// finer.
+std::array<std::uint32_t, 2> most_triangles(std::uint32_t of_mesh) {
+    constexpr std::uint32_t most = chunk_triangles * 6 / 10;
+    const std::uint32_t finer = std::min(2 * most, of_mesh / 2);
+    return {finer / 2, finer};
 }
 
 std::array<float, 3> floats(Vec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// The triangles of a mesh that are left after merging, and which of them meet at a place.
+/// The triangles that are left after merging, in the tree's order, and which of them meet at a place.
 class MergedTriangles {
   public:
-    using Corners = std::array<std::uint32_t, 3>;
-
-    /// `order` is that of the tree.
-    MergedTriangles(const Clusters& clusters, std::span<const std::uint32_t> order) : clusters_(clusters) {
-        for (const std::uint32_t t : order) {
-            first_of_.push_back(static_cast<std::uint32_t>(corners_.size()));
-            const std::size_t i = std::size_t{3} * t;
-            const Corners corners{clusters.vertex_of(i), clusters.vertex_of(i + 1),
-                                  clusters.vertex_of(i + 2)};
-            const auto place = [&](std::size_t k) { return clusters.place_of(corners[k]); };
-            if (place(0) != place(1) && place(1) != place(2) && place(2) != place(0))
-                corners_.push_back(corners);
-        }
-        first_of_.push_back(static_cast<std::uint32_t>(corners_.size()));
-        list_by_place();
+    explicit MergedTriangles(const Clusters& clusters)
+        : clusters_(clusters), triangles_(clusters.triangles()), first_at_(clusters.places() + 1) {
+        const auto each = [&](const auto& work) {
+            for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+                for (const std::uint32_t vertex : triangles_[i].corners) work(clusters_.place_of(vertex), i);
+        };
+        each([&](std::uint32_t place, std::uint32_t) { ++first_at_[place + 1]; });
+        std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
+        at_place_.resize(first_at_.back());
+        std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
+        each([&](std::uint32_t place, std::uint32_t i) { at_place_[next[place]++] = i; });
     }
 
-    std::size_t size() const { return corners_.size(); }
-    const Corners& operator[](std::uint32_t i) const { return corners_[i]; }
+    std::size_t size() const { return triangles_.size(); }
+    const std::array<std::uint32_t, 3>& corners(std::uint32_t i) const { return triangles_[i].corners; }
     /// First and last + 1 of those that come from a node's triangles.
     std::pair<std::uint32_t, std::uint32_t> of(const ChunkNode& node) const {
-        return {first_of_[node.first], first_of_[node.first + node.count]};
+        const auto first = [&](std::uint32_t number) {
+            return static_cast<std::uint32_t>(
+                std::ranges::lower_bound(triangles_, number, {}, &MergedTriangle::number) -
+                triangles_.begin());
+        };
+        return {first(node.first), first(node.first + node.count)};
     }
-    std::span<const std::uint32_t> around(std::uint32_t vertex) const {
-        const std::uint32_t place = clusters_.place_of(vertex);
+    std::span<const std::uint32_t> around(std::uint32_t place) const {
         return std::span(at_place_).subspan(first_at_[place], first_at_[place + 1] - first_at_[place]);
     }
 
   private:
-    void list_by_place() {
-        first_at_.resize(clusters_.places() + 1);
-        for (const Corners& corners : corners_)
-            for (const std::uint32_t vertex : corners) ++first_at_[clusters_.place_of(vertex) + 1];
-        std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
-        at_place_.resize(first_at_.back());
-        std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
-        for (std::uint32_t i = 0; i < corners_.size(); ++i)
-            for (const std::uint32_t vertex : corners_[i]) at_place_[next[clusters_.place_of(vertex)]++] = i;
-    }
-
     const Clusters& clusters_;
-    std::vector<Corners> corners_;
-    std::vector<std::uint32_t> first_of_;             ///< by position in the tree's order
+    std::span<const MergedTriangle> triangles_;
     std::vector<std::uint32_t> first_at_, at_place_;  ///< triangles at_place_[first_at_[p]..first_at_[p + 1]]
 };
 
-/// Writes the stand-ins of one size of cells.
+/// The places of every node before they were merged further.
+class NodePlaces {
+  public:
+    /// `place_of_corner`: in the tree's order.
+    NodePlaces(const ChunkTree& tree, std::span<const std::uint32_t> place_of_corner) {
+        for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+            if (!tree.is_chunk(i)) continue;
+            const ChunkNode& chunk = tree.nodes[i];
+            first_triangle_.push_back(chunk.first);
+            first_.push_back(places_.size());
+            const auto corners =
+                place_of_corner.subspan(std::size_t{3} * chunk.first, std::size_t{3} * chunk.count);
+            places_.insert(places_.end(), corners.begin(), corners.end());
+            const auto own = places_.begin() + static_cast<std::ptrdiff_t>(first_.back());
+            std::sort(own, places_.end());
+            places_.erase(std::unique(own, places_.end()), places_.end());
+        }
+        first_.push_back(places_.size());
+    }
+    /// Some of them several times.
+    std::span<const std::uint32_t> of(const ChunkNode& node) const {
+        const auto first = [&](std::uint32_t triangle) {
+            return first_[static_cast<std::size_t>(std::ranges::lower_bound(first_triangle_, triangle) -
+                                                   first_triangle_.begin())];
+        };
+        const std::size_t begin = first(node.first), end = first(node.first + node.count);
+        return std::span(places_).subspan(begin, end - begin);
+    }
+
+  private:
+    std::vector<std::uint32_t> first_triangle_;  ///< of every chunk
+    std::vector<std::size_t> first_;             ///< of its places
+    std::vector<std::uint32_t> places_;
+};
+
+/// Writes stand-ins from the mesh at one stage of its merging.
 class StandInWriter {
   public:
-    StandInWriter(const Clusters& clusters, const MergedTriangles& triangles,
-                  std::vector<CoarseVertex>& vertices, std::vector<std::uint16_t>& indices)
+    StandInWriter(const Clusters& clusters, std::vector<CoarseVertex>& vertices,
+                  std::vector<std::uint16_t>& indices)
         : clusters_(clusters),
-          triangles_(triangles),
+          triangles_(clusters),
           vertices_(vertices),
           indices_(indices),
           local_(clusters.vertices()),
-          written_(triangles.size()) {}
+          written_(triangles_.size()),
+          seen_(clusters.places()) {}
 
-    /// Also takes the triangles around those of the node, so that no gap is seen to a neighbour that is drawn
-    /// in another size: merging moves the border between them by up to half a cell.
-    void write(const ChunkNode& chunks, SceneNode& node) {
+    /// Also takes the triangles around all places of the node, whose numbers now are into[places], so that no
+    /// gap is seen to a neighbour that is drawn in another size: merging moves the border between them.
+    void write(const ChunkNode& chunks, std::span<const std::uint32_t> places,
+               std::span<const std::uint32_t> into, SceneNode& node) {
         first_vertex_ = vertices_.size();
         const std::size_t first_index = indices_.size();
         ++node_;
         error_ = 0;
         const auto [first, last] = triangles_.of(chunks);
         for (std::uint32_t i = first; i < last; ++i) triangle(i);
-        for (std::uint32_t i = first; i < last; ++i)
-            for (const std::uint32_t vertex : triangles_[i])
-                for (const std::uint32_t neighbour : triangles_.around(vertex)) triangle(neighbour);
+        for (const std::uint32_t place : places) around(into[place]);
         for (const std::uint32_t vertex : touched_) local_[vertex] = 0;
         touched_.clear();
         const std::size_t used = vertices_.size() - first_vertex_, count = indices_.size() - first_index;
-        if (count == 0 || 2 * count > std::size_t{3} * chunks.count ||
+        if (count == 0 || 4 * count > std::size_t{9} * chunks.count ||
             used > std::numeric_limits<std::uint16_t>::max()) {
             vertices_.resize(first_vertex_);
             indices_.resize(first_index);
@@ -136,10 +153,16 @@ class StandInWriter {
     }
 
   private:
+    void around(std::uint32_t place) {
+        if (seen_[place] == node_) return;
+        seen_[place] = node_;
+        for (const std::uint32_t i : triangles_.around(place)) triangle(i);
+    }
+
     void triangle(std::uint32_t i) {
         if (written_[i] == node_) return;
         written_[i] = node_;
-        for (const std::uint32_t vertex : triangles_[i]) indices_.push_back(local(vertex));
+        for (const std::uint32_t vertex : triangles_.corners(i)) indices_.push_back(local(vertex));
     }
 
     std::uint16_t local(std::uint32_t vertex) {
@@ -154,32 +177,111 @@ class StandInWriter {
     }
 
     const Clusters& clusters_;
-    const MergedTriangles& triangles_;
+    const MergedTriangles triangles_;
     std::vector<CoarseVertex>& vertices_;
     std::vector<std::uint16_t>& indices_;
     std::vector<std::uint32_t> local_, touched_;  ///< 1 + number within the node, or 0
-    std::vector<std::uint32_t> written_;          ///< the node that had a triangle last
+    std::vector<std::uint32_t> written_, seen_;   ///< the node that had a triangle, a place last
     std::uint32_t node_ = 0;
     std::size_t first_vertex_ = 0;
     double error_ = 0;
 };
 
+/// The stand-ins that wait until the mesh is coarse enough for them.
+class Waiting {
+  public:
+    struct StandIn {
+        std::uint32_t node, place;  ///< in the tree, and in the scene's nodes
+        std::uint32_t most;         ///< triangles
+    };
+
+    /// `triangles`: before the contraction.
+    Waiting(const ChunkTree& tree, std::span<const std::uint32_t> place_of,
+            std::span<const MergedTriangle> triangles)
+        : tree_(tree) {
+        for (std::size_t i = 0; i < triangles.size(); ++i) left_.push_back({triangles[i].number, i});
+        for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
+            if (tree.is_chunk(i)) continue;
+            const auto [coarser, finer] = most_triangles(tree.nodes[i].count);
+            waiting_.push_back({i, place_of[i], coarser});
+            waiting_.push_back({i, place_of[i] + 1, finer});
+        }
+    }
+    bool empty() const { return waiting_.empty(); }
+    /// Those of which few enough triangles are left; they wait no longer.
+    std::vector<StandIn> take(const Contraction& contraction) {
+        std::erase_if(left_, [&](const Left& one) { return !contraction.is_left(one.place); });
+        std::vector<StandIn> out;
+        std::erase_if(waiting_, [&](const StandIn& one) {
+            const ChunkNode& node = tree_.nodes[one.node];
+            const bool few = left_before(node.first + node.count) - left_before(node.first) <= one.most;
+            const bool same = !out.empty() && out.back().node == one.node;  // the finer would be the coarser
+            if (few && !same) out.push_back(one);
+            return few;
+        });
+        return out;
+    }
+
+  private:
+    struct Left {
+        std::uint32_t number;
+        std::size_t place;  ///< among those before the contraction
+    };
+
+    std::ptrdiff_t left_before(std::uint32_t number) const {
+        return std::ranges::lower_bound(left_, number, {}, &Left::number) - left_.begin();
+    }
+
+    const ChunkTree& tree_;
+    std::vector<Left> left_;
+    std::vector<StandIn> waiting_;
+};
+
+/// From each number in `before` to that in `now` of the same place.
+std::vector<std::uint32_t> change(std::span<const std::uint32_t> before, std::span<const std::uint32_t> now,
+                                  std::size_t places_before) {
+    std::vector<std::uint32_t> out(places_before);
+    for (std::size_t i = 0; i < before.size(); ++i) out[before[i]] = now[i];
+    return out;
+}
+
+std::vector<std::uint32_t> in_order_of(const ChunkTree& tree, std::span<const std::uint32_t> indices) {
+    std::vector<std::uint32_t> out;
+    out.reserve(indices.size());
+    for (const std::uint32_t t : tree.triangles)
+        for (std::size_t k = 0; k < 3; ++k) out.push_back(indices[std::size_t{3} * t + k]);
+    return out;
+}
+
 }  // namespace
 
 void add_stand_ins(const Mesh& mesh, std::span<const std::uint32_t> mesh_indices, const ChunkTree& tree,
-                   std::span<SceneNode> nodes, std::vector<CoarseVertex>& vertices,
-                   std::vector<std::uint16_t>& indices) {
-    std::optional<Clusters> clusters;
-    for (const auto& [exponent, members] : nodes_by_exponent(mesh, mesh_indices, tree)) {
-        if (clusters) {
-            Clusters coarser(std::move(*clusters), exponent);
-            clusters.emplace(std::move(coarser));
-        } else {
-            clusters.emplace(mesh, mesh_indices, exponent);
+                   std::span<const std::uint32_t> place_of, std::span<SceneNode> nodes,
+                   std::vector<CoarseVertex>& vertices, std::vector<std::uint16_t>& indices) {
+    constexpr double step = 1.4, first_limit = 1e-3;  // m
+    if (tree.nodes.size() < 2) return;
+    std::vector<std::uint32_t> corners;
+    Clusters clusters(mesh, in_order_of(tree, mesh_indices), first_exponent(mesh, mesh_indices), &corners);
+    const NodePlaces places(tree, corners);
+    Contraction contraction(clusters);
+    Waiting waiting(tree, place_of, clusters.triangles());
+    std::vector<std::uint32_t> into(clusters.places());
+    std::iota(into.begin(), into.end(), 0U);
+    for (double limit = first_limit; !waiting.empty();
+         limit = step * std::max(limit, contraction.next_error())) {
+        contraction.until(limit);
+        const auto ready = waiting.take(contraction);
+        if (!ready.empty()) {
+            const auto now = contraction.into();
+            clusters = Clusters(clusters, change(into, now, clusters.places()));
+            into = now;
+            StandInWriter writer(clusters, vertices, indices);
+            for (const auto& one : ready) {
+                const ChunkNode& node = tree.nodes[one.node];
+                writer.write(node, places.of(node), into, nodes[one.place]);
+            }
         }
-        const MergedTriangles merged(*clusters, tree.triangles);
-        StandInWriter writer(*clusters, merged, vertices, indices);
-        for (const std::uint32_t i : members) writer.write(tree.nodes[i], nodes[i]);
+        if (!std::isfinite(contraction.next_error())) break;
     }
 }
 

@@ -1,5 +1,5 @@
-// Makes the coarse stand-ins of a mesh's nodes: about as many triangles for each node as a chunk has.
-// Deterministic.
+// Makes the coarse stand-ins of a mesh's nodes: for each one with about half as many triangles as a chunk
+// has, and one with twice as many. Deterministic.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace echoloop {
 
-/// Appends to `vertices` and `indices`, and fills in those of `nodes` (one per node of the tree) for which a
-/// stand-in has at most half of the triangles.
+/// Appends to `vertices` and `indices`, and fills in those of `nodes` for which a stand-in has at most half
+/// of the triangles. `place_of`: of each node of the tree the first of its two in `nodes`, the coarser one.
 void add_stand_ins(const Mesh& mesh, std::span<const std::uint32_t> mesh_indices, const ChunkTree& tree,
-                   std::span<SceneNode> nodes, std::vector<CoarseVertex>& vertices,
-                   std::vector<std::uint16_t>& indices);
+                   std::span<const std::uint32_t> place_of, std::span<SceneNode> nodes,
+                   std::vector<CoarseVertex>& vertices, std::vector<std::uint16_t>& indices);
 
 }  // namespace echoloop
