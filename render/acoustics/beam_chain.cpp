@@ -23,6 +23,9 @@ double noise_power_of(const Shot& shot) {
     return density * noise_bandwidth(shot) * power_of(-receiver.directivity_index);
 }
 
+/// uPa^2; less changes no level, and is what receivers have whose noise somebody else adds.
+constexpr double least_noise = 1e-12;
+
 /// One bit of the converter is the sign; the others count the amplitude up to where the input clips.
 float step_of(const Receiver& receiver) {
     if (receiver.converter_bits < 2 || !std::isfinite(receiver.saturation_level)) return 0;
@@ -48,7 +51,7 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
         if (fine) field = field_filter(shape, bin_length);
         texture_bins = static_cast<std::size_t>(std::max(1.0, std::round(shape.length() / bin_length)));
     }
-    if (effects.has(Effect::noise)) {
+    if (effects.has(Effect::noise) && noise_power_of(shot) > least_noise) {
         noise_power = noise_power_of(shot);
         noise_looks = pulse ? std::max(1.0, noise_spectrum(shot) * shot.bin_interval) : 1;
         if (fine) noise = noise_filter(noise_spectrum(shot), shot.bin_interval);

@@ -1,28 +1,12 @@
 #include "render/fan/beam_sums.h"
 
+#include <algorithm>
 #include <span>
+#include <utility>
 
-#include "render/simd.h"
+#include "render/fan/weighted_rows.h"
 
 namespace echoloop {
-namespace {
-
-ECHOLOOP_SIMD
-void add_scaled(float* __restrict sum, const float* __restrict values, float weight, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) sum[i] += weight * values[i];
-}
-
-ECHOLOOP_SIMD
-void multiply(float* __restrict values, const float* __restrict factors, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) values[i] *= factors[i];
-}
-
-/// Adds the bins of a row that hold anything.
-void add_row(float* sum, const LineBins& row, const float* values, float weight) {
-    if (!row.empty()) add_scaled(sum + row.begin(), values + row.begin(), weight, row.end() - row.begin());
-}
-
-}  // namespace
 
 void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines) {
     if (plan.line_sector.empty()) return;
@@ -37,25 +21,36 @@ void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines) {
             }
 }
 
-void BeamSums::sum_nodes(const FanPlan&, const FanPart& part, std::size_t bins, LineSums& lines,
-                         Workers& workers) {
-    nodes_.assign(part.nodes * bins, 0.0F);
-    workers.run(part.nodes, [&](std::size_t node) {
-        for (std::size_t s = 0; s < part.sectors; ++s)
-            if (const float weight = part.far[node * part.sectors + s]; weight > 0)
-                add_row(&nodes_[node * bins], lines.sector(part.first_sector + s),
-                        lines.sector_values(part.first_sector + s), weight);
+void BeamSums::sum_nodes(const FanPart& part, std::size_t bins, LineSums& lines, Workers& workers) {
+    nodes_.resize(part.nodes * bins);
+    workers.run((part.nodes + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
+        thread_local std::vector<WeightedRow> rows;
+        rows.clear();
+        const std::size_t first = piece * sums_at_once, count = std::min(sums_at_once, part.nodes - first);
+        for (std::size_t s = 0; s < part.sectors; ++s) {
+            const LineBins& sector = lines.sector(part.first_sector + s);
+            WeightedRow row{lines.sector_values(part.first_sector + s), sector.begin(), sector.end(), {}};
+            for (std::size_t k = 0; k < count; ++k) row.weights[k] = part.far[(first + k) * part.sectors + s];
+            if (!sector.empty()) rows.push_back(row);
+        }
+        sum_rows(rows, nullptr, bins, count, &nodes_[first * bins]);
     });
 }
 
-void BeamSums::add_far(const FanPart& part, std::size_t beam, std::size_t bins, float* sum) const {
+/// The far lobes of beam `beam` of the part, sum `k` of those at hand, between the two nodes beside it.
+void BeamSums::add_far(const FanPart& part, std::size_t beam, std::size_t k, std::size_t bins,
+                       std::vector<WeightedRow>& rows) const {
     const std::size_t node = beam / part.beams_per_node, next = std::min(node + 1, part.nodes - 1);
     const std::size_t next_beam = std::min((node + 1) * part.beams_per_node, part.beams - 1);
     const std::size_t step = next_beam - node * part.beams_per_node;
     const float share =
         step > 0 ? static_cast<float>(beam - node * part.beams_per_node) / static_cast<float>(step) : 0.0F;
-    add_scaled(sum, &nodes_[node * bins], 1 - share, bins);
-    if (share > 0) add_scaled(sum, &nodes_[next * bins], share, bins);
+    for (const auto& [at, weight] : {std::pair(node, 1 - share), {next, share}}) {
+        const float* values = &nodes_[at * bins];
+        const auto known = std::ranges::find(rows, values, &WeightedRow::values);
+        WeightedRow& row = known != rows.end() ? *known : rows.emplace_back(WeightedRow{values, 0, bins, {}});
+        row.weights[k] += weight;
+    }
 }
 
 void BeamSums::find_bearings(const FanPlan& plan, PixelOffset offset) {
@@ -72,27 +67,41 @@ float BeamSums::weight_of(const FanPlan& plan, const BeamLines& own, std::size_t
     return plan.across.at(bearings_[own.first_line + i] - static_cast<float>(own.bearing));
 }
 
+/// Of beams first..first + count - 1 of the part.
+void BeamSums::sum_beams(const FanPlan& plan, const FanPart& part, std::size_t first, std::size_t count,
+                         std::size_t bins, LineSums& lines, const float* gain, float* out) const {
+    thread_local std::vector<WeightedRow> rows;
+    rows.clear();
+    const auto own = std::span(plan.beams).subspan(part.first_beam + first, count);
+    std::size_t begin = own.front().first_line, end = begin;
+    for (const BeamLines& beam : own) {
+        begin = std::min(begin, beam.first_line);
+        end = std::max(end, beam.first_line + beam.lines);
+    }
+    for (std::size_t line = begin; line < end; ++line) {
+        const LineBins& bins_of_line = lines.line(line);
+        WeightedRow row{lines.line_values(line), bins_of_line.begin(), bins_of_line.end(), {}};
+        for (std::size_t k = 0; k < count; ++k)
+            if (line >= own[k].first_line && line < own[k].first_line + own[k].lines)
+                row.weights[k] = weight_of(plan, own[k], line - own[k].first_line);
+        if (!bins_of_line.empty()) rows.push_back(row);
+    }
+    for (std::size_t k = 0; k < count && part.sectors > 0; ++k) add_far(part, first + k, k, bins, rows);
+    sum_rows(rows, gain, bins, count, out);
+}
+
 void BeamSums::sum(const FanPlan& plan, PixelOffset offset, std::size_t bins, LineSums& lines,
                    const std::vector<float>& gain, Workers& workers, std::vector<float>& values) {
     values.resize(plan.beams.size() * bins);
     sum_sectors(plan, lines);
     find_bearings(plan, offset);
     for (const FanPart& part : plan.parts) {
-        if (part.sectors > 0) sum_nodes(plan, part, bins, lines, workers);
-        constexpr std::size_t beams_at_once = 16;
-        workers.run((part.beams + beams_at_once - 1) / beams_at_once, [&](std::size_t piece) {
-            const std::size_t end = std::min((piece + 1) * beams_at_once, part.beams);
-            for (std::size_t beam = piece * beams_at_once; beam < end; ++beam) {
-                const BeamLines& own = plan.beams[part.first_beam + beam];
-                float* sum = &values[(part.first_beam + beam) * bins];
-                std::fill(sum, sum + bins, 0.0F);
-                for (std::size_t i = 0; i < own.lines; ++i)
-                    if (const float weight = weight_of(plan, own, i); weight > 0)
-                        add_row(sum, lines.line(own.first_line + i), lines.line_values(own.first_line + i),
-                                weight);
-                if (part.sectors > 0) add_far(part, beam, bins, sum);
-                if (!gain.empty()) multiply(sum, gain.data(), bins);
-            }
+        if (part.sectors > 0) sum_nodes(part, bins, lines, workers);
+        workers.run((part.beams + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
+            const std::size_t first = piece * sums_at_once,
+                              count = std::min(sums_at_once, part.beams - first);
+            sum_beams(plan, part, first, count, bins, lines, gain.empty() ? nullptr : gain.data(),
+                      &values[(part.first_beam + first) * bins]);
         });
     }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/fan/line_sums.h"
+#include "render/fan/weighted_rows.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -19,9 +20,11 @@ class BeamSums {
 
   private:
     void sum_sectors(const FanPlan& plan, LineSums& lines);
-    void sum_nodes(const FanPlan& plan, const FanPart& part, std::size_t bins, LineSums& lines,
-                   Workers& workers);
-    void add_far(const FanPart& part, std::size_t beam, std::size_t bins, float* sum) const;
+    void sum_nodes(const FanPart& part, std::size_t bins, LineSums& lines, Workers& workers);
+    void add_far(const FanPart& part, std::size_t beam, std::size_t k, std::size_t bins,
+                 std::vector<WeightedRow>& rows) const;
+    void sum_beams(const FanPlan& plan, const FanPart& part, std::size_t first, std::size_t count,
+                   std::size_t bins, LineSums& lines, const float* gain, float* out) const;
 
     void find_bearings(const FanPlan& plan, PixelOffset offset);
     float weight_of(const FanPlan& plan, const BeamLines& own, std::size_t i) const;
