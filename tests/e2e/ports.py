@@ -48,10 +48,12 @@ def _take(base, count):
     return False
 
 
-def free_port(count=1):
-    """A port that is free together with the `count` - 1 above it, for UDP and TCP."""
+def free_port(count=1, avoid=()):
+    """A port that is free together with the `count` - 1 above it, for UDP and TCP; none of them is in `avoid`."""
     bases = range(FIRST, END - count, count)
     for base in random.sample(bases, len(bases)):
+        if avoid and not avoid.isdisjoint(range(base, base + count)):
+            continue
         if _take(base, count):
             return base
     raise RuntimeError(f"no {count} ports in a row are free between {FIRST} and {END}")

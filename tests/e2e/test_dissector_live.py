@@ -69,7 +69,8 @@ class Live(unittest.TestCase):
     def setUpClass(cls):
         cls.closing = contextlib.ExitStack()
         cls.addClassCleanup(cls.closing.close)
-        base, tcp = free_port(32), [free_port() for _ in range(8)]
+        taken = tshark.assigned_ports()
+        base, tcp = free_port(32, taken), [free_port(1, taken) for _ in range(8)]
         text = SCENARIO
         for number in range(31, -1, -1):
             text = text.replace(f"PORT{number}", str(base + number))

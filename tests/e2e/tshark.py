@@ -35,6 +35,13 @@ def registered(script, what):
     return [line.split("\t") for line in done.stdout.decode().splitlines()]
 
 
+def assigned_ports():
+    """UDP and TCP ports of which tshark believes by itself to know what goes over them."""
+    done = subprocess.run(["tshark", "-G", "decodes"], capture_output=True, check=True, timeout=300)
+    rows = [line.split("\t") for line in done.stdout.decode().splitlines()]
+    return {int(row[1]) for row in rows if row[0] in ("udp.port", "tcp.port")}
+
+
 def leaf_of(name):
     """The last word of a field's name, without the number of an element."""
     return re.sub(r"\[\d+\]", "", name).split(".")[-1]
