@@ -65,14 +65,19 @@ class Smoother {
     /// The range of beam `own` on the line through the points from `first` to `last` rad around it; beside a
     /// step or a bend, on that through as many more on its better side.
     double range(std::size_t own, double first, double last) const {
-        // A line is surest in its middle: by so much less at a quarter of it and at its end.
-        constexpr std::pair<double, double> places[] = {{0.25, 2}, {0.75, 2}, {0, 2.7}, {1, 2.7}};
+        // A line is surest in its middle: by so much less at a quarter of it and at its end, but the more the
+        // longer it is.
+        struct Side {
+            double place, length, unsure;
+        };
+        constexpr Side sides[] = {{0.25, 1, 2}, {0.75, 1, 2}, {0, 1, 2.7},
+                                  {1, 1, 2.7},  {0, 1.6, 2},  {1, 1.6, 2}};
         const double angle = angles_[own], width = last - first;
         Window best = window(first, last);
         double error = best.scatter;
         const std::size_t least = (best.to - best.from) * 9 / 10;  // the fan ends there otherwise
-        for (const auto& [place, unsure] : places) {
-            const Window side = window(angle - place * width, angle + (1 - place) * width);
+        for (const auto& [place, length, unsure] : sides) {
+            const Window side = window(angle - place * length * width, angle + (1 - place) * length * width);
             if (side.to - side.from >= least && unsure * side.scatter < error)
                 best = side, error = unsure * side.scatter;
         }
