@@ -113,6 +113,8 @@ TEST(Contraction, KeepsASeabedWithinItsLimitAndWithoutAHole) {
             squares += off * off;
         }
         EXPECT_EQ(missing, 0U);
+        for (const auto& [i, j, k] : c.triangles)  // none is turned over
+            EXPECT_GT(cross(c.positions[j] - c.positions[i], c.positions[k] - c.positions[i]).z, 0);
         EXPECT_LT(std::sqrt(squares / static_cast<double>(inside)), limit / 3);
         EXPECT_LT(c.triangles.size(), mesh.indices.size() / (limit > 0.1 ? 15 : 3));
     }
