@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <future>
+#include <set>
 #include <utility>
 
 #include "emulator/punctual.h"
@@ -106,21 +107,33 @@ void RenderThread::call_all(std::unique_lock<PriorityMutex> lock) {
     for (Sleeper* sleeper : asleep) sleeper->call();
 }
 
-void RenderThread::submit(Claim claim, Shot shot, Situation situation, Done done) {
+RenderThread::Ticket RenderThread::submit(Claim claim, Shot shot, Situation situation, Done done) {
     std::unique_lock lock(mutex_);
+    const Ticket ticket = ++last_ticket_;
     for (Job& before : jobs_)  // this sonar's earlier pings come first, so they are needed as soon
         if (before.claim.sonar == claim.sonar)
             before.claim.needed = std::min(before.claim.needed, claim.needed);
-    jobs_.push_back({claim, std::move(shot), std::move(situation), std::move(done)});
+    jobs_.push_back({claim, std::move(shot), std::move(situation), std::move(done), ticket});
     call_all(std::move(lock));  // not every thread takes every job
+    return ticket;
+}
+
+void RenderThread::withdraw(Ticket ticket) {
+    Jobs withdrawn;  // its end may take long
+    std::unique_lock lock(mutex_);
+    const auto job = std::ranges::find(jobs_, ticket, &Job::ticket);
+    if (job != jobs_.end()) return withdrawn.splice(withdrawn.end(), jobs_, job);
+    if (std::erase_if(busy_, [ticket](const auto& one) { return one.second == ticket; }) > 0)
+        call_all(std::move(lock));
 }
 
 /// Of the first jobs of all sonars that have none under way.
 RenderThread::Jobs::iterator RenderThread::most_urgent(Lane lane) {
     auto best = jobs_.end();
-    std::set<std::size_t> seen = busy_;
+    std::set<std::size_t> seen;
     for (auto job = jobs_.begin(); job != jobs_.end(); ++job) {
-        if (!seen.insert(job->claim.sonar).second || !is_for(lane, *job)) continue;
+        const std::size_t sonar = job->claim.sonar;
+        if (busy_.contains(sonar) || !seen.insert(sonar).second || !is_for(lane, *job)) continue;
         if (best == jobs_.end() || job->claim.needed < best->claim.needed) best = job;
     }
     return best;
@@ -170,7 +183,7 @@ void RenderThread::serve(Renderer& renderer, Lane lane, Sleeper& own) {
         if (ending_) return;
         Job job = std::move(*next);
         jobs_.erase(next);
-        busy_.insert(job.claim.sonar);
+        busy_[job.claim.sonar] = job.ticket;
         const std::size_t images = job.shot.rows() > 1 ? 1 : 0;
         images_ += images;
         if (lane == Lane::every) begin(job);
@@ -183,7 +196,7 @@ void RenderThread::serve(Renderer& renderer, Lane lane, Sleeper& own) {
             job.done(silence(std::move(job.shot), job.situation.world_from_sonar), error.what());
         }
         lock = std::unique_lock(mutex_);
-        busy_.erase(job.claim.sonar);
+        std::erase_if(busy_, [&job](const auto& one) { return one.second == job.ticket; });  // or withdrawn
         images_ -= images;
         if (lane == Lane::every) end();
         if (!jobs_.empty()) call_all(std::move(lock));

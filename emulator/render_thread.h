@@ -3,12 +3,13 @@
 // clock.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <future>
 #include <list>
+#include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <thread>
 #include <vector>
 
@@ -50,7 +51,13 @@ class RenderThread {
     /// Finishes the pings at hand and forgets those that wait.
     ~RenderThread() = default;
 
-    void submit(Claim claim, Shot shot, Situation situation, Done done);
+    /// One of the pings that were submitted.
+    using Ticket = std::uint64_t;
+
+    Ticket submit(Claim claim, Shot shot, Situation situation, Done done);
+    /// Nobody wants that ping any more: it is not rendered if it has not begun, and in no case do others of
+    /// its sonar wait for it.
+    void withdraw(Ticket ticket);
 
     /// As many threads as find work with so many sonars on this machine, so many of them with fans.
     static Crew useful(std::size_t sonars, std::size_t fans, bool real_time = false);
@@ -64,6 +71,7 @@ class RenderThread {
         Shot shot;
         Situation situation;
         Done done;
+        Ticket ticket;
     };
     using Jobs = std::list<Job>;
 
@@ -89,7 +97,9 @@ class RenderThread {
     std::list<Sleeper> sleepers_;   ///< one for each thread
     std::vector<Sleeper*> asleep_;  ///< those who wait for work
     Jobs jobs_;                     ///< in the order of submission
-    std::set<std::size_t> busy_;    ///< sonars whose ping is being rendered
+    /// Sonars whose ping is being rendered, and which.
+    std::map<std::size_t, Ticket> busy_;
+    Ticket last_ticket_ = 0;
     /// What a thread for all is at.
     struct UnderWay {
         pthread_t thread;

@@ -227,6 +227,8 @@ class Runtime::Impl {
                 std::make_unique<DeviceTruth>(*records.truth, entry.name, entry.body_from_sonar));
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         if (records.remarks) sessions_.back()->remark_pings();
+        if (stepped_ == nullptr && vehicle_.known_ahead() && movers_.known_ahead())
+            sessions_.back()->look_ahead();
         running_.push_back({entry.name, entry.model, {}});
     }
 

@@ -2,8 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <boost/asio/post.hpp>
-
 #include "emulator/capture/remark.h"
 #include "emulator/random_key.h"
 #include "emulator/truth/device_truth.h"
@@ -30,13 +28,13 @@ Session::Session(asio::io_context& io, Clock& clock, RenderThread& renderer, Sha
                  std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at)
     : io_(io),
       clock_(clock),
-      renderer_(renderer),
       water_(water),
       sonar_(water.sonars++),
       name_(std::move(name)),
       device_(std::move(device)),
       transports_(std::move(transports)),
       situation_at_(std::move(situation_at)),
+      renderer_(clock, renderer, sonar_, name_),
       mail_(clock, sonar_),
       alarm_(clock, sonar_),
       alive_(std::make_shared<bool>(true)) {}
@@ -53,7 +51,7 @@ void Session::start() {
         transports_[port]->start(
             {.received =
                  [this, port](ByteView bytes, Address from) {
-                     if (!hearing_) return apply(device_->received({port, bytes, from}, clock_.now()));
+                     if (!hearing_) return apply_now(device_->received({port, bytes, from}, clock_.now()));
                      act([this, port, kept = Bytes(bytes.begin(), bytes.end()), from] {
                          return device_->received({port, kept, from}, clock_.now());
                      });
@@ -74,7 +72,7 @@ void Session::start() {
     }
     asio::co_spawn(io_, keep_writing(), Serving(name_));
     asio::co_spawn(io_, keep_waking(), Serving(name_));
-    apply(device_->started(clock_.now()));
+    apply_now(device_->started(clock_.now()));
 }
 
 void Session::cut_power(std::function<void()> cut) {
@@ -83,6 +81,7 @@ void Session::cut_power(std::function<void()> cut) {
     outbox_bytes_ = 0;
     wake_ = Time::max();
     late_.reset();
+    renderer_.expect_nothing();
     alarm_.cancel();
     to_device(std::move(cut));
 }
@@ -92,16 +91,18 @@ void Session::close() {
     closed_ = true;
     mail_.cancel();
     alarm_.cancel();
+    renderer_.close();
     for (auto& transport : transports_) transport->close();
 }
 
-void Session::apply(Actions actions) {
+void Session::apply(Actions actions, Time time) {
+    acted_ = time;
     for (Send& send : actions.send) post_mail(std::move(send));
     if (actions.wake) {
         wake_ = *actions.wake;
         alarm_.cancel();
     }
-    if (actions.ping) transmit(std::move(*actions.ping));
+    if (actions.ping) transmit(std::move(*actions.ping), time);
 }
 
 void Session::post_mail(Send send) {
@@ -118,15 +119,14 @@ void Session::post_mail(Send send) {
     if (first) mail_.cancel();
 }
 
-void Session::transmit(Ping ping) {
+void Session::transmit(Ping ping, Time time) {
     ping.shot.random_key = random_key(water_.seed, name_);
-    const Time now = clock_.now();
-    Situation situation = situation_at_(now);
+    Situation situation = situation_at_(time);
     const Pose pose = situation.world_from_sonar;
     ++sequence_;
-    if (now > silent_from_) late_.reset();  // a gap in the row, and what is late is forgotten
-    silent_from_ = ping.shot.interval > 0 ? now + from_seconds(1.5 * ping.shot.interval) : Time::max();
-    Transmission transmission{now, sonar_, pose, ping.shot};
+    if (time > silent_from_) late_.reset();  // a gap in the row, and what is late is forgotten
+    silent_from_ = ping.shot.interval > 0 ? time + from_seconds(1.5 * ping.shot.interval) : Time::max();
+    Transmission transmission{time, sonar_, pose, ping.shot};
     water_.cross_talk.transmitted(transmission);
     double farthest = farthest_from(pose.position, water_.scene);
     for (std::size_t i = 0; i < std::min(water_.reach.size(), situation.movers.size()); ++i)
@@ -134,30 +134,17 @@ void Session::transmit(Ping ping) {
     const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
     situation.objects = truth_ != nullptr;
-    auto echoes = render(ping.due, std::move(ping.shot), situation);
+    auto echoes = renderer_.render(ping, situation);
+    const bool objects = std::exchange(situation.objects, false);
     situation.detail = late_detail;
-    situation.objects = false;
-    const auto late_before = std::exchange(late_, late ? render(next_due, *late, situation) : nullptr);
+    const auto late_before =
+        std::exchange(late_, late ? renderer_.render(next_due, *late, situation) : nullptr);
+    renderer_.expect_next(ping, time, objects);
+    const double unix_time = clock_.unix_time() - to_seconds(clock_.now() - time);
     asio::co_spawn(io_,
                    deliver({std::move(transmission), sequence_, ping.due, std::move(echoes), late_before,
-                            std::move(situation), clock_.unix_time(), power_cuts_}),
+                            std::move(situation), unix_time, power_cuts_}),
                    Serving(name_));
-}
-
-std::shared_ptr<Session::Rendering> Session::render(Time needed, Shot shot, const Situation& situation) {
-    auto rendering = std::make_shared<Rendering>(clock_);
-    renderer_.submit(
-        {sonar_, needed}, std::move(shot), situation,
-        [this, &io = io_, rendering, alive = alive_](Echogram echogram, std::string error) mutable {
-            asio::post(io, [this, rendering = std::move(rendering), alive, echogram = std::move(echogram),
-                            error = std::move(error)]() mutable {
-                if (!*alive || closed_) return;
-                if (!error.empty()) spdlog::error("{}: ping not rendered: {}", name_, error);
-                rendering->echogram = std::move(echogram);
-                rendering->done.cancel();
-            });
-        });
-    return rendering;
 }
 
 Task<void> Session::ready(std::shared_ptr<Rendering> rendering) {
@@ -210,7 +197,7 @@ void Session::hear(UnderWay& ping) {
     before_hearing_(now);
     const bool large = echogram.values.size() >= worth_a_thread;
     if (large && water_.listeners) return hear_elsewhere(std::move(heard));
-    apply(after_hearing_(hear_all(*heard), now));
+    apply_now(after_hearing_(hear_all(*heard), now));
 }
 
 Actions Session::hear_all(Heard& heard) {
@@ -225,7 +212,7 @@ void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
     counters_ = device_->counters();
     auto hold = std::make_shared<const Clock::Hold>(clock_);  // it comes back to the io thread before it ends
     asio::post(*water_.listeners, [this, &io = io_, alive = alive_, heard = std::move(heard),
-                                   powered = power_cuts_, hold = std::move(hold)]() mutable {
+                            powered = power_cuts_, hold = std::move(hold)]() mutable {
         auto actions = std::make_shared<Actions>();
         std::exception_ptr fault;
         try {
@@ -233,12 +220,12 @@ void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
         } catch (...) {
             fault = std::current_exception();
         }
-        asio::post(io, [this, now = heard->now, powered, alive = std::move(alive),
-                        actions = std::move(actions), fault = std::move(fault), hold = std::move(hold)] {
+        asio::post(io, [this, now = heard->now, powered, alive = std::move(alive), actions = std::move(actions),
+                    fault = std::move(fault), hold = std::move(hold)] {
             if (!*alive || closed_) return;
             hearing_ = false;
             Serving{name_}(fault);
-            if (powered == power_cuts_) apply(after_hearing_(std::move(*actions), now));
+            if (powered == power_cuts_) apply_now(after_hearing_(std::move(*actions), now));
             alarm_.cancel();
             for (; !waiting_.empty() && !hearing_ && !closed_; waiting_.pop_front()) waiting_.front()();
         });
@@ -247,7 +234,7 @@ void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
 
 void Session::act(std::function<Actions()> event) {
     to_device([this, event = std::move(event), powered = power_cuts_] {
-        if (powered == power_cuts_) apply(event());
+        if (powered == power_cuts_) apply_now(event());
     });
 }
 
@@ -256,8 +243,10 @@ Task<void> Session::keep_waking() {
         co_await alarm_.until(hearing_ ? Time::max() : wake_);
         const Time now = clock_.now();
         if (closed_ || hearing_ || now < wake_) continue;
-        wake_ = Time::max();
-        apply(device_->woken(now));
+        // What was planned happens when it was, unless this woke far too late: a row of pings keeps its pace.
+        const Time planned = std::max(std::exchange(wake_, Time::max()), acted_);
+        const Time time = now - planned < late_after ? planned : now;
+        apply(device_->woken(time), time);
     }
 }
 

@@ -16,7 +16,7 @@
 #include "emulator/device.h"
 #include "emulator/faults/faults.h"
 #include "emulator/lateness.h"
-#include "emulator/render_thread.h"
+#include "emulator/ping_renderer.h"
 #include "emulator/second_time_around.h"
 #include "emulator/transport/transport.h"
 #include "render/scene/scene.h"
@@ -76,6 +76,9 @@ class Session {
     /// Before start(): the first packet of each ping gets a comment that says where the sonar was.
     void remark_pings() { remarks_ = true; }
 
+    /// Before start(): where everything will be is known, so that pings may be rendered ahead of their time.
+    void look_ahead() { renderer_.look_ahead(situation_at_); }
+
     void start();
     /// `before` is called on this thread before the device hears an echogram, and `after` with what
     /// that made it do, wherever it heard it.
@@ -88,22 +91,17 @@ class Session {
     void cut_power(std::function<void()> cut);
     /// Powers the device up again.
     void power_up() {
-        to_device([this] { apply(device_->started(clock_.now())); });
+        to_device([this] { apply_now(device_->started(clock_.now())); });
     }
     void close();
     const std::vector<std::unique_ptr<Transport>>& transports() const { return transports_; }
     SessionSummary summary() const;
 
   private:
-    void apply(Actions actions);
-    void transmit(Ping ping);
-    /// What a ping hears, once it is rendered.
-    struct Rendering {
-        explicit Rendering(Clock& clock) : done(clock) {}
-        std::optional<Echogram> echogram;
-        Alarm done;
-    };
-    std::shared_ptr<Rendering> render(Time needed, Shot shot, const Situation& situation);
+    /// What the device did at `time`.
+    void apply(Actions actions, Time time);
+    void apply_now(Actions actions) { apply(std::move(actions), clock_.now()); }
+    void transmit(Ping ping, Time time);
     /// The clock waits for it; nullptr is ready at once.
     Task<void> ready(std::shared_ptr<Rendering> rendering);
     /// A ping on its way, and its place in the row of this session's pings.
@@ -148,13 +146,13 @@ class Session {
 
     asio::io_context& io_;
     Clock& clock_;
-    RenderThread& renderer_;
     SharedWater& water_;
     std::size_t sonar_;  ///< number of this session
     std::string name_;
     std::unique_ptr<Device> device_;
     std::vector<std::unique_ptr<Transport>> transports_;
     SituationAt situation_at_;
+    PingRenderer renderer_;
     std::unique_ptr<DeviceTruth> truth_;  ///< nullptr: nobody asks
 
     std::multimap<Time, Mail> outbox_;  ///< by not_before; equal times keep their order
@@ -165,6 +163,7 @@ class Session {
     Alarm mail_;          ///< rings when the outbox has a new first element
     Alarm alarm_;         ///< rings at wake_
     Time wake_ = Time::max();
+    Time acted_{};  ///< when the device did something last
     bool closed_ = false;
     bool hearing_ = false;     ///< the device belongs to another thread
     DeviceCounters counters_;  ///< meanwhile: what they were before
@@ -180,7 +179,7 @@ class Session {
     std::uint64_t sequence_ = 0;       ///< of the last ping
     Time silent_from_ = Time::max();   ///< when the echoes of the last ping have died away
     SessionSummary summary_;
-    std::shared_ptr<bool> alive_;  ///< false once this session is gone; read by late renders on the io thread
+    std::shared_ptr<bool> alive_;  ///< false once this session is gone; read on the io thread by what comes late
 };
 
 }  // namespace echoloop

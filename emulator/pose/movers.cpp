@@ -59,6 +59,11 @@ void Movers::step(Time from, Time to) {
         if (auto* told = std::get_if<Told>(&source)) told->where.step(from, to);
 }
 
+bool Movers::known_ahead() const {
+    return std::ranges::none_of(sources_,
+                                [](const Source& source) { return std::holds_alternative<Told>(source); });
+}
+
 std::vector<Pose> Movers::at(Time time) {
     std::vector<std::optional<Pose>> told;
     told.reserve(sources_.size());
@@ -68,8 +73,7 @@ std::vector<Pose> Movers::at(Time time) {
             told.push_back(track->at(time)->pose);
         else if (const auto* pose = std::get_if<Pose>(&source))
             told.push_back(*pose);
-        else if (auto* by = std::get_if<Told>(&source);
-                 by != nullptr && (by->placed || !by->where.unknown()))
+        else if (auto* by = std::get_if<Told>(&source); by != nullptr && (by->placed || !by->where.unknown()))
             told.push_back(pose_of(*by, scene_->movers()[i].name, time));
         else
             told.push_back(std::nullopt);

@@ -41,23 +41,27 @@ class RenderThreads : public testing::Test {
         crew_.emplace([this](Lane) { return std::make_unique<Renderer>(scene_, Water{}); }, crew);
     }
     /// Notes `name` when the ping is rendered.
-    void submit(const std::string& name, std::size_t sonar, int needed, std::size_t beams) {
-        submit(name, sonar, needed, shot_of(beams));
+    RenderThread::Ticket submit(const std::string& name, std::size_t sonar, int needed, std::size_t beams) {
+        return submit(name, sonar, needed, shot_of(beams));
     }
-    void submit(const std::string& name, std::size_t sonar, int needed, const Shot& shot) {
-        crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot, {},
-                      [this, name](const Echogram&, const std::string&) { note(name); });
+    RenderThread::Ticket submit(const std::string& name, std::size_t sonar, int needed, const Shot& shot) {
+        return crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot, {},
+                             [this, name](const Echogram&, const std::string&) { note(name); });
     }
+    void withdraw(RenderThread::Ticket ticket) { crew_->withdraw(ticket); }
     /// Keeps a thread busy until release().
-    void block(std::size_t sonar, std::size_t beams, int needed = 0) { block(sonar, shot_of(beams), needed); }
-    void block(std::size_t sonar, const Shot& shot, int needed = 0) {
+    RenderThread::Ticket block(std::size_t sonar, std::size_t beams, int needed = 0) {
+        return block(sonar, shot_of(beams), needed);
+    }
+    RenderThread::Ticket block(std::size_t sonar, const Shot& shot, int needed = 0) {
         std::promise<void> begun;
-        crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot, {},
-                      [&begun, this](const Echogram&, const std::string&) {
-                          begun.set_value();
-                          gate_.wait();
-                      });
+        const auto ticket = crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot, {},
+                                          [&begun, this](const Echogram&, const std::string&) {
+                                              begun.set_value();
+                                              gate_.wait();
+                                          });
         begun.get_future().wait();
+        return ticket;
     }
     void release() { open_.set_value(); }
     std::vector<std::string> wait_for(std::size_t count) {
@@ -155,6 +159,29 @@ TEST_F(RenderThreads, NothingIsUrgentThatIsNeededAfterAllUnderWay) {
     EXPECT_THAT(wait_for(1), ElementsAre("before one"));
     release();
     EXPECT_THAT(wait_for(2), ElementsAre("before one", "after both"));
+}
+
+TEST_F(RenderThreads, WhatIsWithdrawnIsNotRendered) {
+    start({1, false});
+    block(9, 1);
+    const auto withdrawn = submit("withdrawn", 1, 10, 2);
+    submit("of the same sonar", 1, 20, 2);
+    submit("of another", 2, 30, 2);
+    withdraw(withdrawn);
+    release();
+    EXPECT_THAT(wait_for(2), ElementsAre("of the same sonar", "of another"));
+}
+
+TEST_F(RenderThreads, NobodyWaitsForAPingThatIsWithdrawnWhileItIsRendered) {
+    start({2, false});
+    const auto withdrawn = block(1, 2);
+    submit("the next", 1, 10, 2);
+    withdraw(withdrawn);
+    EXPECT_THAT(wait_for(1), ElementsAre("the next"));
+    submit("the one after", 1, 20, 2);
+    release();
+    EXPECT_THAT(wait_for(2), ElementsAre("the next", "the one after"));
+    withdraw(withdrawn);  // long gone
 }
 
 std::vector<std::vector<float>> rendered(const std::shared_ptr<const Scene>& scene, RenderThread::Crew crew) {

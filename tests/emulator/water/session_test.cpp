@@ -49,6 +49,53 @@ class Pinger : public Device {
     std::function<void()> done_;
 };
 
+/// Wants to be woken every 20 ms, and keeps what time it was told.
+class Ticker : public Device {
+  public:
+    static constexpr Time period = std::chrono::milliseconds(20);
+
+    Ticker(std::vector<Time>& told, std::function<void()> done) : told_(told), done_(std::move(done)) {}
+    std::vector<Port> ports() const override { return {}; }
+    Actions started(Time now) override { return {{}, {}, now + period}; }
+    Actions woken(Time now) override {
+        told_.push_back(now);
+        if (told_.size() == 20) done_();
+        return {{}, {}, now + period};
+    }
+    Actions received(const Received&, Time) override { return {}; }
+    Actions heard(const Echogram&, Time) override { return {}; }
+    void reconnected(std::size_t) override {}
+    DeviceCounters counters() const override { return {}; }
+
+  private:
+    std::vector<Time>& told_;
+    std::function<void()> done_;
+};
+
+// So that pings keep their pace though the machine wakes this program a little late each time.
+TEST(Sessions, DoWhatWasPlannedWhenItWasPlannedUnlessTheyWakeFarTooLate) {
+    const auto scene = test::scene_of({test::wall_at(5, 4, -4, 4, -4)});
+    asio::io_context io;
+    RealClock clock(io);
+    SharedWater shared{{}, Effects::none(), 1, scene->bounds(), CrossTalk({}, Effects::none())};
+    RenderThread renderer([&](RenderThread::Lane) { return std::make_unique<Renderer>(scene, Water{}); });
+    std::vector<Time> told;
+    Session session(io, clock, renderer, shared, "ticker",
+                    std::make_unique<Ticker>(told, [&io] { io.stop(); }),
+                    std::vector<std::unique_ptr<Transport>>{}, [](Time) { return Pose(); });
+    session.start();
+    io.run();
+    std::size_t punctual = 0;
+    for (std::size_t i = 1; i < told.size(); ++i) {
+        const Time late = told[i] - told[i - 1] - Ticker::period;
+        if (late == Time{})
+            ++punctual;
+        else
+            EXPECT_GE(late, std::chrono::milliseconds(1));
+    }
+    EXPECT_GT(punctual, 0U);
+}
+
 /// Two sonars 30 m apart; the first looks at a wall 760 m away, the second looks away from it.
 class TwoSonars : public testing::Test {
   protected:
@@ -64,7 +111,8 @@ class TwoSonars : public testing::Test {
         SharedWater shared{water, effects, 1, scene->bounds(), CrossTalk(water, effects)};
         std::array<std::vector<Echogram>, 2> heard;
         std::vector<std::unique_ptr<Session>> sessions;
-        RenderThread renderer([&](RenderThread::Lane) { return std::make_unique<Renderer>(scene, water, options); });
+        RenderThread renderer(
+            [&](RenderThread::Lane) { return std::make_unique<Renderer>(scene, water, options); });
         int busy = 2;
         const auto done = [&] {
             if (--busy == 0) io.stop();
