@@ -9,6 +9,8 @@ double Clock::unix_time() const {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+Inbox& Clock::inbox() { return inbox_ ? *inbox_ : inbox_.emplace(io_); }
+
 Task<void> Alarm::until(Time when) {
     constexpr auto never = asio::steady_timer::time_point::max();
     if (set_) clock_.unset(*this);  // of a coroutine that waits already; the timer's new time wakes it

@@ -8,6 +8,7 @@
 
 #include "emulator/asio.h"
 #include "emulator/device.h"
+#include "emulator/inbox.h"
 
 namespace echoloop {
 
@@ -30,6 +31,9 @@ class Clock {
     /// Serves everything on the io_context, alarms as well, until that is stopped.
     virtual void run() = 0;
     asio::io_context& io() const { return io_; }
+    /// By which other threads hand something to the one that runs the clock. From the first call on, which
+    /// must be on that one, the io_context never runs out of work.
+    Inbox& inbox();
     /// s since 1970, for time stamps.
     double unix_time() const;
     double unix_start() const { return unix_start_.value_or(unix_time()); }
@@ -73,6 +77,7 @@ class Clock {
     std::optional<double> unix_start_;
     std::size_t ranks_ = 0;
     std::shared_ptr<std::size_t> holds_;
+    std::optional<Inbox> inbox_;
 };
 
 /// Wakes one coroutine at a time of the run. Of alarms for the same time those of lower rank ring first; of

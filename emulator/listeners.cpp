@@ -1,33 +1,66 @@
 #include "emulator/listeners.h"
 
-#include <algorithm>
-#include <array>
-#include <boost/asio/post.hpp>
 #include <future>
-#include <latch>
+#include <mutex>
+#include <utility>
 
 #include "emulator/punctual.h"
 
 namespace echoloop {
 
-std::shared_ptr<asio::thread_pool> make_listeners(Punctuality punctuality) {
-    constexpr int threads = 2;
-    auto pool = std::make_shared<asio::thread_pool>(threads);
-    std::array<std::packaged_task<void()>, threads> begin;
-    std::array<std::future<void>, threads> begun;
-    std::latch all_here(threads);  // so that no thread takes the task of another
-    for (auto& task : begin) {
-        task = std::packaged_task<void()>([&all_here, punctuality] {
-            all_here.arrive_and_wait();
+Listeners::Listeners(Punctuality punctuality) {
+    constexpr std::size_t threads = 2;
+    std::vector<std::future<void>> ready;
+    for (std::size_t i = 0; i < threads; ++i) {
+        std::packaged_task<void()> begin([punctuality] {
             wake_on_time();
             if (punctuality == Punctuality::real_time) claim_real_time(Turn::listeners);
         });
+        ready.push_back(begin.get_future());
+        threads_.emplace_back([this, begin = std::move(begin)]() mutable {
+            begin();
+            serve();
+        });
     }
-    std::ranges::transform(begin, begun.begin(), [](auto& task) { return task.get_future(); });
-    for (auto& task : begin) asio::post(*pool, [&task] { task(); });
-    for (auto& result : begun) result.wait();
-    for (auto& result : begun) result.get();
-    return pool;
+    for (auto& one : ready) one.wait();
+    try {
+        for (auto& one : ready) one.get();
+    } catch (...) {
+        join();
+        throw;
+    }
+}
+
+void Listeners::post(std::function<void()> work) {
+    std::list<std::function<void()>> one;  // so that no memory is asked for under the lock
+    one.push_back(std::move(work));
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_.splice(waiting_.end(), one);
+    }
+    called_.call();
+}
+
+void Listeners::join() {
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    for (std::size_t i = 0; i < threads_.size(); ++i) called_.call();
+    threads_.clear();
+}
+
+void Listeners::serve() {
+    while (true) {
+        called_.sleep();
+        std::list<std::function<void()>> mine;
+        {
+            const std::lock_guard lock(mutex_);
+            if (waiting_.empty() && ending_) return;
+            mine.splice(mine.end(), waiting_, waiting_.begin());
+        }
+        mine.front()();
+    }
 }
 
 }  // namespace echoloop

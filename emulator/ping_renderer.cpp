@@ -42,9 +42,9 @@ RenderThread::Ticket PingRenderer::submit(Time needed, Shot shot, Situation situ
                                           const std::shared_ptr<Rendering>& rendering) {
     return threads_.submit(
         {sonar_, needed}, std::move(shot), std::move(situation),
-        [&io = clock_.io(), rendering, open = open_, name = name_](Echogram echogram,
+        [&inbox = inbox_, rendering, open = open_, name = name_](Echogram echogram,
                                                                  std::string error) mutable {
-            asio::post(io, [rendering = std::move(rendering), open = std::move(open), name = std::move(name),
+            inbox.post([rendering = std::move(rendering), open = std::move(open), name = std::move(name),
                         echogram = std::move(echogram), error = std::move(error)]() mutable {
                 if (!*open) return;
                 if (!error.empty()) spdlog::error("{}: ping not rendered: {}", name, error);

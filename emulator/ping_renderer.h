@@ -32,7 +32,7 @@ class PingRenderer {
     using SituationAt = std::function<Situation(Time)>;
 
     PingRenderer(Clock& clock, RenderThread& threads, std::size_t sonar, std::string name)
-        : clock_(clock), threads_(threads), sonar_(sonar), name_(std::move(name)) {}
+        : clock_(clock), inbox_(clock.inbox()), threads_(threads), sonar_(sonar), name_(std::move(name)) {}
     ~PingRenderer() { close(); }
     PingRenderer(const PingRenderer&) = delete;
     PingRenderer& operator=(const PingRenderer&) = delete;
@@ -63,6 +63,7 @@ class PingRenderer {
     };
 
     Clock& clock_;
+    Inbox& inbox_;
     RenderThread& threads_;
     std::size_t sonar_;
     std::string name_;

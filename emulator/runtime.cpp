@@ -52,7 +52,7 @@ SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Mov
             scene.bounds(),
             CrossTalk(scenario.water, effects),
             0,
-            by_the_clock ? make_listeners(punctuality) : nullptr,
+            by_the_clock ? std::make_shared<Listeners>(punctuality) : nullptr,
             movers.reach()};
 }
 

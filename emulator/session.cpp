@@ -211,7 +211,7 @@ void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
     hearing_ = true;
     counters_ = device_->counters();
     auto hold = std::make_shared<const Clock::Hold>(clock_);  // it comes back to the io thread before it ends
-    asio::post(*water_.listeners, [this, &io = io_, alive = alive_, heard = std::move(heard),
+    water_.listeners->post([this, &inbox = clock_.inbox(), alive = alive_, heard = std::move(heard),
                             powered = power_cuts_, hold = std::move(hold)]() mutable {
         auto actions = std::make_shared<Actions>();
         std::exception_ptr fault;
@@ -220,7 +220,7 @@ void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
         } catch (...) {
             fault = std::current_exception();
         }
-        asio::post(io, [this, now = heard->now, powered, alive = std::move(alive), actions = std::move(actions),
+        inbox.post([this, now = heard->now, powered, alive = std::move(alive), actions = std::move(actions),
                     fault = std::move(fault), hold = std::move(hold)] {
             if (!*alive || closed_) return;
             hearing_ = false;

@@ -16,6 +16,7 @@
 #include "emulator/device.h"
 #include "emulator/faults/faults.h"
 #include "emulator/lateness.h"
+#include "emulator/listeners.h"
 #include "emulator/ping_renderer.h"
 #include "emulator/second_time_around.h"
 #include "emulator/transport/transport.h"
@@ -53,7 +54,7 @@ struct SharedWater {
     /// Threads on which devices make bytes of large echograms, so that the wires of others do not wait;
     /// nullptr: that happens in its turn, for runs whose every event has its place. Join them before the
     /// sessions end.
-    std::shared_ptr<asio::thread_pool> listeners{};
+    std::shared_ptr<Listeners> listeners{};
     std::vector<double> reach{};  ///< m, from each mover's origin to its farthest point
 };
 
