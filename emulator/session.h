@@ -180,7 +180,7 @@ class Session {
     std::uint64_t sequence_ = 0;       ///< of the last ping
     Time silent_from_ = Time::max();   ///< when the echoes of the last ping have died away
     SessionSummary summary_;
-    std::shared_ptr<bool> alive_;  ///< false once this session is gone; read on the io thread by what comes late
+    std::shared_ptr<bool> alive_;  ///< false once this session is gone; for what comes late
 };
 
 }  // namespace echoloop
