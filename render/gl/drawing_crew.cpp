@@ -57,12 +57,12 @@ class DrawingCrew::Helper {
         changed_.notify_one();
     }
 
-    /// Throws what drawing threw.
-    DrawTimes end() {
+    /// What SceneDrawer::draw() returned. Throws what drawing threw.
+    double end() {
         std::unique_lock lock(mutex_);
         done_.wait(lock, [this] { return !work_; });
         if (const std::exception_ptr fault = std::exchange(fault_, nullptr)) std::rethrow_exception(fault);
-        return times_;
+        return read_back_;
     }
 
   private:
@@ -71,15 +71,15 @@ class DrawingCrew::Helper {
         while (changed_.wait(lock, stop, [this] { return static_cast<bool>(work_); })) {
             const auto work = work_;
             lock.unlock();
-            DrawTimes times;
+            double read_back = 0;
             std::exception_ptr fault;
             try {
-                times = work(drawer);
+                read_back = work(drawer);
             } catch (...) {
                 fault = std::current_exception();
             }
             lock.lock();
-            times_ = times, fault_ = fault;
+            read_back_ = read_back, fault_ = fault;
             work_ = nullptr;
             done_.notify_one();
         }
@@ -88,8 +88,8 @@ class DrawingCrew::Helper {
     std::mutex mutex_;
     std::condition_variable_any changed_;
     std::condition_variable done_;
-    std::function<DrawTimes(SceneDrawer&)> work_;  ///< under way or waiting, under mutex_
-    DrawTimes times_;
+    std::function<double(SceneDrawer&)> work_;  ///< under way or waiting, under mutex_
+    double read_back_ = 0;
     std::exception_ptr fault_;
     std::jthread thread_;
 };
@@ -120,25 +120,27 @@ void DrawingCrew::share_out() {
 }
 
 void DrawingCrew::draw(const FanPlan& plan, const Outlook& outlook, std::vector<Pixel>& pixels) {
+    const auto since = [](Clock::time_point then) {
+        return std::chrono::duration<double>(Clock::now() - then).count();
+    };
     const auto begin = Clock::now();
     find_seen(own_.scene(), plan, outlook, seen_);
     share_out();
-    profile_ = {std::chrono::duration<double>(Clock::now() - begin).count(), 0, 0, 0, 0, 0};
-    for (const SeenView& seen : seen_) {
-        profile_.triangles += seen.triangles;
-        profile_.chunks += seen.chunks;
-        profile_.pixels += seen.view->lines * seen.view->samples;
+    profile_ = {since(begin), 0, 0, 0, 0, 0};
+    for (const SeenView& view : seen_) {
+        profile_.triangles += view.triangles;
+        profile_.chunks += view.chunks;
+        profile_.pixels += view.view->lines * view.view->samples;
     }
+    const auto seen = Clock::now();
     pixels.resize(plan.image_lines * plan.samples);
     for (std::size_t i = 0; i < helpers_.size(); ++i)
         if (!shares_[i + 1].views.empty())
             helpers_[i]->begin(shares_[i + 1].views, plan.samples, outlook.offset, pixels.data());
     std::exception_ptr fault;
-    const auto take = [&](const auto& times) {
+    const auto take = [&](const auto& read_back) {
         try {
-            const DrawTimes taken = times();
-            profile_.draw = std::max(profile_.draw, taken.draw);
-            profile_.read_back = std::max(profile_.read_back, taken.read_back);
+            profile_.read_back = std::max(profile_.read_back, read_back());
         } catch (...) {
             fault = std::current_exception();
         }
@@ -147,6 +149,7 @@ void DrawingCrew::draw(const FanPlan& plan, const Outlook& outlook, std::vector<
     for (std::size_t i = 0; i < helpers_.size(); ++i)
         if (!shares_[i + 1].views.empty()) take([&] { return helpers_[i]->end(); });
     if (fault) std::rethrow_exception(fault);
+    profile_.draw = since(seen) - profile_.read_back;
 }
 
 }  // namespace echoloop::gl

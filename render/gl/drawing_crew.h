@@ -12,7 +12,8 @@ namespace echoloop::gl {
 
 /// Where the time of a draw() went, and what it drew.
 struct DrawProfile {
-    double cull = 0, draw = 0, read_back = 0;           ///< s of wall time; the last two of who was slowest
+    /// s of wall time; read_back of who was slowest, draw until all were done and without that.
+    double cull = 0, draw = 0, read_back = 0;
     std::size_t triangles = 0, chunks = 0, pixels = 0;  ///< drawn; a chunk in two views counts twice
 };
 

@@ -216,27 +216,25 @@ void SceneDrawer::draw_view(const SeenView& seen, PixelOffset offset) {
 
 /// Every view on a target of its own size, as llvmpipe clears and walks through all of a target; and where a
 /// vertex falls among the pixels is rounded there, whoever draws the other views.
-DrawTimes SceneDrawer::draw(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,
-                            Pixel* image) {
+double SceneDrawer::draw(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,
+                         Pixel* image) {
     context_->make_current();
     program_->use();
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_GREATER);
     gl_.PixelStorei(GL_PACK_ROW_LENGTH, static_cast<GLint>(samples));
-    DrawTimes times;
+    double read_back = 0;
     for (const SeenView* seen : views) {
         const View& view = *seen->view;
-        const auto begin = Clock::now();
         draw_view(*seen, offset);
         const auto drawn = Clock::now();
         gl_.ReadPixels(0, 0, static_cast<GLsizei>(view.samples), static_cast<GLsizei>(view.lines), GL_RGBA,
                        GL_FLOAT, image + view.first_line * samples);
-        times.draw += std::chrono::duration<double>(drawn - begin).count();
-        times.read_back += seconds_since(drawn);
+        read_back += seconds_since(drawn);
     }
     gl_.check("drawing a fan");
-    return times;
+    return read_back;
 }
 
 std::string SceneDrawer::description() const {

@@ -42,11 +42,6 @@ struct Outlook {
 /// Fills `seen`, one for every view of the plan, whose places it keeps. Needs no GL.
 void find_seen(const Scene& scene, const FanPlan& plan, const Outlook& outlook, std::vector<SeenView>& seen);
 
-/// Where the time of a draw() went.
-struct DrawTimes {
-    double draw = 0, read_back = 0;  ///< s of wall time; draw ends when the last pixel is there
-};
-
 class SceneDrawer {
   public:
     /// Makes the context current on this thread and uploads the scene. Throws std::runtime_error.
@@ -56,9 +51,10 @@ class SceneDrawer {
     SceneDrawer& operator=(const SceneDrawer&) = delete;
 
     /// Draws these views of a plan and reads them back to where they are in its image, whose lines have so
-    /// many samples.
-    DrawTimes draw(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,
-                   Pixel* image);
+    /// many samples. Returns the s of wall time that the reading took, which begins when the last pixel of a
+    /// view is there.
+    double draw(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,
+                Pixel* image);
 
     /// Index into Scene::materials() of every surface number, which is Pixel::surface - 1.
     const std::vector<std::uint32_t>& material_of_surface() const { return material_of_surface_; }

@@ -13,7 +13,8 @@ SPLIT = {"cull", "draw", "read_back", "bins", "paths", "acoustics"}
 class Bench(ProgramTest):
     def test_a_ping_takes_as_long_as_its_parts(self):
         for case in self.json("bench", "--cases", "fls-simple,scanning-simple", "--pings", "1")["cases"]:
-            self.assertLessEqual(sum(case["split_ms"].values()), case["wall_ms"]["median"] + 0.01, case)
+            split, wall = sum(case["split_ms"].values()), case["wall_ms"]["median"]
+            self.assertTrue(0.5 * wall < split < wall + 0.01, case)
 
     def test_every_case_is_rendered_with_both_rules(self):
         report = self.json("bench", "--pings", "2")
@@ -32,12 +33,10 @@ class Bench(ProgramTest):
         self.assertEqual(shapes["fls-simple"], (256, 500))
         self.assertEqual(len(report["limits"]), 4)
 
-    def test_the_time_is_split_and_what_was_drawn_is_counted(self):
-        (case, _) = self.json("bench", "--pings", "20", "--cases", "fls-simple")["cases"]
+    def test_what_was_drawn_is_counted(self):
+        (case, _) = self.json("bench", "--pings", "1", "--cases", "fls-simple")["cases"]
         self.assertTrue(0 < case["triangles"] and 0 < case["scene_triangles"] <= 1158, case)
         self.assertTrue(0 < case["pixels"], case)
-        split = sum(case["split_ms"].values())
-        self.assertTrue(0.5 * case["wall_ms"]["median"] < split < 1.5 * case["wall_ms"]["median"], case)
 
     def test_verdicts_follow_the_figures(self):
         for case in self.json("bench", "--pings", "1", "--cases", "scanning-simple,fls-simple")["cases"]:
