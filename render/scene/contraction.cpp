@@ -15,6 +15,9 @@ constexpr double least_cosine = 0.2;
 /// Of an edge's length, on top of its cost: so that triangles on a plane grow alike.
 constexpr double evenness = 1e-5;
 constexpr float least = 1e-9F;  ///< m; costs below it are alike
+/// Triangles around two places that may be merged: each merger looks at all of them, so a fan of a hundred
+/// thousand about one place would take minutes.
+constexpr std::size_t most_around = 256;
 
 bool has(const std::array<std::uint32_t, 3>& corners, std::uint32_t place) {
     return corners[0] == place || corners[1] == place || corners[2] == place;
@@ -40,6 +43,7 @@ Contraction::Contraction(const Clusters& clusters)
             edges.push_back(std::minmax(corners[k], corners[(k + 1) % 3]));
         }
     }
+    for (Place& place : places_) place.left = place.around.size();
     std::ranges::sort(edges);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const auto& [a, b] : edges) propose(a, b);
@@ -81,6 +85,11 @@ bool Contraction::is_current(const Merger& m) const {
     return parent_[m.a] == m.a && parent_[m.b] == m.b && ages_of(m.a, m.b) == (m.ages & ~forced);
 }
 
+/// Whether too many triangles meet at one of the places.
+bool Contraction::is_hub(const Merger& m) const {
+    return places_[m.a].left + places_[m.b].left > most_around;
+}
+
 /// Whether a triangle at one of two places that move together turns over.
 bool Contraction::turns_over(std::uint32_t moved, std::uint32_t other, Vec3 to) const {
     for (const std::uint32_t t : places_[moved].around) {
@@ -108,10 +117,12 @@ void Contraction::merge(std::uint32_t a, std::uint32_t b, Vec3 position) {
         auto& corners = corners_[t];
         if (has(corners, a)) {
             left_[t] = false;
+            for (const std::uint32_t corner : corners) --places_[corner].left;
             continue;
         }
         std::ranges::replace(corners, b, a);
         into.around.push_back(t);
+        ++into.left;
     }
     from.around = {};
     std::erase_if(into.around, [&](std::uint32_t t) { return !left_[t]; });
@@ -127,11 +138,17 @@ void Contraction::propose_around(std::uint32_t a) {
     for (const std::uint32_t place : neighbours_) propose(a, place);
 }
 
-/// Mergers that turn triangles over wait until the limit is as large as what moves.
+/// Mergers that turn triangles over wait until the limit is as large as what moves; those at hubs, until
+/// mergers around them have left less there.
 void Contraction::until(double limit) {
     while (mergers_.least_cost() <= limit) {
         Merger m = mergers_.pop();
         if (!is_current(m)) continue;
+        if (is_hub(m)) {
+            m.cost = 2 * std::max(m.cost, least);
+            mergers_.push(m);
+            continue;
+        }
         MergedPlace both = places_[m.a].merged;
         both.add(places_[m.b].merged);
         const Vec3 to = both.position();
@@ -146,18 +163,12 @@ void Contraction::until(double limit) {
     }
 }
 
-std::uint32_t Contraction::root_of(std::uint32_t place) const {
-    while (parent_[place] != place) place = parent_[place];
-    return place;
-}
-
 std::vector<std::uint32_t> Contraction::into() const {
-    std::vector<std::uint32_t> number(places_.size()), out;
+    std::vector<std::uint32_t> out;
+    out.reserve(places_.size());
     std::uint32_t next = 0;
     for (std::uint32_t i = 0; i < parent_.size(); ++i)
-        if (parent_[i] == i) number[i] = next++;
-    out.reserve(places_.size());
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) out.push_back(number[root_of(i)]);
+        out.push_back(parent_[i] == i ? next++ : out[parent_[i]]);  // merged into one of a lower number
     return out;
 }
 

@@ -32,6 +32,7 @@ class Contraction {
         Vec3 position;
         std::uint32_t age = 0;              ///< how often it has changed
         std::vector<std::uint32_t> around;  ///< triangles, also some that are no longer left
+        std::size_t left = 0;               ///< of those
     };
     /// To merge two places.
     struct Merger {
@@ -70,13 +71,13 @@ class Contraction {
         return norm(places_[a].position - places_[b].position);
     }
     bool is_current(const Merger& m) const;
+    bool is_hub(const Merger& m) const;
     bool turns_over(std::uint32_t moved, std::uint32_t other, Vec3 to) const;
     void merge(std::uint32_t a, std::uint32_t b, Vec3 position);
     void propose_around(std::uint32_t a);
-    std::uint32_t root_of(std::uint32_t place) const;
 
     std::vector<Place> places_;
-    std::vector<std::uint32_t> parent_;  ///< the place into which each was merged, or itself
+    std::vector<std::uint32_t> parent_;  ///< the place into which each was merged, a lower one; or itself
     std::vector<std::array<std::uint32_t, 3>> corners_;
     std::vector<bool> left_;
     Queue mergers_;

@@ -132,13 +132,14 @@ class StandInWriter {
         const std::size_t first_index = indices_.size();
         ++node_;
         error_ = 0;
+        const std::size_t most_indices = first_index + std::size_t{9} * chunks.count / 4;
         const auto [first, last] = triangles_.of(chunks);
         for (std::uint32_t i = first; i < last; ++i) triangle(i);
-        for (const std::uint32_t place : places) around(into[place]);
+        for (const std::uint32_t place : places) around(into[place], most_indices);
         for (const std::uint32_t vertex : touched_) local_[vertex] = 0;
         touched_.clear();
         const std::size_t used = vertices_.size() - first_vertex_, count = indices_.size() - first_index;
-        if (count == 0 || 4 * count > std::size_t{9} * chunks.count ||
+        if (count == 0 || indices_.size() > most_indices ||
             used > std::numeric_limits<std::uint16_t>::max()) {
             vertices_.resize(first_vertex_);
             indices_.resize(first_index);
@@ -153,10 +154,14 @@ class StandInWriter {
     }
 
   private:
-    void around(std::uint32_t place) {
+    /// Ends when there are more than `most_indices`: all triangles of the mesh may meet at one place.
+    void around(std::uint32_t place, std::size_t most_indices) {
         if (seen_[place] == node_) return;
         seen_[place] = node_;
-        for (const std::uint32_t i : triangles_.around(place)) triangle(i);
+        for (const std::uint32_t i : triangles_.around(place)) {
+            if (indices_.size() > most_indices) return;
+            triangle(i);
+        }
     }
 
     void triangle(std::uint32_t i) {

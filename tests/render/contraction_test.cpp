@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 #include <map>
+#include <numbers>
 #include <optional>
 
 #include "render/scene/corner_normal.h"
@@ -137,6 +139,24 @@ TEST(Contraction, ThingsVanishWhenTheyAreAsSmallAsTheLimit) {
     EXPECT_GT(contracted(small, 0.01).triangles.size(), 20U);
     EXPECT_GE(contracted(small, 0.04).triangles.size(), 4U);
     EXPECT_EQ(contracted(small, 1).triangles.size(), 0U);
+}
+
+// A star of all a mesh's triangles about one place, with rays of very different lengths. Each merger at that
+// place would look at all of them: minutes instead of a second.
+TEST(Contraction, IsNotHeldUpByAPlaceWhereAllTrianglesMeet) {
+    constexpr std::uint32_t rays = 250'000;
+    Mesh star;
+    star.positions.push_back({0, 0, 0});
+    for (std::uint32_t i = 0; i < rays; ++i) {
+        const double angle = 2 * std::numbers::pi * i / rays, length = 1 + i * 7919 % 1000 / 50.0;
+        star.positions.push_back(
+            {length * std::cos(angle), length * std::sin(angle), 1e-5 * (i * 104729 % 1000)});
+        star.indices.insert(star.indices.end(), {0, 1 + i, 1 + (i + 1) % rays});
+    }
+    const std::clock_t begin = std::clock();
+    const auto scene = test::scene_of({star});
+    EXPECT_LT(std::clock() - begin, 8 * CLOCKS_PER_SEC) << "of processor time";
+    EXPECT_EQ(scene->triangles(), rays);
 }
 
 }  // namespace
