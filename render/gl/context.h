@@ -1,5 +1,5 @@
-// An off-screen OpenGL 4.5 core context behind a small interface. Belongs to the thread that makes it
-// current; never opens a window and is never linked, only loaded at run time.
+// An off-screen OpenGL core context (Functions says which will do) behind a small interface. Belongs to the
+// thread that makes it current; never opens a window and is never linked, only loaded at run time.
 #pragma once
 
 #include <memory>
@@ -30,8 +30,9 @@ class Context {
 };
 
 /// Makes a context of the named kind: "osmesa", "egl-surfaceless", "egl-device" (a GPU), or "auto": a GPU
-/// where there is one that draws a known picture rightly (check_picture()), else OSMesa, else EGL surfaceless. Throws std::invalid_argument for an unknown name,
-/// and std::runtime_error naming the package to install when none can be made.
+/// where there is one that draws a known picture rightly (check_picture()), else OSMesa, else EGL
+/// surfaceless. Throws std::invalid_argument for an unknown name, and std::runtime_error naming the package
+/// to install when none can be made.
 std::unique_ptr<Context> make_context(std::string_view name);
 /// What "auto" makes; `may_have_gpu`: whether looking for a GPU is worth loading EGL.
 std::unique_ptr<Context> make_auto_context(bool may_have_gpu);

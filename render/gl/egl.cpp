@@ -76,15 +76,9 @@ class EglContext final : public Context {
     EglContext(const char* kind, EGLDisplay display) : lib_(library()), kind_(kind), display_(display) {
         if (display == EGL_NO_DISPLAY || !lib_.initialize(display, nullptr, nullptr)) refuse("no display");
         if (!lib_.bind_api(EGL_OPENGL_API)) refuse("no OpenGL");
-        const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                               4,
-                                               EGL_CONTEXT_MINOR_VERSION,
-                                               5,
-                                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                               EGL_NONE};
-        context_ = lib_.create_context(display_, config(), EGL_NO_CONTEXT, attributes.data());
-        if (context_ == EGL_NO_CONTEXT) refuse("no OpenGL 4.5 core context");
+        for (const Version version : {Version{4, 5}, Version{3, 3}})
+            if ((context_ = created(version)) != EGL_NO_CONTEXT) return;
+        refuse("no OpenGL 3.3 core context");
     }
     ~EglContext() override {
         lib_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -100,6 +94,21 @@ class EglContext final : public Context {
     std::string_view kind() const override { return kind_; }
 
   private:
+    struct Version {
+        EGLint major, minor;
+    };
+
+    EGLContext created(Version version) const {
+        const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                               version.major,
+                                               EGL_CONTEXT_MINOR_VERSION,
+                                               version.minor,
+                                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                               EGL_NONE};
+        return lib_.create_context(display_, config(), EGL_NO_CONTEXT, attributes.data());
+    }
+
     /// Any that OpenGL can draw with: there is no surface, only targets of our own.
     EGLConfig config() const {
         const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,

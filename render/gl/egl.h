@@ -1,5 +1,4 @@
-// The EGL implementations of Context: without any display, in memory or on a GPU. Never linked. Tried with
-// Mesa's software device only, as itself and passed off as a GPU: no GPU was at hand.
+// The EGL implementations of Context: without any display, in memory or on a GPU. Never linked.
 #pragma once
 
 #include <memory>
@@ -12,7 +11,7 @@ namespace echoloop::gl {
 /// Debian packages, when it cannot be had.
 std::unique_ptr<Context> make_egl_surfaceless_context();
 
-/// On the first EGL device that offers OpenGL 4.5, hardware before Mesa's software device. Throws
+/// On the first EGL device that offers OpenGL 3.3, hardware before Mesa's software device. Throws
 /// std::runtime_error when there is none.
 std::unique_ptr<Context> make_egl_device_context();
 /// The same on hardware only.

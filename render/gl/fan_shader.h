@@ -8,7 +8,7 @@ namespace echoloop::gl {
 /// along falling elevation, clip y along bearing. Depth is near / distance along the view's axis, so 1 is
 /// nearest. The surface number travels with the normal, as the fewer vectors the quicker; it is the same at
 /// all corners, and a quarter on top keeps rounding from changing it. Its fraction is half the roughness.
-inline constexpr const char* fan_vertex_shader = R"(#version 450 core
+inline constexpr const char* fan_vertex_shader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float surface;
@@ -32,7 +32,7 @@ void main() {
 /// 1/z is linear on the screen for any plane, also in the helper lanes beside a triangle, so the footprint
 /// from its derivative stays on the triangle's plane: R = z L with L = |(x, y, 1)|, hence dR = z x/L dx - R z
 /// d(1/z).
-inline constexpr const char* fan_fragment_shader = R"(#version 450 core
+inline constexpr const char* fan_fragment_shader = R"(#version 330 core
 in vec3 seen;
 in vec4 seen_normal;
 uniform vec4 pixel;            // width along bearing, height along elevation on the image plane; of a usual one in pixels

@@ -6,14 +6,27 @@
 namespace echoloop::gl {
 namespace {
 
+constexpr const char* needed = "4.5 core is needed, or 3.3 with GL_ARB_clip_control";
+
 template <typename Function>
 void resolve(const Context& context, const char* name, Function& function) {
     function = reinterpret_cast<Function>(context.proc_address(name));
-    if (!function)
-        throw std::runtime_error(std::string("this OpenGL has no ") + name + "; 4.5 core is needed");
+    if (!function) throw std::runtime_error(std::string("this OpenGL has no ") + name + "; " + needed);
 }
 
 std::string text(const GLubyte* bytes) { return bytes ? reinterpret_cast<const char*>(bytes) : "unknown"; }
+
+/// Drivers have addresses even for what they cannot do.
+bool can_set_depth_range(const Functions& gl) {
+    GLint major = 0, minor = 0, extensions = 0;
+    gl.GetIntegerv(GL_MAJOR_VERSION, &major);
+    gl.GetIntegerv(GL_MINOR_VERSION, &minor);
+    if (major > 4 || (major == 4 && minor >= 5)) return true;
+    gl.GetIntegerv(GL_NUM_EXTENSIONS, &extensions);
+    for (GLint i = 0; i < extensions; ++i)
+        if (text(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))) == "GL_ARB_clip_control") return true;
+    return false;
+}
 
 }  // namespace
 
@@ -21,6 +34,8 @@ Functions::Functions(const Context& context) {
 #define ECHOLOOP_GL_RESOLVE(type, name) resolve(context, "gl" #name, name);
     ECHOLOOP_GL_FUNCTIONS(ECHOLOOP_GL_RESOLVE)
 #undef ECHOLOOP_GL_RESOLVE
+    if (!can_set_depth_range(*this))
+        throw std::runtime_error("OpenGL " + description() + " cannot set its range of depths; " + needed);
 }
 
 std::string Functions::description() const {

@@ -46,6 +46,7 @@ namespace echoloop::gl {
     X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                       \
     X(PFNGLGETSHADERIVPROC, GetShaderiv)                                 \
     X(PFNGLGETSTRINGPROC, GetString)                                     \
+    X(PFNGLGETSTRINGIPROC, GetStringi)                                   \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                   \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                 \
     X(PFNGLMULTIDRAWELEMENTSBASEVERTEXPROC, MultiDrawElementsBaseVertex) \
@@ -66,7 +67,8 @@ struct Functions {
     ECHOLOOP_GL_FUNCTIONS(ECHOLOOP_GL_MEMBER)
 #undef ECHOLOOP_GL_MEMBER
 
-    /// The context must be current. Throws std::runtime_error naming the first entry point that is missing.
+    /// The context must be current. Throws std::runtime_error naming what is missing, unless it is of OpenGL
+    /// 4.5, or of 3.3 with GL_ARB_clip_control (GPUs of virtual machines).
     explicit Functions(const Context& context);
 
     /// Version and renderer, for example "4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)".

@@ -85,6 +85,18 @@ class Render(ProgramTest):
         self.assertTrue(0 <= min(intensity) <= max(intensity) <= 1)
         self.assertTrue(0 < min(ranges))
 
+    def test_an_opengl_of_2010_draws_the_same_if_it_can_set_its_range_of_depths(self):
+        one, old = self.folder / "1.npy", self.folder / "old.npy"
+        where = (DEMO, *SONAR, "--set", "render.context=egl-surfaceless", "--out")
+        self.good("render", *where, one)
+        self.good("render", *where, old, MESA_GL_VERSION_OVERRIDE="3.3")
+        self.assertEqual(one.read_bytes(), old.read_bytes())
+        self.assertIn("3.3 with GL_ARB_clip_control",
+                      self.bad(69, "render", *where, self.folder / "x.npy", MESA_GL_VERSION_OVERRIDE="3.3",
+                               MESA_EXTENSION_OVERRIDE="-GL_ARB_clip_control"))
+        self.assertIn("no OpenGL 3.3 core", self.bad(69, "render", *where, self.folder / "x.npy",
+                                                     MESA_GL_VERSION_OVERRIDE="3.2"))
+
     def test_wrong_usage(self):
         out = self.folder / "x.png"
         self.assertIn("--device is missing; known are: micron, sonar", self.bad(64, "render", DEMO, "--out", out))
