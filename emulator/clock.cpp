@@ -22,7 +22,7 @@ Task<void> Alarm::until(Time when) {
     }
     error_code ec;
     co_await timer_.async_wait(into(ec));
-    if (!ec) clock_.rang(when);
+    if (!ec) clock_.rang(*this, when);
 }
 
 void Alarm::cancel() {
@@ -36,11 +36,27 @@ Time RealClock::now() const {
     return Time(static_cast<Time::rep>(real.count() * rate_));
 }
 
+RealClock::~RealClock() {
+    for (const auto& [when, alarm] : alarms_) alarm->set_ = false;
+}
+
 void RealClock::run() {
+    if (standstills_ == nullptr) return serve();
+    wire_thread_.emplace(io());
+    tell_what_is_due();
+    const Standstills::Care care(*standstills_, *wire_thread_);
+    serve();
+}
+
+void RealClock::serve() {
     while (io().run_one() > 0) worked_until_ = now();
 }
 
-void RealClock::rang(Time when) {
+void RealClock::rang(Alarm& alarm, Time when) {
+    if (alarm.set_ && alarm.when_ == when) {
+        unset(alarm);
+        alarm.set_ = false;
+    }
     if (worked_until_ > when) return;
     slept_from_ = worked_until_;
     slept_to_ = now();
@@ -56,7 +72,23 @@ Time RealClock::stood_still(Time since) const {
     return Time(static_cast<Time::rep>(real.count() * rate_));
 }
 
-void RealClock::set(Alarm& alarm, Time when) { alarm.timer_.expires_at(instant(when)); }
+void RealClock::set(Alarm& alarm, Time when) {
+    alarm.timer_.expires_at(instant(when));
+    alarm.set_ = true;
+    alarm.when_ = when;
+    alarms_.emplace(when, &alarm);
+    tell_what_is_due();
+}
+
+void RealClock::unset(Alarm& alarm) {
+    alarms_.erase({alarm.when_, &alarm});
+    tell_what_is_due();
+}
+
+void RealClock::tell_what_is_due() {
+    if (!wire_thread_) return;
+    wire_thread_->due(alarms_.empty() ? Steady::time_point::max() : instant(alarms_.begin()->first));
+}
 
 RealClock::Steady::time_point RealClock::instant(Time t) const {
     const std::chrono::duration<double, std::nano> real(static_cast<double>(t.count()) / rate_);

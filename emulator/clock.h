@@ -5,10 +5,13 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "emulator/asio.h"
 #include "emulator/device.h"
 #include "emulator/inbox.h"
+#include "emulator/wire_thread.h"
 
 namespace echoloop {
 
@@ -43,8 +46,8 @@ class Clock {
     virtual Time overslept(Time) const { return {}; }
     /// Since then, how long the machine let nothing run; 0 where nobody watches.
     virtual Time stood_still(Time) const { return {}; }
-    /// It outlives this.
-    void watch(const Standstills* standstills) { standstills_ = standstills; }
+    /// It outlives this, and looks after the thread that runs the clock.
+    void watch(Standstills* standstills) { standstills_ = standstills; }
 
     /// While one lives, something is under way whose outcome belongs to this moment (an echogram that is due,
     /// a write that does not fit yet): a stepped clock does not move on. Others take no notice.
@@ -61,7 +64,7 @@ class Clock {
 
   protected:
     bool held() const { return *holds_ > 0; }
-    const Standstills* standstills_ = nullptr;
+    Standstills* standstills_ = nullptr;
 
   private:
     friend class Alarm;
@@ -70,8 +73,8 @@ class Clock {
     virtual void set(Alarm& alarm, Time when) = 0;
     /// Before it rang.
     virtual void unset(Alarm& alarm) = 0;
-    /// An alarm that was set to `when` has rung.
-    virtual void rang(Time) {}
+    /// It rang by itself, as it was set to `when`; by now it may be set again.
+    virtual void rang(Alarm&, Time) {}
 
     asio::io_context& io_;
     std::optional<double> unix_start_;
@@ -120,6 +123,7 @@ class RealClock final : public Clock {
         : Clock(io, unix_start), rate_(rate) {
         begin();
     }
+    ~RealClock() override;
 
     Time now() const override;
     void begin() override { start_ = Steady::now(); }
@@ -129,8 +133,10 @@ class RealClock final : public Clock {
 
   private:
     void set(Alarm& alarm, Time when) override;
-    void unset(Alarm&) override {}
-    void rang(Time when) override;
+    void unset(Alarm& alarm) override;
+    void rang(Alarm& alarm, Time when) override;
+    void serve();
+    void tell_what_is_due();
     /// Instant of the steady clock at which run time `t` comes.
     Steady::time_point instant(Time t) const;
 
@@ -138,6 +144,8 @@ class RealClock final : public Clock {
     double rate_;
     Time worked_until_{};             ///< when the last thing to do was done
     Time slept_from_{}, slept_to_{};  ///< before an alarm rang
+    std::set<std::pair<Time, Alarm*>> alarms_;
+    std::optional<WireThread> wire_thread_;  ///< where somebody looks after the thread that runs the clock
 };
 
 }  // namespace echoloop

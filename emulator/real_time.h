@@ -20,7 +20,7 @@ class RealTime {
   public:
     /// Throws StartError with the remedy if real time is not permitted.
     explicit RealTime(const Scenario& scenario);
-    const Standstills& standstills() const { return standstills_; }
+    Standstills& standstills() { return standstills_; }
     RealTimeSummary summary() const;
 
   private:

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <future>
 #include <mutex>
 #include <thread>
 
 #include "emulator/punctual.h"
+#include "emulator/wire_thread.h"
 
 namespace echoloop {
 namespace {
@@ -18,6 +20,8 @@ using namespace std::chrono_literals;
 
 constexpr auto period = 1ms;
 constexpr auto punctual = 300us;  ///< nobody's pings are late for less
+constexpr auto awake = 1h;        ///< a watcher that has come stands nowhere still, however long it works
+constexpr auto patience = 250us;  ///< timers and the threads they wake may take that long
 
 void stay_on(int processor) {
     cpu_set_t only;
@@ -41,11 +45,11 @@ std::vector<int> usable_processors() {
 /// Of one processor.
 class Standstills::Watcher {
   public:
-    explicit Watcher(int processor) {
+    Watcher(const Standstills& all, int processor) : all_(all), processor_(processor) {
         std::promise<void> ready;
         auto outcome = ready.get_future();
-        thread_ = std::jthread([this, processor, &ready](const std::stop_token& stop) {
-            stay_on(processor);
+        thread_ = std::jthread([this, &ready](const std::stop_token& stop) {
+            stay_on(processor_);
             try {
                 claim_real_time(Turn::watchers);
             } catch (...) {
@@ -62,13 +66,25 @@ class Standstills::Watcher {
         const std::lock_guard lock(mutex_);
         Steady::duration sum{};
         for (const Standstill& one : last_) sum += one.within(from, to);
-        if (to > next_ + punctual) sum += Standstill{next_, to}.within(from, to);  // it has not come yet
+        const Steady::time_point next = next_;
+        if (to > next + punctual) sum += Standstill{next, to}.within(from, to);  // it has not come yet
         return sum;
     }
 
+    /// Takes no lock, which a watcher that stands still might hold.
+    bool stands_still(Steady::time_point now) const { return now > next_.load() + punctual; }
+    int processor() const { return processor_; }
+
     Summary summary() const {
         const std::lock_guard lock(mutex_);
-        return summary_;
+        Summary summary = summary_;
+        summary.fetched = fetched_;
+        return summary;
+    }
+
+    void look_after(WireThread* thread) {
+        const std::lock_guard lock(care_);
+        wire_thread_ = thread;
     }
 
   private:
@@ -81,12 +97,42 @@ class Standstills::Watcher {
 
     void watch(const std::stop_token& stop) {
         while (!stop.stop_requested()) {
-            std::this_thread::sleep_until(next_);
+            const Steady::time_point due = next_;
+            std::this_thread::sleep_until(due);
             const auto now = Steady::now();
-            const std::lock_guard lock(mutex_);
-            if (now - next_ > punctual) keep({next_, now});
-            next_ = now + period;
+            note(due, now);
+            if (fetch(now)) ++fetched_;
+            next_ = next_wake();
         }
+    }
+
+    void note(Steady::time_point due, Steady::time_point now) {
+        const std::lock_guard lock(mutex_);
+        if (now - due > punctual) keep({due, now});
+        next_ = now + awake;
+    }
+
+    bool fetch(Steady::time_point now) {
+        const std::lock_guard lock(care_);
+        if (wire_thread_ == nullptr || now < overdue()) return false;
+        const auto state = wire_thread_->state();
+        if (!state.asleep && (state.processor == processor_ || !all_.stands_still(state.processor, now)))
+            return false;
+        wire_thread_->fetch_to(processor_);
+        return true;
+    }
+
+    Steady::time_point next_wake() {
+        const auto now = Steady::now();
+        const std::lock_guard lock(care_);
+        if (wire_thread_ == nullptr) return now + period;
+        return overdue() <= now ? now + patience : std::min(overdue(), now + period);
+    }
+
+    /// When the thread should have woken long since.
+    Steady::time_point overdue() const {
+        const auto due = wire_thread_->due();
+        return due == Steady::time_point::max() ? due : due + patience;
     }
 
     void keep(Standstill one) {
@@ -94,15 +140,21 @@ class Standstills::Watcher {
         summary_.longest = std::max(summary_.longest, one.to - one.from);
     }
 
+    const Standstills& all_;
+    int processor_;
+    std::mutex care_;  ///< of no use to other threads, but when a thread comes or goes
+    WireThread* wire_thread_ = nullptr;
     mutable std::mutex mutex_;
     std::array<Standstill, 64> last_{};
     Summary summary_;
-    Steady::time_point next_{};  ///< written under the mutex, by the thread alone
-    std::jthread thread_;        // last: ended first
+    std::atomic<std::uint64_t> fetched_{0};
+    std::atomic<Steady::time_point> next_{};  ///< when it means to wake
+    std::jthread thread_;                     // last: ended first
 };
 
 Standstills::Standstills() {
-    for (const int processor : usable_processors()) watchers_.push_back(std::make_unique<Watcher>(processor));
+    for (const int processor : usable_processors())
+        watchers_.push_back(std::make_unique<Watcher>(*this, processor));
 }
 
 Standstills::~Standstills() = default;
@@ -119,8 +171,25 @@ Standstills::Summary Standstills::summary() const {
         const Summary one = watcher->summary();
         all.count += one.count;
         all.longest = std::max(all.longest, one.longest);
+        all.fetched += one.fetched;
     }
     return all;
 }
+
+bool Standstills::stands_still(int processor, Steady::time_point now) const {
+    return std::ranges::any_of(watchers_, [&](const auto& watcher) {
+        return watcher->processor() == processor && watcher->stands_still(now);
+    });
+}
+
+void Standstills::look_after(WireThread* thread) {
+    for (const auto& watcher : watchers_) watcher->look_after(thread);
+}
+
+Standstills::Care::Care(Standstills& standstills, WireThread& thread) : standstills_(standstills) {
+    standstills_.look_after(&thread);
+}
+
+Standstills::Care::~Care() { standstills_.look_after(nullptr); }
 
 }  // namespace echoloop

@@ -1,5 +1,6 @@
-// When the machine let nothing run: what no program can mend, such as the host of a virtual machine that
-// gives its processors to others. Says which late pings are nobody's fault here.
+// When the machine let nothing run on a processor: what no program can mend, such as the host of a virtual
+// machine that gives its processors to others. Says which late pings are nobody's fault here, and lets the
+// thread that serves the wires sleep through none while another processor runs.
 #pragma once
 
 #include <chrono>
@@ -9,14 +10,17 @@
 
 namespace echoloop {
 
+class WireThread;
+
 /// A thread on every processor that this process may use, before all others of the run (Turn::watchers),
-/// wakes each millisecond: where it came later, that processor stood still. 1.5 % of each processor.
+/// wakes each millisecond: where it came later, that processor stood still. 2 % of each processor.
 class Standstills {
   public:
     using Steady = std::chrono::steady_clock;
     struct Summary {
         std::uint64_t count = 0;  ///< of all processors together
         Steady::duration longest{};
+        std::uint64_t fetched = 0;  ///< how often the thread was brought to another processor
     };
 
     /// Throws StartError with the remedy if real time is not permitted.
@@ -28,8 +32,23 @@ class Standstills {
     Steady::duration within(Steady::time_point from, Steady::time_point to) const;
     Summary summary() const;
 
+    /// While one lives, the thread is fetched to a processor that runs when something was due a quarter of a
+    /// millisecond ago, and it sleeps or its own processor stands still. One at a time.
+    class Care {
+      public:
+        Care(Standstills& standstills, WireThread& thread);
+        ~Care();
+        Care(const Care&) = delete;
+        Care& operator=(const Care&) = delete;
+
+      private:
+        Standstills& standstills_;
+    };
+
   private:
     class Watcher;
+    bool stands_still(int processor, Steady::time_point now) const;
+    void look_after(WireThread* thread);
     std::vector<std::unique_ptr<Watcher>> watchers_;
 };
 

@@ -73,7 +73,8 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
     if (const auto real_time = runtime.real_time()) {
         const auto& s = real_time->standstills;
         ended["standstills"] = {{"count", s.count},
-                                {"longest_s", std::chrono::duration<double>(s.longest).count()}};
+                                {"longest_s", std::chrono::duration<double>(s.longest).count()},
+                                {"fetched", s.fetched}};
     }
     if (recording != nullptr) {
         const RecordingSummary s = recording->summary();

@@ -145,11 +145,14 @@ void print_steps(const StepSummary& s) {
 
 void print_standstills(const Standstills::Summary& s) {
     const double longest = std::chrono::duration<double, std::milli>(s.longest).count();
-    std::printf(
-        "%s%s\n", padded("machine", 16).c_str(),
-        s.count == 0
-            ? "never stood still"
-            : ("stood still " + counted(s.count, "time") + ", at most " + plain(longest, 1) + " ms").c_str());
+    std::printf("%s%s\n", padded("machine", 16).c_str(),
+                s.count == 0
+                    ? "never stood still"
+                    : ("stood still " + counted(s.count, "time") + ", at most " + plain(longest, 1) + " ms" +
+                       (s.fetched == 0
+                            ? ""
+                            : "; the wires were served by another processor " + counted(s.fetched, "time")))
+                          .c_str());
 }
 
 void print_recording(const Recording& recording) {
