@@ -1,5 +1,5 @@
 // Which device `auto` draws on, with a GPU, a broken GPU and none, by a test double of EGL (double_egl.cpp):
-// real GPUs are not to be had on every machine that runs the tests.
+// real GPUs are not to be had on every machine that runs the tests. By hand, `virtual_machine` has one.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
