@@ -21,6 +21,7 @@ using namespace std::chrono_literals;
 constexpr auto period = 1ms;
 constexpr auto punctual = 300us;  ///< nobody's pings are late for less
 constexpr auto awake = 1h;        ///< a watcher that has come stands nowhere still, however long it works
+constexpr auto rest = 400us;      ///< at least, between two looks: with `patience` within a millisecond
 constexpr auto patience = 250us;  ///< timers and the threads they wake may take that long
 
 void stay_on(int processor) {
@@ -125,8 +126,7 @@ class Standstills::Watcher {
     Steady::time_point next_wake() {
         const auto now = Steady::now();
         const std::lock_guard lock(care_);
-        if (wire_thread_ == nullptr) return now + period;
-        return overdue() <= now ? now + patience : std::min(overdue(), now + period);
+        return wire_thread_ == nullptr ? now + period : std::clamp(overdue(), now + rest, now + period);
     }
 
     /// When the thread should have woken long since.

@@ -13,7 +13,8 @@ namespace echoloop {
 class WireThread;
 
 /// A thread on every processor that this process may use, before all others of the run (Turn::watchers),
-/// wakes each millisecond: where it came later, that processor stood still. 2 % of each processor.
+/// wakes each millisecond, or when something is overdue: where it came later, that processor stood still. 3 %
+/// of each processor.
 class Standstills {
   public:
     using Steady = std::chrono::steady_clock;
