@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -150,22 +151,25 @@ TEST(WireThreads, RingTimersThatAreOverWhenTheyAreFetched) {
     EXPECT_FALSE(later);
 }
 
-/// nullptr: this user may not have them.
-std::unique_ptr<Standstills> standstills() {
-    try {
-        return std::make_unique<Standstills>();
-    } catch (const StartError&) {
-        if (const char* ci = std::getenv("CI"); ci != nullptr && std::string_view(ci) == "true") throw;
-        return nullptr;
+/// A clock whose thread is looked after, where this user may have that.
+class LookedAfterClocks : public testing::Test {
+  protected:
+    void SetUp() override {
+        try {
+            watching.emplace();
+        } catch (const StartError&) {
+            if (const char* ci = std::getenv("CI"); ci != nullptr && std::string_view(ci) == "true") throw;
+            GTEST_SKIP() << "real time is not permitted to this user";
+        }
+        clock.watch(&*watching);
     }
-}
 
-TEST(LookedAfterClocks, RingTheirAlarmsThoughTheTimerBehindThemDoesNot) {
-    const auto watching = standstills();
-    if (!watching) GTEST_SKIP() << "real time is not permitted to this user";
+    std::optional<Standstills> watching;
     asio::io_context io;
-    RealClock clock(io);
-    clock.watch(watching.get());
+    RealClock clock{io};
+};
+
+TEST_F(LookedAfterClocks, RingTheirAlarmsThoughTheTimerBehindThemDoesNot) {
     std::vector<std::string> order;
     const auto wake = [&](std::string name, Alarm& alarm, Time when) -> Task<void> {
         co_await alarm.until(when);
@@ -196,7 +200,7 @@ TEST(LookedAfterClocks, RingTheirAlarmsThoughTheTimerBehindThemDoesNot) {
         asio::detached);
     spawn("last", d, 30ms);
     asio::co_spawn(io, sets_the_next(), asio::detached);
-    std::jthread giving_up([&io](const std::stop_token& ended) {
+    std::jthread giving_up([this](const std::stop_token& ended) {
         const auto end = Steady::now() + long_since;
         while (!ended.stop_requested() && Steady::now() < end) std::this_thread::sleep_for(10ms);
         io.stop();
@@ -210,12 +214,7 @@ TEST(LookedAfterClocks, RingTheirAlarmsThoughTheTimerBehindThemDoesNot) {
     EXPECT_GE(watching->summary().fetched, 5u);
 }
 
-TEST(LookedAfterClocks, AreLeftInPeaceWhenNothingIsDue) {
-    const auto watching = standstills();
-    if (!watching) GTEST_SKIP() << "real time is not permitted to this user";
-    asio::io_context io;
-    RealClock clock(io);
-    clock.watch(watching.get());
+TEST_F(LookedAfterClocks, AreLeftInPeaceWhenNothingIsDue) {
     Alarm soon(clock), rung(clock), cancelled(clock), far(clock);
     const auto wait = [](Alarm& alarm, Time when) -> Task<void> { co_await alarm.until(when); };
     asio::co_spawn(io, wait(rung, 2ms), asio::detached);
