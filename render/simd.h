@@ -1,10 +1,15 @@
-// Compiles a loop for AVX-512, for AVX2 and for any x86-64; the loader picks. Never changes results where the file is
-// compiled without contraction to FMA, as render/CMakeLists.txt does.
+// Compiles a loop for AVX-512, for AVX2 and for any x86-64; the loader picks. Never changes results where the
+// file is compiled without contraction to FMA, as render/CMakeLists.txt does. The loops are plain ones: of a
+// vector type wider than the processor's, g++ makes code several times slower than its own. A loop that needs
+// vectors of the processor's width has one version for each, where ECHOLOOP_SIMD_VERSIONS is defined.
 #pragma once
+
+#define ECHOLOOP_INLINE inline __attribute__((always_inline))
 
 // Sanitizers and clang get one plain version: the resolvers run before a sanitizer is ready.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__) && \
     !defined(__SANITIZE_ADDRESS__)
+#define ECHOLOOP_SIMD_VERSIONS
 #define ECHOLOOP_SIMD __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define ECHOLOOP_SIMD

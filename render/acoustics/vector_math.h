@@ -8,8 +8,6 @@
 
 #include "render/simd.h"
 
-#define ECHOLOOP_INLINE inline __attribute__((always_inline))
-
 namespace echoloop::vector_math {
 
 /// Within (0, 1): an odd multiple of 2^-24, exact.

@@ -1,6 +1,5 @@
 #include "render/fan/weighted_rows.h"
 
-#include <algorithm>
 #include <cstring>
 
 #include "render/simd.h"
@@ -8,43 +7,73 @@
 namespace echoloop {
 namespace {
 
-constexpr std::size_t tile = 16;
-using Tile = float __attribute__((vector_size(tile * sizeof(float))));  // as many registers as it takes
+struct Sums {
+    std::span<const WeightedRow> rows;
+    const float* gain;
+    std::size_t bins, count;
+    float* out;
+};
 
-inline void load(Tile& to, const float* from) { std::memcpy(&to, from, sizeof to); }
+using Vector4 [[maybe_unused]] = float __attribute__((vector_size(16)));
+using Vector8 [[maybe_unused]] = float __attribute__((vector_size(32)));
+using Vector16 [[maybe_unused]] = float __attribute__((vector_size(64)));
 
-/// The bins of whole tiles.
-ECHOLOOP_SIMD
-void sum_tiles(const WeightedRow* rows, std::size_t count, const float* gain, std::size_t bins,
-               std::size_t sums, float* out) {
-    for (std::size_t at = 0; at + tile <= bins; at += tile) {
-        Tile a{}, b{}, c{}, d{};
-        for (const WeightedRow* row = rows; row != rows + count; ++row) {
-            if (row->end <= at || row->begin >= at + tile) continue;
-            Tile values;
-            load(values, row->values + at);
-            a += row->weights[0] * values;
-            b += row->weights[1] * values;
-            c += row->weights[2] * values;
-            d += row->weights[3] * values;
+/// Sums the bins of whole tiles, of `across` vectors each, and gives their number. `Vector` is no wider than
+/// the processor's, and the sums of a tile fit into its registers: where either is not so, the compiler keeps
+/// the sums in memory, and the loop takes three times as long.
+template <class Vector, std::size_t across>
+ECHOLOOP_INLINE std::size_t sum_tiles_of(const Sums& in) {
+    constexpr std::size_t lanes = sizeof(Vector) / sizeof(float), tile = across * lanes;
+    std::size_t at = 0;
+    for (; at + tile <= in.bins; at += tile) {
+        Vector sum[sums_at_once][across] = {};
+        for (const WeightedRow& row : in.rows) {
+            if (row.end <= at || row.begin >= at + tile) continue;
+#pragma GCC unroll 4
+            for (std::size_t i = 0; i < across; ++i) {
+                Vector values;
+                std::memcpy(&values, row.values + at + i * lanes, sizeof values);
+#pragma GCC unroll 4
+                for (std::size_t k = 0; k < sums_at_once; ++k) sum[k][i] += row.weights[k] * values;
+            }
         }
-        if (gain != nullptr) {
-            Tile factor;
-            load(factor, gain + at);
-            a *= factor, b *= factor, c *= factor, d *= factor;
+#pragma GCC unroll 4
+        for (std::size_t i = 0; i < across; ++i) {
+            Vector factor = Vector{} + 1.0F;
+            if (in.gain != nullptr) std::memcpy(&factor, in.gain + at + i * lanes, sizeof factor);
+#pragma GCC unroll 4
+            for (std::size_t k = 0; k < sums_at_once; ++k) {
+                const Vector value = sum[k][i] * factor;
+                if (k < in.count) std::memcpy(in.out + k * in.bins + at + i * lanes, &value, sizeof value);
+            }
         }
-        const Tile all[sums_at_once] = {a, b, c, d};
-        for (std::size_t k = 0; k < sums; ++k) std::memcpy(out + k * bins + at, &all[k], sizeof(Tile));
     }
+    return at;
+}
+
+#ifdef ECHOLOOP_SIMD_VERSIONS
+__attribute__((target("arch=x86-64-v4"))) std::size_t sum_tiles(const Sums& in) {
+    return sum_tiles_of<Vector16, 1>(in);
+}
+
+__attribute__((target("arch=x86-64-v3"))) std::size_t sum_tiles(const Sums& in) {
+    return sum_tiles_of<Vector8, 2>(in);
+}
+
+__attribute__((target("default")))
+#endif
+std::size_t
+sum_tiles(const Sums& in) {
+    return sum_tiles_of<Vector4, 2>(in);
 }
 
 }  // namespace
 
 void sum_rows(std::span<const WeightedRow> rows, const float* gain, std::size_t bins, std::size_t sums,
               float* out) {
-    sum_tiles(rows.data(), rows.size(), gain, bins, sums, out);
+    const std::size_t summed = sum_tiles({rows, gain, bins, sums, out});
     for (std::size_t k = 0; k < sums; ++k)
-        for (std::size_t i = bins / tile * tile; i < bins; ++i) {
+        for (std::size_t i = summed; i < bins; ++i) {
             float sum = 0;
             for (const WeightedRow& row : rows) sum += row.weights[k] * row.values[i];
             out[k * bins + i] = gain != nullptr ? sum * gain[i] : sum;
