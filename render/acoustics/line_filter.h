@@ -11,7 +11,7 @@ class LineFilter {
   public:
     /// Leaves its input as it is.
     LineFilter() : LineFilter(0, {1.0F}) {}
-    /// out[j] = sum over k of taps[k] in[j - first - k].
+    /// out[j] = sum over k of taps[k] in[j - first - k]. Throws std::invalid_argument where there is no tap.
     LineFilter(std::ptrdiff_t first, std::vector<float> taps);
     /// As above, but of an input that a box of `length` >= 1 bins and height 1, then one of `smoothing` bins
     /// and sum 1, have gone over: O(1) a bin.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,8 @@ class StrengthTable {
     /// `cosine`: 0..1.
     float at(float cosine) const {
         const float place = cosine * static_cast<float>(cells);
-        const std::size_t cell = std::min(static_cast<std::size_t>(place), cells - 1);
+        // 32 bits: before AVX-512 no instruction turns a float into 64 bits without a sign.
+        const auto cell = std::min(static_cast<std::uint32_t>(place), static_cast<std::uint32_t>(cells - 1));
         const float share = place - static_cast<float>(cell);
         return values_[cell] + share * (values_[cell + 1] - values_[cell]);
     }

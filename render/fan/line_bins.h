@@ -11,17 +11,21 @@ class LineBins {
   public:
     LineBins() = default;
     LineBins(float* values, std::size_t bins)
-        : values_(values), bins_(bins), last_(static_cast<float>(bins)), begin_(bins) {}
+        : values_(values),
+          bins_(bins),
+          last_(static_cast<float>(bins)),
+          last_bin_(static_cast<int>(bins) - 1),
+          begin_(bins) {}
 
-    /// Spreads `amount` over low..high, counted in bins from the leading edge of bin 0, with a density that changes by
-    /// the share `slope` per bin and has its mean in the middle.
+    /// Spreads `amount` over low..high, counted in bins from the leading edge of bin 0, with a density that
+    /// changes by the share `slope` per bin and has its mean in the middle.
     void deposit(float low, float high, float amount, float slope = 0) {
         if (!(high >= 0 && low < last_)) return;  // false for NaN
         const float from = std::max(low, 0.0F), to = std::min(high, last_);
-        const auto first = static_cast<std::size_t>(from);
-        const std::size_t last = std::min(static_cast<std::size_t>(to), bins_ - 1);
-        begin_ = std::min(begin_, first);
-        end_ = std::max(end_, last + 1);
+        // int: before AVX-512 no instruction turns a float into a std::size_t, or back.
+        const int first = static_cast<int>(from), last = std::min(static_cast<int>(to), last_bin_);
+        begin_ = std::min(begin_, static_cast<std::size_t>(first));
+        end_ = std::max(end_, static_cast<std::size_t>(last) + 1);
         const float width = high - low;
         if (first == last) {
             values_[first] += width > 0 ? amount * ((to - from) / width) : amount;
@@ -32,7 +36,7 @@ class LineBins {
             return density * (right - left) * (1 + slope * (0.5F * (left + right) - middle));
         };
         values_[first] += piece(from, static_cast<float>(first + 1));
-        for (std::size_t i = first + 1; i < last; ++i)
+        for (int i = first + 1; i < last; ++i)
             values_[i] += density * (1 + slope * (static_cast<float>(i) + 0.5F - middle));
         values_[last] += piece(static_cast<float>(last), to);
     }
@@ -58,6 +62,7 @@ class LineBins {
     float* values_ = nullptr;
     std::size_t bins_ = 0;
     float last_ = 0;
+    int last_bin_ = -1;
     std::size_t begin_ = 0, end_ = 0;
 };
 
