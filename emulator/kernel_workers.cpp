@@ -12,10 +12,13 @@
 #include <string>
 #include <string_view>
 
+#include "emulator/punctual.h"
+
 namespace echoloop {
 namespace {
 
-constexpr int before_ordinary_programs = 1;
+constexpr int turn = static_cast<int>(Turn::kernel_workers);
+constexpr auto between_looks = std::chrono::milliseconds(250);
 
 /// "" if there is none any more.
 std::string name_of(pid_t pid) {
@@ -50,27 +53,32 @@ bool schedule(pid_t pid, int policy, int priority) {
 KernelWorkers::KernelWorkers() : count_(raise_all()) {
     if (count_ == 0) return;
     thread_ = std::jthread([this](const std::stop_token& stop) {
+        give_turn(::pthread_self(),
+                  Turn::kernel_workers);  // else it would wait behind rendering for its turn
         std::unique_lock lock(mutex_);
-        while (!ended_.wait_for(lock, stop, std::chrono::seconds(1), [] { return false; }) &&
-               !stop.stop_requested())
+        while (!ended_.wait_for(lock, stop, between_looks, [] { return false; }) && !stop.stop_requested())
             raise_all();
     });
 }
 
 KernelWorkers::~KernelWorkers() {
     thread_ = {};
-    for (const pid_t pid : raised_)
-        if (is_worker(pid) && ::sched_getscheduler(pid) == SCHED_FIFO) schedule(pid, SCHED_OTHER, 0);
+    for (const auto& [pid, before] : raised_)
+        if (is_worker(pid) && ::sched_getscheduler(pid) == SCHED_FIFO)
+            schedule(pid, before.policy, before.priority);
 }
 
 std::size_t KernelWorkers::raise_all() {
     std::size_t first = 0;
     for_each_process([&](pid_t pid) {
+        sched_param now{};
         const int policy = ::sched_getscheduler(pid);
-        if ((policy != SCHED_OTHER && policy != SCHED_FIFO) || !is_worker(pid)) return;
-        if (policy == SCHED_OTHER) {
-            if (!schedule(pid, SCHED_FIFO, before_ordinary_programs)) return;
-            raised_.insert(pid);
+        if ((policy != SCHED_OTHER && policy != SCHED_FIFO) || ::sched_getparam(pid, &now) != 0 ||
+            !is_worker(pid))
+            return;
+        if (policy == SCHED_OTHER || now.sched_priority < turn) {
+            if (!schedule(pid, SCHED_FIFO, turn)) return;
+            raised_.try_emplace(pid, Before{policy, now.sched_priority});
         }
         ++first;
     });

@@ -6,16 +6,17 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <map>
 #include <mutex>
-#include <set>
 #include <thread>
 
 namespace echoloop {
 
 /// Linux hands what is written to a pseudo-terminal, or comes from a serial port, to a worker of its unbound
 /// work queue, which takes its turn among ordinary programs. While one of these lives, such workers go before
-/// them (SCHED_FIFO, priority 1: behind every thread of a real-time run), also those that the kernel makes
-/// meanwhile; then they are as they were. Needs CAP_SYS_NICE; without it nothing changes and count() is 0.
+/// them, and before the rendering of fans (Turn::kernel_workers), also those that the kernel makes meanwhile,
+/// a quarter of a second after that; then they are as they were. Needs CAP_SYS_NICE; without it nothing
+/// changes and count() is 0.
 class KernelWorkers {
   public:
     KernelWorkers();
@@ -30,7 +31,10 @@ class KernelWorkers {
     /// How many go first now, by this or by somebody else.
     std::size_t raise_all();
 
-    std::set<pid_t> raised_;  ///< by this
+    struct Before {
+        int policy, priority;
+    };
+    std::map<pid_t, Before> raised_;  ///< by this
     std::size_t count_;
     std::mutex mutex_;
     std::condition_variable_any ended_;

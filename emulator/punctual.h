@@ -16,6 +16,7 @@ enum class Turn {
     fans = 4,
     urgent_fans = 5,
     listeners = 6,
+    kernel_workers = 7,  ///< which carry the bytes of lines: behind none that takes many milliseconds
     single_beams = 8,
     wires = 9,
     watchers = 10

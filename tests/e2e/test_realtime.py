@@ -13,6 +13,7 @@ from ports import free_port
 from program import PROGRAM, ROOT
 
 FLOOR = str(ROOT / "config" / "bathymetry.yaml")
+DEMO = str(ROOT / "config" / "demo.yaml")
 TANK = str(ROOT / "config" / "tank.yaml")
 
 
@@ -23,6 +24,17 @@ def workers():
         try:
             if re.match(r"kworker/u\d+:\d+(?!\d*H)", comm.read_text()):
                 found[int(comm.parent.name)] = os.sched_getscheduler(int(comm.parent.name))
+        except (FileNotFoundError, ProcessLookupError):
+            pass  # it ended meanwhile
+    return found
+
+
+def turns(pid):
+    """Real-time priorities of a process's threads, (name, priority) by thread id."""
+    found = {}
+    for comm in Path(f"/proc/{pid}/task").glob("[0-9]*/comm"):
+        try:
+            found[int(comm.parent.name)] = (comm.read_text().strip(), os.sched_getparam(int(comm.parent.name)).sched_priority)
         except (FileNotFoundError, ProcessLookupError):
             pass  # it ended meanwhile
     return found
@@ -70,6 +82,20 @@ class RealTime(unittest.TestCase):
         raised = [pid for pid, policy in during.items() if policy == os.SCHED_FIFO]
         after = workers()
         self.assertEqual([after[pid] for pid in raised if pid in after if after[pid] != os.SCHED_OTHER], [])
+
+    def test_they_go_before_the_rendering_of_fans_and_behind_the_wires(self):
+        """Else the bytes of a line would wait for as long as multibeams render, in no summary."""
+        ports = f'devices.sonar.endpoints=["udp-listen://127.0.0.1:{free_port(32)}", "udp://127.0.0.1:{free_port(16)}"]'
+        run = Run(DEMO, *self.over_a_line(), "--set", ports, "--realtime")
+        end, fans = time.monotonic() + 60, []
+        while not fans and time.monotonic() < end:
+            fans = [priority for name, priority in turns(run.process.pid).values() if name == "render" and priority > 0]
+        wires = turns(run.process.pid)[run.process.pid][1]
+        carriers = [os.sched_getparam(pid).sched_priority for pid, policy in workers().items() if policy == os.SCHED_FIFO]
+        run.end()
+        self.assertTrue(fans and carriers)
+        self.assertLess(max(fans), min(carriers))
+        self.assertLess(max(carriers), wires)
 
     def test_a_run_without_lines_or_real_time_leaves_them_alone(self):
         for arguments in ((FLOOR, *over_udp(), "--realtime"), (TANK, *self.over_a_line())):
