@@ -79,7 +79,7 @@ class Live(unittest.TestCase):
         listeners = {name: cls.listener(base + offset) for name, offset in LISTENERS.items()}
         cls.record(text, base, tcp, listeners)
         cls.script = tshark.write_dissector(cls.folder)
-        cls.packets = tshark.shown(cls.script, cls.file, "-o", "sonar.elements:10000")
+        cls.packets = tshark.shown(cls.script, cls.file, "-o", "sonar.elements:10000", *tshark.BY_BYTES_FIRST)
         done = subprocess.run([PROGRAM, "inspect", str(cls.file), "--json"], capture_output=True, check=True)
         cls.messages = json.loads(done.stdout)["messages"]
 

@@ -12,6 +12,9 @@ from program import PROGRAM
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 from captures import ETHERNET, RTAC_SERIAL, Pcapng, ethernet, ipv4, rtac, tcp  # noqa: E402,F401
 
+# The kernel picks a driver's own port, and may pick one that tshark takes for another protocol's.
+BY_BYTES_FIRST = ("-o", "tcp.try_heuristic_first:TRUE", "-o", "udp.try_heuristic_first:TRUE")
+
 
 def write_dissector(folder):
     script = Path(folder) / "echoloop.lua"
