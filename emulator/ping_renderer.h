@@ -1,7 +1,8 @@
-// Has the pings of one sonar rendered, and the next one ahead of its time where that is known before. Knows
-// no device and no message.
+// Has the pings of one sonar rendered, and the next ones ahead of their time where these are known before.
+// Knows no device and no message.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -23,9 +24,10 @@ struct Rendering {
 
 /// Belongs to the thread that runs the clock.
 ///
-/// While a sonar pings on alike, its next ping is rendered as soon as the last one is, and so has a whole
-/// interval for it instead of the way to the farthest echo and back. The bytes are the same: what was
-/// rendered ahead is used only if the ping and everything that moves are just as they were expected.
+/// While a sonar pings on alike, its next pings are rendered ahead: they have intervals for it instead of the
+/// way to the farthest echo and back, and a machine that is busy for a moment makes none of them late. The
+/// bytes are the same: what was rendered ahead is used only if the ping and everything that moves are just as
+/// they were expected.
 class PingRenderer {
   public:
     /// Where the sonar and everything that moves will be at a time to come.
@@ -43,8 +45,8 @@ class PingRenderer {
     std::shared_ptr<Rendering> render(Time needed, Shot shot, Situation situation);
     /// The same for a ping that goes out now.
     std::shared_ptr<Rendering> render(const Ping& ping, const Situation& situation);
-    /// Behind it: the next one is expected to be like `ping`, which went out at `sent`. It is rendered ahead
-    /// if that one was as expected.
+    /// Behind it: the next ones are expected to be like `ping`, which went out at `sent`. They are rendered
+    /// ahead if that one was as expected, the more of them the more pings before it were.
     void expect_next(Ping ping, Time sent, bool objects);
     /// The sonar does not go on like that.
     void expect_nothing();
@@ -52,24 +54,33 @@ class PingRenderer {
     void close() { *open_ = false; }
 
   private:
-    RenderThread::Ticket submit(Time needed, Shot shot, Situation situation,
+    RenderThread::Ticket submit(RenderThread::Claim claim, Shot shot, Situation situation,
                                 const std::shared_ptr<Rendering>& rendering);
-    /// The ping after the last one.
+    /// A ping after the last one.
     struct Expected {
-        Shot shot;
+        Ping ping;
+        Time sent;
         Situation situation;
         std::shared_ptr<Rendering> rendering{};  ///< nullptr: not asked for
         RenderThread::Ticket ticket{};
+
+        bool is(const Shot& shot, const Situation& other) const {
+            return ping.shot == shot && situation == other;
+        }
     };
+    Expected after(Ping ping, Time sent, bool objects) const;
+    /// How many pings like that one are worth it to be expected now.
+    std::size_t pings_ahead(const Shot& shot) const;
+    void withdraw_all();
 
     Clock& clock_;
     Inbox& inbox_;
     RenderThread& threads_;
     std::size_t sonar_;
     std::string name_;
-    SituationAt situation_at_;  ///< empty: nobody knows
-    std::optional<Expected> expected_;
-    bool as_expected_ = false;                                   ///< the last ping was
+    SituationAt situation_at_;                                   ///< empty: nobody knows
+    std::deque<Expected> expected_;                              ///< one after the other
+    std::size_t as_expected_ = 0;                                ///< so many pings in a row were
     std::shared_ptr<bool> open_ = std::make_shared<bool>(true);  ///< read by what comes late
 };
 

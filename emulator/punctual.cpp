@@ -62,7 +62,7 @@ void claim_real_time(Turn turn) {
 void give_turn(pthread_t thread, Turn turn) {
     sched_param priority{};
     priority.sched_priority = static_cast<int>(turn);
-    ::pthread_setschedparam(thread, SCHED_FIFO, &priority);
+    ::pthread_setschedparam(thread, turn == Turn::ordinary ? SCHED_OTHER : SCHED_FIFO, &priority);
 }
 
 void lock_memory() {

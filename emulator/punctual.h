@@ -12,7 +12,8 @@ void wake_on_time();
 
 /// Who goes before whom in a run that was asked to be on time: SCHED_FIFO priorities.
 enum class Turn {
-    patient_fans = 3,
+    ordinary = 0,  ///< among all other programs
+    less_urgent_fans = 3,
     fans = 4,
     urgent_fans = 5,
     listeners = 6,

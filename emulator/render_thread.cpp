@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <future>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -23,11 +24,12 @@ void begin_thread(RenderThread::Lane lane, bool real_time) {
                        : lane == Lane::single_beams ? "render beams"
                                                     : "render urgent";
     ::pthread_setname_np(::pthread_self(), name);
+    constexpr int while_patient = 10;
+    give_way(real_time ? while_patient : lane == Lane::every ? 2 : 1);
     if (real_time)
-        return claim_real_time(lane == Lane::every          ? Turn::fans
-                               : lane == Lane::single_beams ? Turn::single_beams
-                                                            : Turn::urgent_fans);
-    give_way(lane == Lane::every ? 2 : 1);
+        claim_real_time(lane == Lane::every          ? Turn::fans
+                        : lane == Lane::single_beams ? Turn::single_beams
+                                                     : Turn::urgent_fans);
 }
 
 /// A ping of a single beam is rendered at the turn of its kind, whoever does it.
@@ -110,12 +112,22 @@ void RenderThread::call_all(std::unique_lock<PriorityMutex> lock) {
 RenderThread::Ticket RenderThread::submit(Claim claim, Shot shot, Situation situation, Done done) {
     std::unique_lock lock(mutex_);
     const Ticket ticket = ++last_ticket_;
-    for (Job& before : jobs_)  // this sonar's earlier pings come first, so they are needed as soon
-        if (before.claim.sonar == claim.sonar)
-            before.claim.needed = std::min(before.claim.needed, claim.needed);
-    jobs_.push_back({claim, std::move(shot), std::move(situation), std::move(done), ticket});
+    const auto later =
+        std::ranges::upper_bound(jobs_, claim.needed, {}, [](const Job& job) { return job.claim.needed; });
+    jobs_.insert(later, {claim, std::move(shot), std::move(situation), std::move(done), ticket});
+    share_turns();
     call_all(std::move(lock));  // not every thread takes every job
     return ticket;
+}
+
+void RenderThread::hurry(Ticket ticket) {
+    std::unique_lock lock(mutex_);
+    const auto job = std::ranges::find(jobs_, ticket, &Job::ticket);
+    if (job != jobs_.end()) job->claim.patient = false;
+    const auto begun = std::ranges::find(under_way_, ticket, &UnderWay::ticket);
+    if (begun != under_way_.end()) begun->claim.patient = false;
+    share_turns();
+    if (job != jobs_.end()) call_all(std::move(lock));  // it may be urgent
 }
 
 void RenderThread::withdraw(Ticket ticket) {
@@ -127,16 +139,13 @@ void RenderThread::withdraw(Ticket ticket) {
         call_all(std::move(lock));
 }
 
-/// Of the first jobs of all sonars that have none under way.
+/// The first of the jobs that are the first ones of sonars that have none under way.
 RenderThread::Jobs::iterator RenderThread::most_urgent(Lane lane) {
-    auto best = jobs_.end();
     std::set<std::size_t> seen;
-    for (auto job = jobs_.begin(); job != jobs_.end(); ++job) {
-        const std::size_t sonar = job->claim.sonar;
-        if (busy_.contains(sonar) || !seen.insert(sonar).second || !is_for(lane, *job)) continue;
-        if (best == jobs_.end() || job->claim.needed < best->claim.needed) best = job;
-    }
-    return best;
+    return std::ranges::find_if(jobs_, [&](const Job& job) {
+        const std::size_t sonar = job.claim.sonar;
+        return !busy_.contains(sonar) && seen.insert(sonar).second && is_for(lane, job);
+    });
 }
 
 bool RenderThread::is_for(Lane lane, const Job& job) const {
@@ -144,30 +153,44 @@ bool RenderThread::is_for(Lane lane, const Job& job) const {
     if (lane == Lane::single_beams) return single_beam;
     if (!leaves_a_thread(job.shot)) return false;
     if (lane == Lane::every) return true;
-    return !single_beam && under_way_.size() == every_ &&
-           job.claim.needed < std::ranges::max_element(under_way_, {}, &UnderWay::needed)->needed;
+    const auto needed = [](const UnderWay& one) { return one.claim.needed; };
+    return !single_beam && !job.claim.patient && under_way_.size() == every_ &&
+           job.claim.needed < std::ranges::max(under_way_ | std::views::transform(needed));
 }
 
-/// A thread for all begins with a job. An urgent fan takes the processor of the fan that is needed last.
-void RenderThread::begin(const Job& job) {
-    under_way_.push_back({::pthread_self(), job.claim.needed, !is_single_beam(job.shot)});
+void RenderThread::begin(const Job& job, Lane lane) {
+    if (lane == Lane::every)
+        under_way_.push_back({::pthread_self(), job.claim, !is_single_beam(job.shot), job.ticket});
     share_turns();
 }
 
-void RenderThread::end() {
-    std::erase_if(under_way_,
-                  [](const UnderWay& one) { return ::pthread_equal(one.thread, ::pthread_self()); });
+void RenderThread::end(Ticket ticket) {
+    if (std::erase_if(under_way_, [ticket](const UnderWay& one) { return one.ticket == ticket; }) == 0)
+        return;
+    if (real_time_) give_turn(::pthread_self(), Turn::fans);  // for the next one
     share_turns();
 }
 
+bool RenderThread::someone_hurries() const {
+    return std::ranges::any_of(
+        jobs_, [](const Job& job) { return !job.claim.patient && !is_single_beam(job.shot); });
+}
+
+/// A patient fan leaves processors to other programs while nobody waits for its thread. An urgent fan takes
+/// the processor of the fan that is needed last.
 void RenderThread::share_turns() const {
-    if (!real_time_ || !urgent_fans_) return;
+    if (!real_time_) return;
+    const bool hurry = someone_hurries();
     const UnderWay* last = nullptr;
     for (const UnderWay& one : under_way_)
-        if (one.fan && (last == nullptr || one.needed > last->needed)) last = &one;
-    for (const UnderWay& one : under_way_)
-        if (one.fan)
-            give_turn(one.thread, &one == last && under_way_.size() > 1 ? Turn::patient_fans : Turn::fans);
+        if (one.fan && (last == nullptr || one.claim.needed > last->claim.needed)) last = &one;
+    for (const UnderWay& one : under_way_) {
+        if (!one.fan) continue;
+        const bool leaves_processor = urgent_fans_ && &one == last && under_way_.size() > 1;
+        give_turn(one.thread, one.claim.patient && !hurry ? Turn::ordinary
+                              : leaves_processor          ? Turn::less_urgent_fans
+                                                          : Turn::fans);
+    }
 }
 
 void RenderThread::serve(Renderer& renderer, Lane lane, Sleeper& own) {
@@ -186,7 +209,7 @@ void RenderThread::serve(Renderer& renderer, Lane lane, Sleeper& own) {
         busy_[job.claim.sonar] = job.ticket;
         const std::size_t images = job.shot.rows() > 1 ? 1 : 0;
         images_ += images;
-        if (lane == Lane::every) begin(job);
+        begin(job, lane);
         // One of those that wait may have become urgent.
         urgent_fans_ && !jobs_.empty() ? call_all(std::move(lock)) : lock.unlock();
         try {
@@ -198,7 +221,7 @@ void RenderThread::serve(Renderer& renderer, Lane lane, Sleeper& own) {
         lock = std::unique_lock(mutex_);
         std::erase_if(busy_, [&job](const auto& one) { return one.second == job.ticket; });  // or withdrawn
         images_ -= images;
-        if (lane == Lane::every) end();
+        end(job.ticket);
         if (!jobs_.empty()) call_all(std::move(lock));
     }
 }

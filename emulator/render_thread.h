@@ -1,5 +1,5 @@
 // The threads that render: each owns a renderer with its GL context. They serve the pings of all devices, the
-// one that is needed first first, and those of one device one after the other. They know no device and no
+// one that is needed first first, and those of one device one at a time. They know no device and no
 // clock.
 #pragma once
 
@@ -31,7 +31,7 @@ class RenderThread {
         std::size_t threads = 1;
         bool single_beams = false;  ///< one thread more, for these
         bool urgent_fans = false;   ///< and one for these
-        bool real_time = false;     ///< before all ordinary threads of the machine
+        bool real_time = false;     ///< before all ordinary threads of the machine, but for patient fans
     };
     using Make = std::function<std::unique_ptr<Renderer>(Lane)>;
     /// Called on a render thread. `error` is empty if all went well, else the echogram is silence.
@@ -41,6 +41,7 @@ class RenderThread {
     struct Claim {
         std::size_t sonar = 0;
         Time needed{};
+        bool patient = false;  ///< long before that: other programs may go first
     };
 
     /// Runs `make` on every new thread (a GL context belongs to its thread), on several at once, and throws
@@ -55,6 +56,8 @@ class RenderThread {
     using Ticket = std::uint64_t;
 
     Ticket submit(Claim claim, Shot shot, Situation situation, Done done);
+    /// That ping is not patient any more.
+    void hurry(Ticket ticket);
     /// Nobody wants that ping any more: it is not rendered if it has not begun, and in no case do others of
     /// its sonar wait for it.
     void withdraw(Ticket ticket);
@@ -81,9 +84,11 @@ class RenderThread {
     void call_all(std::unique_lock<PriorityMutex> lock);
     Jobs::iterator most_urgent(Lane lane);
     bool is_for(Lane lane, const Job& job) const;
-    void begin(const Job& job);
-    void end();
+    void begin(const Job& job, Lane lane);
+    void end(Ticket ticket);
     void share_turns() const;
+    /// A fan that is not patient waits for a thread.
+    bool someone_hurries() const;
     /// Shots with rows of beams take ten times as long as fans: they leave a thread to the others where there
     /// are two.
     bool leaves_a_thread(const Shot& shot) const {
@@ -96,15 +101,16 @@ class RenderThread {
     bool ending_ = false;
     std::list<Sleeper> sleepers_;   ///< one for each thread
     std::vector<Sleeper*> asleep_;  ///< those who wait for work
-    Jobs jobs_;                     ///< in the order of submission
+    Jobs jobs_;                     ///< as they are needed, then in the order of submission
     /// Sonars whose ping is being rendered, and which.
     std::map<std::size_t, Ticket> busy_;
     Ticket last_ticket_ = 0;
-    /// What a thread for all is at.
+    /// What the threads for all are at.
     struct UnderWay {
         pthread_t thread;
-        Time needed;
+        Claim claim;
         bool fan;
+        Ticket ticket;
     };
     std::vector<UnderWay> under_way_;
     std::size_t images_ = 0;  ///< shots with rows that are being rendered

@@ -1,5 +1,5 @@
-// A few threads that share out loops, for work too short to start threads for. Results never depend on their number:
-// an index is one whole piece of work.
+// A few threads that share out loops, for work too short to start threads for. Results never depend on their
+// number: an index is one whole piece of work.
 #pragma once
 
 #include <atomic>
@@ -21,8 +21,8 @@ class Workers {
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
-    /// Calls work(i) once for every i below `count`, in any order and on any thread, and returns when all are done.
-    /// Throws what one of the calls threw, once all have ended.
+    /// Calls work(i) once for every i below `count`, in any order and on any thread, and returns when all are
+    /// done. Throws what one of the calls threw, once all have ended.
     void run(std::size_t count, const std::function<void(std::size_t)>& work);
 
     /// Threads that may help on this machine, the caller's included: one per processor, four at most.
@@ -30,20 +30,28 @@ class Workers {
 
   private:
     void serve(std::stop_token stop);
+    /// Those who help take turns with other programs as the caller does, also when that has changed.
+    void follow_caller();
     void take_pieces();
 
     std::size_t wished_;
     std::mutex mutex_;
     std::condition_variable_any begin_;
     std::condition_variable end_;
-    std::size_t round_ = 0;   ///< of run(), under mutex_
-    bool open_ = false;       ///< there may be pieces left, under mutex_: a thread that wakes too late is not waited for
+    std::size_t round_ = 0;  ///< of run(), under mutex_
+    /// There may be pieces left, under mutex_: a thread that wakes too late is not waited for.
+    bool open_ = false;
     std::size_t inside_ = 0;  ///< other threads that work in this round, under mutex_
     const std::function<void(std::size_t)>* work_ = nullptr;
     std::size_t count_ = 0;
     std::atomic<std::size_t> next_{0};
     std::exception_ptr fault_;  ///< the first one, under mutex_
     std::vector<std::jthread> threads_;
+    /// Of sched_setscheduler(2), of threads_.
+    struct Turn {
+        int policy = 0, priority = 0;
+        friend bool operator==(const Turn&, const Turn&) = default;
+    } turn_;
 };
 
 }  // namespace echoloop

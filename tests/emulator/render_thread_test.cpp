@@ -3,9 +3,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <future>
+#include <string_view>
 
+#include "emulator/error.h"
 #include "render/renderer.h"
 #include "tests/render/meshes.h"
 
@@ -14,6 +19,7 @@ namespace {
 
 using Lane = RenderThread::Lane;
 using testing::ElementsAre;
+using namespace std::chrono_literals;
 
 Shot shot_of(std::size_t beams, std::uint64_t ping = 0) {
     Shot shot;
@@ -45,23 +51,33 @@ class RenderThreads : public testing::Test {
         return submit(name, sonar, needed, shot_of(beams));
     }
     RenderThread::Ticket submit(const std::string& name, std::size_t sonar, int needed, const Shot& shot) {
-        return crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot, {},
-                             [this, name](const Echogram&, const std::string&) { note(name); });
+        return crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot, {}, noting(name));
     }
+    void hurry(RenderThread::Ticket ticket) { crew_->hurry(ticket); }
     void withdraw(RenderThread::Ticket ticket) { crew_->withdraw(ticket); }
-    /// Keeps a thread busy until release().
+    struct Blocked {
+        RenderThread::Ticket ticket;
+        pid_t thread;
+        int policy() const { return ::sched_getscheduler(thread); }
+    };
+    /// Keeps a thread busy until release(), and tells which.
+    Blocked block(RenderThread::Claim claim, const Shot& shot) {
+        std::promise<pid_t> begun;
+        const auto ticket = crew_->submit(claim, shot, {}, [&](const Echogram&, const std::string&) {
+            begun.set_value(::gettid());
+            gate_.wait();
+        });
+        return {ticket, begun.get_future().get()};
+    }
+    Blocked block(RenderThread::Claim claim) { return block(claim, shot_of(16)); }
     RenderThread::Ticket block(std::size_t sonar, std::size_t beams, int needed = 0) {
         return block(sonar, shot_of(beams), needed);
     }
     RenderThread::Ticket block(std::size_t sonar, const Shot& shot, int needed = 0) {
-        std::promise<void> begun;
-        const auto ticket = crew_->submit({sonar, std::chrono::milliseconds(needed)}, shot, {},
-                                          [&begun, this](const Echogram&, const std::string&) {
-                                              begun.set_value();
-                                              gate_.wait();
-                                          });
-        begun.get_future().wait();
-        return ticket;
+        return block({sonar, std::chrono::milliseconds(needed)}, shot).ticket;
+    }
+    RenderThread::Done noting(const std::string& name) {
+        return [this, name](const Echogram&, const std::string&) { note(name); };
     }
     void release() { open_.set_value(); }
     std::vector<std::string> wait_for(std::size_t count) {
@@ -83,7 +99,9 @@ class RenderThreads : public testing::Test {
     std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<std::string> rendered_;
-    std::optional<RenderThread> crew_;
+
+  protected:
+    std::optional<RenderThread> crew_;  // last: ended first
 };
 
 TEST_F(RenderThreads, ShotsWithRowsLeaveAThreadToTheOthers) {
@@ -106,14 +124,16 @@ TEST_F(RenderThreads, WhatIsNeededFirstComesFirst) {
     EXPECT_THAT(wait_for(3), ElementsAre("at 10", "at 20", "at 30"));
 }
 
-TEST_F(RenderThreads, PingsOfOneSonarKeepTheirOrderAndHurryForTheLast) {
+TEST_F(RenderThreads, PingsOfOneSonarComeAsTheyAreNeededAndElseInTheirOrder) {
     start({1, false});
     block(9, 1);
     submit("its first, at 30", 1, 30, 2);
     submit("its second, at 10", 1, 10, 2);
+    submit("its third, at 30", 1, 30, 2);
     submit("another's, at 20", 2, 20, 2);
     release();
-    EXPECT_THAT(wait_for(3), ElementsAre("its first, at 30", "its second, at 10", "another's, at 20"));
+    EXPECT_THAT(wait_for(4),
+                ElementsAre("its second, at 10", "another's, at 20", "its first, at 30", "its third, at 30"));
 }
 
 TEST_F(RenderThreads, ASonarHasOnePingUnderWayHoweverManyThreadsAreFree) {
@@ -182,6 +202,59 @@ TEST_F(RenderThreads, NobodyWaitsForAPingThatIsWithdrawnWhileItIsRendered) {
     release();
     EXPECT_THAT(wait_for(2), ElementsAre("the next", "the one after"));
     withdraw(withdrawn);  // long gone
+}
+
+/// Threads that go before other programs, where this user may have that.
+class PunctualRenderThreads : public RenderThreads {
+  protected:
+    void start(RenderThread::Crew crew) {
+        crew.real_time = true;
+        try {
+            RenderThreads::start(crew);
+        } catch (const StartError& error) {
+            if (const char* ci = std::getenv("CI"); ci != nullptr && std::string_view(ci) == "true") throw;
+            GTEST_SKIP() << error.what();
+        }
+    }
+};
+
+TEST_F(PunctualRenderThreads, LeaveProcessorsToOtherProgramsWhileTheirFansArePatient) {
+    start({2, false, true});
+    if (!crew_) return;
+    const Blocked soon = block({1, 10ms}), patient = block({2, 30ms, true});
+    EXPECT_EQ(soon.policy(), SCHED_FIFO);
+    EXPECT_EQ(patient.policy(), SCHED_OTHER);
+    const Blocked urgent = block({3, 20ms});  // has a thread of its own
+    EXPECT_EQ(urgent.policy(), SCHED_FIFO);
+    EXPECT_EQ(patient.policy(), SCHED_OTHER);
+    hurry(patient.ticket);
+    EXPECT_EQ(patient.policy(), SCHED_FIFO);
+    release();
+}
+
+TEST_F(PunctualRenderThreads, HurryWithAPatientFanForOneThatWaitsForTheThread) {
+    start({1, false, false});
+    if (!crew_) return;
+    const Blocked patient = block({1, 30ms, true});
+    submit("a single beam", 2, 20, 1);
+    EXPECT_EQ(patient.policy(), SCHED_OTHER);
+    const auto next = submit("fan", 3, 40, 16);
+    EXPECT_EQ(patient.policy(), SCHED_FIFO);
+    withdraw(next);
+    release();
+    EXPECT_THAT(wait_for(1), ElementsAre("a single beam"));
+    EXPECT_EQ(block({1, 10ms}).policy(), SCHED_FIFO) << "the thread had been patient";
+}
+
+TEST_F(RenderThreads, APatientFanIsNeverUrgent) {
+    start({1, false, true});
+    block(1, 16, 30);
+    const auto patient = crew_->submit({2, 10ms, true}, shot_of(16), {}, noting("patient"));
+    submit("urgent", 3, 20, 16);
+    EXPECT_THAT(wait_for(1), ElementsAre("urgent"));
+    hurry(patient);
+    EXPECT_THAT(wait_for(2), ElementsAre("urgent", "patient"));
+    release();
 }
 
 std::vector<std::vector<float>> rendered(const std::shared_ptr<const Scene>& scene, RenderThread::Crew crew) {
