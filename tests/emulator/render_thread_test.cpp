@@ -243,7 +243,18 @@ TEST_F(PunctualRenderThreads, HurryWithAPatientFanForOneThatWaitsForTheThread) {
     withdraw(next);
     release();
     EXPECT_THAT(wait_for(1), ElementsAre("a single beam"));
-    EXPECT_EQ(block({1, 10ms}).policy(), SCHED_FIFO) << "the thread had been patient";
+}
+
+TEST_F(PunctualRenderThreads, WaitForTheNextPingBeforeOtherPrograms) {
+    start({1, false, false});
+    if (!crew_) return;
+    const Blocked patient = block({1, 30ms, true});
+    EXPECT_EQ(patient.policy(), SCHED_OTHER);
+    release();
+    const auto until = std::chrono::steady_clock::now() + 10s;
+    while (patient.policy() != SCHED_FIFO && std::chrono::steady_clock::now() < until)
+        std::this_thread::yield();
+    EXPECT_EQ(patient.policy(), SCHED_FIFO);
 }
 
 TEST_F(RenderThreads, APatientFanIsNeverUrgent) {
