@@ -87,10 +87,11 @@ class RealTime(unittest.TestCase):
         """Else the bytes of a line would wait for as long as multibeams render, in no summary."""
         ports = f'devices.sonar.endpoints=["udp-listen://127.0.0.1:{free_port(32)}", "udp://127.0.0.1:{free_port(16)}"]'
         run = Run(DEMO, *self.over_a_line(), "--set", ports, "--realtime")
-        end, fans = time.monotonic() + 60, []
-        while not fans and time.monotonic() < end:
-            fans = [priority for name, priority in turns(run.process.pid).values() if name == "render" and priority > 0]
-        wires = turns(run.process.pid)[run.process.pid][1]
+        end, fans, wires = time.monotonic() + 60, [], 0
+        while not (fans and wires) and time.monotonic() < end:  # the wires' thread claims its turn after its first line
+            of_threads = turns(run.process.pid)
+            fans = [priority for name, priority in of_threads.values() if name == "render" and priority > 0]
+            wires = of_threads[run.process.pid][1]
         carriers = [os.sched_getparam(pid).sched_priority for pid, policy in workers().items() if policy == os.SCHED_FIFO]
         run.end()
         self.assertTrue(fans and carriers)
