@@ -1,8 +1,42 @@
 #include "emulator/transport/paced.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace echoloop {
+namespace {
+
+/// What has arrived by these instants is handed over at once, by all lines together: a UART's FIFO keeps
+/// bytes about as long, and a dozen lines wake a processor no more often than one does.
+constexpr Time tick = std::chrono::milliseconds(2);
+
+struct Handover {
+    std::size_t arrived;  ///< of the message's bytes, all in all
+    Time time;
+};
+
+struct Message {
+    Time begin;
+    double byte_time;  ///< s
+    std::size_t size;
+
+    Time arrival_of(std::size_t bytes) const {
+        return begin + from_seconds(static_cast<double>(bytes) * byte_time);
+    }
+
+    /// The next one, when `done` bytes have been handed over. The last byte never waits for a tick, nor do
+    /// those of slow lines.
+    Handover after(std::size_t done) const {
+        const Time next = arrival_of(done + 1);
+        if (2 * byte_time > to_seconds(tick)) return {done + 1, next};
+        const Time time = (next + tick - Time(1)) / tick * tick;
+        const auto arrived = static_cast<std::size_t>(to_seconds(time - begin) / byte_time);
+        if (arrived >= size) return {size, arrival_of(size)};
+        return {std::max(arrived, done + 1), time};
+    }
+};
+
+}  // namespace
 
 Paced::Paced(Clock& clock, std::unique_ptr<Transport> line, double rate, OtherRate other)
     : Decorator(std::move(line)), clock_(clock), alarm_(clock), rate_(rate), other_(other) {}
@@ -20,18 +54,15 @@ Task<void> Paced::write(ByteView bytes, Address to) {
         co_await line().write(bytes, to);
         co_return;
     }
-    // Small chunks, each handed over when its last byte would have arrived: a UART's FIFO does about the
-    // same, and smaller ones would keep a processor busy with a dozen lines.
-    const double byte_time = uart::bits_per_byte / rate;
-    const auto chunk = static_cast<std::size_t>(std::clamp(0.002 / byte_time, 1.0, 128.0));
-    free_ = std::max(free_, clock_.now());
+    const Message message{std::max(free_, clock_.now()), uart::bits_per_byte / rate, bytes.size()};
+    free_ = message.arrival_of(bytes.size());
     const std::uint64_t cuts = cuts_;
-    while (!bytes.empty() && !closed_ && cuts == cuts_) {
-        const ByteView part = bytes.first(std::min(chunk, bytes.size()));
-        bytes = bytes.subspan(part.size());
-        free_ += from_seconds(static_cast<double>(part.size()) * byte_time);
-        co_await alarm_.until(free_);
-        if (!closed_ && cuts == cuts_) co_await line().write(part, to);
+    for (std::size_t done = 0; done < bytes.size();) {
+        const Handover next = message.after(done);
+        co_await alarm_.until(next.time);
+        if (closed_ || cuts != cuts_) co_return;
+        co_await line().write(bytes.subspan(done, next.arrived - done), to);
+        done = next.arrived;
     }
 }
 

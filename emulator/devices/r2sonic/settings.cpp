@@ -69,8 +69,8 @@ std::vector<Option> wire_rows() {
         text_row("serial", "100017", "serial number of the head, at most 12 characters", "manual's example"),
         text_row("sim_serial", "100117", "serial number of the SIM, at most 12 characters",
                  "manual's example"),
-        number_row("datagram_gap", "s", 0.3e-3, 0, 0.1, "pause between the datagrams of one image",
-                   "receivers with default buffers lose faster bursts"),
+        number_row("datagram_gap", "s", 0.3e-3, 0, 0.1, "time for each datagram of one image",
+                   "receivers with default buffers lose faster ones; those of a millisecond leave together"),
         choice_row("discovery_reply", {"sender", "gui", "none"}, "where R2DI goes", manual),
         choice_row(
             "quality_bits", {"tests", "set", "clear"},

@@ -16,6 +16,7 @@ class MemoryLine final : public Transport {
     void start(Events events) override { events_ = std::move(events); }
     Task<void> write(ByteView bytes, Address) override {
         writes.emplace_back(bytes.begin(), bytes.end());
+        if (on_write) on_write();
         co_return;
     }
     void speak_at(double rate) override { asked.push_back(rate); }
@@ -34,6 +35,7 @@ class MemoryLine final : public Transport {
         return bytes;
     }
 
+    std::function<void()> on_write;
     uart::Receiver driver;
     std::vector<Bytes> writes;
     std::vector<double> asked;
@@ -90,6 +92,22 @@ TEST_F(LineTest, AutomaticBaudIsAsSlowAsTheDriverHasSetIt) {
     EXPECT_LT(fast, 40000 / 115200.0) << "far from the next rate, however busy the machine";
     memory_.driver = {115200};
     EXPECT_GE(write(paced, Bytes(600)), 6000 / 115200.0);
+}
+
+TEST_F(LineTest, BytesAreHandedOverEveryTwoMillisecondsAndNeverBeforeTheyHaveArrived) {
+    std::vector<double> handed_over;  // s of run time
+    memory_.on_write = [&] { handed_over.push_back(to_seconds(clock_.now())); };
+    Paced paced(clock_, std::move(line_), 115200);
+    const double begin = to_seconds(clock_.now());
+    write(paced, Bytes(200));
+    std::size_t arrived = 0;
+    for (std::size_t i = 0; i < memory_.writes.size(); ++i) {
+        arrived += memory_.writes[i].size();
+        EXPECT_GE(handed_over[i] - begin, static_cast<double>(arrived) * 10 / 115200 - 1e-6);
+        if (i > 0 && arrived < 200)
+            EXPECT_NEAR(static_cast<double>(memory_.writes[i].size()), 23.04, 1) << "bytes in 2 ms";
+    }
+    EXPECT_EQ(arrived, 200u);
 }
 
 TEST_F(LineTest, AnOwnRateHoldsUnlessTheDriversIsNearIt) {
