@@ -1,6 +1,9 @@
 // Pace, wrong rates and USB bursts of a serial line, around a line that only remembers.
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <vector>
+
 #include "emulator/transport/baud_check.h"
 #include "emulator/transport/paced.h"
 #include "emulator/transport/usb_adapter.h"
@@ -104,8 +107,9 @@ TEST_F(LineTest, BytesAreHandedOverEveryTwoMillisecondsAndNeverBeforeTheyHaveArr
     for (std::size_t i = 0; i < memory_.writes.size(); ++i) {
         arrived += memory_.writes[i].size();
         EXPECT_GE(handed_over[i] - begin, static_cast<double>(arrived) * 10 / 115200 - 1e-6);
-        if (i > 0 && arrived < 200)
+        if (i > 0 && arrived < 200) {
             EXPECT_NEAR(static_cast<double>(memory_.writes[i].size()), 23.04, 1) << "bytes in 2 ms";
+        }
     }
     EXPECT_EQ(arrived, 200u);
 }
