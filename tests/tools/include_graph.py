@@ -13,7 +13,7 @@ from dataclasses import dataclass
 MODULES = ("protocols", "render", "emulator", "tools", "tests")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 
-PURE = r"emulator/(device|model|option_rows|options|endpoint|profile)\.h|render/(echogram|effects|pose)\.h"
+PURE = r"emulator/(device|model|option_rows|options|endpoint|profile)\.h|render/(echogram|effects|pose|simd)\.h"
 STANDARD = r"[a-z0-9_]+"  # <vector>; any other library has a slash or a suffix
 GRAPHICS = r"(GL|EGL|glm|embree\d?)/.*|tiny_gltf\.h"
 NETWORK = r"boost/.*|libserialport\.h|pcap.*"
@@ -30,7 +30,7 @@ class Rule:
 
 RULES = [
     Rule(r"protocols/.*", r"protocols/.*", STANDARD),
-    Rule(r"render/(echogram|effects|pose)\.h", r"render/pose\.h", STANDARD),
+    Rule(r"render/(echogram|effects|pose|simd)\.h", r"render/pose\.h", STANDARD),
     Rule(r"render/.*", r"render/.*", forbidden=f"{NETWORK}|{USER_INTERFACE}"),
     Rule(r"emulator/(device|model|option_rows|options|endpoint|profile)\.h", PURE, STANDARD),
     Rule(r"emulator/devices/([^/]+)/.*", rf"{PURE}|protocols/.*|emulator/devices/(\1|family)/.*", STANDARD),

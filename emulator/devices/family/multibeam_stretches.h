@@ -1,6 +1,6 @@
 // Means over stretches of a multibeam's beam that are as long as its footprint on a flat bottom, and where
-// they are greatest. Of one beam at a time; it decides nothing about a bottom. In a header, since every bin
-// passes through it.
+// they are greatest. Of one beam at a time; it decides nothing about a bottom. What every bin passes through
+// is in the header.
 #pragma once
 
 #include <algorithm>
@@ -50,15 +50,8 @@ class Stretches {
         const std::size_t from = i - std::min(i, h), to = std::min(i + h + 1, size());
         return (sum_[to] - sum_[from]) / static_cast<double>(2 * h + 1);
     }
-    /// Bin around which the mean is greatest: found at a coarse step, then nearby.
-    std::size_t peak() const {
-        Best best;
-        for (std::size_t i = 0; i < size();) i = look(i, size(), std::max<std::size_t>(1, half(i) / 4), best);
-        const std::size_t near = half(best.bin) / 4, from = best.bin - std::min(best.bin, near);
-        const std::size_t end = std::min(best.bin + near + 1, size());
-        for (std::size_t i = from; i < end;) i = look(i, end, 1, best);
-        return best.bin;
-    }
+    /// Bin around which the mean is greatest, the first of them.
+    std::size_t peak() const;
     /// The run around a peak within 10 dB of it and clear of the noise.
     std::pair<std::size_t, std::size_t> run_around(std::size_t peak, double noise_power) const {
         const double floor = std::max(mean(peak) / 10.0, 2 * noise_power);
@@ -69,42 +62,8 @@ class Stretches {
     }
 
   private:
-    struct Best {
-        std::size_t bin = 0;
-        double mean = -1;
-    };
-
-    /// Every `step`th bin from `i` on, as long as the footprint has the same number of bins; where it went on
-    /// to.
-    std::size_t look(std::size_t i, std::size_t end, std::size_t step, Best& best) const {
-        const std::size_t h = half(i);
-        const double until = slope_ > 0 ? std::ceil((static_cast<double>(h) - first_half_) / slope_) : 1e9;
-        const std::size_t same = std::clamp(static_cast<std::size_t>(std::min(until, 1e9)), i + 1, end);
-        const double weight = 1 / static_cast<double>(2 * h + 1);
-        const auto take = [&best](std::size_t bin, double value) {
-            if (value > best.mean) best = {bin, value};
-        };
-        while (i < same) {
-            // Four together, so that none waits for the comparison before it; seldom is one of them the best
-            // so far.
-            if (i >= h && i + 3 * step < same && i + 3 * step + h < size()) {
-                const double *from = &sum_[i - h], *to = &sum_[i + h + 1];
-                double values[4];
-                if (step == 1)  // in vectors
-                    for (std::size_t k = 0; k < 4; ++k) values[k] = (to[k] - from[k]) * weight;
-                else
-                    for (std::size_t k = 0; k < 4; ++k) values[k] = (to[k * step] - from[k * step]) * weight;
-                if (std::max(std::max(values[0], values[1]), std::max(values[2], values[3])) > best.mean)
-                    for (std::size_t k = 0; k < 4; ++k) take(i + k * step, values[k]);
-                i += 4 * step;
-                continue;
-            }
-            const std::size_t from = i > h ? i - h : 0, to = std::min(i + h + 1, size());
-            take(i, (sum_[to] - sum_[from]) * weight);
-            i += step;
-        }
-        return i;
-    }
+    /// The first bin behind `i` whose footprint is longer than that one's; size() without one.
+    std::size_t next_length(std::size_t i) const;
 
     /// Four bins are added to each other first: one sum would wait for itself at every bin.
     void add_up(std::span<const float> beam) {

@@ -1,0 +1,60 @@
+// Stretches as long as a beam's footprint: the greatest mean is where looking at every bin finds it.
+#include "emulator/devices/family/multibeam_stretches.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/emulator/devices/seabed_echo.h"
+
+namespace echoloop::test {
+namespace {
+
+using multibeam::Stretches;
+
+/// By the sums of bins themselves, for every bin: the first with the greatest mean, and that.
+std::pair<std::size_t, double> greatest(std::span<const float> bins, const Stretches& stretches) {
+    std::pair<std::size_t, double> best{0, -1};
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+        const std::size_t h = stretches.half(i);
+        double sum = 0;
+        for (std::size_t k = i - std::min(i, h); k < std::min(i + h + 1, bins.size()); ++k) sum += bins[k];
+        const double mean = sum / static_cast<double>(2 * h + 1);
+        if (mean > best.second * (1 + 1e-12)) best = {i, mean};
+    }
+    return best;
+}
+
+TEST(MultibeamStretches, HaveTheirGreatestMeanWhereEveryBinLookedAtHasIt) {
+    Stretches stretches;
+    const Shot shot = wide_fan(30);
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        const Echogram noise = empty_sea(shot, {.seed = seed});
+        for (std::size_t beam = 0; beam < 256; beam += 17)
+            for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, shot.bins},
+                                              {40, 60},
+                                              {seed, seed + 1},
+                                              {shot.bins - 300, shot.bins}}) {
+                stretches.start(noise, beam, first, last);
+                const auto [bin, mean] = greatest(noise.beam(beam).subspan(first, last - first), stretches);
+                EXPECT_EQ(stretches.peak(), bin) << beam << " seed " << seed << " from " << first;
+                EXPECT_NEAR(stretches.mean(stretches.peak()), mean, 1e-9 * mean);
+            }
+    }
+}
+
+TEST(MultibeamStretches, FindALoudBinAtEitherEndOfTheGate) {
+    Stretches stretches;
+    const Shot shot = wide_fan(30);
+    for (const std::size_t loud : {std::size_t{100}, std::size_t{101}, std::size_t{898}, std::size_t{899}}) {
+        Echogram e = empty_sea(shot, {});
+        for (const std::size_t beam : {std::size_t{0}, std::size_t{128}}) {
+            e.values[beam * shot.bins + loud] = 1e9F;
+            stretches.start(e, beam, 100, 900);
+            const std::size_t h = stretches.half(loud - 100);
+            EXPECT_NEAR(static_cast<double>(stretches.peak()), static_cast<double>(loud - 100),
+                        static_cast<double>(h));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace echoloop::test
