@@ -1,0 +1,114 @@
+#include "tools/echoloop/run_summary.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "tools/echoloop/common.h"
+
+namespace echoloop::cli {
+namespace {
+
+/// Why most late pings were late, and what helps.
+std::string remedy(const SessionSummary& s) {
+    if (2 * s.late_standstills > s.late_pings)
+        return "nothing ran on it meanwhile: another machine, or one that is no virtual machine, helps";
+    if (2 * s.late_renderings > s.late_pings)
+        return "rendering takes too long: fewer sonars, a simpler scene or render: {pixels: 0.5} help";
+    if (2 * s.late_wakings > s.late_pings)
+        return "other programs or the host had the processors: --realtime and docs/timing.md help";
+    return "this machine is too busy or too slow for it";
+}
+
+std::string punctuality(const SessionSummary& s) {
+    if (s.late_pings == 0) return counted(s.pings, "ping") + ", none late";
+    return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late (" +
+           (s.late_standstills == 0
+                ? ""
+                : std::to_string(s.late_standstills) + " since the machine stood still, ") +
+           std::to_string(s.late_renderings) + " waited for their rendering, " +
+           std::to_string(s.late_wakings) + " until the machine woke the program), the worst by " +
+           plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: " + remedy(s);
+}
+
+/// Of all sonars together, as far as punctuality() tells it.
+SessionSummary sum_of(const std::vector<SessionSummary>& sessions) {
+    SessionSummary all;
+    for (const auto& s : sessions) {
+        all.pings += s.pings;
+        all.late_pings += s.late_pings;
+        all.late_standstills += s.late_standstills;
+        all.late_renderings += s.late_renderings;
+        all.late_wakings += s.late_wakings;
+        all.worst_lateness = std::max(all.worst_lateness, s.worst_lateness);
+    }
+    return all;
+}
+
+/// Nothing where nothing is missing.
+std::string not_taken(std::uint64_t count, const char* thing, const char* fate) {
+    if (count == 0) return "";
+    return "; " + counted(count, thing) + " " + fate + ", because the driver did not read them";
+}
+
+}  // namespace
+
+void print_summary(const std::vector<SessionSummary>& sessions) {
+    const auto ms = [](Time time) { return plain(to_seconds(time) * 1e3, 2) + " ms"; };
+    for (const auto& s : sessions) {
+        std::printf("%s%s\n", padded(s.name, 16).c_str(), punctuality(s).c_str());
+        if (s.pings > 0)
+            std::printf("  after they were due: half of them within %s, 99 of 100 within %s\n",
+                        ms(s.median_lateness).c_str(), ms(s.p99_lateness).c_str());
+        std::printf("  from the driver: %s, %s understood, %s refused, %s of noise skipped\n",
+                    counted(s.bytes_in, "byte").c_str(), counted(s.device.messages, "message").c_str(),
+                    std::to_string(s.device.rejected).c_str(),
+                    counted(s.device.skipped_bytes, "byte").c_str());
+        std::printf("  to the driver: %s, at most %s at once in the queue%s%s\n",
+                    counted(s.bytes_out, "byte").c_str(), counted(s.most_waiting, "message").c_str(),
+                    not_taken(s.bytes_lost, "byte", "lost").c_str(),
+                    not_taken(s.dropped, "message", "dropped").c_str());
+    }
+    if (sessions.size() > 1)
+        std::printf("%s%s\n", padded("all sonars", 16).c_str(), punctuality(sum_of(sessions)).c_str());
+}
+
+void demand_punctuality(const std::vector<SessionSummary>& sessions) {
+    for (const auto& s : sessions)
+        if (s.late_pings > 0 || s.dropped > 0 || s.bytes_lost > 0)
+            throw StartError(Exit::late, s.name + ": " + counted(s.late_pings, "late ping") + ", " +
+                                             counted(s.dropped, "dropped message") + " and " +
+                                             counted(s.bytes_lost, "lost byte") +
+                                             ", and --fail-late allows none; " +
+                                             (s.late_pings > 0 ? remedy(s) : "the driver must read faster"));
+}
+
+void print_poses(const std::string& name, const PoseSummary& s, const char* untold) {
+    std::printf("%s%s from %s, %llu refused%s, %s, %s with a stale pose%s%s\n", padded(name, 16).c_str(),
+                counted(s.accepted, "pose").c_str(), s.place.c_str(),
+                static_cast<unsigned long long>(s.refused),
+                s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str(),
+                counted(s.jumps, "jump").c_str(), counted(s.stale_pings, "ping").c_str(),
+                s.accepted == 0 ? ": nobody said where " : "", s.accepted == 0 ? untold : "");
+}
+
+void print_steps(const StepSummary& s) {
+    std::printf("%s%s to %s s of the run, %llu refused%s\n", padded("clock", 16).c_str(),
+                counted(s.steps, "step").c_str(), plain(to_seconds(s.run_time), 3).c_str(),
+                static_cast<unsigned long long>(s.refused),
+                s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str());
+}
+
+void print_standstills(const Standstills::Summary& s) {
+    const double longest = std::chrono::duration<double, std::milli>(s.longest).count();
+    std::printf("%s%s\n", padded("machine", 16).c_str(),
+                s.count == 0
+                    ? "never stood still"
+                    : ("stood still " + counted(s.count, "time") + ", at most " + plain(longest, 1) + " ms" +
+                       (s.fetched == 0
+                            ? ""
+                            : "; the wires were served by another processor " + counted(s.fetched, "time")))
+                          .c_str());
+}
+
+}  // namespace echoloop::cli
