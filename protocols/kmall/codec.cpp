@@ -153,7 +153,9 @@ Result<Datagram> read_as(Steps& steps, const Header& header, Partition partition
     return Datagram(std::move(message));
 }
 
+/// Texts end where they end, or with a line's end or with padding.
 Result<Datagram> read_command(ByteView bytes) {
+    static constexpr std::string_view delimiters{",\r\n \0", 5};
     std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     text.remove_prefix(command_word.size());
     Command command;
@@ -166,7 +168,7 @@ Result<Datagram> read_command(ByteView bytes) {
     if (!take(command.number) || text.empty() || text.front() != ',')
         return Error{"KSSIS", "number", command_word.size(), Reason::wrong_constant};
     text.remove_prefix(1);
-    const std::string_view name = text.substr(0, text.find_first_of(",\r\n"));
+    const std::string_view name = text.substr(0, text.find_first_of(delimiters));
     if (name.find('=') != name.npos) {  // "NAME=...", of a sounder that is found
         command.arguments = text;
         return Datagram(std::move(command));
@@ -175,6 +177,9 @@ Result<Datagram> read_command(ByteView bytes) {
         return Error{"KSSIS", "sounder", bytes.size() - text.size(), Reason::wrong_constant};
     command.sounder = name;
     command.arguments = text.substr(name.size());
+    const bool padded = command.arguments.find_first_not_of(delimiters.substr(1)) == std::string::npos;
+    if (!padded && command.arguments.front() != ',')
+        return Error{"KSSIS", "sounder", bytes.size() - command.arguments.size(), Reason::wrong_constant};
     return Datagram(std::move(command));
 }
 

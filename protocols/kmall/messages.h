@@ -81,7 +81,7 @@ struct SoundProfile {
 struct Command {
     unsigned number = 0;
     std::string sounder;    ///< its name, e.g. "EM2040_40"; "" in the controller's list of sounders
-    std::string arguments;  ///< with the comma before them where there is a name
+    std::string arguments;  ///< with the comma before them where there is a name, and a line's end or padding
 
     friend bool operator==(const Command&, const Command&) = default;
 };

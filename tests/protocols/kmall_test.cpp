@@ -149,7 +149,7 @@ TEST(Kmall, TextsOfTheControllerAreRead) {
     EXPECT_EQ(std::get<Command>(*text("$KSSIS,12,IP=10.0.0.1~~SYSTEM_DESC=EM 2040, END!~~$$$")),
               (Command{12, "", "IP=10.0.0.1~~SYSTEM_DESC=EM 2040, END!~~$$$"}));
     for (const char* bad : {"$KSSIS,", "$KSSIS,458", "$KSSIS,458,", "$KSSIS,x,2040", "$KSSIS,99999999999,1",
-                            "$KSSIS,-1,2040", "$KSSI,458,2040"})
+                            "$KSSIS,-1,2040", "$KSSI,458,2040", "$KSSIS,458,20 40", "$KSSIS,458, 2040"})
         EXPECT_FALSE(text(bad)) << bad;
 }
 

@@ -12,6 +12,8 @@ namespace {
 
 constexpr Time processing = std::chrono::milliseconds(5);  // from the last sample to the datagram
 
+constexpr std::string_view text_ends{"\r\n\0", 3};
+
 constexpr Time texts_interval = std::chrono::seconds(1);  // of 616; that of the others is own choice
 
 // Numbers of the texts to the controller, and of one of its own.
@@ -65,7 +67,8 @@ void Kongsberg::obey(const kmall::Command& command, Time now) {
 }
 
 void Kongsberg::set_values(std::string_view assignments) {
-    assignments = assignments.substr(0, assignments.find_first_of("\r\n"));
+    assignments = assignments.substr(0, assignments.find_first_of(text_ends));
+    assignments = assignments.substr(0, assignments.find_last_not_of(' ') + 1);
     while (!assignments.empty()) {
         assignments.remove_prefix(1);  // the comma
         const std::size_t end = std::min(assignments.find(','), assignments.size());

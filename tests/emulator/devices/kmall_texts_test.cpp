@@ -59,6 +59,22 @@ TEST(Kmall, ItsStatusHasTheDepthBelow) {
     EXPECT_NEAR(std::stod(status.substr(depth + 6)), 8, 0.04);
 }
 
+TEST(Kmall, TextsMayEndWithBlanksAndZeros) {
+    for (const std::string& end :
+         {std::string(1, '\0'), std::string(3, '\0'), std::string(" "), std::string(" \r\n\0", 4)}) {
+        Bench bench = talking_sounder({{"pinging", false}});
+        bench.sent();
+        bench.say(text("$KSSIS,262,EM2040_40,STPF=3,SSBS=Equidistance" + end));
+        const std::string values = text_of_number(bench.sent(), "401");
+        EXPECT_NE(values.find(R"(BEAM_SPACING","value":"Equidistance")"), values.npos) << to_hex(text(end));
+        EXPECT_FALSE(bench.ping);
+        bench.say(text("$KSSIS,458,EM2040_40" + end));
+        bench.run_to(100ms);
+        EXPECT_NE(bench.shots.size(), 0U) << to_hex(text(end));
+        EXPECT_EQ(bench.device().counters().rejected, 0U) << to_hex(text(end));
+    }
+}
+
 TEST(Kmall, ItsIpiIsAsThePublishedOne) {
     Bench bench = talking_sounder();
     const std::string found = text_of_number(bench.sent(), "812");
