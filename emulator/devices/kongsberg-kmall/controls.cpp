@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <optional>
 
+#include "emulator/devices/kongsberg-kmall/ping.h"
+
 namespace echoloop::kongsberg_kmall {
 namespace {
 
@@ -34,12 +36,9 @@ bool set_edge(std::string_view text, double& edge) {
     return degrees.has_value();
 }
 
-/// The outermost beam reaches down to the depth of which the range is the slant range.
-double edge_cosine(const Settings& s) { return std::cos(std::max(s.port_edge, s.starboard_edge)); }
-
 bool set_depth(std::string_view text, Settings& s) {
     const auto depth = number_in(text, 1, 600);
-    if (depth) s.range = std::clamp(*depth / edge_cosine(s), 2.0, 600.0);
+    if (depth) s.max_depth = depth;
     return depth.has_value();
 }
 
@@ -86,8 +85,8 @@ const Value values[] = {
     {"RUNT_PARAM_PU_BEAM_SPACING", "SSBS",
      [](const Settings& s) { return std::string(s.equidistant ? "Equidistance" : "Equiangle"); },
      set_spacing},
-    {"RUNT_PARAM_PU_MAX_DEPTH", "SDMA",
-     [](const Settings& s) { return text_of("%g", s.range * edge_cosine(s)); }, set_depth},
+    {"RUNT_PARAM_PU_MAX_DEPTH", "SDMA", [](const Settings& s) { return text_of("%g", max_depth(s)); },
+     set_depth},
     {"RUNT_PARAM_PU_MAX_PING_FREQ", "SDPM1",
      [](const Settings& s) { return text_of("%.0fkHz", s.frequency / 1e3); }, set_frequency},
     {"RUNT_PARAM_PU_PING_MODE", "STPF", [](const Settings& s) { return text_of("%.2f", s.ping_rate); },
@@ -97,6 +96,8 @@ const Value values[] = {
 };
 
 }  // namespace
+
+double max_depth(const Settings& s) { return s.max_depth.value_or(s.range * edge_cosine(s)); }
 
 bool set_value(std::string_view assignment, Settings& settings) {
     const std::size_t equals = assignment.find('=');

@@ -9,6 +9,9 @@
 
 namespace echoloop::kongsberg_kmall {
 
+/// m below the head, as set; before: what the outermost beam reaches at the range.
+double max_depth(const Settings& settings);
+
 /// One NAME=VALUE of a text 262, e.g. "RUNT_PARAM_PU_PING_MODE=5.00" or "STPF=5". False, and nothing is set,
 /// if the name is not known or the value out of its bounds.
 bool set_value(std::string_view assignment, Settings& settings);

@@ -124,11 +124,10 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     const Settings& s = ping_settings_;
     const auto detections =
         multibeam::detect(echogram, gates, {.margin = s.detection_margin, .echoes_last = s.echoes_last});
-    send(make_mrz(ping_, s, echogram, detections), now);
+    const kmall::Mrz bathymetry = make_mrz(ping_, s, echogram, detections);
+    send(bathymetry, now);
     water_level_ = echogram.world_from_sonar.position.z;
-    const auto& below = detections[detections.size() / 2];
-    depth_.reset();
-    if (below.found()) depth_ = below.time * s.sound_speed / 2;
+    depth_ = depth_below(bathymetry);
     if (settings_.water_column) send(make_mwc(ping_, s, echogram, detections), now);
     plan_next_ping(now);
     return take_actions();

@@ -47,10 +47,9 @@ class Kongsberg final : public Device {
     PingRecord ping_;  ///< the ping under way, or the last one
     std::uint64_t pings_begun_ = 0;
     bool ping_under_way_ = false;
-    bool started_ = false;    ///< its host has chosen it
-    double water_level_ = 0;  ///< m below the head, at the last ping
-    std::optional<double>
-        depth_{};  ///< m, of the bottom below the head, at the last ping that found one there
+    bool started_ = false;           ///< its host has chosen it
+    double water_level_ = 0;         ///< m below the head, at the last ping
+    std::optional<double> depth_{};  ///< m, of the bottom below the head; empty: the last ping found none
     Time next_texts_ = Time::max();
     Time transmitted_{};  ///< when the last ping went out
     Time next_ping_ = Time::max();

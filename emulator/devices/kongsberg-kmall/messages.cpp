@@ -175,4 +175,14 @@ Mrz make_mrz(const PingRecord& ping, const Settings& settings, const Echogram& e
     return m;
 }
 
+std::optional<double> depth_below(const Mrz& bathymetry) {
+    const Sounding* nearest = nullptr;
+    const auto off_vertical = [](const Sounding& one) { return std::hypot(one.x, one.y) / one.z; };
+    for (const Sounding& one : bathymetry.soundings) {
+        const bool below = one.type == 0 && one.z > 0;
+        if (below && (nearest == nullptr || off_vertical(one) < off_vertical(*nearest))) nearest = &one;
+    }
+    return nearest == nullptr ? std::nullopt : std::optional<double>(nearest->z);
+}
+
 }  // namespace echoloop::kongsberg_kmall

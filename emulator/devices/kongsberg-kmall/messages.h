@@ -1,6 +1,7 @@
 // What a Kongsberg multibeam tells of a ping: #MRZ and #MWC from its echogram. Pure functions.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "emulator/devices/family/multibeam_bottom.h"
@@ -22,6 +23,9 @@ kmall::Mrz make_mrz(const PingRecord& ping, const Settings& settings, const Echo
                     std::span<const multibeam::Detection> detections);
 kmall::Mwc make_mwc(const PingRecord& ping, const Settings& settings, const Echogram& echogram,
                     std::span<const multibeam::Detection> detections);
+
+/// z of the valid sounding nearest the vertical, m below the head.
+std::optional<double> depth_below(const kmall::Mrz& bathymetry);
 
 /// What both begin with.
 kmall::Header make_header(const PingRecord& ping, const Settings& settings, const char* type,

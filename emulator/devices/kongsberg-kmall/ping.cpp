@@ -21,7 +21,14 @@ std::vector<double> bearings(const Settings& s) {
 
 }  // namespace
 
-double range_time(const Settings& settings) { return 2 * settings.range / settings.sound_speed; }
+double edge_cosine(const Settings& s) { return std::cos(std::max(s.port_edge, s.starboard_edge)); }
+
+double listening_range(const Settings& s) {
+    constexpr double least = 2, most = 600;  // m, as the option `range`
+    return s.max_depth ? std::clamp(*s.max_depth / edge_cosine(s), least, most) : s.range;
+}
+
+double range_time(const Settings& settings) { return 2 * listening_range(settings) / settings.sound_speed; }
 
 double ping_period(const Settings& settings) {
     return std::max(range_time(settings) + pause, 1 / settings.ping_rate);

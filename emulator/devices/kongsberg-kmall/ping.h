@@ -7,7 +7,11 @@
 
 namespace echoloop::kongsberg_kmall {
 
-/// Two-way time of the range, s.
+/// Cosine of the outermost beam's angle.
+double edge_cosine(const Settings& settings);
+/// How far it listens, m: to where the outermost beam is at the depth that is set, or as far as it can.
+double listening_range(const Settings& settings);
+/// Two-way time of that, s.
 double range_time(const Settings& settings);
 /// Least time from one ping to the next, s.
 double ping_period(const Settings& settings);

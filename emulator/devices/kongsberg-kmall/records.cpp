@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <string_view>
 
+#include "emulator/devices/kongsberg-kmall/controls.h"
+
 namespace echoloop::kongsberg_kmall {
 namespace {
 
@@ -44,13 +46,12 @@ kmall::Parameters make_installation(kmall::Header header, const Settings& s, dou
 
 kmall::Parameters make_runtime(kmall::Header header, const Settings& s) {
     header.type = "#IOP";
-    const double outer = std::cos(std::max(s.port_edge, s.starboard_edge));
     const std::string text =
         "\nSector coverage\n" + line("Max angle Port", number_text("%.1f", rad_to_deg(s.port_edge))) +
         line("Max angle Starboard", number_text("%.1f", rad_to_deg(s.starboard_edge))) +
         line("Angular coverage Mode", "Manual") +
         line("Beam spacing", s.equidistant ? "Equidistance" : "Equiangle") + "\nDepth settings\n" +
-        line("Max. depth", number_text("%.1f", s.range * outer)) + line("Dual swath", "Off") +
+        line("Max. depth", number_text("%.1f", max_depth(s))) + line("Dual swath", "Off") +
         line("Frequency", number_text("%.0f kHz", s.frequency / 1e3)) + line("FM disable", "On") +
         line("Water column data", s.water_column ? "On" : "Off") + "\nTransmit Control\n" +
         line("Pitch stabilisation", "Off") + line("Max. Ping Freq. (Hz)", number_text("%.2f", s.ping_rate)) +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "emulator/model.h"
@@ -12,7 +13,8 @@ struct Settings {
     // What a host's commands change, at power-up.
     bool pinging = true;
     bool water_column = false;
-    double range = 0;                          ///< m
+    double range = 0;                          ///< m, as long as no depth is set
+    std::optional<double> max_depth{};         ///< m below the head
     double frequency = 0;                      ///< Hz
     double port_edge = 0, starboard_edge = 0;  ///< rad, of the fan, from below
     bool equidistant = true;

@@ -51,12 +51,86 @@ TEST(Kmall, TheControllerTellsOfTheSounderEachSecond) {
 TEST(Kmall, ItsStatusHasTheDepthBelow) {
     Bench bench = talking_sounder();
     bench.run_to(0ns);
-    bench.device().heard(bottom_echo(bench.ping->shot, flat(8), {}), bench.ping->due);
+    Echogram echo = bottom_echo(bench.ping->shot, flat(8), {});
+    echo.world_from_sonar = {{0, 0, -12}, from_rpy(0, deg_to_rad(90), 0)};
+    bench.device().heard(echo, bench.ping->due);
     const std::string status = text_of_number(bench.device().woken(1s).send, "616");
     EXPECT_NE(status.find("EM status=ON;G"), status.npos) << status;
     const std::size_t depth = status.find("Depth=");
     ASSERT_NE(depth, status.npos);
     EXPECT_NEAR(std::stod(status.substr(depth + 6)), 8, 0.04);
+}
+
+/// The depth of the status after a ping over a flat floor 8 m below; the head is rolled by `roll` deg.
+std::string told_depth(const char* edges, double roll, double angle_without_echo = 10) {
+    Bench bench = talking_sounder();
+    bench.say(text(std::string("$KSSIS,262,EM2040_40,") + edges));
+    bench.run_to(0ns);
+    const double r = deg_to_rad(roll);
+    const auto floor = [&](double angle) {
+        return std::abs(angle - angle_without_echo) < 0.01 ? 1e3 : 8 / std::cos(angle - r);
+    };
+    Echogram echo = bottom_echo(bench.ping->shot, floor, {});
+    echo.world_from_sonar = {{0, 0, -12}, from_rpy(r, 0, 0) * from_rpy(0, deg_to_rad(90), 0)};
+    bench.device().heard(echo, bench.ping->due);
+    const std::string status = text_of_number(bench.device().woken(1s).send, "616");
+    return status.substr(status.find("Depth=") + 6);
+}
+
+TEST(Kmall, TheDepthInItsStatusIsThatOfTheSoundingNearestTheVertical) {
+    EXPECT_NEAR(std::stod(told_depth("SSPA1=70,SSSA1=10", 0)), 8, 0.04) << "the middle beam looks to port";
+    EXPECT_NEAR(std::stod(told_depth("SSPA1=45,SSSA1=45", 20)), 8, 0.04) << "the middle beam looks aside";
+    EXPECT_NEAR(std::stod(told_depth("SSPA1=45,SSSA1=45", 0, 0)), 8, 0.04) << "none straight below";
+}
+
+TEST(Kmall, ADepthStaysAsItWasSetWhereverItStandsAmongTheValues) {
+    for (const char* order : {"SDMA=20,SSPA1=45,SSSA1=70", "SSPA1=45,SSSA1=70,SDMA=20"}) {
+        Bench bench = talking_sounder();
+        bench.run_to(100ms);
+        bench.sent();
+        bench.say(text(std::string("$KSSIS,262,EM2040_40,") + order));
+        const std::string values = text_of_number(bench.sent(), "401");
+        EXPECT_NE(values.find(R"("RUNT_PARAM_PU_MAX_DEPTH","value":"20")"), values.npos) << values;
+        bench.run_to(300ms);
+        const Shot& shot = bench.shots.back();
+        EXPECT_NEAR(static_cast<double>(shot.bins) * shot.bin_interval * 750, 20 / std::cos(deg_to_rad(70)),
+                    0.05)
+            << order;
+        bench.say(text("$KSSIS,262,EM2040_40,SSSA1=30"));
+        EXPECT_NE(text_of_number(bench.sent(), "401").find(R"(MAX_DEPTH","value":"20")"), values.npos);
+        bench.run_to(800ms);
+        EXPECT_NEAR(static_cast<double>(bench.shots.back().bins) * bench.shots.back().bin_interval * 750,
+                    20 / std::cos(deg_to_rad(45)), 0.05)
+            << "the edges moved";
+    }
+}
+
+TEST(Kmall, ADepthThatTheOutermostBeamDoesNotReachStaysSet) {
+    Bench bench = talking_sounder();
+    bench.run_to(100ms);
+    bench.sent();
+    bench.say(text("$KSSIS,262,EM2040_40,SDMA=500,SSPA1=75"));
+    EXPECT_NE(text_of_number(bench.sent(), "401").find(R"(MAX_DEPTH","value":"500")"), std::string::npos);
+    bench.run_to(2s);
+    EXPECT_NEAR(static_cast<double>(bench.shots.back().bins) * bench.shots.back().bin_interval * 750, 600, 1);
+    bench.say(text("$KSSIS,454,EM2040_40"));
+    const auto runtime = of_type(bench.sent(), "#IOP");
+    ASSERT_EQ(runtime.size(), 1U);
+    const std::string words(runtime[0].bytes.begin() + 26, runtime[0].bytes.end());
+    EXPECT_NE(words.find("\nMax. depth: 500.0\n"), words.npos) << words;
+}
+
+TEST(Kmall, TheWaterColumnIsAValueAsWell) {
+    Bench bench = talking_sounder();
+    bench.run_to(100ms);
+    EXPECT_TRUE(of_type(bench.sent(), "#MWC").empty());
+    bench.say(text("$KSSIS,262,EM2040_40,RUNT_PARAM_PU_WATERCOL=1"));
+    EXPECT_NE(text_of_number(bench.sent(), "401").find(R"(PU_WATERCOL","value":"1")"), std::string::npos);
+    bench.run_to(300ms);
+    EXPECT_FALSE(of_type(bench.sent(), "#MWC").empty());
+    bench.say(text("$KSSIS,262,EM2040_40,RUNT_PARAM_PU_WATERCOL=0"));
+    bench.run_to(1s);
+    EXPECT_TRUE(of_type(bench.sent(), "#MWC").empty());
 }
 
 TEST(Kmall, TextsMayEndWithBlanksAndZeros) {
