@@ -59,6 +59,8 @@ class Host:
         end = time.monotonic() + seconds
         while True:
             head, data = self._packet(end)
+            if head[2] == 1:  # maybe an answer between the packets of a longer record
+                return wire.Record(data)
             if head[7] == 0:
                 self.parts, self.transmission = [], head[4]
             if head[7] != len(self.parts) or head[4] != self.transmission:

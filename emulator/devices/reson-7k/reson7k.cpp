@@ -73,9 +73,9 @@ void Reson7k::hear_record(const reson7k::Record& record, const Peer& from, Time 
     ++(refusal ? counters_.rejected : counters_.messages);
     const auto frame = frame_of(settings_, unix_time(now));
     if (refusal)
-        send(reson7k::NotAcknowledge{control->ticket, control->tracking, *refusal}, frame, from, now);
+        send(reson7k::NotAcknowledge{control->ticket, control->tracking, *refusal}, frame, from);
     else
-        send(reson7k::Acknowledge{control->ticket, control->tracking}, frame, from, now);
+        send(reson7k::Acknowledge{control->ticket, control->tracking}, frame, from);
     if (!refusal && control->command == command::request) answer_request(*word_at(*control, 0), from, now);
 }
 
@@ -162,12 +162,12 @@ Refusal Reson7k::check_request(const RemoteControl& control) const {
 
 void Reson7k::answer_request(std::uint32_t type, const Peer& to, Time now) {
     const auto frame = frame_of(settings_, unix_time(now));
-    if (type == configuration) return send(make_configuration(settings_), frame, to, now);
-    if (type == reson7k::BeamGeometry::type) return send(make_geometry(settings_), frame, to, now);
+    if (type == configuration) return send(make_configuration(settings_), frame, to);
+    if (type == reson7k::BeamGeometry::type) return send(make_geometry(settings_), frame, to);
     PingRecord current = ping_;
     current.controls = controls_;
     current.number = 0;
-    send(make_remote_settings(current, settings_), frame, to, now);
+    send(make_remote_settings(current, settings_), frame, to);
 }
 
 void Reson7k::plan_next_ping(Time now) {
@@ -194,13 +194,14 @@ Actions Reson7k::heard(const Echogram& echogram, Time now) {
     ping_under_way_ = false;
     ++counters_.pings;
     for (const std::uint32_t type : ping_records())
-        if (subscribers_.wanted(type)) publish(type, echogram, now);
+        if (subscribers_.wanted(type)) publish(type, echogram);
+    pace(now);
     plan_next_ping(now);
     return take_actions();
 }
 
 /// One record of the ping to all who have subscribed to it.
-void Reson7k::publish(std::uint32_t type, const Echogram& echogram, Time now) {
+void Reson7k::publish(std::uint32_t type, const Echogram& echogram) {
     const auto make = [&]() -> reson7k::Message {
         switch (type) {
             case reson7k::SonarSettings::type:
@@ -219,24 +220,33 @@ void Reson7k::publish(std::uint32_t type, const Echogram& echogram, Time now) {
     };
     const Bytes record = reson7k::encode(make(), frame_of(settings_, ping_.time));
     for (const auto& entry : subscribers_.entries())
-        if (entry.types.contains(type)) send_record(record, entry.peer, now);
+        if (entry.types.contains(type)) send_record(record, entry.peer);
 }
 
-void Reson7k::send(const reson7k::Message& message, const reson7k::RecordFrame& frame, const Peer& to,
-                   Time now) {
-    send_record(reson7k::encode(message, frame), to, now);
-}
-
-void Reson7k::send_record(ByteView record, const Peer& to, Time now) {
-    auto packets = reson7k::packets_of(record, ++transmission_, settings_.device);
-    for (Bytes& packet : packets) {
-        Time at{};
-        if (to.port == datagram_port) {
-            at = std::max(now, datagrams_until_);
-            datagrams_until_ = at + from_seconds(settings_.packet_gap);
-        }
-        actions_.send.push_back({to.port, std::move(packet), to.address, at});
+/// Spreads the datagrams of a ping to all hosts, but never beyond the next ping, however many they are. Those
+/// of two pings do not mix.
+void Reson7k::pace(Time now) {
+    const auto paced = [](const Send& one) { return one.port == datagram_port; };
+    const auto count = std::count_if(actions_.send.begin(), actions_.send.end(), paced);
+    if (count == 0) return;
+    Time at = std::max(now, datagrams_until_);
+    const Time end = now + from_seconds(0.8 * ping_period(controls_, settings_));
+    const Time gap = std::clamp((end - at) / count, Time{}, from_seconds(settings_.packet_gap));
+    for (Send& one : actions_.send) {
+        if (!paced(one)) continue;
+        one.not_before = at;
+        at += gap;
     }
+    datagrams_until_ = at;
+}
+
+void Reson7k::send(const reson7k::Message& message, const reson7k::RecordFrame& frame, const Peer& to) {
+    send_record(reson7k::encode(message, frame), to);
+}
+
+void Reson7k::send_record(ByteView record, const Peer& to) {
+    auto packets = reson7k::packets_of(record, ++transmission_, settings_.device);
+    for (Bytes& packet : packets) actions_.send.push_back({to.port, std::move(packet), to.address, {}});
 }
 
 Actions Reson7k::woken(Time now) {

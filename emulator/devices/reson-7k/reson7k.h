@@ -37,9 +37,10 @@ class Reson7k final : public Device {
     void answer_request(std::uint32_t type, const Peer& to, Time now);
     void plan_next_ping(Time now);
     void transmit(Time now);
-    void publish(std::uint32_t type, const Echogram& echogram, Time now);
-    void send(const reson7k::Message& message, const reson7k::RecordFrame& frame, const Peer& to, Time now);
-    void send_record(ByteView record, const Peer& to, Time now);
+    void publish(std::uint32_t type, const Echogram& echogram);
+    void pace(Time now);
+    void send(const reson7k::Message& message, const reson7k::RecordFrame& frame, const Peer& to);
+    void send_record(ByteView record, const Peer& to);
     double unix_time(Time now) const { return settings_.unix_start + to_seconds(now); }
     Actions take_actions();
 
@@ -52,7 +53,7 @@ class Reson7k final : public Device {
     bool ping_under_way_ = false;
     std::optional<Time> last_transmission_;
     Time next_ping_ = Time::max();
-    Time datagrams_until_{};  ///< when the last paced datagram leaves
+    Time datagrams_until_{};  ///< when the datagrams of the last ping are out
     std::uint16_t transmission_ = 0;
     Actions actions_;
     DeviceCounters counters_;

@@ -105,8 +105,10 @@ std::vector<Option> option_table() {
             "end_subscriptions", {"1052", "1053"},
             "the command that ends all subscriptions: the command table has 1052, the introduction 1053",
             spec),
-        number_row("packet_gap", "s", 0.3e-3, 0, 0.1, "pause between the datagrams of one record",
-                   "receivers with default buffers lose faster bursts"),
+        number_row(
+            "packet_gap", "s", 0.3e-3, 0, 0.1,
+            "pause between the datagrams of a ping, less where the next ping comes before they are out",
+            "receivers with default buffers lose faster bursts"),
     };
 }
 

@@ -67,6 +67,54 @@ TEST(Reson7k, ServesHostsByUdpUntilTheyEndIt) {
     EXPECT_EQ(sonar.answer(control(1053, {third.ip, 1U << 16 | 5000, 1, 7000})), 0x700CU) << "by TCP";
 }
 
+/// Every ping's datagrams to all hosts leave before the next ping.
+void expect_bounded_latency(Reson& sonar, Time period) {
+    sonar.run_to(sonar.now + 3 * period);
+    sonar.sent();
+    for (int ping = 0; ping < 20; ++ping) {
+        const std::size_t pings = sonar.shots.size();
+        while (sonar.shots.size() == pings) sonar.run_to(sonar.now + 1ms);
+        const Time heard = sonar.now;
+        Time before{};
+        std::size_t datagrams = 0;
+        for (const Send& send : sonar.sent()) {
+            if (send.port == 0) {
+                EXPECT_LE(send.not_before, heard) << "TCP does not wait";
+                continue;
+            }
+            EXPECT_LT(send.not_before, heard + period) << "ping " << ping;
+            EXPECT_GE(send.not_before, before) << "records do not mix";
+            before = send.not_before;
+            ++datagrams;
+        }
+        ASSERT_GT(datagrams, 30U);
+        EXPECT_GT(before, heard + period / 2) << "but they are spread";
+    }
+}
+
+TEST(Reson7k, DatagramsToSixteenHostsAreOutBeforeTheNextPing) {
+    Reson sonar;
+    sonar.answer(control(1051, {2, 7000, 7018}));
+    for (std::uint16_t host = 0; host < 16; ++host)
+        ASSERT_EQ(sonar.answer(control(1051, {2, 7018, 7027}), 1,
+                               {0x7F000001, static_cast<std::uint16_t>(40000 + host)}),
+                  0U);
+    expect_bounded_latency(sonar, 71667us);  // 2 x 50 / 1500 s and 5 ms
+}
+
+TEST(Reson7k, AGapThatIsTooLargeShrinks) {
+    Reson sonar(Options{{"packet_gap", 0.1}});
+    const Address host{0x7F000001, 40000};
+    ASSERT_EQ(sonar.answer(control(1051, {1, 7018}), 1, host), 0U);
+    expect_bounded_latency(sonar, 71667us);
+    sonar.sent();
+    sonar.say(control(1003, {f32(40)}), 1, host);
+    sonar.say(control(1050, {7503}), 1, host);
+    const auto answers = sonar.sent();
+    ASSERT_EQ(answers.size(), 3U);
+    for (const Send& answer : answers) EXPECT_LE(answer.not_before, sonar.now) << "answers do not wait";
+}
+
 TEST(Reson7k, HostsOnTcpHaveSubscriptionsOfTheirOwn) {
     Reson sonar;
     const Address one{0x7F000001, 40001}, other{0x7F000001, 40002};
