@@ -90,8 +90,9 @@ Refusal Reson7k::obey(const RemoteControl& control, const Peer& from, bool named
 
 Refusal Reson7k::subscribe(const RemoteControl& control, const Peer& from) {
     std::set<std::uint32_t> types;
-    const std::uint32_t ending = settings_.ends_by_third_party ? command::add_receiver : command::end_all;
-    if (control.command == ending) {
+    const bool addressed = word_at(control, 0).has_value();
+    if (settings_.ends_by_third_party ? control.command == command::add_receiver && !addressed
+                                      : control.command == command::end_all) {
         subscribers_.end(from);
         return std::nullopt;
     }
@@ -139,9 +140,11 @@ Refusal Reson7k::change_receiver(const RemoteControl& control) {
     constexpr std::size_t address_size = 8;
     const auto ip = word_at(control, 0), rest = word_at(control, 4);
     if (!ip || !rest) return ErrorCode::invalid;
+    const auto port = static_cast<std::uint16_t>(*rest);
+    if (*ip == 0 || port == 0) return ErrorCode::invalid;
     const bool by_tcp = *rest >> 16 != 0;
     if (by_tcp || (is_loopback(own_.ip) && !is_loopback(*ip))) return ErrorCode::denied;
-    const Peer peer{datagram_port, {*ip, static_cast<std::uint16_t>(*rest)}};
+    const Peer peer{datagram_port, {*ip, port}};
     if (control.command == command::delete_receiver)
         return subscribers_.end(peer) ? std::nullopt : Refusal(ErrorCode::invalid);
     std::set<std::uint32_t> types;

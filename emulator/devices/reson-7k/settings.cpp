@@ -103,8 +103,10 @@ std::vector<Option> option_table() {
                    "device id that commands must carry; subscriptions and requests may name 7000 too", spec),
         choice_row(
             "end_subscriptions", {"1052", "1053"},
-            "the command that ends all subscriptions: the command table has 1052, the introduction 1053",
-            spec),
+                   "the command that ends all subscriptions: the command table has 1052, the introduction "
+                   "1053 (here: "
+                   "without an address)",
+                   spec),
         number_row(
             "packet_gap", "s", 0.3e-3, 0, 0.1,
             "pause between the datagrams of a ping, less where the next ping comes before they are out",

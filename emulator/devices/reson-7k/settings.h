@@ -50,7 +50,7 @@ struct Settings {
     Controls start;
     Acoustics acoustics;
     bool any_device = false;           ///< commands are taken whatever device they name
-    bool ends_by_third_party = false;  ///< 1053 without records ends subscriptions
+    bool ends_by_third_party = false;  ///< 1053 without an address ends subscriptions, not 1052
     double packet_gap = 0;             ///< s between the datagrams of one record
     bool tvg = true;                   ///< the effect of that name
     bool pulse = true;                 ///< the effect of that name: echoes are as long as the pulse

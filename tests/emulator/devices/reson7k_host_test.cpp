@@ -65,6 +65,9 @@ TEST(Reson7k, ServesHostsByUdpUntilTheyEndIt) {
     EXPECT_TRUE(sonar.within(1s).empty());
     EXPECT_EQ(sonar.answer(control(1053, {0x08080808, 53, 1, 7000})), 0x700CU) << "from loopback";
     EXPECT_EQ(sonar.answer(control(1053, {third.ip, 1U << 16 | 5000, 1, 7000})), 0x700CU) << "by TCP";
+    EXPECT_EQ(sonar.answer(control(1053, {third.ip, 0, 1, 7000})), 0x7008U) << "no port";
+    EXPECT_EQ(sonar.answer(control(1053, {0, 5000, 1, 7000})), 0x7008U) << "no address";
+    EXPECT_TRUE(sonar.within(1s).empty());
 }
 
 /// Every ping's datagrams to all hosts leave before the next ping.
@@ -113,6 +116,19 @@ TEST(Reson7k, AGapThatIsTooLargeShrinks) {
     const auto answers = sonar.sent();
     ASSERT_EQ(answers.size(), 3U);
     for (const Send& answer : answers) EXPECT_LE(answer.not_before, sonar.now) << "answers do not wait";
+}
+
+TEST(Reson7k, The1053OfTheIntroductionEndsSubscriptionsOnlyWithoutAnAddress) {
+    Reson sonar(Options{{"end_subscriptions", std::string("1053")}});
+    const Address third{0x7F000002, 5000};
+    EXPECT_EQ(sonar.answer(control(1051, {1, 7000})), 0U);
+    EXPECT_EQ(sonar.answer(control(1053, {third.ip, third.port, 1, 7027})), 0U);
+    std::map<std::uint32_t, std::uint16_t> to;
+    for (const Seen& record : sonar.within(500ms)) to[record.type()] = record.to.port;
+    EXPECT_EQ(to, (std::map<std::uint32_t, std::uint16_t>{{7000, 0}, {7027, third.port}}));
+    EXPECT_EQ(sonar.answer(control(1053)), 0U);
+    for (const Seen& record : sonar.within(500ms)) EXPECT_EQ(record.type(), 7027U) << "its own have ended";
+    EXPECT_EQ(sonar.answer(control(1052)), 0x7007U);
 }
 
 TEST(Reson7k, HostsOnTcpHaveSubscriptionsOfTheirOwn) {
