@@ -16,6 +16,9 @@ namespace {
 static_assert(wire::fixed_size<NetworkFrame>() == network_frame_size);
 static_assert(wire::fixed_size<RecordFrame>() == record_frame_size);
 static_assert(wire::fixed_size<SonarSettings>() == 156);
+static_assert(12 + *wire::fixed_size<Settings>() + *wire::fixed_size<Conditions>() +
+                  *wire::fixed_size<RemoteExtras>() ==
+              260);
 static_assert(wire::fixed_size<Detection>() == 34);
 
 constexpr std::uint16_t version = 5;

@@ -81,23 +81,28 @@ constexpr auto wire_layout(Tag<Settings>) {
         field(&S::transmit_flags, "transmit_flags", "", "").hex(),
         field(&S::hydrophone, "hydrophone", "", ""), field(&S::rx_window, "rx_window", "", ""),
         field(&S::rx_window_parameter, "rx_window_parameter", "", ""),
-        field(&S::receive_flags, "receive_flags", "", "bit 0: roll compensated").hex(),
-        field(&S::rx_width, "rx_width", "rad", "of a receive beam"),
-        field(&S::min_range, "min_range", "m", "bottom filter"),
-        field(&S::max_range, "max_range", "m", "bottom filter"),
-        field(&S::min_depth, "min_depth", "m", "bottom filter"),
-        field(&S::max_depth, "max_depth", "m", "bottom filter"),
-        field(&S::absorption, "absorption", "dB/km", ""), field(&S::sound_speed, "sound_speed", "m/s", ""),
-        field(&S::spreading, "spreading", "dB", "per decade of range"));
+        field(&S::receive_flags, "receive_flags", "", "bit 0: roll compensated").hex());
+}
+
+constexpr auto wire_layout(Tag<Conditions>) {
+    using F = Conditions;
+    return make_layout<F>({"Conditions", "what 7000 and 7503 share behind Settings"},
+                          field(&F::min_range, "min_range", "m", "bottom filter"),
+                          field(&F::max_range, "max_range", "m", "bottom filter"),
+                          field(&F::min_depth, "min_depth", "m", "bottom filter"),
+                          field(&F::max_depth, "max_depth", "m", "bottom filter"),
+                          field(&F::absorption, "absorption", "dB/km", ""),
+                          field(&F::sound_speed, "sound_speed", "m/s", ""),
+                          field(&F::spreading, "spreading", "dB", "per decade of range"));
 }
 
 constexpr auto wire_layout(Tag<SonarSettings>) {
     using S = SonarSettings;
-    return make_layout<S>({"SonarSettings", "7000, with every ping"}, field(&S::serial, "serial", "", ""),
-                          field(&S::ping, "ping", "", "from 1"),
-                          field(&S::multi_ping, "multi_ping", "", "0: no multi-ping"),
-                          field(&S::settings, "settings", "", "156 bytes with what is around them"),
-                          field(&S::reserved, "reserved", "", ""));
+    return make_layout<S>(
+        {"SonarSettings", "7000, with every ping"}, field(&S::serial, "serial", "", ""),
+        field(&S::ping, "ping", "", "from 1"), field(&S::multi_ping, "multi_ping", "", "0: no multi-ping"),
+        field(&S::settings, "settings", "", ""), field(&S::rx_width, "rx_width", "rad", "of a receive beam"),
+        field(&S::conditions, "conditions", "", ""), field(&S::reserved, "reserved", "", ""));
 }
 
 constexpr auto wire_layout(Tag<Configuration>) {
@@ -195,12 +200,43 @@ constexpr auto wire_layout(Tag<NotAcknowledge>) {
                           field(&N::error, "error", "", ""));
 }
 
+constexpr auto wire_layout(Tag<RemoteExtras>) {
+    using R = RemoteExtras;
+    return make_layout<R>(
+        {"RemoteExtras", "what 7503 has behind Conditions"}, field(&R::vernier_mode, "vernier_mode", "", ""),
+        field(&R::search_window, "search_window", "%", "of the depth"),
+        field(&R::tx_offset, "tx_offset", "m", "of the projector from the receive array: x, y, z"),
+        field(&R::head_tilt, "head_tilt", "rad", "about x, y, z"),
+        field(&R::ping_state, "ping_state", "", "0 off, 1 on, 2 external trigger"),
+        field(&R::beam_spacing, "beam_spacing", "", "1 equi-angle, 2 equi-distant, 3 flex, 4 intermediate"),
+        field(&R::mode, "mode", "", "0 normal, 1 auto pilot, 2 calibration"),
+        field(&R::adaptive_gate, "adaptive_gate", "m", "least and greatest depth"),
+        field(&R::trigger_out, "trigger_out", "", "length and offset"),
+        field(&R::projector_81xx, "projector_81xx", "", ""), field(&R::reserved1, "reserved1", "", ""),
+        field(&R::other_gain, "other_gain", "dB", "of the method that is not selected; 81xx only"),
+        field(&R::vernier_filter, "vernier_filter", "", ""), field(&R::reserved2, "reserved2", "", ""),
+        field(&R::custom_beams, "custom_beams", "", "number of beams"),
+        field(&R::coverage, "coverage", "rad", "of the swath"),
+        field(&R::coverage_mode, "coverage_mode", "", ""),
+        field(&R::quality_filter, "quality_filter", "", "bit 0: on").hex(),
+        field(&R::rx_steering, "rx_steering", "rad", "positive to starboard"),
+        field(&R::flex_sector, "flex_sector", "rad", "coverage and steering"),
+        field(&R::constant_spacing, "constant_spacing", "m", ""),
+        field(&R::beam_mode, "beam_mode", "", "of those in 7001, from 0"),
+        field(&R::gate_tilt, "gate_tilt", "rad", "of the depth filter, positive to starboard"),
+        field(&R::applied_frequency, "applied_frequency", "Hz", ""),
+        field(&R::element, "element", "", "of record 7049"));
+}
+
 constexpr auto wire_layout(Tag<RemoteSettings>) {
     using R = RemoteSettings;
-    return make_layout<R>(
-        {"RemoteSettings", "7503, with every ping and on request"}, field(&R::serial, "serial", "", ""),
-        field(&R::ping, "ping", "", "0: on request"), field(&R::settings, "settings", "", "as in 7000"),
-        rest(&R::more, {}, "more", "", "2 bytes that 7000 has too; later versions add to them"));
+    return make_layout<R>({"RemoteSettings", "7503, with every ping and on request"},
+                          field(&R::serial, "serial", "", ""), field(&R::ping, "ping", "", "0: on request"),
+                          field(&R::settings, "settings", "", "as in 7000"),
+                          field(&R::conditions, "conditions", "",
+                                "as in 7000, but without the width of a receive beam before it"),
+                          field(&R::extras, "extras", "", ""),
+                          rest(&R::more, {}, "more", "", "later versions add to the 260 bytes"));
 }
 
 constexpr auto wire_layout(Tag<FileDevice>) {

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "protocols/reson7k/settings.h"
 #include "protocols/wire/bytes.h"
 #include "protocols/wire/text.h"
 
@@ -63,55 +64,6 @@ struct RecordFrame {
     std::array<std::uint16_t, 7> reserved3{};
 
     friend bool operator==(const RecordFrame&, const RecordFrame&) = default;
-};
-
-/// What 7000 and 7503 share, from the frequency to the spreading.
-struct Settings {
-    float frequency = 0;           ///< Hz
-    float sample_rate = 0;         ///< Hz
-    float receiver_bandwidth = 0;  ///< Hz
-    float pulse = 0;               ///< s
-    std::uint32_t pulse_type = 0;  ///< 0 CW, 1 linear chirp
-    std::uint32_t envelope = 0;    ///< 0 tapered rectangular
-    float envelope_parameter = 0;
-    std::uint16_t pulse_mode = 1;  ///< 1: single ping
-    std::uint16_t reserved = 0;
-    float max_rate = 0;  ///< Hz
-    float period = 0;    ///< s since the last ping
-    float range = 0;     ///< m
-    float power = 0;     ///< dB re 1 uPa at 1 m
-    float gain = 0;      ///< dB
-    std::uint32_t control = 0;
-    std::uint32_t projector = 0;
-    float steering_vertical = 0;    ///< rad
-    float steering_horizontal = 0;  ///< rad
-    float tx_width_vertical = 0;    ///< rad, along the track
-    float tx_width_horizontal = 0;  ///< rad, across
-    float focus = 0;                ///< m
-    std::uint32_t tx_window = 0;
-    float tx_window_parameter = 0;
-    std::uint32_t transmit_flags = 0;
-    std::uint32_t hydrophone = 0;
-    std::uint32_t rx_window = 0;
-    float rx_window_parameter = 0;
-    std::uint32_t receive_flags = 0;
-    float rx_width = 0;                                                ///< rad
-    float min_range = 0, max_range = 0, min_depth = 0, max_depth = 0;  ///< m, of the bottom filter
-    float absorption = 0;                                              ///< dB/km
-    float sound_speed = 0;                                             ///< m/s
-    float spreading = 0;                                               ///< dB per decade of range
-
-    friend bool operator==(const Settings&, const Settings&) = default;
-};
-
-struct SonarSettings {  ///< 7000
-    static constexpr std::uint32_t type = 7000;
-    std::uint64_t serial = 0;
-    std::uint32_t ping = 0;
-    std::uint16_t multi_ping = 0;
-    Settings settings;
-    std::uint16_t reserved = 0;
-    friend bool operator==(const SonarSettings&, const SonarSettings&) = default;
 };
 
 /// 7001. One device only, as this sonar has.
@@ -238,15 +190,6 @@ struct NotAcknowledge {  ///< 7502
     std::array<std::uint64_t, 2> tracking{};
     ErrorCode error = ErrorCode::invalid;
     friend bool operator==(const NotAcknowledge&, const NotAcknowledge&) = default;
-};
-
-struct RemoteSettings {  ///< 7503
-    static constexpr std::uint32_t type = 7503;
-    std::uint64_t serial = 0;
-    std::uint32_t ping = 0;  ///< 0: on request
-    Settings settings;
-    wire::Bytes more;  ///< what the sonar's version adds
-    friend bool operator==(const RemoteSettings&, const RemoteSettings&) = default;
 };
 
 struct FileDevice {

@@ -7,6 +7,7 @@ import struct
 import subprocess
 import time
 import unittest
+from xml.etree import ElementTree
 
 from ports import free_port
 from program import PROGRAM, Emulator
@@ -137,7 +138,12 @@ class Files(ResonCase):
         host = self.start()
         host.command(1050, struct.pack("<I", wire.CONFIGURATION), 7000)
         log = [host.wait(wire.CONFIGURATION)]
-        self.assertIn(b"<Frequency>400000", log[0].data)
+        info = log[0].get("I", 12 + 76)
+        sonar = ElementTree.fromstring(log[0].data[64 + 92 : 64 + 92 + info - 1])
+        self.assertEqual(sonar[0].tag, "Name")
+        self.assertEqual((sonar[0].get("deviceid"), sonar[0].get("enumerator")), ("7125", "0"))
+        self.assertEqual(sonar.find("Frequency").get("center"), "400000")
+        self.assertEqual((sonar.find("Range").get("min"), sonar.find("Range").get("max")), ("1", "500"))
         host.subscribe(wire.SETTINGS, wire.GEOMETRY, wire.DETECTIONS)
         log += [host.record() for _ in range(7)]
         file = self.emulator.folder / "pings.s7k"

@@ -86,7 +86,8 @@ TEST_P(Reson7kGolden, ComesOutOfNoiseWhereverTheStreamIsSplit) {
 
 INSTANTIATE_TEST_SUITE_P(Data, Reson7kGolden,
                          ::testing::Values("subscribe", "range", "acknowledge", "not_acknowledge",
-                                           "detections", "settings", "geometry", "beamformed"),
+                                           "detections", "settings", "remote_settings", "geometry",
+                                           "beamformed"),
                          [](const auto& name) { return std::string(name.param); });
 
 TEST(Reson7kFramer, ALostByteCostsOneRecordOnly) {

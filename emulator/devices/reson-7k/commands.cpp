@@ -81,7 +81,7 @@ std::optional<std::uint32_t> word_at(const RemoteControl& control, std::size_t o
 Refusal apply(const RemoteControl& control, const Acoustics& limits, Controls& controls) {
     const Row rows[] = {
         {command::range, &Controls::range, limits.least_range, limits.most_range},
-        {command::max_rate, &Controls::max_rate, 0.1, limits.most_rate},
+        {command::max_rate, &Controls::max_rate, least_rate, limits.most_rate},
         {command::power, &Controls::power, limits.least_power, limits.most_power},
         {command::pulse, &Controls::pulse, limits.least_pulse, limits.most_pulse},
         {command::gain, &Controls::gain, 0, limits.most_gain},

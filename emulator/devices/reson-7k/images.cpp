@@ -13,15 +13,17 @@ constexpr std::size_t bins_at_once = 16;  // floats of a cache line
 
 constexpr float to_f32(double value) { return static_cast<float>(value); }
 
-/// Factor on the power of every bin; the amplitude is then a share of full scale.
+/// Factor on the power of every bin by the range that the head reckons with; the amplitude is then a share of
+/// full scale.
 std::vector<float> gain_curve(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
     const Acoustics& a = settings.acoustics;
     const auto spreading = to_f32(settings.tvg ? a.spreading : 0);
     const auto per_metre = to_f32(settings.tvg ? 2 * a.absorption / 1000 : 0);
     const auto constant = to_f32(ping.controls.gain - a.amplitude_reference);
+    const float per_bin = to_f32(ping.controls.sound_speed / 2 * echogram.shot.bin_interval);
     std::vector<float> gain(echogram.shot.bins);
     for (std::size_t i = 0; i < gain.size(); ++i) {
-        const float r = std::max(to_f32(echogram.bin_range(i)), 1.0F);
+        const float r = std::max(per_bin * (to_f32(static_cast<double>(i)) + 0.5F), 1.0F);
         gain[i] = std::pow(10.0F, (constant + spreading * std::log10(r) + per_metre * r) / 10);
     }
     return gain;

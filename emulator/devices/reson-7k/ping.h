@@ -9,16 +9,18 @@
 
 namespace echoloop::reson7k_device {
 
+/// What beam widths are at the frequency that is set, as a multiple of those in the profile.
+double width_factor(const Controls& controls, const Settings& settings);
 /// rad, port to starboard, in equal steps.
 std::vector<double> beam_angles(const Settings& settings);
-/// Range setting as two-way time, s.
-double range_time(const Controls& controls, const Settings& settings);
+/// Range setting as two-way time by the sound speed that is set, s.
+double range_time(const Controls& controls);
 /// s from one ping to the next.
 double ping_period(const Controls& controls, const Settings& settings);
 /// Hz of the samples of a ping: the profile's, or a whole fraction of it where the range is long.
 double sample_rate(const Controls& controls, const Settings& settings);
 /// Gates of one beam that looks to `angle`, two-way times.
-multibeam::TimeGate bottom_gate(const Controls& controls, const Settings& settings, double angle);
+multibeam::TimeGate bottom_gate(const Controls& controls, double angle);
 
 Shot make_shot(const Controls& controls, const Settings& settings, std::uint32_t ping);
 

@@ -11,23 +11,37 @@ constexpr float to_f32(double value) { return static_cast<float>(value); }
 constexpr std::uint32_t time_ok = 3U << 27, active = 1U << 15, range_filter = 1U << 8, depth_filter = 1U << 9,
                         fixed_gain = 1U << 11;
 
-std::uint32_t control_flags(const Controls& c) {
-    return time_ok | fixed_gain | (c.pinging ? active : 0) | (c.range_filter ? range_filter : 0) |
-           (c.depth_filter ? depth_filter : 0);
+/// Without a time-varied gain the gain is fixed.
+std::uint32_t control_flags(const Controls& c, const Settings& settings) {
+    return time_ok | (settings.tvg ? 0 : fixed_gain) | (c.pinging ? active : 0) |
+           (c.range_filter ? range_filter : 0) | (c.depth_filter ? depth_filter : 0);
 }
 
-void put_limits(reson7k::Settings& s, const Controls& c) {
-    s.min_range = to_f32(c.min_range);
-    s.max_range = to_f32(c.max_range);
-    s.min_depth = to_f32(c.min_depth);
-    s.max_depth = to_f32(c.max_depth);
+reson7k::Conditions conditions_of(const Controls& c, const Settings& settings) {
+    const Acoustics& a = settings.acoustics;
+    reson7k::Conditions now;
+    now.min_range = to_f32(c.min_range);
+    now.max_range = to_f32(c.max_range);
+    now.min_depth = to_f32(c.min_depth);
+    now.max_depth = to_f32(c.max_depth);
+    now.absorption = to_f32(settings.tvg ? a.absorption : 0);
+    now.sound_speed = to_f32(c.sound_speed);
+    now.spreading = to_f32(settings.tvg ? a.spreading : 0);
+    return now;
+}
+
+float receive_width(const Controls& c, const Settings& settings) {
+    return to_f32(width_factor(c, settings) * settings.acoustics.receive_beam_width);
+}
+float transmit_width(const Controls& c, const Settings& settings) {
+    return to_f32(width_factor(c, settings) * settings.acoustics.transmit_beam_width);
 }
 
 reson7k::Settings settings_of(const PingRecord& ping, const Settings& settings) {
     const Acoustics& a = settings.acoustics;
     const Controls& c = ping.controls;
     reson7k::Settings s;
-    s.frequency = to_f32(a.frequency);
+    s.frequency = to_f32(c.frequency);
     s.sample_rate = to_f32(sample_rate(c, settings));
     s.receiver_bandwidth = to_f32(a.receiver.bandwidth);
     s.pulse = to_f32(c.pulse);
@@ -36,14 +50,9 @@ reson7k::Settings settings_of(const PingRecord& ping, const Settings& settings) 
     s.range = to_f32(c.range);
     s.power = to_f32(c.power);
     s.gain = to_f32(c.gain);
-    s.control = control_flags(c);
-    s.tx_width_vertical = to_f32(a.transmit_beam_width);
+    s.control = control_flags(c, settings);
+    s.tx_width_vertical = transmit_width(c, settings);
     s.tx_width_horizontal = to_f32(a.transmit_sector);
-    s.rx_width = to_f32(a.receive_beam_width);
-    put_limits(s, c);
-    s.absorption = to_f32(a.absorption);
-    s.sound_speed = to_f32(settings.sound_speed);
-    s.spreading = to_f32(a.spreading);
     return s;
 }
 
@@ -63,34 +72,36 @@ reson7k::RecordFrame frame_of(const Settings& settings, double unix_time) {
 }
 
 reson7k::SonarSettings make_settings(const PingRecord& ping, const Settings& settings) {
-    return {settings.serial, ping.number, 0, settings_of(ping, settings), 0};
+    const Controls& c = ping.controls;
+    return {settings.serial,
+            ping.number,
+            0,
+            settings_of(ping, settings),
+            receive_width(c, settings),
+            conditions_of(c, settings),
+            0};
 }
 
 reson7k::RemoteSettings make_remote_settings(const PingRecord& ping, const Settings& settings) {
-    return {settings.serial, ping.number, settings_of(ping, settings), Bytes(2)};
+    const Controls& c = ping.controls;
+    reson7k::RemoteExtras extras;
+    extras.ping_state = c.pinging ? 1 : 0;
+    extras.custom_beams = static_cast<std::uint16_t>(settings.beams);
+    extras.coverage = to_f32(settings.swath);
+    extras.gate_tilt = to_f32(c.gate_tilt);
+    extras.applied_frequency = to_f32(c.frequency);
+    return {settings.serial, ping.number, settings_of(ping, settings), conditions_of(c, settings),
+            extras,          {}};
 }
 
-reson7k::Configuration make_configuration(const Settings& settings) {
-    const std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?><Sonar><Frequency>" +
-                            std::to_string(std::lround(settings.acoustics.frequency)) +
-                            "</Frequency><Beams>" + std::to_string(settings.beams) + "</Beams></Sonar>";
-    reson7k::Configuration c;
-    c.serial = c.device_serial = settings.serial;
-    c.device = settings.device;
-    c.description = std::string_view("Reson 7k multibeam, emulated");
-    c.info.assign(xml.begin(), xml.end());
-    c.info.push_back(0);
-    return c;
-}
-
-reson7k::BeamGeometry make_geometry(const Settings& settings) {
+reson7k::BeamGeometry make_geometry(const Controls& controls, const Settings& settings) {
     const auto angles = beam_angles(settings);
     reson7k::BeamGeometry g;
     g.serial = settings.serial;
     g.along.assign(angles.size(), 0.0F);
     g.across.assign(angles.begin(), angles.end());
-    g.width_y.assign(angles.size(), to_f32(settings.acoustics.transmit_beam_width));
-    g.width_x.assign(angles.size(), to_f32(settings.acoustics.receive_beam_width));
+    g.width_y.assign(angles.size(), transmit_width(controls, settings));
+    g.width_x.assign(angles.size(), receive_width(controls, settings));
     return g;
 }
 
@@ -98,7 +109,7 @@ reson7k::RawDetections make_detections(const PingRecord& ping, const Settings& s
                                        const Echogram& echogram) {
     const auto& angles = echogram.shot.bearings;
     std::vector<multibeam::TimeGate> gates;
-    for (const double angle : angles) gates.push_back(bottom_gate(ping.controls, settings, angle));
+    for (const double angle : angles) gates.push_back(bottom_gate(ping.controls, angle));
     const auto found =
         multibeam::detect(echogram, gates, {settings.acoustics.detection_margin, settings.pulse});
     const double rate = sample_rate(ping.controls, settings);

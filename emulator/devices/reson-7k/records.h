@@ -20,8 +20,9 @@ reson7k::RecordFrame frame_of(const Settings& settings, double unix_time);
 reson7k::SonarSettings make_settings(const PingRecord& ping, const Settings& settings);
 /// Ping number 0: on request.
 reson7k::RemoteSettings make_remote_settings(const PingRecord& ping, const Settings& settings);
+/// 7001: what the sonar is and can, as XML.
 reson7k::Configuration make_configuration(const Settings& settings);
-reson7k::BeamGeometry make_geometry(const Settings& settings);
+reson7k::BeamGeometry make_geometry(const Controls& controls, const Settings& settings);
 reson7k::RawDetections make_detections(const PingRecord& ping, const Settings& settings,
                                        const Echogram& echogram);
 reson7k::Image make_image(const PingRecord& ping, const Settings& settings, const Echogram& echogram);

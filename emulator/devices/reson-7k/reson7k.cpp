@@ -166,7 +166,7 @@ Refusal Reson7k::check_request(const RemoteControl& control) const {
 void Reson7k::answer_request(std::uint32_t type, const Peer& to, Time now) {
     const auto frame = frame_of(settings_, unix_time(now));
     if (type == configuration) return send(make_configuration(settings_), frame, to);
-    if (type == reson7k::BeamGeometry::type) return send(make_geometry(settings_), frame, to);
+    if (type == reson7k::BeamGeometry::type) return send(make_geometry(controls_, settings_), frame, to);
     PingRecord current = ping_;
     current.controls = controls_;
     current.number = 0;
@@ -186,7 +186,7 @@ void Reson7k::transmit(Time now) {
     const double since = last_transmission_ ? to_seconds(now - *last_transmission_) : 0;
     last_transmission_ = now;
     ping_ = {controls_, ping_.number + 1, unix_time(now) + controls_.pulse, since};
-    const double due = range_time(controls_, settings_) + settings_.acoustics.processing;
+    const double due = range_time(controls_) + settings_.acoustics.processing;
     actions_.ping = Ping{make_shot(controls_, settings_, ping_.number), now + from_seconds(due)};
 }
 
@@ -212,7 +212,7 @@ void Reson7k::publish(std::uint32_t type, const Echogram& echogram) {
             case reson7k::RemoteSettings::type:
                 return make_remote_settings(ping_, settings_);
             case reson7k::BeamGeometry::type:
-                return make_geometry(settings_);
+                return make_geometry(ping_.controls, settings_);
             case reson7k::RawDetections::type:
                 return make_detections(ping_, settings_, echogram);
             case reson7k::Image::type:

@@ -12,6 +12,8 @@ const char* const choice = "own choice";
 Acoustics read_acoustics(const Profile& p) {
     Acoustics a;
     a.frequency = figure(p, "frequency");
+    a.least_frequency = figure(p, "least_frequency");
+    a.most_frequency = figure(p, "most_frequency");
     a.sample_rate = figure(p, "sample_rate");
     a.receive_beam_width = deg_to_rad(figure(p, "receive_beam_width"));
     a.transmit_beam_width = deg_to_rad(figure(p, "transmit_beam_width"));
@@ -39,7 +41,9 @@ Acoustics read_acoustics(const Profile& p) {
 
 std::vector<FigureRow> head_rows() {
     return {
-        {"frequency", "Hz", "centre frequency", 10e3, 1e6},
+        {"frequency", "Hz", "centre frequency at power-up, at which beam widths are given", 10e3, 1e6},
+        {"least_frequency", "Hz", "that can be set", 10e3, 1e6},
+        {"most_frequency", "Hz", "that can be set", 10e3, 1e6},
         {"sample_rate", "Hz", "of the samples that detections count", 1e3, 1e6},
         {"receive_beam_width", "deg", "of one beam across the track, -3 dB", 0.1, 10},
         {"transmit_beam_width", "deg", "along the track, -3 dB", 0.1, 30},
@@ -101,8 +105,7 @@ std::vector<Option> option_table() {
         flag_row("pinging", true, "pings from power-up on, as after 1100", choice),
         choice_row("command_device", {"own", "any"},
                    "device id that commands must carry; subscriptions and requests may name 7000 too", spec),
-        choice_row(
-            "end_subscriptions", {"1052", "1053"},
+        choice_row("end_subscriptions", {"1052", "1053"},
                    "the command that ends all subscriptions: the command table has 1052, the introduction "
                    "1053 (here: "
                    "without an address)",
@@ -123,12 +126,13 @@ Settings read_settings(const DeviceConfig& config) {
     s.swath = deg_to_rad(number(o, "swath"));
     s.start = read_start(o);
     s.acoustics = read_acoustics(config.profile);
+    s.start.frequency = s.acoustics.frequency;
+    s.start.sound_speed = config.sound_speed;
     s.any_device = text(o, "command_device") == "any";
     s.ends_by_third_party = text(o, "end_subscriptions") == "1053";
     s.packet_gap = number(o, "packet_gap");
     s.tvg = config.effects.has(Effect::tvg);
     s.pulse = config.effects.has(Effect::pulse);
-    s.sound_speed = config.sound_speed;
     s.unix_start = config.unix_start;
     return s;
 }

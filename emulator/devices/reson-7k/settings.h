@@ -15,6 +15,8 @@ struct Controls {
     double power = 210;                                                 ///< 1005, dB re 1 uPa at 1 m
     double pulse = 60e-6;                                               ///< 1006, s
     double gain = 30;                                                   ///< 1008, dB
+    double frequency = 400e3;                                           ///< Hz
+    double sound_speed = 1500;                                          ///< m/s
     bool range_filter = false;                                          ///< 1009, bit 8
     bool depth_filter = false;                                          ///< 1009, bit 9
     double min_range = 0, max_range = 0, min_depth = 0, max_depth = 0;  ///< 1010, m
@@ -22,10 +24,13 @@ struct Controls {
     bool pinging = true;                                                ///< 1100, 1101
 };
 
+inline constexpr double least_rate = 0.1;  ///< Hz that 1004 takes
+
 /// Figures of the profile; angles in rad.
 struct Acoustics {
-    double frequency = 0;    ///< Hz
-    double sample_rate = 0;  ///< Hz
+    double frequency = 0;  ///< Hz, at power-up; beam widths and directivity are given at it
+    double least_frequency = 0, most_frequency = 0;  ///< Hz
+    double sample_rate = 0;                          ///< Hz
     double receive_beam_width = 0, transmit_beam_width = 0, transmit_sector = 0;
     double least_range = 0, most_range = 0;  ///< m
     double least_power = 0, most_power = 0;  ///< dB re 1 uPa at 1 m
@@ -54,7 +59,6 @@ struct Settings {
     double packet_gap = 0;             ///< s between the datagrams of one record
     bool tvg = true;                   ///< the effect of that name
     bool pulse = true;                 ///< the effect of that name: echoes are as long as the pulse
-    double sound_speed = 1500;         ///< m/s, at the head's own sensor: the true one
     double unix_start = 0;             ///< s
 };
 

@@ -34,6 +34,7 @@ TEST(Reson7k, AnswersRequestsBehindTheAcknowledge) {
     EXPECT_EQ(records[1].type(), 7503U);
     EXPECT_EQ(records[1].get<std::uint32_t>(8), 0U) << "no ping";
     EXPECT_FLOAT_EQ(records[1].get<float>(52), 25) << "2 bytes earlier than in 7000";
+    EXPECT_EQ(records[1].bytes.size(), 64U + 260 + 4);
     sonar.say(control(1050, {7001}, 7000));
     records = records_of(sonar.sent());
     ASSERT_EQ(records.size(), 2U);
@@ -129,6 +130,35 @@ TEST(Reson7k, The1053OfTheIntroductionEndsSubscriptionsOnlyWithoutAnAddress) {
     EXPECT_EQ(sonar.answer(control(1053)), 0U);
     for (const Seen& record : sonar.within(500ms)) EXPECT_EQ(record.type(), 7027U) << "its own have ended";
     EXPECT_EQ(sonar.answer(control(1052)), 0x7007U);
+}
+
+/// A host that knows no device asks the centre for its configuration, looks for the device in it and
+/// subscribes there, as the maker's example does.
+TEST(Reson7k, ItsConfigurationTellsAHostWhomToSubscribeTo) {
+    Reson sonar(Options{{"device", std::int64_t{20}}});
+    sonar.say(control(1050, {7001}, 7000));
+    const auto records = records_of(sonar.sent());
+    ASSERT_EQ(records.size(), 2U);
+    const Seen& record = records[1];
+    ASSERT_EQ(record.get<std::uint32_t>(8), 1U) << "devices";
+    const auto size = record.get<std::uint32_t>(12 + 76);
+    ASSERT_EQ(record.bytes.size(), 64U + 12 + 80 + size + 4);
+    const std::string xml(record.bytes.begin() + 64 + 92, record.bytes.end() - 4);
+    ASSERT_EQ(xml.back(), 0);
+    std::size_t at = 0;
+    const auto behind = [&](const std::string& word) {
+        at = xml.find(word, at);
+        EXPECT_NE(at, xml.npos) << word << " in " << xml;
+        return at == xml.npos ? std::string() : xml.substr(at + word.size(), 8);
+    };
+    behind("<Name");
+    EXPECT_EQ(std::stoul(behind("deviceid=\"")), 20U);
+    EXPECT_TRUE(behind("enumerator=\"").starts_with("0\""));
+    behind("<SonarType");
+    EXPECT_TRUE(behind("type=\"").starts_with("0\""));
+    EXPECT_EQ(sonar.answer(control(1051, {2, 7027, 7011}, 20)), 0U);
+    EXPECT_EQ(sonar.next(7027).get<std::uint32_t>(14), 256U);
+    EXPECT_EQ(sonar.next(7011).get<std::uint16_t>(14), 1U) << "byte of a pixel";
 }
 
 TEST(Reson7k, HostsOnTcpHaveSubscriptionsOfTheirOwn) {

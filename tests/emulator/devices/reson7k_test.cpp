@@ -62,6 +62,52 @@ TEST(Reson7k, SettingsChangeTheNextPingAndStandInItsRecord) {
     EXPECT_FLOAT_EQ(settings.get<float>(146), 1500);
 }
 
+TEST(Reson7k, RemoteSettingsHaveFieldsOfTheirOwnBehindTheReceiveFlags) {
+    Reson sonar;
+    sonar.answer(control(1051, {1, 7503}));
+    EXPECT_EQ(sonar.answer(control(1010, {f32(3), f32(31), f32(4), f32(42), f32(0.25)})), 0U);
+    sonar.next(7503);
+    const Seen record = sonar.next(7503);
+    ASSERT_EQ(record.bytes.size(), 64U + 260 + 4);
+    EXPECT_GT(record.get<std::uint32_t>(8), 0U) << "ping";
+    const float expected[] = {3, 31, 4, 42, 110, 1500, 30};  // filter; absorption, sound speed, spreading
+    for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(record.get<float>(120 + 4 * i), expected[i]) << i;
+    EXPECT_EQ(record.get<std::uint8_t>(148), 0U) << "vernier mode";
+    EXPECT_EQ(record.get<std::uint32_t>(174), 1U) << "pings";
+    EXPECT_EQ(record.get<std::uint16_t>(178), 1U) << "equi-angle";
+    EXPECT_EQ(record.get<std::uint16_t>(222), 256U) << "beams";
+    EXPECT_NEAR(record.get<float>(224), 140 * M_PI / 180, 1e-6) << "coverage";
+    EXPECT_EQ(record.get<float>(248), 0.25F) << "tilt of the depth gate";
+    EXPECT_EQ(record.get<float>(252), 400e3F) << "frequency";
+    sonar.answer(control(1101));
+    sonar.say(control(1050, {7503}));
+    EXPECT_EQ(records_of(sonar.sent()).back().get<std::uint32_t>(174), 0U) << "stopped";
+}
+
+TEST(Reson7k, TheGainIsFixedOnlyWithoutTimeVariedGain) {
+    const auto settings = [](bool tvg) {
+        DeviceConfig config = make_config(*find_model("reson-7k"));
+        config.effects.set(Effect::tvg, tvg);
+        Bench sonar(find_model("reson-7k")->make(config));
+        sonar.say(control(1051, {2, 7000, 7503}));
+        sonar.sent();
+        sonar.run_to(100ms);
+        return records_of(sonar.sent());
+    };
+    const auto with = settings(true), without = settings(false);
+    ASSERT_EQ(with.size(), 2U);
+    ASSERT_EQ(without.size(), 2U);
+    for (const std::size_t i : {0U, 1U}) {
+        const std::size_t control_flags = i == 0 ? 66 : 64, absorption = i == 0 ? 142 : 136;
+        EXPECT_EQ(with[i].get<std::uint32_t>(control_flags) >> 10 & 7, 0U) << "time-varied";
+        EXPECT_EQ(with[i].get<float>(absorption), 110);
+        EXPECT_EQ(with[i].get<float>(absorption + 8), 30) << "spreading";
+        EXPECT_EQ(without[i].get<std::uint32_t>(control_flags) >> 10 & 7, 2U) << "fixed";
+        EXPECT_EQ(without[i].get<float>(absorption), 0);
+        EXPECT_EQ(without[i].get<float>(absorption + 8), 0);
+    }
+}
+
 TEST(Reson7k, PingsComeAtTheRateOrAsFastAsSoundGoes) {
     Reson sonar;
     const auto pings_in_10_s = [&](double range, double rate) {
@@ -115,6 +161,31 @@ TEST(Reson7k, TheFilterExcludesWhatLiesOutside) {
     EXPECT_EQ(sonar.answer(control(1009, {0})), 0U);
     sonar.next(7027);
     EXPECT_EQ(sonar.next(7027).get<std::uint32_t>(14), 256U);
+}
+
+TEST(Reson7k, TheDepthFilterIsALayerThatItsTiltTurns) {
+    Reson sonar;  // echoes at 8.7 m of slant range all around: 8.7 m x cos(angle) deep
+    sonar.answer(control(1051, {1, 7027}));
+    const auto found = [&](double least, double most, double tilt) {
+        EXPECT_EQ(sonar.answer(control(1010, {f32(0), f32(50), f32(least), f32(most), f32(tilt)})), 0U);
+        EXPECT_EQ(sonar.answer(control(1009, {1U << 9})), 0U);
+        sonar.next(7027);
+        const Seen record = sonar.next(7027);
+        std::pair<double, double> outer{1e3, -1e3};
+        for (std::uint32_t i = 0; i < record.get<std::uint32_t>(14); ++i) {
+            const double angle = record.get<float>(99 + 34 * i + 6) * 180 / M_PI;
+            outer = {std::min(outer.first, angle), std::max(outer.second, angle)};
+        }
+        return outer;
+    };
+    const double edge = std::acos(6 / 8.705) * 180 / M_PI;  // where they lie 6 m deep
+    const auto level = found(6, 20, 0), tilted = found(6, 20, 0.2);
+    EXPECT_NEAR(level.first, -edge, 1.2);
+    EXPECT_NEAR(level.second, edge, 1.2);
+    // A plane 6 m below that is shallower to starboard by 0.2 rad lies at 6 cos(0.2) / cos(angle - 0.2).
+    const double lean = 0.2 * 180 / M_PI, half = std::acos(6 * std::cos(0.2) / 8.705) * 180 / M_PI;
+    EXPECT_NEAR(tilted.first, lean - half, 1.2);
+    EXPECT_NEAR(tilted.second, lean + half, 1.2);
 }
 
 TEST(Reson7k, ImagesShowTheEchoInItsRow) {
