@@ -64,6 +64,23 @@ Refusal set_mask(const RemoteControl& control, Controls& controls) {
     return std::nullopt;
 }
 
+/// w16 flags, f32 m/s, u8 filter, three bytes. The head has no other sensor whose values the flag of a manual
+/// one could keep out, and manual values are never filtered.
+Refusal set_sound_speed(const RemoteControl& control, Controls& controls) {
+    constexpr std::size_t size = 10;
+    constexpr std::uint16_t keep_speed = 1U << 1, change_filter = 1U << 2;
+    constexpr double slowest = 1250, fastest = 1600;
+    if (control.parameters.size() < size) return ErrorCode::invalid;
+    const auto flags = static_cast<std::uint16_t>(*word_at(control, 0));
+    const std::uint8_t filter = control.parameters[6];
+    if ((flags & change_filter) != 0 && (filter < 1 || filter > 4)) return ErrorCode::out_of_range;
+    if ((flags & keep_speed) != 0) return std::nullopt;
+    const double speed = *number_at(control, 2);
+    if (!(speed >= slowest && speed <= fastest)) return ErrorCode::out_of_range;
+    controls.sound_speed = speed;
+    return std::nullopt;
+}
+
 /// CW is all that this sonar has.
 Refusal set_pulse_type(const RemoteControl& control) {
     const auto type = word_at(control, 0);
@@ -85,6 +102,7 @@ Refusal apply(const RemoteControl& control, const Acoustics& limits, Controls& c
         {command::power, &Controls::power, limits.least_power, limits.most_power},
         {command::pulse, &Controls::pulse, limits.least_pulse, limits.most_pulse},
         {command::gain, &Controls::gain, 0, limits.most_gain},
+        {command::frequency, &Controls::frequency, limits.least_frequency, limits.most_frequency},
     };
     for (const Row& row : rows)
         if (row.command == control.command) return set(control, row, controls);
@@ -95,6 +113,8 @@ Refusal apply(const RemoteControl& control, const Acoustics& limits, Controls& c
             return set_mask(control, controls);
         case command::detection_filter:
             return set_filter(control, controls);
+        case command::sound_speed:
+            return set_sound_speed(control, controls);
         case command::start:
         case command::stop:
             controls.pinging = control.command == command::start;

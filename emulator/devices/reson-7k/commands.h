@@ -13,9 +13,10 @@ using Refusal = std::optional<reson7k::ErrorCode>;  ///< nothing: taken
 
 namespace command {
 inline constexpr std::uint32_t range = 1003, max_rate = 1004, power = 1005, pulse = 1006, pulse_type = 1007,
-                               gain = 1008, detection_mask = 1009, detection_filter = 1010, request = 1050,
-                               subscribe = 1051, end_all = 1052, add_receiver = 1053, delete_receiver = 1054,
-                               subscribe_range = 1055, unsubscribe = 1056, start = 1100, stop = 1101;
+                               gain = 1008, detection_mask = 1009, detection_filter = 1010, frequency = 1026,
+                               request = 1050, subscribe = 1051, end_all = 1052, add_receiver = 1053,
+                               delete_receiver = 1054, subscribe_range = 1055, unsubscribe = 1056,
+                               start = 1100, stop = 1101, sound_speed = 7610;
 }  // namespace command
 
 /// Applies a command that changes settings; a refused one leaves them alone. `unknown_command` for others.

@@ -15,8 +15,8 @@ struct Controls {
     double power = 210;                                                 ///< 1005, dB re 1 uPa at 1 m
     double pulse = 60e-6;                                               ///< 1006, s
     double gain = 30;                                                   ///< 1008, dB
-    double frequency = 400e3;                                           ///< Hz
-    double sound_speed = 1500;                                          ///< m/s
+    double frequency = 400e3;                                           ///< 1026, Hz
+    double sound_speed = 1500;                                          ///< 7610, m/s; before: the true one
     bool range_filter = false;                                          ///< 1009, bit 8
     bool depth_filter = false;                                          ///< 1009, bit 9
     double min_range = 0, max_range = 0, min_depth = 0, max_depth = 0;  ///< 1010, m

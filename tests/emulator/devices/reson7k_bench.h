@@ -41,6 +41,17 @@ inline Bytes control(std::uint32_t command, const std::vector<std::uint32_t>& pa
     put(b, 12, size + 36), put(b, 16, size);
     return b;
 }
+/// The same command with parameters of any size.
+inline Bytes control_of_bytes(std::uint32_t command, const Bytes& parameters) {
+    const std::size_t words = (parameters.size() + 3) / 4;
+    Bytes b = control(command, std::vector<std::uint32_t>(words));
+    b.resize(b.size() - 4 * words - 4);
+    b.insert(b.end(), parameters.begin(), parameters.end());
+    const auto size = static_cast<std::uint32_t>(b.size() + 4 - 36);
+    put(b, 44, size), put(b, 12, size + 36), put(b, 16, size);
+    put(b, b.size(), std::accumulate(b.begin() + 36, b.end(), 0U));
+    return b;
+}
 inline std::uint32_t f32(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
 
 /// A record put together from its packets; offsets are those of the record.

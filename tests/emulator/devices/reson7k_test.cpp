@@ -108,6 +108,65 @@ TEST(Reson7k, TheGainIsFixedOnlyWithoutTimeVariedGain) {
     }
 }
 
+TEST(Reson7k, AnotherFrequencyNarrowsTheBeams) {
+    Reson sonar;
+    sonar.answer(control(1051, {3, 7000, 7503, 7004}));
+    const float width = sonar.next(7000).get<float>(122);
+    EXPECT_EQ(sonar.answer(control(1026, {f32(440e3)})), 0U);
+    sonar.next(7000);
+    const Seen settings = sonar.next(7000);
+    EXPECT_EQ(settings.get<float>(14), 440e3F);
+    EXPECT_NEAR(settings.get<float>(122), width / 1.1, 1e-6);
+    EXPECT_EQ(sonar.next(7503).get<float>(12), 440e3F);
+    EXPECT_NEAR(sonar.next(7004).get<float>(12 + 12 * 256), width / 1.1, 1e-6);
+    const Shot &first = sonar.shots.front(), &last = sonar.shots.back();
+    EXPECT_EQ(last.frequency, 440e3F);
+    EXPECT_NEAR(last.beam_width, first.beam_width / 1.1, 1e-9);
+    EXPECT_NEAR(last.fan_height, first.fan_height / 1.1, 1e-9);
+    EXPECT_NEAR(last.receiver.directivity_index - first.receiver.directivity_index, 20 * std::log10(1.1),
+                1e-9);
+    EXPECT_EQ(sonar.answer(control(1026, {f32(200e3)})), 0x7001U);
+    EXPECT_EQ(sonar.answer(control(1026)), 0x7008U);
+}
+
+/// w16 flags, f32 m/s, u8 filter, three bytes.
+Bytes manual_speed(std::uint16_t flags, double speed, std::uint8_t filter = 0) {
+    Bytes b(10);
+    put(b, 0, flags, 2), put(b, 2, f32(speed)), put(b, 6, filter, 1);
+    return control_of_bytes(7610, b);
+}
+
+TEST(Reson7k, AManualSoundSpeedIsWhatTheHeadReckonsWith) {
+    Reson sonar;  // of the water: 1500
+    sonar.answer(control(1051, {3, 7000, 7503, 7027}));
+    EXPECT_EQ(sonar.answer(control(1010, {f32(8), f32(20), f32(0), f32(50), f32(0)})), 0U);
+    EXPECT_EQ(sonar.answer(control(1009, {1U << 8})), 0U);
+    sonar.next(7027);
+    const Seen before = sonar.next(7027);
+    ASSERT_EQ(before.get<std::uint32_t>(14), 256U) << "at 8.7 m";
+    EXPECT_EQ(sonar.answer(manual_speed(1, 1350)), 0U);
+    sonar.next(7000);
+    EXPECT_EQ(sonar.next(7000).get<float>(146), 1350);
+    EXPECT_EQ(sonar.next(7503).get<float>(140), 1350);
+    const Shot& shot = sonar.shots.back();
+    EXPECT_NEAR(static_cast<double>(shot.bins) * shot.bin_interval, 2 * 50 / 1350.0, 1e-4)
+        << "it waits longer";
+    const Seen slower = sonar.next(7027);
+    ASSERT_EQ(slower.get<std::uint32_t>(14), 0U) << "the same echo is 7.8 m away";
+    EXPECT_EQ(sonar.answer(control(1009, {0})), 0U);
+    sonar.next(7027);
+    const Seen after = sonar.next(7027);
+    ASSERT_EQ(after.get<std::uint32_t>(14), 256U);
+    EXPECT_EQ(after.get<float>(99 + 2), before.get<float>(99 + 2)) << "times are times";
+    EXPECT_EQ(sonar.answer(manual_speed(2, 1)), 0U) << "settings only";
+    EXPECT_EQ(sonar.answer(manual_speed(6, 0, 4)), 0U) << "a filter";
+    sonar.next(7000);
+    EXPECT_EQ(sonar.next(7000).get<float>(146), 1350);
+    EXPECT_EQ(sonar.answer(manual_speed(4, 1450, 9)), 0x7001U) << "no such filter";
+    EXPECT_EQ(sonar.answer(manual_speed(0, 900)), 0x7001U);
+    EXPECT_EQ(sonar.answer(control(7610, {0, 0})), 0x7008U) << "too short";
+}
+
 TEST(Reson7k, PingsComeAtTheRateOrAsFastAsSoundGoes) {
     Reson sonar;
     const auto pings_in_10_s = [&](double range, double rate) {
