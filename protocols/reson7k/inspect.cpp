@@ -54,13 +54,13 @@ bool recognise(wire::ByteView bytes) {
 
 std::vector<wire::Table> tables() {
     using wire::table_of;
-    return {table_of<NetworkFrame>(),   table_of<RecordFrame>(),   table_of<Time7k>(),
-            table_of<SonarSettings>(),  table_of<Settings>(),      table_of<Conditions>(),
-            table_of<Configuration>(),  table_of<BeamGeometry>(),  table_of<Image>(),
-            table_of<Beamformed>(),     table_of<RawDetections>(), table_of<Detection>(),
-            table_of<RemoteControl>(),  table_of<Acknowledge>(),   table_of<NotAcknowledge>(),
-            table_of<RemoteSettings>(), table_of<RemoteExtras>(),  table_of<FileHeader>(),
-            table_of<FileDevice>()};
+    return {table_of<NetworkFrame>(),   table_of<RecordFrame>(),    table_of<Time7k>(),
+            table_of<SonarSettings>(),  table_of<Settings>(),       table_of<Conditions>(),
+            table_of<Configuration>(),  table_of<BeamGeometry>(),   table_of<Image>(),
+            table_of<Beamformed>(),     table_of<RawDetections>(),  table_of<Detection>(),
+            table_of<WaterColumn>(),    table_of<RemoteControl>(),  table_of<Acknowledge>(),
+            table_of<NotAcknowledge>(), table_of<RemoteSettings>(), table_of<RemoteExtras>(),
+            table_of<FileHeader>(),     table_of<FileDevice>()};
 }
 
 }  // namespace echoloop::reson7k

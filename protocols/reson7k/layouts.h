@@ -178,6 +178,25 @@ constexpr auto wire_layout(Tag<RawDetections>) {
         counted(&R::detections, "points", "detections", "", ""));
 }
 
+constexpr auto wire_layout(Tag<WaterColumn>) {
+    using W = WaterColumn;
+    return make_layout<W>(
+        {"WaterColumn", "7042, with every ping: samples of all beams, compressed as command 7042 says"},
+        field(&W::serial, "serial", "", ""), field(&W::ping, "ping", "", ""),
+        field(&W::multi_ping, "multi_ping", "", ""), field(&W::beams, "beams", "", ""),
+        field(&W::samples, "samples", "", "of the range, all of them"),
+        field(&W::compressed_samples, "compressed_samples", "", "of the beam that has most"),
+        field(&W::flags, "flags", "", "bits 4-7: divisor, 8-11: 0 none, 1 middle, 2 peak, 3 mean")
+            .bits(water_column_names),
+        field(&W::first_sample, "first_sample", "", "of each beam"),
+        field(&W::sample_rate, "sample_rate", "Hz", "of those that are left"),
+        field(&W::factor, "factor", "", "of 8-bit amplitudes, if flag 13 is set; else 40"),
+        field(&W::reserved, "reserved", "", ""),
+        rest(&W::data, {}, "data", "",
+             "of each beam: u16 number, u32 samples, samples: u16 amplitude and s16 phase, or the one, or 8 "
+             "bits of each"));
+}
+
 constexpr auto wire_layout(Tag<RemoteControl>) {
     using R = RemoteControl;
     return make_layout<R>({"RemoteControl", "7500, to the sonar: a command"},

@@ -156,6 +156,28 @@ struct RawDetections {  ///< 7027
     friend bool operator==(const RawDetections&, const RawDetections&) = default;
 };
 
+namespace water_column {  // bits of WaterColumn::flags
+inline constexpr std::uint32_t to_bottom = 1, no_phase = 2, in_bytes = 4, absolute_gates = 8;
+inline constexpr std::uint32_t divisor_shift = 4, thinning_shift = 8;
+}  // namespace water_column
+
+struct WaterColumn {  ///< 7042
+    static constexpr std::uint32_t type = 7042;
+    std::uint64_t serial = 0;
+    std::uint32_t ping = 0;
+    std::uint16_t multi_ping = 0;
+    std::uint16_t beams = 0;
+    std::uint32_t samples = 0;             ///< of the range
+    std::uint32_t compressed_samples = 0;  ///< of the longest beam
+    std::uint32_t flags = 0;
+    std::uint32_t first_sample = 0;
+    float sample_rate = 0;  ///< Hz, of the samples that are left
+    float factor = 0;       ///< of 8-bit decibels; 0: 40
+    std::uint32_t reserved = 0;
+    wire::Bytes data;  ///< of each beam: u16 number, u32 samples, samples
+    friend bool operator==(const WaterColumn&, const WaterColumn&) = default;
+};
+
 struct RemoteControl {  ///< 7500
     static constexpr std::uint32_t type = 7500;
     std::uint32_t command = 0;
@@ -215,8 +237,9 @@ struct FileHeader {  ///< 7200
     friend bool operator==(const FileHeader&, const FileHeader&) = default;
 };
 
-using Message = std::variant<SonarSettings, Configuration, BeamGeometry, Image, Beamformed, RawDetections,
-                             RemoteControl, Acknowledge, NotAcknowledge, RemoteSettings, FileHeader>;
+using Message =
+    std::variant<SonarSettings, Configuration, BeamGeometry, Image, Beamformed, RawDetections, WaterColumn,
+                 RemoteControl, Acknowledge, NotAcknowledge, RemoteSettings, FileHeader>;
 
 /// A whole record as it came: frame, content, and checksum aside.
 struct Record {

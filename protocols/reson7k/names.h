@@ -14,6 +14,10 @@ inline constexpr wire::NamedValue error_names[] = {
 inline constexpr wire::NamedValue record_flag_names[] = {{1, "checksum"}, {0x8000, "recorded"}};
 inline constexpr wire::NamedValue control_names[] = {
     {1U << 8, "range filter"}, {1U << 9, "depth filter"}, {1U << 15, "active"}, {1U << 31, "simulator"}};
+inline constexpr wire::NamedValue water_column_names[] = {
+    {1, "to bottom"},           {2, "no phase"},      {4, "in bytes"},
+    {1U << 12, "32 bits"},      {1U << 13, "factor"}, {1U << 14, "segments"},
+    {1U << 15, "receive delay"}};
 inline constexpr wire::NamedValue detection_names[] = {{1, "magnitude"}, {2, "phase"}, {4, "quality type 1"}};
 inline constexpr wire::NamedValue quality_names[] = {{1, "bright"}, {2, "in line"}};
 

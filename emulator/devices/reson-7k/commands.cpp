@@ -81,6 +81,21 @@ Refusal set_sound_speed(const RemoteControl& control, Controls& controls) {
     return std::nullopt;
 }
 
+/// Gates of their own for the record are not there; a divisor that is not used may be anything.
+Refusal set_water_column(const RemoteControl& control, Controls& controls) {
+    namespace bits = reson7k::water_column;
+    constexpr std::uint32_t known = 0xFFF, thinnings = 3, least_divisor = 2;
+    const auto flags = word_at(control, 0);
+    if (!flags) return ErrorCode::invalid;
+    const std::uint32_t thinning = *flags >> bits::thinning_shift,
+                        divisor = *flags >> bits::divisor_shift & 15;
+    if ((*flags & ~known) != 0 || (*flags & bits::absolute_gates) != 0 || thinning > thinnings ||
+        (thinning > 0 && divisor < least_divisor))
+        return ErrorCode::out_of_range;
+    controls.water_column = *flags;
+    return std::nullopt;
+}
+
 /// CW is all that this sonar has.
 Refusal set_pulse_type(const RemoteControl& control) {
     const auto type = word_at(control, 0);
@@ -113,6 +128,8 @@ Refusal apply(const RemoteControl& control, const Acoustics& limits, Controls& c
             return set_mask(control, controls);
         case command::detection_filter:
             return set_filter(control, controls);
+        case command::water_column:
+            return set_water_column(control, controls);
         case command::sound_speed:
             return set_sound_speed(control, controls);
         case command::start:

@@ -16,7 +16,7 @@ inline constexpr std::uint32_t range = 1003, max_rate = 1004, power = 1005, puls
                                gain = 1008, detection_mask = 1009, detection_filter = 1010, frequency = 1026,
                                request = 1050, subscribe = 1051, end_all = 1052, add_receiver = 1053,
                                delete_receiver = 1054, subscribe_range = 1055, unsubscribe = 1056,
-                               start = 1100, stop = 1101, sound_speed = 7610;
+                               start = 1100, stop = 1101, water_column = 7042, sound_speed = 7610;
 }  // namespace command
 
 /// Applies a command that changes settings; a refused one leaves them alone. `unknown_command` for others.

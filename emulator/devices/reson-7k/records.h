@@ -29,4 +29,7 @@ reson7k::Image make_image(const PingRecord& ping, const Settings& settings, cons
 reson7k::Beamformed make_beamformed(const PingRecord& ping, const Settings& settings,
                                     const Echogram& echogram);
 
+reson7k::WaterColumn make_water_column(const PingRecord& ping, const Settings& settings,
+                                       const Echogram& echogram);
+
 }  // namespace echoloop::reson7k_device

@@ -217,8 +217,10 @@ void Reson7k::publish(std::uint32_t type, const Echogram& echogram) {
                 return make_detections(ping_, settings_, echogram);
             case reson7k::Image::type:
                 return make_image(ping_, settings_, echogram);
-            default:
+            case reson7k::Beamformed::type:
                 return make_beamformed(ping_, settings_, echogram);
+            default:
+                return make_water_column(ping_, settings_, echogram);
         }
     };
     const Bytes record = reson7k::encode(make(), frame_of(settings_, ping_.time));

@@ -21,6 +21,7 @@ struct Controls {
     bool depth_filter = false;                                          ///< 1009, bit 9
     double min_range = 0, max_range = 0, min_depth = 0, max_depth = 0;  ///< 1010, m
     double gate_tilt = 0;                                               ///< 1010, rad, positive to starboard
+    std::uint32_t water_column = 0;                                     ///< 7042, flags of that record
     bool pinging = true;                                                ///< 1100, 1101
 };
 

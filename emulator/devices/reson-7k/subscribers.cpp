@@ -10,7 +10,7 @@ constexpr std::size_t most_peers = 24;  // 8 by TCP, and 16
 }  // namespace
 
 std::span<const std::uint32_t> ping_records() {
-    static constexpr std::uint32_t types[] = {7000, 7503, 7004, 7027, 7011, 7018};
+    static constexpr std::uint32_t types[] = {7000, 7503, 7004, 7027, 7011, 7018, 7042};
     return types;
 }
 
