@@ -28,6 +28,14 @@ std::string line(std::string_view name, const std::string& value) {
     return std::string(name) + ": " + value + '\n';
 }
 
+/// A reader that finds no processing unit takes the whole text for broken. The names are a real one's, the
+/// values ours.
+std::string processing_unit(const Settings& s) {
+    return "PU_0,\nSN=" + std::to_string(s.sounder) +
+           ",\nIP=127.0.0.1:0xff000000,\nUDP=1997,\nTYPE=ECHOLOOP,\n" +
+           "VERSIONS:,\nCPU:1.0,\nVERSIONS-END,\nSERIALno:\nTX:1,\nRX:1,\nSERIALno-END,\n";
+}
+
 }  // namespace
 
 kmall::Parameters make_installation(kmall::Header header, const Settings& s, double water_level) {
@@ -35,11 +43,11 @@ kmall::Parameters make_installation(kmall::Header header, const Settings& s, dou
     const std::string model = std::to_string(s.sounder), nowhere = "X=0.000;Y=0.000;Z=0.000;",
                       level = "R=0.000;P=0.000;H=0.000";
     const std::string text =
-        "OSCV:Empty,EMXV:EM" + model + ",\nSYSTEM:EM " + model + " - Single Tx single Rx,TRAI_TX1:N=1;" +
-        nowhere + level + ";S=" + number_text("%.1f", rad_to_deg(s.transmit_beam_width)) + ",TRAI_RX1:N=1;" +
-        nowhere + level + ",POSI_1:" + nowhere +
-        "D=0.000;G=WGS84;T=System;C=On;U=ACTIVE,POSI_2:U=NOT_SET,POSI_3:U=NOT_SET," + "ATTI_1:" + nowhere +
-        level + ";D=0.000;M=Horizontal;U=ACTIVE,ATTI_2:U=NOT_SET,DPHI:U=NOT_SET," +
+        "OSCV:Empty,EMXV:EM" + model + ",\n" + processing_unit(s) + "SYSTEM:EM " + model +
+        " - Single Tx single Rx,TRAI_TX1:N=1;" + nowhere + level +
+        ";S=" + number_text("%.1f", rad_to_deg(s.transmit_beam_width)) + ",TRAI_RX1:N=1;" + nowhere + level +
+        ",POSI_1:" + nowhere + "D=0.000;G=WGS84;T=System;C=On;U=ACTIVE,POSI_2:U=NOT_SET,POSI_3:U=NOT_SET," +
+        "ATTI_1:" + nowhere + level + ";D=0.000;M=Horizontal;U=ACTIVE,ATTI_2:U=NOT_SET,DPHI:U=NOT_SET," +
         "EMXI:SWLZ=" + number_text("%.3f", water_level) + ",\n";
     return {header, {}, padded(text)};
 }

@@ -1,0 +1,126 @@
+"""themachinethatgoesping, a public package that evaluates Kongsberg's files, reads the datagrams of a KMALL multibeam as
+they come from the wire: the floor of the scene is where it says, and what the controller is told shows in the next ones."""
+
+import socket
+import struct
+import time
+import unittest
+
+from public_driver import ROOT, use
+
+use("kmall", "themachinethatgoesping")
+
+import sys
+
+sys.path.insert(0, str(ROOT / "tests" / "hosts"))
+
+import kmall_wire
+import numpy as np
+from ports import free_port
+from program import Emulator
+from themachinethatgoesping.echosounders_nanopy.kmall import datagrams as public
+
+SCENARIO = """
+scene: "{scenes}/flat.glb"
+seed: 5
+water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
+vehicle: {pose: {position: [0, 0, -12], rpy_deg: [0, 0, 0]}}
+devices:
+  - name: multibeam
+    model: kongsberg-kmall
+    mount: {rpy_deg: [0, 90, 0]}
+    endpoints: ["udp-listen://127.0.0.1:%d", "udp://127.0.0.1:%d"]
+    options: {range: 25, water_column: true, latitude: 59.4, longitude: 10.5}
+"""
+
+
+def in_one(head, parts):
+    """The parts of a ping's #MWC as one datagram, as they stand in a file once they are joined."""
+    body = b"".join(part[kmall_wire.COMMON : -4] for part in parts)
+    size = kmall_wire.COMMON + len(body) + 4
+    return struct.pack("<I", size) + head[4:20] + struct.pack("<HH", 1, 1) + body + struct.pack("<I", size)
+
+
+class TheMachineThatGoesPing(unittest.TestCase):
+    def setUp(self):
+        self.commands = free_port(8)
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.addCleanup(self.socket.close)
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
+        self.socket.bind(("127.0.0.1", 0))
+        emulator = Emulator(SCENARIO % (self.commands, self.socket.getsockname()[1]))
+        self.addCleanup(emulator.__exit__, None, None, None)
+        emulator.__enter__()
+
+    def say(self, text):
+        self.socket.sendto(text.encode(), ("127.0.0.1", self.commands))
+
+    def next(self, kind, seconds=20):
+        """The next datagram of a kind, its parts joined, as bytes."""
+        end, parts = time.monotonic() + seconds, []
+        while True:
+            self.socket.settimeout(max(0.01, end - time.monotonic()))
+            datagram = self.socket.recv(65536)
+            head = kmall_wire.header(datagram)
+            if head["kind"] != kind:
+                continue
+            if not kind.startswith("#M"):
+                return datagram  # these have no parts
+            if head["part"] == 1:
+                parts.clear()
+            parts.append(datagram)
+            if len(parts) == head["parts"]:
+                return in_one(parts[0], parts) if len(parts) > 1 else datagram
+
+    def range_and_depth(self):
+        return public.MRangeAndDepth.from_binary(self.next("#MRZ"))
+
+    def test_soundings_lie_on_the_floor(self):
+        ping = self.range_and_depth()
+        angle = np.asarray(ping.soundings.get_beam_angle_re_rx_deg_tensor())
+        depth = np.asarray(ping.soundings.get_z_re_ref_point_m_tensor())
+        across = np.asarray(ping.soundings.get_y_re_ref_point_m_tensor())
+        travel = np.asarray(ping.soundings.get_two_way_travel_time_sec_tensor())
+        self.assertEqual(ping.soundings.get_number_of_soundings(), 400)
+        self.assertLess(np.abs(depth / 8 - 1).max(), 0.005)
+        self.assertLess(np.abs(travel * 750 * np.cos(np.radians(angle)) / 8 - 1).max(), 0.005)
+        self.assertLess(np.abs(across + depth * np.tan(np.radians(angle))).max(), 0.02, "starboard is positive")
+        self.assertTrue((np.asarray(ping.soundings.get_detection_type_tensor()) == 0).all(), "a bottom at every beam")
+        info = ping.ping_info
+        self.assertAlmostEqual(info.get_latitude_deg(), 59.4, delta=1e-9)
+        self.assertAlmostEqual(info.get_tx_transducer_depth_m(), 12, delta=1e-3)
+        self.assertEqual(info.get_sound_speed_at_tx_depth_m_per_sec(), 1500)
+        self.assertEqual(info.get_frequency_mode_hz(), 300e3)
+
+    def test_the_water_column_has_its_bottom_at_the_samples_it_names(self):
+        column = public.MWaterColumn.from_binary(self.next("#MWC"))
+        beams, rate = column.beam_data, column.rx_info.get_sample_freq_hz()
+        self.assertEqual(beams.get_number_of_beams(), 400)
+        angle = np.asarray(beams.get_beam_pointing_angle_re_vertical_deg_tensor())
+        bottom = np.asarray(beams.get_detected_range_in_samples_high_resolution_tensor())
+        depth = bottom / rate * column.rx_info.get_sound_velocity_m_per_sec() / 2 * np.cos(np.radians(angle))
+        self.assertLess(np.abs(depth / 8 - 1).max(), 0.01)
+
+    def test_installation_and_runtime_tell_what_was_set(self):
+        self.say("$KSSIS,262,EM2040_40,RUNT_PARAM_PU_ANGLE_PORT_RX1=45,RUNT_PARAM_PU_BEAM_SPACING=Equidistance")
+        while True:
+            ping = self.range_and_depth()
+            if ping.ping_info.get_port_sector_edge_deg() == 45:
+                break
+        self.assertAlmostEqual(float(np.asarray(ping.soundings.get_beam_angle_re_rx_deg_tensor())[0]), 45, delta=0.01)
+        self.say("$KSSIS,454,EM2040_40")
+        installation = public.IInstallationParam.from_binary(self.next("#IIP"))
+        self.assertEqual(installation.get_system_name(), "EM2040")
+        self.assertEqual(installation.get_available_transducer_keys(), ["TRAI_TX1", "TRAI_RX1"])
+        self.assertEqual(installation.get_active_position_system_number(), 1)
+        self.assertAlmostEqual(installation.get_water_line_vertical_location_in_meters(), -12, delta=1e-3)
+        self.assertEqual(installation.get_pu_serial_number(), 2040)
+        runtime = public.IOpRuntime.from_binary(self.next("#IOP")).get_runtime_txt_decoded()
+        self.assertEqual(runtime["Sector coverage|Max angle Port"], "45.0")
+        self.assertEqual(runtime["Sector coverage|Beam spacing"], "Equidistance")
+        profile = public.SSoundVelocityProfile.from_binary(self.next("#SVP"))
+        self.assertEqual(list(np.asarray(profile.get_svp_sound_velocities())), [1500, 1500])
+
+
+if __name__ == "__main__":
+    unittest.main()
