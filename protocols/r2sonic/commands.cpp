@@ -18,7 +18,7 @@ constexpr CommandInfo table[] = {
     {"DGA0", true, "m", "depth gate min, 0..1200"},
     {"DGB0", true, "m", "depth gate max, 0..1200"},
     {"DGO0", false, "", "0 off, 1 manual, 0xww02 auto, 0xww03 auto + slope, ww % of depth"},
-    {"DGS0", true, "rad", "depth gate slope; degrees towards the GUI"},
+    {"DGS0", true, "rad", "depth gate slope, positive: deeper to starboard; degrees towards the GUI"},
     {"DHM0", false, "", "0 single, 1/2 master, 3/4 slave"},
     {"DYNA", false, "", "0xaabbbccc simulated bottom"},
     {"FIL0", false, "", "0 single, 1 double, 2 quad fill"},

@@ -72,7 +72,7 @@ constexpr auto wire_layout(Tag<I1>) {
 constexpr auto wire_layout(Tag<G0>) {
     return make_layout<G0>(section_of("G0", "depth gate"), field(&G0::gate_min, "gate_min", "s", "two-way"),
                            field(&G0::gate_max, "gate_max", "s", "two-way"),
-                           field(&G0::slope, "slope", "rad", ""));
+                           field(&G0::slope, "slope", "rad", "positive: deeper to starboard"));
 }
 
 constexpr auto wire_layout(Tag<Gate>) {

@@ -93,7 +93,7 @@ struct I1 {
 struct G0 {
     float gate_min = 0;  ///< s, two-way
     float gate_max = 0;  ///< s, two-way
-    float slope = 0;     ///< rad
+    float slope = 0;     ///< rad, positive: deeper to starboard
 
     friend bool operator==(const G0&, const G0&) = default;
 };

@@ -58,7 +58,7 @@ struct Controls {
     double projector_z = 0.119;       ///< PRZ0, m
     double gate_min = 5.28;           ///< DGA0, m of depth
     double gate_max = 8.80;           ///< DGB0, m of depth
-    double gate_slope = 0;            ///< DGS0, rad
+    double gate_slope = 0;            ///< DGS0, rad, positive: deeper to starboard
     std::uint32_t gate_mode = 0;   ///< DGO0: 0 off, 1 manual, 0xww02 and 0xww03 automatic, ww % of the depth
     double range_gate_min = 0;     ///< RGA0, m
     double range_gate_max = 999;   ///< RGB0, m

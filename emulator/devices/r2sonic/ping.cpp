@@ -110,7 +110,7 @@ double steering(const Controls& controls, double pitch) {
 multibeam::Gates bottom_gates(const Controls& c, const Seabed& last) {
     multibeam::Gates gates;
     const std::uint32_t mode = c.gate_mode & 0xFF;
-    if (mode == 1) gates.depth = {c.gate_min, c.gate_max, c.gate_slope};
+    if (mode == 1) gates.depth = {c.gate_min, c.gate_max, -c.gate_slope};
     if ((mode == 2 || mode == 3) && last.depth > 0) {
         const double part = std::clamp<double>(c.gate_mode >> 8, 5, 90) / 100;
         gates.depth = {last.depth * (1 - part), last.depth * (1 + part), mode == 3 ? last.slope : 0};

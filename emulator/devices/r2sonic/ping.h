@@ -53,7 +53,8 @@ struct Seabed {
     double depth = 0;  ///< m, 0: unknown
     double slope = 0;  ///< rad, positive where it is shallower to starboard
 };
-/// Depth and range gates as set; `last` serves the automatic gates.
+/// Depth and range gates as set; `last` serves the automatic gates. DGS0 and G0 tell their slope with the
+/// other sign, positive where it is deeper to starboard.
 multibeam::Gates bottom_gates(const Controls& controls, const Seabed& last);
 
 Shot make_shot(const Controls& controls, const Settings& settings, const Beams& beams, double pitch,

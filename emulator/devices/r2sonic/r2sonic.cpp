@@ -130,7 +130,7 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
     const auto axis_gate = multibeam::time_gate(set, 0, c, window);
     seabed_ = {multibeam::median_depth(detections, angles, c), multibeam::median_slope(detections, angles)};
     const r2sonic::G0 gate{static_cast<float>(axis_gate.min), static_cast<float>(axis_gate.max),
-                           static_cast<float>(set.depth ? set.depth->slope : 0)};
+                           static_cast<float>(set.depth ? 0 - set.depth->slope : 0)};  // never -0
     send(head_commands, make_bth0(ping_, settings_, detections, gates, gate), Product::bathymetry);
     send_products(echogram, detections, axis_gate, now);
     if (controls_.auto_range & 0x10000) follow_bottom(detections);

@@ -1,23 +1,11 @@
-// What a Sonic makes of each command's value: its bounds, where the next ping says it, and what gates
-// exclude.
+// What a Sonic makes of each command's value: its bounds and where the next ping says it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/emulator/devices/r2sonic_bench.h"
-#include "tests/emulator/devices/seabed_echo.h"
 
 namespace echoloop::test {
 namespace {
-
-/// The next ping's shot and BTH0, its echo that of `bottom`.
-std::pair<Shot, Bytes> ping_over(Bench& bench, const Bottom& bottom) {
-    while (!bench.ping) bench.run_to(bench.now + 1ms);
-    const Ping done = *std::exchange(bench.ping, {});
-    auto actions = bench.device().heard(bottom_echo(done.shot, bottom, {}), done.due);
-    bench.now = done.due;
-    bench.wake = *actions.wake;
-    return {done.shot, named(actions.send, "BTH0").at(0).bytes};
-}
 
 struct Bounds {
     const char* name;
@@ -90,54 +78,6 @@ TEST(R2SonicCommands, OfProjectorAndReceiverChangeTheShot) {
     const Shot tilted = ping({command("RET0", 0.2F), command("TXS0", 0.1F)}).first;
     EXPECT_NEAR(tilted.tilt, 0.3, 1e-6);
     EXPECT_EQ(plain.tilt, 0);
-}
-
-TEST(R2SonicGates, OfRangeExcludeWhatLiesOutside) {
-    Bench bench = head({{"range", 40.0}});
-    bench.run_to(1ms);
-    const auto found = [&] {
-        ping_over(bench, flat(10));  // the one under way
-        const Bytes b = ping_over(bench, flat(10)).second;
-        std::size_t good = 0;
-        for (std::size_t n = 0; n < 256; ++n) good += u16(b, 136 + 2 * n) != 0;
-        return good;
-    };
-    EXPECT_EQ(found(), 256U);
-    for (const auto& [what, value] : {std::pair{"RGA0", 5.0F}, {"RGB0", 14.0F}})
-        bench.say(command(what, value));
-    EXPECT_EQ(found(), 256U) << "not switched on";
-    bench.say(command("RGO0", std::uint32_t{1}));
-    const std::size_t within = found();  // 14 m are 44 deg off the axis
-    EXPECT_NEAR(static_cast<double>(within), 256 * 44.4 / 60, 10);
-    bench.say(command("RGB0", 9.0F));
-    EXPECT_EQ(found(), 0U);
-}
-
-TEST(R2SonicGates, OfTheirOwnFollowTheDepthAndIfToldToTheSlope) {
-    for (const double slope : {0.0, 25.0, -25.0})
-        for (const std::uint32_t mode : {0x1402U, 0x1403U}) {  // 20 % of the depth
-            Bench bench = head({{"range", 40.0}, {"sector_width", 100.0}});
-            bench.say(command("DGO0", mode));
-            bench.run_to(1ms);
-            const Bottom bottom = sloping(10, deg_to_rad(slope));
-            ping_over(bench, bottom);  // the one under way
-            ping_over(bench, bottom);  // finds the bottom
-            const Bytes b = ping_over(bench, bottom).second;
-            EXPECT_NEAR(f32(b, in_g0 + 4), 0.8 * 2 * 10 / 1500, 6e-4) << slope;
-            EXPECT_NEAR(f32(b, in_g0 + 8), 1.2 * 2 * 10 / 1500, 6e-4) << slope;
-            const bool follows = mode == 0x1403;
-            EXPECT_NEAR(rad_to_deg(f32(b, in_g0 + 12)), follows ? slope : 0, 1);
-            std::size_t good = 0;
-            for (std::size_t n = 0; n < 256; ++n) {
-                const double angle = deg_to_rad(-50 + 100.0 * static_cast<double>(n) / 255);
-                const double time = u16(b, 136 + 2 * n) * static_cast<double>(f32(b, 132));
-                good += std::abs(time - 2 * bottom(angle) / 1500) < 0.01 * time;
-            }
-            if (follows || slope == 0)
-                EXPECT_GT(good, 250U) << slope << ' ' << mode;
-            else
-                EXPECT_LT(good, 200U) << "a level gate loses a slope";
-        }
 }
 
 }  // namespace

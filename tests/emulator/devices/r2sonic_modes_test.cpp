@@ -231,21 +231,6 @@ TEST(R2SonicAddresses, AnotherAddressForTheHeadItselfIsNotTakenOver) {
     EXPECT_EQ(config_id(), 99u);
 }
 
-TEST(R2SonicGates, VerboseOnesStandBehindTheOthersForEveryPoint) {
-    Bench bench = head({{"range", 15.0}, {"verbose_gates", true}});
-    for (const auto& [what, value] : {std::pair{"DGA0", 8.0F}, {"DGB0", 12.0F}})
-        bench.say(command(what, value));
-    bench.say(command("DGO0", std::uint32_t{1}));
-    bench.run_to(100ms);
-    const Bytes b = named(bench.sent(), "BTH0").back().bytes;
-    const std::size_t g0 = 648 + 36, g1 = g0 + 16;
-    EXPECT_EQ(name(b, g0, 2) + name(b, g1, 2) + name(b, g1 + 520, 2), "G0G1Q0");
-    const double scale = f32(b, g1 + 4);
-    EXPECT_NEAR(b.at(g1 + 8 + 2 * 128) * scale, 2 * 8 / 1500.0, scale);
-    EXPECT_NEAR(b.at(g1 + 9 + 2 * 128) * scale, 2 * 12 / 1500.0, scale);
-    EXPECT_NEAR(b.at(g1 + 9) * scale, 2 * 12 / 1500.0 / std::cos(deg_to_rad(60)), scale) << "60 deg to port";
-}
-
 TEST(R2SonicQuality, TellsOfTestsUnlessTheOptionSaysOtherwise) {
     for (const auto& [word, stray, plain] :
          {std::tuple{"tests", 5u, 7u}, {"set", 7u, 7u}, {"clear", 4u, 4u}}) {
