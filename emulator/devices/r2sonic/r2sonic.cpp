@@ -15,6 +15,8 @@ constexpr Time processing = 2ms;  // from the last sample to the datagram
 constexpr Time status_period = 1s;
 constexpr Time sync_delay = 10ms;  // from the edge to the middle of the pulse, manual on SYI0
 
+bool follows_bottom(const Controls& controls) { return (controls.auto_range & 0x10000) != 0; }
+
 }  // namespace
 
 R2Sonic::R2Sonic(const Settings& settings, const Wiring& wiring)
@@ -52,11 +54,21 @@ void R2Sonic::obey(const r2sonic::Packet& packet, const Received& data, Time now
 }
 
 void R2Sonic::obey_head(const r2sonic::Cmd0& set) {
+    const double range = controls_.range;
     for (const r2sonic::Command& command : set.commands) {
         const Applied applied = apply(controls_, command, *settings_.variant);
         if (applied == Applied::ping && controls_.trigger == 2) ping_asked_ = true;
         if (applied == Applied::refused) ++counters_.rejected;
     }
+    // Programs send RNG0 again and again: only another value starts from there.
+    if (!follows_bottom(controls_) || controls_.range != range) followed_range_.reset();
+}
+
+/// The controls that the next ping has.
+Controls R2Sonic::controls_in_use() const {
+    Controls in_use = controls_;
+    in_use.range = followed_range_.value_or(controls_.range);
+    return in_use;
 }
 
 void R2Sonic::obey_sim(const r2sonic::Cmd0& set) {
@@ -73,6 +85,7 @@ void R2Sonic::switch_head(bool on) {
     if (on == head_on_) return;
     head_on_ = on;
     controls_ = settings_.start;
+    followed_range_.reset();
     ping_ = {};
     ping_under_way_ = ping_asked_ = false;
     last_transmission_.reset();
@@ -91,7 +104,7 @@ Time R2Sonic::next_sync(Time from) const {
 void R2Sonic::plan_next_ping(Time now) {
     next_ping_ = Time::max();
     if (!head_on_ || (controls_.trigger == 2 && !ping_asked_)) return;
-    const Time period = from_seconds(ping_period(controls_, settings_));
+    const Time period = from_seconds(ping_period(controls_in_use(), settings_));
     const Time earliest = std::max(now, last_transmission_ ? *last_transmission_ + period : now);
     next_ping_ = controls_.trigger == 1 ? next_sync(earliest) : earliest;
 }
@@ -101,8 +114,9 @@ void R2Sonic::transmit(Time now) {
     ping_asked_ = false;
     ping_under_way_ = true;
     ping_.period = last_transmission_ ? to_seconds(now - *last_transmission_) : 0;
-    ping_.controls = controls_;
-    if (settings_.mode_sets > 0) ping_.controls = with_set(controls_, ping_.number % settings_.mode_sets);
+    ping_.controls = controls_in_use();
+    if (settings_.mode_sets > 0)
+        ping_.controls = with_set(ping_.controls, ping_.number % settings_.mode_sets);
     ping_.time = unix_time(now);
     ping_.attitude = attitude_;
     ++ping_.number;
@@ -133,24 +147,25 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
                            static_cast<float>(set.depth ? 0 - set.depth->slope : 0)};  // never -0
     send(head_commands, make_bth0(ping_, settings_, detections, gates, gate), Product::bathymetry);
     send_products(echogram, detections, axis_gate, now);
-    if (controls_.auto_range & 0x10000) follow_bottom(detections);
+    if (follows_bottom(controls_)) follow_bottom(detections);
     plan_next_ping(now);
     return take_actions();
 }
 
 /// Keeps the farthest of the points, but for stray ones, within the range; without a bottom it looks farther.
 void R2Sonic::follow_bottom(const std::vector<multibeam::Detection>& detections) {
+    const double in_use = controls_in_use().range;
+    if (ping_.controls.range != in_use) return;  // another one was commanded meanwhile
     std::vector<double> times;
     for (const auto& d : detections)
         if (d.found()) times.push_back(d.time);
-    double range = 2 * controls_.range;
+    double range = 2 * in_use;
     if (times.size() > detections.size() / 4) {
         const auto farthest = times.begin() + static_cast<std::ptrdiff_t>(times.size() * 49 / 50);
         std::nth_element(times.begin(), farthest, times.end());
         range = 1.2 * *farthest * working_sound_speed(controls_, settings_) / 2;
     }
-    if (std::abs(range - controls_.range) > 0.05 * controls_.range)
-        controls_.range = std::clamp(range, 2.0, 1200.0);
+    if (std::abs(range - in_use) > 0.05 * in_use) followed_range_ = std::clamp(range, 2.0, 1200.0);
 }
 
 /// Spread over time, since receivers lose bursts, but never beyond the next ping.

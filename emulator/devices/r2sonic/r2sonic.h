@@ -27,6 +27,7 @@ class R2Sonic final : public Device {
     void obey_head(const r2sonic::Cmd0& commands);
     void obey_sim(const r2sonic::Cmd0& commands);
     void switch_head(bool on);
+    Controls controls_in_use() const;
     void plan_next_ping(Time now);
     Time next_sync(Time from) const;
     void transmit(Time now);
@@ -41,10 +42,11 @@ class R2Sonic final : public Device {
     Settings settings_;
     Network network_;
     Controls controls_;
-    bool head_on_ = true;           ///< SPO0
-    std::uint32_t sync_edge_;       ///< SYI0: 0 off, 1 rising, 2 falling
-    std::uint32_t sim_status_ = 2;  ///< STM0 of the SIM
-    PingRecord ping_;               ///< the ping under way, or the last one
+    std::optional<double> followed_range_;  ///< m, in the place of RNG0 while AUT0 is set
+    bool head_on_ = true;                   ///< SPO0
+    std::uint32_t sync_edge_;               ///< SYI0: 0 off, 1 rising, 2 falling
+    std::uint32_t sim_status_ = 2;          ///< STM0 of the SIM
+    PingRecord ping_;                       ///< the ping under way, or the last one
     bool ping_under_way_ = false;
     bool ping_asked_ = false;  ///< PNG0 came
     std::optional<Time> last_transmission_;

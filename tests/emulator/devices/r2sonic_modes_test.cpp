@@ -140,16 +140,28 @@ TEST(R2SonicStabilisation, TurnsTheSectorAgainstTheRollAndTheFanAgainstThePitch)
     EXPECT_EQ(f32(plain, 648 + 12), 0.0F);
 }
 
-TEST(R2SonicAutoRange, FollowsTheBottom) {
+TEST(R2SonicAutoRange, FollowsTheBottomWhateverIsSentAgainUntilItIsSwitchedOff) {
     Bench bench = head({{"range", 40.0}, {"trigger", std::string("command")}});
-    bench.say(command("AUT0", 0x10000u));
     bench.echo_bin = static_cast<std::size_t>(2 * 20.0 / 1500 * 65280);  // 20 m in every beam
     bench.echo_power = 1e12F;
-    bench.say(command("TRG0", std::uint32_t{0}));
-    bench.run_to(1s);
-    const auto sent = named(bench.sent(), "BTH0");
-    EXPECT_FLOAT_EQ(f32(sent.front().bytes, 12 + 88), 40.0F);
-    EXPECT_NEAR(f32(sent.back().bytes, 12 + 88), 24, 0.5) << "a fifth more than the farthest point";
+    const auto ranges = [&](std::initializer_list<Bytes> commands) {
+        for (const Bytes& one : commands) bench.say(one);
+        bench.run_to(bench.now + 1s);
+        std::vector<float> told;
+        for (const Send& s : named(bench.sent(), "BTH0")) told.push_back(f32(s.bytes, 12 + 88));
+        return told;
+    };
+    const Bytes follow = command("AUT0", 0x10000u), range = command("RNG0", 40.0F);
+    const auto first = ranges({follow, command("TRG0", std::uint32_t{0})});
+    EXPECT_FLOAT_EQ(first.front(), 40.0F);
+    EXPECT_NEAR(first.back(), 24, 0.5) << "a fifth more than the farthest point";
+    for (int again = 0; again < 3; ++again)
+        EXPECT_THAT(ranges({follow, range}), testing::Each(testing::FloatNear(24, 0.5F)));
+    while (!bench.ping) bench.run_to(bench.now + 1ms);  // a ping of 24 m is under way
+    const auto other = ranges({follow, command("RNG0", 30.0F)});
+    EXPECT_THAT(other, testing::Contains(30.0F)) << "starts again from what is commanded anew";
+    EXPECT_NEAR(other.back(), 24, 0.5);
+    EXPECT_FLOAT_EQ(ranges({command("AUT0", 0u)}).back(), 30.0F);
 }
 
 TEST(R2SonicSim, SwitchesTheHeadOffAndOn) {
