@@ -47,19 +47,19 @@ std::vector<float> image_gain(const Compression& c, const std::vector<float>& ga
 }
 
 Plane make_plane(const PingRecord& ping, const Settings& settings, const Echogram& echogram,
-                 const Compression& c) {
+                 const std::vector<std::size_t>& shown, const Compression& c) {
     const auto fine = gain_curve(ping.controls, settings, echogram, settings.acoustics.image_reference,
                                  ping.controls.image_brightness);
     const auto gain = image_gain(c, fine);
     Plane plane;
-    plane.make(echogram.beams(), c.bins, 1);
+    plane.make(shown.size(), c.bins, 1);
     std::vector<float> row(c.bins);
     const bool paper = echogram.rule == EchoRule::cerqueira2016;
     for (std::size_t beam = 0; beam < plane.beams; ++beam) {
         if (c.echogram_bins == 1)
-            amplitudes(echogram, beam, gain, row.data());
+            amplitudes(echogram, shown[beam], gain, row.data());
         else
-            compress(c, paper, echogram.beam(beam).data(), gain.data(), row.data());
+            compress(c, paper, echogram.beam(shown[beam]).data(), gain.data(), row.data());
         quantise(row.data(), c.bins, plane.row(beam));
     }
     return plane;
@@ -82,11 +82,11 @@ std::vector<Bytes> image_datagrams(const PingRecord& ping, const Settings& setti
                                    const Echogram& echogram) {
     if (ping.controls.image_height == 0) return {};
     const Compression c = plan(ping.controls.image_height, echogram.shot.bins);
-    const Plane plane = make_plane(ping, settings, echogram, c);
+    const auto shown = shown_beams(echogram.beams());
+    const Plane plane = make_plane(ping, settings, echogram, shown, c);
     r2sonic::Aid0Head head;
     head.h0 = make_h0(ping, settings);
-    head.a1.more = more_of(ping.beams);
-    head.a1.angle.assign(ping.beams.angles.begin(), ping.beams.angles.end());
+    head.a1 = make_a1(ping, shown);
     std::vector<Bytes> datagrams{r2sonic::serialise(head)};
     r2sonic::Aid0Data form;
     form.m0.ping_number = ping.number;

@@ -89,6 +89,21 @@ r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings, const Echo
     return h;
 }
 
+std::vector<std::size_t> shown_beams(std::size_t beams) {
+    constexpr std::size_t most = 256;
+    std::vector<std::size_t> shown(std::min(beams, most));
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        shown[i] = beams <= most ? i : (i * (beams - 1) + (most - 1) / 2) / (most - 1);
+    return shown;
+}
+
+r2sonic::A1 make_a1(const PingRecord& ping, const std::vector<std::size_t>& shown) {
+    r2sonic::A1 section;
+    section.more = more_of(ping.beams);
+    for (const std::size_t beam : shown) section.angle.push_back(static_cast<float>(ping.beams.angles[beam]));
+    return section;
+}
+
 r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
                         const std::vector<Detection>& detections,
                         const std::vector<multibeam::TimeGate>& gates, const r2sonic::G0& gate) {

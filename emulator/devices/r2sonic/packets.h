@@ -28,7 +28,14 @@ r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
                         const std::vector<multibeam::Detection>& detections,
                         const std::vector<multibeam::TimeGate>& gates, const r2sonic::G0& gate);
 
-/// AID0: the first datagram, then the sections with all beams and ascending bins. Empty without an image.
+/// The beams that image and water column show, of as many as the bottom has points: all of 256, and of more
+/// 256 evenly from the first to the last.
+std::vector<std::size_t> shown_beams(std::size_t beams);
+/// Their angles.
+r2sonic::A1 make_a1(const PingRecord& ping, const std::vector<std::size_t>& shown);
+
+/// AID0: the first datagram, then the sections with all beams that are shown and ascending bins. Empty
+/// without an image.
 std::vector<Bytes> image_datagrams(const PingRecord& ping, const Settings& settings,
                                    const Echogram& echogram);
 

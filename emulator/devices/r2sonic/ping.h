@@ -20,7 +20,7 @@ struct Attitude {
 };
 Attitude attitude_of(const Pose& world_from_sonar);
 
-/// Points of a ping: 256, or 1024 in ultra-high density.
+/// Beams of a ping, one a point: 256, or 1024 in ultra-high density.
 std::size_t beam_count(const Controls& controls);
 /// Sound speed that the head works with: commanded, or of its own sensor.
 double working_sound_speed(const Controls& controls, const Settings& settings);

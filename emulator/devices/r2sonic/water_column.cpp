@@ -11,13 +11,14 @@ namespace {
 
 constexpr std::size_t cells_per_datagram = 256 * 36;  // the manual's typical section
 
-/// Where in a beam an echo lies, -1 at the beam to port to 1 at the beam to starboard: from the balance of
-/// power between them, since an echogram has no phases.
-void phases(const Echogram& echogram, std::size_t beam, std::int16_t* out) {
-    const std::size_t last = echogram.beams() - 1, bins = echogram.shot.bins;
-    const float* port = echogram.beam(beam == 0 ? 0 : beam - 1).data();
-    const float* own = echogram.beam(beam).data();
-    const float* starboard = echogram.beam(std::min(beam + 1, last)).data();
+/// Where in the shown beam at `place` an echo lies, -1 at the one to port to 1 at the one to starboard: from
+/// the balance of power between them, since an echogram has no phases.
+void phases(const Echogram& echogram, const std::vector<std::size_t>& shown, std::size_t place,
+            std::int16_t* out) {
+    const std::size_t last = shown.size() - 1, bins = echogram.shot.bins;
+    const float* port = echogram.beam(shown[place == 0 ? 0 : place - 1]).data();
+    const float* own = echogram.beam(shown[place]).data();
+    const float* starboard = echogram.beam(shown[std::min(place + 1, last)]).data();
     for (std::size_t i = 0; i < bins; ++i) {
         const float sum = port[i] + own[i] + starboard[i] + 1e-20F;
         out[i] = static_cast<std::int16_t>(32767.0F * ((starboard[i] - port[i]) / sum));
@@ -36,20 +37,21 @@ void put_both(const std::vector<std::uint16_t>& magnitude, const std::vector<std
     }
 }
 
-Plane make_plane(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
+Plane make_plane(const PingRecord& ping, const Settings& settings, const Echogram& echogram,
+                 const std::vector<std::size_t>& shown) {
     const bool with_phase = ping.controls.water_column == 2;
     const auto gain = gain_curve(ping.controls, settings, echogram, settings.acoustics.magnitude_reference);
     const std::size_t bins = echogram.shot.bins;
     Plane plane;
-    plane.make(echogram.beams(), bins, with_phase ? 4 : 2);
+    plane.make(shown.size(), bins, with_phase ? 4 : 2);
     std::vector<float> row(bins);
     std::vector<std::uint16_t> magnitude(bins);
     std::vector<std::int16_t> phase(bins);
     for (std::size_t beam = 0; beam < plane.beams; ++beam) {
-        amplitudes(echogram, beam, gain, row.data());
+        amplitudes(echogram, shown[beam], gain, row.data());
         quantise(row.data(), bins, magnitude.data());
         if (with_phase) {
-            phases(echogram, beam, phase.data());
+            phases(echogram, shown, beam, phase.data());
             put_both(magnitude, phase, plane.row(beam));
         } else {
             put_magnitudes(magnitude, plane.row(beam));
@@ -82,10 +84,10 @@ std::vector<Bytes> water_column_datagrams(const PingRecord& ping, const Settings
     if (ping.controls.water_column == 0) return {};
     r2sonic::Wcd0Head head;
     head.h0 = make_h0(ping, settings, echogram);
-    head.a1.more = more_of(ping.beams);
-    head.a1.angle.assign(ping.beams.angles.begin(), ping.beams.angles.end());
+    const auto shown = shown_beams(echogram.beams());
+    head.a1 = make_a1(ping, shown);
     std::vector<Bytes> datagrams{r2sonic::serialise(head)};
-    const Plane plane = make_plane(ping, settings, echogram);
+    const Plane plane = make_plane(ping, settings, echogram, shown);
     if (ping.controls.water_column == 2)
         add_parts<r2sonic::M2>(ping, plane, datagrams);
     else

@@ -183,6 +183,55 @@ TEST(R2SonicTruePix, GatesCutItAndTheOldHeaderHasTheVoltageOffset) {
     EXPECT_NE(u16(b, h0 + 110), 0);
 }
 
+/// Where the image's or the water column's beams, as many as A1 has, are not silent: the first such cell.
+std::vector<std::size_t> first_cells(const std::vector<Send>& sent) {
+    const bool image = name(sent.at(0).bytes, 0, 4) == "AID0";
+    std::vector<std::size_t> cells(256, SIZE_MAX);
+    for (std::size_t i = 1; i < sent.size(); ++i) {
+        const Bytes& b = sent[i].bytes;
+        const std::size_t first = u32(b, 12 + (image ? 20 : 16)), count = u16(b, 12 + (image ? 24 : 20));
+        EXPECT_EQ(u16(b, 12 + (image ? 26 : 22)), 256) << "total beams";
+        EXPECT_EQ(u16(b, 12 + (image ? 30 : 26)), 256) << "beams";
+        EXPECT_EQ(b.size(), 48 + 256 * count * (image ? 1 : 2));
+        for (std::size_t at = 0; at < 256 * count; ++at)
+            if ((image ? b.at(48 + at) : u16(b, 48 + 2 * at)) > 0)
+                cells[at / count] = std::min(cells[at / count], first + at % count);
+    }
+    return cells;
+}
+
+class R2SonicUltraHighDensity : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(R2SonicUltraHighDensity, OfPointsLeavesImageAndWaterColumn256Beams) {
+    const std::uint32_t height = GetParam();
+    Bench bench = head({{"range", 60.0}, {"trigger", std::string("command")}});
+    for (const auto& [what, value] : {std::pair{"UHD0", 1U}, {"AIH0", height}, {"WCM0", 1U}, {"PNG0", 1U}})
+        bench.say(command(what, value));
+    bench.run_to(1ms);
+    Echogram echogram = echo_of(bench.ping->shot, SIZE_MAX, 0);
+    for (std::size_t beam = 0; beam < 1024; ++beam)  // each has its own echo
+        echogram.values.at(beam * echogram.shot.bins + 100 + beam) = 1e16F;
+    const auto all = bench.device().heard(echogram, bench.ping->due).send;
+    EXPECT_EQ(u16(named(all, "BTH0").at(0).bytes, h0 + 114), 1024) << "points";
+    for (const char* packet : {"AID0", "WCD0"}) {
+        const auto sent = named(all, packet);
+        ASSERT_GT(sent.size(), 2U);
+        const Bytes& first = sent[0].bytes;
+        EXPECT_EQ(u16(first, h0 + 114), 256) << "beams";
+        ASSERT_EQ(first.size(), 128U + 28 + 4 * 256);
+        const auto cells = first_cells(sent);
+        const bool image = packet == std::string("AID0");
+        const std::size_t bins = image ? (echogram.shot.bins + height - 1) / height : 1;  // in a cell
+        for (std::size_t n = 0; n < 256; ++n) {
+            const double beam = std::round(static_cast<double>(n) * 1023 / 255);
+            EXPECT_NEAR(rad_to_deg(f32(first, 128 + 28 + 4 * n)), -60 + 120 * beam / 1023, 1e-4);
+            EXPECT_EQ(cells[n], (100 + static_cast<std::size_t>(beam)) / bins) << packet << ' ' << n;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(ImageHeights, R2SonicUltraHighDensity, testing::Values(600, 4096));
+
 TEST(R2SonicProducts, AreSilentUnlessAskedForAndNeverOutlastThePing) {
     Bench bench = head({{"range", 60.0}});
     const auto quiet = ping_over_floor(bench);
