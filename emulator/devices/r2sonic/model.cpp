@@ -6,14 +6,12 @@
 namespace echoloop::r2sonic_device {
 namespace {
 
-constexpr std::uint16_t highest_offset = 7;  // base ports are followed by up to this many more
-
 Address base_address(const std::string& uri, Endpoint::Scheme scheme, const char* what) {
     const Endpoint endpoint = parse_endpoint(uri);
     if (endpoint.scheme != scheme)
         throw std::invalid_argument(uri + ": " + what + " must be " + std::string(scheme_name(scheme)) +
                                     "://ADDRESS:BASE_PORT");
-    if (endpoint.port == 0 || endpoint.port > 65535 - highest_offset)
+    if (endpoint.port == 0 || endpoint.port > highest_base_port)
         throw std::invalid_argument(uri +
                                     ": the base port must lie within 1..65528, since R2Sonic counts from it");
     return {endpoint.ip, endpoint.port};

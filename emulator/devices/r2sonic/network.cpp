@@ -65,35 +65,42 @@ Address Network::destination(Product product) const {
     return with_offset(to_daq ? daq : wiring_.gui, offset_of(product));
 }
 
-std::vector<Send> Network::answers(const r2sonic::R2dd& request, Address from) const {
+std::vector<Send> Network::answers(const r2sonic::R2dd& request, Address from, bool head_on) const {
     if (!answer_) return {};
     const Address to = answer_sender_ ? from : Address{request.gui_ip, request.gui_port};
     if (is_loopback(wiring_.head.ip) && !is_loopback(to.ip)) return {};
     const auto answer = [&](const r2sonic::R2di& packet) {
         return Send{discovery_port, r2sonic::serialise(packet), to, {}};
     };
-    std::vector<Send> out{answer({serial_, "15000001", model_, {}})};
+    std::vector<Send> out;
+    if (head_on) out.push_back(answer({serial_, "15000001", model_, {}}));
     if (wiring_.sim) out.push_back(answer({sim_serial_, "15000003", "SIM", {}}));
     return out;
 }
 
-/// A head on loopback sends to loopback only, whatever the host's program says; an address of 0 is none.
+/// A head on loopback sends to loopback only, whatever the host's program says. Port 0 is no address.
+bool Network::may_send_to(Address host) const {
+    if (host.port == 0) return true;
+    if (host.port > highest_base_port) return false;
+    return !is_loopback(wiring_.head.ip) || is_loopback(host.ip);
+}
+
 bool Network::is_allowed(const r2sonic::R2dc& config, bool for_sim) const {
-    const bool local = is_loopback(wiring_.head.ip);
-    if (local && config.gui_port != 0 && !is_loopback(config.gui_ip)) return false;
+    if (!may_send_to({config.gui_ip, config.gui_port})) return false;
     for (std::size_t i = 0; i < daq_.size(); ++i)
-        if (configured_hosts_ && local && config.daq_port[i] != 0 && !is_loopback(config.daq_ip[i]))
-            return false;
+        if (configured_hosts_ && !may_send_to({config.daq_ip[i], config.daq_port[i]})) return false;
     const Address own = for_sim ? *wiring_.sim : wiring_.head;
     const std::size_t system = std::min<std::size_t>(config.system_index, config.head_ip.size() - 1);
     const Address asked = for_sim ? Address{config.sim_ip[system], config.sim_port[system]}
                                   : Address{config.head_ip[system], config.head_port[system]};
-    return asked.port == 0 || asked == own;
+    if (asked.ip == 0 || asked.port == 0) return true;  // none is asked for
+    return asked.port == own.port && (own.ip == 0 || asked.ip == own.ip);
 }
 
-bool Network::configure(const r2sonic::R2dc& config) {
+bool Network::configure(const r2sonic::R2dc& config, bool head_on) {
     const bool for_sim = wiring_.sim && config.serial == sim_serial_;
-    if (config.serial != serial_ && !for_sim) return true;
+    const bool for_head = head_on && config.serial == serial_;
+    if (!for_head && !for_sim) return true;
     if (!is_allowed(config, for_sim)) return false;
     (for_sim ? sim_config_ : head_config_) = config.config_id;
     if (config.gui_port != 0) wiring_.gui = {config.gui_ip, config.gui_port};

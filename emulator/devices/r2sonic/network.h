@@ -18,6 +18,9 @@ struct Wiring {
     std::optional<Address> sim;  ///< own address of the SIM, base port
 };
 
+/// R2Sonic counts up to 7 ports from a base port.
+inline constexpr std::uint16_t highest_base_port = 65535 - 7;
+
 /// Places of the device's ports in ports().
 enum PortIndex : std::size_t { head_commands, discovery_port, sim_commands };
 
@@ -30,18 +33,19 @@ class Network {
 
     std::vector<Port> ports() const;
     Address destination(Product product) const;
-    /// Answers to R2DD: of the head, and of the SIM if there is one.
-    std::vector<Send> answers(const r2sonic::R2dd& request, Address from) const;
-    /// Takes over what concerns head or SIM. False if it asks for what cannot be: another address of the
-    /// device itself (its endpoint says where it listens), or of the host beyond loopback for a device on
-    /// loopback.
-    bool configure(const r2sonic::R2dc& config);
+    /// Answers to R2DD: of the head if it is on, and of the SIM if there is one.
+    std::vector<Send> answers(const r2sonic::R2dd& request, Address from, bool head_on) const;
+    /// Takes over what concerns the head, if it is on, or the SIM. False if it asks for what cannot be:
+    /// another address of the device itself (its endpoint says where it listens), one of the host beyond
+    /// loopback for a device on loopback, or a base port with too few ports above it.
+    bool configure(const r2sonic::R2dc& config, bool head_on);
 
     bool has_sim() const { return wiring_.sim.has_value(); }
     std::uint32_t head_config() const { return head_config_; }
     std::uint32_t sim_config() const { return sim_config_; }
 
   private:
+    bool may_send_to(Address host) const;
     bool is_allowed(const r2sonic::R2dc& config, bool for_sim) const;
     Wiring wiring_;
     wire::Text<12> model_, serial_, sim_serial_;

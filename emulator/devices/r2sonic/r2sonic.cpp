@@ -47,9 +47,10 @@ void R2Sonic::obey(const r2sonic::Packet& packet, const Received& data, Time now
         if (data.port == sim_commands && network_.has_sim()) obey_sim(*set);
         if (!ping_under_way_) plan_next_ping(now);
     } else if (const auto* request = std::get_if<r2sonic::R2dd>(&packet)) {
-        for (Send& answer : network_.answers(*request, data.from)) actions_.send.push_back(std::move(answer));
+        for (Send& answer : network_.answers(*request, data.from, head_on_))
+            actions_.send.push_back(std::move(answer));
     } else if (const auto* config = std::get_if<r2sonic::R2dc>(&packet)) {
-        if (!network_.configure(*config)) ++counters_.rejected;
+        if (!network_.configure(*config, head_on_)) ++counters_.rejected;
     }
 }
 

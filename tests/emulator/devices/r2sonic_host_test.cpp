@@ -1,4 +1,4 @@
-// What a Sonic 2024 says beside its pings: status, discovery, and nothing to noise.
+// What a Sonic 2024 says beside its pings: status, and nothing to noise.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,75 +22,6 @@ TEST(R2SonicStatus, OnceASecondToBasePlusTwo) {
     bench.say(command("STM0", std::uint32_t{0}));
     bench.run_to(5s);
     EXPECT_TRUE(named(bench.sent(), "STH0").empty());
-}
-
-Bytes discovery_request() {
-    Bytes bytes;
-    put(bytes, "R2DD", 4);
-    put(bytes, 0x7F000001u);
-    put(bytes, 65400u << 16);
-    for (int i = 0; i < 8; ++i) put(bytes, 0u);
-    return bytes;
-}
-
-Bytes configuration(const std::string& serial, std::uint32_t gui_ip, std::uint32_t gui_port) {
-    Bytes bytes;
-    put(bytes, "R2DC", 4);
-    put(bytes, serial, 12);
-    put(bytes, 77u);
-    put(bytes, 0u);
-    put(bytes, 0u);
-    put(bytes, gui_ip);
-    put(bytes, gui_port << 16);
-    while (bytes.size() < 164) bytes.push_back(0);
-    return bytes;
-}
-
-TEST(R2SonicDiscovery, AnswersTheSender) {
-    Bench bench =
-        head({{"trigger", std::string("command")}},
-             {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400", "udp-listen://127.0.0.1:65300"});
-    bench.run_to(1ms);
-    bench.sent();
-    bench.say(discovery_request(), 2, {0x7F000001, 41000});
-    const auto sent = named(bench.sent(), "R2DI");
-    ASSERT_EQ(sent.size(), 2u);
-    EXPECT_EQ(sent[0].to, (Address{0x7F000001, 41000}));
-    EXPECT_EQ(sent[0].bytes.size(), 72u);
-    EXPECT_EQ(name(sent[0].bytes, 4, 6), "100017");
-    EXPECT_EQ(name(sent[0].bytes, 28, 4), "2024");
-    EXPECT_EQ(name(sent[1].bytes, 4, 6), "100117");
-}
-
-TEST(R2SonicDiscovery, AnswersTheGuiIfToldToButNeverFromLoopbackToANetwork) {
-    Bench bench = head({{"discovery_reply", std::string("gui")}});
-    const auto answered = [&](const Bytes& request) {
-        bench.sent();
-        bench.say(request, 1, {0x7F000001, 41000});
-        return named(bench.sent(), "R2DI");
-    };
-    ASSERT_EQ(answered(discovery_request()).size(), 1u);
-    EXPECT_EQ(answered(discovery_request()).at(0).to, gui);
-    Bytes elsewhere = discovery_request();
-    elsewhere[4] = 10;
-    EXPECT_TRUE(answered(elsewhere).empty());
-}
-
-TEST(R2SonicDiscovery, ConfigurationMovesTheHostOnLoopbackOnly) {
-    Bench bench = head({{"trigger", std::string("command")}});
-    bench.run_to(1ms);
-    bench.say(configuration("100017", 0x7F000002, 4000), 1);
-    bench.sent();
-    bench.run_to(1500ms);
-    auto sent = named(bench.sent(), "R2DS");
-    ASSERT_EQ(sent.size(), 1u);
-    EXPECT_EQ(sent[0].to, (Address{0x7F000002, 4002}));
-    EXPECT_EQ(u32(sent[0].bytes, 16), 77u) << "ConfigID";
-    bench.say(configuration("100017", 0x0A000166, 65400), 1);
-    bench.say(configuration("999999", 0x7F000001, 5000), 1);
-    bench.run_to(2500ms);
-    sent = named(bench.sent(), "R2DS");
-    EXPECT_EQ(sent.at(0).to, (Address{0x7F000002, 4002}));
 }
 
 TEST(R2SonicNoise, GarbageIsCountedAndNotAnswered) {

@@ -1,5 +1,5 @@
 // What the models of the Sonic series can, and the modes in which they ping: triggers, MultiMode,
-// stabilisation, density, the SIM, addresses.
+// stabilisation, density, the SIM.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -192,55 +192,6 @@ TEST(R2SonicSim, ACommandIsForWhomItIsSentTo) {
     bench.run_to(100ms);
     EXPECT_FLOAT_EQ(f32(named(bench.sent(), "BTH0").back().bytes, 12 + 88), 15.0F);
     EXPECT_EQ(bench.shots.back().tilt, 0);
-}
-
-Bytes configuration(std::uint16_t head_port, std::uint16_t daq_port) {
-    Bytes b;
-    put(b, "R2DC", 4);
-    put(b, "100017", 12);
-    put(b, 99u);
-    put(b, 0u);
-    put(b, 0u);
-    put(b, 0x7F000001u);
-    put(b, 65400u << 16);
-    put(b, 0x7F000001u);  // 36: head
-    for (int i = 0; i < 3; ++i) put(b, 0u);
-    put(b, std::uint32_t{head_port} << 16);  // 52
-    put(b, 0u);
-    for (int i = 0; i < 6; ++i) put(b, 0u);  // 60: SIMs
-    put(b, 0x7F000001u);                     // 84: data acquisition
-    put(b, 0x7F000001u);
-    for (int i = 0; i < 6; ++i) put(b, 0u);
-    put(b, std::uint32_t{daq_port} << 16 | (daq_port + 100u));  // 116
-    while (b.size() < 164) b.push_back(0);
-    return b;
-}
-
-TEST(R2SonicAddresses, DataAcquisitionHostsGetTheirOwn) {
-    Bench bench = head({{"range", 15.0}, {"data_hosts", std::string("configured")}});
-    for (const char* what : {"WCM0", "TPM0"}) bench.say(command(what, std::uint32_t{1}));
-    bench.say(configuration(65500, 4100), 1);
-    bench.echo_bin = 500;
-    bench.echo_power = 1e12F;
-    bench.run_to(100ms);
-    const auto sent = bench.sent();
-    EXPECT_EQ(named(sent, "TPX0").back().to.port, 4101);
-    EXPECT_EQ(named(sent, "WCD0").back().to.port, 4205);
-    EXPECT_EQ(named(sent, "BTH0").back().to, gui);
-}
-
-TEST(R2SonicAddresses, AnotherAddressForTheHeadItselfIsNotTakenOver) {
-    Bench bench = head({{"range", 15.0}});
-    const auto config_id = [&] {
-        bench.sent();
-        bench.run_to(bench.now + 1100ms);
-        return u32(named(bench.sent(), "R2DS").back().bytes, 16);
-    };
-    bench.say(configuration(60000, 4100), 1);
-    EXPECT_EQ(config_id(), 0u) << "the control program asks again rather than believe it";
-    EXPECT_EQ(bench.device().counters().rejected, 1u);
-    bench.say(configuration(65500, 4100), 1);
-    EXPECT_EQ(config_id(), 99u);
 }
 
 TEST(R2SonicQuality, TellsOfTestsUnlessTheOptionSaysOtherwise) {
