@@ -123,8 +123,6 @@ void fit(Controls& controls, const Variant& variant) {
     controls.sector_width = std::min(controls.sector_width, variant.widest_sector);
     controls.pulse = std::min(controls.pulse, variant.longest_pulse);
     controls.power = controls.power < 1 ? 0 : std::max(controls.power, 191.0);
-    const double most_steering = 10 * deg * 400e3 / controls.frequency;
-    controls.steering = std::clamp(controls.steering, -most_steering, most_steering);
 }
 
 Applied apply(Controls& controls, const r2sonic::Command& command, const Variant& variant) {

@@ -39,7 +39,7 @@ struct Controls {
     double sector_width = 2.094395;   ///< SEW0, rad
     double sector_rotation = 0;       ///< SER0, rad
     double receiver_tilt = 0;         ///< RET0, rad
-    double steering = 0;              ///< TXS0, rad
+    double steering = 0;              ///< TXS0, rad; each ping cuts it to what its frequency allows
     std::uint32_t window = 0;         ///< TXW0: 1 Kaiser
     bool roll_stabilised = false;     ///< ROS0
     bool pitch_stabilised = false;    ///< PTS0

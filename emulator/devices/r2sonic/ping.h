@@ -45,7 +45,7 @@ struct Beams {
 r2sonic::More more_of(const Beams& beams);
 /// `roll`, rad, turns the sector where it is stabilised.
 Beams beam_angles(const Controls& controls, double roll);
-/// Elevation of the transmit fan, rad: steered, and stabilised against `pitch`.
+/// Elevation of the transmit fan, rad: steered, stabilised against `pitch`, cut to the frequency's limit.
 double steering(const Controls& controls, double pitch);
 
 /// The bottom as the ping before has found it.

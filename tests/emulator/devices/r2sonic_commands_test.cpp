@@ -57,6 +57,22 @@ TEST(R2SonicCommands, RotateTheSectorWithinEightyDegrees) {
     }
 }
 
+TEST(R2SonicCommands, OfSteeringAreCutToWhatTheFrequencyOfThePingAllows) {
+    Bench bench(make_device("r2sonic-2026", {}, {{"trigger", std::string("command")}}));
+    const double asked = deg_to_rad(30);
+    bench.say(command("TXS0", static_cast<float>(asked)));  // before a frequency that allows 40 deg
+    for (const auto& [frequency, most] :
+         {std::pair{100e3F, 40.0}, {400e3F, 10.0}, {200e3F, 20.0}, {100e3F, 40.0}}) {
+        bench.say(command("FRQ0", frequency));
+        bench.say(command("PNG0", std::uint32_t{1}));
+        bench.run_to(bench.now + 100ms);
+        const Bytes b = named(bench.sent(), "BTH0").back().bytes;
+        const double steered = std::min(asked, deg_to_rad(most));
+        EXPECT_NEAR(f32(b, in_h0 + 68), steered, 1e-6) << frequency;
+        EXPECT_NEAR(bench.shots.back().tilt, steered, 1e-6) << frequency;
+    }
+}
+
 TEST(R2SonicCommands, OfProjectorAndReceiverChangeTheShot) {
     Bench bench = head({{"trigger", std::string("command")}});
     const auto ping = [&](const std::vector<Bytes>& commands) {
