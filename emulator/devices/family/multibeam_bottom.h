@@ -76,8 +76,8 @@ void move_to_neighbours(std::span<Detection> detections, std::span<const double>
 /// Marks the detections that lie in line with two of their neighbours. `angles`: rad, one a detection.
 void mark_in_line(std::span<Detection> detections, std::span<const double> angles);
 
-/// Depth below the head of the beams within 30 deg of the axis: their median, m; 0 if there is none. `angles`
-/// in rad from straight down.
+/// Depth below the head of the beams within 30 deg of the axis, or of the middle of a sector that has none
+/// there: their median, m; 0 if none of them found a bottom. `angles` in rad from straight down, ascending.
 double median_depth(std::span<const Detection> detections, std::span<const double> angles,
                     double sound_speed);
 

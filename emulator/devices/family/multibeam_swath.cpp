@@ -142,14 +142,18 @@ void mark_in_line(std::span<Detection> detections, std::span<const double> angle
 
 double median_depth(std::span<const Detection> detections, std::span<const double> angles,
                     double sound_speed) {
+    constexpr double near = deg_to_rad(30);
+    double middle = 0;
+    if (!angles.empty() && (angles.front() >= near || angles.back() <= -near))
+        middle = (angles.front() + angles.back()) / 2;
     std::vector<double> depths;
     for (std::size_t n = 0; n < detections.size(); ++n)
-        if (detections[n].found() && std::abs(angles[n]) < deg_to_rad(30))
+        if (detections[n].found() && std::abs(angles[n] - middle) < near)
             depths.push_back(detections[n].time * sound_speed / 2 * std::cos(angles[n]));
     if (depths.empty()) return 0;
-    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-    std::nth_element(depths.begin(), middle, depths.end());
-    return *middle;
+    const auto median = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::nth_element(depths.begin(), median, depths.end());
+    return *median;
 }
 
 double median_slope(std::span<const Detection> detections, std::span<const double> angles) {

@@ -96,6 +96,20 @@ TEST(R2SonicGates, OfTheirOwnFollowTheDepthAndIfToldToTheSlope) {
         }
 }
 
+TEST(R2SonicGates, OfTheirOwnEngageInASectorThatDoesNotLookDown) {
+    for (const float rotation : {55.0F, -55.0F}) {
+        Bench bench = head({{"range", 60.0}, {"sector_width", 40.0}});
+        bench.say(command("SER0", static_cast<float>(deg_to_rad(rotation))));
+        bench.say(command("DGO0", 0x1402U));
+        bench.run_to(1ms);
+        ping_over(bench, flat(10));  // the one under way
+        ping_over(bench, flat(10));  // finds the bottom
+        const Bytes b = ping_over(bench, flat(10)).second;
+        EXPECT_NEAR(f32(b, in_g0 + 4), 0.8 * 2 * 10 / 1500, 6e-4) << rotation;
+        EXPECT_NEAR(f32(b, in_g0 + 8), 1.2 * 2 * 10 / 1500, 6e-4) << rotation;
+    }
+}
+
 /// The bottom that a real ping with A2 has found, heard with 1500 m/s.
 Bottom bottom_of(const Bytes& b) {
     std::vector<double> angles, slants;
