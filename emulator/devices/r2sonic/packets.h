@@ -48,10 +48,10 @@ std::vector<Bytes> snippet_datagrams(const PingRecord& ping, const Settings& set
                                      const Echogram& echogram,
                                      const std::vector<multibeam::Detection>& detections);
 
-/// TPX0: what is strongest on either side at each range, within the depth gate if TPG0 says so. Empty if it
-/// is off.
+/// TPX0: what is strongest on either side at each range, within the gates of all beams together if TPG0 says
+/// so. Empty if it is off.
 std::vector<Bytes> truepix_datagrams(const PingRecord& ping, const Settings& settings,
-                                     const Echogram& echogram, multibeam::TimeGate axis_gate);
+                                     const Echogram& echogram, const std::vector<multibeam::TimeGate>& gates);
 
 /// What a status tells of the moment.
 struct Health {

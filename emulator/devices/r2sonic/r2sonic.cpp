@@ -147,7 +147,7 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
     const r2sonic::G0 gate{static_cast<float>(axis_gate.min), static_cast<float>(axis_gate.max),
                            static_cast<float>(set.depth ? 0 - set.depth->slope : 0)};  // never -0
     send(head_commands, make_bth0(ping_, settings_, detections, gates, gate), Product::bathymetry);
-    send_products(echogram, detections, axis_gate, now);
+    send_products(echogram, detections, gates, now);
     if (follows_bottom(controls_)) follow_bottom(detections);
     plan_next_ping(now);
     return take_actions();
@@ -171,7 +171,7 @@ void R2Sonic::follow_bottom(const std::vector<multibeam::Detection>& detections)
 
 /// Spread over time, since receivers lose bursts, but never beyond the next ping.
 void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibeam::Detection>& detections,
-                            multibeam::TimeGate axis_gate, Time now) {
+                            const std::vector<multibeam::TimeGate>& gates, Time now) {
     const std::size_t first = actions_.send.size();
     const auto add = [&](std::vector<Bytes> datagrams, Product product) {
         for (Bytes& bytes : datagrams)
@@ -179,7 +179,7 @@ void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibea
     };
     add(image_datagrams(ping_, settings_, echogram), Product::image);
     add(snippet_datagrams(ping_, settings_, echogram, detections), Product::snippets);
-    add(truepix_datagrams(ping_, settings_, echogram, axis_gate), Product::truepix);
+    add(truepix_datagrams(ping_, settings_, echogram, gates), Product::truepix);
     add(water_column_datagrams(ping_, settings_, echogram), Product::water_column);
     const std::size_t count = actions_.send.size() - first;
     if (count == 0) return;

@@ -34,7 +34,7 @@ class R2Sonic final : public Device {
     void follow_bottom(const std::vector<multibeam::Detection>& detections);
     void send_status(Time now);
     void send_products(const Echogram& echogram, const std::vector<multibeam::Detection>& detections,
-                       multibeam::TimeGate axis_gate, Time now);
+                       const std::vector<multibeam::TimeGate>& gates, Time now);
     void send(std::size_t port, const r2sonic::Packet& packet, Product product);
     double unix_time(Time now) const { return settings_.unix_start + to_seconds(now); }
     Actions take_actions();

@@ -41,14 +41,18 @@ Side strongest(const Echogram& echogram, std::size_t first, std::size_t last,
     return side;
 }
 
-/// Samples [first, last) that TPG0 lets through.
-std::pair<std::size_t, std::size_t> gated(const Shot& shot, std::uint32_t mode, multibeam::TimeGate gate) {
+/// Samples [first, last) that TPG0 lets through: any that lie in some beam's gate, so that a side reaches as
+/// far as the gate of its outermost beam.
+std::pair<std::size_t, std::size_t> gated(const Shot& shot, std::uint32_t mode,
+                                          const std::vector<multibeam::TimeGate>& gates) {
+    multibeam::TimeGate all = gates.front();
+    for (const auto& gate : gates) all = {std::min(all.min, gate.min), std::max(all.max, gate.max)};
     const auto bin_of = [&](double time) {
         const double bin = (time - shot.first_bin_time) / shot.bin_interval;
         return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(shot.bins)));
     };
-    const std::size_t last = mode >= 1 ? bin_of(gate.max) : shot.bins;
-    return {mode == 2 ? std::min(bin_of(gate.min), last) : 0, last};
+    const std::size_t last = mode >= 1 ? bin_of(all.max) : shot.bins;
+    return {mode == 2 ? std::min(bin_of(all.min), last) : 0, last};
 }
 
 template <class Section>
@@ -69,7 +73,8 @@ void fill(Section& form, const Side& port, const Side& starboard, std::size_t fi
 }  // namespace
 
 std::vector<Bytes> truepix_datagrams(const PingRecord& ping, const Settings& settings,
-                                     const Echogram& echogram, multibeam::TimeGate axis_gate) {
+                                     const Echogram& echogram,
+                                     const std::vector<multibeam::TimeGate>& gates) {
     const Controls& c = ping.controls;
     if (c.truepix == 0) return {};
     const auto gain = gain_curve(c, settings, echogram, settings.acoustics.magnitude_reference);
@@ -78,7 +83,7 @@ std::vector<Bytes> truepix_datagrams(const PingRecord& ping, const Settings& set
         static_cast<std::size_t>(std::lower_bound(angles.begin(), angles.end(), 0.0) - angles.begin());
     const Side port = strongest(echogram, 0, middle, gain);
     const Side starboard = strongest(echogram, middle, echogram.beams(), gain);
-    const auto [first, last] = gated(echogram.shot, c.truepix_gates, axis_gate);
+    const auto [first, last] = gated(echogram.shot, c.truepix_gates, gates);
     r2sonic::Tpx0 packet;
     packet.h0 = {make_h0(ping, settings, echogram), more_of(ping.beams)};
     r2sonic::H0& h0 = packet.h0->settings;

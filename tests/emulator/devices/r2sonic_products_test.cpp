@@ -178,7 +178,8 @@ TEST(R2SonicTruePix, GatesCutItAndTheOldHeaderHasTheVoltageOffset) {
     EXPECT_EQ(name(b, 152, 2), "D0");
     EXPECT_NEAR(u32(b, 152 + 12) / rate, 2 * 15 / 1500.0, 2 / rate);
     const Bytes& last = sent.back().bytes;
-    EXPECT_NEAR((u32(last, 12 + 12) + u16(last, 12 + 16)) / rate, 2 * 25 / 1500.0, 2 / rate);
+    const double outermost = 25 / std::cos(deg_to_rad(60));  // m, where its gate ends
+    EXPECT_NEAR((u32(last, 12 + 12) + u16(last, 12 + 16)) / rate, 2 * outermost / 1500, 2 / rate);
     EXPECT_EQ(static_cast<std::int16_t>(u16(b, h0 + 110)), static_cast<std::int16_t>(u16(b, h0 + 78)));
     EXPECT_NE(u16(b, h0 + 110), 0);
 }
