@@ -49,6 +49,13 @@ inline std::vector<Send> named(const std::vector<Send>& sent, const std::string&
     return found;
 }
 
+/// A head that hangs from a vehicle with its port side `roll` rad up and its nose `pitch` rad down.
+inline Echogram hanging(const Shot& shot, double roll, double pitch) {
+    Echogram e = echo_of(shot, 99999, 0);
+    e.world_from_sonar = {{0, 0, -7}, from_rpy(roll, pitch, 0) * from_rpy(0, deg_to_rad(90), 0)};
+    return e;
+}
+
 inline Bench head(const Options& changes = {}, std::vector<std::string> endpoints = {}) {
     return Bench(make_device("r2sonic-2024", std::move(endpoints), changes));
 }

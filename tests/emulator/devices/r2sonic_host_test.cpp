@@ -1,4 +1,4 @@
-// What a Sonic 2024 says beside its pings: status, and nothing to noise.
+// What a Sonic 2024 makes of noise on its line: nothing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,22 +7,6 @@
 
 namespace echoloop::test {
 namespace {
-
-TEST(R2SonicStatus, OnceASecondToBasePlusTwo) {
-    Bench bench = head({{"trigger", std::string("command")}});
-    bench.run_to(2500ms);
-    const auto sent = bench.sent();
-    const auto brief = named(sent, "R2DS");
-    const auto full = named(sent, "STH0");
-    ASSERT_EQ(brief.size(), 3u);
-    EXPECT_EQ(full.size(), 3u);
-    EXPECT_EQ(brief[0].to.port, gui.port + 2);
-    EXPECT_EQ(brief[0].bytes.size(), 24u);
-    EXPECT_EQ(name(brief[0].bytes, 4, 6), "100017");
-    bench.say(command("STM0", std::uint32_t{0}));
-    bench.run_to(5s);
-    EXPECT_TRUE(named(bench.sent(), "STH0").empty());
-}
 
 TEST(R2SonicNoise, GarbageIsCountedAndNotAnswered) {
     Bench bench = head({{"trigger", std::string("command")}});

@@ -102,13 +102,6 @@ TEST(R2SonicDensity, UltraHighDensityHas1024Points) {
     EXPECT_EQ(b.size(), 12u + 116 + (8 + 2048) + 36 + (8 + 2048) + 16 + (4 + 512));
 }
 
-/// A head that hangs from a vehicle with its port side `roll` rad up and its nose `pitch` rad down.
-Echogram hanging(const Shot& shot, double roll, double pitch) {
-    Echogram e = echo_of(shot, 99999, 0);
-    e.world_from_sonar = {{0, 0, -7}, from_rpy(roll, pitch, 0) * from_rpy(0, deg_to_rad(90), 0)};
-    return e;
-}
-
 TEST(R2SonicStabilisation, TurnsTheSectorAgainstTheRollAndTheFanAgainstThePitch) {
     Bench bench = head({{"range", 15.0}});
     const auto ping = [&](double roll, double pitch) {
