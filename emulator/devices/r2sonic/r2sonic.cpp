@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "protocols/r2sonic/codec.h"
+#include "protocols/r2sonic/commands.h"
 
 namespace echoloop::r2sonic_device {
 namespace {
@@ -43,6 +44,7 @@ Actions R2Sonic::received(const Received& data, Time now) {
 void R2Sonic::obey(const r2sonic::Packet& packet, const Received& data, Time now) {
     ++counters_.messages;
     if (const auto* set = std::get_if<r2sonic::Cmd0>(&packet)) {
+        for (const r2sonic::Command& command : set->commands) count_unknown(command.name.view());
         if (data.port == head_commands && head_on_) obey_head(*set);
         if (data.port == sim_commands && network_.has_sim()) obey_sim(*set);
         if (!ping_under_way_) plan_next_ping(now);
@@ -79,6 +81,13 @@ void R2Sonic::obey_sim(const r2sonic::Cmd0& set) {
         if (name == "SYI0") sync_edge_ = std::min(command.as_u32(), 2U);
         if (name == "STM0") sim_status_ = command.as_u32();
     }
+}
+
+/// Programs send all that they know once a second, so a name that no head has counts once.
+void R2Sonic::count_unknown(std::string_view name) {
+    constexpr std::size_t most = 64;
+    if (r2sonic::find_command(name) != nullptr || unknown_names_.size() >= most) return;
+    if (unknown_names_.emplace(name).second) ++counters_.rejected;
 }
 
 /// A head that gets its power back has forgotten everything.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
 
 #include "emulator/devices/r2sonic/network.h"
 #include "emulator/devices/r2sonic/packets.h"
@@ -26,6 +28,7 @@ class R2Sonic final : public Device {
     void obey(const r2sonic::Packet& packet, const Received& data, Time now);
     void obey_head(const r2sonic::Cmd0& commands);
     void obey_sim(const r2sonic::Cmd0& commands);
+    void count_unknown(std::string_view name);
     void switch_head(bool on);
     Controls controls_in_use() const;
     void plan_next_ping(Time now);
@@ -57,6 +60,7 @@ class R2Sonic final : public Device {
     Time next_status_ = Time::max();
     Actions actions_;
     DeviceCounters counters_;
+    std::set<std::string> unknown_names_;  ///< of commands, counted already
 };
 
 /// The rows of the table of models: one for each of the series.

@@ -1,4 +1,4 @@
-// What a Sonic 2024 makes of noise on its line: nothing.
+// What a Sonic 2024 makes of names that it does not know and of noise on its line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +7,16 @@
 
 namespace echoloop::test {
 namespace {
+
+TEST(R2SonicUnknownCommands, AreCountedOnceANameHoweverOftenTheyComeAndHoweverManyThereAre) {
+    Bench bench = head({{"trigger", std::string("command")}});
+    for (int again = 0; again < 3; ++again)
+        for (const char* what : {"XYZ0", "RNG0", "DHM0", "ABS4", "ABS5", "BDG0"})  // two of them unknown
+            bench.say(command(what, 40.0F));
+    EXPECT_EQ(bench.device().counters().rejected, 2u);
+    for (int i = 0; i < 2000; ++i) bench.say(command("#" + std::to_string(i), std::uint32_t{0}));
+    EXPECT_LE(bench.device().counters().rejected, 64u);
+}
 
 TEST(R2SonicNoise, GarbageIsCountedAndNotAnswered) {
     Bench bench = head({{"trigger", std::string("command")}});
