@@ -52,14 +52,14 @@ double frame_time(const aris::SetAcoustics& acoustics) {
            static_cast<double>(aris::find_ping_mode(acoustics.ping_mode)->pings);
 }
 
-Shot make_shot(const aris::SetAcoustics& w, bool telephoto, const Settings& s, std::uint32_t frame) {
+Shot make_shot(const aris::SetAcoustics& w, bool telephoto, const Settings& s, std::uint64_t ping) {
     constexpr double silent = 0;  // dB
     const Acoustics& a = s.acoustics;
     const Carrier& carrier = carrier_of(w, s);
     const auto angles = aris::centre_angles(aris::find_ping_mode(w.ping_mode)->beams, telephoto);
     const double magnification = telephoto ? 0.5 : 1;
     Shot shot;
-    shot.ping = frame;
+    shot.ping = ping;
     // Beam 0 is the right-most: clockwise they come the other way round.
     for (auto angle = angles.rbegin(); angle != angles.rend(); ++angle)
         shot.bearings.push_back(deg_to_rad(-*angle));

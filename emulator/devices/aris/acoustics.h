@@ -21,7 +21,7 @@ double frame_time(const aris::SetAcoustics& acoustics);
 
 /// All pings of a frame as one. `acoustics` are valid.
 Shot make_shot(const aris::SetAcoustics& acoustics, bool telephoto, const Settings& settings,
-               std::uint32_t frame);
+               std::uint64_t ping);
 
 /// m/s, of water of `temperature` degC and `salinity` ppt at `depth` m.
 double sound_speed(double temperature, double salinity, double depth);

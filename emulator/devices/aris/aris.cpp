@@ -53,6 +53,7 @@ void Aris::forget_controller() {
     control_ = {};
     next_frame_ = next_silence_ = Time::max();
     connected_ = frame_under_way_ = false;
+    frame_.number = 0;  // receivers start anew with each connection, and drop numbers below one that they had
     peer_ = is_loopback(wiring_.own.ip) ? loopback : 0;
 }
 
@@ -192,12 +193,12 @@ void Aris::transmit(Time now) {
               now,
               static_cast<std::uint64_t>(clock_offset_ + now.count() / 1000)};
     const Time heard = from_seconds(frame_time(acoustics) + settings_.acoustics.processing);
-    actions_.ping = Ping{make_shot(acoustics, telephoto_, settings_, frame_.number),
+    actions_.ping = Ping{make_shot(acoustics, telephoto_, settings_, ++pings_),
                          now + std::min(heard, period_of(acoustics))};
 }
 
 Actions Aris::heard(const Echogram& echogram, Time now) {
-    const bool expected = frame_under_way_ && echogram.shot.ping == frame_.number &&
+    const bool expected = frame_under_way_ && echogram.shot.ping == pings_ &&
                           echogram.shot.bins == frame_.acoustics.samples &&
                           echogram.beams() == frame_.beams();
     if (!expected) return take_actions();

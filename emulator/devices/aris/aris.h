@@ -60,7 +60,8 @@ class Aris final : public Device {
     std::uint32_t salinity_ = 0;  ///< ppt
     bool telephoto_ = false;
     std::int64_t clock_offset_;  ///< us, Unix time at power-up by the sonar's own clock
-    FrameRecord frame_;          ///< the frame under way, or the last one
+    FrameRecord frame_;          ///< the frame under way, or the last one; its number is 0 before the first
+    std::uint64_t pings_ = 0;    ///< goes on across controllers, unlike numbers of frames
     bool frame_under_way_ = false;
     std::optional<Time> last_transmission_;
     Time parts_out_{};  ///< when the parts of the last frame have gone

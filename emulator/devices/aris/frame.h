@@ -11,7 +11,7 @@ namespace echoloop::aris_device {
 
 /// What belongs to one frame beside its echogram.
 struct FrameRecord {
-    std::uint32_t number = 0;  ///< from 1
+    std::uint32_t number = 0;  ///< from 1 for each controller
     aris::SetAcoustics acoustics;
     bool telephoto = false;
     std::uint32_t salinity = 0;     ///< ppt

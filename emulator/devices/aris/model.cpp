@@ -73,7 +73,7 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
         a.sample_period = static_cast<std::uint32_t>(std::clamp(heard / a.samples, 4.0, 100.0) + 0.5);
         a.cycle_period = a.start_delay + a.sample_period * a.samples + 360;
     }
-    return make_shot(a, false, read_settings(config, variant), static_cast<std::uint32_t>(step + 1));
+    return make_shot(a, false, read_settings(config, variant), step + 1);
 }
 
 template <const Variant& variant>
