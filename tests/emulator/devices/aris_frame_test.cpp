@@ -58,8 +58,20 @@ TEST(ArisHeader, HasTheClockThatTheControllerSets) {
     bench.say("00000018 1216 0a14 323031342d4a616e2d33312032333a35383a3135");
     bench.say(words::acoustics);
     EXPECT_EQ(frame_of(bench, 0, 0, 0).at<std::uint64_t>(20), 1391212695000000U);
+    // The maker's own host does not pad the day: 2014-Jan-5.
+    ArisBench other;
+    other.say(words::receiver);
+    other.say("00000017 1215 0a13 323031342d4a616e2d352032333a35383a3135");
+    other.say(words::acoustics);
+    EXPECT_EQ(frame_of(other, 0, 0, 0).at<std::uint64_t>(20), 1388966295000000U);
+}
+
+TEST(ArisHeader, HasNoClockFromWhatIsNoDate) {
+    ArisBench bench;
     bench.say("00000018 1216 0a14 323031342d4a616e2d33322032333a35383a3135");
     EXPECT_EQ(bench.device().counters().rejected, 1U) << "the 32nd of January";
+    bench.say("00000017 1215 0a13 323031342d4a616e2d303520333a35383a3135");
+    EXPECT_EQ(bench.device().counters().rejected, 2U) << "3:58:15";
 }
 
 TEST(ArisSamples, StandWhereTheirPingAndChannelAre) {
