@@ -50,6 +50,7 @@ Actions Aris::started(Time now) {
 /// Salinity, lens and clock stay as they are; the rest is the next controller's to set.
 void Aris::forget_controller() {
     framer_.clear();
+    parts_.drop();
     control_ = {};
     next_frame_ = next_silence_ = Time::max();
     connected_ = frame_under_way_ = false;
@@ -137,6 +138,7 @@ bool Aris::set_receiver(const aris::SetReceiver& wish) {
     const auto ip = wish.ip.empty() ? std::optional(fallback) : address_in(wish.ip);
     if (ip == 0U && !wish.ip.empty()) {
         control_.receiver.reset();
+        parts_.drop();
         return true;
     }
     const bool reachable = ip && *ip != 0 && (!own_loopback || is_loopback(*ip));
@@ -174,7 +176,7 @@ void Aris::plan_next_frame(Time now) {
     next_frame_ = Time::max();
     if (!control_.acoustics || !control_.receiver) return;
     const aris::SetAcoustics& acoustics = *control_.acoustics;
-    next_frame_ = std::max(now, parts_out_ - from_seconds(frame_time(acoustics)));
+    next_frame_ = std::max(now, parts_.out() - from_seconds(frame_time(acoustics)));
     if (last_transmission_) next_frame_ = std::max(next_frame_, *last_transmission_ + period_of(acoustics));
 }
 
@@ -210,12 +212,11 @@ Actions Aris::heard(const Echogram& echogram, Time now) {
 }
 
 void Aris::send_frame(const Echogram& echogram, Time now) {
-    const Time delay = from_seconds(part_delay(frame_, settings_));
-    for (Bytes& part : make_parts(frame_, settings_, echogram)) {
-        parts_out_ = std::max(now, parts_out_);
-        actions_.send.push_back({frame_port, std::move(part), *control_.receiver, parts_out_});
-        parts_out_ += delay;
-    }
+    std::vector<Send> parts;
+    for (Bytes& part : make_parts(frame_, settings_, echogram))
+        parts.push_back({frame_port, std::move(part), *control_.receiver, {}});
+    parts_.add(std::move(parts), now, from_seconds(part_delay(frame_, settings_)));
+    parts_.hand_over(now, actions_.send);
 }
 
 void Aris::send_beacon() {
@@ -240,6 +241,7 @@ Actions Aris::woken(Time now) {
         forget_controller();
         actions_.send.push_back({command_port, {}, {}, {}, true});
     }
+    parts_.hand_over(now, actions_.send);
     if (now >= next_frame_) transmit(now);
     return take_actions();
 }
@@ -251,7 +253,7 @@ DeviceCounters Aris::counters() const {
 }
 
 Actions Aris::take_actions() {
-    actions_.wake = std::min({next_frame_, next_beacon_, next_silence_});
+    actions_.wake = std::min({next_frame_, next_beacon_, next_silence_, parts_.wake()});
     return std::exchange(actions_, {});
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "emulator/devices/aris/frame.h"
+#include "emulator/devices/aris/part_queue.h"
 #include "protocols/aris/framer.h"
 
 namespace echoloop::aris_device {
@@ -64,7 +65,7 @@ class Aris final : public Device {
     std::uint64_t pings_ = 0;    ///< goes on across controllers, unlike numbers of frames
     bool frame_under_way_ = false;
     std::optional<Time> last_transmission_;
-    Time parts_out_{};  ///< when the parts of the last frame have gone
+    PartQueue parts_;
     Time next_frame_ = Time::max();
     Time next_beacon_ = Time::max();
     std::uint32_t peer_ = 0;           ///< IPv4 address of the controller

@@ -1,4 +1,6 @@
 // The ARIS sonars on the bench: beacon, what a controller may set, timing, and controllers that go.
+#include <functional>
+
 #include "tests/emulator/devices/aris_bench.h"
 #include "tests/emulator/devices/noisy_line.h"
 
@@ -106,6 +108,30 @@ TEST(ArisTiming, OfPartsIsTheControllersAndSlowsFramesThatDoNotFit) {
     EXPECT_GE(frames[2].times.front() - frames[1].times.back(), 2ms) << "no frame overtakes another";
     EXPECT_NEAR(to_seconds(frames[2].times[0] - frames[1].times[0]),
                 0.002 * static_cast<double>(frames[1].times.size()), 0.003);
+}
+
+TEST(ArisTiming, OfPartsThatAreFarApartOutlivesNoController) {
+    const auto parts_within = [](ArisBench& bench, Time time) {
+        bench.sent();
+        bench.run_to(bench.now + time);
+        return std::ranges::count_if(bench.sent(), [](const Send& send) { return send.port == 2; });
+    };
+    const std::pair<const char*, std::function<void(ArisBench&)>> ends[] = {
+        {"stop", [](ArisBench& bench) { bench.say(words::nobody); }},
+        {"hang-up", [](ArisBench& bench) { bench.disconnect(0, {}); }},
+        {"next controller", [](ArisBench& bench) { bench.device().reconnected(0); }}};
+    for (const auto& [what, end] : ends) {
+        ArisBench bench;
+        bench.say(words::receiver);
+        bench.say("0000000c 0802 2208 0a06 0801 10a08d06");  // 100 000 us
+        bench.say(words::acoustics);
+        EXPECT_NEAR(static_cast<double>(parts_within(bench, 1050ms)), 10, 1) << "of more than 60";
+        end(bench);
+        EXPECT_EQ(parts_within(bench, 500ms), 0) << what;
+        bench.say(words::receiver);
+        bench.say(words::acoustics);
+        EXPECT_GE(bench.frames_within(300ms).size(), 1U) << what << ": the next does not wait for them";
+    }
 }
 
 TEST(ArisSettings, ThatCannotBeAreRefusedAndTheLastOnesStay) {

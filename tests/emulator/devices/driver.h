@@ -106,12 +106,13 @@ class Bench {
     }
 
     /// Delivers the echogram of the pending ping at its time.
-    void hear() {
+    void hear() { hear(echo_of(ping->shot, echo_bin, echo_power)); }
+    void hear(const Echogram& echogram) {
         const Ping done = *ping;
         ping.reset();
         now = std::max(now, done.due);
         shots.push_back(done.shot);
-        take(device_->heard(echo_of(done.shot, echo_bin, echo_power), now));
+        take(device_->heard(echogram, now));
     }
 
     Device& device() { return *device_; }

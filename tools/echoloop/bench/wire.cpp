@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <set>
 #include <stdexcept>
 
 #include "emulator/options.h"
@@ -66,15 +67,7 @@ class Driven {
 
     /// ms of processor time from the next echogram to its bytes.
     double ping(WireFigures& figures) {
-        constexpr int most = 10'000, until_words = 100;  // some sonars stop when their host is silent
-        for (int woken = 1; !ping_; ++woken) {
-            if (woken == most || wake_ == Time::max())
-                throw std::runtime_error("bench: " + figures.name + " does not ping");
-            if (woken % until_words == 0) say_words();
-            if (ping_) break;
-            now_ = std::max(now_, std::exchange(wake_, Time::max()));
-            take(device_->woken(now_));
-        }
+        await_ping(figures.name);
         const Ping ping = std::move(*std::exchange(ping_, std::nullopt));
         now_ = std::max(now_, ping.due);
         const Echogram echogram = made_up(ping.shot);
@@ -82,13 +75,26 @@ class Driven {
         Actions actions = device_->heard(echogram, now_);
         const double taken = thread_ms() - begin;
         figures.beams = ping.shot.beams(), figures.bins = ping.shot.bins;
-        figures.messages = actions.send.size(), figures.bytes = 0;
-        for (const Send& send : actions.send) figures.bytes += send.bytes.size();
+        ports_.clear(), messages_ = bytes_ = 0;
+        for (const Send& send : actions.send) ports_.insert(send.port);
         take(std::move(actions));
+        await_ping(figures.name);  // what is large may leave piece by piece
+        figures.messages = messages_, figures.bytes = bytes_;
         return taken;
     }
 
   private:
+    void await_ping(const std::string& name) {
+        constexpr int most = 10'000, until_words = 100;  // some sonars stop when their host is silent
+        for (int woken = 1; !ping_; ++woken) {
+            if (woken == most || wake_ == Time::max())
+                throw std::runtime_error("bench: " + name + " does not ping");
+            if (woken % until_words == 0) say_words();
+            if (ping_) break;
+            now_ = std::max(now_, std::exchange(wake_, Time::max()));
+            take(device_->woken(now_));
+        }
+    }
     void say_words() {
         for (const auto& word : words_)
             take(device_->received({word.port, word.bytes, {0x7F000001, 50000}}, now_));
@@ -96,12 +102,19 @@ class Driven {
     void take(Actions actions) {
         if (actions.wake) wake_ = *actions.wake;
         if (actions.ping) ping_ = std::move(actions.ping);
+        for (const Send& send : actions.send) {
+            if (!ports_.contains(send.port)) continue;
+            ++messages_;
+            bytes_ += send.bytes.size();
+        }
     }
 
     std::unique_ptr<Device> device_;
     std::vector<WireCase::Word> words_;
     Time now_{}, wake_ = Time::max();
     std::optional<Ping> ping_;
+    std::set<std::size_t> ports_;           ///< where the echogram's words leave
+    std::size_t messages_ = 0, bytes_ = 0;  ///< there, since the echogram
 };
 
 }  // namespace
