@@ -75,7 +75,7 @@ Shot make_shot(const aris::SetAcoustics& w, bool telephoto, const Settings& s, s
     shot.vertical = a.vertical;
     shot.receiver = a.receiver;
     shot.receiver.directivity_index = carrier.directivity_index;
-    shot.interval = 1e-6 * w.cycle_period;
+    shot.interval = 1 / static_cast<double>(w.frame_rate);
     return shot;
 }
 

@@ -19,7 +19,7 @@ const Carrier& carrier_of(const aris::SetAcoustics& acoustics, const Settings& s
 /// s, from the first transmission to the end of the last ping.
 double frame_time(const aris::SetAcoustics& acoustics);
 
-/// All pings of a frame as one. `acoustics` are valid.
+/// All pings of a frame as one, with the next frame as soon as the frame rate lets it. `acoustics` are valid.
 Shot make_shot(const aris::SetAcoustics& acoustics, bool telephoto, const Settings& settings,
                std::uint64_t ping);
 

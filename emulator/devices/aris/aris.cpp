@@ -195,8 +195,16 @@ void Aris::transmit(Time now) {
               now,
               static_cast<std::uint64_t>(clock_offset_ + now.count() / 1000)};
     const Time heard = from_seconds(frame_time(acoustics) + settings_.acoustics.processing);
-    actions_.ping = Ping{make_shot(acoustics, telephoto_, settings_, ++pings_),
-                         now + std::min(heard, period_of(acoustics))};
+    const Time due = now + std::min(heard, period_of(acoustics));
+    actions_.ping = Ping{make_shot(acoustics, telephoto_, settings_, ++pings_), due};
+    actions_.ping->shot.interval = interval(now, due);
+}
+
+double Aris::interval(Time now, Time due) const {
+    const auto parts = static_cast<Time::rep>(part_count(frame_, settings_));
+    const Time out = std::max(due, parts_.out()) + parts * from_seconds(part_delay(frame_, settings_));
+    return std::max(1 / static_cast<double>(frame_.acoustics.frame_rate),
+                    to_seconds(out - now) - frame_time(frame_.acoustics));
 }
 
 Actions Aris::heard(const Echogram& echogram, Time now) {

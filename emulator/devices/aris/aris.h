@@ -49,6 +49,8 @@ class Aris final : public Device {
     void expect_words(Time now);
     void plan_next_frame(Time now);
     void transmit(Time now);
+    /// s from the transmission of a frame that is heard at `due` to the next, if nobody sets anything.
+    double interval(Time now, Time due) const;
     void send_frame(const Echogram& echogram, Time now);
     void send_beacon();
     Actions take_actions();

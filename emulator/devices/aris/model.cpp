@@ -72,6 +72,7 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
         const double heard = 2e6 * range / config.sound_speed - a.start_delay;
         a.sample_period = static_cast<std::uint32_t>(std::clamp(heard / a.samples, 4.0, 100.0) + 0.5);
         a.cycle_period = a.start_delay + a.sample_period * a.samples + 360;
+        a.frame_rate = std::min(a.frame_rate, static_cast<float>(1 / frame_time(a)));
     }
     return make_shot(a, false, read_settings(config, variant), step + 1);
 }

@@ -22,8 +22,7 @@ class PartQueue {
             parts_.push_back(std::move(part));
         }
     }
-    /// Moves those that leave now or in the next moment to `out`; a few together, so that the device is not woken for
-    /// each.
+    /// Moves those that leave in the next moment to `out`: a few, so that the device is not woken for each.
     void hand_over(Time now, std::vector<Send>& out) {
         constexpr Time moment = std::chrono::milliseconds(1);
         for (; !parts_.empty() && parts_.front().not_before < now + moment; parts_.pop_front())

@@ -144,7 +144,31 @@ TEST(ArisShot, ListensFromTheDelayOn) {
     EXPECT_DOUBLE_EQ(shot.bin_interval, 8e-6);
     EXPECT_EQ(shot.bins, 1014U);
     EXPECT_NEAR(shot.pulse_length, 11 / 1.8e6, 1e-12) << "cycles of the carrier";
-    EXPECT_NEAR(shot.interval, 0.0105, 1e-12);
+    EXPECT_DOUBLE_EQ(shot.interval, 1 / 15.0);
+}
+
+/// When the next ping goes out, and how long after it the one behind, as it says.
+std::pair<Time, double> next_ping(ArisBench& bench) {
+    const auto last = bench.ping ? bench.ping->shot.ping : 0;
+    while (!bench.ping || bench.ping->shot.ping == last)
+        bench.run_to(std::min(bench.wake, bench.ping ? bench.ping->due : Time::max()));
+    return {bench.now, bench.ping->shot.interval};
+}
+
+TEST(ArisShot, SaysWhenTheNextOneGoesOutAlsoWherePartsHoldItUp) {
+    for (const bool slow : {false, true}) {
+        ArisBench bench;
+        bench.say(words::receiver);
+        if (slow) bench.say("0000000b 0802 2207 0a05 0801 10d00f");  // 2000 us between parts
+        bench.say(words::acoustics);
+        auto before = next_ping(bench);
+        for (int i = 0; i < 5; ++i) {
+            const auto ping = next_ping(bench);
+            EXPECT_NEAR(to_seconds(ping.first - before.first), before.second, 2e-9);
+            before = ping;
+        }
+        EXPECT_EQ(before.second > 0.1, slow) << "they take longer than a period";
+    }
 }
 
 }  // namespace
