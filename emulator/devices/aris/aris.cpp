@@ -13,8 +13,6 @@ namespace {
 
 enum PortIndex : std::size_t { command_port, beacon_port, frame_port };
 
-constexpr std::uint32_t loopback = 0x7F000001;
-
 bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
 
 Time period_of(const aris::SetAcoustics& acoustics) {
@@ -55,7 +53,7 @@ void Aris::forget_controller() {
     next_frame_ = next_silence_ = Time::max();
     connected_ = frame_under_way_ = false;
     frame_.number = 0;  // receivers start anew with each connection, and drop numbers below one that they had
-    peer_ = is_loopback(wiring_.own.ip) ? loopback : 0;
+    peer_ = 0;
 }
 
 void Aris::reconnected(std::size_t port) {

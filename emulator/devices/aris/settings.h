@@ -45,7 +45,7 @@ struct Settings {
     double silence_limit = 10;     ///< s; 0: none
     std::size_t datagram = 1472;   ///< B, the longest part
     double part_delay = 0.3e-3;    ///< s between parts, unless the controller says so
-    std::uint32_t controller = 0;  ///< IPv4 of one that names no receiver; 0: not known
+    std::uint32_t controller = 0;  ///< IPv4, instead of that of one that names no receiver; 0: its own
     bool reordered = false;        ///< samples range after range
     bool pulse_in_cycles = true;
     bool ethernet = true;

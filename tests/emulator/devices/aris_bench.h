@@ -85,7 +85,11 @@ struct ArisBench : Bench {
     explicit ArisBench(const Options& changes = {}, const std::string& model = "aris-1800",
                        std::vector<std::string> endpoints = {})
         : Bench(make_device(model, std::move(endpoints), changes)) {
+        connect_anew();
+    }
+    void connect_anew(Address controller = {0x7F000001, 40000}) {
         device().reconnected(0);
+        connect(0, controller);
     }
 
     /// Frames put together from what has been sent since the last call; each part must follow the one before.

@@ -67,15 +67,21 @@ TEST(ArisFrames, GoWhereTheReceiverIs) {
     EXPECT_EQ(bench.frames_within(100ms).at(0).to, (Address{0x7F000005, 56444}));
 }
 
-TEST(ArisFrames, OnARealNetworkNeedAReceiverOrTheOptionThatNamesIt) {
+TEST(ArisFrames, OnARealNetworkGoToTheControllerUnlessItOrTheOptionNamesAnother) {
     const std::vector<std::string> lan{"tcp-listen://192.168.1.4:56888", "udp://192.168.1.255:56124"};
-    ArisBench unknown({}, "aris-1800", lan);
-    unknown.say(words::receiver);
-    EXPECT_EQ(unknown.device().counters().rejected, 1U);
-    ArisBench known({{"controller", std::string("192.168.1.7")}}, "aris-1800", lan);
-    known.say(words::receiver);
-    known.say(words::acoustics);
-    EXPECT_EQ(known.frames_within(100ms).at(0).to, (Address{0xC0A80107, 56444}));
+    const auto destination = [&lan](const Options& options, const std::string& receiver) {
+        ArisBench bench(options, "aris-1800", lan);
+        bench.connect_anew({0xC0A80109, 40000});  // 192.168.1.9
+        bench.say(receiver);
+        bench.say(words::acoustics);
+        return bench.frames_within(100ms).at(0).to;
+    };
+    const std::string multicast = "00000013 0801 1a0f 08fcb803 1209 3233392e312e322e33";  // 239.1.2.3
+    const Options option{{"controller", std::string("192.168.1.7")}};
+    EXPECT_EQ(destination({}, words::receiver), (Address{0xC0A80109, 56444}));
+    EXPECT_EQ(destination(option, words::receiver), (Address{0xC0A80107, 56444}));
+    EXPECT_EQ(destination({}, multicast), (Address{0xEF010203, 56444}));
+    EXPECT_EQ(destination(option, multicast), (Address{0xEF010203, 56444}));
 }
 
 TEST(ArisTiming, FollowsTheFrameRateAndTheCycle) {
@@ -119,7 +125,7 @@ TEST(ArisTiming, OfPartsThatAreFarApartOutlivesNoController) {
     const std::pair<const char*, std::function<void(ArisBench&)>> ends[] = {
         {"stop", [](ArisBench& bench) { bench.say(words::nobody); }},
         {"hang-up", [](ArisBench& bench) { bench.disconnect(0, {}); }},
-        {"next controller", [](ArisBench& bench) { bench.device().reconnected(0); }}};
+        {"next controller", [](ArisBench& bench) { bench.connect_anew(); }}};
     for (const auto& [what, end] : ends) {
         ArisBench bench;
         bench.say(words::receiver);
@@ -128,6 +134,7 @@ TEST(ArisTiming, OfPartsThatAreFarApartOutlivesNoController) {
         EXPECT_NEAR(static_cast<double>(parts_within(bench, 1050ms)), 10, 1) << "of more than 60";
         end(bench);
         EXPECT_EQ(parts_within(bench, 500ms), 0) << what;
+        bench.connect_anew();
         bench.say(words::receiver);
         bench.say(words::acoustics);
         EXPECT_GE(bench.frames_within(300ms).size(), 1U) << what << ": the next does not wait for them";
@@ -217,7 +224,6 @@ TEST(ArisController, ThatIsSilentIsHungUpOn) {
 
 TEST(ArisController, ThatNeverSaysAWordIsHungUpOnToo) {
     ArisBench bench;
-    bench.device().connected(0, {0x7F000001, 40000}, bench.now);
     bench.run_to(9900ms);
     const auto hung_up = [](const Send& send) { return send.port == 0 && send.hang_up; };
     EXPECT_TRUE(std::ranges::none_of(bench.sent(), hung_up));
@@ -250,7 +256,7 @@ TEST(ArisController, FindsNothingOfTheLastOneAndFramesFromOneOn) {
             EXPECT_EQ(frames[i].word(0), i + 1) << "in the header";
         }
         bench.run_to(bench.now + 30ms);
-        bench.device().reconnected(0);
+        bench.connect_anew();
     }
 }
 
@@ -263,7 +269,7 @@ TEST(ArisController, HearsNoEchoOfThePingsOfTheLastOne) {
         return *bench.ping;
     };
     const Ping stale = ping();
-    bench.device().reconnected(0);
+    bench.connect_anew();
     bench.ping.reset();
     const Ping own = ping();
     const auto sent = [&bench, &own](const Ping& of) {

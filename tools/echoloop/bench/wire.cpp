@@ -58,10 +58,7 @@ class Driven {
   public:
     explicit Driven(const WireCase& the_case) : device_(make_device(the_case)), words_(the_case.words) {
         take(device_->started(now_));
-        for (std::size_t port = 0; port < device_->ports().size(); ++port) {
-            device_->reconnected(port);
-            take(device_->connected(port, {0x7F000001, 50000}, now_));
-        }
+        for (std::size_t port = 0; port < device_->ports().size(); ++port) connect(port);
         say_words();
     }
 
@@ -95,6 +92,10 @@ class Driven {
             take(device_->woken(now_));
         }
     }
+    void connect(std::size_t port) {
+        device_->reconnected(port);
+        take(device_->connected(port, {0x7F000001, 50000}, now_));
+    }
     void say_words() {
         for (const auto& word : words_)
             take(device_->received({word.port, word.bytes, {0x7F000001, 50000}}, now_));
@@ -103,6 +104,7 @@ class Driven {
         if (actions.wake) wake_ = *actions.wake;
         if (actions.ping) ping_ = std::move(actions.ping);
         for (const Send& send : actions.send) {
+            if (send.hang_up) connect(send.port);
             if (!ports_.contains(send.port)) continue;
             ++messages_;
             bytes_ += send.bytes.size();
