@@ -65,6 +65,9 @@ struct Fields {
     }
 };
 
+/// Of the sonar: 0 available, 1 busy.
+inline std::uint64_t state(const Send& beacon) { return Fields(beacon.bytes).numbers[4]; }
+
 /// A whole frame.
 struct ArisFrame {
     std::uint64_t number = 0;
