@@ -73,11 +73,31 @@ TEST(NorbitWbms, PingsComeAtTheRateOrAsFastAsSoundAllows) {
     bench.shots.clear();
     bench.run_to(6s);
     EXPECT_NEAR(static_cast<double>(bench.shots.size()), 1 / (60 / 1500.0 + 0.010), 1);
-    ask(bench, "set_trigger_mode 4");
+    EXPECT_EQ(ask(bench, "set_rate 0.001"), "set_rate 0.001 # Hz, -1 automatic\r\n");
     bench.run_to(7s);
     bench.shots.clear();
-    bench.run_to(9s);
+    bench.run_to(900s);
+    EXPECT_TRUE(bench.shots.empty()) << "the next comes after 1000 s";
+    bench.run_to(1100s);
+    EXPECT_EQ(bench.shots.size(), 1U);
+    ask(bench, "set_rate -1");
+    ask(bench, "set_trigger_mode 4");
+    bench.run_to(1101s);
+    bench.shots.clear();
+    bench.run_to(1103s);
     EXPECT_TRUE(bench.shots.empty()) << "no trigger ever comes";
+}
+
+TEST(NorbitWbms, ARateThatIsNoneIsRefusedAndPingsGoOn) {
+    Bench bench = norbit({{"power", true}});
+    for (const char* command : {"set_gate_mode 0", "set_range 0 30", "set_rate 10"}) ask(bench, command);
+    for (const char* rate : {"1e-12", "5e-324", "0.00099", "0", "-0.5", "-0.999", "-1.5", "61", "nan", "inf"})
+        EXPECT_EQ(ask(bench, std::string("set_rate ") + rate), "set_rate 10 # out of range, not set\r\n")
+            << rate;
+    bench.run_to(1s);
+    bench.shots.clear();
+    bench.run_to(3s);
+    EXPECT_EQ(bench.shots.size(), 20U);
 }
 
 TEST(NorbitWbms, BathymetryHasTheEchoAtItsSample) {
