@@ -58,6 +58,13 @@ Controls after(const imagenex::ExternalControl& c, const Controls& before, const
     return next;
 }
 
+bool alike(Controls a, const Controls& b) {
+    a.sound_speed = b.sound_speed;
+    a.tilt = b.tilt;
+    a.minimum_range = b.minimum_range;
+    return a == b;
+}
+
 std::vector<double> Fan::angles() const {
     std::vector<double> out(beams);
     for (std::size_t n = 0; n < beams; ++n)

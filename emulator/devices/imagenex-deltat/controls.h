@@ -38,6 +38,9 @@ enum class SpeedOrder { automatic, big, little };
 Controls after(const imagenex::ExternalControl& command, const Controls& before, const Controls& start,
                SpeedOrder order);
 
+/// Whether their pings make one mean: they differ only in what is told to hosts or done with the mean.
+bool alike(Controls a, const Controls& b);
+
 /// The beams as an 83P tells them, which are the beams that there are: whole hundredths of a degree.
 struct Fan {
     int start = 0;      ///< 0.01 deg from the axis, positive to starboard

@@ -44,7 +44,7 @@ Actions DeltaT::woken(Time now) {
 }
 
 Actions DeltaT::transmit(Time now) {
-    if (record_.controls != controls_) averaged_ = 0;
+    if (!alike(record_.controls, controls_)) averaged_ = 0;
     const double latency = window(controls_) + settings_.processing;
     const double time = settings_.unix_start + to_seconds(now);
     if (averaged_ == 0) first_time_ = time;

@@ -1,4 +1,6 @@
 // External control of a Delta T: what each byte of an EC does to the next ping, its pace and its 83P.
+#include <functional>
+
 #include "tests/emulator/devices/deltat_bench.h"
 #include "tests/emulator/devices/noisy_line.h"
 
@@ -143,6 +145,37 @@ TEST(DeltaTControl, TheMeanIsThatOfThePings) {
         bench.hear();
     }
     EXPECT_NEAR(intensity(bench.sent().back().bytes) / steady, 1, 0.01) << "of power, not of amplitude";
+}
+
+/// The 83Ps of 3 pings each that 39 pings make, with a host that says something else behind every ping.
+std::vector<Bytes> averages(const std::function<Bytes(int)>& word) {
+    Bench bench = delta_t();
+    bench.echo_bin = 400;  // 8 m of 20
+    bench.echo_power = 1e13F;
+    answer(bench, control({{14, 3}}));
+    std::vector<Bytes> found;
+    for (int i = 0; i < 39; ++i) {
+        const std::size_t heard = bench.shots.size();
+        while (bench.shots.size() == heard) bench.run_to(bench.now + 1ms);
+        for (const Send& send : bench.sent()) found.push_back(send.bytes);
+        bench.say(word(i));
+    }
+    return found;
+}
+
+TEST(DeltaTControl, WhatIsToldOnlyStopsNoAverage) {
+    const auto code = [](int value) { return static_cast<std::uint8_t>(value); };
+    const auto told = averages([&code](int i) {
+        return control({{14, 3}, {18, code(0x98 + i % 8)}, {22, code(i % 2)}, {25, code(180 + i % 5)}});
+    });
+    EXPECT_NEAR(static_cast<double>(told.size()), 13, 1);
+    for (const Bytes& b : told) {
+        EXPECT_EQ(b[125], 3);
+        EXPECT_NEAR(range_of(b, 120), 8, 0.1);
+    }
+    EXPECT_NE(be(told.at(0), 83), be(told.at(1), 83)) << "the sound speed is told as it is";
+    const auto louder = averages([&code](int i) { return control({{14, 3}, {8, code(i % 2)}}); });
+    EXPECT_TRUE(louder.empty()) << "pings of two gains make no mean";
 }
 
 TEST(DeltaTControl, RollCompensationKeepsTheFanOverTheBottom) {
