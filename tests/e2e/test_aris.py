@@ -140,8 +140,27 @@ class Tank(ArisCase):
             self.wall(frame, 4, 3.5)
         self.assertEqual(host.faults, [])
 
+    def test_the_aris_1200_sees_the_same_wall_farther_away(self):
+        host = self.start("tank", [0, 0, -2], model="aris-1200")
+        for high in (True, False):
+            frame = host.next_with(host.acoustics(**EXAMPLES[2], high=high))
+            self.assertEqual((frame.beams, frame.header["system_type"]), (48, 2))
+            self.wall(frame, 6, 5.4)
+        self.assertEqual(host.faults, [])
+
 
 class Timing(ArisCase):
+    def test_every_controller_gets_frames_from_one_on(self):
+        host = self.start("flat", [0, 0, -12])
+        for controller in range(2):
+            first = host.next_with(host.acoustics(**EXAMPLES[0]))
+            self.assertEqual((first.number, first.header["index"]), (1, 1))
+            host.next_with(host.cookie)
+            host.stream.close()
+            host.wait_beacon(5, lambda beacon: beacon["state"] == 0)
+            host.connect()
+            host.start()
+
     def test_frames_come_at_their_rate_and_by_the_controllers_clock(self):
         host = self.start("flat", [0, 0, -12])
         for rate in (10.0, 4.0):

@@ -14,6 +14,7 @@ import aris_wire as wire
 EXAMPLES = {  # of the specification notes, by system type
     0: {"mode": 3, "rate": 15.0, "samples": 1014, "delay": 2028, "cycle": 10500, "period": 8, "pulse": 11, "gain": 18.0},
     1: {"mode": 9, "rate": 15.0, "samples": 946, "delay": 2028, "cycle": 7118, "period": 5, "pulse": 10, "gain": 12.0},
+    2: {"mode": 1, "rate": 10.0, "samples": 1082, "delay": 5408, "cycle": 32818, "period": 25, "pulse": 24, "gain": 20.0},
 }
 
 
@@ -91,7 +92,7 @@ class Host:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--model", type=int, default=0, help="system type: 0 ARIS 1800, 1 ARIS 3000")
+    parser.add_argument("--model", type=int, default=0, help="system type: 0 ARIS 1800, 1 ARIS 3000, 2 ARIS 1200")
     parser.add_argument("--frames", type=int, default=20)
     args = parser.parse_args()
     host = Host()

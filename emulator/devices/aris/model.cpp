@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint16_t beacon_port = 56124;
 constexpr std::uint32_t loopback_broadcast = 0x7FFFFFFF;  // 127.255.255.255
+constexpr Variant aris_1200{aris::system_type::aris1200, 1, 1};
 constexpr Variant aris_1800{aris::system_type::aris1800, 3, 1};
 constexpr Variant aris_3000{aris::system_type::aris3000, 9, 6};
 
@@ -56,12 +57,16 @@ std::unique_ptr<Device> make(const DeviceConfig& config) {
     return std::make_unique<Aris>(read_settings(config, variant), read_wiring(config.endpoints));
 }
 
-/// The example of the notes for the model: 1.5 to 7.5 m, or to 5 m.
+/// The example of the notes for the model: 4 to 24 m, 1.5 to 7.5 m, or 1.5 to 5 m.
 aris::SetAcoustics example(const Variant& variant) {
-    aris::SetAcoustics a{1, 15, 1014, 2028, 10500, 8, 11, 3, true, 1, true, 18};
-    if (variant.system_type == aris::system_type::aris3000)
-        a = {1, 15, 946, 2028, 7118, 5, 10, 9, true, 1, true, 12};
-    return a;
+    switch (variant.system_type) {
+        case aris::system_type::aris1200:
+            return {1, 10, 1082, 5408, 32818, 25, 24, 1, true, 1, true, 20};
+        case aris::system_type::aris3000:
+            return {1, 15, 946, 2028, 7118, 5, 10, 9, true, 1, true, 12};
+        default:
+            return {1, 15, 1014, 2028, 10500, 8, 11, 3, true, 1, true, 18};
+    }
 }
 
 /// `range` is reached by longer sample periods.
@@ -96,7 +101,8 @@ Model row(const std::string& name, const std::string& title) {
 }  // namespace
 
 std::vector<Model> models() {
-    return {row<aris_1800>("aris-1800", "Sound Metrics ARIS 1800 imaging sonar"),
+    return {row<aris_1200>("aris-1200", "Sound Metrics ARIS 1200 imaging sonar"),
+            row<aris_1800>("aris-1800", "Sound Metrics ARIS 1800 imaging sonar"),
             row<aris_3000>("aris-3000", "Sound Metrics ARIS 3000 imaging sonar")};
 }
 

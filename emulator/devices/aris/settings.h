@@ -34,7 +34,7 @@ struct Acoustics {
 /// One of the sonars of the series.
 struct Variant {
     std::uint32_t system_type = 0;
-    std::uint32_t first_mode = 0, second_mode = 0;  ///< ping modes
+    std::uint32_t first_mode = 0, second_mode = 0;  ///< ping modes; the same where there is one only
 };
 
 struct Settings {
