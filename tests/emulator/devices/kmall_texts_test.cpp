@@ -61,14 +61,14 @@ TEST(Kmall, ItsStatusHasTheDepthBelow) {
     EXPECT_NEAR(std::stod(status.substr(depth + 6)), 8, 0.04);
 }
 
-/// The depth of the status after a ping over a flat floor 8 m below; the head is rolled by `roll` deg.
+/// The depth of the status after a ping over a slope 8 m below; the head is rolled by `roll` deg.
 std::string told_depth(const char* edges, double roll, double angle_without_echo = 10) {
     Bench bench = talking_sounder();
     bench.say(text(std::string("$KSSIS,262,EM2040_40,") + edges));
     bench.run_to(0ns);
     const double r = deg_to_rad(roll);
     const auto floor = [&](double angle) {
-        return std::abs(angle - angle_without_echo) < 0.01 ? 1e3 : 8 / std::cos(angle - r);
+        return std::abs(angle - angle_without_echo) < 0.01 ? 1e3 : sloping(8, 0.1)(angle - r);
     };
     Echogram echo = bottom_echo(bench.ping->shot, floor, {});
     echo.world_from_sonar = {{0, 0, -12}, from_rpy(r, 0, 0) * from_rpy(0, deg_to_rad(90), 0)};
