@@ -72,6 +72,12 @@ struct Port {
     /// Several drivers: one that does not read holds up the whole device. Else it misses what does not fit
     /// the memory that is kept for it.
     bool slow_holds_up = false;
+    /// Stream that listens by TCP: messages that are kept for a driver that does not read, beside the one
+    /// that it is being sent; it misses the others and holds nothing up. 0: as it is with that memory.
+    std::size_t messages_kept = 0;
+    /// Several drivers: one that has said its last word and closed its direction only is still there for half
+    /// a second, until it is hung up on.
+    bool answers_half_closed = false;
 };
 
 /// Figures of what went wrong on the wire, printed at the end of a run.

@@ -283,6 +283,7 @@ SessionSummary Session::summary() const {
         summary.bytes_in += transport->bytes_in();
         summary.bytes_out += transport->bytes_out();
         summary.bytes_lost += transport->bytes_lost();
+        summary.dropped += transport->messages_dropped();
     }
     return summary;
 }

@@ -36,8 +36,9 @@ struct SessionSummary {
     /// was what they waited for, or else the machine woke this program too late.
     std::uint64_t late_standstills = 0, late_renderings = 0, late_wakings = 0;
     Time worst_lateness{}, median_lateness{};
-    Time p99_lateness{};                                   ///< that 99 of 100 pings do not exceed
-    std::uint64_t dropped = 0;                             ///< messages that did not fit the outbox
+    Time p99_lateness{};  ///< that 99 of 100 pings do not exceed
+    /// Messages that did not fit the outbox, or what is kept for a driver that does not read.
+    std::uint64_t dropped = 0;
     std::size_t most_waiting = 0, most_waiting_bytes = 0;  ///< messages in the outbox at once
     std::uint64_t bytes_in = 0, bytes_out = 0;
     std::uint64_t bytes_lost = 0;  ///< a driver was there and did not take them

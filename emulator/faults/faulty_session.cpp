@@ -45,15 +45,15 @@ std::vector<std::unique_ptr<Transport>> FaultySession::lines(
         traits.stream = ports[i].kind == Port::Kind::stream;
         const bool serial = transports[i]->wire().kind == Wire::Kind::serial;
         traits.line_rate = serial ? own_rate(device.config) : 0;
-        auto* const several = dynamic_cast<DriverLines*>(transports[i].get());
-        traits.several = several != nullptr;
+        auto* const own_lines = dynamic_cast<DriverLines*>(transports[i].get());
+        traits.several = own_lines != nullptr && ports[i].drivers > 1;
         const auto faulty = [&](std::unique_ptr<Transport> open) -> std::unique_ptr<Transport> {
             auto line = std::make_unique<Faulty>(clock_, std::move(open), faults_, ports[i].name, traits);
             lines_.push_back(line.get());
             return line;
         };
-        if (several != nullptr)
-            several->put_around(faulty);
+        if (own_lines != nullptr)
+            own_lines->put_around(faulty);
         else
             transports[i] = faulty(std::move(transports[i]));
     }

@@ -30,6 +30,7 @@ class Decorator : public Transport {
     std::uint64_t bytes_in() const override { return line_->bytes_in(); }
     std::uint64_t bytes_out() const override { return line_->bytes_out(); }
     std::uint64_t bytes_lost() const override { return line_->bytes_lost(); }
+    std::uint64_t messages_dropped() const override { return line_->messages_dropped(); }
 
   protected:
     Transport& line() { return *line_; }

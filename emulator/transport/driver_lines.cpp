@@ -13,13 +13,14 @@ namespace {
 constexpr std::size_t most_waiting = 16
                                      << 20;  // bytes for one driver; two pings of the largest sonar at least
 
-/// A message may be empty and takes some all the same.
+/// The end of a connection takes some as well.
 std::size_t memory_of(const std::shared_ptr<const Bytes>& bytes) { return 100 + (bytes ? bytes->size() : 0); }
 
 }  // namespace
 
-DriverLines::DriverLines(Clock& clock, std::vector<std::unique_ptr<Transport>> lines, Slow slow)
-    : clock_(clock), slow_(slow) {
+DriverLines::DriverLines(Clock& clock, std::vector<std::unique_ptr<Transport>> lines, Slow slow,
+                         std::size_t most_messages)
+    : clock_(clock), slow_(slow), most_messages_(most_messages) {
     for (auto& line : lines) lines_.push_back(std::make_unique<Line>(clock, std::move(line)));
 }
 
@@ -41,6 +42,7 @@ void DriverLines::start(Events events) {
                               [this, &line](Address peer) {
                                   leave(line);
                                   line.driver = peer;
+                                  ++line.visit;
                                   events_.connected(peer);
                               },
                           .disconnected = [this, &line](Address) { leave(line); }});
@@ -66,6 +68,7 @@ std::vector<DriverLines::Line*> DriverLines::meant(Address to) {
 }
 
 Task<void> DriverLines::write(ByteView bytes, Address to) {
+    if (bytes.empty()) co_return;  // nothing is said; a connection may end behind it
     const auto kept = std::make_shared<const Bytes>(bytes.begin(), bytes.end());
     const auto lines = meant(to);
     for (Line* line : lines) post(*line, kept);
@@ -76,13 +79,28 @@ Task<void> DriverLines::write(ByteView bytes, Address to) {
 }
 
 void DriverLines::hang_up(Address to) {
-    for (Line* line : meant(to)) post(*line, nullptr);
+    for (Line* line : meant(to)) {
+        post(*line, nullptr);
+        asio::co_spawn(clock_.io(), insist_on_end(*line), Serving(describe()));
+    }
+}
+
+Task<void> DriverLines::insist_on_end(Line& line) {
+    constexpr Time patience = std::chrono::seconds(2);
+    const std::uint64_t visit = line.visit;
+    Alarm alarm(clock_);
+    co_await alarm.until(clock_.now() + patience);
+    if (!closed_ && line.driver.port != 0 && line.visit == visit) line.wire->reset();
+}
+
+bool DriverLines::is_full(const Line& line, std::size_t more) const {
+    return line.busy() && (line.memory + more > most_waiting || line.waiting.size() >= most_messages_);
 }
 
 void DriverLines::post(Line& line, std::shared_ptr<const Bytes> bytes) {
     const std::size_t more = memory_of(bytes);
-    if (line.busy() && line.memory + more > most_waiting && bytes) {
-        if (lost_ == 0)
+    if (bytes && is_full(line, more)) {
+        if (dropped_++ == 0)
             spdlog::warn("{}: the driver at {} does not read; what is for it is lost", describe(),
                          to_text(line.driver));
         lost_ += bytes->size();

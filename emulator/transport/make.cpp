@@ -82,12 +82,16 @@ std::unique_ptr<Transport> open_line(Clock& clock, const Endpoint& endpoint, con
 
 std::unique_ptr<Transport> open_driver_lines(Clock& clock, const Endpoint& endpoint, const Port& port,
                                              const Around& around) {
-    const auto door = std::make_shared<TcpDoor>(clock.io(), Address{endpoint.ip, endpoint.port});
+    constexpr int few_messages = 256 << 10;  // B, which the system doubles
+    const bool keeps_few = port.messages_kept > 0;
+    const Manners manners{keeps_few ? few_messages : 0, port.answers_half_closed};
+    const auto door = std::make_shared<TcpDoor>(clock.io(), Address{endpoint.ip, endpoint.port}, manners);
     std::vector<std::unique_ptr<Transport>> lines;
     for (std::size_t i = 0; i < port.drivers; ++i)
         lines.push_back(around(in_step(clock, std::make_unique<TcpListener>(door)), port));
     const auto slow = port.slow_holds_up ? DriverLines::Slow::holds_up : DriverLines::Slow::loses;
-    return std::make_unique<DriverLines>(clock, std::move(lines), slow);
+    if (!keeps_few) return std::make_unique<DriverLines>(clock, std::move(lines), slow);
+    return std::make_unique<DriverLines>(clock, std::move(lines), slow, port.messages_kept);
 }
 
 std::unique_ptr<Transport> as_it_is(std::unique_ptr<Transport> wire, const Port&) { return wire; }
@@ -109,9 +113,10 @@ std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std:
                 wrap(in_step(clock, std::make_unique<Udp>(clock.io(), port.bind, port.shared)), port));
         } else {
             const Endpoint endpoint = parse_endpoint(config.endpoints.at(next_stream++));
-            const bool several = port.drivers > 1 && endpoint.scheme == Endpoint::Scheme::tcp_listen;
-            transports.push_back(several ? open_driver_lines(clock, endpoint, port, wrap)
-                                         : open_line(clock, endpoint, config, port, wrap));
+            const bool own_lines = (port.drivers > 1 || port.messages_kept > 0) &&
+                                   endpoint.scheme == Endpoint::Scheme::tcp_listen;
+            transports.push_back(own_lines ? open_driver_lines(clock, endpoint, port, wrap)
+                                           : open_line(clock, endpoint, config, port, wrap));
         }
     }
     return transports;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "emulator/transport/address.h"
+#include "emulator/transport/tcp_watch.h"
 
 namespace echoloop {
 namespace {
@@ -54,7 +55,9 @@ void close_with_reset(Tcp::socket& socket) {
 
 }  // namespace
 
-TcpListener::TcpListener(std::shared_ptr<TcpDoor> door) : door_(std::move(door)) { door_->add(*this); }
+TcpListener::TcpListener(std::shared_ptr<TcpDoor> door) : door_(std::move(door)), last_answer_(door_->io()) {
+    door_->add(*this);
+}
 
 TcpListener::~TcpListener() {
     close();
@@ -69,6 +72,8 @@ void TcpListener::start(Events events) {
 void TcpListener::take(Tcp::socket driver) {
     prepare(driver);
     driver_ = std::make_shared<Tcp::socket>(std::move(driver));
+    watch_far_end(driver_);
+    hung_up_ = false;
     const Address peer = wire().remote;
     events_.reconnected();
     events_.connected(peer);
@@ -84,11 +89,18 @@ Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver, Address peer)
         count_in(n);
         events_.received(ByteView(buffer).first(n), {});
     }
+    if (ec == asio::error::eof && door_->manners().answers_half_closed) co_await wait_for_last_answer();
     const bool forgotten = std::ranges::find(forgotten_, driver) != forgotten_.end();
     if (!forgotten) driver->close(ec);
     if (driver == driver_) driver_.reset();
     // The one driver's place stays its own while the cable is pulled; of several, each is another.
     if (!closed_ && (door_->is_open() || door_->serves_several())) events_.disconnected(peer);
+}
+
+Task<void> TcpListener::wait_for_last_answer() {
+    error_code ec;
+    last_answer_.expires_after(std::chrono::milliseconds(500));
+    if (!hung_up_) co_await last_answer_.async_wait(into(ec));
 }
 
 Task<void> TcpListener::write(ByteView bytes, Address) {
@@ -100,6 +112,8 @@ Task<void> TcpListener::write(ByteView bytes, Address) {
 }
 
 void TcpListener::hang_up(Address) {
+    hung_up_ = true;
+    last_answer_.cancel();
     if (driver_) hang_up_on(*driver_);
 }
 
@@ -129,6 +143,7 @@ void TcpListener::reset_forgotten() {
 void TcpListener::close() {
     closed_ = true;
     forgotten_.clear();
+    last_answer_.cancel();
     error_code ignored;
     door_->close();
     if (driver_) driver_->close(ignored);

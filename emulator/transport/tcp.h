@@ -37,10 +37,13 @@ class TcpListener final : public CountingTransport {
 
   private:
     Task<void> serve(std::shared_ptr<asio::ip::tcp::socket> driver, Address peer);
+    Task<void> wait_for_last_answer();
 
     std::shared_ptr<TcpDoor> door_;
+    asio::steady_timer last_answer_;                 ///< to one that has closed its direction
     std::shared_ptr<asio::ip::tcp::socket> driver_;  ///< a writer may still hold the one that has gone
     std::vector<std::shared_ptr<asio::ip::tcp::socket>> forgotten_;
+    bool hung_up_ = false;  ///< on this driver
     bool closed_ = false;
     Events events_;
 };

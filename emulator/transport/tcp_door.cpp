@@ -12,10 +12,12 @@ namespace {
 
 using Tcp = asio::ip::tcp;
 
-Tcp::acceptor bind_acceptor(asio::io_context& io, Address bind) {
+Tcp::acceptor bind_acceptor(asio::io_context& io, Address bind, int send_buffer) {
     Tcp::acceptor acceptor(io, Tcp::v4());
     acceptor.set_option(Tcp::acceptor::reuse_address(true));
     error_code ec;
+    if (send_buffer > 0)
+        acceptor.set_option(Tcp::socket::send_buffer_size(send_buffer), ec);  // drivers inherit it
     acceptor.bind(to_endpoint<Tcp::endpoint>(bind), ec);
     if (!ec) acceptor.listen(Tcp::acceptor::max_listen_connections, ec);
     if (ec) throw bind_error("tcp-listen://" + to_text(bind), ec);
@@ -24,7 +26,8 @@ Tcp::acceptor bind_acceptor(asio::io_context& io, Address bind) {
 
 }  // namespace
 
-TcpDoor::TcpDoor(asio::io_context& io, Address bind) : io_(io), acceptor_(bind_acceptor(io, bind)) {}
+TcpDoor::TcpDoor(asio::io_context& io, Address bind, Manners manners)
+    : io_(io), manners_(manners), acceptor_(bind_acceptor(io, bind, manners.send_buffer)) {}
 
 void TcpDoor::remove(TcpListener& line) { std::erase(lines_, &line); }
 
@@ -69,7 +72,7 @@ void TcpDoor::open() {
     if (shut_.port == 0) return;
     const Address bind = std::exchange(shut_, {});
     try {
-        acceptor_ = bind_acceptor(io_, bind);
+        acceptor_ = bind_acceptor(io_, bind, manners_.send_buffer);
         asio::co_spawn(io_, let_in(), Serving(describe()));
     } catch (const StartError& error) {
         spdlog::error("{}; it stays unplugged", error.what());

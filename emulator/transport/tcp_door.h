@@ -12,10 +12,16 @@ namespace echoloop {
 
 class TcpListener;
 
+/// How a door treats its drivers.
+struct Manners {
+    int send_buffer = 0;               ///< B that the system takes for one that does not read; 0: megabytes
+    bool answers_half_closed = false;  ///< one that will say nothing more still gets an answer
+};
+
 class TcpDoor {
   public:
     /// Throws StartError if the address cannot be bound.
-    TcpDoor(asio::io_context& io, Address bind);
+    TcpDoor(asio::io_context& io, Address bind, Manners manners = {});
 
     /// `line` gets a driver whenever it has none, the line added first before all others; until remove().
     void add(TcpListener& line) { lines_.push_back(&line); }
@@ -28,6 +34,7 @@ class TcpDoor {
     void shut();
     void open();
     void close();
+    const Manners& manners() const { return manners_; }
     bool is_open() const { return acceptor_.is_open(); }
     asio::io_context& io() const { return io_; }
     /// Zero while it is not open.
@@ -41,6 +48,7 @@ class TcpDoor {
     TcpListener* free_line() const;
 
     asio::io_context& io_;
+    Manners manners_;
     asio::ip::tcp::acceptor acceptor_;
     std::vector<TcpListener*> lines_;
     Address shut_;  ///< where it listened; port 0: it is not shut

@@ -75,6 +75,8 @@ class Transport {
     virtual std::uint64_t bytes_out() const = 0;
     /// Bytes that a driver, though there, did not take: overrun, a full buffer, a refused datagram.
     virtual std::uint64_t bytes_lost() const { return 0; }
+    /// Messages that such a driver misses as a whole, for too much waits for it already.
+    virtual std::uint64_t messages_dropped() const { return 0; }
 };
 
 /// Counts for all transports.

@@ -14,11 +14,13 @@ using Slow = DriverLines::Slow;
 
 class DriverLinesTest : public SocketTest {
   protected:
-    std::unique_ptr<DriverLines> listen(std::size_t drivers, Slow slow = Slow::loses) {
+    static constexpr std::size_t any_number = 1'000'000;
+    std::unique_ptr<DriverLines> listen(std::size_t drivers, Slow slow = Slow::loses,
+                                        std::size_t most_messages = any_number) {
         const auto door = std::make_shared<TcpDoor>(io_, Address{loopback, 0});
         std::vector<std::unique_ptr<Transport>> lines;
         for (std::size_t i = 0; i < drivers; ++i) lines.push_back(std::make_unique<TcpListener>(door));
-        auto port = std::make_unique<DriverLines>(clock_, std::move(lines), slow);
+        auto port = std::make_unique<DriverLines>(clock_, std::move(lines), slow, most_messages);
         start(*port);
         return port;
     }
@@ -28,6 +30,10 @@ class DriverLinesTest : public SocketTest {
         driver.connect({asio::ip::address_v4(loopback), port_of(port)});
         EXPECT_TRUE(run_until([&] { return peer_.port == driver.local_endpoint().port(); }));
         return driver;
+    }
+    /// 20 MiB; the system takes some of it.
+    void write_more_than_it_reads(DriverLines& port) {
+        for (std::uint8_t n = 0; n < 20; ++n) write(port, Bytes(1 << 20, n));
     }
     static Address address(const Socket& driver) { return to_address(driver.local_endpoint()); }
     /// The next bytes, as many as `expected` has.
@@ -164,6 +170,54 @@ TEST_F(DriverLinesTest, HangsUpOnOneBehindItsLastByte) {
     EXPECT_EQ(ec, asio::error::eof);
     write(*port, {1});
     EXPECT_TRUE(hears(other, {1}));
+}
+
+TEST_F(DriverLinesTest, OnlyAFewMessagesWaitForOneThatDoesNotReadWhereThatIsAsked) {
+    const auto port = listen(1, Slow::loses, 2);
+    Socket slow = connect(*port);
+    const auto begin = std::chrono::steady_clock::now();
+    write_more_than_it_reads(*port);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 1500ms) << "nothing is held up";
+    const std::uint64_t dropped = port->messages_dropped();
+    EXPECT_GE(dropped, 8U);
+    EXPECT_EQ(port->bytes_lost(), dropped << 20) << "whole ones";
+    Bytes last;
+    for (std::uint64_t n = 0; n < 20 - dropped; ++n) {
+        Bytes heard(1 << 20);
+        std::size_t got = 0;
+        slow.non_blocking(true);
+        ASSERT_TRUE(run_until([&] {
+            error_code ec;
+            got += slow.read_some(asio::buffer(heard.data() + got, heard.size() - got), ec);
+            return got == heard.size();
+        }));
+        ASSERT_EQ(heard, Bytes(1 << 20, heard[0])) << "no half messages";
+        last = heard;
+    }
+    write(*port, {1, 2, 3});
+    EXPECT_TRUE(hears(slow, {1, 2, 3})) << "and behind them what is new";
+}
+
+TEST_F(DriverLinesTest, WhatWaitsForOneThatLeavesIsNotForTheNext) {
+    const auto port = listen(1, Slow::loses, 2);
+    Socket slow = connect(*port);
+    write_more_than_it_reads(*port);
+    slow.close();
+    ASSERT_TRUE(run_until([&] { return gone_ == 1; }));
+    Socket next = connect(*port);
+    write(*port, {1, 2, 3});
+    EXPECT_TRUE(hears(next, {1, 2, 3}));
+}
+
+TEST_F(DriverLinesTest, HangsUpOnOneThatDoesNotReadAsWell) {
+    const auto port = listen(1, Slow::loses, 2);
+    Socket slow = connect(*port);
+    write_more_than_it_reads(*port);
+    port->hang_up({});
+    ASSERT_TRUE(run_until([&] { return gone_ == 1; }));
+    Socket next = connect(*port);
+    write(*port, {1, 2, 3});
+    EXPECT_TRUE(hears(next, {1, 2, 3}));
 }
 
 TEST_F(DriverLinesTest, APulledCableEndsAllAndPutBackTheyComeAgain) {
