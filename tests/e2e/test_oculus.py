@@ -6,6 +6,7 @@ import statistics
 import sys
 import time
 import unittest
+from pathlib import Path
 
 from ports import free_port
 from program import ROOT, Emulator
@@ -36,7 +37,7 @@ class OculusCase(unittest.TestCase):
         data, status = free_port(), free_port()
         host = Host(status, data)
         self.addCleanup(host.close)
-        emulator = Emulator(
+        self.emulator = Emulator(
             SCENARIO
             % {
                 "scene": scene,
@@ -48,11 +49,23 @@ class OculusCase(unittest.TestCase):
                 "options": options,
             }
         )
-        self.addCleanup(emulator.__exit__, None, None, None)
-        emulator.__enter__()
+        self.addCleanup(self.emulator.__exit__, None, None, None)
+        self.emulator.__enter__()
         host.wait_status()
         host.connect()
         return host
+
+    def first_message(self, host):
+        """Header of what a host that connects gets first, once the sonar has seen that the last one has gone."""
+        end = time.monotonic() + 10
+        while True:
+            host.connect()
+            try:
+                return host.message(3)[0]
+            except ConnectionError:
+                self.assertLess(time.monotonic(), end)
+                host.stream.close()
+                host.wait_status(3)
 
     def picture(self, host, **settings):
         """The first ping with these settings, without faults."""
@@ -207,15 +220,59 @@ class Timing(OculusCase):
             self.assertEqual(second.recv(100), b"", "closed at once")
         host.ping(5)
         host.stream.close()
-        end = time.monotonic() + 10
-        while True:
-            host.connect()
-            try:
-                header, _ = host.message(3)
-                break
-            except ConnectionError:  # the sonar has not yet seen that the first one has gone
-                self.assertLess(time.monotonic(), end)
-        self.assertEqual(header["id"], wire.DUMMY)
+        self.assertEqual(self.first_message(host)["id"], wire.DUMMY)
+
+
+class Stalled(OculusCase):
+    """A host that fires, and then does not read."""
+
+    LARGE = wire.METRES | wire.SIMPLE | wire.BITS16 | wire.BEAMS512  # 1 MB each at 10 Hz
+
+    def stall(self, options=""):
+        host = self.start("flat", [0, 0, -12], options=options)
+        host.fire(**SEA, range=30.0, flags=self.LARGE)
+        host.ping(5)
+        return host
+
+    def memory(self):
+        status = Path(f"/proc/{self.emulator.process.pid}/status").read_text()
+        return int(next(line for line in status.splitlines() if line.startswith("RssAnon")).split()[1]) << 10
+
+    def test_the_status_goes_on_and_pings_that_are_not_read_are_dropped(self):
+        host = self.stall()
+        for _ in range(4):
+            host.wait_status(3)
+        before = self.memory()
+        begin = time.monotonic()
+        for _ in range(5):
+            host.wait_status(3)
+        self.assertAlmostEqual(time.monotonic() - begin, 5, delta=1.2)
+        self.assertLess(self.memory() - before, 15e6, "50 pings are 50 MB")
+        numbers = [host.last_ping.ping] + [wire.read_result(host.message()[1])[0].ping for _ in range(30)]
+        gaps = [after - before for before, after in zip(numbers, numbers[1:])]
+        old = gaps.index(max(gaps))
+        self.assertGreater(max(gaps), 50, "90 pings were not read")
+        self.assertLess(old, 15, "what waited for it in the emulator and in the system's hands")
+        self.assertEqual(set(gaps[old + 4 :]), {1}, "it reads in time again")
+        self.assertRegex(self.emulator.stop()[1], r"[1-9]\d+ messages dropped, because the driver did not read them")
+
+    def test_when_it_leaves_the_next_one_gets_its_own_pings_only(self):
+        host = self.stall()
+        for _ in range(3):
+            host.wait_status(3)
+        host.stream.close()
+        self.assertEqual(self.first_message(host)["id"], wire.DUMMY)
+        host.fire(**SEA, range=5.0)
+        pings = [host.ping(5) for _ in range(5)]
+        self.assertEqual({ping.settings["range"] for ping in pings}, {5.0})
+        self.assertEqual(host.faults, [])
+
+    def test_it_is_hung_up_on_where_silence_is_limited(self):
+        host = self.stall(options=", silence_limit: 1.5")
+        stalled = host.stream
+        self.addCleanup(stalled.close)
+        host.wait_status(5, lambda status: status["client"] == "0.0.0.0")
+        self.assertEqual(self.first_message(host)["id"], wire.DUMMY)
 
 
 class Series(OculusCase):

@@ -20,8 +20,9 @@ constexpr std::uint32_t over_temperature = 1U << 15;
 Oculus::Oculus(const Settings& settings, const Wiring& wiring) : settings_(settings), wiring_(wiring) {}
 
 std::vector<Port> Oculus::ports() const {
-    return {{"data", Port::Kind::stream, {}, false},
-            {"status", Port::Kind::datagram, {wiring_.own.ip, 0}, false}};
+    Port data{"data", Port::Kind::stream, {}, false};
+    data.messages_kept = 2;  // pings
+    return {data, {"status", Port::Kind::datagram, {wiring_.own.ip, 0}, false}};
 }
 
 Actions Oculus::started(Time now) {
@@ -30,18 +31,17 @@ Actions Oculus::started(Time now) {
 }
 
 /// The settings of a host that has gone are not those of the next one.
-void Oculus::reconnected(std::size_t port) {
-    if (port != data_port) return;
+void Oculus::forget_client() {
     framer_.clear();
     request_.reset();
-    ping_under_way_ = false;
     next_ping_ = next_silence_ = Time::max();
-    client_ = 0;
+    client_ = {};
+    network_free_ = {};
 }
 
 Actions Oculus::connected(std::size_t port, Address peer, Time now) {
     if (port == data_port) {
-        client_ = peer.ip;
+        client_ = peer;
         expect_words(now);
     }
     return take_actions();
@@ -53,7 +53,7 @@ void Oculus::expect_words(Time now) {
 
 /// Nobody is left whom it could ping for.
 Actions Oculus::disconnected(std::size_t port, Address, Time) {
-    reconnected(port);
+    if (port == data_port) forget_client();
     return take_actions();
 }
 
@@ -81,9 +81,21 @@ void Oculus::fire(std::optional<Request> request, Time now) {
         ++counters_.rejected;
         return;
     }
+    if (hangs_up_on_fire()) return hang_up();
     if (settings_.answer != Answer::as_asked) request->v2 = settings_.answer == Answer::v2;
     request_ = request;
     if (!ping_under_way_) plan_next_ping(now);
+}
+
+bool Oculus::hangs_up_on_fire() {
+    const bool again = settings_.hang_up_on_fire == HangUp::always;
+    if (settings_.hang_up_on_fire == HangUp::never || (hung_up_ && !again)) return false;
+    return hung_up_ = true;
+}
+
+void Oculus::hang_up() {
+    actions_.send.push_back({data_port, {}, client_, {}, true});
+    forget_client();
 }
 
 bool Oculus::pinging() const {
@@ -94,13 +106,17 @@ void Oculus::plan_next_ping(Time now) {
     next_ping_ = Time::max();
     if (!pinging()) return;
     const Time period = from_seconds(make_plan(*request_, settings_).period);
-    next_ping_ = last_transmission_ ? std::max(now, *last_transmission_ + period) : now;
+    if (!last_transmission_)
+        next_ping_ = now;
+    else  // results of a host that was slow before go first
+        next_ping_ = std::max({now, *last_transmission_ + period, network_free_ - period});
 }
 
 void Oculus::transmit(Time now) {
     next_ping_ = Time::max();
     ping_under_way_ = true;
     last_transmission_ = now;
+    ping_client_ = client_;
     ping_ = {*request_, make_plan(*request_, settings_), ping_.number + 1, now};
     actions_.ping = Ping{make_shot(ping_.request, ping_.plan, settings_, ping_.number),
                          now + from_seconds(ping_.plan.due)};
@@ -111,29 +127,33 @@ Actions Oculus::heard(const Echogram& echogram, Time now) {
                           echogram.shot.bins == ping_.plan.rows && echogram.beams() == ping_.plan.beams;
     if (!expected) return take_actions();
     ping_under_way_ = false;
-    ++counters_.pings;
-    depth_ = -echogram.world_from_sonar.position.z;
-    send(make_result(ping_, settings_, echogram));
+    if (ping_client_ == client_) send_result(echogram, now);  // else it has left
     plan_next_ping(now);
     return take_actions();
 }
 
-/// Once a second: a host that hears nothing gives up.
+/// It goes as a whole, once the network has carried it.
+void Oculus::send_result(const Echogram& echogram, Time now) {
+    ++counters_.pings;
+    depth_ = -echogram.world_from_sonar.position.z;
+    network_free_ = std::max(now, network_free_) + from_seconds(ping_.plan.transfer);
+    actions_.send.push_back({data_port, make_result(ping_, settings_, echogram), client_, network_free_});
+}
+
+/// Once a second: a host that hears nothing for long gives up.
 void Oculus::tick(Time now) {
     next_tick_ = now + dummy_period;
-    if (!pinging()) send(make_dummy(settings_));
+    const bool rare = from_seconds(ping_.plan.period) >= dummy_period;
+    if (!pinging() || rare) actions_.send.push_back({data_port, make_dummy(settings_), {}, {}});
 }
 
 Actions Oculus::woken(Time now) {
     if (now >= next_status_) {
         next_status_ = now + from_seconds(settings_.status_period);
-        Bytes status = make_status(settings_, wiring_.own.ip, client_, depth_);
+        Bytes status = make_status(settings_, wiring_.own.ip, client_.ip, depth_);
         actions_.send.push_back({status_port, std::move(status), wiring_.status, {}});
     }
-    if (now >= next_silence_) {
-        reconnected(data_port);
-        actions_.send.push_back({data_port, {}, {}, {}, true});
-    }
+    if (now >= next_silence_) hang_up();
     if (now >= next_tick_) tick(now);
     if (now >= next_ping_) transmit(now);
     return take_actions();

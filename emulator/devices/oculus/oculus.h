@@ -22,7 +22,7 @@ class Oculus final : public Device {
     Actions received(const Received& data, Time now) override;
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
-    void reconnected(std::size_t port) override;
+    void reconnected(std::size_t) override {}
     Actions connected(std::size_t port, Address peer, Time now) override;
     Actions disconnected(std::size_t port, Address peer, Time now) override;
     DeviceCounters counters() const override;
@@ -32,11 +32,14 @@ class Oculus final : public Device {
     void expect_words(Time now);
     void obey(const oculus::Frame& frame, Time now);
     void fire(std::optional<Request> request, Time now);
+    bool hangs_up_on_fire();
+    void hang_up();
+    void forget_client();
     bool pinging() const;
     void plan_next_ping(Time now);
     void transmit(Time now);
     void tick(Time now);
-    void send(Bytes bytes) { actions_.send.push_back({0, std::move(bytes), {}, {}}); }
+    void send_result(const Echogram& echogram, Time now);
     Actions take_actions();
 
     Settings settings_;
@@ -45,9 +48,12 @@ class Oculus final : public Device {
     std::optional<Request> request_;  ///< of the connected host; none: standby
     PingRecord ping_;                 ///< the ping under way, or the last one
     bool ping_under_way_ = false;
+    Address ping_client_;  ///< whom it is for
     std::optional<Time> last_transmission_;
-    std::uint32_t client_ = 0;  ///< who is connected
-    double depth_ = 0;          ///< m, at the last ping
+    Address client_;        ///< who is connected; port 0: nobody
+    bool hung_up_ = false;  ///< on a fire
+    double depth_ = 0;      ///< m, at the last ping
+    Time network_free_{};   ///< when the last result has gone through it
     Time next_ping_ = Time::max();
     Time next_silence_ = Time::max();  ///< when the host will have been silent too long
     Time next_status_ = Time::max();

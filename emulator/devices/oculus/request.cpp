@@ -102,8 +102,8 @@ Plan make_plan(const Request& r, const Settings& s) {
     plan.due = 2 * plan.range / plan.sound_speed + s.acoustics.processing;
     const std::size_t row_bytes = plan.beams * plan.sample_bytes() + (r.has(flag::gain_words) ? 4 : 0);
     const auto bytes = static_cast<double>(overhead + plan.rows * row_bytes);
-    const double transfer = 8e-6 * bytes / network_speed(r, s);
-    plan.period = std::max({1 / rate_of(r.fire().rate), 1 / mode.rate, plan.due, transfer});
+    plan.transfer = 8e-6 * bytes / network_speed(r, s);
+    plan.period = std::max({1 / rate_of(r.fire().rate), 1 / mode.rate, plan.due, plan.transfer});
     return plan;
 }
 

@@ -35,9 +35,10 @@ struct Plan {
     std::size_t rows = 0;
     std::size_t beams = 0;
     oculus::DataSize data_size = oculus::DataSize::bits8;
-    double gain = 0;    ///< %, effective
-    double period = 0;  ///< s to the next ping
-    double due = 0;     ///< s from the transmission to the message
+    double gain = 0;      ///< %, effective
+    double transfer = 0;  ///< s that the network takes for the message
+    double period = 0;    ///< s to the next ping
+    double due = 0;       ///< s from the transmission until the message can go
 
     double resolution() const { return sound_speed / 2 * row_time; }  ///< m per row
     std::size_t sample_bytes() const { return static_cast<std::size_t>(data_size) + 1; }

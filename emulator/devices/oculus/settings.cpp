@@ -89,6 +89,11 @@ std::vector<Option> identity_options() {
         number_row("silence_limit", "s", 0, 0, 3600,
                    "a host that says nothing for so long is hung up on; 0: never. One driver tells of 1 s",
                    spec),
+        choice_row(
+            "hang_up_on_fire", {"never", "first", "always"},
+            "the connection is lost on a fire, the first one since power-up or each: a fault that users "
+            "complain of",
+            spec),
         choice_row("sensors", {"sane", "garbage"},
                    "temperature and pressure in results; real units fill in garbage", spec),
     };
@@ -157,6 +162,10 @@ Settings read_settings(const DeviceConfig& config) {
     s.status_bits = static_cast<std::uint32_t>(integer(o, "status_bits"));
     s.garbage_sensors = text(o, "sensors") == "garbage";
     s.silence_limit = number(o, "silence_limit");
+    const std::string& hang_up = text(o, "hang_up_on_fire");
+    s.hang_up_on_fire = hang_up == "first"    ? HangUp::first
+                        : hang_up == "always" ? HangUp::always
+                                              : HangUp::never;
     const std::string& version = text(o, "result_version");
     s.answer = version == "v1" ? Answer::v1 : version == "v2" ? Answer::v2 : Answer::as_asked;
     s.data_16_bit_set = text(o, "data_16_bit") == "set";

@@ -13,6 +13,9 @@ namespace echoloop::oculus_device {
 /// Version of the results.
 enum class Answer { as_asked, v1, v2 };
 
+/// On which fires the connection is lost, as users complain of; first: since power-up.
+enum class HangUp { never, first, always };
+
 /// Figures of one frequency mode; angles in rad.
 struct ModeFigures {
     double frequency = 0;          ///< Hz
@@ -54,6 +57,7 @@ struct Settings {
     double temperature = 10;   ///< degC, at the sonar's own sensor
     double link_speed = 1000;  ///< Mbit/s
     double silence_limit = 0;  ///< s, of a host; 0: none
+    HangUp hang_up_on_fire = HangUp::never;
     Answer answer = Answer::as_asked;
     bool data_16_bit_set = true;     ///< flag bit 1 set means 16 bit
     bool percent_in_32_bit = false;  ///< range is a percentage whatever bit 0 says

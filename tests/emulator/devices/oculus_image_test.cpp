@@ -72,6 +72,30 @@ TEST(OculusImage, ReadsTheSameInEveryDataSize) {
     EXPECT_NEAR(bits32, bits16, 1 / 65535.0);
 }
 
+TEST(OculusImage, Has32BitSamplesOf512BeamsBehindGainWords) {
+    const auto seen = [](std::uint32_t ext_flags) {
+        OculusBench bench;
+        bench.echo_bin = 100, bench.echo_power = 1e13F;
+        return bench.next_after(fire({.flags = 0x4F, .ext_flags = ext_flags}, true));
+    };
+    const Seen wide = seen(0x200), narrow = seen(0);
+    EXPECT_EQ(wide.bytes.at(161), 3) << "data size: 32 bit";
+    EXPECT_EQ(narrow.bytes.at(161), 1);
+    ASSERT_EQ(at<std::uint16_t>(wide.bytes, 172), 512);
+    const std::size_t rows = at<std::uint16_t>(wide.bytes, 170), row_bytes = 4 + 512 * 4;
+    const std::size_t image = at<std::uint32_t>(wide.bytes, 190);
+    EXPECT_GE(image, 202 + 2 * 512U) << "behind the bearings";
+    EXPECT_EQ(at<std::uint32_t>(wide.bytes, 194), rows * row_bytes);
+    EXPECT_EQ(at<std::uint32_t>(wide.bytes, 198), wide.bytes.size());
+    EXPECT_EQ(image + rows * row_bytes, wide.bytes.size());
+    EXPECT_EQ(at<std::uint32_t>(wide.bytes, image + 100 * row_bytes), narrow.gain_word(100));
+    for (const std::size_t beam : {std::size_t{0}, std::size_t{511}}) {
+        const double sample = at<std::uint32_t>(wide.bytes, image + 100 * row_bytes + 4 + 4 * beam);
+        EXPECT_NEAR(sample / 4294967295.0, narrow.sample(100, beam) / 65535, 1 / 65535.0);
+        EXPECT_GT(sample, 4294967295.0 / 100);
+    }
+}
+
 TEST(OculusImage, GainRaisesTheEchoAndGainWordsTakeItOutAgain) {
     const auto seen = [](double gain, int flags, int mode = 1) {
         OculusBench bench;

@@ -85,42 +85,6 @@ TEST(OculusStandby, IsTheStateBeforeTheFirstFireAndKeepsADummyASecond) {
     EXPECT_EQ(count(bench.sent_within(2s), is_result), 10U);
 }
 
-TEST(OculusStandby, IsTheStateThatAnotherHostFinds) {
-    OculusBench bench;
-    bench.next_after(fire({}));
-    bench.device().reconnected(0);
-    bench.sent();
-    const auto sends = bench.sent_within(3s);
-    EXPECT_EQ(count(sends, is_result), 0U);
-    EXPECT_EQ(count(sends, is_dummy), 3U);
-}
-
-TEST(OculusStandby, BeginsWhenTheHostLeaves) {
-    OculusBench bench;
-    bench.next_after(fire({}));
-    bench.device().disconnected(0, {}, bench.now);
-    bench.sent_within(100ms);
-    EXPECT_EQ(count(bench.sent_within(3s), is_result), 0U);
-}
-
-TEST(OculusHost, ThatIsSilentIsKeptUnlessALimitIsSet) {
-    const auto hung_up = [](const Send& send) { return send.port == 0 && send.hang_up; };
-    for (const bool limited : {false, true}) {
-        OculusBench bench(limited ? Options{{"silence_limit", 1.5}} : Options{});
-        bench.say(fire({}));
-        bench.run_to(1400ms);
-        bench.say(from_hex("534f000000005500000000000000"));  // half a message will do
-        bench.run_to(2800ms);
-        EXPECT_TRUE(std::ranges::none_of(bench.sent(), hung_up));
-        bench.run_to(4s);
-        EXPECT_EQ(count(bench.sent(), hung_up), limited ? 1U : 0U);
-        EXPECT_EQ(count(bench.sent_within(1s), is_result), limited ? 0U : 10U);
-    }
-    OculusBench mute({{"silence_limit", 1.5}});
-    mute.run_to(1600ms);
-    EXPECT_EQ(count(mute.sent(), hung_up), 1U) << "it has never said anything";
-}
-
 TEST(OculusStandby, IsForcedByOverTemperature) {
     OculusBench bench({{"status_bits", std::int64_t{0x8003}}});
     bench.say(fire({}));
@@ -215,12 +179,15 @@ TEST(OculusTiming, ANewFireTakesEffectWithTheNextPing) {
     EXPECT_LE(count(bench.sent(), is_result), 4U) << "a fire for each picture does not raise the rate";
 }
 
-TEST(OculusTiming, ASlowNetworkBoundsTheRate) {
+TEST(OculusFire, OfHeaderVersion1IsObeyedAsOneOf0) {
     OculusBench bench;
-    const Seen seen = bench.next_after(fire({.rate = 2, .speed = 5}));
-    const Time first = bench.now;
-    bench.next();
-    EXPECT_NEAR(to_seconds(bench.now - first), 8e-6 * static_cast<double>(seen.bytes.size()) / 5, 0.004);
+    Bytes request = fire({.flags = 0x0D, .range = 6.5});
+    request.at(8) = 1;
+    const Seen seen = bench.next_after(request);
+    EXPECT_FALSE(seen.v2);
+    EXPECT_EQ(to_hex(ByteView(seen.bytes).subspan(16, 37)), to_hex(ByteView(request).subspan(16)));
+    EXPECT_EQ(seen.image_size(), seen.ranges() * (256 + 4));
+    EXPECT_EQ(bench.device().counters().rejected, 0U);
 }
 
 TEST(OculusFire, ThatMakesNoSenseIsRefusedAndChangesNothing) {
