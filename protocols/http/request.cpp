@@ -22,12 +22,12 @@ std::string_view reason(int status) {
             return "Method Not Allowed";
         case 408:
             return "Request Timeout";
-        case 411:
-            return "Length Required";
         case 413:
             return "Content Too Large";
         case 431:
             return "Request Header Fields Too Large";
+        case 501:
+            return "Not Implemented";
         default:
             return "Error";
     }
@@ -65,33 +65,55 @@ bool read_request_line(std::string_view line, Request& request) {
     return words && line.substr(last + 1).starts_with("HTTP/1.");
 }
 
-/// Bytes of the body, or the status of a refusal.
-std::variant<std::size_t, int> read_headers(std::string_view headers) {
-    std::size_t length = 0;
+/// How the body comes.
+struct BodyForm {
+    std::optional<std::size_t> length;  ///< B; none: 0
+    bool chunked = false;
+};
+
+/// Or the status of a refusal.
+std::variant<BodyForm, int> read_headers(std::string_view headers) {
+    BodyForm form;
     while (!headers.empty()) {
         const std::string_view line = take_line(headers);
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos || colon == 0) return 400;
         const std::string_view name = line.substr(0, colon), value = trimmed(line.substr(colon + 1));
-        if (equal_names(name, "Transfer-Encoding")) return 411;
+        if (equal_names(name, "Transfer-Encoding")) {
+            if (!equal_names(value, "chunked") || form.chunked) return 501;
+            form.chunked = true;
+        }
         if (!equal_names(name, "Content-Length")) continue;
+        std::size_t length = 0;
         const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), length);
         if (error != std::errc() || end != value.data() + value.size()) return 400;
         if (length > longest_body) return 413;
+        form.length = length;
     }
-    return length;
+    if (form.chunked && form.length) return 400;  // two lengths, and nobody knows which
+    return form;
 }
 
 }  // namespace
 
 void RequestReader::feed(wire::ByteView bytes) { buffer_.append(bytes.begin(), bytes.end()); }
 
-std::variant<Request, Refusal> RequestReader::refuse(int status) {
+void RequestReader::clear() {
     buffer_.clear();
+    chunked_.reset();
+}
+
+std::size_t RequestReader::pending_bytes() const {
+    return buffer_.size() + (chunked_ ? chunked_->request.target.size() + chunked_->request.body.size() : 0);
+}
+
+Refusal RequestReader::refuse(int status) {
+    clear();
     return Refusal{status};
 }
 
-std::optional<std::variant<Request, Refusal>> RequestReader::next() {
+RequestReader::Next RequestReader::next() {
+    if (chunked_) return next_of_chunks();
     buffer_.erase(0, std::min(buffer_.find_first_not_of("\r\n"), buffer_.size()));  // between two requests
     if (buffer_.empty()) return std::nullopt;
     const std::size_t end = buffer_.find(blank_line);
@@ -100,12 +122,33 @@ std::optional<std::variant<Request, Refusal>> RequestReader::next() {
     Request request;
     std::string_view head = std::string_view(buffer_).substr(0, end);
     if (!read_request_line(take_line(head), request)) return refuse(400);
-    const auto length = read_headers(head);
-    if (const int* status = std::get_if<int>(&length)) return refuse(*status);
-    const std::size_t body = end + blank_line.size(), size = std::get<std::size_t>(length);
+    const auto form = read_headers(head);
+    if (const int* status = std::get_if<int>(&form)) return refuse(*status);
+    const std::size_t body = end + blank_line.size(), size = std::get<BodyForm>(form).length.value_or(0);
+    if (std::get<BodyForm>(form).chunked) {
+        chunked_.emplace().request = std::move(request);
+        buffer_.erase(0, body);
+        return next_of_chunks();
+    }
     if (buffer_.size() - body < size) return std::nullopt;
     request.body = buffer_.substr(body, size);
     buffer_.erase(0, body + size);
+    return request;
+}
+
+RequestReader::Next RequestReader::next_of_chunks() {
+    switch (chunked_->chunks.take(buffer_, chunked_->request.body)) {
+        case ChunkReader::Progress::unfinished:
+            return std::nullopt;
+        case ChunkReader::Progress::malformed:
+            return refuse(400);
+        case ChunkReader::Progress::too_long:
+            return refuse(413);
+        case ChunkReader::Progress::whole:
+            break;
+    }
+    Request request = std::move(chunked_->request);
+    chunked_.reset();
     return request;
 }
 

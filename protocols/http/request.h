@@ -1,5 +1,5 @@
-// Cuts a byte stream into HTTP/1.1 requests and writes responses. Bounded, without chunks; knows no path,
-// opens nothing, keeps no clock.
+// Cuts a byte stream into HTTP/1.1 requests and writes responses. Bounded; knows no path, opens nothing,
+// keeps no clock.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "protocols/http/chunks.h"
 #include "protocols/wire/bytes.h"
 
 namespace echoloop::http {
@@ -27,18 +28,28 @@ struct Refusal {
 
 class RequestReader {
   public:
+    using Next = std::optional<std::variant<Request, Refusal>>;
+
     void feed(wire::ByteView bytes);
     /// The next complete request or fault, or nothing until more bytes come.
-    std::optional<std::variant<Request, Refusal>> next();
+    Next next();
     /// Bytes of an unfinished request.
-    std::size_t pending_bytes() const { return buffer_.size(); }
+    std::size_t pending_bytes() const;
     /// Forgets them.
-    void clear() { buffer_.clear(); }
+    void clear();
 
   private:
-    std::variant<Request, Refusal> refuse(int status);
+    /// A request whose body comes in chunks.
+    struct Chunked {
+        Request request;
+        ChunkReader chunks{longest_body};
+    };
+
+    Refusal refuse(int status);
+    Next next_of_chunks();
 
     std::string buffer_;
+    std::optional<Chunked> chunked_;
 };
 
 /// A whole response with its length; `body` is JSON, or empty. It asks the host to close the connection.

@@ -228,11 +228,57 @@ TEST(HttpRequest, WhatIsNoneIsRefusedAndForgotten) {
     EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nContent-Length: -1\r\n\r\n"), 400);
     EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nContent-Length: 99999999999999999999\r\n\r\n"), 400);
     EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nContent-Length: 65537\r\n\r\n"), 413);
-    EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n"), 411);
+    EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nTransfer-Encoding: gzip, chunked\r\n\r\n"), 501);
+    EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\nContent-Length: 1\r\n\r\n"), 400);
     EXPECT_EQ(refusal_of(std::string(longest_head + 1, 'x')), 431);
     RequestReader reader;
     reader.feed(bytes_of("nonsense\r\n\r\n"));
     reader.next();
+    EXPECT_EQ(reader.pending_bytes(), 0U);
+}
+
+const std::string chunked_head = "POST / HTTP/1.1\r\ntransfer-encoding: Chunked\r\n\r\n";
+
+TEST(HttpRequest, InChunksIsReadWhereverTheStreamIsSplit) {
+    const auto stream = bytes_of(chunked_head +
+                                 "4\r\n{\"a\"\r\n0003;name=value\r\n: 1\r\n1\r\n}\r\n0\r\n"
+                                 "Trailer: x\r\n\r\nGET /next HTTP/1.1\r\n\r\n");
+    for (std::size_t at = 0; at <= stream.size(); ++at) {
+        RequestReader reader;
+        std::vector<Request> requests;
+        for (const auto part : {wire::ByteView(stream).first(at), wire::ByteView(stream).subspan(at)}) {
+            reader.feed(part);
+            while (const auto next = reader.next()) requests.push_back(std::get<Request>(*next));
+        }
+        ASSERT_EQ(requests.size(), 2U) << at;
+        EXPECT_EQ(requests[0].body, R"({"a": 1})");
+        EXPECT_EQ(requests[1].target, "/next");
+        EXPECT_EQ(reader.pending_bytes(), 0U);
+    }
+}
+
+TEST(HttpRequest, InChunksThatAreNoneIsRefused) {
+    for (const char* chunks : {"\r\n", "x\r\n", "-1\r\n", "0x1\r\n", "1\r\nab\r\n", "1x\r\n"})
+        EXPECT_EQ(refusal_of(chunked_head + chunks), 400) << chunks;
+    EXPECT_EQ(refusal_of(chunked_head + "10001\r\n"), 413) << "65537";
+    EXPECT_EQ(refusal_of(chunked_head + "ffffffffffffffffffff\r\n"), 413);
+    EXPECT_EQ(refusal_of(chunked_head + "1;" + std::string(300, 'x')), 400) << "a line without an end";
+    std::string trailers = "0\r\n";
+    for (int i = 0; i < 40; ++i) trailers += "A: b\r\n";
+    EXPECT_EQ(refusal_of(chunked_head + trailers), 400);
+}
+
+TEST(HttpRequest, InChunksKeepsNoMoreThanItsBody) {
+    RequestReader reader;
+    reader.feed(bytes_of(chunked_head));
+    int status = 0;
+    for (std::size_t sent = 0; status == 0 && sent < 70'000; ++sent) {
+        reader.feed(bytes_of("1;" + std::string(200, 'x') + "\r\na\r\n"));
+        const auto next = reader.next();
+        if (next) status = std::get<Refusal>(*next).status;
+        ASSERT_LE(reader.pending_bytes(), longest_body + 10) << sent;
+    }
+    EXPECT_EQ(status, 413) << "behind 65536 bytes";
     EXPECT_EQ(reader.pending_bytes(), 0U);
 }
 
