@@ -6,6 +6,7 @@ import math
 import socket
 import struct
 import sys
+import time
 import unittest
 
 from ports import free_port
@@ -132,6 +133,47 @@ class Host(unittest.TestCase):
             while not answer.endswith(b"21.0"):
                 answer += sock.recv(4096)
         self.assertTrue(answer.startswith(b"HTTP/1.1 200 OK\r\n"))
+
+    def connected(self):
+        sock = socket.create_connection(("127.0.0.1", self.port), timeout=20)
+        self.addCleanup(sock.close)
+        return sock
+
+    @staticmethod
+    def rest(sock):
+        """All bytes until the sonar closes."""
+        return b"".join(iter(lambda: sock.recv(4096), b""))
+
+    REQUEST = b"GET /api/v1/integration/temperature HTTP/1.1\r\n\r\n"
+
+    def test_hosts_that_ask_nothing_keep_nobody_out(self):
+        self.start()
+        idle = [self.connected() for _ in range(3)]
+        begin = time.monotonic()
+        for _ in range(5):
+            self.assertEqual(self.ask("/temperature"), (200, 21.0))
+        self.assertLess(time.monotonic() - begin, 3, "idle ones are closed after 5 s")
+        idle[1].sendall(self.REQUEST)
+        self.assertTrue(self.rest(idle[1]).endswith(b"\r\n\r\n21.0"))
+
+    def test_a_request_in_chunks_is_obeyed(self):
+        self.start()
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=20)
+        body = iter([b'{"min": 0.3,', b' "max": 16.0}'])  # the defaults of the maker's ROS 2 driver
+        connection.request("POST", "/api/v1/integration/acoustics/range", body=body, encode_chunked=True,
+                           headers={"Transfer-Encoding": "chunked"})
+        self.assertEqual(connection.getresponse().status, 204)
+        connection.close()
+        self.assertEqual(self.ask("/acoustics/range"), (200, {"min": 0.3, "max": 16.0}))
+
+    def test_a_host_that_closes_its_direction_behind_its_request_is_answered(self):
+        self.start(options=", mode: high-frequency")
+        self.shot()
+        for _ in range(30):  # some while the sonar is busy with an image
+            sock = self.connected()
+            sock.sendall(self.REQUEST)
+            sock.shutdown(socket.SHUT_WR)
+            self.assertTrue(self.rest(sock).endswith(b"\r\n\r\n21.0"))
 
 
 if __name__ == "__main__":

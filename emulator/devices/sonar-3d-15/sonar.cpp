@@ -45,8 +45,10 @@ Sonar::Sonar(const Settings& settings, const Wiring& wiring)
 }
 
 std::vector<Port> Sonar::ports() const {
-    return {{"http", Port::Kind::stream, {}, false},
-            {"images", Port::Kind::datagram, {wiring_.own.ip, 0}, false}};
+    Port http{"http", Port::Kind::stream, {}, false};
+    http.drivers = 4;
+    http.answers_half_closed = true;
+    return {http, {"images", Port::Kind::datagram, {wiring_.own.ip, 0}, false}};
 }
 
 Actions Sonar::started(Time now) {
@@ -54,45 +56,40 @@ Actions Sonar::started(Time now) {
     return take_actions();
 }
 
-void Sonar::reconnected(std::size_t port) {
-    if (port != http_port) return;
-    reader_.clear();
-    request_deadline_ = Time::max();
-}
-
 /// Who connects and asks nothing must not keep others out.
-Actions Sonar::connected(std::size_t port, Address, Time now) {
-    if (port == http_port) request_deadline_ = now + request_patience;
+Actions Sonar::connected(std::size_t port, Address peer, Time now) {
+    if (port == http_port) clients_[peer].deadline = now + request_patience;
     return take_actions();
 }
 
-Actions Sonar::disconnected(std::size_t port, Address, Time) {
-    reconnected(port);
+Actions Sonar::disconnected(std::size_t port, Address peer, Time) {
+    if (port == http_port) clients_.erase(peer);
     return take_actions();
 }
 
 Actions Sonar::received(const Received& data, Time now) {
     if (data.port != http_port) return take_actions();
-    reader_.feed(data.bytes);
-    while (const auto next = reader_.next()) {
-        request_deadline_ = Time::max();
+    Client& client = clients_[data.from];
+    client.reader.feed(data.bytes);
+    while (const auto next = client.reader.next()) {
+        client.deadline = Time::max();
         if (const auto* request = std::get_if<http::Request>(&*next)) {
-            obey(*request, now);
+            obey(*request, data.from, now);
             continue;
         }
         ++counters_.rejected;
-        respond(http::response(std::get<http::Refusal>(*next).status));
+        respond(http::response(std::get<http::Refusal>(*next).status), data.from);
     }
-    if (reader_.pending_bytes() > 0)  // a byte now and then buys no more time
-        request_deadline_ = std::min(request_deadline_, now + request_patience);
+    if (client.reader.pending_bytes() > 0)  // a byte now and then buys no more time
+        client.deadline = std::min(client.deadline, now + request_patience);
     return take_actions();
 }
 
-void Sonar::obey(const http::Request& request, Time now) {
+void Sonar::obey(const http::Request& request, Address from, Time now) {
     const State before = state_;
     const Answer reply = answer(request, state_, settings_);
     ++(reply.status < 300 ? counters_.messages : counters_.rejected);
-    respond(http::response(reply.status, reply.body));
+    respond(http::response(reply.status, reply.body), from);
     if (speed_of(state_) != speed_of(before)) speed_change_ = now + from_seconds(settings_.speed_delay);
     const bool other_image = state_.enabled != before.enabled || state_.high != before.high ||
                              state_.range_min != before.range_min || state_.range_max != before.range_max;
@@ -193,23 +190,25 @@ std::optional<Address> Sonar::destination() const {
 }
 
 Actions Sonar::woken(Time now) {
-    if (now >= request_deadline_) {
-        const bool begun = reader_.pending_bytes() > 0;
-        reader_.clear();
-        request_deadline_ = Time::max();
+    for (auto& [host, client] : clients_) {
+        if (now < client.deadline) continue;
+        const bool begun = client.reader.pending_bytes() > 0;
+        client = {};
         if (begun) ++counters_.rejected;
-        respond(begun ? http::response(408) : Bytes{});
+        respond(begun ? http::response(408) : Bytes{}, host);
     }
     return take_actions();
 }
 
 /// Each answer says that it is the last one on its connection.
-void Sonar::respond(Bytes response) {
-    actions_.send.push_back({http_port, std::move(response), {}, {}, true});
+void Sonar::respond(Bytes response, Address to) {
+    actions_.send.push_back({http_port, std::move(response), to, {}, true});
 }
 
 Actions Sonar::take_actions() {
-    actions_.wake = request_deadline_;
+    Time wake = Time::max();
+    for (const auto& [host, client] : clients_) wake = std::min(wake, client.deadline);
+    actions_.wake = wake;
     return std::exchange(actions_, {});
 }
 

@@ -1,6 +1,7 @@
 // A Water Linked Sonar 3D-15: HTTP interface by TCP, range and strength images by UDP. A pure state machine.
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include "emulator/devices/sonar-3d-15/image.h"
@@ -23,35 +24,39 @@ class Sonar final : public Device {
     Actions received(const Received& data, Time now) override;
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
-    void reconnected(std::size_t port) override;
+    void reconnected(std::size_t) override {}
     Actions connected(std::size_t port, Address peer, Time now) override;
     Actions disconnected(std::size_t port, Address peer, Time now) override;
     DeviceCounters counters() const override { return counters_; }
 
   private:
+    /// A host on the HTTP port.
+    struct Client {
+        http::RequestReader reader;
+        Time deadline = Time::max();  ///< of a request that is not whole, or has not begun
+    };
     /// An image that is being shot.
     struct Shooting {
         Plan plan;
         Time start{};
     };
 
-    void obey(const http::Request& request, Time now);
+    void obey(const http::Request& request, Address from, Time now);
     void restart(Time now);
     void begin_image(Time now);
     void send_image(const Echogram& echogram);
     void send_packet(sonar3d::Message message, Address to);
     std::optional<Address> destination() const;
     double speed_of(const State& state) const;
-    void respond(Bytes response);
+    void respond(Bytes response, Address to);
     Actions take_actions();
 
     Settings settings_;
     Wiring wiring_;
     State state_;
-    http::RequestReader reader_;
-    Time request_deadline_ = Time::max();  ///< of a request that is not whole, or has not begun
-    double speed_ = 0;                     ///< m/s, in use
-    Time speed_change_ = Time::max();      ///< when the one set is used
+    std::map<Address, Client> clients_;
+    double speed_ = 0;                 ///< m/s, in use
+    Time speed_change_ = Time::max();  ///< when the one set is used
 
     View view_;
     bool view_is_high_ = false;

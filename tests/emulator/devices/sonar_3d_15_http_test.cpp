@@ -12,7 +12,7 @@ TEST(Sonar3d15, WhatCannotBeIsRefusedAndChangesNothing) {
         {"/acoustics/enabled", ""},
         {"/acoustics/range", R"({"min": 3.0, "max": 2.0})"},
         {"/acoustics/range", R"({"min": -1, "max": 2.0})"},
-        {"/acoustics/range", R"({"min": 0, "max": 15.1})"},
+        {"/acoustics/range", R"({"min": 0, "max": 20.1})"},
         {"/acoustics/range", R"({"max": 2.0})"},
         {"/acoustics/speed_of_sound", "999"},
         {"/acoustics/speed_of_sound", "2001"},
@@ -69,7 +69,7 @@ TEST(Sonar3d15, ARequestThatNeverEndsIsGivenUpAndANewConnectionStartsClean) {
     EXPECT_TRUE(sent[0].hang_up) << "as Connection: close says";
     EXPECT_EQ(sonar.get("/temperature"), "21.0");
     EXPECT_EQ(sonar.ask("GET /half"), "");
-    sonar.bench->device().reconnected(0);
+    sonar.bench->disconnect(0, {});
     EXPECT_EQ(sonar.get("/temperature"), "21.0");
 }
 
@@ -86,16 +86,59 @@ TEST(Sonar3d15, ARequestThatDripsIsGivenUpAsWell) {
 
 TEST(Sonar3d15, AConnectionThatAsksNothingIsClosedForTheNextOne) {
     SonarBench sonar;
-    const auto wake = sonar.bench->device().connected(0, {0x7F000001, 40000}, 0s).wake;
+    const Address idle{0x7F000001, 40000};
+    const auto wake = sonar.bench->device().connected(0, idle, 0s).wake;
     ASSERT_EQ(wake, Time(5s));
     const auto sent = sonar.bench->device().woken(5s).send;
     ASSERT_EQ(sent.size(), 1U);
     EXPECT_TRUE(sent[0].hang_up && sent[0].bytes.empty());
+    EXPECT_EQ(sent[0].to, idle);
     EXPECT_EQ(sonar.bench->device().counters().rejected, 0U);
     EXPECT_EQ(sonar.get("/temperature"), "21.0");
-    sonar.bench->device().reconnected(0);
     sonar.bench->device().connected(0, {0x7F000001, 40001}, 10s);
-    EXPECT_EQ(sonar.bench->device().disconnected(0, {}, 11s).wake, Time::max()) << "nobody is waited for";
+    EXPECT_EQ(sonar.bench->device().disconnected(0, {0x7F000001, 40001}, 11s).wake, Time::max())
+        << "nobody is waited for";
+}
+
+TEST(Sonar3d15, ServesFourHostsAtOnceEachWithARequestOfItsOwn) {
+    SonarBench sonar;
+    EXPECT_EQ(sonar.bench->device().ports().at(0).drivers, 4U);
+    const std::string request = get_text("/temperature");
+    std::vector<Address> hosts;
+    for (std::uint16_t port = 40000; port < 40004; ++port) hosts.push_back({0x7F000001, port});
+    for (const Address& host : hosts) sonar.bench->connect(0, host);
+    for (const std::size_t at : {std::size_t{0}, request.size() / 2}) {
+        EXPECT_TRUE(sonar.bench->sent().empty());
+        for (const Address& host : hosts)
+            if (host != hosts.back() || at == 0)
+                sonar.bench->say(
+                    text_bytes(request.substr(at, at == 0 ? request.size() / 2 : std::string::npos)), 0,
+                    host);
+    }
+    const auto answers = sonar.bench->sent();
+    ASSERT_EQ(answers.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(answers[i].to, hosts[i]);
+        EXPECT_TRUE(std::string(answers[i].bytes.begin(), answers[i].bytes.end()).ends_with("21.0"));
+    }
+    sonar.bench->run_to(5s);
+    const auto late = sonar.bench->sent();
+    ASSERT_EQ(late.size(), 1U);
+    EXPECT_EQ(late[0].to, hosts.back()) << "half a request is given up without the others";
+}
+
+TEST(Sonar3d15, ABodyInChunksIsReadAsOneWithItsLength) {
+    SonarBench sonar;
+    EXPECT_EQ(sonar.status("POST " + integration +
+                           "/acoustics/range HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n"
+                           "b\r\n{\"min\": 0.3\r\nC;x=y\r\n, \"max\": 16}\r\n0\r\n\r\n"),
+              204);
+    EXPECT_EQ(sonar.get("/acoustics/range"), R"({"min":0.3,"max":16.0})");
+    EXPECT_EQ(sonar.ask("POST " + integration + "/udp HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n"), "");
+    sonar.bench->run_to(5s);
+    const auto sent = sonar.bench->sent();
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(std::string(sent[0].bytes.begin(), sent[0].bytes.begin() + 12), "HTTP/1.1 408");
 }
 
 TEST(Sonar3d15, ServesItsHostAfterNoiseOnTheLine) {
