@@ -1,0 +1,137 @@
+// HTTP requests wherever the stream is split, with a length or in chunks, and JSON as small devices take
+// them.
+#include <gtest/gtest.h>
+
+#include "protocols/http/json.h"
+#include "protocols/http/request.h"
+#include "tests/protocols/data.h"
+
+namespace echoloop::http {
+namespace {
+
+wire::Bytes golden(const std::string& name) {
+    return read_hex_file(std::string(ECHOLOOP_SOURCE_DIR) + "/tests/data/" + name + ".hex").bytes;
+}
+
+wire::Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
+
+/// The status of the refusal, or 0.
+int refusal_of(std::string_view text) {
+    RequestReader reader;
+    reader.feed(bytes_of(text));
+    const auto next = reader.next();
+    const auto* refusal = next ? std::get_if<Refusal>(&*next) : nullptr;
+    return refusal ? refusal->status : 0;
+}
+
+TEST(HttpRequest, IsReadWhereverTheStreamIsSplit) {
+    wire::Bytes stream = golden("http/post_range");
+    const wire::Bytes get = golden("http/get_about");
+    stream.insert(stream.end(), get.begin(), get.end());
+    for (std::size_t at = 0; at <= stream.size(); ++at) {
+        RequestReader reader;
+        std::vector<Request> requests;
+        for (const auto part : {wire::ByteView(stream).first(at), wire::ByteView(stream).subspan(at)}) {
+            reader.feed(part);
+            while (const auto next = reader.next()) requests.push_back(std::get<Request>(*next));
+        }
+        ASSERT_EQ(requests.size(), 2U) << at;
+        EXPECT_EQ(requests[0].method, "POST");
+        EXPECT_EQ(requests[0].target, "/api/v1/integration/acoustics/range");
+        EXPECT_EQ(requests[0].body, R"({"min": 2.0, "max": 3.0})");
+        EXPECT_EQ(requests[1].method, "GET");
+        EXPECT_EQ(requests[1].body, "");
+        EXPECT_EQ(reader.pending_bytes(), 0U);
+    }
+}
+
+TEST(HttpRequest, WhatIsNoneIsRefusedAndForgotten) {
+    EXPECT_EQ(refusal_of("nonsense\r\n\r\n"), 400);
+    EXPECT_EQ(refusal_of("GET / FTP/1.1\r\n\r\n"), 400);
+    EXPECT_EQ(refusal_of("GET / HTTP/1.1\r\nno colon\r\n\r\n"), 400);
+    EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nContent-Length: -1\r\n\r\n"), 400);
+    EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nContent-Length: 99999999999999999999\r\n\r\n"), 400);
+    EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nContent-Length: 65537\r\n\r\n"), 413);
+    EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nTransfer-Encoding: gzip, chunked\r\n\r\n"), 501);
+    EXPECT_EQ(refusal_of("POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\nContent-Length: 1\r\n\r\n"), 400);
+    EXPECT_EQ(refusal_of(std::string(longest_head + 1, 'x')), 431);
+    RequestReader reader;
+    reader.feed(bytes_of("nonsense\r\n\r\n"));
+    reader.next();
+    EXPECT_EQ(reader.pending_bytes(), 0U);
+}
+
+const std::string chunked_head = "POST / HTTP/1.1\r\ntransfer-encoding: Chunked\r\n\r\n";
+
+TEST(HttpRequest, InChunksIsReadWhereverTheStreamIsSplit) {
+    const auto stream = bytes_of(chunked_head +
+                                 "4\r\n{\"a\"\r\n0003;name=value\r\n: 1\r\n1\r\n}\r\n0\r\n"
+                                 "Trailer: x\r\n\r\nGET /next HTTP/1.1\r\n\r\n");
+    for (std::size_t at = 0; at <= stream.size(); ++at) {
+        RequestReader reader;
+        std::vector<Request> requests;
+        for (const auto part : {wire::ByteView(stream).first(at), wire::ByteView(stream).subspan(at)}) {
+            reader.feed(part);
+            while (const auto next = reader.next()) requests.push_back(std::get<Request>(*next));
+        }
+        ASSERT_EQ(requests.size(), 2U) << at;
+        EXPECT_EQ(requests[0].body, R"({"a": 1})");
+        EXPECT_EQ(requests[1].target, "/next");
+        EXPECT_EQ(reader.pending_bytes(), 0U);
+    }
+}
+
+TEST(HttpRequest, InChunksThatAreNoneIsRefused) {
+    for (const char* chunks : {"\r\n", "x\r\n", "-1\r\n", "0x1\r\n", "1\r\nab\r\n", "1x\r\n"})
+        EXPECT_EQ(refusal_of(chunked_head + chunks), 400) << chunks;
+    EXPECT_EQ(refusal_of(chunked_head + "10001\r\n"), 413) << "65537";
+    EXPECT_EQ(refusal_of(chunked_head + "ffffffffffffffffffff\r\n"), 413);
+    EXPECT_EQ(refusal_of(chunked_head + "1;" + std::string(300, 'x')), 400) << "a line without an end";
+    std::string trailers = "0\r\n";
+    for (int i = 0; i < 40; ++i) trailers += "A: b\r\n";
+    EXPECT_EQ(refusal_of(chunked_head + trailers), 400);
+}
+
+TEST(HttpRequest, InChunksKeepsNoMoreThanItsBody) {
+    RequestReader reader;
+    reader.feed(bytes_of(chunked_head));
+    int status = 0;
+    for (std::size_t sent = 0; status == 0 && sent < 70'000; ++sent) {
+        reader.feed(bytes_of("1;" + std::string(200, 'x') + "\r\na\r\n"));
+        const auto next = reader.next();
+        if (next) status = std::get<Refusal>(*next).status;
+        ASSERT_LE(reader.pending_bytes(), longest_body + 10) << sent;
+    }
+    EXPECT_EQ(status, 413) << "behind 65536 bytes";
+    EXPECT_EQ(reader.pending_bytes(), 0U);
+}
+
+TEST(HttpResponse, HasItsLengthAndNoneWithoutContent) {
+    EXPECT_EQ(response(200, "21.0"), bytes_of("HTTP/1.1 200 OK\r\nContent-Type: application/json\r\n"
+                                              "Content-Length: 4\r\nConnection: close\r\n\r\n21.0"));
+    EXPECT_EQ(response(204), bytes_of("HTTP/1.1 204 No Content\r\nConnection: close\r\n\r\n"));
+    EXPECT_EQ(response(404),
+              bytes_of("HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\nConnection: close\r\n\r\n"));
+}
+
+TEST(Json, ReadsBareValuesAndFlatObjects) {
+    EXPECT_EQ(read_json(" true "), Json(JsonScalar(true)));
+    EXPECT_EQ(read_json("null"), Json(JsonScalar()));
+    EXPECT_EQ(read_json("-1.5e2"), Json(JsonScalar(-150.0)));
+    EXPECT_EQ(read_json(R"("a\"\u00e9\n")"), Json(JsonScalar("a\"\xC3\xA9\n")));
+    EXPECT_EQ(read_json(R"({"a": 1, "b" :"x"} )"),
+              Json(JsonObject{{"a", JsonScalar(1.0)}, {"b", JsonScalar("x")}}));
+    for (const char* text : {"", "tru", "truex", "inf", ".5", "1e999", "{", "{\"a\"}", "{\"a\":1,}", "[1]",
+                             "{\"a\":{}}", "\"a", "\"\\x\"", "\"\\u12\"", "1 2", "{\"a\":1}}"})
+        EXPECT_FALSE(read_json(text).has_value()) << text;
+}
+
+TEST(Json, NumbersHaveAPointAndReadBack) {
+    EXPECT_EQ(json_number(21), "21.0");
+    EXPECT_EQ(json_number(0.1), "0.1");
+    EXPECT_EQ(json_number(1e22), "1e+22");
+    EXPECT_EQ(json_string("a\"\\\x01"), R"("a\"\\\u0001")");
+}
+
+}  // namespace
+}  // namespace echoloop::http
