@@ -198,17 +198,6 @@ TEST_F(DriverLinesTest, OnlyAFewMessagesWaitForOneThatDoesNotReadWhereThatIsAske
     EXPECT_TRUE(hears(slow, {1, 2, 3})) << "and behind them what is new";
 }
 
-TEST_F(DriverLinesTest, WhatWaitsForOneThatLeavesIsNotForTheNext) {
-    const auto port = listen(1, Slow::loses, 2);
-    Socket slow = connect(*port);
-    write_more_than_it_reads(*port);
-    slow.close();
-    ASSERT_TRUE(run_until([&] { return gone_ == 1; }));
-    Socket next = connect(*port);
-    write(*port, {1, 2, 3});
-    EXPECT_TRUE(hears(next, {1, 2, 3}));
-}
-
 TEST_F(DriverLinesTest, HangsUpOnOneThatDoesNotReadAsWell) {
     const auto port = listen(1, Slow::loses, 2);
     Socket slow = connect(*port);
