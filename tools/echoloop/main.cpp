@@ -1,14 +1,11 @@
 // The program: runs the command line and turns every error into one message and an exit status of sysexits.
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
-
 #include <cstdio>
 #include <exception>
-#include <memory>
 #include <new>
 
 #include "emulator/error.h"
 #include "tools/echoloop/command_line.h"
+#include "tools/echoloop/log.h"
 #include "tools/echoloop/terminal.h"
 
 namespace {
@@ -35,7 +32,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     // Standard output is for what was asked for.
-    spdlog::default_logger()->sinks() = {std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
+    echoloop::cli::log_to_stderr();
     const int result = run(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
         echoloop::cli::print_error("cannot write to standard output");

@@ -1,0 +1,10 @@
+// The log on stderr, which never waits for its reader: what a pipe that nobody reads, or a terminal that
+// stands, does not take is left out, and counted in the next line that it takes.
+#pragma once
+
+namespace echoloop::cli {
+
+/// Lets spdlog write there. Colours only on a terminal.
+void log_to_stderr();
+
+}  // namespace echoloop::cli
