@@ -126,7 +126,7 @@ RequestReader::Next RequestReader::next() {
     if (const int* status = std::get_if<int>(&form)) return refuse(*status);
     const std::size_t body = end + blank_line.size(), size = std::get<BodyForm>(form).length.value_or(0);
     if (std::get<BodyForm>(form).chunked) {
-        chunked_.emplace().request = std::move(request);
+        chunked_ = Chunked{std::move(request), ChunkReader(longest_body)};
         buffer_.erase(0, body);
         return next_of_chunks();
     }

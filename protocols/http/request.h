@@ -42,7 +42,7 @@ class RequestReader {
     /// A request whose body comes in chunks.
     struct Chunked {
         Request request;
-        ChunkReader chunks{longest_body};
+        ChunkReader chunks;
     };
 
     Refusal refuse(int status);
