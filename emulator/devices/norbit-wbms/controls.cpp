@@ -79,10 +79,10 @@ const Row* find_row(const norbit::Command& command, const Controls& controls) {
 /// What bounds of single numbers do not say.
 bool makes_sense(const Controls& c) {
     constexpr std::array<double, 4> columns{64, 128, 256, 512};
-    constexpr double slowest_rate = 0.001;  // Hz; own choice: what 0 and fractions of -1 mean is not known
+    constexpr double slowest_rate = 0.001;  // Hz; own choice. What is not positive is automatic
     return c.start < c.stop && c.range_start < c.range_stop && c.depth_start < c.depth_stop &&
            std::find(columns.begin(), columns.end(), c.horizontal_resolution) != columns.end() &&
-           (c.sound_velocity == -1 || c.sound_velocity >= 1300) && (c.rate == -1 || c.rate >= slowest_rate);
+           (c.sound_velocity == -1 || c.sound_velocity >= 1300) && (c.rate <= 0 || c.rate >= slowest_rate);
 }
 
 /// False, and nothing set, if a word does not fit.
