@@ -1,12 +1,16 @@
 """Loopback ports for tests that run side by side. A port given out belongs to the asking process until it ends: the kernel
 keeps a name for each, so that no two tests get the same between asking and binding. All lie below those that the kernel
-picks by itself for whoever connects or binds to port 0."""
+picks by itself for whoever connects or binds to port 0, and none is one whose bytes tshark takes for another protocol's."""
 
 import atexit
 import random
 import socket
 
-FIRST, END = 20000, 32000
+FIRST, END = 20001, 30000
+KNOWN_TO_TSHARK = {
+    20256, 20561, 21064, 22222, 23272, 24576, 24577, 24800, 25826, 26000, 27017, 27036, 27500, 27910,
+    27950, 27951, 27952, 27953, 27960, 27961, 27962, 27963, 29418,
+}
 _owned = []  # sockets that hold the names
 
 
@@ -52,7 +56,7 @@ def free_port(count=1, avoid=()):
     """A port that is free together with the `count` - 1 above it, for UDP and TCP; none of them is in `avoid`."""
     bases = range(FIRST, END - count, count)
     for base in random.sample(bases, len(bases)):
-        if avoid and not avoid.isdisjoint(range(base, base + count)):
+        if any(port in KNOWN_TO_TSHARK or port in avoid for port in range(base, base + count)):
             continue
         if _take(base, count):
             return base
