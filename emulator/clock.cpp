@@ -32,8 +32,7 @@ void Alarm::cancel() {
 }
 
 Time RealClock::now() const {
-    const std::chrono::duration<double, std::nano> real = Steady::now() - start_;
-    return Time(static_cast<Time::rep>(real.count() * rate_));
+    return run_time(Steady::now() - start_);
 }
 
 RealClock::~RealClock() {
@@ -68,8 +67,12 @@ Time RealClock::overslept(Time due) const {
 
 Time RealClock::stood_still(Time since) const {
     if (standstills_ == nullptr) return {};
-    const std::chrono::duration<double, std::nano> real = standstills_->within(instant(since), Steady::now());
-    return Time(static_cast<Time::rep>(real.count() * rate_));
+    return run_time(standstills_->within(instant(since), Steady::now()));
+}
+
+Time RealClock::all_stood_still(Time since) const {
+    if (standstills_ == nullptr) return {};
+    return run_time(standstills_->of_all_within(instant(since), Steady::now()));
 }
 
 void RealClock::set(Alarm& alarm, Time when) {
@@ -88,6 +91,10 @@ void RealClock::unset(Alarm& alarm) {
 void RealClock::tell_what_is_due() {
     if (!wire_thread_) return;
     wire_thread_->due(alarms_.empty() ? Steady::time_point::max() : instant(alarms_.begin()->first));
+}
+
+Time RealClock::run_time(Steady::duration real) const {
+    return Time(static_cast<Time::rep>(std::chrono::duration<double, std::nano>(real).count() * rate_));
 }
 
 RealClock::Steady::time_point RealClock::instant(Time t) const {

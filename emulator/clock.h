@@ -46,6 +46,8 @@ class Clock {
     virtual Time overslept(Time) const { return {}; }
     /// Since then, how long the machine let nothing run; 0 where nobody watches.
     virtual Time stood_still(Time) const { return {}; }
+    /// Of that, how long all of its processors stood still at once.
+    virtual Time all_stood_still(Time) const { return {}; }
     /// It outlives this, and looks after the thread that runs the clock.
     void watch(Standstills* standstills) { standstills_ = standstills; }
 
@@ -130,6 +132,7 @@ class RealClock final : public Clock {
     void run() override;
     Time overslept(Time due) const override;
     Time stood_still(Time since) const override;
+    Time all_stood_still(Time since) const override;
 
   private:
     void set(Alarm& alarm, Time when) override;
@@ -137,6 +140,7 @@ class RealClock final : public Clock {
     void rang(Alarm& alarm, Time when) override;
     void serve();
     void tell_what_is_due();
+    Time run_time(Steady::duration real) const;
     /// Instant of the steady clock at which run time `t` comes.
     Steady::time_point instant(Time t) const;
 

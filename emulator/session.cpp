@@ -170,6 +170,7 @@ void Session::count_late(const UnderWay& ping, Time now) {
     ++summary_.late_pings;
     if (clock_.stood_still(ping.transmission.time) >= lateness - late_after) {
         ++summary_.late_standstills;
+        if (clock_.all_stood_still(ping.due) >= lateness - late_after) ++summary_.late_machine;
     } else if (now - ping.woken > lateness / 2) {
         ++summary_.late_renderings;
     } else if (ping.overslept > lateness / 2) {

@@ -35,6 +35,8 @@ struct SessionSummary {
     /// Of those, by cause: the machine let nothing run (known in real-time runs only), or else the echogram
     /// was what they waited for, or else the machine woke this program too late.
     std::uint64_t late_standstills = 0, late_renderings = 0, late_wakings = 0;
+    /// Of the first kind: when they were due no processor ran, for all of their lateness but a millisecond.
+    std::uint64_t late_machine = 0;
     Time worst_lateness{}, median_lateness{};
     Time p99_lateness{};  ///< that 99 of 100 pings do not exceed
     /// Messages that did not fit the outbox, or what is kept for a driver that does not read.

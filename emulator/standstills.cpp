@@ -41,6 +41,27 @@ std::vector<int> usable_processors() {
     return usable;
 }
 
+struct Stretch {
+    Standstills::Steady::time_point from{}, to{};
+    Standstills::Steady::duration length() const { return to - from; }
+    Stretch in(const Stretch& other) const { return {std::max(from, other.from), std::min(to, other.to)}; }
+};
+
+Standstills::Steady::duration sum(const std::vector<Stretch>& stretches) {
+    Standstills::Steady::duration sum{};
+    for (const Stretch& one : stretches) sum += one.length();
+    return sum;
+}
+
+/// What is in both; neither's stretches overlap each other.
+std::vector<Stretch> common(const std::vector<Stretch>& some, const std::vector<Stretch>& others) {
+    std::vector<Stretch> both;
+    for (const Stretch& one : some)
+        for (const Stretch& other : others)
+            if (const Stretch in = one.in(other); in.from < in.to) both.push_back(in);
+    return both;
+}
+
 }  // namespace
 
 /// Of one processor.
@@ -63,13 +84,12 @@ class Standstills::Watcher {
         outcome.get();
     }
 
-    Steady::duration within(Steady::time_point from, Steady::time_point to) const {
+    std::vector<Stretch> within(const Stretch& asked) const {
         const std::lock_guard lock(mutex_);
-        Steady::duration sum{};
-        for (const Standstill& one : last_) sum += one.within(from, to);
+        std::vector<Stretch> found(last_.begin(), last_.end());
         const Steady::time_point next = next_;
-        if (to > next + punctual) sum += Standstill{next, to}.within(from, to);  // it has not come yet
-        return sum;
+        if (asked.to > next + punctual) found.push_back({next, asked.to});  // it has not come yet
+        return common(found, {asked});
     }
 
     /// Takes no lock, which a watcher that stands still might hold.
@@ -89,13 +109,6 @@ class Standstills::Watcher {
     }
 
   private:
-    struct Standstill {
-        Steady::time_point from{}, to{};
-        Steady::duration within(Steady::time_point begin, Steady::time_point end) const {
-            return std::max(Steady::duration{}, std::min(to, end) - std::max(from, begin));
-        }
-    };
-
     void watch(const std::stop_token& stop) {
         while (!stop.stop_requested()) {
             const Steady::time_point due = next_;
@@ -135,9 +148,9 @@ class Standstills::Watcher {
         return due == Steady::time_point::max() ? due : due + patience;
     }
 
-    void keep(Standstill one) {
+    void keep(const Stretch& one) {
         last_[summary_.count++ % last_.size()] = one;
-        summary_.longest = std::max(summary_.longest, one.to - one.from);
+        summary_.longest = std::max(summary_.longest, one.length());
     }
 
     const Standstills& all_;
@@ -145,7 +158,7 @@ class Standstills::Watcher {
     std::mutex care_;  ///< of no use to other threads, but when a thread comes or goes
     WireThread* wire_thread_ = nullptr;
     mutable std::mutex mutex_;
-    std::array<Standstill, 64> last_{};
+    std::array<Stretch, 64> last_{};
     Summary summary_;
     std::atomic<std::uint64_t> fetched_{0};
     std::atomic<Steady::time_point> next_{};  ///< when it means to wake
@@ -161,8 +174,15 @@ Standstills::~Standstills() = default;
 
 Standstills::Steady::duration Standstills::within(Steady::time_point from, Steady::time_point to) const {
     Steady::duration longest{};
-    for (const auto& watcher : watchers_) longest = std::max(longest, watcher->within(from, to));
+    for (const auto& watcher : watchers_) longest = std::max(longest, sum(watcher->within({from, to})));
     return longest;
+}
+
+Standstills::Steady::duration Standstills::of_all_within(Steady::time_point from,
+                                                         Steady::time_point to) const {
+    std::vector<Stretch> all{{from, to}};
+    for (const auto& watcher : watchers_) all = common(all, watcher->within({from, to}));
+    return sum(all);
 }
 
 Standstills::Summary Standstills::summary() const {

@@ -31,6 +31,8 @@ class Standstills {
     /// How long of [from, to] a processor stood still, of the one for which that was longest. Looks back over
     /// the last 64 standstills of each.
     Steady::duration within(Steady::time_point from, Steady::time_point to) const;
+    /// How long of [from, to] none of them ran, so that nothing in this machine could have happened.
+    Steady::duration of_all_within(Steady::time_point from, Steady::time_point to) const;
     Summary summary() const;
 
     /// While one lives, the thread is fetched to a processor that runs when something was due a quarter of a

@@ -120,6 +120,7 @@ class RealTime(unittest.TestCase):
         ended = self.stopped_run("--realtime")
         device = ended["devices"][0]
         self.assertGreaterEqual(device["late_standstills"], 1, device)
+        self.assertGreaterEqual(device["late_machine"], 1, "its threads were stopped on all processors")
         self.assertGreater(ended["standstills"]["count"], 0)
         self.assertTrue(0.3 < ended["standstills"]["longest_s"] < 5, ended)
 
@@ -127,6 +128,7 @@ class RealTime(unittest.TestCase):
         ended = self.stopped_run()
         self.assertNotIn("standstills", ended)
         self.assertEqual(ended["devices"][0]["late_standstills"], 0)
+        self.assertEqual(ended["devices"][0]["late_machine"], 0)
         self.assertGreaterEqual(ended["devices"][0]["late_pings"], 1)
 
 

@@ -48,6 +48,7 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
                            {"pings", s.pings},
                            {"late_pings", s.late_pings},
                            {"late_standstills", s.late_standstills},
+                           {"late_machine", s.late_machine},
                            {"late_renderings", s.late_renderings},
                            {"late_wakings", s.late_wakings},
                            {"worst_lateness_s", to_seconds(s.worst_lateness)},

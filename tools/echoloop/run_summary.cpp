@@ -20,12 +20,16 @@ std::string remedy(const SessionSummary& s) {
     return "this machine is too busy or too slow for it";
 }
 
+std::string standstills(const SessionSummary& s) {
+    if (s.late_standstills == 0) return "";
+    const auto all = std::to_string(s.late_machine) + " of them while none of its processors ran, ";
+    return std::to_string(s.late_standstills) + " since the machine stood still, " + all;
+}
+
 std::string punctuality(const SessionSummary& s) {
     if (s.late_pings == 0) return counted(s.pings, "ping") + ", none late";
     return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late (" +
-           (s.late_standstills == 0
-                ? ""
-                : std::to_string(s.late_standstills) + " since the machine stood still, ") +
+           standstills(s) +
            std::to_string(s.late_renderings) + " waited for their rendering, " +
            std::to_string(s.late_wakings) + " until the machine woke the program), the worst by " +
            plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: " + remedy(s);
@@ -38,6 +42,7 @@ SessionSummary sum_of(const std::vector<SessionSummary>& sessions) {
         all.pings += s.pings;
         all.late_pings += s.late_pings;
         all.late_standstills += s.late_standstills;
+        all.late_machine += s.late_machine;
         all.late_renderings += s.late_renderings;
         all.late_wakings += s.late_wakings;
         all.worst_lateness = std::max(all.worst_lateness, s.worst_lateness);

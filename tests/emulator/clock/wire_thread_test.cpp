@@ -11,18 +11,15 @@
 
 #include <atomic>
 #include <boost/asio/detached.hpp>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "emulator/clock.h"
-#include "emulator/error.h"
-#include "emulator/standstills.h"
+#include "tests/emulator/clock/watched.h"
 
 namespace {
 std::atomic<bool> timers_stand_still{false};
@@ -47,16 +44,6 @@ class Standing {
     Standing() { timers_stand_still = true; }
     ~Standing() { timers_stand_still = false; }
 };
-
-std::vector<int> processors_of(pid_t thread) {
-    cpu_set_t set;
-    CPU_ZERO(&set);
-    ::sched_getaffinity(thread, sizeof set, &set);
-    std::vector<int> processors;
-    for (int i = 0; i < CPU_SETSIZE; ++i)
-        if (CPU_ISSET(i, &set)) processors.push_back(i);
-    return processors;
-}
 
 /// The 39th field of proc(5)'s stat.
 int last_processor_of(pid_t thread) {
@@ -151,20 +138,14 @@ TEST(WireThreads, RingTimersThatAreOverWhenTheyAreFetched) {
     EXPECT_FALSE(later);
 }
 
-/// A clock whose thread is looked after, where this user may have that.
-class LookedAfterClocks : public testing::Test {
+/// A clock whose thread is looked after.
+class LookedAfterClocks : public Watched {
   protected:
     void SetUp() override {
-        try {
-            watching.emplace();
-        } catch (const StartError&) {
-            if (const char* ci = std::getenv("CI"); ci != nullptr && std::string_view(ci) == "true") throw;
-            GTEST_SKIP() << "real time is not permitted to this user";
-        }
-        clock.watch(&*watching);
+        Watched::SetUp();
+        if (watching) clock.watch(&*watching);
     }
 
-    std::optional<Standstills> watching;
     asio::io_context io;
     RealClock clock{io};
 };
