@@ -88,6 +88,19 @@ class Bathymetry(R2SonicCase):
         middle = min(soundings(ping), key=lambda p: abs(p["angle"]))
         self.assertAlmostEqual(middle["depth"], 8.0 * 1480 / 1500, delta=0.04)
 
+    def test_a_wrong_sound_speed_makes_the_bottom_smile_or_frown(self):
+        """By its manual, and by Snell's law: a flat array that believes in c' looks where sin x = sin(told) c / c'."""
+        host, _ = self.start(options=", range: 40")
+        self.pings(host, 1)
+        for believed in (1560.0, 1440.0):
+            host.send_commands({"SEW0": math.radians(110), "SVL0": believed, "SVU0": 1})
+            ping = self.pings(host, 1, lambda ping: abs(ping.header["sound_speed"] - believed) < 1e-3)[0]
+            self.assertAlmostEqual(ping.angles[-1], math.radians(55), places=4)
+            for p in soundings(ping):
+                looks = math.asin(math.sin(p["angle"]) * 1500 / believed)
+                depth = 8.0 * believed / 1500 * math.cos(p["angle"]) / math.cos(looks)
+                self.assertLess(abs(p["depth"] - depth) / depth, 0.005, f"{believed} m/s at {math.degrees(p['angle']):.1f}")
+
     def test_gates_hide_the_bottom(self):
         host, _ = self.start(options=", range: 40")
         self.pings(host, 1)

@@ -43,6 +43,18 @@ Beams equi_distant(const Controls& controls, double roll) {
     return {std::move(section), std::move(angles)};
 }
 
+/// Where a flat array looks that steers itself to `wanted` with delays for another sound speed: its sine is
+/// `ratio` times that one's, the true speed over the assumed. What would lie along its face or beyond comes
+/// to lie side by side near it.
+double looks(double wanted, double ratio) {
+    if (ratio == 1) return wanted;
+    const double along_face = deg_to_rad(85), sine = ratio * std::sin(wanted);
+    const double beyond = std::max(0.0, std::abs(sine) - std::sin(along_face));
+    if (beyond == 0) return std::asin(sine);
+    constexpr double rad_a_sine = 0.3;  // keeps 80 deg, at the worst speeds, below 90
+    return std::copysign(along_face + rad_a_sine * beyond, sine);
+}
+
 /// The array's directivity index grows with its area in square wavelengths.
 Receiver receiver_at(double frequency, const Acoustics& acoustics) {
     Receiver receiver = acoustics.receiver;
@@ -125,8 +137,9 @@ Shot make_shot(const Controls& controls, const Settings& settings, const Beams& 
     const std::size_t total = samples(controls, settings), per_bin = samples_per_bin(total);
     Shot shot;
     shot.ping = ping;
-    shot.bearings = fan.angles;
-    shot.tilt = controls.receiver_tilt + steering(controls, pitch);
+    const double ratio = settings.sound_speed / working_sound_speed(controls, settings);
+    for (const double angle : fan.angles) shot.bearings.push_back(looks(angle, ratio));
+    shot.tilt = controls.receiver_tilt + looks(steering(controls, pitch), ratio);
     shot.beam_width = receive_beam_width(controls, settings.acoustics);
     shot.fan_height = transmit_beam_width(controls, settings.acoustics);
     shot.bins = (total + per_bin - 1) / per_bin;

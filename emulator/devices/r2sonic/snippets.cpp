@@ -21,15 +21,15 @@ std::pair<std::size_t, std::size_t> window(const Shot& shot, const multibeam::De
     return {first, std::min({bin_of(d.end + margin) + 1, shot.bins, first + most_samples})};
 }
 
-r2sonic::S1 make_snippet(const Echogram& echogram, std::uint32_t ping, std::size_t point,
+r2sonic::S1 make_snippet(const PingRecord& ping, const Echogram& echogram, std::size_t point,
                          const multibeam::Detection& detection, const std::vector<float>& gain) {
     const auto [first, last] = window(echogram.shot, detection);
     const auto power = echogram.beam(point);
     r2sonic::S1 snippet;
-    snippet.ping_number = ping;
+    snippet.ping_number = ping.number;
     snippet.snippet = static_cast<std::uint16_t>(point);
     snippet.first_sample = static_cast<std::uint32_t>(first);
-    snippet.angle = static_cast<float>(echogram.shot.bearings[point]);
+    snippet.angle = static_cast<float>(ping.beams.angles[point]);
     std::vector<float> row;
     const bool paper = echogram.rule == EchoRule::cerqueira2016;
     for (std::size_t i = first; i < last; ++i)
@@ -57,7 +57,7 @@ std::vector<Bytes> snippet_datagrams(const PingRecord& ping, const Settings& set
     std::size_t filled = 0;  // bytes of the packet so far; 0: it has no snippet yet
     for (std::size_t point = 0; point < detections.size(); ++point) {
         if (!detections[point].found()) continue;
-        auto snippet = make_snippet(echogram, ping.number, point, detections[point], gain);
+        auto snippet = make_snippet(ping, echogram, point, detections[point], gain);
         if (filled > 0 && filled + size_of(snippet) > frame_payload) {
             datagrams.push_back(r2sonic::serialise(packet));
             packet = {};

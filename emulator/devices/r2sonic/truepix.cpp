@@ -20,15 +20,15 @@ struct Side {
 
 std::int16_t steps(double angle) { return static_cast<std::int16_t>(std::lround(angle / widest * 32767)); }
 
-/// Beams [first, last).
-Side strongest(const Echogram& echogram, std::size_t first, std::size_t last,
-               const std::vector<float>& gain) {
+/// Beams [first, last), at those angles.
+Side strongest(const Echogram& echogram, const std::vector<double>& angles, std::size_t first,
+               std::size_t last, const std::vector<float>& gain) {
     const std::size_t bins = echogram.shot.bins;
     Side side{std::vector<float>(bins, 0.0F), std::vector<std::int16_t>(bins, 0),
               std::vector<std::uint16_t>(bins)};
     for (std::size_t beam = first; beam < last; ++beam) {
         const float* power = echogram.beam(beam).data();
-        const std::int16_t angle = steps(echogram.shot.bearings[beam]);
+        const std::int16_t angle = steps(angles[beam]);
         for (std::size_t i = 0; i < bins; ++i) {
             const bool more = power[i] > side.power[i];
             side.power[i] = more ? power[i] : side.power[i];
@@ -81,8 +81,8 @@ std::vector<Bytes> truepix_datagrams(const PingRecord& ping, const Settings& set
     const auto& angles = ping.beams.angles;
     const auto middle =
         static_cast<std::size_t>(std::lower_bound(angles.begin(), angles.end(), 0.0) - angles.begin());
-    const Side port = strongest(echogram, 0, middle, gain);
-    const Side starboard = strongest(echogram, middle, echogram.beams(), gain);
+    const Side port = strongest(echogram, angles, 0, middle, gain);
+    const Side starboard = strongest(echogram, angles, middle, echogram.beams(), gain);
     const auto [first, last] = gated(echogram.shot, c.truepix_gates, gates);
     r2sonic::Tpx0 packet;
     packet.h0 = {make_h0(ping, settings, echogram), more_of(ping.beams)};

@@ -120,6 +120,38 @@ TEST(R2SonicPing, HostileValuesStayWithinTheManualsBounds) {
     EXPECT_GT(bench.device().counters().rejected, 0u);
 }
 
+/// The manual: too great a sound velocity makes the bottom smile, since the array then looks too far inward.
+TEST(R2SonicPing, AWrongSoundSpeedTurnsTheBeamsOfItsFlatArrayButNotWhatItTells) {
+    Bench bench = head();
+    bench.say(command("TXS0", 0.1F));
+    bench.run_to(200ms);
+    const Shot right = bench.shots.back();
+    bench.say(command("SVL0", 1560.0F));
+    bench.say(command("SVU0", std::uint32_t{1}));
+    bench.run_to(400ms);
+    const Shot& wrong = bench.shots.back();
+    for (std::size_t n = 0; n < right.bearings.size(); ++n)
+        EXPECT_NEAR(std::sin(wrong.bearings[n]), std::sin(right.bearings[n]) * 1500 / 1560, 1e-12);
+    EXPECT_NEAR(right.tilt, 0.1, 1e-7);
+    EXPECT_NEAR(std::sin(wrong.tilt), std::sin(0.1) * 1500 / 1560, 1e-7) << "the projector is one, too";
+    const auto sent = named(bench.sent(), "BTH0");
+    for (const std::size_t at : {652, 656})
+        EXPECT_EQ(f32(sent.back().bytes, at), f32(sent.front().bytes, at)) << "angles of A0";
+}
+
+TEST(R2SonicPing, BeamsThatWouldLookAlongTheFaceLieNextToEachOtherBeforeIt) {
+    Bench bench = head();
+    bench.say(command("SEW0", static_cast<float>(deg_to_rad(160))));
+    bench.say(command("SVL0", 1250.0F));
+    bench.say(command("SVU0", std::uint32_t{1}));
+    bench.run_to(300ms);
+    const auto& bearings = bench.shots.back().bearings;
+    EXPECT_GT(rad_to_deg(bearings.back()), 85);
+    EXPECT_LT(rad_to_deg(bearings.back()), 90);
+    EXPECT_NEAR(bearings.front(), -bearings.back(), 1e-6);
+    for (std::size_t n = 1; n < bearings.size(); ++n) ASSERT_GT(bearings[n], bearings[n - 1]);
+}
+
 class R2SonicFloor : public testing::TestWithParam<bool> {};
 
 TEST_P(R2SonicFloor, DepthsAreWithinHalfAPercentInsideSixtyDegrees) {

@@ -163,6 +163,32 @@ TEST(R2SonicTruePix, TellsMagnitudeAndDirectionOfBothSides) {
     EXPECT_GT(checked, 500);
 }
 
+TEST(R2SonicProducts, TellWhereTheHeadMeantToLookThoughAWrongSoundSpeedTurnsItsBeams) {
+    Bench bench = head({{"range", 60.0}});
+    for (const char* what : {"SNIP", "SVU0"}) bench.say(command(what, std::uint32_t{1}));
+    bench.say(command("TPM0", std::uint32_t{2}));
+    bench.say(command("SVL0", 1450.0F));
+    const auto all = ping_over_floor(bench);
+    const Bytes snippet = named(all, "SNI0").at(0).bytes;
+    EXPECT_NEAR(f32(snippet, 12 + 140 + 16), deg_to_rad(-60), 1e-4) << "the first one's";
+    const auto sent = named(all, "TPX0");
+    const double rate = f32(sent.at(0).bytes, h0 + 84);
+    int checked = 0;
+    for (std::size_t i = 1; i < sent.size(); ++i) {
+        const Bytes& b = sent[i].bytes;
+        const std::size_t first = u32(b, 12 + 12), samples = u16(b, 12 + 16);
+        for (std::size_t s = 0; s < samples; ++s) {
+            const double range = (static_cast<double>(first + s) + 0.5) / rate * 750;
+            if (range < 30 || range > 38) continue;
+            const double meant = std::asin(std::sin(std::acos(20 / range)) * 1450 / 1500);
+            const auto told = static_cast<std::int16_t>(u16(b, 12 + 56 + 8 * s + 6));
+            EXPECT_NEAR(told * static_cast<double>(f32(b, 12 + 52)), meant, deg_to_rad(0.8)) << range;
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 300);
+}
+
 TEST(R2SonicTruePix, GatesCutItAndTheOldHeaderHasTheVoltageOffset) {
     Bench bench(make_device("r2sonic-2026", {}, {{"range", 60.0}, {"truepix_header", std::string("v5.0")}}));
     bench.say(command("TPM0", std::uint32_t{1}));
