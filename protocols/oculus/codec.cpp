@@ -27,10 +27,10 @@ static_assert(wire::fixed_size<Status>() == status_payload);
 bool fits(const Header& h, std::size_t longest) {
     const std::size_t size = h.payload_size;
     const bool v2 = h.version == 2;
-    if (size > longest || h.version > 2 || h.spare != 0) return false;
+    if (size > longest || h.version > 2) return false;
     switch (h.id) {
         case Id::fire:
-            return size == (v2 ? fire_v2_payload : fire_payload);
+            return size == 0 || size == (v2 ? fire_v2_payload : fire_payload);
         case Id::result:
             return size >= (v2 ? result_v2_payload : result_payload) && size <= max_payload;
         case Id::full_result:
@@ -127,6 +127,11 @@ std::optional<Header> plausible_header(wire::ByteView bytes, std::size_t longest
     const auto header = wire::parse<Header>(bytes.first(header_bytes));
     if (!header || !fits(*header, longest)) return std::nullopt;
     return *header;
+}
+
+std::size_t payload_bytes(const Header& header) {
+    if (header.id != Id::fire || header.payload_size != 0) return header.payload_size;
+    return header.version == 2 ? fire_v2_payload : fire_payload;
 }
 
 wire::Result<Message> parse(const Frame& frame) {

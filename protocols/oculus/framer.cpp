@@ -47,10 +47,10 @@ std::optional<Frame> Framer::next() {
             skip_noise();
             continue;
         }
-        const std::size_t size = header_bytes + header->payload_size;
+        const std::size_t size = header_bytes + payload_bytes(*header);
 
         // An image may hold anything, leftovers of older headers too.
-        const bool short_one = header->payload_size <= status_payload;
+        const bool short_one = payload_bytes(*header) <= status_payload;
         if (const auto inner = short_one ? header_within(pending, size, longest_) : std::nullopt) {
             skip(*inner);
         } else if (pending.size() >= size) {
@@ -65,11 +65,12 @@ std::optional<Frame> Framer::next() {
 }
 
 Frame Framer::take(const Header& header) {
+    const std::size_t size = payload_bytes(header);
     const auto first = buffer_.begin() + static_cast<std::ptrdiff_t>(begin_ + header_bytes);
-    Frame frame{header, wire::Bytes(first, first + static_cast<std::ptrdiff_t>(header.payload_size))};
+    Frame frame{header, wire::Bytes(first, first + static_cast<std::ptrdiff_t>(size))};
     frame_offset_ = position_;
-    begin_ += header_bytes + header.payload_size;
-    position_ += header_bytes + header.payload_size;
+    begin_ += header_bytes + size;
+    position_ += header_bytes + size;
     return frame;
 }
 

@@ -27,8 +27,8 @@ struct Header {
     std::uint16_t destination = 0;  ///< 0; one reader notes 0xFFFF in the status
     Id id = Id::status;
     std::uint16_t version = 0;       ///< v1 messages 0 or 1, v2 messages 2
-    std::uint32_t payload_size = 0;  ///< bytes behind this header
-    std::uint16_t spare = 0;
+    std::uint32_t payload_size = 0;  ///< bytes behind this header; 0 in fire messages of some hosts
+    std::uint16_t spare = 0;         ///< 0; the maker's newer header has a part number here
 
     friend bool operator==(const Header&, const Header&) = default;
 };

@@ -200,6 +200,14 @@ class Timing(OculusCase):
         self.assertAlmostEqual(self.period(host, **SEA, range=120.0, rate=wire.RATES[40]), 240 / C, delta=0.02)
         self.assertEqual(host.faults, [])
 
+    def test_a_fire_message_that_does_not_tell_its_size_is_obeyed(self):
+        host = self.start("flat", [0, 0, -12])
+        for version, reach in ((1, 5.0), (2, 7.0)):
+            host.fire(**SEA, version=version, range=reach, sized=False)
+            ping = host.ping(10, lambda ping: ping.settings["range"] == reach)
+            self.assertEqual(ping.version, version)
+        self.assertEqual(host.faults, [])
+
     def test_standby_sends_dummies_until_the_next_fire(self):
         host = self.start("flat", [0, 0, -12])
         host.dummy(1.5)

@@ -28,12 +28,12 @@ NAMES_V2 = (
 
 
 def fire(version=1, mode=LOW, rate=0, speed=0xFF, gamma=127, flags=METRES | SIMPLE, range=10.0, gain=50.0,
-         sound_speed=0.0, salinity=0.0, ext_flags=0):
-    """A fire message of version 1 (53 bytes) or 2 (89 bytes)."""
+         sound_speed=0.0, salinity=0.0, ext_flags=0, sized=True):
+    """A fire message of version 1 (53 bytes) or 2 (89 bytes). Hosts on the maker's own client do not tell its size."""
     payload = SETTINGS.pack(mode, rate, speed, gamma, flags, range, gain, sound_speed, salinity)
     if version == 2:
         payload += struct.pack("<9I", ext_flags, *[0] * 8)
-    return HEADER.pack(MAGIC, 0, 0, FIRE, 2 if version == 2 else 0, len(payload), 0) + payload
+    return HEADER.pack(MAGIC, 0, 0, FIRE, 2 if version == 2 else 0, len(payload) if sized else 0, 0) + payload
 
 
 def read_header(data):

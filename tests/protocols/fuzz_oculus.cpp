@@ -24,6 +24,7 @@ void check(const Frame& frame) {
     const auto& h = frame.header;
     auto bytes = encode(*message, h.source, h.destination, h.id);
     bytes[8] = static_cast<std::uint8_t>(h.version);  // 0 and 1 are the same
+    bytes[14] = static_cast<std::uint8_t>(h.spare), bytes[15] = static_cast<std::uint8_t>(h.spare >> 8);
     if (bytes != encode(frame)) std::abort();
 }
 

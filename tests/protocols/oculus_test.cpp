@@ -102,14 +102,32 @@ TEST(OculusFramer, ALyingSizeIsNoise) {
     wire::Bytes lie = golden("fire_v1");
     lie[10] = 0x26;  // one byte more than a v1 fire has
     EXPECT_EQ(frames_of(joined({lie, golden("dummy")})).size(), 1U);
-    wire::Bytes spare = golden("fire_v1");
-    spare[14] = 1;
-    EXPECT_EQ(frames_of(joined({spare, golden("dummy")})).size(), 1U) << "always 0";
     wire::Bytes huge = golden("result_v1");
     huge[13] = 0x7F;  // 2 GB
     EXPECT_EQ(frames_of(joined({huge, golden("dummy")})).size(), 1U);
     EXPECT_EQ(frames_of(joined({golden("result_v1"), golden("dummy")}), 0, host_payload).size(), 1U)
         << "a device waits for no image";
+}
+
+/// The maker's own client clears the structure, and fills in neither version nor size.
+TEST(OculusFramer, AFireMessageWithoutItsSizeIsWhole) {
+    for (const auto& [name, payload] : {std::pair{"fire_v1", 37U}, {"fire_v2", 73U}}) {
+        wire::Bytes fire = golden(name);
+        const auto whole = parse(frames_of(fire).at(0));
+        fire[10] = 0;
+        for (std::size_t at = 0; at <= fire.size(); ++at) {
+            const auto frames = frames_of(joined({fire, golden("dummy")}), at, host_payload);
+            ASSERT_EQ(frames.size(), 2U) << name << " cut at " << at;
+            EXPECT_EQ(frames[0].payload.size(), payload);
+            EXPECT_TRUE(*parse(frames[0]) == *whole);
+        }
+    }
+}
+
+TEST(OculusFramer, ThePartNumberOfNewerUnitsIsNoNoise) {
+    wire::Bytes result = golden("result_v1");
+    result[14] = 0x08, result[15] = 0x04;
+    EXPECT_EQ(frames_of(joined({result, golden("dummy")})).size(), 2U);
 }
 
 TEST(OculusFramer, EveryByteIsAccountedForAndMemoryIsBounded) {

@@ -27,7 +27,7 @@ local function fits(name, size)
   if name == "FullResult" then return size >= size_of("Fire") and size <= longest end
   if name == "LogText" then return size <= longest_text end
   local all = size_of(name)
-  if all then return size == all end
+  if all then return size == all or (size == 0 and name:sub(1, 4) == "Fire") end
   return size >= least_of(name) and size <= longest
 end
 
@@ -37,9 +37,10 @@ function family.frame(text, at)
   local start = text:sub(at + 1, at + 2)
   if start ~= ("SO"):sub(1, #start) then return 0 end
   if #text - at < header then return nil end
-  local size, spare = sonar.le(text, at + 10, 4), sonar.le(text, at + 14, 2)
+  local size = sonar.le(text, at + 10, 4)
   local name, version = table_of(text, at)
-  return version <= 2 and spare == 0 and fits(name, size) and header + size or 0
+  if version > 2 or not fits(name, size) then return 0 end
+  return header + (size == 0 and size_of(name) or size)  -- some hosts leave a Fire's size out
 end
 
 function family.display(tree, tvb, at, size, text)
