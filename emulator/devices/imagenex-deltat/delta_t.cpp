@@ -47,8 +47,7 @@ Actions DeltaT::transmit(Time now) {
     if (!alike(record_.controls, controls_)) averaged_ = 0;
     const double latency = window(controls_) + settings_.processing;
     const double time = settings_.unix_start + to_seconds(now);
-    if (averaged_ == 0) first_time_ = time;
-    record_ = {controls_, 0, first_time_, period(), latency};
+    record_ = {controls_, 0, time, period(), latency};
     transmitted_ = now;
     const double roll = controls_.roll_compensation ? down_bearing_ : 0;
     Actions actions;

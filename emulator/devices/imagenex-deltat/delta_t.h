@@ -41,7 +41,6 @@ class DeltaT final : public Device {
     PingPacer pacer_;
     Echogram mean_;          ///< of the pings averaged so far
     unsigned averaged_ = 0;  ///< pings in it
-    double first_time_ = 0;  ///< s, Unix time of the first of them
     Time transmitted_{};
     double down_bearing_ = 0;  ///< rad, at the ping before
     std::uint64_t pings_ = 0;

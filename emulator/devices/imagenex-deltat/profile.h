@@ -10,7 +10,7 @@ namespace echoloop::delta_t {
 struct PingRecord {
     Controls controls;
     std::uint32_t number = 0;
-    double time = 0;    ///< s, Unix time of the transmission, of the first one where several are averaged
+    double time = 0;    ///< s, Unix time of the transmission, of the last one where several are averaged
     double period = 0;  ///< s between pings
     double data_latency = 0;  ///< s from the last transmission to the datagram
 };

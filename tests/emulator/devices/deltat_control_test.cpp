@@ -119,6 +119,9 @@ TEST(DeltaTControl, MinimumRangeGatesTheBottom) {
     EXPECT_EQ(range(9), 0);
 }
 
+/// Seconds of the minute that an 83P tells, with its milliseconds.
+double second_of(const Bytes& b) { return std::stod(text_at(b, 26, 2)) + std::stod("0" + text_at(b, 112, 4)); }
+
 TEST(DeltaTControl, AveragingMakesOne83POfSeveralPings) {
     Bench bench = delta_t();
     Bytes b = answer(bench, control({{14, 5}}));
@@ -126,7 +129,11 @@ TEST(DeltaTControl, AveragingMakesOne83POfSeveralPings) {
     EXPECT_EQ(be(b, 126), 1000U) << "two periods of 50 ms, in 100 us";
     const Time before = bench.now;
     const unsigned number = be(b, 93, 4);
+    const double told = second_of(b);
     b = next_83p(bench);
+    EXPECT_NEAR(second_of(b) - told, 0.25, 2e-3);
+    const double last = to_seconds(bench.now) - 0.1e-3 * be(b, 120);
+    EXPECT_NEAR(second_of(b), last, 3e-3) << "the last transmission; the offset leads back to the middle";
     EXPECT_NEAR(to_seconds(bench.now - before), 0.25, 2e-3);
     EXPECT_EQ(be(b, 93, 4), number + 5);
     b = answer(bench, control({{14, 1}}));
