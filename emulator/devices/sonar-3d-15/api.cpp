@@ -11,6 +11,7 @@ namespace echoloop::sonar_3d_15 {
 namespace {
 
 constexpr std::string_view root = "/api/v1/integration";
+constexpr std::string_view sign = "/api/v1/about";  // by which the maker's own BlueOS extension finds it
 constexpr std::array<int, 3> always{0, 0, 0}, with_modes{1, 7, 0};
 constexpr double slowest = 1000, fastest = 2000;  // m/s, by hand
 
@@ -164,9 +165,10 @@ constexpr std::array paths{
 
 Answer answer(const http::Request& request, State& state, const Settings& settings) {
     const std::string_view target = std::string_view(request.target).substr(0, request.target.find('?'));
-    if (!target.starts_with(root)) return {404};
+    if (!target.starts_with(root) && target != sign) return {404};
+    const std::string_view asked = target == sign ? "/about" : target.substr(root.size());
     const auto* path = std::find_if(paths.begin(), paths.end(), [&](const Path& p) {
-        return p.path == target.substr(root.size()) && p.since <= settings.release;
+        return p.path == asked && p.since <= settings.release;
     });
     if (path == paths.end()) return {404};
     if (request.method == "GET") return {200, path->get(state, settings)};

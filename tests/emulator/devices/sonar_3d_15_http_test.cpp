@@ -45,6 +45,9 @@ TEST(Sonar3d15, SaysWhoItIsInTheTypesThatTheMakersClientInsistsOn) {
                              R"("product_id":21045)", R"("product_name":"Sonar 3D-15")", R"("variant":")",
                              R"("version":"1.7.0)", R"("version_short":"1.7.0")"})
         EXPECT_NE(about.find(part), std::string::npos) << part;
+    EXPECT_NE(sonar.ask("GET /api/v1/about HTTP/1.1\r\n\r\n").find(about), std::string::npos)
+        << "where the maker's BlueOS extension looks for it";
+    EXPECT_EQ(sonar.status("GET /api/v1/about/more HTTP/1.1\r\n\r\n"), 404);
     EXPECT_EQ(sonar.get("/temperature"), "21.0") << "with a decimal point";
     EXPECT_NE(sonar.get("/status").find(R"("systems_check":{"id":")"), std::string::npos);
 }
