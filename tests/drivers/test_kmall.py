@@ -3,8 +3,10 @@ they come from the wire: the floor of the scene is where it says, and what the c
 
 import socket
 import struct
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
 from public_driver import ROOT, use
 
@@ -18,6 +20,7 @@ import kmall_wire
 import numpy as np
 from ports import free_port
 from program import Emulator
+from themachinethatgoesping.echosounders_nanopy.kmall import KMALLFileHandler
 from themachinethatgoesping.echosounders_nanopy.kmall import datagrams as public
 
 SCENARIO = """
@@ -100,6 +103,21 @@ class TheMachineThatGoesPing(unittest.TestCase):
         bottom = np.asarray(beams.get_detected_range_in_samples_high_resolution_tensor())
         depth = bottom / rate * column.rx_info.get_sound_velocity_m_per_sec() / 2 * np.cos(np.radians(angle))
         self.assertLess(np.abs(depth / 8 - 1).max(), 0.01)
+
+    def test_a_file_of_what_came_has_the_pings_where_the_datagrams_are(self):
+        self.say("$KSSIS,454,EM2040_40")
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "floor.kmall"
+            pings = [self.next(kind) for kind in ("#IIP", "#IOP", "#MRZ", "#MWC", "#MRZ", "#MWC")]
+            file.write_bytes(b"".join(pings))
+            told = [public.MRangeAndDepth.from_binary(pings[2]), public.MRangeAndDepth.from_binary(pings[4])]
+            read = KMALLFileHandler([str(file)], show_progress=False).get_pings()
+            self.assertEqual(len(read), 2)
+            for ping, datagram in zip(read, told):
+                xyz = ping.bottom.get_xyz()
+                self.assertEqual(len(np.asarray(xyz.z)), 400)
+                np.testing.assert_allclose(np.asarray(xyz.y), datagram.soundings.get_y_re_ref_point_m_tensor(), atol=1e-5)
+                self.assertLess(np.abs((np.asarray(xyz.z)) / 8 - 1).max(), 0.005)
 
     def test_installation_and_runtime_tell_what_was_set(self):
         self.say("$KSSIS,262,EM2040_40,RUNT_PARAM_PU_ANGLE_PORT_RX1=45,RUNT_PARAM_PU_BEAM_SPACING=Equidistance")

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace echoloop::kongsberg_kmall {
 namespace {
@@ -15,6 +16,8 @@ using multibeam::Detection;
 
 constexpr double metres_per_degree = 60 * 1852;  // own choice: a sphere
 constexpr double spreading = 40;                 // X of the gain of reflectivities
+
+constexpr std::uint8_t no_bottom = 15;  // rejectionInfo1 of every rejected sounding of an EM 2042's files
 
 float f(double value) { return static_cast<float>(value); }
 
@@ -72,6 +75,7 @@ Sounding beam(const Settings& s, std::size_t index, double bearing, Vec3 directi
     Sounding out;
     out.index = out.water_beam = static_cast<std::uint16_t>(index);
     out.type = 2;
+    out.rejection1 = no_bottom;
     out.water_angle = f(rad_to_deg(std::atan2(-direction.y, direction.z)));
     out.absorption = f(1000 * s.absorption);
     out.source_level = f(s.source_level + s.power);
@@ -81,7 +85,7 @@ Sounding beam(const Settings& s, std::size_t index, double bearing, Vec3 directi
 
 void add_bottom(Sounding& out, const Detection& d, const Settings& s, const Shot& shot) {
     const double range = d.time * s.sound_speed / 2;
-    out.type = 0;
+    out.type = out.rejection1 = 0;
     out.method = d.method == multibeam::Method::phase ? 2 : 1;
     out.confidence = static_cast<std::uint8_t>(std::clamp(d.excess, 0.0F, 100.0F));
     out.range_factor = 100;
@@ -107,14 +111,45 @@ void add_place(Sounding& out, Vec3 place, const Surface& surface, const Settings
     if (place.z > 0) out.quality = f(100 * out.vertical_uncertainty / place.z);
 }
 
-/// Outermost of the valid soundings, positive to port like all angles.
+bool is_valid(const Sounding& one) { return one.type == 0; }
+
+/// Depth of the bottom at sounding `n` by the valid ones, whose numbers these are: evenly between two, level
+/// beyond the outermost.
+double depth_between(std::span<const std::size_t> valid, std::size_t n, std::span<const Sounding> soundings) {
+    const auto after = std::upper_bound(valid.begin(), valid.end(), n);
+    if (after == valid.begin()) return soundings[valid.front()].z;
+    if (after == valid.end()) return soundings[valid.back()].z;
+    const std::size_t left = after[-1], right = after[0];
+    const double part = static_cast<double>(n - left) / static_cast<double>(right - left);
+    return std::lerp(static_cast<double>(soundings[left].z), static_cast<double>(soundings[right].z), part);
+}
+
+/// Soundings without a bottom get a place, too, as in the files of real heads: where the bottom of the others
+/// goes on. Not those that look along the surface or up.
+void place_rejected(Mrz& m, std::span<const Vec3> directions, const Surface& surface, const Settings& s) {
+    constexpr double least_down = 0.1;
+    std::vector<std::size_t> valid;
+    for (std::size_t n = 0; n < m.soundings.size(); ++n)
+        if (is_valid(m.soundings[n])) valid.push_back(n);
+    if (valid.empty()) return;
+    for (std::size_t n = 0; n < m.soundings.size(); ++n) {
+        Sounding& one = m.soundings[n];
+        if (is_valid(one) || directions[n].z < least_down) continue;
+        const double range = depth_between(valid, n, m.soundings) / directions[n].z;
+        if (range <= 0) continue;  // the others see what lies above them
+        one.range_factor = 100;
+        one.time = f(2 * range / s.sound_speed);
+        add_place(one, range * directions[n], surface, s);
+    }
+}
+
+/// Outermost of the valid soundings: angles positive to port like all, metres to starboard like y.
 void add_coverage(Mrz& m) {
-    const auto valid = [](const Sounding& one) { return one.type == 0; };
-    const auto port = std::find_if(m.soundings.begin(), m.soundings.end(), valid);
+    const auto port = std::find_if(m.soundings.begin(), m.soundings.end(), is_valid);
     if (port == m.soundings.end()) return;
-    const auto starboard = std::find_if(m.soundings.rbegin(), m.soundings.rend(), valid);
+    const auto starboard = std::find_if(m.soundings.rbegin(), m.soundings.rend(), is_valid);
     const auto metres = [](float y) {
-        return static_cast<std::int16_t>(std::lround(std::clamp(-y, -32768.0F, 32767.0F)));
+        return static_cast<std::int16_t>(std::lround(std::clamp(y, -32768.0F, 32767.0F)));
     };
     m.ping.port_coverage = port->water_angle;
     m.ping.starboard_coverage = starboard->water_angle;
@@ -160,6 +195,7 @@ Mrz make_mrz(const PingRecord& ping, const Settings& settings, const Echogram& e
     m.sectors = {sector(settings)};
     m.rx.water_column_rate = f(1 / (bins_per_sample * echogram.shot.bin_interval));
     m.rx.seabed_image_rate = f(1 / echogram.shot.bin_interval);
+    std::vector<Vec3> directions;
     for (std::size_t n = 0; n < detections.size(); ++n) {
         const double bearing = echogram.shot.bearings[n];
         const Vec3 direction = beam_direction(pose, surface, bearing);
@@ -170,7 +206,9 @@ Mrz make_mrz(const PingRecord& ping, const Settings& settings, const Echogram& e
             ++m.rx.valid;
         }
         m.soundings.push_back(one);
+        directions.push_back(direction);
     }
+    place_rejected(m, directions, surface, settings);
     add_coverage(m);
     return m;
 }

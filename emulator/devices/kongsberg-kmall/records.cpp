@@ -60,7 +60,7 @@ kmall::Parameters make_runtime(kmall::Header header, const Settings& s) {
         line("Angular coverage Mode", "Manual") +
         line("Beam spacing", s.equidistant ? "Equidistance" : "Equiangle") + "\nDepth settings\n" +
         line("Max. depth", number_text("%.1f", max_depth(s))) + line("Dual swath", "Off") +
-        line("Frequency", number_text("%.0f kHz", s.frequency / 1e3)) + line("FM disable", "On") +
+        line("Frequency", number_text("%.0fkHz", s.frequency / 1e3)) + line("FM disable", "On") +
         line("Water column data", s.water_column ? "On" : "Off") + "\nTransmit Control\n" +
         line("Pitch stabilisation", "Off") + line("Max. Ping Freq. (Hz)", number_text("%.2f", s.ping_rate)) +
         line("External Trigger", "Off") + line("Yaw Stabilisation Mode", "Off") +

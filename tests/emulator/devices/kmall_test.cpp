@@ -96,6 +96,49 @@ TEST(Kmall, WhereThereIsNoEchoSoundingsAreRejected) {
     EXPECT_EQ(f32(b, first + 80), 0);
 }
 
+/// As in the files of an EM 2042: no reader that shows all soundings sees some at the head.
+TEST(Kmall, RejectedSoundingsLieWhereTheBottomOfTheOthersGoesOn) {
+    const Bottom holed = [](double angle) {
+        const bool hole = (angle > -0.6 && angle < -0.4) || angle > 0.8;
+        return hole ? 1000.0 : sloping(8, 0.1)(angle);
+    };
+    const Bytes b = mrz(holed, looking_down(0, 0, {0, 0, -12}));
+    int in_hole = 0, beyond = 0;
+    double outermost = 0;
+    for (std::size_t n = 0; n < 400; ++n) {
+        const std::size_t s = first + n * 120;
+        const double angle = -deg_to_rad(f32(b, s + 72)), z = f32(b, s + 96), range = f32(b, s + 80) * 750;
+        if (b[s + 3] == 0) {
+            EXPECT_EQ(b[s + 5], 0);
+            outermost = z;
+            continue;
+        }
+        EXPECT_EQ(b[s + 3], 2);
+        EXPECT_EQ(b[s + 4], 0) << "no method";
+        EXPECT_EQ(b[s + 5], 15);
+        EXPECT_EQ(f32(b, s + 12), 100);
+        EXPECT_NEAR(f32(b, s + 100), range * std::sin(angle), 1e-3) << "y";
+        EXPECT_NEAR(z, range * std::cos(angle), 1e-3);
+        if (angle < 0) {
+            EXPECT_NEAR(z, sloping(8, 0.1)(angle) * std::cos(angle), 0.15) << "between";
+            ++in_hole;
+        } else {
+            EXPECT_NEAR(z, outermost, 1e-3) << "level beyond the last";
+            ++beyond;
+        }
+    }
+    EXPECT_GT(in_hole, 10);
+    EXPECT_GT(beyond, 10);
+}
+
+TEST(Kmall, CoverageIsInDegreesPositiveToPortAndInMetresToStarboard) {
+    const Bytes b = mrz(flat(8), looking_down(0, 0, {0, 0, -12}), {{"sector_width", 100.0}});
+    EXPECT_NEAR(f32(b, ping + 52), 50, 0.5);
+    EXPECT_NEAR(f32(b, ping + 56), -50, 0.5);
+    EXPECT_EQ(at<std::int16_t>(b, ping + 60), -10) << "8 m tan 50 deg";
+    EXPECT_EQ(at<std::int16_t>(b, ping + 62), 10);
+}
+
 TEST(Kmall, PingsComeAtTheRateThatTheRangeAllows) {
     Bench bench = sounder();
     bench.run_to(0ns);
