@@ -35,10 +35,21 @@ WireThread::WireThread(asio::io_context& io)
       first_(io) {
     CPU_ZERO(&processors_);
     ::sched_getaffinity(thread_, sizeof processors_, &processors_);
+    stay_on(::sched_getcpu());
     listen();
 }
 
-WireThread::~WireThread() { ::close(stat_); }
+WireThread::~WireThread() {
+    ::sched_setaffinity(thread_, sizeof processors_, &processors_);
+    ::close(stat_);
+}
+
+bool WireThread::stay_on(int processor) const {
+    cpu_set_t here;
+    CPU_ZERO(&here);
+    CPU_SET(processor, &here);
+    return ::sched_setaffinity(thread_, sizeof here, &here) == 0;
+}
 
 /// By proc(5): "PID (NAME) STATE ...", where the processor is field 39, and a name may hold parentheses.
 WireThread::State WireThread::state() const {
@@ -58,10 +69,7 @@ WireThread::State WireThread::state() const {
 }
 
 void WireThread::fetch_to(int processor) {
-    cpu_set_t here;
-    CPU_ZERO(&here);
-    CPU_SET(processor, &here);
-    if (::sched_setaffinity(thread_, sizeof here, &here) != 0) return;
+    if (!stay_on(processor)) return;
     constexpr std::uint64_t ring = 1;
     [[maybe_unused]] const auto rung = ::write(bell_.native_handle(), &ring, sizeof ring);
 }
@@ -71,7 +79,6 @@ void WireThread::listen() {
         if (ec) return;  // nobody is there any more
         std::uint64_t rings = 0;
         [[maybe_unused]] const auto read = ::read(bell_.native_handle(), &rings, sizeof rings);
-        ::sched_setaffinity(thread_, sizeof processors_, &processors_);
         ring_timers();
         listen();
     });

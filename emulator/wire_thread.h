@@ -12,7 +12,9 @@
 
 namespace echoloop {
 
-/// Made and destroyed on the thread that runs the io_context, which never runs out of work meanwhile.
+/// Made and destroyed on the thread that runs the io_context, which never runs out of work meanwhile. While it
+/// lives, the thread stays on the processor where it is, or to which it was fetched last: the kernel would move
+/// it whenever somebody more urgent comes by for a moment, and does not know which processors stand still.
 class WireThread {
   public:
     using Steady = std::chrono::steady_clock;
@@ -34,17 +36,17 @@ class WireThread {
     };
     /// From any thread: by the kernel.
     State state() const;
-    /// From any thread: it wakes on this processor and all its timers that are due ring there; after that it
-    /// may run wherever it might before. Where it runs already, the kernel makes us wait until its processor
-    /// lets it go.
+    /// From any thread: it wakes on this processor, where it stays, and all its timers that are due ring there.
+    /// Where it runs already, the kernel makes us wait until its processor lets it go.
     void fetch_to(int processor);
 
   private:
+    bool stay_on(int processor) const;
     void listen();
     void ring_timers();
 
     pid_t thread_;
-    cpu_set_t processors_;  ///< on which it may run
+    cpu_set_t processors_;  ///< on which it might run before
     int stat_;              ///< descriptor of what the kernel says of it
     std::atomic<Steady::time_point> due_{Steady::time_point::max()};
     asio::posix::stream_descriptor bell_;
