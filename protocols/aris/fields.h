@@ -92,7 +92,7 @@ struct Fields<SetAcoustics> {
                    Field{4, &M::start_delay, "start_delay", "us", "930 to 60000"},
                    Field{5, &M::cycle_period, "cycle_period", "us", "of a ping, 1802 to 150000"},
                    Field{6, &M::sample_period, "sample_period", "us", "4 to 100"},
-                   Field{7, &M::pulse_width, "pulse_width", "", "5 to 80; cycles of the carrier, or us"},
+                   Field{7, &M::pulse_width, "pulse_width", "us", "5 to 80"},
                    Field{8, &M::ping_mode, "ping_mode", "", "1 48, 3 96, 6 64, 9 128 beams"},
                    Field{9, &M::transmit, "transmit", "", "1: on"},
                    Field{10, &M::frequency, "frequency", "", "0 low, 1 high"},

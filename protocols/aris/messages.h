@@ -91,7 +91,7 @@ struct SetAcoustics {
     std::uint32_t start_delay = 0;    ///< us
     std::uint32_t cycle_period = 0;   ///< us
     std::uint32_t sample_period = 0;  ///< us
-    std::uint32_t pulse_width = 0;    ///< cycles of the carrier, or us
+    std::uint32_t pulse_width = 0;    ///< us
     std::uint32_t ping_mode = 0;
     bool transmit = false;
     std::uint32_t frequency = 0;  ///< 0 low, 1 high

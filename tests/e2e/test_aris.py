@@ -9,6 +9,7 @@ import unittest
 from ports import free_port
 from program import ROOT, Emulator
 
+import aris_wire as wire
 from aris_host import EXAMPLES, Host
 
 sys.path.insert(0, str(ROOT / "tools"))
@@ -112,6 +113,11 @@ class Tank(ArisCase):
         self.assertAlmostEqual(middle(loud) - middle(soft), 6 * 255 / 80, delta=2)
         quiet = host.next_with(host.acoustics(**EXAMPLES[0], transmit=False))
         self.assertGreater(self.level(first, 6, 4.98, 5.1), self.level(quiet, 6, 4.98, 5.1) + 40)
+        # Too long a pulse is made to fit, and said to be: its cookie is not that of settings that were applied.
+        fitted = host.next_with(host.acoustics(**{**EXAMPLES[0], "pulse": 80}))
+        self.assertEqual((fitted.header["constrained"], fitted.header["pulse"]), (host.cookie, 20))
+        self.assertEqual(fitted.header["applied"], host.cookie - 1)
+        host.next_with(host.acoustics(**EXAMPLES[0]))
         # What cannot be is named in the header and changes nothing.
         refused = host.acoustics(**{**EXAMPLES[0], "samples": 4096})
         frame = host.frame(10, lambda frame: frame.header["invalid"] == refused)
@@ -131,6 +137,24 @@ class Tank(ArisCase):
         self.assertGreater(
             self.level(frame, bearing, distance, distance + 0.1), self.level(frame, -bearing, distance, distance + 0.1) + 40
         )
+
+    def test_its_own_sensors_tell_depth_attitude_and_focus(self):
+        host = self.start("tank", [1, 0, -2], tilt=20)
+        frame = host.next_with(host.acoustics(**EXAMPLES[0]))
+        self.assertAlmostEqual(frame.depth, 2, delta=0.01)
+        h = frame.header
+        self.assertAlmostEqual(h["heading"], 90, delta=0.01)  # the x axis is east
+        self.assertAlmostEqual(h["pitch"], -20, delta=0.01)
+        self.assertAlmostEqual(h["accel_x"], -math.sin(math.radians(20)), delta=0.001)
+        self.assertAlmostEqual(h["accel_z"], -math.cos(math.radians(20)), delta=0.001)
+        self.assertGreater(h["app_version"], 0)
+        # start() focuses on 5 m; the lens is there within two seconds, and moves away for another range.
+        near = host.frame(3, lambda frame: not frame.header["focus_moving"]).header
+        self.assertEqual(near["focus_position"], near["focus"])
+        host.say(wire.SET_FOCUS, 8, None, 1.2)
+        moving = host.frame(2, lambda frame: frame.header["focus_position"] != near["focus_position"]).header
+        self.assertLess(moving["focus"], near["focus"])
+        self.assertEqual(host.faults, [])
 
     def test_the_aris_3000_sees_the_same_wall(self):
         host = self.start("tank", [2, 0, -2], model="aris-3000")
@@ -169,7 +193,10 @@ class Timing(ArisCase):
             steps = [(b.header["go_time"] - a.header["go_time"]) / 1e6 for a, b in zip(seen, seen[1:])]
             self.assertAlmostEqual(statistics.median(steps), 1 / rate, delta=0.1 / rate)
             self.assertEqual([b.number - a.number for a, b in zip(seen, seen[1:])], [1] * 5)
-        self.assertAlmostEqual(seen[-1].header["sonar_time"] / 1e6, time.time(), delta=3)
+            steps = [(b.header["frame_time"] - a.header["frame_time"]) / 1e6 for a, b in zip(seen, seen[1:])]
+            self.assertAlmostEqual(statistics.median(steps), 1 / rate, delta=0.1 / rate)
+        for clock in ("frame_time", "sonar_time"):
+            self.assertAlmostEqual(seen[-1].header[clock] / 1e6, time.time(), delta=3)
         self.assertEqual(host.wait_beacon(5, lambda beacon: beacon["state"] == 1)["serial"], 1001)
         self.assertEqual(host.faults, [])
 

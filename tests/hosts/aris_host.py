@@ -87,7 +87,7 @@ class Host:
         raise TimeoutError("no such frame")
 
     def next_with(self, cookie, seconds=10):
-        return self.frame(seconds, lambda frame: frame.header["applied"] == cookie)
+        return self.frame(seconds, lambda frame: frame.cookie == cookie)
 
 
 def main():

@@ -15,14 +15,19 @@ ANGLES = {
     128: ((0, -15.01), (32, -7.49), (64, 0.12), (96, 7.73), (127, 15.02)),
 }
 (SET_DATETIME, SET_RECEIVER, SET_STREAM, SET_ACOUSTICS, SET_SALINITY, SET_TELEPHOTO, SET_FOCUS) = range(7)
+ATMOSPHERE, METRES_PER_PSI = 14.6959, 0.702398
+DENSITY = {0: 1.000, 15: 1.011, 35: 1.027}  # of the maker's table, by salinity at 10 degC
 PING = 14
 HEADER = {
-    "index": (0, "I"), "version": (12, "I"), "sonar_time": (20, "Q"), "window_start": (52, "f"),
-    "window_length": (56, "f"), "gain": (68, "I"), "water_temperature": (224, "f"), "sample_rate": (420, "f"),
+    "index": (0, "I"), "frame_time": (4, "Q"), "version": (12, "I"), "sonar_time": (20, "Q"), "window_start": (52, "f"),
+    "window_length": (56, "f"), "gain": (68, "I"), "focus": (84, "I"), "heading": (160, "f"), "pitch": (164, "f"),
+    "roll": (168, "f"), "water_temperature": (224, "f"), "sample_rate": (420, "f"), "accel_x": (424, "f"),
+    "accel_y": (428, "f"), "accel_z": (432, "f"),
     "ping_mode": (436, "I"), "frequency": (440, "I"), "pulse": (444, "I"), "cycle": (448, "I"), "period": (452, "I"),
     "transmit": (456, "I"), "frame_rate": (460, "f"), "sound_speed": (464, "f"), "samples": (468, "I"),
     "volts_150": (472, "I"), "delay": (476, "I"), "large_lens": (480, "I"), "system_type": (484, "I"),
-    "serial": (488, "I"), "reordered": (516, "I"), "salinity": (520, "I"), "pressure": (524, "f"),
+    "serial": (488, "I"), "app_version": (508, "I"), "reordered": (516, "I"), "salinity": (520, "I"),
+    "pressure": (524, "f"), "focus_moving": (540, "I"), "focus_position": (604, "I"),
     "applied": (680, "I"), "constrained": (684, "I"), "invalid": (688, "I"), "uptime": (700, "I"),
     "go_time": (708, "Q"),
 }  # fmt: skip
@@ -120,6 +125,16 @@ class Frame:
         self.beams = BEAMS[self.header["ping_mode"]]
         self.samples = len(data) // self.beams
         self.image = reorder(self.header, data)
+
+    @property
+    def cookie(self):
+        """Of the settings of this frame: taken as they were, or made to fit. One of the two is the later one."""
+        return max(self.header["applied"], self.header["constrained"])
+
+    @property
+    def depth(self):
+        """m, as the maker's hosts reckon it."""
+        return (self.header["pressure"] - ATMOSPHERE) * METRES_PER_PSI / DENSITY[self.header["salinity"]]
 
     def column(self, beam):
         return self.image[beam :: self.beams]

@@ -1,6 +1,7 @@
 #include "emulator/devices/aris/aris.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -45,7 +46,7 @@ Actions Aris::started(Time now) {
     return take_actions();
 }
 
-/// Salinity, lens and clock stay as they are; the rest is the next controller's to set.
+/// Salinity, lens, focus and clock stay as they are; the rest is the next controller's to set.
 void Aris::forget_controller() {
     framer_.clear();
     parts_.drop();
@@ -116,7 +117,13 @@ void Aris::obey(const aris::Command& command, Time now) {
         case Type::set_telephoto:
             good = set_telephoto(command.telephoto->telephoto);
             break;
-        default:  // focus, rotator, log, ping: nothing to hear of them
+        case Type::set_focus:
+            good = set_focus(*command.focus, now);
+            break;
+        case Type::home_focus:
+            focus_.go(0, now);
+            break;
+        default:  // rotator, log, ping: nothing to hear of them
             break;
     }
     ++(good ? counters_.messages : counters_.rejected);
@@ -148,11 +155,12 @@ bool Aris::set_receiver(const aris::SetReceiver& wish) {
 /// Settings that are refused leave the last ones in force.
 bool Aris::set_acoustics(const aris::SetAcoustics& wish) {
     if (!is_valid(wish, settings_)) {
-        control_.invalid = wish.cookie;
+        control_.cookies.invalid = wish.cookie;
         return false;
     }
     control_.acoustics = constrained(wish, settings_);
-    if (*control_.acoustics != wish) control_.constrained = wish.cookie;
+    const bool as_they_are = *control_.acoustics == wish;
+    (as_they_are ? control_.cookies.applied : control_.cookies.constrained) = wish.cookie;
     return true;
 }
 
@@ -166,6 +174,16 @@ bool Aris::set_salinity(std::uint32_t salinity) {
 bool Aris::set_telephoto(bool telephoto) {
     if (telephoto && settings_.variant.system_type == aris::system_type::aris3000) return false;
     telephoto_ = telephoto;
+    return true;
+}
+
+/// By range, or by the position of older software where there is none.
+bool Aris::set_focus(const aris::SetFocus& wish, Time now) {
+    if (!std::isfinite(wish.range) || wish.range < 0) return false;
+    const bool is_3000 = settings_.variant.system_type == aris::system_type::aris3000;
+    const Lens lens = telephoto_ ? Lens::telephoto : is_3000 ? Lens::aris_3000 : Lens::aris_1200_1800;
+    const auto range = static_cast<double>(wish.range);
+    focus_.go(range > 0 ? focus_position(range, lens, salinity_) : wish.position, now);
     return true;
 }
 
@@ -187,9 +205,9 @@ void Aris::transmit(Time now) {
               acoustics,
               telephoto_,
               salinity_,
-              control_.constrained,
-              control_.invalid,
+              control_.cookies,
               control_.delay,
+              focus_,
               now,
               static_cast<std::uint64_t>(clock_offset_ + now.count() / 1000)};
     const Time heard = from_seconds(frame_time(acoustics) + settings_.acoustics.processing);

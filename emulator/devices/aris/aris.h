@@ -34,7 +34,7 @@ class Aris final : public Device {
         std::optional<Address> receiver;
         std::optional<aris::SetAcoustics> acoustics;  ///< as they can be done; none: no frames
         aris::PacketDelay delay;
-        std::uint32_t constrained = 0, invalid = 0;  ///< cookies
+        Cookies cookies;
     };
 
     void obey(const aris::Command& command, Time now);
@@ -42,6 +42,7 @@ class Aris final : public Device {
     bool set_acoustics(const aris::SetAcoustics& wish);
     bool set_salinity(std::uint32_t salinity);
     bool set_telephoto(bool telephoto);
+    bool set_focus(const aris::SetFocus& wish, Time now);
     bool set_clock(const std::string& text, Time now);
     void take_ack(ByteView bytes);
     void forget_controller();
@@ -62,6 +63,7 @@ class Aris final : public Device {
     bool connected_ = false;
     std::uint32_t salinity_ = 0;  ///< ppt
     bool telephoto_ = false;
+    FocusMotor focus_;
     std::int64_t clock_offset_;  ///< us, Unix time at power-up by the sonar's own clock
     FrameRecord frame_;          ///< the frame under way, or the last one; its number is 0 before the first
     std::uint64_t pings_ = 0;    ///< goes on across controllers, unlike numbers of frames

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "emulator/devices/aris/sensors.h"
 #include "emulator/devices/aris/version.h"
 #include "protocols/aris/codec.h"
 
@@ -10,12 +11,6 @@ namespace echoloop::aris_device {
 namespace {
 
 constexpr std::size_t part_overhead = 32;  // B of keys and numbers, at most
-
-/// psi, of the water above.
-double pressure_at(double depth) {
-    constexpr double density = 1025, gravity = 9.80665, pascal_per_psi = 6894.757;
-    return std::max(0.0, depth) * density * gravity / pascal_per_psi;
-}
 
 void copy_settings(const aris::SetAcoustics& from, aris::FrameHeader& to) {
     to.gain = static_cast<std::uint32_t>(std::lround(from.gain));
@@ -30,7 +25,28 @@ void copy_settings(const aris::SetAcoustics& from, aris::FrameHeader& to) {
     to.samples = from.samples;
     to.volts_150 = from.volts_150;
     to.start_delay = from.start_delay;
-    to.applied = from.cookie;
+}
+
+void copy_control(const FrameRecord& from, aris::FrameHeader& to) {
+    to.large_lens = from.telephoto;
+    to.salinity = from.salinity;
+    to.applied = from.cookies.applied;
+    to.constrained = from.cookies.constrained;
+    to.invalid = from.cookies.invalid;
+    to.delay_enabled = from.delay.enable;
+    to.delay_period = from.delay.period;
+    to.focus = from.focus.target();
+    to.focus_position = from.focus.position(from.time);
+    to.focus_moving = to.focus != to.focus_position;
+}
+
+void put_attitude(const Quat& world_from_sonar, aris::FrameHeader& to) {
+    const Attitude attitude = attitude_of(world_from_sonar);
+    const Vec3& g = attitude.acceleration;
+    to.compass_heading = static_cast<float>(attitude.heading);
+    to.compass_pitch = static_cast<float>(attitude.pitch);
+    to.compass_roll = static_cast<float>(attitude.roll);
+    to.acceleration = {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)};
 }
 
 std::size_t room(const Settings& settings, bool first) {
@@ -39,12 +55,16 @@ std::size_t room(const Settings& settings, bool first) {
 
 }  // namespace
 
-aris::FrameHeader make_header(const FrameRecord& frame, const Settings& settings, double depth) {
+aris::FrameHeader make_header(const FrameRecord& frame, const Settings& settings,
+                              const Pose& world_from_sonar) {
+    const double depth = -world_from_sonar.position.z;
     aris::FrameHeader header;
     copy_settings(frame.acoustics, header);
+    copy_control(frame, header);
+    put_attitude(world_from_sonar.orientation, header);
     const double c = sound_speed(settings.temperature, frame.salinity, depth);
     header.index = frame.number;
-    header.sonar_time = header.go_time = frame.clock;
+    header.timestamp = header.sonar_time = header.go_time = frame.clock;
     header.window_start = static_cast<float>(c / 2 * 1e-6 * frame.acoustics.start_delay);
     header.window_length =
         static_cast<float>(c / 2 * 1e-6 * frame.acoustics.sample_period * frame.acoustics.samples);
@@ -52,17 +72,12 @@ aris::FrameHeader make_header(const FrameRecord& frame, const Settings& settings
         static_cast<std::uint32_t>(std::lround(std::max(0.0, settings.temperature)));
     header.water_temperature = static_cast<float>(settings.temperature);
     header.sound_speed = static_cast<float>(c);
-    header.large_lens = frame.telephoto;
     header.system_type = settings.variant.system_type;
     header.serial = settings.serial;
     header.reordered = settings.reordered;
-    header.salinity = frame.salinity;
-    header.pressure = static_cast<float>(pressure_at(depth));
-    header.constrained = frame.constrained;
-    header.invalid = frame.invalid;
-    header.delay_enabled = frame.delay.enable;
-    header.delay_period = frame.delay.period;
+    header.pressure = static_cast<float>(pressure_at(depth, frame.salinity, settings.temperature));
     header.uptime = static_cast<std::uint32_t>(to_seconds(frame.time));
+    header.version_build = version_build;
     header.version_major = version_major;
     header.version_minor = version_minor;
     header.variant = settings.voyager ? 2 : 0;
@@ -86,7 +101,7 @@ std::vector<Bytes> make_parts(const FrameRecord& frame, const Settings& settings
     aris::FramePart part;
     part.frame_index = frame.number;
     part.total_data_size = static_cast<std::uint32_t>(samples.size());
-    part.header = aris::encode(make_header(frame, settings, -echogram.world_from_sonar.position.z));
+    part.header = aris::encode(make_header(frame, settings, echogram.world_from_sonar));
     std::vector<Bytes> out;
     out.reserve(part_count(frame, settings));
     for (std::size_t at = 0; at < samples.size(); at += part.data.size()) {

@@ -97,7 +97,9 @@ std::vector<Option> option_table() {
                  "own choice: empty, so that the controller's own is taken"),
         choice_row("sample_order", {"device", "reordered"},
                    "channels of a ping side by side, or all beams of a range", spec),
-        choice_row("pulse_unit", {"cycles", "us"}, "of the pulse width in the settings", spec),
+        choice_row("pulse_unit", {"us", "cycles"}, "of the pulse width in the settings",
+                   "aris-integration-sdk: commands, tables and hosts say us; one comment in the notes' "
+                   "pseudo-code says cycles of the carrier"),
         choice_row("link", {"ethernet", "homeplug"}, "in the beacon", "own choice"),
         flag_row("voyager", false, "says in beacon and frames that it is a Voyager",
                  "own choice: an Explorer"),

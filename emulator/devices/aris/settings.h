@@ -47,7 +47,7 @@ struct Settings {
     double part_delay = 0.3e-3;    ///< s between parts, unless the controller says so
     std::uint32_t controller = 0;  ///< IPv4, instead of that of one that names no receiver; 0: its own
     bool reordered = false;        ///< samples range after range
-    bool pulse_in_cycles = true;
+    bool pulse_in_cycles = false;  ///< else us
     bool ethernet = true;
     bool voyager = false;
     bool tvg = true;        ///< the effect of that name

@@ -17,8 +17,8 @@ std::string acoustics(const std::string& rate = "00002041", const std::string& p
 }
 
 /// The first frame with these settings, and its shot.
-std::pair<ArisFrame, Shot> first_frame(const std::string& settings) {
-    ArisBench bench({}, "aris-1200");
+std::pair<ArisFrame, Shot> first_frame(const std::string& settings, const Options& options = {}) {
+    ArisBench bench(options, "aris-1200");
     bench.say(words::receiver);
     bench.say(settings);
     const auto frames = bench.frames_within(400ms);
@@ -40,7 +40,7 @@ TEST(Aris1200, DoesTheExampleOfTheNotes) {
     for (const auto& [offset, number] : numbers) EXPECT_EQ(frame.word(offset), number) << offset;
     EXPECT_EQ(frame.data.size(), 48U * 1082);
     EXPECT_EQ(shot.frequency, 1.2e6);
-    EXPECT_NEAR(shot.pulse_length, 20e-6, 1e-12);
+    EXPECT_NEAR(shot.pulse_length, 24e-6, 1e-12);
     ASSERT_EQ(shot.bearings.size(), 48U);
     EXPECT_NEAR(rad_to_deg(shot.bearings.front()), -13.57, 0.01);
     EXPECT_NEAR(rad_to_deg(shot.bearings.back()), 13.57, 0.01);
@@ -49,15 +49,20 @@ TEST(Aris1200, DoesTheExampleOfTheNotes) {
 }
 
 TEST(Aris1200, ShortensPulsesToItsLimits) {
-    const auto pulse = [](const std::string& rate, const std::string& frequency) {
-        const ArisFrame frame = first_frame(acoustics(rate, "50", "01", frequency)).first;  // 80 asked for
-        EXPECT_EQ(frame.word(684), 7U) << "constrained";
+    const auto pulse = [](const std::string& unit, const std::string& rate, const std::string& frequency) {
+        const Options options{{"pulse_unit", unit}};
+        const ArisFrame frame = first_frame(acoustics(rate, "50", "01", frequency), options).first;
+        EXPECT_EQ(frame.word(684), frame.word(444) < 80 ? 7U : 0U) << "constrained, as 80 are asked for";
         return frame.word(444);
     };
-    EXPECT_EQ(pulse("0000803f", "01"), 72U) << "60 us of 1.2 MHz";
-    EXPECT_EQ(pulse("0000803f", "00"), 55U) << "80 us of 0.6923125 MHz";
-    EXPECT_EQ(pulse("00002041", "01"), 48U) << "400 x 1.2 MHz over 10 frames a second";
-    EXPECT_EQ(pulse("00002041", "00"), 27U);
+    EXPECT_EQ(pulse("us", "0000803f", "01"), 60U);
+    EXPECT_EQ(pulse("us", "0000803f", "00"), 80U);
+    EXPECT_EQ(pulse("us", "00002041", "01"), 40U) << "400 over 10 frames a second";
+    EXPECT_EQ(pulse("us", "00002041", "00"), 40U);
+    EXPECT_EQ(pulse("cycles", "0000803f", "01"), 72U) << "60 us of 1.2 MHz";
+    EXPECT_EQ(pulse("cycles", "0000803f", "00"), 55U) << "80 us of 0.6923125 MHz";
+    EXPECT_EQ(pulse("cycles", "00002041", "01"), 48U) << "400 x 1.2 MHz over 10 frames a second";
+    EXPECT_EQ(pulse("cycles", "00002041", "00"), 27U);
 }
 
 TEST(Aris1200, RefusesWhatItCannotDo) {

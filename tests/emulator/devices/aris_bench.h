@@ -20,13 +20,20 @@ inline const std::string receiver = "00000008 0801 1a04 08fcb803";
 inline const std::string nobody = "0000000d 0801 1a09 1207 302e302e302e30";
 inline const std::string ping = "00000005 080e 820100";
 inline const std::string salt = "00000006 0804 3202 0823";
+inline const std::string brackish = "00000006 0804 3202 080f";
 inline const std::string telephoto = "00000006 0805 3a02 0801";
+inline const std::string focus_4_m = "00000009 0806 4205 1500008040";
+inline const std::string focus_10_m = "00000009 0806 4205 1500002041";
+inline const std::string home_focus = "00000004 0808 5200";
 /// Cookie 7, mode 3, 15 frames a second, 1014 samples, 2028 us, 10500 us, 8 us, pulse 11, 18 dB.
 inline const std::string acoustics =
     "00000025 0803 2a21 0807 1500007041 18f607 20ec0f 288452 3008 380b 4003 4801 5001 5801 6500009041";
 /// Cookie 8, mode 1, the same times, low frequency, no 150 V, 6 dB.
 inline const std::string mode_1 =
     "00000021 0803 2a1d 0808 1500007041 18f607 20ec0f 288452 3008 380b 4001 4801 650000c040";
+/// As `acoustics` with mode 6, for an ARIS 3000.
+inline const std::string mode_6 =
+    "00000025 0803 2a21 0807 1500007041 18f607 20ec0f 288452 3008 380b 4006 4801 5001 5801 6500009041";
 /// Cookie 9, 10 frames a second, 500 samples of 4 us, cycle 4500 us, pulse 80.
 inline const std::string long_pulse =
     "00000025 0803 2a21 0809 1500002041 18f403 20ec0f 289423 3004 3850 4003 4801 5001 5801 6500009041";

@@ -9,12 +9,13 @@ namespace {
 namespace words = aris_words;
 
 /// A frame of an echogram with one strong sample.
-ArisFrame frame_of(ArisBench& bench, std::size_t clockwise_beam, std::size_t sample, float power) {
+ArisFrame frame_of(ArisBench& bench, std::size_t clockwise_beam, std::size_t sample, float power,
+                   Pose pose = {{0, 0, -20}, {}}) {
     for (const Time end = bench.now + 2s; !bench.ping && bench.now < end;) bench.run_to(bench.now + 1ms);
     bench.frames();
     Echogram echogram = echo_of(bench.ping->shot, 0, 0);
     echogram.values[clockwise_beam * echogram.shot.bins + sample] = power;
-    echogram.world_from_sonar.position = {0, 0, -20};
+    echogram.world_from_sonar = pose;
     bench.hear(echogram);
     bench.run_to(bench.now + 40ms);
     return bench.frames().at(0);
@@ -30,9 +31,9 @@ TEST(ArisHeader, SaysWhatTheFrameIs) {
     EXPECT_EQ(f.word(0), 1U);
     EXPECT_EQ(f.word(12), 0x05464444U);
     const std::pair<std::size_t, std::uint32_t> numbers[] = {
-        {68, 18}, {72, 8},     {436, 3}, {440, 1},    {444, 11}, {448, 10500}, {452, 8},
-        {456, 1}, {468, 1014}, {472, 1}, {476, 2028}, {480, 0},  {484, 0},     {488, 1001},
-        {516, 0}, {520, 35},   {680, 7}, {684, 0},    {688, 0},  {732, 2}};
+        {68, 18},    {72, 8},     {436, 3},  {440, 1},    {444, 11}, {448, 10500}, {452, 8},
+        {456, 1},    {468, 1014}, {472, 1},  {476, 2028}, {480, 0},  {484, 0},     {488, 1001},
+        {508, 8883}, {516, 0},    {520, 35}, {680, 7},    {684, 0},  {688, 0},     {732, 2}};
     for (const auto& [offset, number] : numbers) EXPECT_EQ(f.word(offset), number) << offset;
     // 1402.5 + 40 - 3.4816 + 0.1075 + 46.55 - 3.444 + 0.1949 + 0.312
     const float c = f.at<float>(464);
@@ -42,7 +43,8 @@ TEST(ArisHeader, SaysWhatTheFrameIs) {
     EXPECT_EQ(f.at<float>(224), 8);
     EXPECT_EQ(f.at<float>(420), 125000);
     EXPECT_EQ(f.at<float>(460), 15);
-    EXPECT_NEAR(f.at<float>(524), 29.16, 0.01) << "psi at 20 m";
+    // 14.6959 + 20 x 1.027 / 0.702398
+    EXPECT_NEAR(f.at<float>(524), 43.94, 0.01) << "psi at 20 m";
     EXPECT_EQ(f.data.size(), 96U * 1014);
 }
 
@@ -51,13 +53,45 @@ TEST(ArisHeader, HasTheClockThatTheControllerSets) {
     bench.say(words::receiver);
     bench.say("00000018 1216 0a14 323031342d4a616e2d33312032333a35383a3135");
     bench.say(words::acoustics);
-    EXPECT_EQ(frame_of(bench, 0, 0, 0).at<std::uint64_t>(20), 1391212695000000U);
+    const ArisFrame f = frame_of(bench, 0, 0, 0);
+    EXPECT_EQ(f.at<std::uint64_t>(4), 1391212695000000U) << "where the maker's test of the clock looks";
+    EXPECT_EQ(f.at<std::uint64_t>(20), 1391212695000000U);
     // The maker's own host does not pad the day: 2014-Jan-5.
     ArisBench other;
     other.say(words::receiver);
     other.say("00000017 1215 0a13 323031342d4a616e2d352032333a35383a3135");
     other.say(words::acoustics);
     EXPECT_EQ(frame_of(other, 0, 0, 0).at<std::uint64_t>(20), 1388966295000000U);
+}
+
+TEST(ArisHeader, HasThePressureFromWhichHostsTakeTheDepth) {
+    // Psi to metres as the maker's hosts do it at 10 degC.
+    for (const auto& [salinity, density] :
+         {std::pair{std::string(), 1.0}, std::pair{words::brackish, 1.011}, std::pair{words::salt, 1.027}})
+        for (const double depth : {2.0, 100.0}) {
+            ArisBench bench;
+            bench.say(words::receiver + salinity);
+            bench.say(words::acoustics);
+            const ArisFrame f = frame_of(bench, 0, 0, 0, {{0, 0, -depth}, {}});
+            const double psi = static_cast<double>(f.at<float>(524));
+            EXPECT_NEAR((psi - 14.6959) * 0.702398 / density, depth, 0.005 * depth) << salinity;
+        }
+}
+
+TEST(ArisHeader, HasTheAttitudeInTheSignsOfTheMakersSample) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    // Heading 49.6 deg clockwise from north, bow 2.2 deg down, port 2.7 deg down.
+    const Quat tilted = from_rpy(deg_to_rad(-2.7), deg_to_rad(2.2), deg_to_rad(90 - 49.6));
+    const ArisFrame f = frame_of(bench, 0, 0, 0, {{}, tilted});
+    const std::pair<std::size_t, double> degrees[] = {{160, 49.6}, {164, -2.2}, {168, -2.7}};
+    for (const auto& [offset, value] : degrees) EXPECT_NEAR(f.at<float>(offset), value, 1e-3) << offset;
+    const std::pair<std::size_t, double> g[] = {
+        {424, -0.051}, {428, -0.045}, {432, -1.027}};  // of the sample
+    for (const auto& [offset, value] : g) EXPECT_NEAR(f.at<float>(offset), value, 0.03) << offset;
+    const ArisFrame west = frame_of(bench, 0, 0, 0, {{}, from_rpy(0, 0, std::numbers::pi)});
+    EXPECT_NEAR(west.at<float>(160), 270, 1e-3);
 }
 
 TEST(ArisHeader, HasNoClockFromWhatIsNoDate) {
@@ -143,8 +177,16 @@ TEST(ArisShot, ListensFromTheDelayOn) {
     EXPECT_DOUBLE_EQ(shot.first_bin_time, 2028e-6);
     EXPECT_DOUBLE_EQ(shot.bin_interval, 8e-6);
     EXPECT_EQ(shot.bins, 1014U);
-    EXPECT_NEAR(shot.pulse_length, 11 / 1.8e6, 1e-12) << "cycles of the carrier";
+    EXPECT_NEAR(shot.pulse_length, 11e-6, 1e-12);
     EXPECT_DOUBLE_EQ(shot.interval, 1 / 15.0);
+}
+
+TEST(ArisShot, HasItsPulseInCyclesOfTheCarrierByOption) {
+    ArisBench bench({{"pulse_unit", std::string("cycles")}});
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    bench.run_to(bench.now);
+    EXPECT_NEAR(bench.ping->shot.pulse_length, 11 / 1.8e6, 1e-12);
 }
 
 /// When the next ping goes out, and how long after it the one behind, as it says.

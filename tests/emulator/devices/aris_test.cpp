@@ -90,8 +90,11 @@ TEST(ArisTiming, FollowsTheFrameRateAndTheCycle) {
     const auto frames = bench.frames_within(1s);
     ASSERT_GE(frames.size(), 2U);
     EXPECT_EQ(frames[1].number, frames[0].number + 1);
-    EXPECT_NEAR(static_cast<double>(frames[1].at<std::uint64_t>(708) - frames[0].at<std::uint64_t>(708)),
-                1e6 / 15, 2);
+    for (const std::size_t clock : {4U, 708U})  // hosts take the frame rate from the first
+        EXPECT_NEAR(
+            static_cast<double>(frames[1].at<std::uint64_t>(clock) - frames[0].at<std::uint64_t>(clock)),
+            1e6 / 15, 2)
+            << clock;
     const auto& times = frames[1].times;
     ASSERT_GT(times.size(), 60U);
     for (std::size_t i = 1; i < times.size(); ++i) EXPECT_EQ(times[i] - times[i - 1], 300us);
@@ -140,16 +143,32 @@ TEST(ArisSettings, ThatCannotBeAreRefusedAndTheLastOnesStay) {
 
 TEST(ArisSettings, WithTooLongAPulseAreMadeToFit) {
     // floor(300 x 1.8 / 10) = 54 cycles, floor(30 x 1.8) = 54; in us 30 of both.
-    for (const auto& [unit, pulse] : {std::pair{"cycles", 54U}, std::pair{"us", 30U}}) {
-        ArisBench bench({{"pulse_unit", std::string(unit)}});
+    for (const auto& [unit, pulse] : {std::pair{"cycles", 54U}, std::pair{"us", 30U}, std::pair{"", 30U}}) {
+        ArisBench bench(*unit ? Options{{"pulse_unit", std::string(unit)}} : Options{});
         bench.say(words::receiver);
         bench.say(words::long_pulse);
         const auto frame = bench.frames_within(200ms).at(0);
         EXPECT_EQ(frame.word(444), pulse) << unit;
-        EXPECT_EQ(frame.word(680), 9U);
+        EXPECT_EQ(frame.word(680), 0U) << "the maker's .NET host refuses frames that say both";
         EXPECT_EQ(frame.word(684), 9U) << "constrained";
         EXPECT_NEAR(bench.shots.at(0).pulse_length, 30e-6, 1e-9);
     }
+}
+
+TEST(ArisSettings, AreToldByTheLargestOfThreeCookies) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    const auto told = [&bench](const std::string& settings) {
+        bench.say(settings);
+        const auto frame = bench.frames_within(400ms).back();
+        return std::array{frame.word(680), frame.word(684), frame.word(688)};
+    };
+    EXPECT_EQ(told(words::acoustics), (std::array{7U, 0U, 0U})) << "applied";
+    EXPECT_EQ(told(words::long_pulse), (std::array{7U, 9U, 0U})) << "constrained";
+    EXPECT_EQ(told(words::too_long), (std::array{7U, 9U, 10U})) << "invalid";
+    std::string next = words::acoustics;
+    next.replace(next.find("0807"), 4, "080b");
+    EXPECT_EQ(told(next), (std::array{11U, 9U, 10U})) << "applied again";
 }
 
 TEST(ArisSettings, ChangeTheNextFrame) {
@@ -189,6 +208,59 @@ TEST(ArisController, OnANoisyLineIsServedAgainWithinOneCommand) {
     host.patience = 1200ms;
     host.longest_pause = 20ms;
     expect_no_wedge(bench, host, 200);
+}
+
+/// Until nothing moves, with frames at 15 a second.
+ArisFrame focused(ArisBench& bench, const std::string& word) {
+    bench.say(word);
+    return bench.frames_within(1500ms).back();
+}
+
+TEST(ArisFocus, MovesToItsRangeWithinASecond) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    EXPECT_EQ(bench.frames_within(200ms).back().word(604), 0U) << "at home after power-up";
+    bench.say(words::focus_4_m);
+    const auto frames = bench.frames_within(1500ms);
+    ASSERT_GT(frames.size(), 20U);
+    EXPECT_LT(frames[3].word(604), frames[4].word(604)) << "what the maker's test looks for";
+    EXPECT_EQ(frames[4].word(540), 1U) << "on its way";
+    EXPECT_NEAR(frames[4].word(84), 768, 10) << "what is asked for; 768 in the maker's map";
+    EXPECT_EQ(frames[20].word(604), frames[20].word(84));
+    EXPECT_EQ(frames[20].word(540), 0U);
+    bench.connect_anew();
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    EXPECT_EQ(bench.frames_within(200ms).back().word(604), frames[20].word(604)) << "the lens stays there";
+    EXPECT_EQ(focused(bench, words::home_focus).word(604), 0U);
+}
+
+TEST(ArisFocus, IsThatOfTheLensAndTheWater) {
+    const auto position = [](const std::string& before, const std::string& model) {
+        ArisBench bench({}, model);
+        bench.say(words::receiver);
+        bench.say(before);
+        bench.say(model == "aris-3000" ? words::mode_6 : words::acoustics);
+        return focused(bench, words::focus_10_m).word(604);
+    };
+    // The maker's map at 15 degC and 10 m.
+    EXPECT_NEAR(position(words::ping, "aris-1800"), 863, 15);
+    EXPECT_NEAR(position(words::salt, "aris-1800"), 834, 15);
+    EXPECT_NEAR(position(words::telephoto, "aris-1800"), 781, 15);
+    EXPECT_NEAR(position(words::salt + words::telephoto, "aris-1800"), 719, 15);
+    EXPECT_NEAR(position(words::ping, "aris-3000"), 193, 15);
+}
+
+TEST(ArisFocus, TakesThePositionOfOlderHostsAndNoNonsense) {
+    ArisBench bench;
+    bench.say(words::receiver);
+    bench.say(words::acoustics);
+    EXPECT_EQ(focused(bench, "00000007 0806 4203 08f403").word(604), 500U);
+    EXPECT_EQ(focused(bench, "00000007 0806 4203 08d00f").word(604), 1000U) << "2000";
+    for (const char* word : {"00000009 0806 4205 150000c07f", "00000009 0806 4205 15000080bf"})  // NaN, -1 m
+        EXPECT_EQ(focused(bench, word).word(604), 1000U);
+    EXPECT_EQ(bench.device().counters().rejected, 2U);
 }
 
 TEST(ArisAcks, ChangeNothing) {

@@ -12,16 +12,15 @@ constexpr std::string_view varying[] = {"time_ms",      "ping_seconds", "ping_na
                                         "seconds",      "nanoseconds",  "nanos",
                                         "timestamp",    "timestamp_ms", "timestamp_msec",
                                         "utc_msec",     "pwr_up_msec",  "transmit_time",
-                                        "send_time",    "start_time",   "pc_time",
-                                        "sonar_time",   "go_time",      "uptime",
-                                        "date",         "hundredths",   "milliseconds",
-                                        "gps_seconds",  "gps_fraction", "sequence_id",
-                                        "frame_index",  "checksum",     "crc",
-                                        "transmission", "ping_latency", "data_latency",
-                                        "year",         "day",          "hours",
-                                        "minutes",      "session_id",   "file_id",
-                                        "rx_packets",   "tx_packets",   "round_trip",
-                                        "time"};
+                                        "send_time",    "start_time",   "sonar_time",
+                                        "go_time",      "uptime",       "date",
+                                        "hundredths",   "milliseconds", "gps_seconds",
+                                        "gps_fraction", "sequence_id",  "frame_index",
+                                        "checksum",     "crc",          "transmission",
+                                        "ping_latency", "data_latency", "year",
+                                        "day",          "hours",        "minutes",
+                                        "session_id",   "file_id",      "rx_packets",
+                                        "tx_packets",   "round_trip",   "time"};
 
 std::string_view last_word(std::string_view name) {
     const std::size_t dot = name.rfind('.');
