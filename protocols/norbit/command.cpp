@@ -55,6 +55,12 @@ std::string write_number(double value) {
     return text;
 }
 
+std::string write_decimal(double value) {
+    std::string text = write_number(value);
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
+}
+
 void LineFramer::feed(wire::ByteView bytes) { buffer_.append(bytes.begin(), bytes.end()); }
 
 std::optional<std::string> LineFramer::next() {

@@ -30,6 +30,8 @@ std::string write_answer(const Command& command, std::string_view comment = {});
 std::optional<double> read_number(std::string_view word);
 /// As short as %g with six digits.
 std::string write_number(double value);
+/// The same with a decimal at least: "20.0".
+std::string write_decimal(double value);
 
 /// Cuts what a host sends into lines. A host may leave out the line's end: rest() is then a line when it has
 /// waited long enough, which only its owner can know.

@@ -117,7 +117,7 @@ class Oculus(Driver):
 
 
 class Norbit(Driver):
-    START = ("set_power 1", "set_gate_mode 0", "set_range 0.5 25", "set_rate 10")
+    START = ("set_tp_rate 60", "set_power 1", "set_gate_mode 0", "set_range 0.5 25", "set_rate 10")  # an image every ping
 
     def __init__(self, name):
         super().__init__(name)
@@ -139,9 +139,12 @@ class Norbit(Driver):
             last, self.got = ping.ping, self.got + 1
 
     def drain(self, stream):
+        last = None
         try:
             while True:
-                stream.packet()
+                number = int.from_bytes(stream.packet()[108:112], "little")
+                assert last in (None, number - 1), f"image of ping {number} after {last}"
+                last = number
         except Exception as error:
             self.fault = self.fault or (None if self.ended else f"water column: {error}")
 

@@ -1,6 +1,7 @@
 """A Norbit WBMS end to end on loopback: the floor is where it is, commands change the next ping and its timing."""
 
 import math
+import socket
 import statistics
 import time
 import unittest
@@ -105,10 +106,20 @@ class FlatFloor(NorbitCase):
 
 
 class Commands(NorbitCase):
+    def test_a_driver_that_reads_once_before_it_speaks_is_greeted(self):
+        self.start(image=False, commands=())
+        with socket.create_connection(self.line.socket.getpeername(), timeout=10) as driver:
+            greeting = driver.recv(1024).decode()
+            self.assertEqual(greeting.split("\r\n\r\n")[:2], ["Welcome to WHI", "10.3.6 release"])
+            self.assertTrue(greeting.endswith("\r\n"))
+            driver.sendall(b"set_power\n\r")
+            self.assertEqual(driver.recv(1024), b"set_power 0\r\n")
+        self.assertEqual(greeting.split("\r\n"), [*self.line.greeting, ""])
+
     def test_each_changes_the_next_ping(self):
         self.start(image=False)
         self.bathymetry.next()
-        self.assertEqual(self.line.set("set_direction 20"), ["20"])
+        self.assertEqual(self.line.set("set_direction 20"), ["20.0"])
         self.line.set("set_opening_angle 60")
         ping = self.bathymetry.first(lambda p: p.opening < 1.1)
         self.assertAlmostEqual(ping.direction, math.radians(20), places=5)
@@ -142,7 +153,7 @@ class Commands(NorbitCase):
         self.assertAlmostEqual(edge.gates[1] * math.cos(edge.angle), 9, delta=0.05)
         self.line.set("set_gate_mode 2")
         self.line.set("set_range 0.5 9.5 7 9")
-        self.assertEqual(self.line.set("set_range"), ["0.5", "9.5", "7", "9"])
+        self.assertEqual(self.line.set("set_range"), ["0.5", "9.5", "7.0", "9.0"])
         ping = self.bathymetry.first(lambda p: p.points[0].gates[1] < 9.6)
         found = {p.quality & 1 for p in ping.points if abs(p.angle) > math.radians(45)}
         self.assertEqual(found, {0}, "the floor is beyond 9.5 m there")
@@ -179,9 +190,9 @@ class Commands(NorbitCase):
     def test_answers(self):
         self.start(image=False, commands=())
         self.assertEqual(self.line.ask("set_power", "\r\n"), "set_power 0")
-        self.assertEqual(self.line.ask("set_range", "\n"), "set_range 0 50 # in meter")
-        self.assertEqual(self.line.ask("set_range 0.5 20.0"), "set_range 0.5 20 # in meter")
-        self.assertEqual(self.line.ask("set_range 9 3\r\n"), "set_range 0.5 20 # out of range, not set")
+        self.assertEqual(self.line.ask("set_range", "\n"), "range 0.0 50.0 # in meter")
+        self.assertEqual(self.line.ask("set_range 0.5 20.0"), "range 0.5 20.0 # in meter")
+        self.assertEqual(self.line.ask("set_range 9 3\r\n"), "range 0.5 20.0 # out of range, not set")
         self.assertEqual(self.line.set("set_tx"), ["400", "80", "15", "500"])
         self.assertEqual(self.line.ask("set_warp 9"), "error # unknown command")
         self.assertEqual(self.line.set("serial"), ["1001"])

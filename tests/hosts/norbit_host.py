@@ -1,5 +1,5 @@
-"""A host of a Norbit WBMS, written from the maker's TN-180196 (WBMS DFD External) alone: commands as text, packets read by
-their byte offsets. Everything that a packet must be is asserted."""
+"""A host of a Norbit WBMS, written from the maker's TN-180196 (WBMS DFD External) and the pictures in TN-180197 alone: commands
+as text, packets read by their byte offsets. Everything that a packet must be is asserted."""
 
 import socket
 import struct
@@ -11,11 +11,15 @@ FORMATS = {0: "B", 1: "b", 2: "H", 3: "h", 4: "I", 5: "i", 6: "Q", 7: "q", 0x15:
 
 
 class Line:
-    """The command port. Like a known driver it sends no line end unless told to."""
+    """The command port. Like a known driver it sends no line end unless told to, and like another it reads the greeting
+    before it says a word."""
 
     def __init__(self, port):
         self.socket = socket.create_connection(("127.0.0.1", port), timeout=10)
         self.buffer = b""
+        self.greeting = [self.answer()]
+        while not self.greeting[-1].startswith(" Compiled:"):
+            self.greeting.append(self.answer())
 
     def ask(self, command, end="", seconds=10):
         self.socket.sendall((command + end).encode())
@@ -32,9 +36,10 @@ class Line:
         return line.decode("ascii")
 
     def set(self, command):
-        """Words of the answer without name and comment."""
+        """Words of the answer without name and comment. Some answers leave "set_" out."""
+        asked = command.split()[0]
         name, *values = self.ask(command).split("#")[0].split()
-        assert name == command.split()[0], name
+        assert name in (asked, asked.removeprefix("set_")), name
         return values
 
     def close(self):

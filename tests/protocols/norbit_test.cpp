@@ -151,6 +151,16 @@ TEST(NorbitCommand, NumbersAreWholeAndFinite) {
         EXPECT_FALSE(read_number(none)) << none;
 }
 
+TEST(NorbitCommand, NumbersAreWrittenShortOrWithADecimalAtLeast) {
+    for (const auto& [value, brief, full] : {std::tuple(20.0, "20", "20.0"),
+                                             {0.5, "0.5", "0.5"},
+                                             {-0.25, "-0.25", "-0.25"},
+                                             {0.0, "0", "0.0"}}) {
+        EXPECT_EQ(write_number(value), brief);
+        EXPECT_EQ(write_decimal(value), full);
+    }
+}
+
 TEST(NorbitLines, EndAsHostsEndThemOrNotAtAll) {
     LineFramer lines;
     const auto feed = [&](const std::string& text) { lines.feed(wire::Bytes(text.begin(), text.end())); };

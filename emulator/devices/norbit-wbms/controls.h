@@ -10,6 +10,8 @@
 
 namespace echoloop::norbit_device {
 
+inline constexpr double largest_analog_gain = 40;  ///< dB, the document's
+
 /// Values as they stand in commands, in the commands' units (deg, kHz, us).
 struct Controls {
     double power = 0;
@@ -26,8 +28,9 @@ struct Controls {
     double decimation = 1;
     double frequency = 400, bandwidth = 80, amplitude = 15, pulse = 500;
     double rate = -1;
-    double vga = 500;  ///< dB/km of two-way range; 0: the analog gain is constant
-    double gain = 0;   ///< dB, analog, where vga is 0
+    double image_rate = 5;  ///< Hz, of water columns at most; not positive: one with every ping
+    double vga = 50;        ///< dB per 100 m of two-way range; 0: the analog gain is constant
+    double gain = 0;        ///< dB, analog, where vga is 0
     double autogain = 1;
     double snippet_rate = 18, trigger_mode = 3, sidescan_mode = 1, autogate = 2;
     double sound_velocity = -1;

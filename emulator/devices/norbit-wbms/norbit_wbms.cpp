@@ -10,6 +10,13 @@ namespace {
 
 enum PortIndex : std::size_t { command_port, bathymetry_port, water_column_port };
 
+/// What a real 10.3.6 shows to who connects, TN-180197 1D page 5. Public drivers wait for it.
+Bytes greeting(const Settings& settings) {
+    const std::string text = "Welcome to WHI\r\n\r\n" + settings.revision +
+                             " release\r\n\r\n Version: 4.7.343\r\n\r\n Compiled:Oct 18 2018 19:34:31\r\n";
+    return {text.begin(), text.end()};
+}
+
 }  // namespace
 
 NorbitWbms::NorbitWbms(const Settings& settings)
@@ -28,6 +35,7 @@ Actions NorbitWbms::started(Time now) {
 
 /// Connecting is subscribing. Settings are the sonar's, whoever is connected.
 Actions NorbitWbms::connected(std::size_t port, Address peer, Time) {
+    if (port == command_port) send(command_port, greeting(settings_), peer);
     if (port == water_column_port) viewers_.insert(peer);
     return take_actions();
 }
@@ -89,6 +97,16 @@ void NorbitWbms::transmit(Time now) {
                          now + from_seconds(ping_.plan.due)};
 }
 
+bool NorbitWbms::takes_image() {
+    if (viewers_.empty()) return false;
+    const double rate = ping_.controls.image_rate;
+    const Time interval = rate > 0 ? from_seconds(1 / rate) : Time{};
+    const Time sent = last_transmission_.value_or(Time{}), due = last_image_ ? *last_image_ + interval : sent;
+    if (sent < due) return false;
+    last_image_ = sent < due + interval ? due : sent;  // so that the rate is kept where pings do not fit it
+    return true;
+}
+
 Actions NorbitWbms::heard(const Echogram& echogram, Time now) {
     const bool expected = ping_under_way_ && echogram.shot.ping == ping_.number &&
                           echogram.shot.bins == ping_.plan.bins &&
@@ -98,7 +116,7 @@ Actions NorbitWbms::heard(const Echogram& echogram, Time now) {
     ++counters_.pings;
     if (ping_.controls.mode != 0)
         send(bathymetry_port, bathymetry_packet(ping_, settings_, echogram, time_stamp(now)));
-    if (!viewers_.empty()) {
+    if (takes_image()) {
         double peak = 0;
         send(water_column_port, water_column_packet(ping_, settings_, echogram, time_stamp(now), peak));
         digital_gain_ = next_gain(controls_, settings_, ping_.plan.digital_gain, peak);

@@ -37,6 +37,8 @@ class NorbitWbms final : public Device {
     bool pinging() const;
     void plan_next_ping(Time now);
     void transmit(Time now);
+    /// Whether the ping under way gets a water column; then the next one is an interval later.
+    bool takes_image();
     /// To one host, or to all.
     void send(std::size_t port, Bytes bytes, Address to = {}) {
         actions_.send.push_back({port, std::move(bytes), to, {}});
@@ -54,6 +56,7 @@ class NorbitWbms final : public Device {
     double digital_gain_ = 0;  ///< dB, of the next ping
     std::optional<Time> last_transmission_;
     Time next_ping_ = Time::max();
+    std::optional<Time> last_image_;  ///< when its ping was due, at the rate of water columns
     Actions actions_;
     DeviceCounters counters_;
 };

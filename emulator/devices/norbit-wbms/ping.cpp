@@ -7,8 +7,8 @@ namespace echoloop::norbit_device {
 namespace {
 
 constexpr std::size_t most_bins = 4096;
-constexpr double longest_range = 600;           // m, of set_range
-constexpr double gain_step = 6, most_vga = 40;  // dB, the document's
+constexpr double longest_range = 600;  // m, of set_range
+constexpr double gain_step = 6;        // dB, the document's
 
 /// Port and starboard edge, rad.
 std::pair<double, double> sector(const Controls& c, const Settings& s, double sign, bool equidistant) {
@@ -113,9 +113,10 @@ double Vga::at(double time) const {
 }
 
 Vga make_vga(const Controls& c, const Plan& plan, const Settings& s) {
-    if (!s.tvg || c.vga <= 0) return {0, c.gain, 0, c.gain};
-    const double per_second = c.vga / 1000 * plan.sound_speed;
-    return {0, 0, most_vga / per_second, most_vga};
+    const double constant = std::min(c.gain, largest_analog_gain);
+    if (!s.tvg || c.vga <= 0) return {0, constant, 0, constant};
+    const double per_second = c.vga / 100 * plan.sound_speed;
+    return {0, 0, largest_analog_gain / per_second, largest_analog_gain};
 }
 
 double first_gain(const Settings& s) {

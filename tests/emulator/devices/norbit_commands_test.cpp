@@ -18,6 +18,21 @@ TEST(NorbitWbms, IsSilentUntilPowerIsOn) {
     EXPECT_EQ(bench.shots.size(), 1U) << "the ping under way is finished, no other follows";
 }
 
+TEST(NorbitWbms, GreetsWhoConnectsToTheCommandPortAndNobodyElse) {
+    Bench bench = norbit({{"revision", std::string("10.4")}});
+    bench.connect(bathymetry, host);
+    bench.connect(water_column, host);
+    EXPECT_TRUE(bench.sent().empty());
+    bench.connect(commands, other_host);
+    const auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 1U) << "one write: drivers read once";
+    EXPECT_EQ(sent[0].port, commands);
+    EXPECT_EQ(sent[0].to, other_host);
+    EXPECT_EQ(std::string(sent[0].bytes.begin(), sent[0].bytes.end()),
+              "Welcome to WHI\r\n\r\n10.4 release\r\n\r\n Version: 4.7.343\r\n\r\n"
+              " Compiled:Oct 18 2018 19:34:31\r\n");
+}
+
 TEST(NorbitWbms, ACommandWithoutALinesEndIsAnsweredAfterAPause) {
     Bench bench = norbit();
     bench.say(bytes_of("set_rate 10"));
@@ -55,21 +70,54 @@ TEST(NorbitWbms, EveryHostIsAnsweredForItself) {
 
 TEST(NorbitWbms, AnswersHaveTheValuesInForce) {
     Bench bench = norbit();
-    EXPECT_EQ(ask(bench, "set_range"), "set_range 0 50 # in meter\r\n");
-    EXPECT_EQ(ask(bench, "set_range 0.5 20.0"), "set_range 0.5 20 # in meter\r\n");
+    EXPECT_EQ(ask(bench, "set_range"), "range 0.0 50.0 # in meter\r\n");
+    EXPECT_EQ(ask(bench, "set_range 0.5 20.0"), "range 0.5 20.0 # in meter\r\n");
     for (const char* wrong : {"set_range 1", "set_range 5 5", "set_range 0 601", "set_range a b",
                               "set_range 1 2 3", "set_range nan 4"})
-        EXPECT_EQ(ask(bench, wrong), "set_range 0.5 20 # out of range, not set\r\n") << wrong;
+        EXPECT_EQ(ask(bench, wrong), "range 0.5 20.0 # out of range, not set\r\n") << wrong;
     ask(bench, "set_gate_mode 2");
-    EXPECT_EQ(ask(bench, "set_range"), "set_range 0 50 0 50 # in meter\r\n");
+    EXPECT_EQ(ask(bench, "set_range"), "range 0.0 50.0 0.0 50.0 # in meter\r\n");
     EXPECT_EQ(ask(bench, "set_resolution 256 100"), "set_resolution 256 128 # out of range, not set\r\n");
     EXPECT_EQ(ask(bench, "set_tx 700 80 10 200"), "set_tx 700 80 10 200 # kHz, kHz, 0-15, us\r\n");
     EXPECT_EQ(ask(bench, "sound_velocity 20"), "sound_velocity -1 # out of range, not set\r\n");
+    EXPECT_EQ(ask(bench, "set_vga 101"), "set_vga 50 # out of range, not set\r\n");
+    EXPECT_EQ(ask(bench, "set_gain 101"), "set_gain   0 # out of range, not set\r\n");
     EXPECT_EQ(ask(bench, "partno"), "partno 12004\r\n");
     EXPECT_EQ(ask(bench, "set_warp 1"), "error # unknown command\r\n");
     ask(bench, "set_default");
     EXPECT_EQ(ask(bench, "set_tx"), "set_tx 400 80 15 500 # kHz, kHz, 0-15, us\r\n");
-    EXPECT_EQ(ask(bench, "set_gate_mode"), "set_gate_mode 1 # 0 range, 1 depth, 2 both\r\n");
+    EXPECT_EQ(ask(bench, "set_gate_mode"), "set_gate_mode 1 # gate by depth\r\n");
+}
+
+TEST(NorbitWbms, AnswersAreThoseInThePicturesOfARealSonar) {
+    Bench bench = norbit();
+    for (const auto& [command, answer] : {std::pair("set_range 20 50", "range 20.0 50.0 # in meter\r\n"),
+                                          {"set_range", "range 20.0 50.0 # in meter\r\n"},
+                                          {"direction 0", "direction 0.0 # in degrees\r\n"},
+                                          {"autogain 1", "autogain 1 # adaptive\r\n"},
+                                          {"set_gate_mode 1", "set_gate_mode 1 # gate by depth\r\n"},
+                                          {"set_mode 1", "set_mode 1 # Bathy\r\n"}})
+        EXPECT_EQ(ask(bench, command), answer);
+    EXPECT_THAT(ask(bench, "set_gain"), testing::StartsWith("set_gain   0 # dB (analog = 0.000000dB"));
+    EXPECT_THAT(ask(bench, "set_gain 100"), testing::StartsWith("set_gain 100 # dB (analog = 40.000000dB"));
+}
+
+TEST(NorbitWbms, OlderNamesOfCommandsDoTheSame) {
+    Bench bench = norbit();
+    EXPECT_EQ(ask(bench, "on"), "on\r\n");
+    EXPECT_EQ(ask(bench, "set_power"), "set_power 1\r\n");
+    EXPECT_EQ(ask(bench, "off"), "off\r\n");
+    EXPECT_EQ(ask(bench, "set_power"), "set_power 0\r\n");
+    EXPECT_EQ(ask(bench, "range 2 30"), "range 2.0 30.0 # in meter\r\n");
+    EXPECT_EQ(ask(bench, "depth_range"), "Bottom detect gates set: 2.0 to 30.0 m\r\n");
+    EXPECT_EQ(ask(bench, "depth_range 0.5 20"), "Bottom detect gates set: 0.5 to 20.0 m\r\n");
+    EXPECT_EQ(ask(bench, "depth_range 9 3"),
+              "Bottom detect gates set: 0.5 to 20.0 m # out of range, not set\r\n");
+    ask(bench, "direction 20");
+    EXPECT_EQ(ask(bench, "set_direction"), "direction 20.0 # in degrees\r\n");
+    EXPECT_EQ(ask(bench, "set_p\xFFwer 1"), "error # unknown command\r\n");
+    for (const char* other : {"power 1", "mode 0", "tx"})
+        EXPECT_EQ(ask(bench, other), "error # unknown command\r\n") << "no source knows these";
 }
 
 TEST(NorbitWbms, ExitEndsTheConnectionBehindItsAnswer) {

@@ -210,6 +210,48 @@ TEST(NorbitWbms, EveryPingGoesToAllAndWaterColumnsAsLongAsOneHostIsThere) {
     EXPECT_TRUE(packets(bench, water_column).empty());
 }
 
+/// Soundings and water columns of 10 s at 20 pings a second.
+std::pair<std::size_t, std::size_t> packets_of_ten_seconds(Bench& bench) {
+    bench.run_to(bench.now + 1s);
+    bench.sent();
+    bench.run_to(bench.now + 10s);
+    std::pair<std::size_t, std::size_t> counted;
+    for (const Send& send : bench.sent()) {
+        counted.first += send.port == bathymetry;
+        counted.second += send.port == water_column;
+    }
+    return counted;
+}
+
+TEST(NorbitWbms, WaterColumnsHaveARateOfTheirOwn) {
+    for (const char* system : {"bathymetry", "forward-looking"}) {
+        Bench bench = norbit({{"system", std::string(system)}, {"power", true}});
+        bench.connect(water_column, host);
+        for (const char* command : {"set_gate_mode 0", "set_range 0 10", "set_rate 20"}) ask(bench, command);
+        const std::size_t soundings = system == std::string("bathymetry") ? 200 : 0;
+        EXPECT_EQ(packets_of_ten_seconds(bench), std::pair(soundings, std::size_t{50})) << "by default";
+        for (const auto& [rate, images] : {std::pair("12.5", 125), {"20", 200}, {"60", 200}, {"2", 20}}) {
+            ask(bench, std::string("set_tp_rate ") + rate);
+            const auto [points, columns] = packets_of_ten_seconds(bench);
+            EXPECT_EQ(points, soundings) << rate;
+            EXPECT_NEAR(static_cast<double>(columns), images, 1) << rate;
+        }
+        for (const char* none : {"0", "-1"}) {
+            ask(bench, std::string("set_tp_rate ") + none);
+            EXPECT_EQ(packets_of_ten_seconds(bench).second, 200U) << "with every ping";
+        }
+    }
+}
+
+TEST(NorbitWbms, ARateOfWaterColumnsThatIsNoneIsRefused) {
+    Bench bench = norbit();
+    EXPECT_EQ(ask(bench, "set_tp_rate"), "set_tp_rate 5 # Hz, -1 every ping\r\n");
+    EXPECT_EQ(ask(bench, "set_tp_rate 2"), "set_tp_rate 2 # Hz, -1 every ping\r\n");
+    for (const char* rate : {"1e-12", "61", "-1.5", "nan"})
+        EXPECT_EQ(ask(bench, std::string("set_tp_rate ") + rate),
+                  "set_tp_rate 2 # out of range, not set\r\n");
+}
+
 TEST(NorbitWbms, WaterColumnsAreNeverLongerThanThePayloadAllows) {
     for (const char* sample : {"u8", "s16", "f32"}) {
         Bench bench = norbit({{"beam_mode", std::string("512EA")}, {"sample", std::string(sample)}});

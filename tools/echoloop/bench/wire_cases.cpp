@@ -67,7 +67,8 @@ WireCase norbit(std::string name, Options options, const std::string& end = "10.
     return {"norbit " + std::move(name),
             "norbit-wbms",
             std::move(options),
-            {{0, text("set_gate_mode 0\r\nset_range 0.5 " + end + "\r\nset_resolution 1000 512\r\n")}}};
+            {{0, text("set_tp_rate -1\r\nset_gate_mode 0\r\nset_range 0.5 " + end +
+                      "\r\nset_resolution 1000 512\r\n")}}};
 }
 WireCase kmall(std::string name, Options options, double range = 6.56) {
     options.insert({{"soundings", std::int64_t{512}}, {"range", range}});
