@@ -24,6 +24,11 @@ static_assert(wire::fixed_size<Detection>() == 34);
 constexpr std::uint16_t version = 5;
 constexpr std::size_t size_at = 8;
 
+/// A widespread host counts the content from the frame's first byte, as 64; it stands in the same place.
+constexpr bool is_content_offset(std::uint16_t offset) {
+    return offset == record_frame_size - 4 || offset == record_frame_size;
+}
+
 /// Eight bytes at a time, as four sums of 16 bits, which hold no more than 128 times two bytes.
 std::uint32_t sum_of(wire::ByteView bytes) {
     constexpr std::size_t word = sizeof(std::uint64_t), most = 128;
@@ -89,7 +94,7 @@ std::optional<NetworkFrame> plausible_network_frame(wire::ByteView bytes, std::s
 std::optional<RecordFrame> plausible_record_frame(wire::ByteView bytes, std::size_t longest) {
     if (bytes.size() < record_frame_size) return std::nullopt;
     const auto frame = wire::parse<RecordFrame>(bytes.first(record_frame_size));
-    const bool good = frame && frame->version == version && frame->offset == record_frame_size - 4 &&
+    const bool good = frame && frame->version == version && is_content_offset(frame->offset) &&
                       frame->sync == sync_word && frame->size >= least_record && frame->size <= longest;
     if (!good) return std::nullopt;
     return *frame;

@@ -60,7 +60,8 @@ std::vector<wire::Table> tables() {
             table_of<Beamformed>(),     table_of<RawDetections>(),  table_of<Detection>(),
             table_of<WaterColumn>(),    table_of<RemoteControl>(),  table_of<Acknowledge>(),
             table_of<NotAcknowledge>(), table_of<RemoteSettings>(), table_of<RemoteExtras>(),
-            table_of<FileHeader>(),     table_of<FileDevice>()};
+            table_of<AbsorptionLoss>(), table_of<SpreadingLoss>(),  table_of<FileHeader>(),
+            table_of<FileDevice>()};
 }
 
 }  // namespace echoloop::reson7k

@@ -45,7 +45,7 @@ constexpr auto wire_layout(Tag<RecordFrame>) {
     return make_layout<R>(
         {"RecordFrame", "before every record; behind it a u32 checksum, the sum of all bytes before it"},
         field(&R::version, "version", "", "5"),
-        field(&R::offset, "offset", "B", "from the sync word to the record: 60"),
+        field(&R::offset, "offset", "B", "from the sync word to the record: 60; some hosts have 64"),
         field(&R::sync, "sync", "", "").hex(), field(&R::size, "size", "B", "with frame and checksum"),
         field(&R::optional_offset, "optional_offset", "B", "of optional data; 0: none"),
         field(&R::optional_id, "optional_id", "", ""),
@@ -123,7 +123,7 @@ constexpr auto wire_layout(Tag<BeamGeometry>) {
         count(&B::beams, "beams", "beams", "", ""),
         counted(&B::along, "beams", "along", "rad", "along the track"),
         counted(&B::across, "beams", "across", "rad", "positive to starboard; beam 0 is the port-most"),
-        counted(&B::width_y, "beams", "width_y", "rad", "-3 dB, along the track"),
+        counted(&B::width_y, "beams", "width_y", "rad", "of the receive beam, -3 dB, along the track"),
         counted(&B::width_x, "beams", "width_x", "rad", "-3 dB, across"),
         rest(&B::delays, {}, "delays", "", "nothing, or f32 samples of each beam"));
 }
@@ -155,14 +155,16 @@ constexpr auto wire_layout(Tag<Beamformed>) {
 
 constexpr auto wire_layout(Tag<Detection>) {
     using D = Detection;
-    return make_layout<D>(
-        {"Detection", "a point of RawDetections"}, field(&D::beam, "beam", "", "from 0"),
-        field(&D::sample, "sample", "samples", "from the transmission, with fractions"),
-        field(&D::angle, "angle", "rad", "positive to starboard"),
-        field(&D::flags, "flags", "", "").bits(detection_names),
-        field(&D::quality, "quality", "", "").bits(quality_names),
-        field(&D::uncertainty, "uncertainty", "", ""), field(&D::intensity, "intensity", "", ""),
-        field(&D::gate_min, "gate_min", "samples", ""), field(&D::gate_max, "gate_max", "samples", ""));
+    return make_layout<D>({"Detection", "a point of RawDetections"}, field(&D::beam, "beam", "", "from 0"),
+                          field(&D::sample, "sample", "samples", "from the transmission, with fractions"),
+                          field(&D::angle, "angle", "rad", "positive to starboard"),
+                          field(&D::flags, "flags", "", "").bits(detection_names),
+                          field(&D::quality, "quality", "", "").bits(quality_names),
+                          field(&D::uncertainty, "uncertainty", "", ""),
+                          field(&D::intensity, "intensity", "",
+                                "0 to 65535 with gain and time-varied gain, as amplitudes in 7018"),
+                          field(&D::gate_min, "gate_min", "samples", ""),
+                          field(&D::gate_max, "gate_max", "samples", ""));
 }
 
 constexpr auto wire_layout(Tag<RawDetections>) {
@@ -256,6 +258,16 @@ constexpr auto wire_layout(Tag<RemoteSettings>) {
                                 "as in 7000, but without the width of a receive beam before it"),
                           field(&R::extras, "extras", "", ""),
                           rest(&R::more, {}, "more", "", "later versions add to the 260 bytes"));
+}
+
+constexpr auto wire_layout(Tag<AbsorptionLoss>) {
+    return make_layout<AbsorptionLoss>({"AbsorptionLoss", "7611, to the sonar: for its time-varied gain"},
+                                       field(&AbsorptionLoss::loss, "loss", "dB/km", ""));
+}
+
+constexpr auto wire_layout(Tag<SpreadingLoss>) {
+    return make_layout<SpreadingLoss>({"SpreadingLoss", "7612, to the sonar: for its time-varied gain"},
+                                      field(&SpreadingLoss::loss, "loss", "dB", "per decade of range"));
 }
 
 constexpr auto wire_layout(Tag<FileDevice>) {

@@ -134,7 +134,7 @@ struct Detection {
     std::uint32_t flags = 0;
     std::uint32_t quality = 0;
     float uncertainty = 0;
-    float intensity = 0;
+    float intensity = 0;               ///< 65535: full scale, with gain and time-varied gain
     float gate_min = 0, gate_max = 0;  ///< samples
     friend bool operator==(const Detection&, const Detection&) = default;
 };
@@ -237,9 +237,9 @@ struct FileHeader {  ///< 7200
     friend bool operator==(const FileHeader&, const FileHeader&) = default;
 };
 
-using Message =
-    std::variant<SonarSettings, Configuration, BeamGeometry, Image, Beamformed, RawDetections, WaterColumn,
-                 RemoteControl, Acknowledge, NotAcknowledge, RemoteSettings, FileHeader>;
+using Message = std::variant<SonarSettings, Configuration, BeamGeometry, Image, Beamformed, RawDetections,
+                             WaterColumn, RemoteControl, Acknowledge, NotAcknowledge, RemoteSettings,
+                             AbsorptionLoss, SpreadingLoss, FileHeader>;
 
 /// A whole record as it came: frame, content, and checksum aside.
 struct Record {

@@ -1,4 +1,5 @@
-// The two records of settings of a 7k sonar, 7000 and 7503. Plain structs.
+// The two records of settings of a 7k sonar, 7000 and 7503, and the two that set its time-varied gain, 7611
+// and 7612. Plain structs.
 #pragma once
 
 #include <array>
@@ -104,6 +105,18 @@ struct RemoteSettings {  ///< 7503
     RemoteExtras extras;
     wire::Bytes more;  ///< what the sonar's version adds
     friend bool operator==(const RemoteSettings&, const RemoteSettings&) = default;
+};
+
+struct AbsorptionLoss {  ///< 7611, to the sonar
+    static constexpr std::uint32_t type = 7611;
+    float loss = 0;  ///< dB/km
+    friend bool operator==(const AbsorptionLoss&, const AbsorptionLoss&) = default;
+};
+
+struct SpreadingLoss {  ///< 7612, to the sonar
+    static constexpr std::uint32_t type = 7612;
+    float loss = 0;  ///< dB per decade of range
+    friend bool operator==(const SpreadingLoss&, const SpreadingLoss&) = default;
 };
 
 }  // namespace echoloop::reson7k

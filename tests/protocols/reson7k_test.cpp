@@ -102,6 +102,22 @@ TEST(Reson7kFramer, ALostByteCostsOneRecordOnly) {
     }
 }
 
+/// Offset 64, as MBARI's client for 7k sonars (MB-System, mbtrn) has it: its content is in the same place.
+TEST(Reson7kFramer, AHostMayCountTheContentFromTheFirstByteOfTheFrame) {
+    wire::Bytes subscribe = golden("subscribe");
+    subscribe[network_frame_size + 2] = 64;
+    subscribe[subscribe.size() - 4] += 4;  // checksum
+    for (std::size_t at = 0; at <= subscribe.size(); ++at) {
+        const auto records = records_of(subscribe, at, Source::network);
+        ASSERT_EQ(records.size(), 1U) << at;
+        EXPECT_EQ(records[0].content, records_of(golden("subscribe"))[0].content);
+    }
+    for (const std::uint8_t other : wire::Bytes{0, 59, 61, 63, 65, 68}) {
+        subscribe[network_frame_size + 2] = other;
+        EXPECT_FALSE(plausible_record_frame(wire::ByteView(subscribe).subspan(network_frame_size)));
+    }
+}
+
 /// A record of 3000 bytes in packets of 1000.
 std::vector<wire::Bytes> three_packets() {
     Image image;

@@ -36,6 +36,14 @@ Refusal set(const RemoteControl& control, const Row& row, Controls& controls) {
     return std::nullopt;
 }
 
+/// 0: no pings until there is another rate, by what the definition says of 1100.
+Refusal set_rate(const RemoteControl& control, const Acoustics& limits, Controls& controls) {
+    if (number_at(control, 0) != 0.0)
+        return set(control, {command::max_rate, &Controls::max_rate, least_rate, limits.most_rate}, controls);
+    controls.max_rate = 0;
+    return std::nullopt;
+}
+
 Refusal set_filter(const RemoteControl& control, Controls& controls) {
     std::array<double, 5> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -110,10 +118,22 @@ std::optional<std::uint32_t> word_at(const RemoteControl& control, std::size_t o
     return wire::load<wire::ByteOrder::little, std::uint32_t>(control.parameters.data() + offset);
 }
 
+bool apply_record(const reson7k::Message& message, Controls& controls) {
+    constexpr float most_absorption = 500, most_spreading = 60;
+    const auto take = [](float value, float most, double& into) {
+        if (!(value >= 0 && value <= most)) return false;
+        into = value;
+        return true;
+    };
+    if (const auto* record = std::get_if<reson7k::AbsorptionLoss>(&message))
+        return take(record->loss, most_absorption, controls.absorption);
+    const auto* record = std::get_if<reson7k::SpreadingLoss>(&message);
+    return record != nullptr && take(record->loss, most_spreading, controls.spreading);
+}
+
 Refusal apply(const RemoteControl& control, const Acoustics& limits, Controls& controls) {
     const Row rows[] = {
         {command::range, &Controls::range, limits.least_range, limits.most_range},
-        {command::max_rate, &Controls::max_rate, least_rate, limits.most_rate},
         {command::power, &Controls::power, limits.least_power, limits.most_power},
         {command::pulse, &Controls::pulse, limits.least_pulse, limits.most_pulse},
         {command::gain, &Controls::gain, 0, limits.most_gain},
@@ -122,6 +142,8 @@ Refusal apply(const RemoteControl& control, const Acoustics& limits, Controls& c
     for (const Row& row : rows)
         if (row.command == control.command) return set(control, row, controls);
     switch (control.command) {
+        case command::max_rate:
+            return set_rate(control, limits, controls);
         case command::pulse_type:
             return set_pulse_type(control);
         case command::detection_mask:

@@ -22,6 +22,9 @@ inline constexpr std::uint32_t range = 1003, max_rate = 1004, power = 1005, puls
 /// Applies a command that changes settings; a refused one leaves them alone. `unknown_command` for others.
 Refusal apply(const reson7k::RemoteControl& command, const Acoustics& limits, Controls& controls);
 
+/// Takes a record that sets the time-varied gain; false for another one, and for one out of bounds.
+bool apply_record(const reson7k::Message& message, Controls& controls);
+
 /// The u32 at an offset of the parameters, or nothing beyond their end.
 std::optional<std::uint32_t> word_at(const reson7k::RemoteControl& command, std::size_t offset);
 

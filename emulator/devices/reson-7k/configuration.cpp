@@ -43,7 +43,7 @@ std::string beams(const Settings& s) {
                              attribute("max_coverage", coverage);
     return element("RxBeamWidth",
                    attribute("uniformacross", "yes") + attribute("uniformalong", "yes") +
-                       attribute("across", a.receive_beam_width) + attribute("along", along) +
+                       attribute("across", a.receive_beam_width) + attribute("along", a.receive_fan) +
                        attribute("unit", "rad"),
                    "Receiver beamwidth") +
            "  <RxBeamModeSet>\r\n  " + element("RxBeamMode", mode, "Equi-Angle") + "  </RxBeamModeSet>\r\n" +
@@ -65,8 +65,15 @@ std::string limits(const Acoustics& a) {
            bounds("Power", a.least_power, a.most_power, "dB//uPa", "Transmit power") +
            bounds("Gain", 0, a.most_gain, "dB", "Receiver gain") +
            bounds("Range", a.least_range, a.most_range, "m", "Operating range") +
-           bounds("PingRate", least_rate, a.most_rate, "p/s", "Ping rate") +
+           bounds("PingRate", 0, a.most_rate, "p/s", "Ping rate") +
            element("BottomDetection", attribute("method", "G2"), "BD Method");
+}
+
+/// As of a real one: serial number and four digits, each behind a 0. What these mean is not known.
+std::string description_of(const Settings& settings) {
+    std::string text = "SN" + std::to_string(settings.serial);
+    for (const char* digit : {"1", "0", "3", "3"}) text += '\0', text += digit;
+    return text;
 }
 
 }  // namespace
@@ -79,7 +86,7 @@ reson7k::Configuration make_configuration(const Settings& settings) {
     reson7k::Configuration c;
     c.serial = c.device_serial = settings.serial;
     c.device = settings.device;
-    c.description = std::string_view("Reson 7k multibeam, emulated");
+    c.description = std::string_view(description_of(settings));
     c.info.assign(xml.begin(), xml.end());
     c.info.push_back(0);
     return c;

@@ -13,22 +13,6 @@ constexpr std::size_t bins_at_once = 16;  // floats of a cache line
 
 constexpr float to_f32(double value) { return static_cast<float>(value); }
 
-/// Factor on the power of every bin by the range that the head reckons with; the amplitude is then a share of
-/// full scale.
-std::vector<float> gain_curve(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
-    const Acoustics& a = settings.acoustics;
-    const auto spreading = to_f32(settings.tvg ? a.spreading : 0);
-    const auto per_metre = to_f32(settings.tvg ? 2 * a.absorption / 1000 : 0);
-    const auto constant = to_f32(ping.controls.gain - a.amplitude_reference);
-    const float per_bin = to_f32(ping.controls.sound_speed / 2 * echogram.shot.bin_interval);
-    std::vector<float> gain(echogram.shot.bins);
-    for (std::size_t i = 0; i < gain.size(); ++i) {
-        const float r = std::max(per_bin * (to_f32(static_cast<double>(i)) + 0.5F), 1.0F);
-        gain[i] = std::pow(10.0F, (constant + spreading * std::log10(r) + per_metre * r) / 10);
-    }
-    return gain;
-}
-
 /// Calls use(bin, powers) for every bin; `powers` are those of all beams, and the outermost once more beyond
 /// them.
 template <typename Use>
@@ -49,13 +33,9 @@ void for_each_bin(const Echogram& echogram, const Use& use) {
     }
 }
 
-/// Amplitudes 0..1 of full scale of the powers of `beams` beams. The paper's rule has them already.
+/// Amplitudes 0..1 of full scale of the powers of `beams` beams.
 void to_shares(const float* powers, float gain, bool paper, std::size_t beams, float* shares) {
-    if (paper) {
-        std::copy_n(powers, beams, shares);
-        return;
-    }
-    for (std::size_t i = 0; i < beams; ++i) shares[i] = std::min(1.0F, std::sqrt(powers[i] * gain));
+    for (std::size_t i = 0; i < beams; ++i) shares[i] = to_share(powers[i], gain, paper);
 }
 
 /// Amplitudes, and in place of the phase where in its beam an echo lies: -1 at the beam to port to 1 at the
@@ -64,13 +44,30 @@ void to_samples(const float* powers, const float* shares, std::size_t beams, std
     for (std::size_t i = 0; i < beams; ++i) {
         const float port = *(powers + i - 1), starboard = powers[i + 1];
         const float balance = (starboard - port) / (starboard + port + powers[i] + 1e-20F);
-        const auto amplitude = static_cast<std::int32_t>(shares[i] * 65535 + 0.5F);
+        const auto amplitude = static_cast<std::int32_t>(shares[i] * full_scale + 0.5F);
         const auto phase = static_cast<std::int32_t>(32767 * balance);
         out[i] = static_cast<std::uint32_t>(amplitude) | static_cast<std::uint32_t>(phase) << 16;
     }
 }
 
 }  // namespace
+
+std::vector<float> gain_curve(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
+    const auto spreading = to_f32(settings.tvg ? ping.controls.spreading : 0);
+    const auto per_metre = to_f32(settings.tvg ? 2 * ping.controls.absorption / 1000 : 0);
+    const auto constant = to_f32(ping.controls.gain - settings.acoustics.amplitude_reference);
+    const float per_bin = to_f32(ping.controls.sound_speed / 2 * echogram.shot.bin_interval);
+    std::vector<float> gain(echogram.shot.bins);
+    for (std::size_t i = 0; i < gain.size(); ++i) {
+        const float r = std::max(per_bin * (to_f32(static_cast<double>(i)) + 0.5F), 1.0F);
+        gain[i] = std::pow(10.0F, (constant + spreading * std::log10(r) + per_metre * r) / 10);
+    }
+    return gain;
+}
+
+float to_share(float power, float gain, bool paper) {
+    return paper ? power : std::min(1.0F, std::sqrt(power * gain));
+}
 
 reson7k::Image make_image(const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
     constexpr std::size_t most_rows = 1024;

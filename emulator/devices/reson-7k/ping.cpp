@@ -35,7 +35,7 @@ double range_time(const Controls& controls) { return 2 * controls.range / contro
 
 double ping_period(const Controls& controls, const Settings& settings) {
     const double free = range_time(controls) + settings.acoustics.ping_pause;
-    return std::max(free, 1 / controls.max_rate);
+    return controls.max_rate > 0 ? std::max(free, 1 / controls.max_rate) : free;
 }
 
 double sample_rate(const Controls& controls, const Settings& settings) {

@@ -15,7 +15,7 @@ double width_factor(const Controls& controls, const Settings& settings);
 std::vector<double> beam_angles(const Settings& settings);
 /// Range setting as two-way time by the sound speed that is set, s.
 double range_time(const Controls& controls);
-/// s from one ping to the next.
+/// s from one ping to the next; with a rate of 0, when there are none, the least.
 double ping_period(const Controls& controls, const Settings& settings);
 /// Hz of the samples of a ping: the profile's, or a whole fraction of it where the range is long.
 double sample_rate(const Controls& controls, const Settings& settings);

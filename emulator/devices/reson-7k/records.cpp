@@ -18,20 +18,22 @@ std::uint32_t control_flags(const Controls& c, const Settings& settings) {
 }
 
 reson7k::Conditions conditions_of(const Controls& c, const Settings& settings) {
-    const Acoustics& a = settings.acoustics;
     reson7k::Conditions now;
     now.min_range = to_f32(c.min_range);
     now.max_range = to_f32(c.max_range);
     now.min_depth = to_f32(c.min_depth);
     now.max_depth = to_f32(c.max_depth);
-    now.absorption = to_f32(settings.tvg ? a.absorption : 0);
+    now.absorption = to_f32(settings.tvg ? c.absorption : 0);
     now.sound_speed = to_f32(c.sound_speed);
-    now.spreading = to_f32(settings.tvg ? a.spreading : 0);
+    now.spreading = to_f32(settings.tvg ? c.spreading : 0);
     return now;
 }
 
 float receive_width(const Controls& c, const Settings& settings) {
     return to_f32(width_factor(c, settings) * settings.acoustics.receive_beam_width);
+}
+float receive_fan(const Controls& c, const Settings& settings) {
+    return to_f32(width_factor(c, settings) * settings.acoustics.receive_fan);
 }
 float transmit_width(const Controls& c, const Settings& settings) {
     return to_f32(width_factor(c, settings) * settings.acoustics.transmit_beam_width);
@@ -60,6 +62,14 @@ std::uint32_t quality_of(const multibeam::Detection& detection) {
     constexpr float bright = 10;  // dB above the least that counts as a bottom, own choice
     return (detection.excess > bright ? reson7k::detection::bright : 0) |
            (detection.in_line ? reson7k::detection::in_line : 0);
+}
+
+/// As 7018 has it: a host takes the gains off again.
+float intensity_of(const multibeam::Detection& detection, std::span<const float> gain,
+                   const Echogram& echogram) {
+    const double bin = std::max(0.0, detection.time / echogram.shot.bin_interval);
+    const std::size_t at = std::min(static_cast<std::size_t>(bin), gain.size() - 1);
+    return full_scale * to_share(detection.power, gain[at], echogram.rule == EchoRule::cerqueira2016);
 }
 
 }  // namespace
@@ -100,7 +110,7 @@ reson7k::BeamGeometry make_geometry(const Controls& controls, const Settings& se
     g.serial = settings.serial;
     g.along.assign(angles.size(), 0.0F);
     g.across.assign(angles.begin(), angles.end());
-    g.width_y.assign(angles.size(), transmit_width(controls, settings));
+    g.width_y.assign(angles.size(), receive_fan(controls, settings));
     g.width_x.assign(angles.size(), receive_width(controls, settings));
     return g;
 }
@@ -117,6 +127,7 @@ reson7k::RawDetections make_detections(const PingRecord& ping, const Settings& s
     record.serial = settings.serial;
     record.ping = ping.number;
     record.sample_rate = to_f32(rate);
+    const auto gain = gain_curve(ping, settings, echogram);
     for (std::size_t n = 0; n < found.size(); ++n) {
         if (!found[n].found()) continue;
         const bool by_phase = found[n].method == multibeam::Method::phase;
@@ -124,7 +135,7 @@ reson7k::RawDetections make_detections(const PingRecord& ping, const Settings& s
                                      to_f32(angles[n]),
                                      (by_phase ? reson7k::detection::phase : reson7k::detection::magnitude) |
                                          reson7k::detection::quality_type_1,
-                                     quality_of(found[n]), 0, std::sqrt(found[n].power),
+                                     quality_of(found[n]), 0, intensity_of(found[n], gain, echogram),
                                      to_f32(gates[n].min * rate), to_f32(gates[n].max * rate)});
     }
     return record;

@@ -25,6 +25,13 @@ reson7k::Configuration make_configuration(const Settings& settings);
 reson7k::BeamGeometry make_geometry(const Controls& controls, const Settings& settings);
 reson7k::RawDetections make_detections(const PingRecord& ping, const Settings& settings,
                                        const Echogram& echogram);
+/// Factor on the power of every bin by the gain and the time-varied gain, at the range that the head reckons
+/// with; the amplitude is then a share of full scale.
+std::vector<float> gain_curve(const PingRecord& ping, const Settings& settings, const Echogram& echogram);
+/// Amplitude 0..1 of full scale. The paper's rule has it already.
+float to_share(float power, float gain, bool paper);
+inline constexpr float full_scale = 65535;  ///< of amplitudes in 7018 and 7027
+
 reson7k::Image make_image(const PingRecord& ping, const Settings& settings, const Echogram& echogram);
 reson7k::Beamformed make_beamformed(const PingRecord& ping, const Settings& settings,
                                     const Echogram& echogram);

@@ -59,12 +59,14 @@ Actions Reson7k::received(const Received& data, Time now) {
     return take_actions();
 }
 
-/// Every command is answered; other records are for nobody here.
+/// Every command is answered. Two records set the time-varied gain, from whatever device they say that they
+/// are; others are for nobody here.
 void Reson7k::hear_record(const reson7k::Record& record, const Peer& from, Time now) {
     const auto message = reson7k::parse(record);
     const auto* control = message ? std::get_if<RemoteControl>(&*message) : nullptr;
     if (control == nullptr) {
-        ++counters_.rejected;
+        const bool taken = message && apply_record(*message, controls_);
+        ++(taken ? counters_.messages : counters_.rejected);
         return;
     }
     const bool named = record.frame.device == settings_.device && record.frame.enumerator == 0;
@@ -170,12 +172,13 @@ void Reson7k::answer_request(std::uint32_t type, const Peer& to, Time now) {
     PingRecord current = ping_;
     current.controls = controls_;
     current.number = 0;
+    if (!last_transmission_) current.since_last = ping_period(controls_, settings_);
     send(make_remote_settings(current, settings_), frame, to);
 }
 
 void Reson7k::plan_next_ping(Time now) {
     next_ping_ = Time::max();
-    if (!controls_.pinging) return;
+    if (!controls_.pinging || controls_.max_rate <= 0) return;
     const Time period = from_seconds(ping_period(controls_, settings_));
     next_ping_ = last_transmission_ ? std::max(now, *last_transmission_ + period) : now;
 }
@@ -183,7 +186,9 @@ void Reson7k::plan_next_ping(Time now) {
 void Reson7k::transmit(Time now) {
     next_ping_ = Time::max();
     ping_under_way_ = true;
-    const double since = last_transmission_ ? to_seconds(now - *last_transmission_) : 0;
+    // Readers divide by it: the first ping has the time to the next one.
+    const double since =
+        last_transmission_ ? to_seconds(now - *last_transmission_) : ping_period(controls_, settings_);
     last_transmission_ = now;
     ping_ = {controls_, ping_.number + 1, unix_time(now) + controls_.pulse, since};
     const double due = range_time(controls_) + settings_.acoustics.processing;

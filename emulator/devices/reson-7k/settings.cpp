@@ -17,6 +17,7 @@ Acoustics read_acoustics(const Profile& p) {
     a.sample_rate = figure(p, "sample_rate");
     a.receive_beam_width = deg_to_rad(figure(p, "receive_beam_width"));
     a.transmit_beam_width = deg_to_rad(figure(p, "transmit_beam_width"));
+    a.receive_fan = deg_to_rad(figure(p, "receive_fan"));
     a.transmit_sector = deg_to_rad(figure(p, "transmit_sector"));
     a.least_range = figure(p, "least_range");
     a.most_range = figure(p, "most_range");
@@ -47,6 +48,7 @@ std::vector<FigureRow> head_rows() {
         {"sample_rate", "Hz", "of the samples that detections count", 1e3, 1e6},
         {"receive_beam_width", "deg", "of one beam across the track, -3 dB", 0.1, 10},
         {"transmit_beam_width", "deg", "along the track, -3 dB", 0.1, 30},
+        {"receive_fan", "deg", "of one receive beam along the track, -3 dB; reported only", 0.1, 90},
         {"transmit_sector", "deg", "across the track, -3 dB; reported only", 10, 180},
         {"receiver_bandwidth", "Hz", "for noise and the shape of echoes", 1e3, 1e6},
         {"least_range", "m", "that can be set", 0.5, 100},
@@ -127,6 +129,8 @@ Settings read_settings(const DeviceConfig& config) {
     s.start = read_start(o);
     s.acoustics = read_acoustics(config.profile);
     s.start.frequency = s.acoustics.frequency;
+    s.start.absorption = s.acoustics.absorption;
+    s.start.spreading = s.acoustics.spreading;
     s.start.sound_speed = config.sound_speed;
     s.any_device = text(o, "command_device") == "any";
     s.ends_by_third_party = text(o, "end_subscriptions") == "1053";

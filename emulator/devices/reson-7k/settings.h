@@ -11,12 +11,14 @@ namespace echoloop::reson7k_device {
 /// What a host has set; the comment names the command.
 struct Controls {
     double range = 50;                                                  ///< 1003, m
-    double max_rate = 50;                                               ///< 1004, Hz
+    double max_rate = 50;                                               ///< 1004, Hz; 0: no pings
     double power = 210;                                                 ///< 1005, dB re 1 uPa at 1 m
     double pulse = 60e-6;                                               ///< 1006, s
     double gain = 30;                                                   ///< 1008, dB
     double frequency = 400e3;                                           ///< 1026, Hz
     double sound_speed = 1500;                                          ///< 7610, m/s; before: the true one
+    double absorption = 0;                                              ///< record 7611, dB/km
+    double spreading = 0;                                               ///< record 7612, dB per decade
     bool range_filter = false;                                          ///< 1009, bit 8
     bool depth_filter = false;                                          ///< 1009, bit 9
     double min_range = 0, max_range = 0, min_depth = 0, max_depth = 0;  ///< 1010, m
@@ -25,7 +27,7 @@ struct Controls {
     bool pinging = true;                                                ///< 1100, 1101
 };
 
-inline constexpr double least_rate = 0.1;  ///< Hz that 1004 takes
+inline constexpr double least_rate = 0.1;  ///< Hz that 1004 takes, beside 0
 
 /// Figures of the profile; angles in rad.
 struct Acoustics {
@@ -33,6 +35,7 @@ struct Acoustics {
     double least_frequency = 0, most_frequency = 0;  ///< Hz
     double sample_rate = 0;                          ///< Hz
     double receive_beam_width = 0, transmit_beam_width = 0, transmit_sector = 0;
+    double receive_fan = 0;                  ///< of a receive beam along the track
     double least_range = 0, most_range = 0;  ///< m
     double least_power = 0, most_power = 0;  ///< dB re 1 uPa at 1 m
     double least_pulse = 0, most_pulse = 0;  ///< s
@@ -40,8 +43,8 @@ struct Acoustics {
     double most_rate = 0;                    ///< Hz
     double ping_pause = 0;                   ///< s beyond the range time
     double processing = 0;                   ///< s from the last echo to the records
-    double spreading = 0;                    ///< dB per decade of range
-    double absorption = 0;                   ///< dB/km
+    double spreading = 0;                    ///< dB per decade of range, at power-up
+    double absorption = 0;                   ///< dB/km, at power-up
     double amplitude_reference = 0;          ///< dB re 1 uPa after gain: reads full scale
     double detection_margin = 0;             ///< dB
     AxisPattern horizontal, vertical;

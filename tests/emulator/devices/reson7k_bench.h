@@ -52,6 +52,14 @@ inline Bytes control_of_bytes(std::uint32_t command, const Bytes& parameters) {
     put(b, b.size(), std::accumulate(b.begin() + 36, b.end(), 0U));
     return b;
 }
+/// A record of one float in one packet, as a host sends it that sets a loss.
+inline Bytes record_of_float(std::uint32_t type, std::uint32_t word) {
+    Bytes b = control(0);
+    b.resize(36 + 64);
+    put(b, 36 + 32, type), put(b, 100, word), put(b, 44, 72), put(b, 12, 108), put(b, 16, 72);
+    put(b, b.size(), std::accumulate(b.begin() + 36, b.end(), 0U));
+    return b;
+}
 inline std::uint32_t f32(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
 
 /// A record put together from its packets; offsets are those of the record.

@@ -132,6 +132,18 @@ TEST(Reson7k, The1053OfTheIntroductionEndsSubscriptionsOnlyWithoutAnAddress) {
     EXPECT_EQ(sonar.answer(control(1052)), 0x7007U);
 }
 
+/// MBARI's client (MB-System, mbtrn) subscribes to the centre with offset 64 in its record frame.
+TEST(Reson7k, AHostWithItsOwnIdeaOfTheFramesOffsetIsServed) {
+    Reson sonar;
+    Bytes subscribes = control(1051, {3, 1003, 7000, 7027}, 7000);
+    put(subscribes, 38, 64, 2);
+    subscribes.resize(subscribes.size() - 4);
+    put(subscribes, subscribes.size(), std::accumulate(subscribes.begin() + 36, subscribes.end(), 0U));
+    EXPECT_EQ(sonar.answer(subscribes), 0U);
+    EXPECT_EQ(sonar.next(7000).get<std::uint32_t>(8), 1U);
+    EXPECT_EQ(sonar.next(7027).get<std::uint32_t>(14), 256U);
+}
+
 /// A host that knows no device asks the centre for its configuration, looks for the device in it and
 /// subscribes there, as the maker's example does.
 TEST(Reson7k, ItsConfigurationTellsAHostWhomToSubscribeTo) {
@@ -156,6 +168,13 @@ TEST(Reson7k, ItsConfigurationTellsAHostWhomToSubscribeTo) {
     EXPECT_TRUE(behind("enumerator=\"").starts_with("0\""));
     behind("<SonarType");
     EXPECT_TRUE(behind("type=\"").starts_with("0\""));
+    behind("<RxBeamWidth");
+    EXPECT_TRUE(behind(" along=\"").starts_with("0.471238"));
+    behind("<PingRate");
+    EXPECT_TRUE(behind("min=\"").starts_with("0\""));
+    // Where readers of logs look for the serial number: 60 characters.
+    const std::string description(record.bytes.begin() + 64 + 16, record.bytes.begin() + 64 + 76);
+    EXPECT_TRUE(description.starts_with(std::string("SN1001\0001\0000\0003\0003\000", 15)));
     EXPECT_EQ(sonar.answer(control(1051, {2, 7027, 7011}, 20)), 0U);
     EXPECT_EQ(sonar.next(7027).get<std::uint32_t>(14), 256U);
     EXPECT_EQ(sonar.next(7011).get<std::uint16_t>(14), 1U) << "byte of a pixel";

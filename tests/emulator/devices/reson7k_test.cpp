@@ -247,42 +247,43 @@ TEST(Reson7k, TheDepthFilterIsALayerThatItsTiltTurns) {
     EXPECT_NEAR(tilted.second, lean + half, 1.2);
 }
 
-TEST(Reson7k, ImagesShowTheEchoInItsRow) {
+TEST(Reson7k, AReceiveBeamIsWideAlongTheTrackTheProjectorNarrow) {
     Reson sonar;
-    sonar.answer(control(1051, {3, 7011, 7018, 7004}));
+    sonar.answer(control(1051, {2, 7000, 7004}));
+    EXPECT_NEAR(sonar.next(7000).get<float>(82), M_PI / 180, 1e-6) << "projector";
     const Seen geometry = sonar.next(7004);
-    EXPECT_EQ(geometry.bytes.size(), 64U + 12 + 4 * 4 * 256 + 4);
-    EXPECT_NEAR(geometry.get<float>(12 + 4 * 256), -70 * M_PI / 180, 1e-6) << "beam 0 is to port";
-    const Seen image = sonar.next(7011);
-    const auto width = image.get<std::uint32_t>(6), height = image.get<std::uint32_t>(10);
-    EXPECT_EQ(width, 256U);
-    EXPECT_LE(height, 1024U);
-    const auto per_row = (image.get<std::uint32_t>(20) + height - 1) / height;
-    const std::size_t head = image.bytes.size() - 4 - 64 - width * height;
-    EXPECT_EQ(head, 56U);
-    for (std::uint32_t row = 0; row < height; ++row)
-        EXPECT_EQ(image.get<std::uint8_t>(head + row * width + 128) > 0, row == 400 / per_row) << row;
-    const Seen beams = sonar.next(7018);
-    EXPECT_GT(beams.packets, 30U);
-    EXPECT_EQ(beams.get<std::uint16_t>(14), 256U);
-    const auto samples = beams.get<std::uint32_t>(16);
-    EXPECT_EQ(beams.bytes.size(), 64U + 52 + 4U * 256 * samples + 4);
-    EXPECT_GT(beams.get<std::uint16_t>(52 + 4 * (400 * 256 + 9)), 100U);
-    EXPECT_EQ(beams.get<std::uint16_t>(52 + 4 * (399 * 256 + 9)), 0U);
-    EXPECT_EQ(beams.get<std::int16_t>(52 + 4 * (400 * 256 + 9) + 2), 0) << "the same on either side";
+    EXPECT_NEAR(geometry.get<float>(12 + 8 * 256), 0.471238898, 1e-6);
+    EXPECT_NEAR(geometry.get<float>(12 + 12 * 256), 0.5 * M_PI / 180, 1e-6) << "across";
 }
 
-TEST(Reson7k, GainRaisesTheImageByItsDecibels) {
+TEST(Reson7k, ARateOfZeroStopsPingsUntilThereIsAnother) {
     Reson sonar;
-    sonar.echo_power = 1e9F;
-    sonar.answer(control(1051, {1, 7018}));
-    const auto amplitude = [&](double gain) {
-        sonar.answer(control(1008, {f32(gain)}));
-        sonar.next(7018);
-        return static_cast<double>(sonar.next(7018).get<std::uint16_t>(52 + 4 * (400 * 256 + 9)));
-    };
-    const double low = amplitude(30), high = amplitude(50);
-    EXPECT_NEAR(high / low, 10, 0.2);
+    const Address host{0x7F000001, 40000};
+    ASSERT_EQ(sonar.answer(control(1051, {1, 7000}), 1, host), 0U);
+    sonar.next(7000);
+    EXPECT_EQ(sonar.answer(control(1004, {f32(0)})), 0U);
+    sonar.run_to(sonar.now + 1s);
+    sonar.shots.clear();
+    EXPECT_EQ(sonar.answer(control(1100)), 0U);
+    EXPECT_EQ(sonar.answer(control(1003, {f32(30)})), 0U);
+    sonar.run_to(sonar.now + 20s);
+    EXPECT_TRUE(sonar.shots.empty());
+    EXPECT_EQ(sonar.answer(control(1004, {f32(10)})), 0U);
+    sonar.run_to(sonar.now + 1s);
+    EXPECT_NEAR(static_cast<double>(sonar.shots.size()), 10, 1);
+    for (const double rate : {-1.0, 1e-30, 1e9})
+        EXPECT_EQ(sonar.answer(control(1004, {f32(rate)})), 0x7001U) << rate;
+}
+
+TEST(Reson7k, TheFirstPingTellsThePeriodOfTheNext) {
+    Reson sonar(Options{{"pinging", false}, {"max_ping_rate", 8.0}});
+    sonar.answer(control(1051, {1, 7000}));
+    sonar.say(control(1050, {7503}));
+    EXPECT_NEAR(records_of(sonar.sent()).back().get<float>(48), 1.0 / 8, 1e-6) << "before any ping";
+    sonar.answer(control(1100));
+    const Seen first = sonar.next(7000);
+    EXPECT_EQ(first.get<std::uint32_t>(8), 1U);
+    EXPECT_NEAR(first.get<float>(50), 1.0 / 8, 1e-6);
 }
 
 }  // namespace

@@ -1,10 +1,97 @@
-// Record 7042 of the 7k multibeam: what its flags leave of the samples of 7018.
+// The samples of the 7k multibeam: 7011 and 7018, what the flags of 7042 leave of them, and the
+// intensities of 7027.
 #include <cmath>
 
 #include "tests/emulator/devices/reson7k_bench.h"
 
 namespace echoloop::test {
 namespace {
+
+TEST(Reson7k, ImagesShowTheEchoInItsRow) {
+    Reson sonar;
+    sonar.answer(control(1051, {3, 7011, 7018, 7004}));
+    const Seen geometry = sonar.next(7004);
+    EXPECT_EQ(geometry.bytes.size(), 64U + 12 + 4 * 4 * 256 + 4);
+    EXPECT_NEAR(geometry.get<float>(12 + 4 * 256), -70 * M_PI / 180, 1e-6) << "beam 0 is to port";
+    const Seen image = sonar.next(7011);
+    const auto width = image.get<std::uint32_t>(6), height = image.get<std::uint32_t>(10);
+    EXPECT_EQ(width, 256U);
+    EXPECT_LE(height, 1024U);
+    const auto per_row = (image.get<std::uint32_t>(20) + height - 1) / height;
+    const std::size_t head = image.bytes.size() - 4 - 64 - width * height;
+    EXPECT_EQ(head, 56U);
+    for (std::uint32_t row = 0; row < height; ++row)
+        EXPECT_EQ(image.get<std::uint8_t>(head + row * width + 128) > 0, row == 400 / per_row) << row;
+    const Seen beams = sonar.next(7018);
+    EXPECT_GT(beams.packets, 30U);
+    EXPECT_EQ(beams.get<std::uint16_t>(14), 256U);
+    const auto samples = beams.get<std::uint32_t>(16);
+    EXPECT_EQ(beams.bytes.size(), 64U + 52 + 4U * 256 * samples + 4);
+    EXPECT_GT(beams.get<std::uint16_t>(52 + 4 * (400 * 256 + 9)), 100U);
+    EXPECT_EQ(beams.get<std::uint16_t>(52 + 4 * (399 * 256 + 9)), 0U);
+    EXPECT_EQ(beams.get<std::int16_t>(52 + 4 * (400 * 256 + 9) + 2), 0) << "the same on either side";
+}
+
+TEST(Reson7k, GainRaisesTheImageByItsDecibels) {
+    Reson sonar;
+    sonar.echo_power = 1e9F;
+    sonar.answer(control(1051, {1, 7018}));
+    const auto amplitude = [&](double gain) {
+        sonar.answer(control(1008, {f32(gain)}));
+        sonar.next(7018);
+        return static_cast<double>(sonar.next(7018).get<std::uint16_t>(52 + 4 * (400 * 256 + 9)));
+    };
+    const double low = amplitude(30), high = amplitude(50);
+    EXPECT_NEAR(high / low, 10, 0.2);
+}
+
+TEST(Reson7k, IntensitiesAreAmplitudesOf7018AtThePointsWithTheirGains) {
+    Reson sonar;
+    sonar.echo_power = 1e9F;
+    sonar.answer(control(1051, {2, 7027, 7018}));
+    const auto at_gain = [&](double gain) {
+        sonar.answer(control(1008, {f32(gain)}));
+        sonar.next(7018);
+        const Seen points = sonar.next(7027), beams = sonar.next(7018);
+        EXPECT_EQ(points.get<std::uint32_t>(14), 256U);
+        const double intensity = points.get<float>(99 + 34 * 9 + 22);
+        EXPECT_NEAR(intensity, beams.get<std::uint16_t>(52 + 4 * (400 * 256 + 9)), 0.03 * intensity + 1);
+        return intensity;
+    };
+    const double low = at_gain(30), high = at_gain(50);
+    EXPECT_GT(low, 20);
+    EXPECT_NEAR(high / low, 10, 1e-3);
+    sonar.echo_power = 1e20F;
+    EXPECT_EQ(at_gain(80), 65535) << "clipped";
+}
+
+/// 7611 and 7612, as a calibration sends them.
+TEST(Reson7k, RecordsOfLossesSetTheTimeVariedGainOfTheNextPing) {
+    Reson sonar;
+    sonar.echo_power = 1e12F;
+    sonar.answer(control(1051, {3, 7000, 7503, 7018}));
+    const auto amplitude = [&](double absorption, double spreading) {
+        sonar.say(record_of_float(7611, f32(absorption)));
+        sonar.say(record_of_float(7612, f32(spreading)));
+        EXPECT_TRUE(records_of(sonar.sent()).empty()) << "records are not answered";
+        sonar.next(7018);
+        const Seen settings = sonar.next(7000);
+        EXPECT_FLOAT_EQ(settings.get<float>(142), static_cast<float>(absorption));
+        EXPECT_FLOAT_EQ(settings.get<float>(150), static_cast<float>(spreading));
+        EXPECT_FLOAT_EQ(sonar.next(7503).get<float>(136), static_cast<float>(absorption));
+        return static_cast<double>(sonar.next(7018).get<std::uint16_t>(52 + 4 * (400 * 256 + 9)));
+    };
+    const double range = 400.5 / 34500 * 750, flat = amplitude(0, 0);
+    EXPECT_GT(flat, 10);
+    const double absorbed = amplitude(400, 40), spread = amplitude(0, 40);
+    EXPECT_NEAR(spread / flat, range * range, 0.05 * range * range);
+    EXPECT_NEAR(absorbed / spread, std::pow(10, 2 * 0.4 * range / 20), 0.02);
+    for (const std::uint32_t wrong : {f32(-1), f32(1e3), std::uint32_t{0x7FC00000}})
+        for (const std::uint32_t type : {7611U, 7612U}) sonar.say(record_of_float(type, wrong));
+    sonar.next(7018);
+    EXPECT_FLOAT_EQ(sonar.next(7000).get<float>(142), 0);
+    EXPECT_FLOAT_EQ(sonar.next(7503).get<float>(144), 40);
+}
 
 /// What a ping with these flags has in 7042 and in 7018.
 struct Water : Reson {
