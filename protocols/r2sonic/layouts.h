@@ -68,7 +68,7 @@ constexpr auto wire_layout(Tag<Sts0>) {
 }
 
 constexpr auto wire_layout(Tag<R2ds>) {
-    return make_layout<R2ds>(packet_of("R2DS", "short status, once a second"), packet_name("R2DS"),
+    return make_layout<R2ds>(packet_of("R2DS", "short status, every 1.3 s"), packet_name("R2DS"),
                              field(&R2ds::serial, "serial", "", ""),
                              field(&R2ds::config_id, "config_id", "", "from the latest R2DC"),
                              field(&R2ds::reserved, "reserved", "", "0"));

@@ -97,7 +97,7 @@ struct Sts0 {
     friend bool operator==(const Sts0&, const Sts0&) = default;
 };
 
-/// Short status, once a second from head and SIM.
+/// Short status, every 1.3 s from head and SIM.
 struct R2ds {
     wire::Text<12> serial;
     std::uint32_t config_id = 0;  ///< from the latest R2DC

@@ -36,7 +36,7 @@ struct H0 {
     float rx_spreading = 0;                   ///< dB per log10 of the range in m
     float rx_absorption = 0;                  ///< dB/km
     float rx_mount_tilt = 0;                  ///< rad
-    std::uint32_t reserved108 = 0;            ///< 3 in all real pings seen
+    std::uint32_t reserved108 = 0;            ///< 3 in real bathymetry, 0 in real images
     std::uint16_t reserved112 = 0;
     std::uint16_t points = 0;  ///< points (BTH0) or beams (AID0); written from the arrays' size
 

@@ -81,8 +81,8 @@ class Bathymetry(R2SonicCase):
         self.pings(host, 1)
         host.send_commands({"RNG0": 25.0, "SEW0": math.radians(60), "FRQ0": 200e3, "SVL0": 1480.0, "SVU0": 1})
         ping = self.pings(host, 1, lambda ping: abs(ping.header["range"] - 25.0) < 1e-3)[0]
-        self.assertAlmostEqual(ping.angles[0], -math.radians(30), places=4)
-        self.assertAlmostEqual(ping.angles[-1], math.radians(30), places=4)
+        self.assertAlmostEqual(ping.angles[0], -math.radians(30 * 255 / 256), places=4)  # its 256 cells' middles
+        self.assertAlmostEqual(ping.angles[-1], math.radians(30 * 255 / 256), places=4)
         self.assertAlmostEqual(ping.header["sound_speed"], 1480.0, places=3)
         # the host's sound speed scales the depth that it shows: 8 m * 1480 / 1500
         middle = min(soundings(ping), key=lambda p: abs(p["angle"]))
@@ -95,7 +95,7 @@ class Bathymetry(R2SonicCase):
         for believed in (1560.0, 1440.0):
             host.send_commands({"SEW0": math.radians(110), "SVL0": believed, "SVU0": 1})
             ping = self.pings(host, 1, lambda ping: abs(ping.header["sound_speed"] - believed) < 1e-3)[0]
-            self.assertAlmostEqual(ping.angles[-1], math.radians(55), places=4)
+            self.assertAlmostEqual(ping.angles[-1], math.radians(55 * 255 / 256), places=4)
             for p in soundings(ping):
                 looks = math.asin(math.sin(p["angle"]) * 1500 / believed)
                 depth = 8.0 * believed / 1500 * math.cos(p["angle"]) / math.cos(looks)

@@ -41,7 +41,7 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     Settings settings = read_settings(config, variants()[Index]);
     if (range > 0) settings.start.range = range;
     const auto number = static_cast<std::uint32_t>(step + 1);
-    return make_shot(settings.start, settings, beam_angles(settings.start, 0), 0, number);
+    return make_shot(settings.start, settings, beam_angles(settings.start, 0, 0), 0, number);
 }
 
 template <std::size_t Index>

@@ -79,7 +79,6 @@ r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings) {
     h.rx_spreading = f(c.spreading);
     h.rx_absorption = f(c.absorption);
     h.rx_mount_tilt = f(c.receiver_tilt);
-    h.reserved108 = 3;
     return h;
 }
 
@@ -109,6 +108,7 @@ r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
                         const std::vector<multibeam::TimeGate>& gates, const r2sonic::G0& gate) {
     r2sonic::Bth0 packet;
     packet.h0 = make_h0(ping, settings);
+    packet.h0.reserved108 = 3;  // in all real ones, 0 in real AID0
     packet.angles = ping.beams.section;
     std::vector<double> times;
     std::vector<std::uint8_t> nibbles;

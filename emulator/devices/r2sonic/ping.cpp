@@ -16,12 +16,14 @@ r2sonic::More more_of(const Controls& c, double roll) {
     return {f(roll), f(c.projector_z), f(c.projector_y), f(c.projector_x), 0, 0};
 }
 
-/// First and last angle of the sector, kept within +-80 deg.
+/// First and last beam of the sector, which is kept within +-80 deg. Beams are the middles of its equal
+/// cells, as in real A0, A1 and A2.
 std::pair<double, double> sector(const Controls& controls, double roll) {
     const double edge = deg_to_rad(80), middle = controls.sector_rotation + roll;
     const double first = std::clamp(middle - controls.sector_width / 2, -edge, edge - deg_to_rad(1));
     const double last = std::clamp(middle + controls.sector_width / 2, first + deg_to_rad(1), edge);
-    return {first, last};
+    const double half_cell = (last - first) / 2 / static_cast<double>(beam_count(controls));
+    return {first + half_cell, last - half_cell};
 }
 
 Beams equi_angle(const Controls& controls, double roll) {
@@ -30,13 +32,16 @@ Beams equi_angle(const Controls& controls, double roll) {
     return {section, r2sonic::angles(section, beam_count(controls))};
 }
 
-/// Equal distances on a flat bottom: angles equally spaced in tan.
-Beams equi_distant(const Controls& controls, double roll) {
+/// Equal distances on a plane bottom: angles to its normal that are equally spaced in tan, as in all real A2.
+/// A normal from which a beam lies further than 85 deg is brought nearer.
+Beams equi_distant(const Controls& controls, double roll, double normal) {
     const std::size_t beams = beam_count(controls);
     const auto [first, last] = sector(controls, roll);
-    const double left = std::tan(first), spacing = (std::tan(last) - left) / static_cast<double>(beams - 1);
+    const double most = deg_to_rad(85), s = std::clamp(normal, last - most, first + most);
+    const double left = std::tan(first - s), right = std::tan(last - s);
+    const double spacing = (right - left) / static_cast<double>(beams - 1);
     std::vector<double> ideal(beams);
-    for (std::size_t n = 0; n < beams; ++n) ideal[n] = std::atan(left + spacing * static_cast<double>(n));
+    for (std::size_t n = 0; n < beams; ++n) ideal[n] = std::atan(left + spacing * static_cast<double>(n)) + s;
     r2sonic::A2 section = r2sonic::pack_angles(ideal);
     section.more = more_of(controls, roll);
     auto angles = r2sonic::angles(section);
@@ -105,9 +110,11 @@ double transmit_beam_width(const Controls& controls, const Acoustics& acoustics)
     return width * acoustics.reference_frequency / controls.frequency;
 }
 
-Beams beam_angles(const Controls& controls, double roll) {
+double bottom_normal(const Seabed& last, double roll) { return last.depth > 0 ? last.slope : roll; }
+
+Beams beam_angles(const Controls& controls, double roll, double normal) {
     const double turned = controls.roll_stabilised ? roll : 0;
-    return controls.equi_distant ? equi_distant(controls, turned) : equi_angle(controls, turned);
+    return controls.equi_distant ? equi_distant(controls, turned, normal) : equi_angle(controls, turned);
 }
 
 r2sonic::More more_of(const Beams& beams) {

@@ -10,7 +10,7 @@
 
 namespace echoloop::r2sonic_device {
 
-inline constexpr double sample_rate = 65280;  ///< Hz, of all real pings seen
+inline constexpr double sample_rate = 65280.00390625;  ///< Hz, of all real bathymetry seen
 
 /// How the head hangs in the water, as motion sensors would tell it.
 struct Attitude {
@@ -43,16 +43,20 @@ struct Beams {
 };
 /// Roll and projector offsets, as A0, A1 and A2 carry them.
 r2sonic::More more_of(const Beams& beams);
-/// `roll`, rad, turns the sector where it is stabilised.
-Beams beam_angles(const Controls& controls, double roll);
+/// `roll`, rad, turns the sector where it is stabilised. Equi-distant beams are so on a bottom whose normal
+/// lies at `normal`, rad, in the head's frame.
+Beams beam_angles(const Controls& controls, double roll, double normal);
 /// Elevation of the transmit fan, rad: steered, stabilised against `pitch`, cut to the frequency's limit.
 double steering(const Controls& controls, double pitch);
 
 /// The bottom as the ping before has found it.
 struct Seabed {
     double depth = 0;  ///< m, 0: unknown
-    double slope = 0;  ///< rad, positive where it is shallower to starboard
+    double slope = 0;  ///< rad against the head's face, positive where it is shallower to starboard
 };
+/// Where the head takes the bottom's normal to lie, rad to starboard of its own axis: as the ping before has
+/// found the bottom, or straight down where it has found none.
+double bottom_normal(const Seabed& last, double roll);
 /// Depth and range gates as set; `last` serves the automatic gates. DGS0 and G0 tell their slope with the
 /// other sign, positive where it is deeper to starboard.
 multibeam::Gates bottom_gates(const Controls& controls, const Seabed& last);

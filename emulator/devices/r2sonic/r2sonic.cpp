@@ -14,6 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr Time processing = 2ms;  // from the last sample to the datagram
 constexpr Time status_period = 1s;
+constexpr Time presence_period = 1300ms;  // of R2DS, as a real 2022 and its SIM send it
 constexpr Time sync_delay = 10ms;  // from the edge to the middle of the pulse, manual on SYI0
 
 bool follows_bottom(const Controls& controls) { return (controls.auto_range & 0x10000) != 0; }
@@ -27,7 +28,7 @@ R2Sonic::R2Sonic(const Settings& settings, const Wiring& wiring)
       sync_edge_(wiring.sim ? 0 : 1) {}  // without a SIM nobody can set it
 
 Actions R2Sonic::started(Time now) {
-    next_status_ = now;
+    next_status_ = next_presence_ = now;
     plan_next_ping(now);
     return take_actions();
 }
@@ -130,7 +131,7 @@ void R2Sonic::transmit(Time now) {
     ping_.time = unix_time(now);
     ping_.attitude = attitude_;
     ++ping_.number;
-    ping_.beams = beam_angles(ping_.controls, attitude_.roll);
+    ping_.beams = beam_angles(ping_.controls, attitude_.roll, bottom_normal(seabed_, attitude_.roll));
     last_transmission_ = now;
     const Time due = now + from_seconds(range_time(ping_.controls, settings_)) + processing;
     actions_.ping =
@@ -202,20 +203,27 @@ void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibea
     datagrams_sent_ += static_cast<std::uint32_t>(count);
 }
 
+void R2Sonic::send_presence(Time now) {
+    next_presence_ = now + presence_period;
+    const auto tell = [&](std::size_t port, const wire::Text<12>& serial, std::uint32_t config) {
+        send(port, r2sonic::R2ds{serial, config, 0}, Product::status);
+    };
+    if (head_on_) tell(head_commands, settings_.serial, network_.head_config());
+    if (network_.has_sim()) tell(sim_commands, settings_.sim_serial, network_.sim_config());
+}
+
 void R2Sonic::send_status(Time now) {
     next_status_ = now + status_period;
     const Health health{unix_time(now),  attitude_, datagrams_received_,
                         datagrams_sent_, head_on_,  settings_.sync_in > 0};
-    if (head_on_) {
-        send(head_commands, r2sonic::R2ds{settings_.serial, network_.head_config(), 0}, Product::status);
-        if (controls_.status != 0) send(head_commands, head_status(settings_, health), Product::status);
-    }
-    if (!network_.has_sim()) return;
-    send(sim_commands, r2sonic::R2ds{settings_.sim_serial, network_.sim_config(), 0}, Product::status);
-    if (sim_status_ != 0) send(sim_commands, sim_status(settings_, health), Product::status);
+    if (head_on_ && controls_.status != 0)
+        send(head_commands, head_status(settings_, health), Product::status);
+    if (network_.has_sim() && sim_status_ != 0)
+        send(sim_commands, sim_status(settings_, health), Product::status);
 }
 
 Actions R2Sonic::woken(Time now) {
+    if (now >= next_presence_) send_presence(now);
     if (now >= next_status_) send_status(now);
     if (now >= next_ping_) transmit(now);
     return take_actions();
@@ -227,7 +235,7 @@ void R2Sonic::send(std::size_t port, const r2sonic::Packet& packet, Product prod
 }
 
 Actions R2Sonic::take_actions() {
-    actions_.wake = std::min(next_ping_, next_status_);
+    actions_.wake = std::min({next_ping_, next_presence_, next_status_});
     return std::exchange(actions_, {});
 }
 

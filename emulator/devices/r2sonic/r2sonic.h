@@ -35,6 +35,7 @@ class R2Sonic final : public Device {
     Time next_sync(Time from) const;
     void transmit(Time now);
     void follow_bottom(const std::vector<multibeam::Detection>& detections);
+    void send_presence(Time now);
     void send_status(Time now);
     void send_products(const Echogram& echogram, const std::vector<multibeam::Detection>& detections,
                        const std::vector<multibeam::TimeGate>& gates, Time now);
@@ -57,6 +58,7 @@ class R2Sonic final : public Device {
     Seabed seabed_;      ///< for automatic gates
     std::uint32_t datagrams_received_ = 0, datagrams_sent_ = 0;
     Time next_ping_ = Time::max();
+    Time next_presence_ = Time::max();
     Time next_status_ = Time::max();
     Actions actions_;
     DeviceCounters counters_;

@@ -87,7 +87,7 @@ TEST(R2SonicDiscovery, ConfigurationMovesTheHostOnLoopbackOnly) {
     EXPECT_EQ(u32(sent[0].bytes, 16), 99u) << "ConfigID";
     bench.say(configuration({.gui = {0x0A000166, 65400}}), 1);
     bench.say(configuration({.serial = "999999", .gui = {0x7F000001, 5000}}), 1);
-    bench.run_to(2500ms);
+    bench.run_to(2600ms);
     sent = named(bench.sent(), "R2DS");
     EXPECT_EQ(sent.at(0).to, (Address{0x7F000002, 4002}));
 }
@@ -108,7 +108,7 @@ TEST(R2SonicAddresses, DataAcquisitionHostsGetTheirOwn) {
 /// The ConfigID that the head tells in its next R2DS.
 std::uint32_t config_id(Bench& bench) {
     bench.sent();
-    bench.run_to(bench.now + 1100ms);
+    bench.run_to(bench.now + 1300ms);
     return u32(named(bench.sent(), "R2DS").back().bytes, 16);
 }
 
@@ -148,7 +148,7 @@ TEST(R2SonicAddresses, BasePortsWithTooFewPortsAboveThemAreRefused) {
     EXPECT_EQ(bench.device().counters().rejected, 3u);
     bench.say(configuration({.gui = {0x7F000001, 65528}, .daq_ports = {65528, 65528}}), 1);
     bench.sent();
-    bench.run_to(bench.now + 1100ms);
+    bench.run_to(bench.now + 1300ms);
     const auto sent = named(bench.sent(), "R2DS");
     EXPECT_EQ(sent.at(0).to.port, 65530);
     EXPECT_EQ(u32(sent[0].bytes, 16), 99u);
@@ -166,7 +166,7 @@ TEST(R2SonicAddresses, AHeadThatIsSwitchedOffNeitherAnswersNorIsConfigured) {
     bench.say(configuration({}), 1);
     bench.say(configuration({.serial = "100117", .head = {}}), 1);
     bench.say(command("SPO0", std::uint32_t{1}), 2);
-    bench.run_to(bench.now + 1100ms);
+    bench.run_to(bench.now + 1300ms);
     const auto brief = named(bench.sent(), "R2DS");
     ASSERT_EQ(brief.size(), 2u);
     EXPECT_EQ(name(brief[0].bytes, 4, 6), "100017");

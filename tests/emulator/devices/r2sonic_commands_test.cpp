@@ -51,9 +51,10 @@ TEST(R2SonicCommands, RotateTheSectorWithinEightyDegrees) {
         bench.say(command("PNG0", std::uint32_t{1}));
         bench.run_to(100ms);
         const Bytes b = named(bench.sent(), "BTH0").at(0).bytes;
+        constexpr double half_cell = 70.0 / 256 / 2;  // deg: beams are the middles of what is left's cells
         const double inner = f32(b, in_a0 + (side < 0 ? 8 : 4)), outer = f32(b, in_a0 + (side < 0 ? 4 : 8));
-        EXPECT_NEAR(rad_to_deg(inner), side * 10, 1e-3) << "70 deg less half the sector of 120";
-        EXPECT_NEAR(rad_to_deg(outer), side * 80, 1e-3);
+        EXPECT_NEAR(rad_to_deg(inner), side * (10 + half_cell), 1e-3) << "70 deg less half the sector of 120";
+        EXPECT_NEAR(rad_to_deg(outer), side * (80 - half_cell), 1e-3);
     }
 }
 

@@ -39,7 +39,7 @@ TEST_P(SonicSeries, HasItsOwnNameBeamsBandSectorAndPulse) {
     const Shot& shot = bench.shots.back();
     EXPECT_NEAR(shot.frequency, row.transmitted, 1);
     EXPECT_NEAR(rad_to_deg(shot.beam_width), row.beam * 400e3 / row.transmitted, 1e-6);
-    EXPECT_NEAR(rad_to_deg(shot.bearings.back()), row.widest / 2, 1e-3);
+    EXPECT_NEAR(rad_to_deg(shot.bearings.back()), row.widest / 2 * 255 / 256, 1e-3);
     EXPECT_NEAR(shot.pulse_length, row.longest_pulse, 1e-9);
     EXPECT_EQ(name(named(bench.sent(), "BTH0").back().bytes, 16, 4), std::string(row.model).substr(8));
 }
@@ -85,7 +85,7 @@ TEST(R2SonicMultiMode, PingsTakeTheSetsInTurn) {
     for (std::size_t i = 0; i < 4; ++i) {
         const bool first = i % 2 == 0;
         EXPECT_NEAR(bench.shots[i].frequency, first ? 200e3 : 400e3, 1);
-        EXPECT_NEAR(bench.shots[i].bearings.back(), first ? 2.094395 / 2 : 0.5, 1e-5);
+        EXPECT_NEAR(bench.shots[i].bearings.back(), (first ? 2.094395 / 2 : 0.5) * 255 / 256, 1e-5);
     }
     const auto sent = named(bench.sent(), "BTH0");
     EXPECT_FLOAT_EQ(f32(sent.at(0).bytes, 12 + 92), 13.0F);
@@ -119,7 +119,8 @@ TEST(R2SonicStabilisation, TurnsTheSectorAgainstTheRollAndTheFanAgainstThePitch)
     ping(0.1, 0.05);
     const auto [shot, b] = ping(0.1, 0.05);
     // Starboard is down, so the array looks to port: what lies straight below is to starboard of its axis.
-    EXPECT_NEAR(shot.bearings.front(), -2.094395 / 2 + 0.1, 2e-3);
+    const double edge = 2.094395 / 2 * 255 / 256;
+    EXPECT_NEAR(shot.bearings.front(), -edge + 0.1, 1e-5);
     EXPECT_NEAR(f32(b, 652), shot.bearings.front(), 1e-5) << "A0 first";
     EXPECT_NEAR(f32(b, 648 + 12), 0.1, 2e-3) << "roll";
     // The nose is down, so the fan lies abaft: it must be raised towards the bow, which is up in the head's
@@ -129,7 +130,7 @@ TEST(R2SonicStabilisation, TurnsTheSectorAgainstTheRollAndTheFanAgainstThePitch)
     bench.say(command("ROS0", std::uint32_t{0}));
     ping(0.1, 0.05);
     const auto [free, plain] = ping(0.1, 0.05);
-    EXPECT_NEAR(free.bearings.front(), -2.094395 / 2, 1e-5);
+    EXPECT_NEAR(free.bearings.front(), -edge, 1e-5);
     EXPECT_EQ(f32(plain, 648 + 12), 0.0F);
 }
 

@@ -50,6 +50,9 @@ TEST(R2SonicPing, RunsFreelyWithTenMillisecondsPause) {
     EXPECT_EQ(u32(sent[0].bytes, 12 + 36), 1u) << "ping number";
     EXPECT_EQ(u32(sent[19].bytes, 12 + 36), 20u);
     EXPECT_NEAR(f32(sent[5].bytes, 12 + 40), 0.050, 1e-6) << "ping period";
+    EXPECT_EQ(u32(sent[0].bytes, 12 + 84), 0x477F0001u) << "65280.0039 Hz, bit by bit as in real pings";
+    EXPECT_EQ(u32(sent[0].bytes, 132), 0x36808080u) << "R0's scale, too";
+    EXPECT_EQ(u32(sent[0].bytes, 12 + 108), 3u);
 }
 
 TEST(R2SonicPing, CommandsChangeTheNextPing) {
@@ -69,8 +72,9 @@ TEST(R2SonicPing, CommandsChangeTheNextPing) {
     EXPECT_NEAR(shot.frequency, 200e3, 1);
     EXPECT_NEAR(shot.source_level, 210, 1e-9);
     EXPECT_NEAR(shot.pulse_length, 100e-6, 1e-10);
-    EXPECT_NEAR(shot.bearings.front(), 0.25 - 0.5, 1e-6);
-    EXPECT_NEAR(shot.bearings.back(), 0.25 + 0.5, 1e-6);
+    const double edge = 0.5 * 255 / 256;  // beams are the middles of the sector's 256 cells
+    EXPECT_NEAR(shot.bearings.front(), 0.25 - edge, 1e-6);
+    EXPECT_NEAR(shot.bearings.back(), 0.25 + edge, 1e-6);
     EXPECT_NEAR(shot.beam_width, deg_to_rad(1.0), 1e-9) << "twice as wide at half the frequency";
     EXPECT_GE(static_cast<double>(shot.bins) * shot.bin_interval, 2 * 50 / 1500.0);
     const auto sent = named(bench.sent(), "BTH0");
@@ -222,6 +226,7 @@ TEST(R2SonicImage, DatagramsAreSmallPacedAndCoverTheImage) {
     EXPECT_EQ(sent[0].to, (Address{gui.ip, static_cast<std::uint16_t>(gui.port + 3)}));
     EXPECT_EQ(name(sent[0].bytes, 12, 2), "H0");
     EXPECT_EQ(name(sent[0].bytes, 128, 2), "A1");
+    EXPECT_EQ(u32(sent[0].bytes, 12 + 108), 0u) << "3 in bathymetry only";
     const std::uint32_t total = u32(sent[1].bytes, 12 + 16);
     EXPECT_LE(total, 280u);
     EXPECT_GT(total, 200u);

@@ -119,7 +119,7 @@ TEST(R2SonicSnippets, HoldTheEchoOfEachPoint) {
             const double time = u16(bathymetry, 136 + 2 * number) * static_cast<double>(f32(bathymetry, 132));
             EXPECT_LT(begin, time) << number;
             EXPECT_GT(end, time) << number;
-            const double angle = deg_to_rad(-60 + 120.0 * static_cast<double>(number) / 255);
+            const double angle = deg_to_rad(-60 + 120.0 * (static_cast<double>(number) + 0.5) / 256);
             EXPECT_NEAR(f32(b, at + 16), angle, 1e-4);
             EXPECT_EQ(u32(b, at + 20), 0u) << "no scale";
             EXPECT_EQ(u16(b, at + 2), 32 + (samples + 1) / 2 * 4);
@@ -170,7 +170,7 @@ TEST(R2SonicProducts, TellWhereTheHeadMeantToLookThoughAWrongSoundSpeedTurnsItsB
     bench.say(command("SVL0", 1450.0F));
     const auto all = ping_over_floor(bench);
     const Bytes snippet = named(all, "SNI0").at(0).bytes;
-    EXPECT_NEAR(f32(snippet, 12 + 140 + 16), deg_to_rad(-60), 1e-4) << "the first one's";
+    EXPECT_NEAR(f32(snippet, 12 + 140 + 16), deg_to_rad(-60 + 120 / 512.0), 1e-4) << "the first one's";
     const auto sent = named(all, "TPX0");
     const double rate = f32(sent.at(0).bytes, h0 + 84);
     int checked = 0;
@@ -204,7 +204,7 @@ TEST(R2SonicTruePix, GatesCutItAndTheOldHeaderHasTheVoltageOffset) {
     EXPECT_EQ(name(b, 152, 2), "D0");
     EXPECT_NEAR(u32(b, 152 + 12) / rate, 2 * 15 / 1500.0, 2 / rate);
     const Bytes& last = sent.back().bytes;
-    const double outermost = 25 / std::cos(deg_to_rad(60));  // m, where its gate ends
+    const double outermost = 25 / std::cos(deg_to_rad(60 - 120 / 512.0));  // m, where its gate ends
     EXPECT_NEAR((u32(last, 12 + 12) + u16(last, 12 + 16)) / rate, 2 * outermost / 1500, 2 / rate);
     EXPECT_EQ(static_cast<std::int16_t>(u16(b, h0 + 110)), static_cast<std::int16_t>(u16(b, h0 + 78)));
     EXPECT_NE(u16(b, h0 + 110), 0);
@@ -251,7 +251,7 @@ TEST_P(R2SonicUltraHighDensity, OfPointsLeavesImageAndWaterColumn256Beams) {
         const std::size_t bins = image ? (echogram.shot.bins + height - 1) / height : 1;  // in a cell
         for (std::size_t n = 0; n < 256; ++n) {
             const double beam = std::round(static_cast<double>(n) * 1023 / 255);
-            EXPECT_NEAR(rad_to_deg(f32(first, 128 + 28 + 4 * n)), -60 + 120 * beam / 1023, 1e-4);
+            EXPECT_NEAR(rad_to_deg(f32(first, 128 + 28 + 4 * n)), -60 + 120 * (beam + 0.5) / 1024, 1e-4);
             EXPECT_EQ(cells[n], (100 + static_cast<std::size_t>(beam)) / bins) << packet << ' ' << n;
         }
     }

@@ -1,4 +1,4 @@
-// What a Sonic and its SIM tell of themselves once a second, by the offsets of the R2Sonic notes.
+// What a Sonic and its SIM tell of themselves by and by, by the offsets of the R2Sonic notes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,20 +7,24 @@
 namespace echoloop::test {
 namespace {
 
-TEST(R2SonicStatus, OnceASecondToBasePlusTwo) {
+TEST(R2SonicStatus, OnceASecondAndTheBriefOneEvery1300MillisecondsToBasePlusTwo) {
     Bench bench = head({{"trigger", std::string("command")}});
     bench.run_to(2500ms);
     const auto sent = bench.sent();
     const auto brief = named(sent, "R2DS");
     const auto full = named(sent, "STH0");
-    ASSERT_EQ(brief.size(), 3u);
-    EXPECT_EQ(full.size(), 3u);
+    ASSERT_EQ(brief.size(), 2u) << "every 1.3 s";
+    EXPECT_EQ(full.size(), 3u) << "once a second";
     EXPECT_EQ(brief[0].to.port, gui.port + 2);
     EXPECT_EQ(brief[0].bytes.size(), 24u);
     EXPECT_EQ(name(brief[0].bytes, 4, 6), "100017");
+    bench.run_to(2599ms);
+    EXPECT_TRUE(bench.sent().empty());
     bench.say(command("STM0", std::uint32_t{0}));
     bench.run_to(5s);
-    EXPECT_TRUE(named(bench.sent(), "STH0").empty());
+    const auto quiet = bench.sent();
+    EXPECT_TRUE(named(quiet, "STH0").empty());
+    EXPECT_EQ(named(quiet, "R2DS").size(), 2u) << "at 2.6 and 3.9 s";
 }
 
 /// Where the words of a status section begin; the fourth character of a name is their number in base 36.
