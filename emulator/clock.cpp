@@ -31,9 +31,7 @@ void Alarm::cancel() {
     timer_.cancel();
 }
 
-Time RealClock::now() const {
-    return run_time(Steady::now() - start_);
-}
+Time RealClock::now() const { return run_time(Steady::now() - start_); }
 
 RealClock::~RealClock() {
     for (const auto& [when, alarm] : alarms_) alarm->set_ = false;

@@ -12,9 +12,10 @@
 
 namespace echoloop {
 
-/// Made and destroyed on the thread that runs the io_context, which never runs out of work meanwhile. While it
-/// lives, the thread stays on the processor where it is, or to which it was fetched last: the kernel would move
-/// it whenever somebody more urgent comes by for a moment, and does not know which processors stand still.
+/// Made and destroyed on the thread that runs the io_context, which never runs out of work meanwhile. While
+/// it lives, the thread stays on the processor where it is, or to which it was fetched last: the kernel would
+/// move it whenever somebody more urgent comes by for a moment, and does not know which processors stand
+/// still.
 class WireThread {
   public:
     using Steady = std::chrono::steady_clock;
@@ -36,8 +37,8 @@ class WireThread {
     };
     /// From any thread: by the kernel.
     State state() const;
-    /// From any thread: it wakes on this processor, where it stays, and all its timers that are due ring there.
-    /// Where it runs already, the kernel makes us wait until its processor lets it go.
+    /// From any thread: it wakes on this processor, where it stays, and all its timers that are due ring
+    /// there. Where it runs already, the kernel makes us wait until its processor lets it go.
     void fetch_to(int processor);
 
   private:

@@ -16,8 +16,8 @@ inline constexpr std::size_t max_payload = 8U << 20;  ///< of an image; the long
 /// payload stands there. Images are bounded by max_payload too.
 std::optional<Header> plausible_header(wire::ByteView bytes, std::size_t longest = max_payload);
 
-/// How many bytes follow a plausible header: as many as it says, but a fire message of 0 bytes has all of them,
-/// since hosts on the maker's own client leave the size out.
+/// How many bytes follow a plausible header: as many as it says, but a fire message of 0 bytes has all of
+/// them, since hosts on the maker's own client leave the size out.
 std::size_t payload_bytes(const Header& header);
 
 /// The message in a frame. Errors carry offsets from the header's first byte.

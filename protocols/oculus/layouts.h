@@ -21,7 +21,8 @@ constexpr auto wire_layout(Tag<Header>) {
                                field(&Header::destination, "destination", "", "ignored").hex(),
                                field(&Header::id, "id", "", "what follows; of a Status not known"),
                                field(&Header::version, "version", "", "0 or 1; v2 messages 2"),
-                               field(&Header::payload_size, "payload_size", "B", "behind this header; 0 in a Fire counts as all of it"),
+                               field(&Header::payload_size, "payload_size", "B",
+                                     "behind this header; 0 in a Fire counts as all of it"),
                                field(&Header::spare, "spare", "", "0; a part number in newer ones"));
 }
 

@@ -28,8 +28,7 @@ std::string standstills(const SessionSummary& s) {
 
 std::string punctuality(const SessionSummary& s) {
     if (s.late_pings == 0) return counted(s.pings, "ping") + ", none late";
-    return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late (" +
-           standstills(s) +
+    return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late (" + standstills(s) +
            std::to_string(s.late_renderings) + " waited for their rendering, " +
            std::to_string(s.late_wakings) + " until the machine woke the program), the worst by " +
            plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: " + remedy(s);

@@ -61,8 +61,8 @@ double bottom_normal(const Seabed& last, double roll);
 /// other sign, positive where it is deeper to starboard.
 multibeam::Gates bottom_gates(const Controls& controls, const Seabed& last);
 
-/// Its bearings and tilt are the true ones: with a wrong sound speed a flat array looks elsewhere than it tells
-/// (the manual's chapter on sound velocity: the bottom smiles or frowns).
+/// Its bearings and tilt are the true ones: with a wrong sound speed a flat array looks elsewhere than it
+/// tells (the manual's chapter on sound velocity: the bottom smiles or frowns).
 Shot make_shot(const Controls& controls, const Settings& settings, const Beams& beams, double pitch,
                std::uint32_t ping);
 

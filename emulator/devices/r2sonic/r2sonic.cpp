@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 constexpr Time processing = 2ms;  // from the last sample to the datagram
 constexpr Time status_period = 1s;
 constexpr Time presence_period = 1300ms;  // of R2DS, as a real 2022 and its SIM send it
-constexpr Time sync_delay = 10ms;  // from the edge to the middle of the pulse, manual on SYI0
+constexpr Time sync_delay = 10ms;         // from the edge to the middle of the pulse, manual on SYI0
 
 bool follows_bottom(const Controls& controls) { return (controls.auto_range & 0x10000) != 0; }
 

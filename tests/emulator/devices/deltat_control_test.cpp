@@ -120,7 +120,9 @@ TEST(DeltaTControl, MinimumRangeGatesTheBottom) {
 }
 
 /// Seconds of the minute that an 83P tells, with its milliseconds.
-double second_of(const Bytes& b) { return std::stod(text_at(b, 26, 2)) + std::stod("0" + text_at(b, 112, 4)); }
+double second_of(const Bytes& b) {
+    return std::stod(text_at(b, 26, 2)) + std::stod("0" + text_at(b, 112, 4));
+}
 
 TEST(DeltaTControl, AveragingMakesOne83POfSeveralPings) {
     Bench bench = delta_t();

@@ -214,8 +214,8 @@ TEST(R2SonicEquiDistance, IsAsInRealPingsOverTheirBottomAtTheirRoll) {
         const double roll = f32(real, 648 + 12), normal = normal_of(angles);
         EXPECT_LT(spread(angles, normal), 0.01);
         if (n % 4 != 0) continue;  // they follow each other by 52 ms
-        Bench bench = head(
-            {{"range", 32.0}, {"bottom_mode", std::string("equi-distant")}, {"sector_width", 124.0}});
+        Bench bench =
+            head({{"range", 32.0}, {"bottom_mode", std::string("equi-distant")}, {"sector_width", 124.0}});
         bench.say(command("ROS0", std::uint32_t{1}));
         bench.run_to(1ms);
         for (int ping = 0; ping < 2; ++ping) ping_over(bench, bottom_of(real), roll);
