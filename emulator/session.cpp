@@ -167,11 +167,15 @@ Task<void> Session::deliver(UnderWay ping) {
 
 void Session::count_late(const UnderWay& ping, Time now) {
     const Time lateness = now - ping.due;
-    ++summary_.late_pings;
     if (clock_.stood_still(ping.transmission.time) >= lateness - late_after) {
-        ++summary_.late_standstills;
-        if (clock_.all_stood_still(ping.due) >= lateness - late_after) ++summary_.late_machine;
-    } else if (now - ping.woken > lateness / 2) {
+        ++summary_.held_up;
+        if (clock_.all_stood_still(ping.due) >= lateness - late_after) ++summary_.held_up_by_all;
+        summary_.longest_held_up = std::max(summary_.longest_held_up, lateness);
+        return;
+    }
+    ++summary_.late_pings;
+    summary_.worst_late = std::max(summary_.worst_late, lateness);
+    if (now - ping.woken > lateness / 2) {
         ++summary_.late_renderings;
     } else if (ping.overslept > lateness / 2) {
         ++summary_.late_wakings;

@@ -31,14 +31,19 @@ struct SessionSummary {
     std::string name;
     DeviceCounters device;
     std::uint64_t pings = 0;       ///< echograms delivered
-    std::uint64_t late_pings = 0;  ///< delivered more than a millisecond after they were due
-    /// Of those, by cause: the machine let nothing run (known in real-time runs only), or else the echogram
-    /// was what they waited for, or else the machine woke this program too late.
-    std::uint64_t late_standstills = 0, late_renderings = 0, late_wakings = 0;
-    /// Of the first kind: when they were due no processor ran, for all of their lateness but a millisecond.
-    std::uint64_t late_machine = 0;
-    Time worst_lateness{}, median_lateness{};
-    Time p99_lateness{};  ///< that 99 of 100 pings do not exceed
+    /// Delivered more than a millisecond after they were due, for which no standstill of the machine accounts.
+    std::uint64_t late_pings = 0;
+    /// Of those, by cause: the echogram was what they waited for, or else the machine woke this program too
+    /// late.
+    std::uint64_t late_renderings = 0, late_wakings = 0;
+    Time worst_late{};
+    /// Those that would not have been late, had not a processor stood still while their echoes were on their
+    /// way (known in real-time runs only). Of them: when they were due none ran, for all of their lateness but
+    /// a millisecond.
+    std::uint64_t held_up = 0, held_up_by_all = 0;
+    Time longest_held_up{};
+    /// Of all pings, whoever was to blame; the last is what 99 of 100 do not exceed.
+    Time worst_lateness{}, median_lateness{}, p99_lateness{};
     /// Messages that did not fit the outbox, or what is kept for a driver that does not read.
     std::uint64_t dropped = 0;
     std::size_t most_waiting = 0, most_waiting_bytes = 0;  ///< messages in the outbox at once

@@ -77,7 +77,8 @@ class Standstills::Watcher {
             } catch (...) {
                 return ready.set_exception(std::current_exception());
             }
-            next_ = Steady::now() + period;
+            ran_ = Steady::now();
+            next_ = ran_.load() + period;
             ready.set_value();
             watch(stop);
         });
@@ -87,8 +88,7 @@ class Standstills::Watcher {
     std::vector<Stretch> within(const Stretch& asked) const {
         const std::lock_guard lock(mutex_);
         std::vector<Stretch> found(last_.begin(), last_.end());
-        const Steady::time_point next = next_;
-        if (asked.to > next + punctual) found.push_back({next, asked.to});  // it has not come yet
+        if (asked.to > next_.load() + punctual) found.push_back({ran_, asked.to});  // it has not come yet
         return common(found, {asked});
     }
 
@@ -122,7 +122,7 @@ class Standstills::Watcher {
 
     void note(Steady::time_point due, Steady::time_point now) {
         const std::lock_guard lock(mutex_);
-        if (now - due > punctual) keep({due, now});
+        if (now - due > punctual) keep({ran_, now});
         next_ = now + awake;
     }
 
@@ -138,6 +138,7 @@ class Standstills::Watcher {
 
     Steady::time_point next_wake() {
         const auto now = Steady::now();
+        ran_ = now;
         const std::lock_guard lock(care_);
         return wire_thread_ == nullptr ? now + period : std::clamp(overdue(), now + rest, now + period);
     }
@@ -161,6 +162,7 @@ class Standstills::Watcher {
     std::array<Stretch, 64> last_{};
     Summary summary_;
     std::atomic<std::uint64_t> fetched_{0};
+    std::atomic<Steady::time_point> ran_{};   ///< when its processor is known to have run last
     std::atomic<Steady::time_point> next_{};  ///< when it means to wake
     std::jthread thread_;                     // last: ended first
 };

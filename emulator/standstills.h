@@ -13,8 +13,9 @@ namespace echoloop {
 class WireThread;
 
 /// A thread on every processor that this process may use, before all others of the run (Turn::watchers),
-/// wakes each millisecond, or when something is overdue: where it came later, that processor stood still. 3 %
-/// of each processor.
+/// wakes each millisecond, or when something is overdue: where it came later, that processor stood still since
+/// the last moment at which it is known to have run. That is up to a millisecond too long: better than to
+/// blame somebody else for the rest. 3 % of each processor.
 class Standstills {
   public:
     using Steady = std::chrono::steady_clock;

@@ -11,8 +11,6 @@ namespace {
 
 /// Why most late pings were late, and what helps.
 std::string remedy(const SessionSummary& s) {
-    if (2 * s.late_standstills > s.late_pings)
-        return "nothing ran on it meanwhile: another machine, or one that is no virtual machine, helps";
     if (2 * s.late_renderings > s.late_pings)
         return "rendering takes too long: fewer sonars, a simpler scene or render: {pixels: 0.5} help";
     if (2 * s.late_wakings > s.late_pings)
@@ -20,18 +18,24 @@ std::string remedy(const SessionSummary& s) {
     return "this machine is too busy or too slow for it";
 }
 
-std::string standstills(const SessionSummary& s) {
-    if (s.late_standstills == 0) return "";
-    const auto all = std::to_string(s.late_machine) + " of them while none of its processors ran, ";
-    return std::to_string(s.late_standstills) + " since the machine stood still, " + all;
+std::string in_ms(Time time) { return plain(to_seconds(time) * 1e3, 1) + " ms"; }
+
+std::string held_up(const SessionSummary& s) {
+    if (s.held_up == 0) return "";
+    return "; " + std::to_string(s.held_up) + " held up by at most " + in_ms(s.longest_held_up) +
+           " since the machine stood still, " + std::to_string(s.held_up_by_all) +
+           " of them while none of its processors ran";
+}
+
+std::string late(const SessionSummary& s) {
+    if (s.late_pings == 0) return "none late";
+    return std::to_string(s.late_pings) + " late (" + std::to_string(s.late_renderings) +
+           " waited for their rendering, " + std::to_string(s.late_wakings) +
+           " until the machine woke the program), the worst by " + in_ms(s.worst_late) + ": " + remedy(s);
 }
 
 std::string punctuality(const SessionSummary& s) {
-    if (s.late_pings == 0) return counted(s.pings, "ping") + ", none late";
-    return counted(s.pings, "ping") + ", " + std::to_string(s.late_pings) + " late (" + standstills(s) +
-           std::to_string(s.late_renderings) + " waited for their rendering, " +
-           std::to_string(s.late_wakings) + " until the machine woke the program), the worst by " +
-           plain(to_seconds(s.worst_lateness) * 1e3, 1) + " ms: " + remedy(s);
+    return counted(s.pings, "ping") + ", " + late(s) + held_up(s);
 }
 
 /// Of all sonars together, as far as punctuality() tells it.
@@ -40,11 +44,12 @@ SessionSummary sum_of(const std::vector<SessionSummary>& sessions) {
     for (const auto& s : sessions) {
         all.pings += s.pings;
         all.late_pings += s.late_pings;
-        all.late_standstills += s.late_standstills;
-        all.late_machine += s.late_machine;
         all.late_renderings += s.late_renderings;
         all.late_wakings += s.late_wakings;
-        all.worst_lateness = std::max(all.worst_lateness, s.worst_lateness);
+        all.worst_late = std::max(all.worst_late, s.worst_late);
+        all.held_up += s.held_up;
+        all.held_up_by_all += s.held_up_by_all;
+        all.longest_held_up = std::max(all.longest_held_up, s.longest_held_up);
     }
     return all;
 }
@@ -109,6 +114,7 @@ void print_standstills(const Standstills::Summary& s) {
                 s.count == 0
                     ? "never stood still"
                     : ("stood still " + counted(s.count, "time") + ", at most " + plain(longest, 1) + " ms" +
+                       ", as one whose processors serve others as well does" +
                        (s.fetched == 0
                             ? ""
                             : "; the wires were served by another processor " + counted(s.fetched, "time")))

@@ -15,7 +15,7 @@ namespace echoloop::cli {
 /// A few lines for each sonar; of several, a line for all of them.
 void print_summary(const std::vector<SessionSummary>& sessions);
 
-/// Throws StartError if a ping was late, or messages or bytes were lost.
+/// Throws StartError if a ping was late, or messages or bytes were lost. Pings that the machine held up are not late.
 void demand_punctuality(const std::vector<SessionSummary>& sessions);
 
 /// `untold`: what became of it if nobody said where it is.
