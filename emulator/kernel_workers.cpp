@@ -18,6 +18,7 @@ namespace echoloop {
 namespace {
 
 constexpr int turn = static_cast<int>(Turn::kernel_workers);
+constexpr int ordinary = 0;  ///< the priority of what goes before nobody
 constexpr auto between_looks = std::chrono::milliseconds(250);
 
 /// "" if there is none any more.
@@ -65,7 +66,7 @@ KernelWorkers::~KernelWorkers() {
     thread_ = {};
     for (const auto& [pid, before] : raised_)
         if (is_worker(pid) && ::sched_getscheduler(pid) == SCHED_FIFO)
-            schedule(pid, before.policy, before.priority);
+            schedule(pid, before == ordinary ? SCHED_OTHER : SCHED_FIFO, before);
 }
 
 std::size_t KernelWorkers::raise_all() {
@@ -76,10 +77,9 @@ std::size_t KernelWorkers::raise_all() {
         if ((policy != SCHED_OTHER && policy != SCHED_FIFO) || ::sched_getparam(pid, &now) != 0 ||
             !is_worker(pid))
             return;
-        if (policy == SCHED_OTHER || now.sched_priority < turn) {
-            if (!schedule(pid, SCHED_FIFO, turn)) return;
-            raised_.try_emplace(pid, Before{policy, now.sched_priority});
-        }
+        const int priority = now.sched_priority;  // 0 for ordinary ones
+        if (priority < turn && !schedule(pid, SCHED_FIFO, turn)) return;
+        if (priority <= turn) raised_.try_emplace(pid, priority == turn ? ordinary : priority);
         ++first;
     });
     return first;

@@ -15,8 +15,9 @@ namespace echoloop {
 /// Linux hands what is written to a pseudo-terminal, or comes from a serial port, to a worker of its unbound
 /// work queue, which takes its turn among ordinary programs. While one of these lives, such workers go before
 /// them, and before the rendering of fans (Turn::kernel_workers), also those that the kernel makes meanwhile,
-/// a quarter of a second after that; then they are as they were. Needs CAP_SYS_NICE; without it nothing
-/// changes and count() is 0.
+/// a quarter of a second after that; then they are as they were, also those that a killed program's left
+/// raised. (Those of one that still lives, it raises again within a quarter of a second.) Needs CAP_SYS_NICE;
+/// without it nothing changes and count() is 0.
 class KernelWorkers {
   public:
     KernelWorkers();
@@ -31,10 +32,7 @@ class KernelWorkers {
     /// How many go first now, by this or by somebody else.
     std::size_t raise_all();
 
-    struct Before {
-        int policy, priority;
-    };
-    std::map<pid_t, Before> raised_;  ///< by this
+    std::map<pid_t, int> raised_;  ///< by this or by one that did not live to put them back: priority before
     std::size_t count_;
     std::mutex mutex_;
     std::condition_variable_any ended_;

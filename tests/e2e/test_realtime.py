@@ -83,6 +83,16 @@ class RealTime(unittest.TestCase):
         after = workers()
         self.assertEqual([after[pid] for pid in raised if pid in after if after[pid] != os.SCHED_OTHER], [])
 
+    def test_those_that_a_killed_run_left_are_put_back_by_the_next(self):
+        killed = Run(TANK, *self.over_a_line(), "--realtime")
+        raised = [pid for pid, policy in workers().items() if policy == os.SCHED_FIFO]
+        killed.process.kill()
+        killed.process.communicate()
+        self.assertTrue(raised)
+        Run(TANK, *self.over_a_line(), "--realtime").end()
+        after = workers()
+        self.assertEqual([pid for pid in raised if after.get(pid) == os.SCHED_FIFO], [])
+
     def test_they_go_before_the_rendering_of_fans_and_behind_the_wires(self):
         """Else the bytes of a line would wait for as long as multibeams render, in no summary."""
         ports = f'devices.sonar.endpoints=["udp-listen://127.0.0.1:{free_port(32)}", "udp://127.0.0.1:{free_port(16)}"]'
@@ -100,10 +110,11 @@ class RealTime(unittest.TestCase):
 
     def test_a_run_without_lines_or_real_time_leaves_them_alone(self):
         for arguments in ((FLOOR, *over_udp(), "--realtime"), (TANK, *self.over_a_line())):
+            before = workers()
             run = Run(*arguments)
             during = workers()
             run.end()
-            self.assertEqual(set(during.values()), {os.SCHED_OTHER}, arguments)
+            self.assertEqual([pid for pid, policy in during.items() if policy != before.get(pid, os.SCHED_OTHER)], [], arguments)
 
     def stopped_run(self, *arguments):
         """The end of a run that was stopped for half a second, twice."""
