@@ -139,6 +139,17 @@ class RealTime(unittest.TestCase):
         bad = device["late_pings"] + device["dropped"] + device["bytes_lost"]  # none but on a busy machine
         self.assertEqual(status, 75 if bad else 0, "those that were held up fail no run")
 
+    def test_what_is_too_slow_is_late_all_the_same(self):
+        """Else a slow program could put its pings down to the machine."""
+        hasty = ("--set", "clock={mode: scaled, rate: 1000}", "--duration", "0.5")  # no machine is that fast
+        run = Run(FLOOR, *over_udp(), *hasty, "--realtime", "--fail-late")
+        ended = json.loads(run.process.communicate(timeout=60)[0])
+        device = ended["devices"][0]
+        self.assertEqual(run.process.returncode, 75)
+        self.assertGreater(device["late_renderings"], device["pings"] / 2, device)
+        self.assertGreaterEqual(device["late_pings"], device["late_renderings"], device)
+        self.assertLess(device["held_up_pings"], device["pings"] / 10, "but for a standstill of a busy machine")
+
     def test_nobody_watches_without_it(self):
         ended, status = self.stopped_run("--fail-late")
         self.assertNotIn("standstills", ended)

@@ -178,9 +178,11 @@ Verb run_verb() {
           "take faults while it runs, at unix:/PATH or tcp-listen://127.0.0.1:PORT; see echoloop fault"},
          {Argument::Kind::value, "--labels", "FILE", "write a line of JSON for every fault that is made"},
          {Argument::Kind::flag, "--fail-late", "",
-          "end with status 75 if a ping was late, or a message or bytes were lost"},
+          "end with status 75 if a ping was late (not if the machine held it up, see --realtime), or a message or "
+          "bytes were lost"},
          {Argument::Kind::flag, "--realtime", "",
-          "render and answer before all other programs, from locked memory; needs the permission to"},
+          "render and answer before all other programs, from locked memory, and tell pings that the machine held "
+          "up from late ones; needs the permission to"},
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop run config/demo.yaml\n"
