@@ -12,7 +12,7 @@
 #include <fstream>
 #include <utility>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 
 namespace echoloop {
 namespace {

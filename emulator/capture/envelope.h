@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "emulator/capture/pcapng.h"
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop::pcapng {
 

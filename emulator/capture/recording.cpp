@@ -2,7 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 
 namespace echoloop {
 namespace {

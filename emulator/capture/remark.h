@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "emulator/crosstalk.h"
+#include "emulator/contract/transmission.h"
 
 namespace echoloop {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "emulator/faults/faults.h"
-#include "emulator/session.h"
+#include "emulator/run/session.h"
 
 namespace echoloop::answers {
 

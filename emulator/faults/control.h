@@ -4,11 +4,11 @@
 
 #include <memory>
 
-#include "emulator/clock.h"
+#include "emulator/clock/clock.h"
 #include "emulator/faults/control_line.h"
-#include "emulator/faults/control_place.h"
+#include "emulator/scenario/control_place.h"
 #include "emulator/faults/faults.h"
-#include "emulator/session.h"
+#include "emulator/run/session.h"
 
 namespace echoloop {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "emulator/faults/pieces.h"
-#include "emulator/options.h"
+#include "emulator/contract/options.h"
 #include "emulator/transport/uart.h"
 
 namespace echoloop {

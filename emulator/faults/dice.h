@@ -2,7 +2,7 @@
 // nothing. Holds no state.
 #pragma once
 
-#include "emulator/random_key.h"
+#include "emulator/contract/random_key.h"
 
 namespace echoloop {
 

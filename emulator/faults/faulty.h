@@ -2,7 +2,7 @@
 // costs nothing while none are.
 #pragma once
 
-#include "emulator/clock.h"
+#include "emulator/clock/clock.h"
 #include "emulator/faults/pieces.h"
 #include "emulator/transport/decorator.h"
 

@@ -1,7 +1,7 @@
 #include "emulator/faults/faulty_session.h"
 
-#include "emulator/faults/checksum.h"
-#include "emulator/options.h"
+#include "emulator/scenario/checksum.h"
+#include "emulator/contract/options.h"
 #include "emulator/transport/driver_lines.h"
 
 namespace echoloop {

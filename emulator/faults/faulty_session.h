@@ -6,7 +6,7 @@
 #include "emulator/faults/faulty_device.h"
 #include "emulator/faults/schedule.h"
 #include "emulator/scenario/scenario.h"
-#include "emulator/session.h"
+#include "emulator/run/session.h"
 
 namespace echoloop {
 

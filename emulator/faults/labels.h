@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "emulator/capture/background_file.h"
-#include "emulator/faults/fault.h"
+#include "emulator/scenario/fault.h"
 
 namespace echoloop {
 

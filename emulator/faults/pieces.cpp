@@ -4,7 +4,7 @@
 #include <set>
 
 #include "emulator/faults/seconds.h"
-#include "emulator/options.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop {
 namespace {

@@ -2,7 +2,7 @@
 // telling, since every message asks.
 #pragma once
 
-#include "emulator/clock.h"
+#include "emulator/clock/clock.h"
 #include "emulator/faults/faults.h"
 
 namespace echoloop {

@@ -1,7 +1,7 @@
 // Seconds as labels and answers tell them; never those that anything is computed with.
 #pragma once
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop {
 

@@ -2,7 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "emulator/scenario/problems.h"
 #include "emulator/transport/make.h"
 #include "emulator/transport/standard_streams.h"

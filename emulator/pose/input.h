@@ -6,12 +6,12 @@
 #include <memory>
 #include <string>
 
-#include "emulator/asio.h"
-#include "emulator/clock.h"
+#include "emulator/clock/asio.h"
+#include "emulator/clock/clock.h"
 #include "emulator/pose/lines.h"
 #include "emulator/pose/mavlink_pose.h"
 #include "emulator/pose/whereabouts.h"
-#include "emulator/step_server.h"
+#include "emulator/run/step_server.h"
 #include "emulator/transport/transport.h"
 #include "protocols/mavlink/framer.h"
 

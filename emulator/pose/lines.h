@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 #include "emulator/pose/message.h"
 #include "protocols/mavlink/messages.h"
 

@@ -5,7 +5,7 @@
 #include <deque>
 #include <optional>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 #include "render/pose.h"
 
 namespace echoloop {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <sstream>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/file.h"
 
 namespace echoloop {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 
 namespace echoloop::replay {
 namespace {

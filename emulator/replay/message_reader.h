@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 #include "emulator/replay/command.h"
 #include "protocols/http/request.h"
 #include "protocols/stream_decoder.h"

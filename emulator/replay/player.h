@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 #include "emulator/replay/command.h"
 
 namespace echoloop::replay {

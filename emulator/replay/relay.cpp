@@ -2,9 +2,9 @@
 
 #include <deque>
 
-#include "emulator/asio.h"
+#include "emulator/clock/asio.h"
 #include "emulator/capture/recorded.h"
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "emulator/transport/make.h"
 
 namespace echoloop::replay {

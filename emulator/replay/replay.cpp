@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <deque>
 
-#include "emulator/clock.h"
-#include "emulator/endpoint.h"
+#include "emulator/clock/clock.h"
+#include "emulator/contract/endpoint.h"
 #include "emulator/replay/standard_input.h"
 #include "emulator/transport/make.h"
 #include "emulator/transport/paced.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 
-#include "emulator/asio.h"
+#include "emulator/clock/asio.h"
 
 namespace echoloop::replay {
 

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <string>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 
 namespace echoloop::replay {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop::replay {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "emulator/scenario/file.h"
 #include "emulator/scenario/profile_section.h"
 

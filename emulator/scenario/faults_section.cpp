@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "emulator/endpoint.h"
-#include "emulator/faults/checksum.h"
+#include "emulator/contract/endpoint.h"
+#include "emulator/scenario/checksum.h"
 #include "emulator/scenario/device_section.h"
 
 namespace echoloop::scenario {

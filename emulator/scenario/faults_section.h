@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "emulator/faults/fault.h"
+#include "emulator/scenario/fault.h"
 #include "emulator/scenario/scenario.h"
 #include "emulator/scenario/section.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "emulator/scenario/device_section.h"
 #include "emulator/scenario/file.h"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/value.h"
 
 namespace echoloop {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 #include "emulator/scenario/section.h"
 
 namespace echoloop::scenario {

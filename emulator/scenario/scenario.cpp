@@ -1,6 +1,6 @@
 #include "emulator/scenario/scenario.h"
 
-#include "emulator/faults/control_place.h"
+#include "emulator/scenario/control_place.h"
 #include "emulator/scenario/clock_section.h"
 #include "emulator/scenario/device_section.h"
 #include "emulator/scenario/effects_section.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "emulator/faults/fault.h"
-#include "emulator/model.h"
+#include "emulator/scenario/fault.h"
+#include "emulator/contract/model.h"
 #include "emulator/scenario/problems.h"
 #include "render/pose.h"
 #include "render/renderer.h"

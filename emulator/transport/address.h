@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "emulator/asio.h"
-#include "emulator/device.h"
-#include "emulator/error.h"
+#include "emulator/clock/asio.h"
+#include "emulator/contract/device.h"
+#include "emulator/contract/error.h"
 
 namespace echoloop {
 

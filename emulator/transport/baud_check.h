@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "emulator/clock.h"
+#include "emulator/clock/clock.h"
 #include "emulator/transport/decorator.h"
 
 namespace echoloop {

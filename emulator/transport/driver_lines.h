@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/clock.h"
+#include "emulator/clock/clock.h"
 #include "emulator/transport/transport.h"
 
 namespace echoloop {

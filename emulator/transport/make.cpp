@@ -1,8 +1,8 @@
 #include "emulator/transport/make.h"
 
-#include "emulator/endpoint.h"
-#include "emulator/error.h"
-#include "emulator/options.h"
+#include "emulator/contract/endpoint.h"
+#include "emulator/contract/error.h"
+#include "emulator/contract/options.h"
 #include "emulator/transport/baud_check.h"
 #include "emulator/transport/driver_lines.h"
 #include "emulator/transport/paced.h"

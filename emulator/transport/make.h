@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "emulator/clock.h"
-#include "emulator/device.h"
-#include "emulator/model.h"
+#include "emulator/clock/clock.h"
+#include "emulator/contract/device.h"
+#include "emulator/contract/model.h"
 #include "emulator/transport/transport.h"
 
 namespace echoloop {

@@ -2,7 +2,7 @@
 // bytes arrive, never which.
 #pragma once
 
-#include "emulator/clock.h"
+#include "emulator/clock/clock.h"
 #include "emulator/transport/decorator.h"
 
 namespace echoloop {

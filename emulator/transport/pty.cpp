@@ -14,7 +14,7 @@
 #include <cstring>
 #include <utility>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/transport/far_end.h"
 
 namespace echoloop {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/transport/pty.h"
 
 namespace echoloop {

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/transport/port_rate.h"
 
 namespace echoloop {

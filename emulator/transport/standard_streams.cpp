@@ -10,7 +10,7 @@
 #include <cstring>
 #include <utility>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 
 namespace echoloop {
 namespace {

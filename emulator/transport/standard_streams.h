@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "emulator/transport/transport.h"
 
 namespace echoloop {

@@ -2,7 +2,7 @@
 // time waits for what is being written. It changes no byte. It goes right around the transport.
 #pragma once
 
-#include "emulator/stepped_clock.h"
+#include "emulator/clock/stepped_clock.h"
 #include "emulator/transport/decorator.h"
 
 namespace echoloop {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "emulator/asio.h"
-#include "emulator/device.h"
+#include "emulator/clock/asio.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop {
 

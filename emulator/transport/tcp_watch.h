@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "emulator/asio.h"
+#include "emulator/clock/asio.h"
 
 namespace echoloop {
 

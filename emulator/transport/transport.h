@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "emulator/asio.h"
-#include "emulator/device.h"
+#include "emulator/clock/asio.h"
+#include "emulator/contract/device.h"
 #include "emulator/transport/uart.h"
 
 namespace echoloop {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 
 namespace echoloop {
 

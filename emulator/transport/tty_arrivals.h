@@ -3,7 +3,7 @@
 // takes its turn among all programs. Reads nothing itself.
 #pragma once
 
-#include "emulator/asio.h"
+#include "emulator/clock/asio.h"
 
 namespace echoloop {
 

@@ -2,7 +2,7 @@
 // time of day.
 #pragma once
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop::uart {
 

@@ -3,7 +3,7 @@
 // which.
 #pragma once
 
-#include "emulator/clock.h"
+#include "emulator/clock/clock.h"
 #include "emulator/transport/decorator.h"
 
 namespace echoloop {

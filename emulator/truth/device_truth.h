@@ -1,7 +1,7 @@
 // What one device's pings add to the ground truth. Changes no ping.
 #pragma once
 
-#include "emulator/crosstalk.h"
+#include "emulator/contract/transmission.h"
 #include "emulator/truth/truth.h"
 #include "render/situation.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "emulator/capture/background_file.h"
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 #include "render/pose.h"
 
 namespace echoloop {

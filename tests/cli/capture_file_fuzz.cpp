@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "tools/capture/open.h"
 #include "tools/capture/port_family.h"
 

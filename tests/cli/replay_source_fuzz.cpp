@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/replay/answering.h"
 #include "emulator/replay/stepped.h"
 #include "emulator/replay/timed.h"

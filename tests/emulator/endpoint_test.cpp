@@ -1,5 +1,5 @@
 // Endpoint URIs: the forms that are accepted, the sentences for those that are not, and what clashes.
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

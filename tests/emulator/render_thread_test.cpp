@@ -1,5 +1,5 @@
 // In which order pings are rendered, and that their number of threads changes nothing in them.
-#include "emulator/render_thread.h"
+#include "emulator/water/render_thread.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <future>
 #include <string_view>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "render/renderer.h"
 #include "tests/render/meshes.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/pose/message.h"
 #include "tools/poses/common/frames.h"
 #include "tools/poses/common/line.h"

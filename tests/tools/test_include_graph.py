@@ -14,16 +14,16 @@ GOOD = {
     "render/pose.h": "#include <cmath>\n",
     "render/echogram.h": '#include <vector>\n#include "render/pose.h"\n',
     "render/renderer.cpp": '#include <GL/glcorearb.h>\n#include <glm/glm.hpp>\n#include "render/echogram.h"\n',
-    "emulator/device.h": '#include "render/echogram.h"\n',
-    "emulator/clock.h": '#include "emulator/device.h"\n',
-    "emulator/asio.h": "#include <boost/asio.hpp>\n",
-    "emulator/models.cpp": '#include "emulator/devices/ping360/ping360.h"\n',
-    "emulator/devices/ping360/ping360.h": '#include "emulator/device.h"\n#include "protocols/seanet/framer.h"\n',
-    "emulator/devices/s500/s500.h": '#include "emulator/device.h"\n',
-    "emulator/transport/pty.cpp": '#include <unistd.h>\n#include "emulator/asio.h"\n',
+    "emulator/contract/device.h": '#include "render/echogram.h"\n',
+    "emulator/clock/clock.h": '#include "emulator/contract/device.h"\n',
+    "emulator/clock/asio.h": "#include <boost/asio.hpp>\n",
+    "emulator/devices/models.cpp": '#include "emulator/devices/ping360/ping360.h"\n',
+    "emulator/devices/ping360/ping360.h": '#include "emulator/contract/device.h"\n#include "protocols/seanet/framer.h"\n',
+    "emulator/devices/s500/s500.h": '#include "emulator/contract/device.h"\n',
+    "emulator/transport/pty.cpp": '#include <unistd.h>\n#include "emulator/clock/asio.h"\n',
     "emulator/scenario/scenario.h": '#include "render/pose.h"\n',
-    "emulator/session.cpp": '#include "emulator/asio.h"\n#include "render/echogram.h"\n',
-    "tools/echoloop/main.cpp": '#include <CLI/CLI.hpp>\n#include "emulator/clock.h"\n#include "render/pose.h"\n',
+    "emulator/run/session.cpp": '#include "emulator/clock/asio.h"\n#include "render/echogram.h"\n',
+    "tools/echoloop/main.cpp": '#include <CLI/CLI.hpp>\n#include "emulator/clock/clock.h"\n#include "render/pose.h"\n',
     "tests/e2e/test.cpp": '#include "tools/echoloop/main.cpp"\n#include "tests/e2e/host.h"\n',
     "tests/e2e/host.h": "// nothing\n",
 }
@@ -31,29 +31,29 @@ GOOD = {
 ILLEGAL = [
     ("protocols/seanet/framer.h", "#include <boost/asio.hpp>"),
     ("protocols/seanet/framer.h", '#include "render/echogram.h"'),
-    ("protocols/seanet/framer.h", '#include "emulator/device.h"'),
+    ("protocols/seanet/framer.h", '#include "emulator/contract/device.h"'),
     ("protocols/seanet/framer.h", "#include <unistd.h>"),
     ("render/renderer.cpp", '#include "protocols/wire/reader.h"'),
     ("render/renderer.cpp", "#include <protocols/wire/reader.h>"),
-    ("render/renderer.cpp", '#include "emulator/device.h"'),
+    ("render/renderer.cpp", '#include "emulator/contract/device.h"'),
     ("render/renderer.cpp", "#include <boost/asio.hpp>"),
     ("render/echogram.h", "#include <GL/glcorearb.h>"),
-    ("emulator/device.h", '#include "emulator/clock.h"'),
-    ("emulator/device.h", "#  include <boost/asio.hpp>"),
-    ("emulator/devices/ping360/ping360.h", '#include "emulator/clock.h"'),
-    ("emulator/devices/ping360/ping360.h", '#include "emulator/asio.h"'),
+    ("emulator/contract/device.h", '#include "emulator/clock/clock.h"'),
+    ("emulator/contract/device.h", "#  include <boost/asio.hpp>"),
+    ("emulator/devices/ping360/ping360.h", '#include "emulator/clock/clock.h"'),
+    ("emulator/devices/ping360/ping360.h", '#include "emulator/clock/asio.h"'),
     ("emulator/devices/ping360/ping360.h", '#include "emulator/scenario/scenario.h"'),
     ("emulator/devices/ping360/ping360.h", '#include "emulator/devices/s500/s500.h"'),
     ("emulator/devices/ping360/ping360.h", '#include <GL/glcorearb.h>'),
     ("emulator/transport/pty.cpp", '#include "protocols/seanet/framer.h"'),
     ("emulator/transport/pty.cpp", '#include "emulator/devices/s500/s500.h"'),
     ("emulator/scenario/scenario.h", '#include "emulator/devices/s500/s500.h"'),
-    ("emulator/session.cpp", '#include "emulator/devices/s500/s500.h"'),
-    ("emulator/session.cpp", '#include "tools/echoloop/main.cpp"'),
-    ("emulator/session.cpp", "#include <GL/glcorearb.h>"),
+    ("emulator/run/session.cpp", '#include "emulator/devices/s500/s500.h"'),
+    ("emulator/run/session.cpp", '#include "tools/echoloop/main.cpp"'),
+    ("emulator/run/session.cpp", "#include <GL/glcorearb.h>"),
     ("tools/echoloop/main.cpp", '#include "tests/e2e/host.h"'),
     ("tools/echoloop/main.cpp", '#include "main.h"'),
-    ("emulator/clock.h", '#include "emulator/no_such_file.h"'),
+    ("emulator/clock/clock.h", '#include "emulator/no_such_file.h"'),
 ]
 
 
@@ -72,9 +72,9 @@ class ThisTree(unittest.TestCase):
 
     def test_was_read(self):
         files = include_graph.sources(ROOT)
-        for name in ("render/echogram.h", "emulator/device.h", "tools/draw/draw.h"):
+        for name in ("render/echogram.h", "emulator/contract/device.h", "tools/draw/draw.h"):
             self.assertIn(name, files)
-        self.assertIn(("render/echogram.h", True), list(include_graph.includes(ROOT, "emulator/device.h")))
+        self.assertIn(("render/echogram.h", True), list(include_graph.includes(ROOT, "emulator/contract/device.h")))
 
 
 class Checker(unittest.TestCase):
@@ -93,7 +93,7 @@ class Checker(unittest.TestCase):
         self.assertEqual(found, ["headers include each other: emulator/a.h -> emulator/b.h -> emulator/a.h"])
 
     def test_overlooks_comments(self):
-        text = '// #include "emulator/device.h"\n/*\n#include "emulator/device.h"\n*/\n'
+        text = '// #include "emulator/contract/device.h"\n/*\n#include "emulator/contract/device.h"\n*/\n'
         self.assertEqual(faults_of({**GOOD, "protocols/wire/reader.h": text}), [])
 
     def test_wants_a_rule_for_every_file(self):

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <memory>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/file.h"
 
 namespace echoloop::capture {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop::capture {
 

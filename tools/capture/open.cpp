@@ -1,6 +1,6 @@
 #include "tools/capture/open.h"
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/problems.h"
 #include "emulator/scenario/value.h"
 #include "tools/capture/message_file.h"

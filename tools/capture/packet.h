@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop::capture {
 

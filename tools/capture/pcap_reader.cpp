@@ -2,7 +2,7 @@
 
 #include <pcap/pcap.h>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/problems.h"
 #include "emulator/scenario/value.h"
 #include "tools/capture/packet.h"

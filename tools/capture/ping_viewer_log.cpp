@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/problems.h"
 #include "emulator/scenario/value.h"
 

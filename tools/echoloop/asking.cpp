@@ -1,6 +1,6 @@
 #include "tools/echoloop/asking.h"
 
-#include "emulator/options.h"
+#include "emulator/contract/options.h"
 #include "protocols/imagenex/codec.h"
 #include "protocols/oculus/codec.h"
 #include "protocols/ping/codec.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "emulator/error.h"
-#include "emulator/scheduling.h"
+#include "emulator/contract/error.h"
+#include "emulator/water/scheduling.h"
 #include "tools/echoloop/bench/report.h"
 #include "tools/echoloop/bench/wire.h"
 #include "tools/echoloop/json_output.h"

@@ -4,7 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/problems.h"
 #include "tools/echoloop/verb.h"
 

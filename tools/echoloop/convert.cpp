@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/problems.h"
 #include "emulator/scenario/value.h"
 #include "protocols/imagenex/framer.h"

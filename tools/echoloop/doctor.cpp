@@ -1,7 +1,7 @@
 // echoloop doctor: what on this machine, or in this scenario on it, will make trouble. Changes nothing.
 #include <cstdio>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/doctor/findings.h"
 #include "tools/echoloop/json_output.h"

@@ -1,6 +1,6 @@
 #include "tools/echoloop/driver.h"
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/driver_port.h"
 #include "tools/echoloop/driver_seanet.h"

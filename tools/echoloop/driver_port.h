@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "emulator/scenario/scenario.h"
 
 namespace echoloop::cli {

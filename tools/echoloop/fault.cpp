@@ -9,8 +9,8 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "emulator/error.h"
-#include "emulator/faults/control_place.h"
+#include "emulator/contract/error.h"
+#include "emulator/scenario/control_place.h"
 #include "emulator/scenario/number.h"
 #include "emulator/scenario/value.h"
 #include "tools/echoloop/common.h"

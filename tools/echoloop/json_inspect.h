@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 #include "protocols/inspect.h"
 
 namespace echoloop::cli {

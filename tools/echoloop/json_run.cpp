@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "emulator/real_time.h"
-#include "emulator/step_server.h"
+#include "emulator/machine/real_time.h"
+#include "emulator/run/step_server.h"
 #include "tools/echoloop/conditions.h"
 #include "tools/echoloop/driver.h"
 

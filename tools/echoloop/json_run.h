@@ -6,7 +6,7 @@
 
 #include "emulator/capture/recording.h"
 #include "emulator/pose/input.h"
-#include "emulator/runtime.h"
+#include "emulator/run/runtime.h"
 #include "emulator/truth/truth.h"
 
 namespace echoloop::cli {

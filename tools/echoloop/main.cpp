@@ -3,7 +3,7 @@
 #include <exception>
 #include <new>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "tools/echoloop/command_line.h"
 #include "tools/echoloop/log.h"
 #include "tools/echoloop/terminal.h"

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/value.h"
 
 namespace echoloop::cli {

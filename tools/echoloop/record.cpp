@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "emulator/capture/recording.h"
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/replay/relay.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/json_replay.h"

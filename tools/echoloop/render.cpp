@@ -6,7 +6,7 @@
 
 #include "emulator/pose/movers.h"
 #include "emulator/pose/trajectory_file.h"
-#include "emulator/random_key.h"
+#include "emulator/contract/random_key.h"
 #include "emulator/scenario/problems.h"
 #include "render/renderer.h"
 #include "tools/draw/draw.h"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/replay/answering.h"
 #include "emulator/replay/replay.h"
 #include "emulator/replay/stepped.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/problems.h"
 #include "tools/echoloop/common.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "tools/capture/ports.h"
 #include "tools/echoloop/replay_source.h"
 #include "tools/echoloop/verb.h"

@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "emulator/capture/recording.h"
-#include "emulator/faults/control_place.h"
+#include "emulator/scenario/control_place.h"
 #include "emulator/pose/input.h"
-#include "emulator/real_time.h"
-#include "emulator/runtime.h"
-#include "emulator/step_server.h"
+#include "emulator/machine/real_time.h"
+#include "emulator/run/runtime.h"
+#include "emulator/run/step_server.h"
 #include "emulator/truth/truth.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"

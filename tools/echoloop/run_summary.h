@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "emulator/pose/input.h"
-#include "emulator/runtime.h"
-#include "emulator/standstills.h"
-#include "emulator/step_server.h"
+#include "emulator/run/runtime.h"
+#include "emulator/machine/standstills.h"
+#include "emulator/run/step_server.h"
 
 namespace echoloop::cli {
 

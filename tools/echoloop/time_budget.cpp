@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "tools/echoloop/asking.h"
 #include "tools/echoloop/common.h"
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/problems.h"
 #include "tools/echoloop/json_output.h"
 #include "tools/echoloop/output_file.h"

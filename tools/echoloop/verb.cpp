@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/scenario/number.h"
 #include "emulator/scenario/section.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop::aris_device {
 

@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "emulator/devices/aris/aris.h"
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 
 namespace echoloop::aris_device {
 namespace {

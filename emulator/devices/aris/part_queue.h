@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop::aris_device {
 

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "emulator/endpoint.h"
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/endpoint.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::aris_device {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 
 namespace echoloop::aris_device {
 

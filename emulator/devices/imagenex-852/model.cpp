@@ -1,7 +1,7 @@
-#include "emulator/devices/family/imagenex_model.h"
+#include "emulator/devices/family/imagenex/model.h"
 #include "emulator/devices/imagenex-852/sounder.h"
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::imagenex852 {
 namespace {

@@ -2,7 +2,7 @@
 // machine.
 #pragma once
 
-#include "emulator/devices/family/imagenex_head.h"
+#include "emulator/devices/family/imagenex/head.h"
 
 namespace echoloop::imagenex852 {
 

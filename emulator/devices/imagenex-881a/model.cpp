@@ -2,10 +2,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "emulator/devices/family/imagenex_model.h"
+#include "emulator/devices/family/imagenex/model.h"
 #include "emulator/devices/imagenex-881a/sonar.h"
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::imagenex881a {
 namespace {

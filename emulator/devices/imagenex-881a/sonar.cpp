@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "emulator/devices/family/imagenex_timing.h"
+#include "emulator/devices/family/imagenex/timing.h"
 #include "protocols/imagenex/codec.h"
 
 namespace echoloop::imagenex881a {

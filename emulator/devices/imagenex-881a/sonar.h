@@ -2,7 +2,7 @@
 // state machine.
 #pragma once
 
-#include "emulator/devices/family/imagenex_head.h"
+#include "emulator/devices/family/imagenex/head.h"
 #include "emulator/devices/imagenex-881a/scan.h"
 
 namespace echoloop::imagenex881a {

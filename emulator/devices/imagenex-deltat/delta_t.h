@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/devices/family/ping_pacer.h"
+#include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/imagenex-deltat/profile.h"
 
 namespace echoloop::delta_t {

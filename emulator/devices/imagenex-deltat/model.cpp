@@ -1,7 +1,7 @@
 #include <stdexcept>
 
 #include "emulator/devices/imagenex-deltat/delta_t.h"
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 
 namespace echoloop::delta_t {
 namespace {

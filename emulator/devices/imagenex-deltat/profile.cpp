@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "emulator/devices/family/multibeam_bottom.h"
+#include "emulator/devices/family/multibeam/bottom.h"
 #include "emulator/devices/imagenex-deltat/attitude.h"
 #include "emulator/devices/imagenex-deltat/smoothing.h"
 #include "emulator/devices/imagenex-deltat/timestamp.h"

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <string>
 
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::delta_t {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "emulator/devices/imagenex-deltat/controls.h"
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 
 namespace echoloop::delta_t {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "emulator/devices/family/multibeam_bottom.h"
+#include "emulator/devices/family/multibeam/bottom.h"
 #include "emulator/devices/kongsberg-kmall/ping.h"
 #include "protocols/kmall/messages.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::kongsberg_kmall {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 
 namespace echoloop::kongsberg_kmall {
 

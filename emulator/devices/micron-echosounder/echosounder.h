@@ -2,7 +2,7 @@
 // family/talking_sounder.h has how it pings.
 #pragma once
 
-#include "emulator/devices/family/talking_sounder.h"
+#include "emulator/devices/family/sounder/talking_sounder.h"
 #include "emulator/devices/micron-echosounder/settings.h"
 
 namespace echoloop::micron_echosounder {

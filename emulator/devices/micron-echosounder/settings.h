@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "emulator/devices/family/sounding.h"
+#include "emulator/devices/family/sounder/sounding.h"
 #include "protocols/altimeter/line.h"
 
 namespace echoloop::micron_echosounder {

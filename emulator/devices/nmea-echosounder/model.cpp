@@ -1,4 +1,4 @@
-#include "emulator/devices/family/talking_sounder.h"
+#include "emulator/devices/family/sounder/talking_sounder.h"
 #include "emulator/devices/nmea-echosounder/echosounder.h"
 
 namespace echoloop::nmea_echosounder {

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::nmea_echosounder {
 namespace {

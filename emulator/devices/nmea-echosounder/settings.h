@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/devices/family/sounding.h"
+#include "emulator/devices/family/sounder/sounding.h"
 #include "protocols/nmea/sentences.h"
 
 namespace echoloop::nmea_echosounder {

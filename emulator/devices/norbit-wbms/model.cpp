@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "emulator/devices/norbit-wbms/norbit_wbms.h"
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 
 namespace echoloop::norbit_device {
 namespace {

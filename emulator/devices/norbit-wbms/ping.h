@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "emulator/devices/family/multibeam_bottom.h"
+#include "emulator/devices/family/multibeam/bottom.h"
 #include "emulator/devices/norbit-wbms/controls.h"
 
 namespace echoloop::norbit_device {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 #include "protocols/norbit/messages.h"
 
 namespace echoloop::norbit_device {

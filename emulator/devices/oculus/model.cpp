@@ -1,7 +1,7 @@
 #include <stdexcept>
 
 #include "emulator/devices/oculus/oculus.h"
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 
 namespace echoloop::oculus_device {
 namespace {

@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "emulator/devices/oculus/request.h"
-#include "emulator/endpoint.h"
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/endpoint.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::oculus_device {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 #include "protocols/oculus/messages.h"
 
 namespace echoloop::oculus_device {

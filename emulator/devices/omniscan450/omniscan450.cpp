@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "emulator/devices/family/cerulean_levels.h"
+#include "emulator/devices/family/cerulean/levels.h"
 
 namespace echoloop::omniscan450 {
 

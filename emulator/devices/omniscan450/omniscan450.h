@@ -1,7 +1,7 @@
 // A Cerulean Omniscan 450, side-scan or forward-looking: one fan, a profile per ping. A pure state machine.
 #pragma once
 
-#include "emulator/devices/family/cerulean_sonar.h"
+#include "emulator/devices/family/cerulean/sonar.h"
 #include "emulator/devices/omniscan450/settings.h"
 #include "protocols/cerulean/omniscan_codec.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "emulator/devices/family/cerulean_common.h"
+#include "emulator/devices/family/cerulean/common.h"
 #include "protocols/cerulean/omniscan_messages.h"
 
 namespace echoloop::omniscan450 {

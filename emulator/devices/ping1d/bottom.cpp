@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include "emulator/devices/family/auto_range.h"
-#include "emulator/devices/family/echosounder_bottom.h"
+#include "emulator/devices/family/sounder/auto_range.h"
+#include "emulator/devices/family/sounder/bottom.h"
 
 namespace echoloop::ping1d {
 namespace {

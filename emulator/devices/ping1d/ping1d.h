@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "emulator/devices/family/ping_link.h"
+#include "emulator/devices/family/ping/link.h"
 #include "emulator/devices/ping1d/settings.h"
 
 namespace echoloop::ping1d {

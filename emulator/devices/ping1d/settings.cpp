@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "emulator/devices/family/ping_link.h"
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/devices/family/ping/link.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::ping1d {
 namespace {

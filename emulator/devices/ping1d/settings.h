@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "emulator/devices/family/ring_down.h"
-#include "emulator/devices/family/serial_rate.h"
-#include "emulator/model.h"
+#include "emulator/devices/family/sounder/ring_down.h"
+#include "emulator/devices/family/ping/serial_rate.h"
+#include "emulator/contract/model.h"
 
 namespace echoloop::ping1d {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop::ping360 {
 

@@ -4,7 +4,7 @@
 #include <deque>
 #include <optional>
 
-#include "emulator/devices/family/ping_link.h"
+#include "emulator/devices/family/ping/link.h"
 #include "emulator/devices/ping360/discovery.h"
 #include "emulator/devices/ping360/scan.h"
 #include "emulator/devices/ping360/settings.h"

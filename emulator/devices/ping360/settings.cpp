@@ -4,11 +4,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "emulator/devices/family/ping_link.h"
+#include "emulator/devices/family/ping/link.h"
 #include "emulator/devices/ping360/discovery.h"
-#include "emulator/endpoint.h"
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/endpoint.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::ping360 {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "emulator/devices/family/serial_rate.h"
-#include "emulator/model.h"
+#include "emulator/devices/family/ping/serial_rate.h"
+#include "emulator/contract/model.h"
 #include "protocols/ping/messages.h"
 
 namespace echoloop::ping360 {

@@ -1,7 +1,7 @@
 #include <stdexcept>
 
 #include "emulator/devices/r2sonic/r2sonic.h"
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 
 namespace echoloop::r2sonic_device {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "emulator/devices/family/multibeam_bottom.h"
+#include "emulator/devices/family/multibeam/bottom.h"
 #include "emulator/devices/r2sonic/settings.h"
 #include "protocols/r2sonic/messages.h"
 #include "render/echogram.h"

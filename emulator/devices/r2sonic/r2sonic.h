@@ -8,7 +8,7 @@
 #include "emulator/devices/r2sonic/network.h"
 #include "emulator/devices/r2sonic/packets.h"
 #include "emulator/devices/r2sonic/settings.h"
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 
 namespace echoloop::r2sonic_device {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::r2sonic_device {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "emulator/devices/r2sonic/controls.h"
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 #include "protocols/wire/text.h"
 
 namespace echoloop::r2sonic_device {

@@ -1,7 +1,7 @@
 #include <stdexcept>
 
 #include "emulator/devices/reson-7k/reson7k.h"
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 
 namespace echoloop::reson7k_device {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "emulator/devices/family/multibeam_bottom.h"
+#include "emulator/devices/family/multibeam/bottom.h"
 #include "emulator/devices/reson-7k/settings.h"
 #include "render/echogram.h"
 

@@ -1,7 +1,7 @@
 #include "emulator/devices/reson-7k/settings.h"
 
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::reson7k_device {
 namespace {

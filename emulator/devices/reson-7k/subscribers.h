@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 
 namespace echoloop::reson7k_device {
 

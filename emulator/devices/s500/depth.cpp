@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "emulator/devices/family/echosounder_bottom.h"
+#include "emulator/devices/family/sounder/bottom.h"
 
 namespace echoloop::s500 {
 namespace {

@@ -1,7 +1,7 @@
 // A Cerulean S500 echosounder: depth and profile of a single beam. A pure state machine.
 #pragma once
 
-#include "emulator/devices/family/cerulean_sonar.h"
+#include "emulator/devices/family/cerulean/sonar.h"
 #include "emulator/devices/s500/depth.h"
 #include "emulator/devices/s500/settings.h"
 #include "protocols/cerulean/s500_codec.h"

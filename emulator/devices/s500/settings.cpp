@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "emulator/devices/family/cerulean_levels.h"
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/devices/family/cerulean/levels.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 #include "protocols/ping/framer.h"
 
 namespace echoloop::s500 {

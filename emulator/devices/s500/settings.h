@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "emulator/devices/family/cerulean_common.h"
+#include "emulator/devices/family/cerulean/common.h"
 #include "protocols/cerulean/s500_messages.h"
 
 namespace echoloop::s500 {

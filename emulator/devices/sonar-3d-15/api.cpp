@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "protocols/http/json.h"
 
 namespace echoloop::sonar_3d_15 {

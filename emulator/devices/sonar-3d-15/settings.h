@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 #include "protocols/sonar3d/messages.h"
 
 namespace echoloop::sonar_3d_15 {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "emulator/devices/sonar-3d-15/api.h"
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "protocols/sonar3d/codec.h"
 
 namespace echoloop::sonar_3d_15 {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "emulator/devices/family/cerulean_common.h"
+#include "emulator/devices/family/cerulean/common.h"
 
 namespace echoloop::surveyor240 {
 

@@ -1,7 +1,7 @@
 // The row of the Tritech Micron DST in the table of models.
 #pragma once
 
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 
 namespace echoloop::micron {
 

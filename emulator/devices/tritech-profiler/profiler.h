@@ -7,7 +7,7 @@
 
 #include "emulator/devices/family/tritech/head.h"
 #include "emulator/devices/tritech-profiler/settings.h"
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 
 namespace echoloop::profiler {
 

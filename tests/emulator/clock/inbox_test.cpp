@@ -1,6 +1,6 @@
 // That what other threads hand over happens on the thread of the clock, all of it and in order; and that listeners do
 // all that they are asked.
-#include "emulator/inbox.h"
+#include "emulator/clock/inbox.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <map>
 #include <thread>
 
-#include "emulator/listeners.h"
+#include "emulator/run/device_threads.h"
 
 namespace echoloop {
 namespace {

@@ -1,5 +1,5 @@
 // Percentiles of lateness against those of the sorted list.
-#include "emulator/lateness.h"
+#include "emulator/run/lateness.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What is told of processors that stand still. Here a thread more urgent than any watcher keeps them, which
 // to all others is the same as a host that takes them away.
-#include "emulator/standstills.h"
+#include "emulator/machine/standstills.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>

@@ -1,6 +1,6 @@
 // Time that is moved on from outside: who is woken when, in which order, and what time waits for. Nothing
 // here sleeps.
-#include "emulator/stepped_clock.h"
+#include "emulator/clock/stepped_clock.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "emulator/error.h"
-#include "emulator/standstills.h"
+#include "emulator/contract/error.h"
+#include "emulator/machine/standstills.h"
 
 namespace echoloop {
 

@@ -2,7 +2,7 @@
 // host that takes a processor away cannot be had for a test: TEST DOUBLE of timerfd_settime(), whose timers,
 // where a test asks for it, do not ring unless they are over when they are set, as if the processor that
 // keeps them stood still.
-#include "emulator/wire_thread.h"
+#include "emulator/machine/wire_thread.h"
 
 #include <gtest/gtest.h>
 #include <sys/syscall.h>
@@ -18,7 +18,7 @@
 #include <thread>
 #include <vector>
 
-#include "emulator/clock.h"
+#include "emulator/clock/clock.h"
 #include "tests/emulator/clock/watched.h"
 
 namespace {

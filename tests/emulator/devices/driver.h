@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "emulator/device.h"
-#include "emulator/model.h"
-#include "emulator/options.h"
+#include "emulator/contract/device.h"
+#include "emulator/contract/model.h"
+#include "emulator/contract/options.h"
 #include "emulator/scenario/profile_section.h"
 
 namespace echoloop::test {

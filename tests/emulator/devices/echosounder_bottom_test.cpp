@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "emulator/devices/family/echosounder_bottom.h"
-#include "emulator/devices/family/ring_down.h"
+#include "emulator/devices/family/sounder/bottom.h"
+#include "emulator/devices/family/sounder/ring_down.h"
 #include "tests/emulator/devices/driver.h"
 
 namespace echoloop::test {

@@ -1,6 +1,6 @@
 // Bottom detection of multibeams: right on flat, sloping and stepped floors, and wrong where a real head is
 // wrong.
-#include "emulator/devices/family/multibeam_bottom.h"
+#include "emulator/devices/family/multibeam/bottom.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

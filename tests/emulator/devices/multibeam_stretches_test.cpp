@@ -1,5 +1,5 @@
 // Stretches as long as a beam's footprint: the greatest mean is where looking at every bin finds it.
-#include "emulator/devices/family/multibeam_stretches.h"
+#include "emulator/devices/family/multibeam/stretches.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "emulator/devices/family/multibeam_bottom.h"
+#include "emulator/devices/family/multibeam/bottom.h"
 
 namespace echoloop::test {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <stdexcept>
 
-#include "emulator/faults/control_place.h"
-#include "emulator/options.h"
+#include "emulator/scenario/control_place.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop {
 namespace {

@@ -1,11 +1,11 @@
 // When a fault is on, and what the table of kinds promises.
-#include "emulator/faults/fault.h"
+#include "emulator/scenario/fault.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "emulator/faults/checksum.h"
+#include "emulator/scenario/checksum.h"
 #include "emulator/faults/dice.h"
 #include "protocols/checksums.h"
 

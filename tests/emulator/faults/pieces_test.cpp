@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "emulator/options.h"
+#include "emulator/contract/options.h"
 #include "emulator/transport/uart.h"
 #include "protocols/ping/codec.h"
 

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 #include "emulator/pose/movers.h"
 #include "emulator/scenario/scene.h"
 

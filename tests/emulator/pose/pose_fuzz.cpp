@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/pose/lines.h"
 #include "emulator/pose/message.h"
 #include "emulator/pose/trajectory_file.h"

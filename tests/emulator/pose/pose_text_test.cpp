@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/pose/message.h"
 #include "emulator/pose/trajectory_file.h"
 

@@ -1,7 +1,7 @@
 // Several drivers at one TCP port, with real sockets on loopback.
 #include <boost/asio/read.hpp>
 
-#include "emulator/clock.h"
+#include "emulator/clock/clock.h"
 #include "emulator/transport/driver_lines.h"
 #include "emulator/transport/tcp.h"
 #include "tests/emulator/transport/socket_fixture.h"

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/transport/paced.h"
 #include "emulator/transport/pty.h"
 #include "tests/emulator/transport/pty_fixture.h"

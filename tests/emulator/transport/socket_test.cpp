@@ -3,7 +3,7 @@
 
 #include <boost/asio/read.hpp>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/transport/tcp.h"
 #include "emulator/transport/udp.h"
 #include "tests/emulator/transport/socket_fixture.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/truth/device_truth.h"
 
 namespace echoloop {

@@ -1,5 +1,5 @@
 // Two sonars in one water: when one hears the other's pulse, in which bins and beams, and how loud.
-#include "emulator/crosstalk.h"
+#include "emulator/water/crosstalk.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // That pings are rendered ahead of their time when they are known before, and only what was then asked for is
 // heard.
-#include "emulator/ping_renderer.h"
+#include "emulator/water/ping_renderer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

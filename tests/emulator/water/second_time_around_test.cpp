@@ -1,11 +1,11 @@
 // Late echoes in the ping after: when they are asked for, and where they show (V12 of the reference values).
-#include "emulator/second_time_around.h"
+#include "emulator/water/second_time_around.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "emulator/random_key.h"
+#include "emulator/contract/random_key.h"
 #include "render/acoustics/chain.h"
 
 namespace echoloop {

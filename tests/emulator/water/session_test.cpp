@@ -1,12 +1,12 @@
 // What a session makes of a ping beside rendering it: its key, late echoes of the ping before, pulses of
 // others.
-#include "emulator/session.h"
+#include "emulator/run/session.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "emulator/random_key.h"
+#include "emulator/contract/random_key.h"
 #include "render/renderer.h"
 #include "tests/render/meshes.h"
 

@@ -14,9 +14,9 @@
 #include <fstream>
 #include <type_traits>
 
-#include "emulator/error.h"
-#include "emulator/render_thread.h"
-#include "emulator/scheduling.h"
+#include "emulator/contract/error.h"
+#include "emulator/water/render_thread.h"
+#include "emulator/water/scheduling.h"
 #include "tools/echoloop/bench/scenes.h"
 
 namespace echoloop::bench {

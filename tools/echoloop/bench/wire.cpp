@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "emulator/options.h"
+#include "emulator/contract/options.h"
 #include "emulator/scenario/profile_section.h"
 #include "tools/echoloop/bench/measure.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 
 namespace echoloop::bench {
 

@@ -12,7 +12,7 @@
 #include <boost/asio/read.hpp>
 #include <boost/asio/write.hpp>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "emulator/transport/pty.h"
 #include "emulator/transport/serial.h"
 #include "emulator/transport/udp.h"

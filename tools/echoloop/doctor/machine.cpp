@@ -6,8 +6,8 @@
 #include <fstream>
 #include <thread>
 
-#include "emulator/error.h"
-#include "emulator/punctual.h"
+#include "emulator/contract/error.h"
+#include "emulator/machine/punctual.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/doctor/findings.h"
 

@@ -2,9 +2,9 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "emulator/error.h"
-#include "emulator/render_thread.h"
-#include "emulator/runtime.h"
+#include "emulator/contract/error.h"
+#include "emulator/water/render_thread.h"
+#include "emulator/run/runtime.h"
 #include "render/renderer.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/doctor/findings.h"

@@ -1,7 +1,7 @@
 // V12: what comes first, and what comes too late.
 #include <cmath>
 
-#include "emulator/second_time_around.h"
+#include "emulator/water/second_time_around.h"
 #include "tools/echoloop/validate/groups.h"
 #include "tools/echoloop/validate/world.h"
 

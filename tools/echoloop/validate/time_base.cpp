@@ -2,8 +2,8 @@
 // assumes.
 #include <cstdio>
 
-#include "emulator/model.h"
-#include "emulator/options.h"
+#include "emulator/contract/model.h"
+#include "emulator/contract/options.h"
 #include "emulator/scenario/profile_section.h"
 #include "tools/echoloop/validate/groups.h"
 #include "tools/echoloop/validate/world.h"

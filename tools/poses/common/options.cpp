@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 
 namespace echoloop::poses {
 namespace {

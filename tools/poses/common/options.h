@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "tools/poses/common/body_pose.h"
 
 namespace echoloop::poses {

@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "tools/poses/common/say.h"
 #include "tools/poses/common/stop.h"
 

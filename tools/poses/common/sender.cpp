@@ -16,7 +16,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "tools/poses/common/say.h"
 #include "tools/poses/common/stop.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "emulator/endpoint.h"
+#include "emulator/contract/endpoint.h"
 #include "tools/poses/common/body_pose.h"
 
 namespace echoloop::poses {

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "emulator/error.h"
+#include "emulator/contract/error.h"
 #include "tools/poses/common/program.h"
 #include "tools/poses/common/say.h"
 #include "tools/poses/common/stop.h"

@@ -7,8 +7,8 @@
 #include <regex>
 #include <utility>
 
-#include "emulator/asio.h"
-#include "emulator/error.h"
+#include "emulator/clock/asio.h"
+#include "emulator/contract/error.h"
 
 namespace echoloop::poses {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "emulator/profile.h"
+#include "emulator/contract/profile.h"
 #include "protocols/seanet/messages.h"
 
 namespace echoloop::tritech {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "emulator/devices/family/tritech/head_options.h"
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::tritech {
 namespace {

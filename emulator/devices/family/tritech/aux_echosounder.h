@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "emulator/devices/family/echosounder_bottom.h"
-#include "emulator/model.h"
+#include "emulator/devices/family/sounder/bottom.h"
+#include "emulator/contract/model.h"
 
 namespace echoloop::tritech {
 

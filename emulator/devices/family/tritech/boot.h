@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "emulator/device.h"
+#include "emulator/contract/device.h"
 #include "protocols/seanet/messages.h"
 
 namespace echoloop::tritech {

@@ -4,9 +4,9 @@
 #include <iterator>
 
 #include "emulator/devices/family/tritech/user_block.h"
-#include "emulator/endpoint.h"
-#include "emulator/option_rows.h"
-#include "emulator/options.h"
+#include "emulator/contract/endpoint.h"
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
 
 namespace echoloop::tritech {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "emulator/devices/family/tritech/boot.h"
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 #include "protocols/seanet/codec.h"
 #include "protocols/seanet/framer.h"
 

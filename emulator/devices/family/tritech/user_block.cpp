@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "emulator/devices/family/tritech/head_options.h"
-#include "emulator/options.h"
+#include "emulator/contract/options.h"
 #include "protocols/seanet/codec.h"
 
 namespace echoloop::tritech {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "emulator/model.h"
+#include "emulator/contract/model.h"
 #include "protocols/seanet/messages.h"
 
 namespace echoloop::tritech {

@@ -1,0 +1,120 @@
+#include "emulator/devices/family/cerulean/common.h"
+
+#include <string_view>
+#include <utility>
+
+#include "emulator/contract/option_rows.h"
+#include "emulator/contract/options.h"
+
+namespace echoloop::cerulean_device {
+namespace {
+
+constexpr std::uint16_t discovery_port = 30303;
+const char* const spec = "Ping specification notes";
+
+bool is_datagram(const Endpoint& endpoint) {
+    return endpoint.scheme == Endpoint::Scheme::udp || endpoint.scheme == Endpoint::Scheme::udp_listen;
+}
+
+/// Where hosts find the data: the first port that is listened on.
+std::uint16_t data_port(const std::vector<std::string>& endpoints) {
+    for (const std::string& uri : endpoints)
+        if (const Endpoint e = parse_endpoint(uri); e.listens()) return e.port;
+    return 0;
+}
+
+}  // namespace
+
+std::vector<Option> identity_options(int listed_type, const std::string& name, bool acknowledge) {
+    return {
+        text_row("firmware", "1.0.0", "version in device_information", "own choice: hosts do not look at it"),
+        text_row("protocol_version", "1.0.0", "version of the message set", spec),
+        integer_row("device_type", "", 198, 0, 255,
+                    "in device_information; " + std::to_string(listed_type) + " in the maker's list of types",
+                    spec),
+        integer_row("device_revision", "", 1, 0, 255, "in device_information", spec),
+        integer_row("source_id", "", 0, 0, 255, "source in the header of what the device sends",
+                    "maker's manual: reserved, 0"),
+        flag_row("acknowledge", acknowledge, "ack messages that set something",
+                 "own choice: the manual names no ack for them, and each delays some public hosts by a ping"),
+        choice_row("nacked_id", {"request", "requested"},
+                   "id in the nack of a general_request: 6, or the id that was asked for", spec),
+        integer_row("datagram", "B", 1472, 64, 65507,
+                    "largest datagram; longer messages go on in the next one. Public hosts hang on one of "
+                    "exactly 4096",
+                    "Ethernet frame of 1500 bytes less the headers of IP and UDP"),
+        number_row("baud", "bit/s", 0, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", spec),
+        flag_row("automatic_baud", true,
+                 "a pty is as fast as its driver sets it, whatever baud says; false: another rate than baud "
+                 "makes garbage",
+                 spec),
+        text_row("discovery", "", "IPv4 address to announce on UDP 30303 of that interface; empty: silent",
+                 spec),
+        text_row("discovery_name", name, "first line of the announcement",
+                 "own choice after the maker's other sonars; their real line is not public"),
+    };
+}
+
+Identity read_identity(const DeviceConfig& config) {
+    const Options& o = config.options;
+    Identity i;
+    i.firmware = ping_device::read_version(text(o, "firmware"), "firmware");
+    i.protocol = ping_device::read_version(text(o, "protocol_version"), "protocol_version");
+    i.device_type = static_cast<std::uint8_t>(integer(o, "device_type"));
+    i.device_revision = static_cast<std::uint8_t>(integer(o, "device_revision"));
+    i.source = static_cast<std::uint8_t>(integer(o, "source_id"));
+    i.acknowledge = flag(o, "acknowledge");
+    i.nack_requested_id = text(o, "nacked_id") == "requested";
+    i.datagram = static_cast<std::size_t>(integer(o, "datagram"));
+    i.baud = number(o, "baud");
+    i.line = read_serial_rate(config);
+    i.discovery = text(o, "discovery");
+    i.discovery_name = text(o, "discovery_name");
+    return i;
+}
+
+ping::DeviceInformation device_information(const Identity& i) {
+    return {i.device_type, i.device_revision, i.firmware[0], i.firmware[1], i.firmware[2], 0};
+}
+
+ping::ProtocolVersion protocol_version(const Identity& i) {
+    return {i.protocol[0], i.protocol[1], i.protocol[2], 0};
+}
+
+ping::Id refused_id(const Identity& identity, ping::Id requested) {
+    return identity.nack_requested_id ? requested : ping::Id::general_request;
+}
+
+bool is_speed_of_sound(std::uint32_t speed) {
+    constexpr std::uint32_t lowest = 1000000, highest = 2000000;  // mm/s
+    return speed >= lowest && speed <= highest;
+}
+
+std::vector<Port> make_ports(const std::vector<std::string>& endpoints, const Identity& identity) {
+    std::vector<Port> ports = ping_device::link_ports(endpoints, identity.baud);
+    if (!identity.discovery.empty()) {
+        const Endpoint at =
+            parse_endpoint("udp-listen://" + identity.discovery + ":" + std::to_string(discovery_port));
+        ports.push_back({"discovery", Port::Kind::datagram, {at.ip, at.port}, true});
+    }
+    return ports;
+}
+
+std::vector<std::size_t> pieces(const std::vector<std::string>& endpoints, const Identity& identity) {
+    std::vector<std::size_t> all;
+    for (const std::string& uri : endpoints)
+        all.push_back(is_datagram(parse_endpoint(uri)) ? identity.datagram : 0);
+    return all;
+}
+
+wire::Bytes discovery_reply(wire::ByteView question, const std::vector<std::string>& endpoints,
+                            const Identity& identity) {
+    const std::string_view asked(reinterpret_cast<const char*>(question.data()), question.size());
+    if (!asked.starts_with("Discovery")) return {};
+    const std::string words =
+        identity.discovery_name + "\r\nCerulean Sonar\r\nMAC Address:- 54-10-EC-00-00-02\r\n" +
+        "IP Address:- " + identity.discovery + "\r\nPort:- " + std::to_string(data_port(endpoints)) + "\r\n";
+    return {words.begin(), words.end()};
+}
+
+}  // namespace echoloop::cerulean_device

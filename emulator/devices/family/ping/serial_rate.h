@@ -1,0 +1,43 @@
+// How long what a device says takes on its serial line, where that is as fast as a driver sets it (automatic
+// baud). Knows no time of day.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "emulator/contract/device.h"
+#include "emulator/contract/endpoint.h"
+#include "emulator/contract/options.h"
+
+namespace echoloop {
+
+struct SerialRate {
+    double bits_per_second = 0;  ///< of the slowest line; 0: none is known
+    bool automatic = true;
+    std::optional<std::size_t> port;  ///< the one that is so slow; nothing: all are
+
+    /// What a driver has set on the pty of `line`.
+    void follow(std::size_t line, double rate) {
+        if (!automatic) return;
+        bits_per_second = rate;
+        port = line;
+    }
+
+    Time time(const std::vector<Send>& sent) const {
+        constexpr double bits_per_byte = 10;  // 8N1
+        if (bits_per_second <= 0) return {};
+        std::size_t bytes = 0;
+        for (const Send& send : sent)
+            if (!port || send.port == *port) bytes += send.bytes.size();
+        return from_seconds(bits_per_byte * static_cast<double>(bytes) / bits_per_second);
+    }
+};
+
+/// From the options `baud` and `automatic_baud` and the rates of real serial ports.
+inline SerialRate read_serial_rate(const DeviceConfig& config) {
+    return {line_rate(config.endpoints, number(config.options, "baud")),
+            flag(config.options, "automatic_baud"),
+            {}};
+}
+
+}  // namespace echoloop

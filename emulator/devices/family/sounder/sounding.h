@@ -1,0 +1,50 @@
+// The settings that every echosounder which pings by itself has, from its options and its profile, and the
+// ping that follows from them. Data only; knows no device.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emulator/devices/family/sounder/bottom.h"
+#include "emulator/contract/model.h"
+
+namespace echoloop::echosounder {
+
+/// Figures of the profile, in radians where they are angles.
+struct Acoustics {
+    double frequency = 0;     ///< Hz
+    double pulse_length = 0;  ///< s
+    double source_level = 0;  ///< dB re 1 uPa at 1 m
+    double beam_width = 0;
+    AxisPattern horizontal, vertical;
+    Receiver receiver;
+};
+
+struct Sounding {
+    double rate = 1;            ///< pings per second
+    double range = 100;         ///< m, by its own sound speed
+    double sound_speed = 1500;  ///< m/s, by which it turns times into depths
+    double processing = 0.02;   ///< s
+    double baud = 4800;         ///< bit/s; 0: not paced
+    Acoustics acoustics;
+    BottomRule bottom;
+
+    /// How long it listens after each pulse, in s: out to the end of its range.
+    double window() const { return 2 * range / sound_speed; }
+    /// s from ping to ping; never shorter than it takes to listen and to think.
+    double period() const;
+    /// s that `bytes` take on the line; 0 where it is not paced.
+    double line_time(std::size_t bytes) const;
+};
+
+/// Options that all of them have: `sound_speed` and `processing`. The rest differs in defaults and sources.
+std::vector<Option> common_options();
+std::vector<FigureRow> figure_table();
+
+/// From complete options (`rate`, `range`, `baud` and the common ones) and a complete profile.
+Sounding read_sounding(const DeviceConfig& config);
+Shot shot_from(const Sounding& sounding);
+/// The `default_shot` of a model: its own ping, out to `range` m of the true sound speed if that is not 0.
+Shot plain_shot(const DeviceConfig& config, std::size_t step, double range);
+
+}  // namespace echoloop::echosounder

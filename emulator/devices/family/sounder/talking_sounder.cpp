@@ -1,0 +1,85 @@
+#include "emulator/devices/family/sounder/talking_sounder.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "emulator/contract/endpoint.h"
+
+namespace echoloop::echosounder {
+
+Wiring read_wiring(const std::vector<std::string>& endpoints, const std::string& model) {
+    if (endpoints.size() != 1)
+        throw std::invalid_argument("a " + model + " has one port: give exactly one endpoint");
+    const Endpoint e = parse_endpoint(endpoints[0]);
+    if (e.scheme == Endpoint::Scheme::udp_listen)
+        throw std::invalid_argument(endpoints[0] +
+                                    ": an echosounder speaks first; name the host that is to hear it, "
+                                    "udp://ADDRESS:PORT");
+    if (e.scheme != Endpoint::Scheme::udp) return {{"line", Port::Kind::stream, {}, false}, {}};
+    constexpr std::uint32_t loopback = 0x7F000001;
+    const Address from{e.ip >> 24 == 127 ? loopback : 0, e.local_port()};
+    return {{"datagrams", Port::Kind::datagram, from, false}, {e.ip, e.port}};
+}
+
+TalkingSounder::TalkingSounder(const Sounding& sounding, Wiring wiring, Words words, bool free_running)
+    : sounding_(sounding),
+      wiring_(std::move(wiring)),
+      words_(std::move(words)),
+      shot_(shot_from(sounding_)),
+      free_running_(free_running) {
+    if (wiring_.port.kind == Port::Kind::datagram) sounding_.baud = 0;
+}
+
+Actions TalkingSounder::ping(Time now) {
+    waiting_ = false;
+    ++shot_.ping;
+    next_ping_ = now + from_seconds(sounding_.period());
+    Actions actions;
+    actions.ping = Ping{shot_, now + from_seconds(sounding_.window() + sounding_.processing)};
+    return actions;
+}
+
+Actions TalkingSounder::ask(Time now) {
+    free_running_ = false;
+    return waiting_ ? ping(now) : Actions{};
+}
+
+Actions TalkingSounder::run_freely(Time now) {
+    free_running_ = true;
+    Actions actions;
+    if (waiting_) actions.wake = next_ping_ = std::max(now, next_ping_);
+    return actions;
+}
+
+Actions TalkingSounder::received(const Received& data, Time) {
+    counters_.skipped_bytes += data.bytes.size();
+    return {};
+}
+
+Actions TalkingSounder::woken(Time now) {
+    if (!free_running_ || !waiting_ || now < next_ping_) return {};
+    return ping(now);
+}
+
+Actions TalkingSounder::heard(const Echogram& echogram, Time now) {
+    if (waiting_ || echogram.shot.ping != shot_.ping) return {};
+    ++counters_.pings;
+    std::optional<double> depth;
+    if (const auto bottom = find_bottom(echogram, sounding_.bottom))
+        depth = bin_time(echogram.shot, static_cast<double>(bottom->bin)) * sounding_.sound_speed / 2;
+    Actions actions;
+    std::size_t bytes = 0;
+    for (const std::string& line : words_(depth)) {
+        bytes += line.size();
+        actions.send.push_back({0, Bytes(line.begin(), line.end()), wiring_.host, {}});
+    }
+    waiting_ = true;
+    // A slow line holds the next ping back, so that lines never queue up and grow old.
+    const double held = sounding_.line_time(bytes) - sounding_.window();
+    next_ping_ = std::max({next_ping_, now, now + from_seconds(held)});
+    if (free_running_) actions.wake = next_ping_;
+    return actions;
+}
+
+}  // namespace echoloop::echosounder

@@ -1,0 +1,59 @@
+// An echosounder that pings by itself, finds the bottom and says its depth in lines of text. A pure state
+// machine; what the lines say is its model's own.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emulator/devices/family/sounder/sounding.h"
+
+namespace echoloop::echosounder {
+
+/// Where its lines go: to the other end of a line, or as datagrams to a host.
+struct Wiring {
+    Port port;
+    Address host;  ///< of datagrams
+};
+
+/// Exactly one endpoint of any kind but udp-listen, since nobody would speak first. std::invalid_argument
+/// that names `model` otherwise.
+Wiring read_wiring(const std::vector<std::string>& endpoints, const std::string& model);
+
+class TalkingSounder : public Device {
+  public:
+    /// The lines of one ping, in order; the depth in m below the transducer, or nothing without a bottom.
+    using Words = std::function<std::vector<std::string>(std::optional<double> depth)>;
+
+    TalkingSounder(const Sounding& sounding, Wiring wiring, Words words, bool free_running = true);
+
+    std::vector<Port> ports() const override { return {wiring_.port}; }
+    Actions started(Time now) override { return free_running_ ? ping(now) : Actions{}; }
+    /// It listens to nobody: what comes is counted.
+    Actions received(const Received& data, Time now) override;
+    Actions heard(const Echogram& echogram, Time now) override;
+    Actions woken(Time now) override;
+    void reconnected(std::size_t) override {}
+    DeviceCounters counters() const override { return counters_; }
+
+  protected:
+    /// From now on it pings only when it is asked, as here; a ping under way is as good an answer.
+    Actions ask(Time now);
+    /// From now on it pings by itself, at its rate.
+    Actions run_freely(Time now);
+    DeviceCounters counters_;
+
+  private:
+    Actions ping(Time now);
+
+    Sounding sounding_;
+    Wiring wiring_;
+    Words words_;
+    Shot shot_;  ///< of the last ping
+    bool free_running_;
+    Time next_ping_{};     ///< not before; meaningful while no ping is under way
+    bool waiting_ = true;  ///< for the next ping; false: for echoes
+};
+
+}  // namespace echoloop::echosounder

@@ -1,0 +1,297 @@
+#include "emulator/run/runtime.h"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+
+#include "emulator/capture/recorded.h"
+#include "emulator/contract/error.h"
+#include "emulator/faults/control.h"
+#include "emulator/faults/faulty_session.h"
+#include "emulator/pose/movers.h"
+#include "emulator/pose/vehicle.h"
+#include "emulator/machine/punctual.h"
+#include "emulator/machine/real_time.h"
+#include "emulator/scenario/scene.h"
+#include "emulator/water/scheduling.h"
+#include "emulator/run/step_server.h"
+#include "emulator/transport/make.h"
+#include "emulator/truth/device_truth.h"
+#include "emulator/run/warm_up.h"
+#include "render/fan/plan_cache.h"
+#include "render/renderer.h"
+
+namespace echoloop {
+namespace {
+
+/// The first member is made from it: before there is another thread.
+const Scenario& with_memory_at_hand(const Scenario& scenario) {
+    keep_freed_memory();
+    return scenario;
+}
+
+std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io) {
+    if (scenario.clock == ClockMode::stepped) return std::make_unique<SteppedClock>(io, *scenario.unix_start);
+    return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
+}
+
+std::size_t fans_of(const Scenario& scenario) {
+    return static_cast<std::size_t>(std::ranges::count_if(scenario.devices, [](const ScenarioDevice& device) {
+        return !RenderThread::is_single_beam(device.model->default_shot(device.config, 0, 0));
+    }));
+}
+
+SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers,
+                         Punctuality punctuality) {
+    const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
+    const Effects effects = knows_effects ? scenario.render.effects : Effects::none();
+    const bool by_the_clock = scenario.clock == ClockMode::real || scenario.clock == ClockMode::scaled;
+    return {scenario.water,
+            effects,
+            scenario.seed,
+            scene.bounds(),
+            CrossTalk(scenario.water, effects),
+            0,
+            by_the_clock ? std::make_shared<Listeners>(punctuality) : nullptr,
+            movers.reach()};
+}
+
+}  // namespace
+
+class Runtime::Impl {
+  public:
+    Impl(const Scenario& scenario, const RunRecords& records, Punctuality punctuality)
+        : scene_(load_scene(with_memory_at_hand(scenario))),
+          signals_(io_),
+          end_(io_),
+          clock_(make_clock(scenario, io_)),
+          stepped_(dynamic_cast<SteppedClock*>(clock_.get())),
+          steps_(stepped_ == nullptr ? nullptr : make_step_server()),
+          real_time_(punctuality == Punctuality::real_time ? std::make_unique<RealTime>(scenario) : nullptr),
+          movers_(scenario, scene_),
+          vehicle_(scenario, *clock_, steps_.get(), movers_.by_lines()),
+          water_(shared_water(scenario, *scene_, movers_, punctuality)),
+          faults_(scenario.seed, scenario.file.string(), records.labels,
+                  [this] { return clock_->unix_time(); }),
+          render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
+                         RenderThread::useful(scenario.devices.size(), fans_of(scenario),
+                                              punctuality == Punctuality::real_time)) {
+        // Before the first link is made: a signal from here on ends the run in order and removes the links.
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
+        if (stepped_ != nullptr && records.recording != nullptr)
+            records.recording->follow(
+                [this, start = from_seconds(clock_->unix_start())] { return start + clock_->now(); });
+        movers_.open_inputs(scenario, *clock_, steps_.get());
+        if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
+        const bool faulty = !scenario.faults.empty() || !scenario.control.empty();
+        for (const ScenarioDevice& device : scenario.devices) add(device, records, faulty);
+        for (const Fault& fault : scenario.faults) faults_.add(fault);
+        if (!scenario.control.empty())
+            control_ = std::make_unique<Control>(*clock_, parse_control_place(scenario.control), faults_,
+                                                 scenario.devices, [this] { return summary(); });
+    }
+
+    ~Impl() {
+        for (auto& session : faulty_sessions_) session->close();
+        for (auto& session : sessions_) session->close();
+        join_listeners();
+    }
+
+    std::vector<RunningDevice> devices() const {
+        std::vector<RunningDevice> running = running_;
+        for (std::size_t i = 0; i < running.size(); ++i)
+            for (const auto& transport : sessions_[i]->transports())
+                running[i].places.push_back(transport->describe());
+        return running;
+    }
+
+    void run(std::optional<double> duration) {
+        signals_.async_wait([this](error_code ec, int) {
+            if (!ec) stop();
+        });
+        wake_on_time();
+        if (real_time_) {
+            clock_->watch(&real_time_->standstills());
+            claim_real_time(Turn::wires);
+            lock_memory();
+        }
+        clock_->begin();
+        vehicle_.start();
+        movers_.start();
+        stepped_ == nullptr ? begin(duration) : begin_with_first_step(duration);
+        clock_->run();
+        join_listeners();
+    }
+
+    std::vector<SessionSummary> summary() const {
+        std::vector<SessionSummary> all;
+        for (const auto& session : sessions_) all.push_back(session->summary());
+        return all;
+    }
+
+    std::string control() const { return control_ ? control_->describe() : ""; }
+    const std::map<std::string, FaultCounts>& faults() const { return faults_.labels().counts(); }
+    std::optional<PoseSummary> poses() const { return vehicle_.summary(); }
+    std::map<std::string, PoseSummary> objects() const { return movers_.summary(); }
+    std::optional<StepSummary> steps() const {
+        return steps_ ? std::optional(steps_->summary()) : std::nullopt;
+    }
+    std::optional<RealTimeSummary> real_time() const {
+        return real_time_ ? std::optional(real_time_->summary()) : std::nullopt;
+    }
+    std::size_t triangles() const { return scene_->triangles(); }
+    const std::string& renderer_description() const { return renderer_description_; }
+
+  private:
+    void begin(std::optional<double> duration) {
+        if (duration) {
+            end_.expires_after(std::chrono::duration_cast<RealClock::Steady::duration>(
+                std::chrono::duration<double>(*duration)));
+            end_.async_wait([this](error_code ec) {
+                if (!ec) stop();
+            });
+        }
+        power_up();
+    }
+
+    void power_up() {
+        for (std::size_t i = 0; i < sessions_.size(); ++i) {
+            sessions_[i]->start();
+            if (!faulty_sessions_.empty()) faulty_sessions_[i]->start(*sessions_[i]);
+        }
+        if (control_) control_->start();
+    }
+
+    /// Not before: who steps has the first word about where the vehicle is.
+    void begin_with_first_step(std::optional<double> duration) {
+        stepped_->on_step([this, powered = false](Time to) mutable {
+            vehicle_.step(clock_->now(), to);
+            movers_.step(clock_->now(), to);
+            if (std::exchange(powered, true)) return;
+            power_up();
+        });
+        steps_->start(duration ? std::optional(from_seconds(*duration)) : std::nullopt, [this] { stop(); });
+    }
+
+    std::unique_ptr<StepServer> make_step_server() {
+        return std::make_unique<StepServer>(*stepped_, [this] {
+            std::vector<std::pair<std::string, std::uint64_t>> sent;
+            for (const auto& session : sessions_) {
+                const SessionSummary summary = session->summary();
+                sent.emplace_back(summary.name, summary.bytes_out);
+            }
+            return sent;
+        });
+    }
+
+    /// On a render thread, several at once.
+    std::unique_ptr<Renderer> make_renderer(const Scenario& scenario, RenderThread::Lane lane) {
+        RendererOptions options = scenario.render;
+        options.plans = plans_;
+        options.drawing_threads = RenderThread::drawing_threads(scenario.devices.size());
+        auto renderer = std::make_unique<Renderer>(scene_, scenario.water, options);
+        std::call_once(described_, [&] { renderer_description_ = renderer->context_description(); });
+        warm_up(*renderer, scenario, water_, lane);
+        return renderer;
+    }
+
+    /// A device may still be busy with an echogram.
+    void join_listeners() {
+        if (water_.listeners) water_.listeners->join();
+    }
+
+    void add(const ScenarioDevice& entry, const RunRecords& records, bool faulty) {
+        DeviceConfig config = entry.config;
+        config.unix_start = clock_->unix_start();
+        const auto make = [config, model = entry.model] { return model->make(config); };
+        FaultySession* faults = nullptr;
+        if (faulty)
+            faults = faulty_sessions_
+                         .emplace_back(std::make_unique<FaultySession>(*clock_, faults_.of(entry.name)))
+                         .get();
+        auto device = faults != nullptr ? faults->device(make) : make();
+        const auto ports = device->ports();
+        const auto around =
+            records.recording != nullptr ? Around(PortRecorder(*records.recording, entry.name)) : Around();
+        auto transports = make_transports(*clock_, ports, config, around);
+        if (faults != nullptr) transports = faults->lines(std::move(transports), ports, entry);
+        sessions_.push_back(std::make_unique<Session>(
+            io_, *clock_, render_thread_, water_, entry.name, std::move(device), std::move(transports),
+            [this, body_from_sonar = entry.body_from_sonar](Time time) {
+                Situation situation(vehicle_.world_from_body(time) * body_from_sonar);
+                situation.movers = movers_.at(time);
+                return situation;
+            }));
+        if (records.truth != nullptr)
+            sessions_.back()->tell(
+                std::make_unique<DeviceTruth>(*records.truth, entry.name, entry.body_from_sonar));
+        if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
+        if (records.remarks) sessions_.back()->remark_pings();
+        if (stepped_ == nullptr && vehicle_.known_ahead() && movers_.known_ahead())
+            sessions_.back()->look_ahead();
+        running_.push_back({entry.name, entry.model, {}});
+    }
+
+    void stop() {
+        if (steps_) steps_->close();
+        vehicle_.close();
+        movers_.close();
+        if (control_) control_->close();
+        for (auto& session : faulty_sessions_) session->close();
+        for (auto& session : sessions_) session->close();
+        error_code ignored;
+        signals_.cancel(ignored);
+        end_.cancel(ignored);
+        io_.stop();
+    }
+
+    TruthHeader truth_header(const Scenario& scenario) const {
+        TruthHeader header{.scenario = scenario.file.string(),
+                           .scene = scenario.scene.string(),
+                           .seed = scenario.seed,
+                           .unix_start = clock_->unix_start(),
+                           .objects = {scene_->objects().begin(), scene_->objects().end()}};
+        for (const SceneMover& mover : scene_->movers()) header.movers.push_back(mover.name);
+        for (const ScenarioDevice& device : scenario.devices)
+            header.devices.push_back({device.name, device.model->name, device.body_from_sonar});
+        return header;
+    }
+
+    std::shared_ptr<const Scene> scene_;
+    std::string renderer_description_;
+    std::once_flag described_;
+    const std::shared_ptr<PlanCache> plans_ = std::make_shared<PlanCache>();
+    asio::io_context io_;
+    asio::signal_set signals_;
+    asio::steady_timer end_;
+    std::unique_ptr<Clock> clock_;
+    SteppedClock* stepped_;                ///< the clock, if it is one
+    std::unique_ptr<StepServer> steps_;    ///< if it is
+    std::unique_ptr<RealTime> real_time_;  ///< nullptr: not asked for
+    Movers movers_;
+    Vehicle vehicle_;
+    SharedWater water_;
+    Faults faults_;
+    std::vector<std::unique_ptr<FaultySession>> faulty_sessions_;  ///< as sessions_, or none
+    std::vector<std::unique_ptr<Session>> sessions_;
+    std::unique_ptr<Control> control_;  ///< nullptr without a place
+    std::vector<RunningDevice> running_;
+    RenderThread render_thread_;  // last: joined first, so that no ping comes back to a session that is gone
+};
+
+Runtime::Runtime(const Scenario& scenario, RunRecords records, Punctuality punctuality)
+    : impl_(std::make_unique<Impl>(scenario, records, punctuality)) {}
+Runtime::~Runtime() = default;
+std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
+std::size_t Runtime::triangles() const { return impl_->triangles(); }
+std::string Runtime::renderer() const { return impl_->renderer_description(); }
+std::optional<PoseSummary> Runtime::poses() const { return impl_->poses(); }
+std::map<std::string, PoseSummary> Runtime::objects() const { return impl_->objects(); }
+std::optional<StepSummary> Runtime::steps() const { return impl_->steps(); }
+std::optional<RealTimeSummary> Runtime::real_time() const { return impl_->real_time(); }
+std::map<std::string, FaultCounts> Runtime::faults() const { return impl_->faults(); }
+std::string Runtime::control() const { return impl_->control(); }
+void Runtime::run(std::optional<double> duration) { impl_->run(duration); }
+std::vector<SessionSummary> Runtime::summary() const { return impl_->summary(); }
+
+}  // namespace echoloop

@@ -1,0 +1,74 @@
+// A scenario come to life: scene, renderer, one session per device, until a signal or the end of the time.
+// Prints nothing; the command line does.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emulator/faults/labels.h"
+#include "emulator/run/device_threads.h"
+#include "emulator/scenario/scenario.h"
+#include "emulator/run/session.h"
+
+namespace echoloop {
+
+/// A device that is up, and where.
+struct RunningDevice {
+    std::string name;
+    const Model* model = nullptr;
+    std::vector<std::string> places;  ///< what its transports call themselves
+};
+
+class BackgroundFile;
+class Recording;
+class TruthFile;
+struct PoseSummary;
+struct RealTimeSummary;
+struct StepSummary;
+
+/// What a run writes beside the bytes on the wire; nullptr: not asked for. All outlive the runtime.
+struct RunRecords {
+    Recording* recording = nullptr;    ///< gets the traffic of every port
+    bool remarks = false;              ///< in the recording each ping says where its sonar was
+    TruthFile* truth = nullptr;        ///< gets what is really there at every ping
+    BackgroundFile* labels = nullptr;  ///< gets a line for every fault that is made
+};
+
+class Runtime {
+  public:
+    /// Loads the scene, makes the renderer and opens every endpoint; nothing is said on any of them yet.
+    /// Throws SceneError, StartError or std::runtime_error, and then has left nothing behind.
+    explicit Runtime(const Scenario& scenario, RunRecords records = {},
+                     Punctuality punctuality = Punctuality::ordinary);
+    ~Runtime();
+
+    std::vector<RunningDevice> devices() const;
+    std::size_t triangles() const;
+    std::string renderer() const;  ///< e.g. "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe"
+
+    /// Powers the devices up and serves them until SIGINT, SIGTERM or `duration` seconds: of real time, or of
+    /// the run where the clock is stepped, whose devices are powered up by the first step.
+    void run(std::optional<double> duration = {});
+    std::vector<SessionSummary> summary() const;
+    /// Where it is controlled from; "": nowhere.
+    std::string control() const;
+    /// Of the faults that were made, by device; empty if none could be.
+    std::map<std::string, FaultCounts> faults() const;
+    /// What came from outside about the vehicle; empty if nothing is asked from there.
+    std::optional<PoseSummary> poses() const;
+    /// Of the objects that somebody outside moves.
+    std::map<std::string, PoseSummary> objects() const;
+    /// Empty unless the clock is stepped.
+    std::optional<StepSummary> steps() const;
+    /// Empty unless it was asked for.
+    std::optional<RealTimeSummary> real_time() const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace echoloop

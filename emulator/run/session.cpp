@@ -1,0 +1,296 @@
+#include "emulator/run/session.h"
+
+#include <spdlog/spdlog.h>
+
+#include "emulator/capture/remark.h"
+#include "emulator/contract/random_key.h"
+#include "emulator/truth/device_truth.h"
+
+namespace echoloop {
+namespace {
+
+constexpr std::size_t outbox_limit = 64 << 20;  // bytes; a driver that never reads must not eat the memory
+constexpr Time late_after = std::chrono::milliseconds(1);
+constexpr std::size_t worth_a_thread = 16'384;  ///< values of an echogram; fewer take a device no time
+
+/// m, from a point to the corner of the scene's bounds that is farthest from it.
+double farthest_from(Vec3 point, const Bounds& scene) {
+    const auto reach = [&scene](std::size_t axis, double at) {
+        return std::max(std::abs(scene.min[axis] - at), std::abs(scene.max[axis] - at));
+    };
+    return norm({reach(0, point.x), reach(1, point.y), reach(2, point.z)});
+}
+
+}  // namespace
+
+Session::Session(asio::io_context& io, Clock& clock, RenderThread& renderer, SharedWater& water,
+                 std::string name, std::unique_ptr<Device> device,
+                 std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at)
+    : io_(io),
+      clock_(clock),
+      water_(water),
+      sonar_(water.sonars++),
+      name_(std::move(name)),
+      device_(std::move(device)),
+      transports_(std::move(transports)),
+      situation_at_(std::move(situation_at)),
+      renderer_(clock, renderer, sonar_, name_),
+      mail_(clock, sonar_),
+      alarm_(clock, sonar_),
+      alive_(std::make_shared<bool>(true)) {}
+
+Session::~Session() {
+    close();
+    *alive_ = false;
+}
+
+void Session::tell(std::unique_ptr<DeviceTruth> truth) { truth_ = std::move(truth); }
+
+void Session::start() {
+    for (std::size_t port = 0; port < transports_.size(); ++port) {
+        transports_[port]->start(
+            {.received =
+                 [this, port](ByteView bytes, Address from) {
+                     if (!hearing_) return apply_now(device_->received({port, bytes, from}, clock_.now()));
+                     act([this, port, kept = Bytes(bytes.begin(), bytes.end()), from] {
+                         return device_->received({port, kept, from}, clock_.now());
+                     });
+                 },
+             .reconnected = [this, port] { to_device([this, port] { device_->reconnected(port); }); },
+             .connected =
+                 [this, port](Address peer) {
+                     act([this, port, peer] { return device_->connected(port, peer, clock_.now()); });
+                 },
+             .disconnected =
+                 [this, port](Address peer) {
+                     act([this, port, peer] { return device_->disconnected(port, peer, clock_.now()); });
+                 },
+             .line_rate =
+                 [this, port](double rate) {
+                     to_device([this, port, rate] { device_->line_rate(port, rate); });
+                 }});
+    }
+    asio::co_spawn(io_, keep_writing(), Serving(name_));
+    asio::co_spawn(io_, keep_waking(), Serving(name_));
+    apply_now(device_->started(clock_.now()));
+}
+
+void Session::cut_power(std::function<void()> cut) {
+    ++power_cuts_;
+    outbox_.clear();
+    outbox_bytes_ = 0;
+    wake_ = Time::max();
+    late_.reset();
+    renderer_.expect_nothing();
+    alarm_.cancel();
+    to_device(std::move(cut));
+}
+
+void Session::close() {
+    if (closed_) return;
+    closed_ = true;
+    mail_.cancel();
+    alarm_.cancel();
+    renderer_.close();
+    for (auto& transport : transports_) transport->close();
+}
+
+void Session::apply(Actions actions, Time time) {
+    acted_ = time;
+    for (Send& send : actions.send) post_mail(std::move(send));
+    if (actions.wake) {
+        wake_ = *actions.wake;
+        alarm_.cancel();
+    }
+    if (actions.ping) transmit(std::move(*actions.ping), time);
+}
+
+void Session::post_mail(Send send) {
+    if (outbox_bytes_ + send.bytes.size() > outbox_limit) {
+        if (summary_.dropped++ == 0) spdlog::warn("{}: the outbox is full; messages are dropped", name_);
+        return;
+    }
+    outbox_bytes_ += send.bytes.size();
+    const Time when = send.not_before;
+    const bool first = outbox_.empty() || when < outbox_.begin()->first;
+    outbox_.emplace(when, Mail{std::move(send), heard_, std::exchange(remark_, {})});
+    summary_.most_waiting = std::max(summary_.most_waiting, outbox_.size());
+    summary_.most_waiting_bytes = std::max(summary_.most_waiting_bytes, outbox_bytes_);
+    if (first) mail_.cancel();
+}
+
+void Session::transmit(Ping ping, Time time) {
+    ping.shot.random_key = random_key(water_.seed, name_);
+    Situation situation = situation_at_(time);
+    const Pose pose = situation.world_from_sonar;
+    ++sequence_;
+    if (time > silent_from_) late_.reset();  // a gap in the row, and what is late is forgotten
+    silent_from_ = ping.shot.interval > 0 ? time + from_seconds(1.5 * ping.shot.interval) : Time::max();
+    Transmission transmission{time, sonar_, pose, ping.shot};
+    water_.cross_talk.transmitted(transmission);
+    double farthest = farthest_from(pose.position, water_.scene);
+    for (std::size_t i = 0; i < std::min(water_.reach.size(), situation.movers.size()); ++i)
+        farthest = std::max(farthest, norm(situation.movers[i].position - pose.position) + water_.reach[i]);
+    const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
+    const Time next_due = ping.due + from_seconds(ping.shot.interval);
+    situation.objects = truth_ != nullptr;
+    auto echoes = renderer_.render(ping, situation);
+    const bool objects = std::exchange(situation.objects, false);
+    situation.detail = late_detail;
+    const auto late_before =
+        std::exchange(late_, late ? renderer_.render(next_due, *late, situation) : nullptr);
+    renderer_.expect_next(ping, time, objects);
+    const double unix_time = clock_.unix_time() - to_seconds(clock_.now() - time);
+    asio::co_spawn(io_,
+                   deliver({std::move(transmission), sequence_, ping.due, std::move(echoes), late_before,
+                            std::move(situation), unix_time, power_cuts_}),
+                   Serving(name_));
+}
+
+Task<void> Session::ready(std::shared_ptr<Rendering> rendering) {
+    const Clock::Hold hold(clock_);
+    while (rendering && !rendering->echogram && !closed_) co_await rendering->done.until(Time::max());
+}
+
+Task<void> Session::deliver(UnderWay ping) {
+    Alarm due(clock_, sonar_);
+    co_await due.until(ping.due);
+    ping.woken = clock_.now();
+    ping.overslept = clock_.overslept(ping.due);
+    co_await ready(ping.echoes);
+    co_await ready(ping.late_before);
+    if (closed_ || ping.powered != power_cuts_) co_return;
+    to_device([this, heard = std::make_shared<UnderWay>(std::move(ping))] {
+        if (heard->powered == power_cuts_) hear(*heard);
+    });
+}
+
+void Session::count_late(const UnderWay& ping, Time now) {
+    const Time lateness = now - ping.due;
+    if (clock_.stood_still(ping.transmission.time) >= lateness - late_after) {
+        ++summary_.held_up;
+        if (clock_.all_stood_still(ping.due) >= lateness - late_after) ++summary_.held_up_by_all;
+        summary_.longest_held_up = std::max(summary_.longest_held_up, lateness);
+        return;
+    }
+    ++summary_.late_pings;
+    summary_.worst_late = std::max(summary_.worst_late, lateness);
+    if (now - ping.woken > lateness / 2) {
+        ++summary_.late_renderings;
+    } else if (ping.overslept > lateness / 2) {
+        ++summary_.late_wakings;
+    }
+}
+
+void Session::hear(UnderWay& ping) {
+    const Time now = std::max(ping.due, clock_.now());
+    if (now > ping.due + late_after) count_late(ping, now);
+    lateness_.add(now - ping.due);
+    ++summary_.pings;
+    auto heard =
+        std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, {}, ping.sequence, now});
+    if (ping.late_before) heard->late_before = std::move(*ping.late_before->echogram);
+    Echogram& echogram = heard->echogram;
+    heard->foreign = water_.cross_talk.pulses_in(echogram, ping.transmission);
+    heard_ = ping.sequence;
+    if (faults_ != nullptr) faults_->heard_ping = heard_;
+    if (remarks_) remark_ = remark_of(ping.transmission, ping.sequence);
+    auto faults = truth_ && faults_ != nullptr ? faults_->on(now) : std::vector<std::string>{};
+    if (truth_)
+        truth_->heard(ping.transmission, ping.situation, ping.unix_time, ping.due, std::move(faults),
+                      echogram);
+    before_hearing_(now);
+    const bool large = echogram.values.size() >= worth_a_thread;
+    if (large && water_.listeners) return hear_elsewhere(std::move(heard));
+    apply_now(after_hearing_(hear_all(*heard), now));
+}
+
+Actions Session::hear_all(Heard& heard) {
+    water_.cross_talk.add(heard.foreign, heard.echogram);
+    if (heard.late_before) late_echoes_.keep(heard.sequence - 1, std::move(*heard.late_before));
+    late_echoes_.add_to(heard.sequence, heard.echogram);
+    return device_->heard(heard.echogram, heard.now);
+}
+
+void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
+    hearing_ = true;
+    counters_ = device_->counters();
+    auto hold = std::make_shared<const Clock::Hold>(clock_);  // it comes back to the io thread before it ends
+    water_.listeners->post([this, &inbox = clock_.inbox(), alive = alive_, heard = std::move(heard),
+                            powered = power_cuts_, hold = std::move(hold)]() mutable {
+        auto actions = std::make_shared<Actions>();
+        std::exception_ptr fault;
+        try {
+            *actions = hear_all(*heard);
+        } catch (...) {
+            fault = std::current_exception();
+        }
+        inbox.post([this, now = heard->now, powered, alive = std::move(alive), actions = std::move(actions),
+                    fault = std::move(fault), hold = std::move(hold)] {
+            if (!*alive || closed_) return;
+            hearing_ = false;
+            Serving{name_}(fault);
+            if (powered == power_cuts_) apply_now(after_hearing_(std::move(*actions), now));
+            alarm_.cancel();
+            for (; !waiting_.empty() && !hearing_ && !closed_; waiting_.pop_front()) waiting_.front()();
+        });
+    });
+}
+
+void Session::act(std::function<Actions()> event) {
+    to_device([this, event = std::move(event), powered = power_cuts_] {
+        if (powered == power_cuts_) apply_now(event());
+    });
+}
+
+Task<void> Session::keep_waking() {
+    while (!closed_) {
+        co_await alarm_.until(hearing_ ? Time::max() : wake_);
+        const Time now = clock_.now();
+        if (closed_ || hearing_ || now < wake_) continue;
+        // What was planned happens when it was, unless this woke far too late: a row of pings keeps its pace.
+        const Time planned = std::max(std::exchange(wake_, Time::max()), acted_);
+        const Time time = now - planned < late_after ? planned : now;
+        apply(device_->woken(time), time);
+    }
+}
+
+Task<void> Session::keep_writing() {
+    while (!closed_) {
+        if (outbox_.empty()) {
+            co_await mail_.until(Time::max());
+            continue;
+        }
+        const auto first = outbox_.begin();
+        if (first->first > clock_.now()) {
+            co_await mail_.until(first->first);
+            continue;
+        }
+        const auto [send, ping, remark] = std::move(outbox_.extract(first).mapped());
+        outbox_bytes_ -= send.bytes.size();
+        if (faults_ != nullptr) faults_->ping = ping;
+        if (send.port >= transports_.size()) continue;
+        if (!remark.empty()) transports_[send.port]->annotate(remark);
+        transports_[send.port]->speak_at(send.line_rate);
+        co_await transports_[send.port]->write(send.bytes, send.to);
+        if (send.hang_up) transports_[send.port]->hang_up(send.to);
+    }
+}
+
+SessionSummary Session::summary() const {
+    SessionSummary summary = summary_;
+    summary.name = name_;
+    summary.worst_lateness = lateness_.worst();
+    summary.median_lateness = lateness_.not_exceeded_by(0.5);
+    summary.p99_lateness = lateness_.not_exceeded_by(0.99);
+    summary.device = hearing_ ? counters_ : device_->counters();
+    for (const auto& transport : transports_) {
+        summary.bytes_in += transport->bytes_in();
+        summary.bytes_out += transport->bytes_out();
+        summary.bytes_lost += transport->bytes_lost();
+        summary.dropped += transport->messages_dropped();
+    }
+    return summary;
+}
+
+}  // namespace echoloop

@@ -1,0 +1,194 @@
+// The only place where a device, its transports, the clock and the renderer meet: one reader per port, one
+// outbox with one writer. It understands no message.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emulator/clock/asio.h"
+#include "emulator/clock/clock.h"
+#include "emulator/water/crosstalk.h"
+#include "emulator/contract/device.h"
+#include "emulator/faults/faults.h"
+#include "emulator/run/lateness.h"
+#include "emulator/run/device_threads.h"
+#include "emulator/water/ping_renderer.h"
+#include "emulator/water/second_time_around.h"
+#include "emulator/transport/transport.h"
+#include "render/scene/scene.h"
+
+namespace echoloop {
+
+class DeviceTruth;
+
+/// What a session did, for the end of a run.
+struct SessionSummary {
+    std::string name;
+    DeviceCounters device;
+    std::uint64_t pings = 0;       ///< echograms delivered
+    /// Delivered more than a millisecond after they were due, for which no standstill of the machine accounts.
+    std::uint64_t late_pings = 0;
+    /// Of those, by cause: the echogram was what they waited for, or else the machine woke this program too
+    /// late.
+    std::uint64_t late_renderings = 0, late_wakings = 0;
+    Time worst_late{};
+    /// Those that would not have been late, had not a processor stood still while their echoes were on their
+    /// way (known in real-time runs only). Of them: when they were due none ran, for all of their lateness but
+    /// a millisecond.
+    std::uint64_t held_up = 0, held_up_by_all = 0;
+    Time longest_held_up{};
+    /// Of all pings, whoever was to blame; the last is what 99 of 100 do not exceed.
+    Time worst_lateness{}, median_lateness{}, p99_lateness{};
+    /// Messages that did not fit the outbox, or what is kept for a driver that does not read.
+    std::uint64_t dropped = 0;
+    std::size_t most_waiting = 0, most_waiting_bytes = 0;  ///< messages in the outbox at once
+    std::uint64_t bytes_in = 0, bytes_out = 0;
+    std::uint64_t bytes_lost = 0;  ///< a driver was there and did not take them
+};
+
+/// What the sessions of a run share: the water that they all ping in.
+struct SharedWater {
+    Water water;
+    Effects effects;         ///< none where the renderer's rule knows none
+    std::uint64_t seed = 0;  ///< of the scenario
+    Bounds scene;
+    CrossTalk cross_talk;
+    std::size_t sonars = 0;  ///< sessions so far
+    /// Threads on which devices make bytes of large echograms, so that the wires of others do not wait;
+    /// nullptr: that happens in its turn, for runs whose every event has its place. Join them before the
+    /// sessions end.
+    std::shared_ptr<Listeners> listeners{};
+    std::vector<double> reach{};  ///< m, from each mover's origin to its farthest point
+};
+
+class Session {
+  public:
+    /// Where the sonar and everything that moves is at a time of the run.
+    using SituationAt = std::function<Situation(Time)>;
+
+    /// `transports`: one per port of the device, in the order of ports().
+    Session(asio::io_context& io, Clock& clock, RenderThread& renderer, SharedWater& water, std::string name,
+            std::unique_ptr<Device> device, std::vector<std::unique_ptr<Transport>> transports,
+            SituationAt situation_at);
+    ~Session();
+
+    /// Before start(). `truth` gets every ping from then on.
+    void tell(std::unique_ptr<DeviceTruth> truth);
+    /// Before start(): whose messages and pings the faults are made on. It outlives this.
+    void tell_of_pings(DeviceFaults& faults) { faults_ = &faults; }
+
+    /// Before start(): the first packet of each ping gets a comment that says where the sonar was.
+    void remark_pings() { remarks_ = true; }
+
+    /// Before start(): where everything will be is known, so that pings may be rendered ahead of their time.
+    void look_ahead() { renderer_.look_ahead(situation_at_); }
+
+    void start();
+    /// `before` is called on this thread before the device hears an echogram, and `after` with what
+    /// that made it do, wherever it heard it.
+    void around_hearing(std::function<void(Time)> before, std::function<Actions(Actions, Time)> after) {
+        before_hearing_ = std::move(before);
+        after_hearing_ = std::move(after);
+    }
+    /// The device has lost its power: what it was about to send, and its pings, are gone. `cut` is called
+    /// when no thread is with the device.
+    void cut_power(std::function<void()> cut);
+    /// Powers the device up again.
+    void power_up() {
+        to_device([this] { apply_now(device_->started(clock_.now())); });
+    }
+    void close();
+    const std::vector<std::unique_ptr<Transport>>& transports() const { return transports_; }
+    SessionSummary summary() const;
+
+  private:
+    /// What the device did at `time`.
+    void apply(Actions actions, Time time);
+    void apply_now(Actions actions) { apply(std::move(actions), clock_.now()); }
+    void transmit(Ping ping, Time time);
+    /// The clock waits for it; nullptr is ready at once.
+    Task<void> ready(std::shared_ptr<Rendering> rendering);
+    /// A ping on its way, and its place in the row of this session's pings.
+    struct UnderWay {
+        Transmission transmission;
+        std::uint64_t sequence;
+        Time due;
+        std::shared_ptr<Rendering> echoes, late_before;  ///< late_before: of the ping before, may be nullptr
+        Situation situation;
+        double unix_time;       ///< s since 1970, of the transmission
+        std::uint64_t powered;  ///< power_cuts_ when it was sent
+        Time woken{};           ///< when it was seen to be due
+        Time overslept{};       ///< by then
+    };
+    /// A message, and the number of the ping that the device had heard last.
+    struct Mail {
+        Send send;
+        std::uint64_t ping;
+        std::string remark;  ///< for a recording; "": none
+    };
+    Task<void> deliver(UnderWay ping);
+    void hear(UnderWay& ping);
+    void count_late(const UnderWay& ping, Time now);
+    /// What the device is about to hear; nothing else touches its late echoes meanwhile.
+    struct Heard {
+        Echogram echogram;
+        std::optional<Echogram> late_before;
+        std::vector<ForeignPulse> foreign;
+        std::uint64_t sequence;
+        Time now;
+    };
+    Actions hear_all(Heard& heard);
+    /// On another thread, which this session outlives.
+    void hear_elsewhere(std::shared_ptr<Heard> heard);
+    /// Lets `event` happen to the device now, or once it has heard the echogram that it is busy with.
+    void to_device(std::function<void()> event) { hearing_ ? waiting_.push_back(std::move(event)) : event(); }
+    /// The same with what it did; nothing if it has lost its power meanwhile.
+    void act(std::function<Actions()> event);
+    Task<void> keep_waking();
+    Task<void> keep_writing();
+    void post_mail(Send send);
+
+    asio::io_context& io_;
+    Clock& clock_;
+    SharedWater& water_;
+    std::size_t sonar_;  ///< number of this session
+    std::string name_;
+    std::unique_ptr<Device> device_;
+    std::vector<std::unique_ptr<Transport>> transports_;
+    SituationAt situation_at_;
+    PingRenderer renderer_;
+    std::unique_ptr<DeviceTruth> truth_;  ///< nullptr: nobody asks
+
+    std::multimap<Time, Mail> outbox_;  ///< by not_before; equal times keep their order
+    std::size_t outbox_bytes_ = 0;
+    Lateness lateness_;
+    bool remarks_ = false;
+    std::string remark_;  ///< of the ping that was heard last, until a message takes it along
+    Alarm mail_;          ///< rings when the outbox has a new first element
+    Alarm alarm_;         ///< rings at wake_
+    Time wake_ = Time::max();
+    Time acted_{};  ///< when the device did something last
+    bool closed_ = false;
+    bool hearing_ = false;     ///< the device belongs to another thread
+    DeviceCounters counters_;  ///< meanwhile: what they were before
+    std::function<void(Time)> before_hearing_ = [](Time) {};
+    std::function<Actions(Actions, Time)> after_hearing_ = [](Actions actions, Time) { return actions; };
+    std::deque<std::function<void()>> waiting_;
+    DeviceFaults* faults_ = nullptr;  ///< nullptr: none can come
+    std::uint64_t power_cuts_ = 0;
+    std::uint64_t heard_ = 0;  ///< number of the ping heard last, from 1
+
+    SecondTimeAround late_echoes_;
+    std::shared_ptr<Rendering> late_;  ///< of the last ping, may be nullptr
+    std::uint64_t sequence_ = 0;       ///< of the last ping
+    Time silent_from_ = Time::max();   ///< when the echoes of the last ping have died away
+    SessionSummary summary_;
+    std::shared_ptr<bool> alive_;  ///< false once this session is gone; for what comes late
+};
+
+}  // namespace echoloop

@@ -1,0 +1,152 @@
+#include "emulator/scenario/fault_kinds.h"
+
+#include <algorithm>
+
+#include "emulator/contract/option_rows.h"
+
+namespace echoloop {
+namespace {
+
+Option chance(double value, const std::string& of) {
+    return number_row("rate", "", value, 0, 1, "share of " + of + " that it happens to", "");
+}
+
+Option seconds(std::string name, double value, double low, double high, std::string help) {
+    return number_row(std::move(name), "s", value, low, high, std::move(help), "");
+}
+
+Option count(std::string name, std::int64_t value, double low, double high, std::string help) {
+    return integer_row(std::move(name), "", value, low, high, std::move(help), "");
+}
+
+Option patience() {
+    return seconds("within", 0.5, 0, 60, "a message waits no longer than this for the next ones");
+}
+
+std::vector<FaultRow> rows_of_bytes() {
+    using Kind = FaultKind;
+    constexpr auto bytes = FaultRow::Where::bytes;
+    return {
+        {Kind::loss, "loss", bytes, "whole messages are lost", {chance(0.01, "messages")}},
+        {Kind::silence, "silence", bytes, "nothing is sent; the device goes on"},
+        {Kind::duplication,
+         "duplication",
+         bytes,
+         "messages come more than once",
+         {chance(0.01, "messages"), count("copies", 1, 1, 100, "how often each comes again")}},
+        {Kind::wrong_checksum,
+         "wrong_checksum",
+         bytes,
+         "the checksum in a message is wrong, everything else is right",
+         {chance(0.01, "messages")},
+         "a protocol with checksums"},
+        {Kind::truncation,
+         "truncation",
+         bytes,
+         "the end of a message is missing",
+         {chance(0.01, "messages"),
+          count("keep", 0, 0, 1 << 20, "bytes that are left; 0: any number, and at least one is cut off")}},
+        {Kind::bit_flips,
+         "bit_flips",
+         bytes,
+         "single bits are inverted, one in a byte at most",
+         {chance(1e-4, "bits")}},
+        {Kind::merge,
+         "merge",
+         bytes,
+         "messages are put together into one write or datagram",
+         {count("messages", 2, 2, 1000, "how many become one"), patience()}},
+        {Kind::reordering,
+         "reordering",
+         bytes,
+         "a message comes behind those that follow it",
+         {chance(0.01, "messages"), count("by", 1, 1, 1000, "messages that overtake it"), patience()}},
+        {Kind::split,
+         "split",
+         bytes,
+         "messages come in parts, cut anywhere; each part is a write or datagram of its own",
+         {chance(1, "messages"), count("parts", 2, 2, 1000, "into how many"),
+          seconds("gap", 0.005, 0, 60, "pause between the parts")}},
+    };
+}
+
+std::vector<FaultRow> rows_of_time() {
+    using Kind = FaultKind;
+    constexpr auto bytes = FaultRow::Where::bytes;
+    FaultRow stale{Kind::stale_burst, "stale_burst", bytes,
+                   "messages are held back until the end of its time and then come all at once"};
+    stale.needs_end = true;
+    return {{Kind::latency,
+             "latency",
+             bytes,
+             "messages come late",
+             {seconds("delay", 0.1, 0, 60, "how late each comes")}},
+            {Kind::jitter,
+             "jitter",
+             bytes,
+             "messages come late by different times, in their order",
+             {seconds("delay", 0.02, 0, 60, "the most; any time from 0 up to it is as likely")}},
+            {Kind::bandwidth,
+             "bandwidth",
+             bytes,
+             "the line carries no more than so many bits in a second; messages queue up",
+             {number_row("bits_per_second", "bit/s", 9600, 1, 1e12, "what the line carries", "")}},
+            std::move(stale)};
+}
+
+std::vector<FaultRow> rows_of_lines_and_devices() {
+    using Kind = FaultKind;
+    using Where = FaultRow::Where;
+    return {
+        {Kind::baud_mismatch,
+         "baud_mismatch",
+         Where::bytes,
+         "the device's UART runs at another rate than the driver's: what a UART makes of it arrives",
+         {number_row("baud", "bit/s", 9600, 50, 1e7, "rate at which the device speaks and listens", "")},
+         "a serial line"},
+        {Kind::unplug, "unplug", Where::line,
+         "the cable is pulled: a pty hangs up and its link goes, TCP is closed and refused, UDP and serial "
+         "ports are dead; at its end it is put back"},
+        {Kind::half_open,
+         "half_open",
+         Where::line,
+         "the device has forgotten the TCP connection without a word; at its end the old one is reset",
+         {},
+         "a TCP port"},
+        {Kind::reset, "reset", Where::line, "the TCP connection is reset", {}, "a TCP port", true},
+        {Kind::reboot,
+         "reboot",
+         Where::device,
+         "the device loses power and starts anew with all that it was told forgotten",
+         {seconds("off", 0, 0, 3600, "time without power")},
+         {},
+         true},
+        {Kind::stuck_motor,
+         "stuck_motor",
+         Where::device,
+         "the head stays where it points while the device says that it turns",
+         {},
+         "a motor"},
+        {Kind::frozen_image, "frozen_image", Where::device, "every ping hears the same echoes again"},
+    };
+}
+
+}  // namespace
+
+std::span<const FaultRow> fault_table() {
+    static const std::vector<FaultRow> table = [] {
+        auto rows = rows_of_bytes();
+        for (auto& more : {rows_of_time(), rows_of_lines_and_devices()})
+            rows.insert(rows.end(), more.begin(), more.end());
+        return rows;
+    }();
+    return table;
+}
+
+const FaultRow* find_fault(std::string_view name) {
+    const auto table = fault_table();
+    const auto found = std::ranges::find(table, name, &FaultRow::name);
+    return found == table.end() ? nullptr : &*found;
+}
+
+}  // namespace echoloop
