@@ -3,13 +3,6 @@
 #include <spdlog/spdlog.h>
 
 namespace echoloop {
-namespace {
-
-constexpr std::size_t enough_to_write = 1 << 20;
-constexpr std::chrono::milliseconds longest_wait(500);  // what a kill -9 may lose
-
-}  // namespace
-
 BackgroundFile::BackgroundFile(std::filesystem::path file, std::string what, BackgroundFileLimits limits)
     : what_(std::move(what)), limits_(limits), path_(std::move(file)), file_(path_, "{\"") {
     thread_ = std::jthread([this](std::stop_token stop) { keep_writing(stop); });

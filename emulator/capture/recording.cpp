@@ -8,8 +8,6 @@ namespace echoloop {
 namespace {
 
 constexpr std::string_view magic = "\x0A\x0D\x0D\x0A";  // of pcapng
-constexpr std::size_t enough_to_write = 1 << 20;
-constexpr std::chrono::milliseconds longest_wait(500);  // what a kill -9 may lose
 
 void append(Bytes& bytes, const Bytes& more) { bytes.insert(bytes.end(), more.begin(), more.end()); }
 

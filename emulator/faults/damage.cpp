@@ -11,10 +11,6 @@ namespace {
 
 constexpr std::size_t most_copies = 1000;  // of one message, by however many faults
 
-std::size_t whole(const AskedFault& asked, std::string_view name) {
-    return static_cast<std::size_t>(integer(asked.fault.parameters, name));
-}
-
 }  // namespace
 
 bool Pieces::happens(const AskedFault& asked, const Dice& dice) {

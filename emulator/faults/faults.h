@@ -7,6 +7,7 @@
 #include <list>
 #include <memory>
 
+#include "emulator/contract/options.h"
 #include "emulator/faults/dice.h"
 #include "emulator/faults/labels.h"
 
@@ -22,6 +23,11 @@ struct AskedFault {
     std::uint64_t made = 0;       ///< events
     std::uint64_t swallowed = 0;  ///< messages that went nowhere while it was on
 };
+
+/// A parameter that is a whole number.
+inline std::size_t whole(const AskedFault& asked, std::string_view name) {
+    return static_cast<std::size_t>(integer(asked.fault.parameters, name));
+}
 
 /// Those of one device. Other devices' faults, and other kinds on this one, do not change its chances.
 class DeviceFaults {

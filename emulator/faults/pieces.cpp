@@ -19,10 +19,6 @@ std::size_t memory_of(const Piece& piece) {
 
 Time delay(const AskedFault& asked) { return from_seconds(number(asked.fault.parameters, "delay")); }
 
-std::size_t whole(const AskedFault& asked, std::string_view name) {
-    return static_cast<std::size_t>(integer(asked.fault.parameters, name));
-}
-
 /// Bytes `begin` to `end` and what happened there; what happened at the very end belongs to the last part.
 Piece part_of(const Piece& piece, std::size_t begin, std::size_t end) {
     Piece part{{piece.bytes.begin() + static_cast<std::ptrdiff_t>(begin),

@@ -3,12 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include "emulator/pose/limits.h"
+
 namespace echoloop {
 namespace {
 
 enum Rank { angles = 1, quaternion, rounded, global, local, simulator, odometry };
 
-constexpr double farthest = 1e6, longest = 4e9;  // m, s
 constexpr Time patience = std::chrono::seconds(3);
 
 double seconds(std::uint32_t boot_ms) { return boot_ms * 1e-3; }

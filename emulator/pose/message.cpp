@@ -5,12 +5,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "emulator/pose/limits.h"
+
 namespace echoloop {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr double farthest = 1e6, longest = 4e9;  // m, s
 
 /// Thrown inside this file only.
 struct Refusal {
@@ -39,7 +40,7 @@ Vec3 position(const Json& object) {
     return {x, y, z};
 }
 
-Quat quaternion(const Json& object, const char* key) {
+Quat read_quaternion(const Json& object, const char* key) {
     constexpr double tolerance = 0.01;
     const auto [w, x, y, z] = numbers<4>(object, key);
     const double length = std::sqrt(w * w + x * x + y * y + z * z);
@@ -67,7 +68,7 @@ std::string subject(const Json& object) {
 PoseMessage of_ardupilot(const Json& object) {
     Pose ned_from_frd{position(object), {}};
     if (object.contains("quaternion")) {
-        ned_from_frd.orientation = quaternion(object, "quaternion");
+        ned_from_frd.orientation = read_quaternion(object, "quaternion");
     } else {
         const auto [roll, pitch, yaw] = numbers<3>(object, "attitude");
         ned_from_frd.orientation = from_rpy(roll, pitch, yaw);
@@ -78,7 +79,7 @@ PoseMessage of_ardupilot(const Json& object) {
 
 PoseMessage of_echoloop(const Json& object) {
     PoseMessage message{time(object, "t"), position(object), Quat{}, subject(object)};
-    if (object.contains("orientation")) message.attitude = quaternion(object, "orientation");
+    if (object.contains("orientation")) message.attitude = read_quaternion(object, "orientation");
     if (object.contains("rpy_deg")) {
         if (object.contains("orientation")) throw Refusal{"orientation and rpy_deg: give one of them"};
         const auto [roll, pitch, yaw] = numbers<3>(object, "rpy_deg");

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "emulator/contract/error.h"
+#include "emulator/pose/limits.h"
 #include "emulator/scenario/file.h"
 
 namespace echoloop {
@@ -16,7 +17,6 @@ namespace {
 
 constexpr std::size_t columns = 8, most_rows = 10'000'000;
 constexpr std::uintmax_t largest_file = std::uintmax_t{2} << 30;
-constexpr double farthest = 1e6;  // m
 
 using Row = std::array<double, columns>;         // t x y z qw qx qy qz
 using Order = std::array<std::size_t, columns>;  // place of each column of a file in a Row

@@ -5,7 +5,7 @@
 namespace echoloop::replay {
 namespace {
 
-constexpr std::size_t most_waiting = 10'000;  // answers to a driver that asks without end
+constexpr std::size_t most_answers = 10'000;  // answers to a driver that asks without end
 constexpr std::size_t most_names = 1'000;     // of requests that are counted apart
 
 }  // namespace
@@ -58,7 +58,7 @@ void AnsweringPlayer::answer(std::size_t port, const WholeMessage& request, Time
 
 void AnsweringPlayer::answer_with(const Exchange& exchange, Time now) {
     for (std::size_t number = exchange.first; number < exchange.end; ++number)
-        if (!exchanges_.said()[number].unasked && waiting_.size() < most_waiting)
+        if (!exchanges_.said()[number].unasked && waiting_.size() < most_answers)
             waiting_.emplace(now + scaled(exchanges_.said()[number].time - exchange.time), number);
 }
 

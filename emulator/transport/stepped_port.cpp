@@ -5,7 +5,7 @@
 namespace echoloop {
 namespace {
 
-constexpr std::size_t most_waiting = 16 << 20;  // bytes; who sends more during one step is not listening
+constexpr std::size_t most_in_a_step = 16 << 20;  // bytes; who sends more during one step is not listening
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void SteppedPort::in_turn(std::function<void()> event) {
 
 void SteppedPort::received(ByteView bytes, Address from) {
     if (!clock_.stepping()) return events_.received(bytes, from);
-    if (waiting_ + bytes.size() > most_waiting) {
+    if (waiting_ + bytes.size() > most_in_a_step) {
         spdlog::warn("{}: more than 16 MiB arrived during one step; {} bytes are lost", describe(),
                      bytes.size());
         return;

@@ -4,6 +4,7 @@
 
 #include "protocols/imagenex/layouts.h"
 #include "protocols/imagenex/shot_layouts.h"
+#include "protocols/imagenex/starts_with.h"
 #include "protocols/wire/read.h"
 #include "protocols/wire/write.h"
 
@@ -34,10 +35,6 @@ wire::Result<Message> parse_reply(ByteView bytes) {
 
 constexpr std::size_t base_sizes[] = {128, 256, 384, 640};  // by index
 constexpr std::size_t extended_at = 34, extended_unit = 128, pointer_bytes = 2;
-
-bool starts_with(ByteView bytes, std::string_view text) {
-    return bytes.size() >= text.size() && std::equal(text.begin(), text.end(), bytes.begin());
-}
 
 bool is_81a(ByteView bytes) { return starts_with(bytes, "81A"); }
 

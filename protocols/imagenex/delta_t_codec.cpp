@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "protocols/imagenex/delta_t_layouts.h"
+#include "protocols/imagenex/starts_with.h"
 #include "protocols/wire/read.h"
 #include "protocols/wire/write.h"
 
@@ -15,10 +16,6 @@ using wire::ByteView;
 static_assert(wire::fixed_size<ExternalControl>() == control_bytes);
 
 constexpr std::size_t floats_at[] = {100, 104, 108, 128, 133, 138, 142, 146, 151};
-
-bool starts_with(ByteView bytes, std::string_view text) {
-    return bytes.size() >= text.size() && std::equal(text.begin(), text.end(), bytes.begin());
-}
 
 template <class M>
 wire::Result<DeltaTMessage> parse_as(ByteView bytes) {

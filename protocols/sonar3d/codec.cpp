@@ -5,6 +5,7 @@
 
 #include "protocols/sonar3d/protobuf.h"
 #include "protocols/sonar3d/snappy.h"
+#include "protocols/sonar3d/words.h"
 
 namespace echoloop::sonar3d {
 namespace {
@@ -21,10 +22,6 @@ constexpr auto crc_table = [] {
     }
     return table;
 }();
-
-std::uint32_t word_at(wire::ByteView bytes, std::size_t at) {
-    return wire::load<wire::ByteOrder::little, std::uint32_t>(bytes.data() + at);
-}
 
 void put_word(std::uint32_t value, wire::Bytes& out) {
     out.resize(out.size() + 4);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "protocols/sonar3d/protobuf.h"
+#include "protocols/sonar3d/words.h"
 
 namespace echoloop::sonar3d {
 namespace {
@@ -33,10 +34,6 @@ void put_copy(std::size_t offset, std::size_t length, wire::Bytes& out) {
         out.push_back(static_cast<std::uint8_t>(offset));
         out.push_back(static_cast<std::uint8_t>(offset >> 8));
     }
-}
-
-std::uint32_t word_at(wire::ByteView bytes, std::size_t at) {
-    return wire::load<wire::ByteOrder::little, std::uint32_t>(bytes.data() + at);
 }
 
 std::size_t match_length(wire::ByteView bytes, std::size_t earlier, std::size_t at) {

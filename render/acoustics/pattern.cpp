@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/acoustics/sinc.h"
+
 namespace echoloop {
 namespace {
 
 using std::numbers::pi;
-
-double sinc(double u) { return std::abs(u) < 1e-9 ? 1 : std::sin(pi * u) / (pi * u); }
 
 /// sin(N x) / (N sin x), the sum over N equal elements.
 double dirichlet(double x, int n) {

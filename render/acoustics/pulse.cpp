@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "render/acoustics/chain.h"
+#include "render/acoustics/sinc.h"
 
 namespace echoloop {
 namespace {
@@ -15,11 +16,6 @@ constexpr int steps_per_resolution = 64;
 /// the integral c / (2 B).
 constexpr double stretch = 1 / (1 + 0.46 * 0.46 / (2 * 0.54 * 0.54));
 constexpr double first_null = 2;
-
-double sinc(double u) {
-    const double x = std::numbers::pi * u;
-    return std::abs(x) < 1e-9 ? 1 : std::sin(x) / x;
-}
 
 /// Amplitude of a compressed pulse with a Hamming window over its band.
 double hamming(double u) { return sinc(u) + 0.46 / 1.08 * (sinc(u - 1) + sinc(u + 1)); }

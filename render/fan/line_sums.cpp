@@ -12,8 +12,6 @@ float end_of(const BinningInput& in) {
     return static_cast<float>(in.first_range + static_cast<double>(in.bins) * in.bin_length);
 }
 
-constexpr bool is_echo(Amount amount) { return amount == Amount::echo || amount == Amount::wanted_echo; }
-
 /// What a pixel sends back per weight. `plane`: m, distance of its surface's plane, which is cos(i) times R
 /// anywhere on it.
 template <Amount amount>

@@ -57,6 +57,8 @@ enum class Amount {
     paper_share
 };
 
+constexpr bool is_echo(Amount amount) { return amount == Amount::echo || amount == Amount::wanted_echo; }
+
 /// Adds the pixels of a level line to its bins.
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
                     std::size_t line, LineReader& reader, LineBins& bins);

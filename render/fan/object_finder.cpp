@@ -6,7 +6,7 @@
 namespace echoloop {
 namespace {
 
-constexpr std::size_t lines_at_once = 32;
+constexpr std::size_t lines_per_piece = 32;
 constexpr std::size_t last_number = std::numeric_limits<std::uint16_t>::max();
 
 const View& view_with(const FanPlan& plan, std::size_t image_line) {
@@ -40,9 +40,9 @@ void ObjectFinder::sum_object(BinningInput in, const BinGain& gain, std::span<co
     sums_.resize(in.plan.lines, in.plan.sectors, in.bins);
     const auto level_end = std::ranges::lower_bound(lines, in.plan.lines, {}, &Sighting::second);
     const auto level = lines.first(static_cast<std::size_t>(level_end - lines.begin()));
-    workers_.run((level.size() + lines_at_once - 1) / lines_at_once, [&](std::size_t piece) {
+    workers_.run((level.size() + lines_per_piece - 1) / lines_per_piece, [&](std::size_t piece) {
         LineReader reader;
-        for (std::size_t i = piece * lines_at_once; i < std::min((piece + 1) * lines_at_once, level.size());
+        for (std::size_t i = piece * lines_per_piece; i < std::min((piece + 1) * lines_per_piece, level.size());
              ++i) {
             const std::size_t line = level[i].second;
             const View& view = view_with(in.plan, line);

@@ -7,8 +7,6 @@
 namespace echoloop {
 namespace {
 
-constexpr bool is_echo(Amount amount) { return amount == Amount::echo || amount == Amount::wanted_echo; }
-
 template <Amount amount>
 inline float amount_of(const BinningInput& in, const PixelRow& row, std::size_t i, float middle,
                        float weight) {

@@ -5,7 +5,7 @@
 namespace echoloop {
 namespace {
 
-constexpr std::size_t most = 64 << 20;
+constexpr std::size_t most_bytes = 64 << 20;
 
 /// Of what grows with the fan.
 std::size_t bytes_of(const FanPlan& plan) {
@@ -54,7 +54,7 @@ void PlanCache::limit() {
     std::size_t bytes = 0;
     for (auto entry = entries_.begin(); entry != entries_.end();) {
         bytes += entry->bytes;
-        entry = bytes > most && entry != entries_.begin() ? entries_.erase(entry) : std::next(entry);
+        entry = bytes > most_bytes && entry != entries_.begin() ? entries_.erase(entry) : std::next(entry);
     }
 }
 

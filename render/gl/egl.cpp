@@ -22,7 +22,7 @@ constexpr const char* mesa_packages = "apt-get install libegl1 libegl-mesa0 libg
                              "; for another GPU driver its own EGL library");
 }
 
-struct Library {
+struct EglLibrary {
     decltype(&::eglGetProcAddress) get_proc_address = nullptr;
     decltype(&::eglInitialize) initialize = nullptr;
     decltype(&::eglBindAPI) bind_api = nullptr;
@@ -37,23 +37,23 @@ struct Library {
 };
 
 template <typename Function>
-void resolve(void* handle, const char* name, Function& function) {
+void resolve_egl(void* handle, const char* name, Function& function) {
     function = reinterpret_cast<Function>(dlsym(handle, name));
     if (!function) fail(std::string("libEGL.so.1 has no ") + name);
 }
 
-Library load() {
+EglLibrary load() {
     void* handle = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!handle) fail(std::string("cannot load libEGL.so.1 (") + dlerror() + ")");
-    Library lib;
-    resolve(handle, "eglGetProcAddress", lib.get_proc_address);
-    resolve(handle, "eglInitialize", lib.initialize);
-    resolve(handle, "eglBindAPI", lib.bind_api);
-    resolve(handle, "eglChooseConfig", lib.choose_config);
-    resolve(handle, "eglCreateContext", lib.create_context);
-    resolve(handle, "eglDestroyContext", lib.destroy_context);
-    resolve(handle, "eglMakeCurrent", lib.make_current);
-    resolve(handle, "eglGetError", lib.get_error);
+    EglLibrary lib;
+    resolve_egl(handle, "eglGetProcAddress", lib.get_proc_address);
+    resolve_egl(handle, "eglInitialize", lib.initialize);
+    resolve_egl(handle, "eglBindAPI", lib.bind_api);
+    resolve_egl(handle, "eglChooseConfig", lib.choose_config);
+    resolve_egl(handle, "eglCreateContext", lib.create_context);
+    resolve_egl(handle, "eglDestroyContext", lib.destroy_context);
+    resolve_egl(handle, "eglMakeCurrent", lib.make_current);
+    resolve_egl(handle, "eglGetError", lib.get_error);
     const auto extension = [&lib](const char* name, auto& function) {
         function = reinterpret_cast<std::decay_t<decltype(function)>>(lib.get_proc_address(name));
     };
@@ -65,8 +65,8 @@ Library load() {
 }
 
 /// Loaded once and never unloaded, as drivers' threads outlive any context.
-const Library& library() {
-    static const Library loaded = load();
+const EglLibrary& library() {
+    static const EglLibrary loaded = load();
     return loaded;
 }
 
@@ -126,13 +126,13 @@ class EglContext final : public Context {
         fail(std::string(kind_) + " offers " + what + " (error " + code + ")");
     }
 
-    const Library& lib_;
+    const EglLibrary& lib_;
     const char* kind_;
     EGLDisplay display_;
     EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-std::vector<EGLDeviceEXT> devices(const Library& lib) {
+std::vector<EGLDeviceEXT> devices(const EglLibrary& lib) {
     EGLint count = 0;
     if (!lib.query_devices || !lib.query_device_string || !lib.query_devices(0, nullptr, &count)) return {};
     std::vector<EGLDeviceEXT> out(static_cast<std::size_t>(count));
@@ -141,7 +141,7 @@ std::vector<EGLDeviceEXT> devices(const Library& lib) {
     return out;
 }
 
-bool is_hardware(const Library& lib, EGLDeviceEXT device) {
+bool is_hardware(const EglLibrary& lib, EGLDeviceEXT device) {
     const char* extensions = lib.query_device_string(device, EGL_EXTENSIONS);
     return extensions &&
            std::string_view(extensions).find("EGL_MESA_device_software") == std::string_view::npos;
@@ -149,7 +149,7 @@ bool is_hardware(const Library& lib, EGLDeviceEXT device) {
 
 /// The first device of that sort that works, or null; what the others say goes to `refusals`.
 std::unique_ptr<Context> first_device(bool hardware, std::string& refusals) {
-    const Library& lib = library();
+    const EglLibrary& lib = library();
     for (const EGLDeviceEXT device : devices(lib)) {
         if (is_hardware(lib, device) != hardware) continue;
         try {

@@ -6,7 +6,7 @@ namespace echoloop {
 namespace {
 
 constexpr int zone_rays = 32;
-constexpr double weakest_pattern = 1e-2;  ///< amplitude of both ways: what is weaker is not looked into
+constexpr double weakest_ways = 1e-2;  ///< amplitude of both ways: what is weaker is not looked into
 
 /// The product of the reflections of a ray that comes back to the sonar after `faces` of them, else 0.
 double returned(const PathPing& ping, Vec3 direction, int faces) {
@@ -47,7 +47,7 @@ void find_corner_echoes(const PathPing& ping, std::span<const Corner> corners, s
         if (range < 1e-2) continue;
         const Vec3 axis = 1 / range * (corner.point - ping.sonar);
         const FanDirection seen = ping.seen(axis);
-        if (std::abs(seen.transmit * seen.receive) < weakest_pattern) continue;
+        if (std::abs(seen.transmit * seen.receive) < weakest_ways) continue;
         const double reflection = zone_reflection(ping, corner, axis, range);
         // A mirror at the range R is heard like the image of the sonar at 2R, so as a scatterer of (R / 2)^2.
         const double amplitude =

@@ -7,8 +7,8 @@ namespace echoloop {
 namespace {
 
 constexpr double right_angle_tolerance = 0.0175;  ///< rad, one degree
-constexpr double weakest = 1e-2;                  ///< amplitude of all reflections together
-constexpr std::size_t most = 8;
+constexpr double weakest_corner = 1e-2;                  ///< amplitude of all reflections together
+constexpr std::size_t most_corners = 8;
 constexpr int most_thirds = 32;  ///< rays in search of a third face
 
 bool square(Vec3 a, Vec3 b) { return std::abs(dot(a, b)) < right_angle_tolerance; }
@@ -34,7 +34,7 @@ double mirror_zone_radius(double wavenumber, double range) {
 }
 
 void CornerList::note(const Encounter& first, const Encounter& second, Vec3 onward) {
-    if (!square(first.normal, second.normal) || std::abs(first.reflection * second.reflection) < weakest)
+    if (!square(first.normal, second.normal) || std::abs(first.reflection * second.reflection) < weakest_corner)
         return;
     const Plane a = plane_of(first), b = plane_of(second);
     const Vec3 edge = cross(a.normal, b.normal);
@@ -48,7 +48,7 @@ void CornerList::note(const Encounter& first, const Encounter& second, Vec3 onwa
 
 void CornerList::add(const Corner& corner) {
     const double range = norm(corner.point - ping_.sonar);
-    if (range >= ping_.end_range || corners_.size() >= most) return;
+    if (range >= ping_.end_range || corners_.size() >= most_corners) return;
     const double near = mirror_zone_radius(ping_.wavenumber, range) / 2;
     const bool known = std::ranges::any_of(corners_, [&](const Corner& other) {
         return other.faces == corner.faces && norm(other.point - corner.point) < near;

@@ -3,10 +3,10 @@
 namespace echoloop {
 namespace {
 
-constexpr double weakest = 1e-3;  ///< amplitude of a reflection: 60 dB below a perfect one
+constexpr double weakest_mirror = 1e-3;  ///< amplitude of a reflection: 60 dB below a perfect one
 
 /// A mirror that is taken for a plane.
-struct Plane {
+struct MirrorPlane {
     Vec3 on, normal;
 };
 
@@ -16,7 +16,7 @@ struct MirrorWay {
     double to_mirror, length;
 };
 
-std::optional<MirrorWay> by_mirror(Vec3 sonar, Vec3 point, const Plane& plane) {
+std::optional<MirrorWay> by_mirror(Vec3 sonar, Vec3 point, const MirrorPlane& plane) {
     const double before = dot(sonar - plane.on, plane.normal), behind = dot(point - plane.on, plane.normal);
     if (!(before > 0 && behind > 0)) return std::nullopt;
     const Vec3 to_image = mirrored(point, plane.on, plane.normal) - sonar;
@@ -30,12 +30,12 @@ Way way_by(const PathPing& ping, const MirrorWay& found, double reflection) {
 }
 
 /// Aims at the image in the plane of the triangle that was met last, until the ray meets it where it should.
-std::optional<MirrorWay> settle(const PathPing& ping, Vec3 point, Plane plane, double& reflection) {
+std::optional<MirrorWay> settle(const PathPing& ping, Vec3 point, MirrorPlane plane, double& reflection) {
     for (int round = 0; round < 4; ++round) {
         const auto way = by_mirror(ping.sonar, point, plane);
         if (!way) return std::nullopt;
         const auto met = ping.space.meet(ping.sonar, way->direction, way->length);
-        if (!met || met->mu == 0 || std::abs(met->reflection) < weakest) return std::nullopt;
+        if (!met || met->mu == 0 || std::abs(met->reflection) < weakest_mirror) return std::nullopt;
         if (dot(met->normal, plane.normal) > 1 - 1e-6 &&
             norm(met->point - way->at) < 1e-3 * (1 + way->length)) {
             if (ping.space.blocked(way->at, point)) return std::nullopt;
@@ -61,7 +61,7 @@ std::optional<Way> surface_way(const PathPing& ping, Vec3 point) {
     const auto way = by_mirror(ping.sonar, point, {{0, 0, surface->height}, {0, 0, -1}});
     if (!way) return std::nullopt;
     const double reflection = ping.space.surface_reflection(way->direction.z);
-    if (std::abs(reflection) < weakest) return std::nullopt;
+    if (std::abs(reflection) < weakest_mirror) return std::nullopt;
     if (ping.space.blocked(ping.sonar, way->at) || ping.space.blocked(way->at, point)) return std::nullopt;
     return way_by(ping, *way, reflection);
 }

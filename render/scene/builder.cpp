@@ -13,10 +13,6 @@
 namespace echoloop {
 namespace {
 
-std::array<float, 3> floats(Vec3 v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 bool within_extent(Vec3 p) {
     constexpr double most = scene_limits::extent;
     return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;  // false for NaN
@@ -92,7 +88,7 @@ class ChunkWriter {
     SceneChunk chunk_;
 };
 
-void grow(Bounds& bounds, const Bounds& more) {
+void enclose(Bounds& bounds, const Bounds& more) {
     if (is_empty(more)) return;
     grow(bounds, more.min);
     grow(bounds, more.max);
@@ -181,7 +177,7 @@ void SceneBuilder::add_chunk(const Mesh& mesh, std::span<const std::uint32_t> in
     chunk.material = node.material;
     chunk.mover = mover();
     scene_->chunks_.push_back(chunk);
-    grow(scene_->movers_.empty() ? scene_->still_bounds_ : scene_->movers_.back().bounds, chunk.bounds);
+    enclose(scene_->movers_.empty() ? scene_->still_bounds_ : scene_->movers_.back().bounds, chunk.bounds);
     node.bounds = chunk.bounds;
     node.first_vertex = chunk.first_vertex;
     node.vertices = chunk.vertices;
@@ -199,7 +195,7 @@ void SceneBuilder::bound(std::size_t first_node) {
         if (node.next == i + 1) continue;
         node.bounds = empty_bounds();
         for (std::size_t child = i + 1; child < node.next; child = nodes[child].next)
-            grow(node.bounds, nodes[child].bounds);
+            enclose(node.bounds, nodes[child].bounds);
         if (node.coarse) widen(node.bounds, node.error);
     }
 }
@@ -226,7 +222,7 @@ std::shared_ptr<const Scene> SceneBuilder::finish() {
                     "export meshes, not only empties, points or lines");
     end_nodes();
     scene_->bounds_ = scene_->still_bounds_;
-    for (const SceneMover& mover : scene_->movers_) grow(scene_->bounds_, placed(mover.bounds, mover.rest));
+    for (const SceneMover& mover : scene_->movers_) enclose(scene_->bounds_, placed(mover.bounds, mover.rest));
     return std::shared_ptr<const Scene>(scene_.release());
 }
 

@@ -10,8 +10,6 @@
 namespace echoloop {
 namespace {
 
-constexpr const char* export_again = "export the scene again as glTF 2.0";
-
 std::uint32_t word(std::span<const unsigned char> bytes, std::size_t at) {
     return bytes[at] | bytes[at + 1] << 8U | bytes[at + 2] << 16U |
            static_cast<std::uint32_t>(bytes[at + 3]) << 24U;

@@ -14,7 +14,7 @@ namespace {
 constexpr double least_cosine = 0.2;
 /// Of an edge's length, on top of its cost: so that triangles on a plane grow alike.
 constexpr double evenness = 1e-5;
-constexpr float least = 1e-9F;  ///< m; costs below it are alike
+constexpr float cheapest = 1e-9F;  ///< m; costs below it are alike
 /// Triangles around two places that may be merged: each merger looks at all of them, so a fan of a hundred
 /// thousand about one place would take minutes.
 constexpr std::size_t most_around = 256;
@@ -52,7 +52,7 @@ Contraction::Contraction(const Clusters& clusters)
 /// Of a float's bits the exponent and three more: eight buckets for each doubling of the cost.
 void Contraction::Queue::push(const Merger& merger) {
     constexpr unsigned dropped = 20;
-    const std::size_t bucket = std::bit_cast<std::uint32_t>(std::max(merger.cost, least)) >> dropped;
+    const std::size_t bucket = std::bit_cast<std::uint32_t>(std::max(merger.cost, cheapest)) >> dropped;
     if (buckets_.size() <= bucket) buckets_.resize(bucket + 1);
     buckets_[bucket].mergers.push_back(merger);
     cheapest_ = std::min(cheapest_, bucket);
@@ -145,7 +145,7 @@ void Contraction::until(double limit) {
         Merger m = mergers_.pop();
         if (!is_current(m)) continue;
         if (is_hub(m)) {
-            m.cost = 2 * std::max(m.cost, least);
+            m.cost = 2 * std::max(m.cost, cheapest);
             mergers_.push(m);
             continue;
         }

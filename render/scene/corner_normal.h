@@ -1,11 +1,16 @@
 // The normal of a triangle's corner: the mesh's own where it is of use, else the triangle's.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "render/scene/scene.h"
 
 namespace echoloop {
+
+inline std::array<float, 3> floats(Vec3 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
 
 /// Twice the area along the normal, by the winding. `corner` has three vertex numbers.
 inline Vec3 doubled_area(const Mesh& mesh, const std::uint32_t* corner) {

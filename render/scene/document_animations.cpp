@@ -6,14 +6,6 @@
 namespace echoloop {
 namespace {
 
-constexpr const char* export_again = "export the scene again as glTF 2.0";
-
-JsonView need(const JsonView& part, const char* key) {
-    auto member = part.find(key);
-    if (!member) scene_fault(part.place() + "." + key, "is missing", export_again);
-    return *member;
-}
-
 KeyTrack::Way way_of(const JsonView& sampler) {
     const auto named = sampler.find("interpolation");
     if (!named || named->text() == "LINEAR") return KeyTrack::Way::linear;
@@ -31,21 +23,21 @@ std::vector<DocumentChannel> read_channels(const JsonView& root, const DocumentC
     for (const JsonView& animation : root.elements_of("animations", scene_limits::elements)) {
         const auto samplers = animation.elements_of("samplers", scene_limits::elements);
         for (const JsonView& channel : animation.elements_of("channels", scene_limits::elements)) {
-            const JsonView target = need(channel, "target");
+            const JsonView target = channel.need("target");
             const auto node = target.find("node");
-            const std::string& path = need(target, "path").text();
+            const std::string& path = target.need("path").text();
             const bool moves = path == "translation" || path == "rotation";
             if (!moves && node) ++left_out;
             if (!moves || !node) continue;  // without a node an extension knows what it means
             const JsonView& sampler =
-                samplers.at(need(channel, "sampler").index(samplers.size(), "samplers"));
+                samplers.at(channel.need("sampler").index(samplers.size(), "samplers"));
             if (out.size() == scene_limits::elements)
                 scene_fault("animations",
                             "have more than " + std::to_string(scene_limits::elements) + " channels",
                             "leave out what does not move");
             out.push_back({sampler.place(), number, node->index(counts.nodes, "nodes"), path == "rotation",
-                           need(sampler, "input").index(counts.accessors, "accessors"),
-                           need(sampler, "output").index(counts.accessors, "accessors"), way_of(sampler)});
+                           sampler.need("input").index(counts.accessors, "accessors"),
+                           sampler.need("output").index(counts.accessors, "accessors"), way_of(sampler)});
         }
         ++number;
     }

@@ -12,12 +12,6 @@ using Json = nlohmann::json;
 using scene_limits::buffer_bytes;
 using scene_limits::elements;
 
-JsonView need(const JsonView& part, const char* key) {
-    auto member = part.find(key);
-    if (!member) scene_fault(part.place() + "." + key, "is missing", "export the scene again as glTF 2.0");
-    return *member;
-}
-
 void copy_index(const JsonView& part, const char* key, std::size_t count, const char* what, Json& out) {
     if (const auto member = part.find(key)) out[key] = member->index(count, what);
 }
@@ -42,7 +36,7 @@ Json indices(const JsonView& part, const char* key, std::size_t count, const cha
 
 Json check_primitive(const JsonView& primitive, const DocumentCounts& counts) {
     Json attributes = Json::object();
-    const JsonView given = need(primitive, "attributes");
+    const JsonView given = primitive.need("attributes");
     copy_index(given, "POSITION", counts.accessors, "accessors", attributes);
     copy_index(given, "NORMAL", counts.accessors, "accessors", attributes);
     if (!attributes.contains("POSITION"))
@@ -63,8 +57,8 @@ Json check_each(const JsonView& root, const char* key, const DocumentCounts& cou
 }
 
 Json check_buffer_view(const JsonView& view, const DocumentCounts& counts) {
-    Json out = {{"buffer", need(view, "buffer").index(counts.buffers, "buffers")},
-                {"byteLength", need(view, "byteLength").integer(1, buffer_bytes)}};
+    Json out = {{"buffer", view.need("buffer").index(counts.buffers, "buffers")},
+                {"byteLength", view.need("byteLength").integer(1, buffer_bytes)}};
     copy_integer(view, "byteOffset", buffer_bytes, out);
     if (const auto stride = view.find("byteStride")) {
         out["byteStride"] = stride->integer(4, 252);
@@ -75,9 +69,9 @@ Json check_buffer_view(const JsonView& view, const DocumentCounts& counts) {
 }
 
 Json check_accessor(const JsonView& accessor, const DocumentCounts& counts) {
-    Json out = {{"componentType", need(accessor, "componentType").integer(5120, 5126)},
-                {"count", need(accessor, "count").integer(1, buffer_bytes)},
-                {"type", need(accessor, "type").text().substr(0, 16)}};
+    Json out = {{"componentType", accessor.need("componentType").integer(5120, 5126)},
+                {"count", accessor.need("count").integer(1, buffer_bytes)},
+                {"type", accessor.need("type").text().substr(0, 16)}};
     static const std::vector<std::string> types{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
     if (std::find(types.begin(), types.end(), out["type"].get<std::string>()) == types.end())
         scene_fault(accessor.place() + ".type", "is not a glTF type", "export the scene again as glTF 2.0");
@@ -96,7 +90,7 @@ Json check_material(const JsonView& material, const DocumentCounts&) {
 Json check_mesh(const JsonView& mesh, const DocumentCounts& counts) {
     Json out = {{"primitives", Json::array()}};
     copy_name(mesh, out);
-    for (const auto& primitive : need(mesh, "primitives").elements(elements))
+    for (const auto& primitive : mesh.need("primitives").elements(elements))
         out["primitives"].push_back(check_primitive(primitive, counts));
     return out;
 }

@@ -12,6 +12,8 @@ struct SceneFault {
     std::string remedy;  ///< what to do
 };
 
+inline constexpr const char* export_again = "export the scene again as glTF 2.0";
+
 [[noreturn]] inline void scene_fault(std::string place, std::string reason, std::string remedy) {
     throw SceneFault{std::move(place), std::move(reason), std::move(remedy)};
 }

@@ -10,8 +10,6 @@
 namespace echoloop {
 namespace {
 
-constexpr const char* export_again = "export the scene again as glTF 2.0";
-
 /// tinygltf's view of the file system: the buffers that were read already, and nothing else.
 tinygltf::FsCallbacks only_buffers(const SceneDocument& document) {
     using Buffers = const std::vector<SceneFolder::Bytes>;

@@ -17,6 +17,12 @@ std::optional<JsonView> JsonView::find(const char* key) const {
     return JsonView(*found, place_.empty() ? key : place_ + "." + key);
 }
 
+JsonView JsonView::need(const char* key) const {
+    auto member = find(key);
+    if (!member) scene_fault(place_ + "." + key, "is missing", export_again);
+    return *member;
+}
+
 std::vector<JsonView> JsonView::elements(std::size_t most) const {
     expect(value_->is_array(), "an array");
     expect(value_->size() <= most, "an array of at most " + std::to_string(most) + " elements");

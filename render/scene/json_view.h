@@ -22,6 +22,8 @@ class JsonView {
 
     /// The member `key` of this object, or empty when it is absent. Throws when this is not an object.
     std::optional<JsonView> find(const char* key) const;
+    /// The member `key` of this object. Throws when there is none.
+    JsonView need(const char* key) const;
     /// The elements of this array, at most `most` of them.
     std::vector<JsonView> elements(std::size_t most) const;
     /// The elements of the array `key`; none when it is absent.

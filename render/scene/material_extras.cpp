@@ -84,18 +84,18 @@ struct Key {
 };
 
 /// In this order, so that what is more particular wins.
-constexpr std::array<Key, 6> keys{{{"material", read_named},
+constexpr std::array<Key, 6> material_keys{{{"material", read_named},
                                    {"mu_db", read_mu_db},
                                    {"seabed", read_seabed},
                                    {"backscatter_db", read_curve},
                                    {"reflection", read_reflection},
                                    {"roughness", read_roughness}}};
 
-void check_keys(const JsonView& sonar) {
+void check_material_keys(const JsonView& sonar) {
     if (!sonar.value().is_object())
         scene_fault(sonar.place(), "must be an object", "write for example {\"mu_db\": -27}");
     std::vector<std::string> known;
-    for (const Key& key : keys) known.emplace_back(key.name);
+    for (const Key& key : material_keys) known.emplace_back(key.name);
     for (const auto& [key, value] : sonar.value().items()) {
         if (std::find(known.begin(), known.end(), key) != known.end()) continue;
         const std::string near = nearest_of(key, known);
@@ -115,8 +115,8 @@ Material read_material(const JsonView& material) {
     if (!extras || !extras->value().is_object()) return out;
     const auto sonar = extras->find("sonar");
     if (!sonar) return out;
-    check_keys(*sonar);
-    for (const Key& key : keys)
+    check_material_keys(*sonar);
+    for (const Key& key : material_keys)
         if (const auto value = sonar->find(key.name)) key.read(*value, out);
     return out;
 }

@@ -12,7 +12,7 @@
 namespace echoloop {
 namespace {
 
-constexpr const char* export_again = "export the animation again";
+constexpr const char* export_animation = "export the animation again";
 
 struct NodeTracks {
     double duration = 0;
@@ -27,7 +27,7 @@ void check_times(const std::vector<float>& times, const std::string& place) {
         if (!(times[i] >= 0 && times[i] <= 1e6F) || (i > 0 && !(times[i] > times[i - 1])))
             scene_fault(place + ".input",
                         "has a time that is negative, beyond 1e6 s or not after the one before",
-                        export_again);
+                        export_animation);
 }
 
 void check_turns(const KeyTrack& track, const std::string& place) {
@@ -54,11 +54,11 @@ KeyTrack read_track(const GltfModel& model, const DocumentChannel& channel, std:
         scene_fault(channel.place + ".output",
                     "has " + std::to_string(track.values.size()) + " values for " +
                         std::to_string(track.times.size()) + " times",
-                    export_again);
+                    export_animation);
     for (auto& value : track.values) {
         if (!channel.turns &&
             !(std::abs(value[0]) < 1e6F && std::abs(value[1]) < 1e6F && std::abs(value[2]) < 1e6F))
-            scene_fault(channel.place + ".output", "leads beyond 1e6 m", export_again);
+            scene_fault(channel.place + ".output", "leads beyond 1e6 m", export_animation);
         value = channel.turns ? enu_rotation(value) : enu_translation(value);
     }
     if (channel.turns) check_turns(track, channel.place);

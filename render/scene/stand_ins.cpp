@@ -35,10 +35,6 @@ std::array<std::uint32_t, 2> most_triangles(std::uint32_t of_mesh) {
     return {finer / 2, finer};
 }
 
-std::array<float, 3> floats(Vec3 v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 /// The triangles that are left after merging, in the tree's order, and which of them meet at a place.
 class MergedTriangles {
   public:

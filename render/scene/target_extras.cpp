@@ -11,7 +11,7 @@ namespace {
 constexpr const char* strength_key = "target_strength_db";
 constexpr const char* example = "write for example {\"target_strength_db\": -20}";
 
-void check_keys(const JsonView& sonar) {
+void check_target_keys(const JsonView& sonar) {
     if (!sonar.value().is_object()) scene_fault(sonar.place(), "must be an object", example);
     for (const auto& [key, value] : sonar.value().items()) {
         if (key == strength_key) continue;
@@ -29,7 +29,7 @@ std::optional<double> read_target_strength(const JsonView& node) {
     if (!extras || !extras->value().is_object()) return std::nullopt;
     const auto sonar = extras->find("sonar");
     if (!sonar) return std::nullopt;
-    check_keys(*sonar);
+    check_target_keys(*sonar);
     const auto strength = sonar->find(strength_key);
     if (!strength) return std::nullopt;
     const double db = strength->number();

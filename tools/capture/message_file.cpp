@@ -7,7 +7,7 @@
 namespace echoloop::capture {
 namespace {
 
-constexpr std::size_t block = std::size_t{64} << 10;
+constexpr std::size_t bytes_at_once = std::size_t{64} << 10;
 
 /// What the device said of a message in the file: a shot is a reply with a header and zeros around it.
 ByteView said_of(const inspect::Message& message, ByteView bytes) {
@@ -25,7 +25,7 @@ bool is_remark(const inspect::Message& message) { return message.name == "JsonWr
 }  // namespace
 
 const inspect::Family* MessageFile::recognise(Input& input) {
-    const auto* family = inspect::guess_family(input.peek(block));
+    const auto* family = inspect::guess_family(input.peek(bytes_at_once));
     return family != nullptr && family->framing == inspect::Framing::stream ? family : nullptr;
 }
 
@@ -37,7 +37,7 @@ std::optional<CaptureEvent> MessageFile::next() {
         keep(message, bytes);
     };
     while (waiting_.empty() && !ended_) {
-        const Bytes bytes = input_.read(block);
+        const Bytes bytes = input_.read(bytes_at_once);
         ended_ = bytes.empty();
         ended_ ? decoder_.finish(each) : decoder_.add(bytes, each);
     }

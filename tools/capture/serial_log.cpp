@@ -9,7 +9,7 @@
 namespace echoloop::capture {
 namespace {
 
-constexpr std::size_t longest_line = std::size_t{1} << 20, block = std::size_t{64} << 10;
+constexpr std::size_t longest_line = std::size_t{1} << 20, block_of_lines = std::size_t{64} << 10;
 constexpr std::string_view blanks = " \t\r";
 
 void skip_blanks(std::string_view& text) {
@@ -65,7 +65,7 @@ LogLine parse(std::string_view text) {
 }  // namespace
 
 bool SerialLog::recognises(Input& input) {
-    const Bytes start = input.peek(block);
+    const Bytes start = input.peek(block_of_lines);
     std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
     while (!text.empty()) {
         const auto line = text.substr(0, text.find('\n'));
@@ -82,7 +82,7 @@ std::optional<std::string> SerialLog::line() {
     while (end == text_.npos && text_.size() - at_ <= longest_line) {
         text_.erase(0, at_);
         at_ = 0;
-        const Bytes more = input_.read(block);
+        const Bytes more = input_.read(block_of_lines);
         if (more.empty()) break;
         text_.append(more.begin(), more.end());
         end = text_.find('\n');

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tools/draw/font.h"
+#include "tools/draw/number.h"
 #include "tools/draw/palette.h"
 
 namespace echoloop::draw {
@@ -13,12 +14,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int margin_left = 70, margin_right = 150, margin_top = 120, margin_bottom = 50;
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%g", std::round(value * 1e6) / 1e6 + 0.0);
-    return text.data();
-}
 
 struct Box {
     double left = 0, right = 0, top = 0, bottom = 0;  // unit circle, y down, always holds the centre

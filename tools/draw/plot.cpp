@@ -8,6 +8,7 @@
 
 #include "tools/draw/chart.h"
 #include "tools/draw/font.h"
+#include "tools/draw/number.h"
 #include "tools/draw/palette.h"
 
 namespace echoloop::draw {
@@ -15,12 +16,6 @@ namespace {
 
 constexpr int left = 90, right = 30, above = 70, below = 70;
 constexpr std::array<Color, 4> colors{{{240, 170, 60}, {110, 190, 250}, {150, 220, 130}, {235, 130, 150}}};
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%g", std::round(value * 1e6) / 1e6 + 0.0);
-    return text.data();
-}
 
 /// From the data's units to pixels.
 class Axes {

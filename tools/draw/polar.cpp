@@ -35,10 +35,10 @@ double power(float value) { return value > 0 && std::isfinite(value) ? value : 0
 
 double between_bins(const Ray& ray, double place) {
     const double inside = std::clamp(place, 0.0, static_cast<double>(ray.values.size()) - 1);
-    const auto below = static_cast<std::size_t>(inside);
-    const auto above = std::min(below + 1, ray.values.size() - 1);
-    const double t = inside - static_cast<double>(below);
-    return (1 - t) * power(ray.values[below]) + t * power(ray.values[above]);
+    const auto lower = static_cast<std::size_t>(inside);
+    const auto upper = std::min(lower + 1, ray.values.size() - 1);
+    const double t = inside - static_cast<double>(lower);
+    return (1 - t) * power(ray.values[lower]) + t * power(ray.values[upper]);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ int run_wire(const Arguments& arguments) {
     return 0;
 }
 
-int run(const Arguments& arguments) {
+int run_bench(const Arguments& arguments) {
     if (arguments.has("--wire")) return run_wire(arguments);
     const auto settings = settings_of(arguments);
     const auto report = measured(settings, cases_of(arguments, settings));
@@ -105,7 +105,7 @@ Verb bench_verb() {
             "  echoloop bench --cases fls,scanning-simple --pings 1000\n"
             "  echoloop bench --wire\n"
             "  echoloop bench --scene config/scenes/tank.glb --json",
-            run};
+            run_bench};
 }
 
 }  // namespace echoloop::cli

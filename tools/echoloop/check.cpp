@@ -60,7 +60,7 @@ void print_devices(const Scenario& scenario) {
     }
 }
 
-int run(const Arguments& arguments) {
+int run_check(const Arguments& arguments) {
     try {
         const Scenario scenario = scenario_from(arguments);
         const auto scene = scene_of(scenario);
@@ -95,7 +95,7 @@ Verb check_verb() {
             "  echoloop check config/demo.yaml\n"
             "  echoloop check config/demo.yaml --set water.temperature=4\n"
             "  echoloop check config/demo.yaml --json | jq .scene.triangles",
-            run};
+            run_check};
 }
 
 }  // namespace echoloop::cli

@@ -67,7 +67,7 @@ class Line {
 };
 
 /// Name of a line: its interface, or its TCP connection whichever way the bytes go.
-std::string line_of(const StreamPiece& piece) {
+std::string name_of_line(const StreamPiece& piece) {
     if (piece.from.port == 0) return piece.line;
     return text_of(std::min(piece.from, piece.to)) + " - " + text_of(std::max(piece.from, piece.to));
 }
@@ -78,7 +78,7 @@ std::size_t convert_capture(Input& input, const std::string& wanted, Line& line)
         input, {.datagram = [](double, const Datagram&) {},
                 .stream =
                     [&](double time, const StreamPiece& piece) {
-                        const std::string name = line_of(piece);
+                        const std::string name = name_of_line(piece);
                         names[name] = true;
                         if (!wanted.empty() && name != wanted) return;
                         const bool way = piece.from.port == 0 ? piece.sent : piece.from < piece.to;
@@ -117,7 +117,7 @@ std::size_t convert(Input& input, const std::string& line, ShotFormat format,
     return count;
 }
 
-int run(const Arguments& arguments) {
+int run_convert(const Arguments& arguments) {
     const std::filesystem::path out = arguments.text("OUT");
     const ShotFormat format = format_of(out);
     require_creatable(out);
@@ -158,7 +158,7 @@ Verb convert_verb() {
          {Kind::value, "--line", "NAME", "the line to take where the capture holds several"}},
         "  echoloop run config/imagenex-852.yaml --record dive.pcapng\n"
         "  echoloop convert dive.pcapng dive.852",
-        run};
+        run_convert};
 }
 
 }  // namespace echoloop::cli

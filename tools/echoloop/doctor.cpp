@@ -16,7 +16,7 @@ void print(const Finding& finding) {
     if (!finding.remedy.empty()) std::printf("%s%s\n", padded("", 24).c_str(), finding.remedy.c_str());
 }
 
-int run(const Arguments& arguments) {
+int run_doctor(const Arguments& arguments) {
     Findings found;
     const auto add = [&](Findings more) { found.insert(found.end(), more.begin(), more.end()); };
     add(look_at_machine());
@@ -45,7 +45,7 @@ Verb doctor_verb() {
             {file, set_argument(), json_argument()},
             "  echoloop doctor\n"
             "  echoloop doctor config/demo.yaml",
-            run};
+            run_doctor};
 }
 
 }  // namespace echoloop::cli

@@ -77,7 +77,7 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
             places.push_back({"listens for " + port.name, text_of(port.bind)});
         } else {
             const auto end = parse_endpoint(device.config.endpoints.at(places.size()));
-            places.push_back({port.name, stream_address(end, line_rate(device))});
+            places.push_back({port.name, stream_address(end, chosen_rate(device))});
         }
     }
     if (device.model->name == "kongsberg-kmall") {

@@ -6,7 +6,7 @@ using Scheme = Endpoint::Scheme;
 
 std::string address_text(const std::string& host, int port) { return host + ":" + std::to_string(port); }
 
-int line_rate(const ScenarioDevice& device) {
+int chosen_rate(const ScenarioDevice& device) {
     constexpr int usual_rate = 115200;
     const auto found = device.config.options.find("baud");
     const double* rate = found == device.config.options.end() ? nullptr : std::get_if<double>(&found->second);
@@ -37,7 +37,7 @@ SerialPort port_for_driver(const ScenarioDevice& device, const Endpoint& end) {
     const std::string link = "/tmp/" + device.name;
     const std::string pty = "socat PTY,link=" + link + ",raw,echo=0 ";
     const std::string place = address_text(end.host, end.port);
-    const int rate = end.baud != 0 ? static_cast<int>(end.baud) : line_rate(device);
+    const int rate = end.baud != 0 ? static_cast<int>(end.baud) : chosen_rate(device);
     switch (end.scheme) {
         case Scheme::pty:
             return {end.path, "", rate};

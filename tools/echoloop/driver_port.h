@@ -13,7 +13,7 @@ namespace echoloop::cli {
 std::string address_text(const std::string& host, int port);
 
 /// bit/s of a device's serial line; what it is not paced by may as well be the usual rate.
-int line_rate(const ScenarioDevice& device);
+int chosen_rate(const ScenarioDevice& device);
 
 /// "/tmp/echoloop/micron, 115200 bit/s 8N1", "TCP, connect to 127.0.0.1:9090". `rate`: bit/s where the
 /// endpoint names none.

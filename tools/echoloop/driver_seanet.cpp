@@ -7,12 +7,12 @@ namespace {
 
 using Scheme = Endpoint::Scheme;
 
-constexpr auto rate = "115200";  // of every SeaNet driver
+constexpr auto seanet_rate = "115200";  // of every SeaNet driver
 
 std::vector<std::string> rock_lines(const Endpoint& end, const std::string& path) {
     const bool tcp = end.scheme == Scheme::tcp_listen;
     const auto uri =
-        tcp ? "tcp://" + end.host + ":" + std::to_string(end.port) : "serial://" + path + ":" + rate;
+        tcp ? "tcp://" + end.host + ":" + std::to_string(end.port) : "serial://" + path + ":" + seanet_rate;
     std::vector<std::string> lines;
     if (!tcp) lines.push_back("sonar_tritech_bin " + path);
     lines.push_back("io_port: '" + uri + "'      # property of the oroGen task sonar_tritech::Micron");
@@ -28,7 +28,7 @@ std::vector<std::string> moos_lines(const std::string& path) {
 
 std::vector<std::string> ros2_lines(const std::string& path) {
     return {"micron_sonar_node:", "  ros__parameters:", "    port: \"" + path + "\"",
-            std::string("    baudrate: ") + rate};
+            std::string("    baudrate: ") + seanet_rate};
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void print_hint(const DeviceEndpoints& entry) {
     for (const auto& line : hint.paste) std::printf("%s\n", line.c_str());
 }
 
-int run(const Arguments& arguments) {
+int run_endpoints(const Arguments& arguments) {
     const Scenario scenario = scenario_from(arguments);
     const auto format = arguments.text("--format");
     std::vector<DeviceEndpoints> devices;
@@ -51,7 +51,7 @@ Verb endpoints_verb() {
             "  echoloop endpoints config/demo.yaml\n"
             "  echoloop endpoints config/demo.yaml --format ros1\n"
             "  echoloop endpoints config/demo.yaml --format rock --json",
-            run};
+            run_endpoints};
 }
 
 }  // namespace echoloop::cli

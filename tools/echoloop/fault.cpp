@@ -14,6 +14,7 @@
 #include "emulator/scenario/number.h"
 #include "emulator/scenario/value.h"
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/json_line.h"
 
 namespace echoloop::cli {
 namespace {
@@ -66,11 +67,6 @@ int connect_to(const ControlPlace& place) {
     address.sun_family = AF_UNIX;
     std::memcpy(address.sun_path, place.path.c_str(), place.path.size() + 1);
     return ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 ? fd : -1;
-}
-
-/// A line; what is no UTF-8 cannot be a name in a scenario either.
-std::string line_of(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 /// "" if the run has gone.
@@ -127,14 +123,14 @@ ControlPlace place_from(const Arguments& arguments) {
     }
 }
 
-int run(const Arguments& arguments) {
+int run_fault(const Arguments& arguments) {
     const Json request = request_of(arguments.all("WORDS"));
     const int fd = connect_to(place_from(arguments));
     if (fd < 0)
         throw StartError(Exit::unavailable, arguments.text("SOCKET") +
                                                 ": cannot be reached: " + std::strerror(errno) +
                                                 "; is there an echoloop run with --control and this place?");
-    const std::string line = ask(fd, line_of(request));
+    const std::string line = ask(fd, line_of(request) + "\n");
     ::close(fd);
     const Json answer = Json::parse(line, nullptr, false);
     if (!answer.is_object()) throw StartError(Exit::io, "the run has gone without an answer");
@@ -163,7 +159,7 @@ Verb fault_verb() {
             "  echoloop fault unix:/tmp/echoloop/control list\n"
             "  echoloop fault unix:/tmp/echoloop/control clear all\n"
             "  echoloop list --faults                     the kinds, with their parameters",
-            run};
+            run_fault};
 }
 
 }  // namespace echoloop::cli

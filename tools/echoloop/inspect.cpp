@@ -188,7 +188,7 @@ void inspect_bytes(Input& input, const inspect::Family* family, Output& output) 
     }
 }
 
-int run(const Arguments& arguments) {
+int run_inspect(const Arguments& arguments) {
     if (const auto* family = forced_family(arguments, "--tables")) {
         std::printf("%s", inspect::markdown_tables(*family).c_str());
         return 0;
@@ -221,7 +221,7 @@ Verb inspect_verb() {
             "  echoloop inspect line.bin --family seanet --json\n"
             "  tcpdump -w - udp | echoloop inspect -\n"
             "  echoloop inspect --tables seanet > messages.md",
-            run};
+            run_inspect};
 }
 
 }  // namespace echoloop::cli

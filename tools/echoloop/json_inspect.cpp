@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/json_line.h"
 
 namespace echoloop::cli {
 namespace {
@@ -10,8 +11,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Text from files may hold bytes that are no UTF-8; they are replaced, never an error.
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 }  // namespace
 
 std::string comments_json(const std::vector<PacketComment>& comments) {

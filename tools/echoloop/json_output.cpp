@@ -6,6 +6,7 @@
 #include "emulator/scenario/profile_section.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
+#include "tools/echoloop/json_line.h"
 #include "tools/echoloop/time_budget.h"
 
 namespace echoloop::cli {
@@ -15,8 +16,6 @@ using Json = nlohmann::ordered_json;
 
 /// Text from files may hold bytes that are no UTF-8; they are replaced, never an error.
 std::string document(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 Json pose(const Pose& p) {

@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/echoloop/json_line.h"
+
 namespace echoloop::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json side_json(const capture::SideCounts& side) { return {{"pieces", side.pieces}, {"bytes", side.bytes}}; }
 

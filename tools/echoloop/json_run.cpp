@@ -6,13 +6,12 @@
 #include "emulator/run/step_server.h"
 #include "tools/echoloop/conditions.h"
 #include "tools/echoloop/driver.h"
+#include "tools/echoloop/json_line.h"
 
 namespace echoloop::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json json_of(const PoseSummary& s) {
     return {{"place", s.place},     {"poses", s.accepted},

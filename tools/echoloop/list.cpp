@@ -101,7 +101,7 @@ std::span<const Model> wanted(const Arguments& arguments) {
                      "unknown model " + scenario::in_quotes(name) + scenario::suggestion(name, known));
 }
 
-int run(const Arguments& arguments) {
+int run_list(const Arguments& arguments) {
     if (arguments.has("--faults")) {
         if (arguments.has("--json")) {
             std::printf("%s\n", fault_kinds_json().c_str());
@@ -140,7 +140,7 @@ Verb list_verb() {
             "  echoloop list --all\n"
             "  echoloop list --faults\n"
             "  echoloop list --json | jq -r '.models[].name'",
-            run};
+            run_list};
 }
 
 }  // namespace echoloop::cli

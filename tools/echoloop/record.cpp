@@ -47,7 +47,7 @@ replay::RelaySettings settings_from(const Arguments& arguments) {
     return settings;
 }
 
-int run(const Arguments& arguments) {
+int run_record(const Arguments& arguments) {
     if (!arguments.has("--out"))
         throw StartError(Exit::usage, "--out FILE is missing: where shall the capture go?");
     try {
@@ -98,7 +98,7 @@ Verb record_verb() {
              {Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
             "  echoloop record serial:///dev/ttyUSB0:115200 pty:/tmp/micron --out lake.pcapng --name micron\n"
             "  echoloop record udp://192.168.2.2:12345 udp-listen://127.0.0.1:12345 --out ping360.pcapng",
-            run};
+            run_record};
 }
 
 }  // namespace echoloop::cli

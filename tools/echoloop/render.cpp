@@ -147,7 +147,7 @@ void print_report(const RenderReport& report) {
     std::printf("\n");
 }
 
-int run(const Arguments& arguments) {
+int run_render(const Arguments& arguments) {
     try {
         const auto report = Job(arguments).run();
         if (arguments.has("--json")) {
@@ -188,7 +188,7 @@ Verb render_verb() {
         "  echoloop render config/demo.yaml --device sonar --out fan.npy --range 30\n"
         "  echoloop render config/demo.yaml --device sonar --rule cerqueira2016 --channels --out "
         "channels.npy",
-        run};
+        run_render};
 }
 
 }  // namespace echoloop::cli

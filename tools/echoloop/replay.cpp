@@ -154,7 +154,7 @@ int list(const Arguments& arguments, const Survey& survey) {
     return 0;
 }
 
-int run(const Arguments& arguments) {
+int run_replay(const Arguments& arguments) {
     const Survey survey = survey_of(arguments);
     warn_of_what_is_not_played(survey);
     if (arguments.has("--list")) return list(arguments, survey);
@@ -216,7 +216,7 @@ Verb replay_verb() {
         "  echoloop replay dive.pcapng --list\n"
         "  echoloop replay dive.pcapng udp-listen://127.0.0.1:9092 --port 'ping360 line 1' --answer\n"
         "  echoloop replay lake.pcap udp://127.0.0.1:4000 --port 65500 --speed 2 --loop",
-        run};
+        run_replay};
 }
 
 }  // namespace echoloop::cli

@@ -99,7 +99,7 @@ Scenario with_control(Scenario scenario, const Arguments& arguments) {
     return scenario;
 }
 
-int run(const Arguments& arguments) {
+int run_scenario(const Arguments& arguments) {
     const Scenario scenario = with_control(scenario_from(arguments), arguments);
     std::optional<double> duration;
     if (arguments.has("--duration")) duration = arguments.number("--duration", 0, 0, 1e9);
@@ -190,7 +190,7 @@ Verb run_verb() {
         "  echoloop run config/tank.yaml --truth dive.jsonl\n"
         "  echoloop run config/faults.yaml --labels faults.jsonl --control unix:/tmp/echoloop/control\n"
         "  echoloop run config/demo.yaml --set devices.micron.endpoints='[\"tcp-listen://127.0.0.1:9090\"]'",
-        run};
+        run_scenario};
 }
 
 }  // namespace echoloop::cli

@@ -6,19 +6,20 @@
 #include <cstdlib>
 
 namespace echoloop::cli {
-namespace {
 
-bool coloured() {
+bool coloured(int descriptor) {
     const char* no_colour = std::getenv("NO_COLOR");
-    return (no_colour == nullptr || *no_colour == '\0') && ::isatty(STDERR_FILENO) == 1;
+    return (no_colour == nullptr || *no_colour == '\0') && ::isatty(descriptor) == 1;
 }
+
+namespace {
 
 void print(std::string_view kind, const char* colour, std::string_view text) {
     while (!text.empty()) {
         const auto line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(text.size(), line.size() + 1));
         std::string out = "echoloop: ";
-        out += coloured() ? colour + std::string(kind) + "\033[0m" : std::string(kind);
+        out += coloured(STDERR_FILENO) ? colour + std::string(kind) + "\033[0m" : std::string(kind);
         out += ": " + std::string(line) + "\n";
         std::fwrite(out.data(), 1, out.size(), stderr);
     }

@@ -8,6 +8,9 @@
 
 namespace echoloop::cli {
 
+/// Whether what goes to this file descriptor may have colours.
+bool coloured(int descriptor);
+
 /// "echoloop: error: ..." for every line of `text`.
 void print_error(std::string_view text);
 /// "echoloop: warning: ..." for every line of `text`.

@@ -17,11 +17,6 @@
 namespace echoloop::cli {
 namespace {
 
-bool coloured() {
-    const char* no_colour = std::getenv("NO_COLOR");
-    return (no_colour == nullptr || *no_colour == '\0') && ::isatty(STDOUT_FILENO) == 1;
-}
-
 /// The groups of --only, or all.
 std::vector<validation::Group> chosen(const Arguments& arguments) {
     const std::string words = arguments.text("--only");
@@ -56,7 +51,7 @@ validation::Findings found(const std::vector<validation::Group>& groups) {
     return findings;
 }
 
-int run(const Arguments& arguments) {
+int run_validate(const Arguments& arguments) {
     const auto groups = chosen(arguments);
     const std::filesystem::path report = arguments.text("--report");
     if (!report.empty()) require_creatable(report);
@@ -66,7 +61,7 @@ int run(const Arguments& arguments) {
         if (arguments.has("--json")) {
             std::printf("%s\n", validate_json(findings).c_str());
         } else {
-            std::printf("%s", validation::text_of(findings, coloured()).c_str());
+            std::printf("%s", validation::text_of(findings, coloured(STDOUT_FILENO)).c_str());
         }
         return findings.failed() == 0 ? 0 : 1;
     } catch (const StartError&) {
@@ -88,7 +83,7 @@ Verb validate_verb() {
             "  echoloop validate                     exit status 1 if a quantity is out of its tolerance\n"
             "  echoloop validate --only V5,V8\n"
             "  echoloop validate --report docs/validation.md",
-            run};
+            run_validate};
 }
 
 }  // namespace echoloop::cli

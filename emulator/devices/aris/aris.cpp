@@ -14,8 +14,6 @@ namespace {
 
 enum PortIndex : std::size_t { command_port, beacon_port, frame_port };
 
-bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
-
 Time period_of(const aris::SetAcoustics& acoustics) {
     return from_seconds(1 / static_cast<double>(acoustics.frame_rate));
 }

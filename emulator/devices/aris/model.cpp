@@ -7,13 +7,11 @@
 namespace echoloop::aris_device {
 namespace {
 
-constexpr std::uint16_t beacon_port = 56124;
+constexpr std::uint16_t beacon_udp_port = 56124;
 constexpr std::uint32_t loopback_broadcast = 0x7FFFFFFF;  // 127.255.255.255
 constexpr Variant aris_1200{aris::system_type::aris1200, 1, 1};
 constexpr Variant aris_1800{aris::system_type::aris1800, 3, 1};
 constexpr Variant aris_3000{aris::system_type::aris3000, 9, 6};
-
-bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
 
 Endpoint read_listener(const std::string& uri) {
     const Endpoint listener = parse_endpoint(uri);
@@ -47,7 +45,7 @@ Wiring read_wiring(const std::vector<std::string>& endpoints) {
     if (endpoints.size() == 1 && !is_loopback(listener.ip))
         throw std::invalid_argument(endpoints[0] +
                                     ": say where the beacon goes, e.g. \"udp://192.168.1.255:56124\"");
-    Wiring wiring{{listener.ip, listener.port}, {loopback_broadcast, beacon_port}};
+    Wiring wiring{{listener.ip, listener.port}, {loopback_broadcast, beacon_udp_port}};
     if (endpoints.size() == 2) wiring.beacon = read_beacon(endpoints[1], listener);
     return wiring;
 }

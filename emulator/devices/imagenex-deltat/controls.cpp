@@ -10,7 +10,7 @@ namespace echoloop::delta_t {
 namespace {
 
 // By the codes of an EC.
-constexpr unsigned ranges[] = {5, 10, 20, 30, 40, 50, 60, 80, 100, 150, 200, 250, 300};
+constexpr unsigned range_choices[] = {5, 10, 20, 30, 40, 50, 60, 80, 100, 150, 200, 250, 300};
 constexpr unsigned first_range_code = 2;
 constexpr unsigned sectors[] = {30, 60, 90, 120};
 constexpr double beam_widths[] = {3, 1.5, 0.75, 0.75};
@@ -44,7 +44,7 @@ Controls after(const imagenex::ExternalControl& c, const Controls& before, const
                SpeedOrder order) {
     if (c.external == 0) return start;
     Controls next = before;
-    look_up(ranges, c.range - first_range_code, next.range);
+    look_up(range_choices, c.range - first_range_code, next.range);
     look_up(sectors, c.sector, next.sector);
     look_up(beam_widths, c.beam_width, next.beam_width);
     look_up(beam_counts, c.beams, next.beams);
@@ -82,8 +82,8 @@ Fan fan_of(const Controls& controls) {
 double window(const Controls& controls) { return 2 * controls.range / nominal_sound_speed; }
 
 double pulse_length(const Controls& controls) {
-    const auto* at = std::find(std::begin(ranges), std::end(ranges), controls.range);
-    const auto place = static_cast<std::size_t>(at - std::begin(ranges));
+    const auto* at = std::find(std::begin(range_choices), std::end(range_choices), controls.range);
+    const auto place = static_cast<std::size_t>(at - std::begin(range_choices));
     return pulses[std::min(place, std::size(pulses) - 1)];
 }
 

@@ -62,9 +62,9 @@ class Smoother {
         for (const double angle : angles) directions_.push_back({std::cos(angle), std::sin(angle)});
     }
 
-    /// The range of beam `own` on the line through the points from `first` to `last` rad around it; beside a
+    /// The range of `beam` on the line through the points from `first` to `last` rad around it; beside a
     /// step or a bend, on that through as many more on its better side.
-    double range(std::size_t own, double first, double last) const {
+    double range(std::size_t beam, double first, double last) const {
         // A line is surest in its middle: by so much less at a quarter of it and at its end, but the more the
         // longer it is.
         struct Side {
@@ -72,7 +72,7 @@ class Smoother {
         };
         constexpr Side sides[] = {{0.25, 1, 2}, {0.75, 1, 2}, {0, 1, 2.7},
                                   {1, 1, 2.7},  {0, 1.6, 2},  {1, 1.6, 2}};
-        const double angle = angles_[own], width = last - first;
+        const double angle = angles_[beam], width = last - first;
         Window best = window(first, last);
         double error = best.scatter;
         const std::size_t least = (best.to - best.from) * 9 / 10;  // the fan ends there otherwise
@@ -81,7 +81,7 @@ class Smoother {
             if (side.to - side.from >= least && unsure * side.scatter < error)
                 best = side, error = unsure * side.scatter;
         }
-        return refined(best, own);
+        return refined(best, beam);
     }
 
   private:
@@ -104,15 +104,15 @@ class Smoother {
         return w;
     }
     /// Once more, without the points that are off the line; a point that is itself off stays where it is.
-    double refined(const Window& w, std::size_t own) const {
+    double refined(const Window& w, std::size_t beam) const {
         Fit near;
         Line line = w.line;
-        if (!std::isfinite(w.scatter) || !is_on(line, ranges_[own], directions_[own])) return ranges_[own];
+        if (!std::isfinite(w.scatter) || !is_on(line, ranges_[beam], directions_[beam])) return ranges_[beam];
         for (std::size_t i = w.from; i < w.to; ++i)
             if (ranges_[i] > 0 && is_on(w.line, ranges_[i], directions_[i]))
                 near.add(ranges_[i], directions_[i]);
-        if (!near.solve(line) || !is_on(line, ranges_[own], directions_[own])) return ranges_[own];
-        return line.range(directions_[own]);
+        if (!near.solve(line) || !is_on(line, ranges_[beam], directions_[beam])) return ranges_[beam];
+        return line.range(directions_[beam]);
     }
     std::size_t index(std::span<const double>::iterator at) const {
         return static_cast<std::size_t>(at - angles_.begin());

@@ -75,7 +75,7 @@ struct Value {
     bool (*set)(std::string_view, Settings&);
 };
 
-const Value values[] = {
+const Value named_values[] = {
     {"RUNT_PARAM_PU_ANGLE_PORT_RX1", "SSPA1",
      [](const Settings& s) { return text_of("%g", rad_to_deg(s.port_edge)); },
      [](std::string_view text, Settings& s) { return set_edge(text, s.port_edge); }},
@@ -103,7 +103,7 @@ bool set_value(std::string_view assignment, Settings& settings) {
     const std::size_t equals = assignment.find('=');
     if (equals == 0 || equals == assignment.npos) return false;
     const std::string_view name = assignment.substr(0, equals);
-    for (const Value& value : values)
+    for (const Value& value : named_values)
         if (name == value.name || name == value.token)
             return value.set(assignment.substr(equals + 1), settings);
     return false;
@@ -111,7 +111,7 @@ bool set_value(std::string_view assignment, Settings& settings) {
 
 std::string values_as_json(const Settings& settings) {
     std::string json;
-    for (const Value& value : values)
+    for (const Value& value : named_values)
         json += std::string(json.empty() ? "[" : ",") + "{\"id\":\"" + value.name + "\",\"value\":\"" +
                 value.get(settings) + "\"}";
     return json + "]";
@@ -119,7 +119,7 @@ std::string values_as_json(const Settings& settings) {
 
 std::string values_as_xml(const Settings& settings) {
     std::string xml = "<ALL_TOKENS>\n";
-    for (const Value& value : values) {
+    for (const Value& value : named_values) {
         if (*value.token == 0) continue;
         xml += std::string("<TOKEN>\n<ID>") + value.token + "</ID>\n<VALUE>" + value.get(settings) +
                "</VALUE>\n</TOKEN>\n";

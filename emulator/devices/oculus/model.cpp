@@ -6,7 +6,7 @@
 namespace echoloop::oculus_device {
 namespace {
 
-constexpr std::uint16_t status_port = 52102;
+constexpr std::uint16_t status_udp_port = 52102;
 constexpr std::uint32_t loopback_broadcast = 0x7FFFFFFF;  // 127.255.255.255
 constexpr double default_range = 10;                      // m
 
@@ -45,7 +45,7 @@ Wiring read_wiring(const std::vector<std::string>& endpoints) {
     if (endpoints.size() == 1 && !is_loopback(listener.ip))
         throw std::invalid_argument(endpoints[0] +
                                     ": say where the status goes, e.g. \"udp://192.168.2.255:52102\"");
-    Wiring wiring{{listener.ip, listener.port}, {loopback_broadcast, status_port}};
+    Wiring wiring{{listener.ip, listener.port}, {loopback_broadcast, status_udp_port}};
     if (endpoints.size() == 2) wiring.status = read_status(endpoints[1], listener);
     return wiring;
 }

@@ -13,7 +13,7 @@
 namespace echoloop::bench {
 namespace {
 
-constexpr std::size_t warm_up = 4;
+constexpr std::size_t unmeasured = 4;
 
 /// ms that this thread has computed.
 double thread_ms() {
@@ -126,9 +126,9 @@ WireFigures measure_wire(const WireCase& the_case, std::size_t pings) {
     figures.name = the_case.name;
     Driven driven(the_case);
     std::vector<double> taken;
-    for (std::size_t i = 0; i < warm_up + pings; ++i) {
+    for (std::size_t i = 0; i < unmeasured + pings; ++i) {
         const double ms = driven.ping(figures);
-        if (i >= warm_up) taken.push_back(ms);
+        if (i >= unmeasured) taken.push_back(ms);
     }
     const Spread spread = spread_of(taken);
     figures.least = spread.minimum, figures.median = spread.median, figures.p99 = spread.p99;

@@ -25,11 +25,6 @@ std::uint32_t hash_of(const std::string& name, const Value& value) {
     return static_cast<std::uint32_t>(sum ^ sum >> 32);
 }
 
-bool is_samples(const Value& value) {
-    const auto* numbers = std::get_if<std::vector<double>>(&value);
-    return numbers != nullptr && numbers->size() > longest_exact_array;
-}
-
 std::vector<Signature> signatures(const std::string& type, const std::vector<Message>& messages,
                                   const Rules& rules) {
     std::vector<Signature> out(messages.size());

@@ -10,6 +10,12 @@
 
 namespace echoloop::diff {
 
+/// An array that is compared by its statistics.
+inline bool is_samples(const Value& value) {
+    const auto* numbers = std::get_if<std::vector<double>>(&value);
+    return numbers != nullptr && numbers->size() > longest_exact_array;
+}
+
 /// Places in the two sequences; one of both is empty for a message that the other capture lacks.
 struct Pair {
     std::optional<std::size_t> a, b;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/echoloop/diff/align.h"
+
 namespace echoloop::diff {
 namespace {
 
@@ -43,11 +45,6 @@ double distance(const Value& a, const Value& b) {
     double most = 0;
     for (std::size_t i = 0; i < first.size(); ++i) most = std::max(most, distance(first[i], second[i]));
     return most;
-}
-
-bool is_samples(const Value& value) {
-    const auto* numbers = std::get_if<Numbers>(&value);
-    return numbers != nullptr && numbers->size() > longest_exact_array;
 }
 
 void add_squares(const Value& value, double& squares, std::size_t& count) {

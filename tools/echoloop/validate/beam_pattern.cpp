@@ -73,7 +73,7 @@ Shot head(ApertureShape shape) {
     return shot;
 }
 
-Renderer make_renderer() {
+Renderer pattern_renderer() {
     return {scene_of({}, {{"target", {target_range, 0, 0}, -10}}), water_of(1500),
             with(only({Effect::spreading, Effect::beam_pattern, Effect::side_lobes, Effect::pulse}))};
 }
@@ -154,7 +154,7 @@ void check_beam_pattern(Findings& find) {
     find.within("piston: first null", "lambda/D", 1.22, 0.002, piston.null);
     find.within("piston: side lobe", "dB", -17.57, 0.05, piston.side_lobe);
 
-    Renderer renderer = make_renderer();
+    Renderer renderer = pattern_renderer();
     const Turn turn = turn_past_target(renderer, ApertureShape::line);
     find.source("sinc(L sin t / lambda), two ways, down to -25 dB one way");
     find.within("line: head turned past a point target, largest deviation", "dB", 0, 0.5, turn.deviation);

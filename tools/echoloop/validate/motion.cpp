@@ -9,13 +9,13 @@ namespace echoloop::validation {
 namespace {
 
 constexpr double step_deg = 0.25, period = 0.025;  // the head turns 10 deg/s
-constexpr double range = 20, separation_deg = 30;
+constexpr double motion_range = 20, separation_deg = 30;
 
 /// deg between the head's directions at which two targets, 30 deg apart, are loudest.
 double apparent_separation(double yaw_rate_deg) {
     const auto target = [](double bearing_deg) {
         const double b = deg_to_rad(bearing_deg);
-        return PointTarget{"target", {range * std::cos(b), -range * std::sin(b), 0}, -10};
+        return PointTarget{"target", {motion_range * std::cos(b), -motion_range * std::sin(b), 0}, -10};
     };
     Renderer renderer(scene_of({}, {target(-separation_deg / 2), target(separation_deg / 2)}), water_of(1500),
                       with(only({Effect::spreading, Effect::beam_pattern, Effect::pulse})));

@@ -10,10 +10,10 @@
 namespace echoloop::validation {
 namespace {
 
-constexpr double bin_size = 0.01;  // m
+constexpr double multipath_bin = 0.01;  // m
 
 Shot wide_shot() {
-    Shot shot = fan(60, 100, 1, 1600, 1600 * bin_size);
+    Shot shot = fan(60, 100, 1, 1600, 1600 * multipath_bin);
     shot.pulse_length = 4 * shot.bin_interval;
     return shot;
 }
@@ -33,10 +33,10 @@ struct Echo {
 
 /// The echo that begins within 0.2 m of `range`.
 Echo echo_near(const std::vector<float>& values, double range) {
-    const auto begin = static_cast<std::size_t>((range - 0.2) / bin_size);
-    const std::span part(values.data() + begin, static_cast<std::size_t>(0.4 / bin_size));
+    const auto begin = static_cast<std::size_t>((range - 0.2) / multipath_bin);
+    const std::span part(values.data() + begin, static_cast<std::size_t>(0.4 / multipath_bin));
     if (peak(part) <= 0) return {0, -300};
-    return {static_cast<double>(begin + first_bin(part, 0.3)) * bin_size, db(peak(part))};
+    return {static_cast<double>(begin + first_bin(part, 0.3)) * multipath_bin, db(peak(part))};
 }
 
 void check_surface(Findings& find) {
@@ -95,7 +95,7 @@ void check_corner(Findings& find) {
         RendererOptions options = with(effects.set(Effect::multipath, multipath));
         options.surface.reset();
         Renderer renderer(corner(), water_of(1500), options);
-        Shot shot = fan(20, 20, 1, 1600, 1600 * bin_size);
+        Shot shot = fan(20, 20, 1, 1600, 1600 * multipath_bin);
         shot.pulse_length = 4 * shot.bin_interval;
         return renderer.render(shot, {}).values;
     };
@@ -104,7 +104,7 @@ void check_corner(Findings& find) {
     std::transform(on.begin(), on.end(), off.begin(), added.begin(), [](float a, float b) { return a - b; });
     find.source("a corner sends back along the way of its edge, 10 m; two bins");
     find.within("range of what a corner's double bounce adds", "m", 10, 0.02,
-                peak(added) > 0 ? static_cast<double>(first_bin(added, 0.5)) * bin_size : 0);
+                peak(added) > 0 ? static_cast<double>(first_bin(added, 0.5)) * multipath_bin : 0);
     find.source("the sonar's image in two mirrors: SL - 20 log10(2 R) + 40 log10(0.9), SL 200 dB");
     find.within("its level", "dB", 172.15, 0.3, db(peak(added)));
 }

@@ -10,12 +10,12 @@
 namespace echoloop::validation {
 namespace {
 
-constexpr double sound_speed = 1500;
-constexpr double bin_size = 0.75e-3;  // m
+constexpr double usual_speed = 1500;
+constexpr double resolution_bin = 0.75e-3;  // m
 constexpr double deepest = 60;        // dB; silence between two echoes counts as that
 
 Shot fine_shot(double pulse_length, double bandwidth) {
-    Shot shot = fan(1, 1, 1, 2000, 2000 * bin_size);
+    Shot shot = fan(1, 1, 1, 2000, 2000 * resolution_bin);
     shot.pulse_length = pulse_length;
     shot.bandwidth = bandwidth;
     return shot;
@@ -29,7 +29,7 @@ std::vector<double> echoes(const Shot& shot, double near, double far) {
     for (int k = 0; k < phases; ++k) {
         const PointEcho points[] = {{0, near, 1, 0}, {0, far, 1, 2 * std::numbers::pi * k / phases}};
         std::vector<float> values(shot.bins);
-        chain.apply(shot, {}, sound_speed, points, values);
+        chain.apply(shot, {}, usual_speed, points, values);
         for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += values[i] / phases;
     }
     return mean;
@@ -37,11 +37,11 @@ std::vector<double> echoes(const Shot& shot, double near, double far) {
 
 /// How far the level falls between two echoes `distance` m apart, in dB below the lower of the two.
 double dip(const Shot& shot, double distance) {
-    const double near = 0.5, far = near + distance, resolution = range_resolution(shot, sound_speed);
+    const double near = 0.5, far = near + distance, resolution = range_resolution(shot, usual_speed);
     const auto mean = echoes(shot, near, far);
     // A CW pulse's echo begins at its target's range and lasts; that of a compressed one is centred there.
     const double middle = shot.bandwidth > 0 ? 0 : resolution / 2;
-    const auto at = [&](double r) { return mean.begin() + std::lround((r + middle) / bin_size); };
+    const auto at = [&](double r) { return mean.begin() + std::lround((r + middle) / resolution_bin); };
     const double between = *std::min_element(at(near), at(far));
     return std::min(deepest, db(std::min(*at(near), *at(far)) / between));
 }
@@ -50,15 +50,15 @@ double dip(const Shot& shot, double distance) {
 double insonified_length(const Shot& shot) {
     std::vector<float> values(shot.bins);
     values[shot.bins / 2] = 1;
-    AcousticChain(only({Effect::pulse})).apply(shot, {}, sound_speed, {}, values);
-    return total(values) / peak(values) * bin_size;
+    AcousticChain(only({Effect::pulse})).apply(shot, {}, usual_speed, {}, values);
+    return total(values) / peak(values) * resolution_bin;
 }
 
 double floor_level(std::size_t bins) {
     Shot shot = fan(20, 30, 4, bins, 30);
     shot.tilt = deg_to_rad(-20);
     shot.pulse_length = 200e-6;
-    Renderer renderer(scene_of({floor_at(-5, 100)}), water_of(sound_speed),
+    Renderer renderer(scene_of({floor_at(-5, 100)}), water_of(usual_speed),
                       with(only({Effect::spreading, Effect::pulse})));
     const auto values = mean_values(renderer, shot, 8);
     double sum = 0;

@@ -10,14 +10,14 @@
 namespace echoloop::validation {
 namespace {
 
-constexpr std::size_t pings = 200, beams = 8;
+constexpr std::size_t pings = 200, seabed_beams = 8;
 constexpr double altitude = 5, pulse = 100e-6;
-constexpr double bin_size = 0.0375;  // m, half of c tau / 2
+constexpr double seabed_bin = 0.0375;  // m, half of c tau / 2
 
 /// Beams of an effective width of 1 deg, tilted down; those with a pattern so that their axis meets the floor
 /// at 20 m.
 Shot floor_shot(bool patterned) {
-    Shot shot = fan(beams, 40, beams, 1200, 45);
+    Shot shot = fan(seabed_beams, 40, seabed_beams, 1200, 45);
     shot.tilt = patterned ? -std::asin(altitude / 20) : deg_to_rad(-22);
     shot.pulse_length = pulse;
     shot.horizontal = {ApertureShape::line, 1};
@@ -27,13 +27,13 @@ Shot floor_shot(bool patterned) {
     return shot;
 }
 
-/// Mean level re the source over all beams and the bins within 0.2 m of a range; absorption is off.
+/// Mean level re the source over all seabed_beams and the bins within 0.2 m of a range; absorption is off.
 double level_at(const std::vector<double>& mean, const Shot& shot, double range) {
     double sum = 0;
     std::size_t count = 0;
-    for (std::size_t beam = 0; beam < beams; ++beam)
-        for (double r = range - 0.2; r < range + 0.2; r += bin_size, ++count)
-            sum += mean[beam * shot.bins + static_cast<std::size_t>(r / bin_size)];
+    for (std::size_t beam = 0; beam < seabed_beams; ++beam)
+        for (double r = range - 0.2; r < range + 0.2; r += seabed_bin, ++count)
+            sum += mean[beam * shot.bins + static_cast<std::size_t>(r / seabed_bin)];
     return db(sum / static_cast<double>(count)) - shot.source_level;
 }
 

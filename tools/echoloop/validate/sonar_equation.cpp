@@ -12,7 +12,7 @@ namespace {
 constexpr double strength = -20;
 constexpr double ranges[] = {2, 3, 5, 8, 10, 13, 20, 30, 50, 60};
 
-Renderer make_renderer() {
+Renderer loss_renderer() {
     std::vector<PointTarget> targets;
     for (const double range : ranges) targets.push_back({"target", {range, 0, 0}, strength});
     return {scene_of({}, targets), Water{},
@@ -31,7 +31,7 @@ double loss(Renderer& renderer, double frequency, double range) {
 }  // namespace
 
 void check_sonar_equation(Findings& find) {
-    Renderer renderer = make_renderer();
+    Renderer renderer = loss_renderer();
     find.source("sonar equation with Francois & Garrison 1982; T 10 C, S 35, pH 8, depth 0");
     const struct {
         double kilohertz, range, loss;

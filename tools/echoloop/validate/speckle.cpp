@@ -9,11 +9,11 @@
 namespace echoloop::validation {
 namespace {
 
-constexpr std::size_t bins_per_pulse = 8, bins = 4096, beams = 32;
+constexpr std::size_t bins_per_pulse = 8, bins = 4096, speckle_beams = 32;
 
 /// Bins much shorter than the pulse, so that a value is a sample and not a mean.
 Shot speckle_shot() {
-    Shot shot = fan(64, 20, beams, bins, 60);
+    Shot shot = fan(64, 20, speckle_beams, bins, 60);
     shot.pulse_length = static_cast<double>(bins_per_pulse) * shot.bin_interval;
     shot.receiver.bandwidth = 20 / shot.pulse_length;  // so wide that the pulse keeps its shape
     return shot;
@@ -24,7 +24,7 @@ std::vector<double> speckled(const Pose& pose, SpeckleOptions options = {}, std:
     AcousticChain chain(only({Effect::pulse, Effect::speckle}), options);
     Shot shot = speckle_shot();
     shot.ping = ping;
-    std::vector<float> values(beams * bins, 1.0F / bins_per_pulse);
+    std::vector<float> values(speckle_beams * bins, 1.0F / bins_per_pulse);
     chain.apply(shot, pose, 1500, {}, values);
     return {values.begin(), values.end()};
 }
@@ -32,7 +32,7 @@ std::vector<double> speckled(const Pose& pose, SpeckleOptions options = {}, std:
 /// Every 16th bin, two pulses apart, without those that the window's begin cuts.
 std::vector<double> independent(const std::vector<double>& values) {
     std::vector<double> samples;
-    for (std::size_t beam = 0; beam < beams; ++beam)
+    for (std::size_t beam = 0; beam < speckle_beams; ++beam)
         for (std::size_t bin = 32; bin < bins; bin += 2 * bins_per_pulse)
             samples.push_back(values[beam * bins + bin]);
     return samples;
@@ -43,11 +43,11 @@ std::vector<double> beam_of(const std::vector<double>& values, std::size_t beam,
     return {begin, begin + static_cast<std::ptrdiff_t>(bins - 128)};
 }
 
-/// Mean over the beams of the correlation with itself `lag` bins on.
+/// Mean over the speckle_beams of the correlation with itself `lag` bins on.
 double range_correlation(const std::vector<double>& values, std::size_t lag) {
     double sum = 0;
-    for (std::size_t beam = 0; beam < beams; ++beam)
-        sum += correlation(beam_of(values, beam), beam_of(values, beam, lag)) / static_cast<double>(beams);
+    for (std::size_t beam = 0; beam < speckle_beams; ++beam)
+        sum += correlation(beam_of(values, beam), beam_of(values, beam, lag)) / static_cast<double>(speckle_beams);
     return sum;
 }
 
@@ -114,13 +114,13 @@ void check_correlation(Findings& find, const std::vector<double>& all) {
     find.at_most("correlation of bins two pulses apart", "", 0.05,
                  std::abs(range_correlation(all, 2 * bins_per_pulse)));
     double worst = 0;
-    for (std::size_t beam = 0; beam + 1 < beams; ++beam)
+    for (std::size_t beam = 0; beam + 1 < speckle_beams; ++beam)
         worst += std::abs(correlation(beam_of(all, beam), beam_of(all, beam + 1))) /
-                 static_cast<double>(beams - 1);
-    find.at_most("correlation of neighbouring beams, mean", "", 0.05, worst);
+                 static_cast<double>(speckle_beams - 1);
+    find.at_most("correlation of neighbouring speckle_beams, mean", "", 0.05, worst);
     double mirrored = 0;
-    for (std::size_t beam = 0; beam < beams / 2; ++beam)
-        mirrored += correlation(beam_of(all, beam), beam_of(all, beams - 1 - beam)) / (beams / 2.0);
+    for (std::size_t beam = 0; beam < speckle_beams / 2; ++beam)
+        mirrored += correlation(beam_of(all, beam), beam_of(all, speckle_beams - 1 - beam)) / (speckle_beams / 2.0);
     find.at_most("correlation of port with starboard", "", 0.05, std::abs(mirrored));
 }
 

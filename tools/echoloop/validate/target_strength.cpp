@@ -10,28 +10,28 @@
 namespace echoloop::validation {
 namespace {
 
-constexpr double range = 40;
+constexpr double sphere_range = 40;
 
 /// Target strength that the echo tells, as the mean over places of the pixels: what is in the window, with
-/// the loss of `range` m taken out.
+/// the loss of `sphere_range` m taken out.
 double strength_of(const std::shared_ptr<const Scene>& scene, Effects effects) {
     Renderer renderer(scene, water_of(1500), with(effects));
     Shot shot = fan(2, 2, 1, 60, 2);
-    shot.first_bin_time = 2 * (range - 1) / 1500;
+    shot.first_bin_time = 2 * (sphere_range - 1) / 1500;
     shot.pulse_length = 4 * shot.bin_interval;
     const auto values = mean_values(renderer, shot, 32, {});
     const double echo = effects.has(Effect::pulse) ? *std::max_element(values.begin(), values.end())
                                                    : std::accumulate(values.begin(), values.end(), 0.0);
-    return db(echo) - shot.source_level + 40 * std::log10(range);
+    return db(echo) - shot.source_level + 40 * std::log10(sphere_range);
 }
 
 double declared(double target_strength) {
-    return strength_of(scene_of({}, {{"target", {range, 0, 0}, target_strength}}),
+    return strength_of(scene_of({}, {{"target", {sphere_range, 0, 0}, target_strength}}),
                        only({Effect::spreading, Effect::pulse}));
 }
 
 double lambert_ball(double mu_db, int rings) {
-    return strength_of(scene_of({ball({range, 0, 0}, 0.5, rings, mu_db)}), only({Effect::spreading}));
+    return strength_of(scene_of({ball({sphere_range, 0, 0}, 0.5, rings, mu_db)}), only({Effect::spreading}));
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ void check_target_strength(Findings& find) {
     find.within("mesh sphere, 16 to 64 rings", "dB", 0, 0.3, fine - coarse);
     find.source("Lambert plate: 10 log10(mu A), 0.4 x 0.4 m, mu -27 dB");
     find.within("mesh plate at normal incidence", "dB", -34.96, 0.3,
-                strength_of(scene_of({wall_at(range, 0.2, -0.2, 0.2)}), only({Effect::spreading})));
+                strength_of(scene_of({wall_at(sphere_range, 0.2, -0.2, 0.2)}), only({Effect::spreading})));
 }
 
 }  // namespace echoloop::validation

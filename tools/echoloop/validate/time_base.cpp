@@ -11,10 +11,10 @@
 namespace echoloop::validation {
 namespace {
 
-constexpr double range = 20;
+constexpr double time_base_range = 20;
 
 std::size_t bin_of_target(double sound_speed, const Shot& shot) {
-    Renderer renderer(scene_of({}, {{"target", {range, 0, 0}, -10}}), water_of(sound_speed),
+    Renderer renderer(scene_of({}, {{"target", {time_base_range, 0, 0}, -10}}), water_of(sound_speed),
                       with(only({Effect::spreading})));
     const Echogram e = renderer.render(shot, {});
     return peak_bin(e.beam(0));

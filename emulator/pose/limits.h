@@ -1,0 +1,8 @@
+#pragma once
+
+namespace echoloop {
+
+inline constexpr double farthest = 1e6;  ///< m from the origin: what is beyond is no position
+inline constexpr double longest = 4e9;   ///< s: what is beyond is no time
+
+}  // namespace echoloop
