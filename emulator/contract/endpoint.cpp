@@ -174,7 +174,6 @@ std::string query_text(const Endpoint& e) {
 }
 
 bool on_path(const Endpoint& e) { return e.scheme == Scheme::pty || e.scheme == Scheme::serial; }
-bool on_udp(const Endpoint& e) { return e.scheme == Scheme::udp || e.scheme == Scheme::udp_listen; }
 
 }  // namespace
 
@@ -205,6 +204,12 @@ Endpoint parse_endpoint(std::string_view uri) {
     return endpoint;
 }
 
+std::vector<Endpoint> parse_endpoints(std::span<const std::string> uris) {
+    std::vector<Endpoint> endpoints;
+    for (const std::string& uri : uris) endpoints.push_back(parse_endpoint(uri));
+    return endpoints;
+}
+
 std::string_view scheme_name(Scheme scheme) { return form_of(scheme).name; }
 
 std::string to_string(const Endpoint& e) {
@@ -215,11 +220,10 @@ std::string to_string(const Endpoint& e) {
     return text + "://" + e.host + ":" + std::to_string(e.port) + query_text(e);
 }
 
-double line_rate(const std::vector<std::string>& endpoints, double baud) {
+double line_rate(std::span<const Endpoint> endpoints, double baud) {
     constexpr double usual = 115200;
     double slowest = baud;
-    for (const std::string& uri : endpoints) {
-        const Endpoint e = parse_endpoint(uri);
+    for (const Endpoint& e : endpoints) {
         if (e.scheme != Scheme::serial) continue;
         const double own = e.baud > 0 ? e.baud : baud > 0 ? baud : usual;
         slowest = slowest > 0 ? std::min(slowest, own) : own;
@@ -229,7 +233,7 @@ double line_rate(const std::vector<std::string>& endpoints, double baud) {
 
 bool clash(const Endpoint& a, const Endpoint& b) {
     if (on_path(a) || on_path(b)) return on_path(a) && on_path(b) && a.path == b.path;
-    if (on_udp(a) != on_udp(b)) return false;
+    if (a.on_udp() != b.on_udp()) return false;
     if (a.listens() && b.listens())
         return a.port != 0 && a.port == b.port && (a.ip == b.ip || a.ip == 0 || b.ip == 0);
     if (!a.listens() && !b.listens()) return a.local_port() != 0 && a.local_port() == b.local_port();

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,17 +38,19 @@ struct Endpoint {
     bool checks_baud() const;
     /// pty: latency timer of a USB adapter, ms; 0: none.
     std::uint32_t usb_latency() const;
+    bool on_udp() const { return scheme == Scheme::udp || scheme == Scheme::udp_listen; }
     bool listens() const { return scheme == Scheme::tcp_listen || scheme == Scheme::udp_listen; }
     friend bool operator==(const Endpoint&, const Endpoint&) = default;
 };
 
 /// Throws std::invalid_argument with a sentence for the user: what is wrong and what would be right.
 Endpoint parse_endpoint(std::string_view uri);
+std::vector<Endpoint> parse_endpoints(std::span<const std::string> uris);
 
 /// Line rate, bit/s, of a device: of its slowest real serial port, which has the rate of its endpoint, or
 /// else `baud`, or else the usual 115200; without such a port `baud`, which is 0 where the line follows its
-/// driver or is not paced. Throws as parse_endpoint.
-double line_rate(const std::vector<std::string>& endpoints, double baud);
+/// driver or is not paced.
+double line_rate(std::span<const Endpoint> endpoints, double baud);
 
 /// "pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp".
 std::string_view scheme_name(Endpoint::Scheme scheme);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "emulator/contract/device.h"
+#include "emulator/contract/endpoint.h"
 #include "emulator/contract/profile.h"
 #include "render/effects.h"
 
@@ -32,15 +33,14 @@ struct Option {
 
 using Options = std::map<std::string, OptionValue, std::less<>>;  ///< complete: every option has a value
 
-/// What a device is made from. `endpoints` are URIs as in the scenario.
+/// What a device is made from.
 struct DeviceConfig {
     std::string name;
-    std::vector<std::string> endpoints;
+    std::vector<Endpoint> endpoints;
     Options options;
     Profile profile;
     Effects effects;            ///< of the scenario; a device does its own time-varied gain
     double sound_speed = 1500;  ///< m/s, the true one
-    std::uint64_t seed = 0;
     double unix_start = 0;  ///< s, Unix time at the start of the run, for devices that send wall-clock time
 };
 

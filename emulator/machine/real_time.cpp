@@ -7,9 +7,8 @@
 namespace echoloop {
 namespace {
 
-bool is_line(const std::string& uri) {
-    const auto scheme = parse_endpoint(uri).scheme;
-    return scheme == Endpoint::Scheme::pty || scheme == Endpoint::Scheme::serial;
+bool is_line(const Endpoint& endpoint) {
+    return endpoint.scheme == Endpoint::Scheme::pty || endpoint.scheme == Endpoint::Scheme::serial;
 }
 
 }  // namespace

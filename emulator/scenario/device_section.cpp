@@ -29,13 +29,6 @@ bool is_name(std::string_view text) {
     return !text.empty() && text.size() <= longest_name && std::ranges::all_of(text, letter);
 }
 
-/// Keyed by name, so that a device keeps its random numbers when others are added before it (FNV-1a).
-std::uint64_t device_seed(std::uint64_t seed, std::string_view name) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL ^ seed;
-    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    return hash;
-}
-
 class DeviceReader {
   public:
     DeviceReader(const Scenario& scenario, std::span<const Model> models, Problems& problems)
@@ -52,7 +45,7 @@ class DeviceReader {
   private:
     std::string read_name(const Section& section, std::size_t index);
     const Model* read_model(const Section& section);
-    std::vector<std::string> read_endpoints(const Section& section, const Model& model);
+    std::vector<Endpoint> read_endpoints(const Section& section, const Model& model);
     std::optional<Endpoint> parse(const std::string& uri, const Claim& at, const Model& model, bool first);
     void claim(Claim claim);
     void claim_input(const std::string& uri, std::string path) {
@@ -142,7 +135,8 @@ void DeviceReader::claim(Claim claim) {
     claims_.push_back(std::move(claim));
 }
 
-std::vector<std::string> DeviceReader::read_endpoints(const Section& section, const Model& model) {
+/// Empty after a problem.
+std::vector<Endpoint> DeviceReader::read_endpoints(const Section& section, const Model& model) {
     const auto path = section.path_of("endpoints");
     auto uris = model.default_endpoints;
     const Value* list = section.get("endpoints");
@@ -150,20 +144,22 @@ std::vector<std::string> DeviceReader::read_endpoints(const Section& section, co
         (!list->is_sequence() || list->items.empty() || list->items.size() > most_endpoints)) {
         const auto example = uris.empty() ? std::string() : ", as in [\"" + uris.front() + "\"]";
         problems_.add(list->place, path + ": expected a list of 1 to 8 endpoints" + example);
-        return uris;
+        return {};
     }
     if (list != nullptr) uris.resize(std::max(uris.size(), list->items.size()));
+    std::vector<Endpoint> endpoints;
     for (std::size_t i = 0; i < uris.size(); ++i) {
         const Value* given = list != nullptr && i < list->items.size() ? &list->items[i] : nullptr;
         Claim at{{}, given != nullptr ? given->place : section.place(), path + "." + std::to_string(i)};
         if (given != nullptr && !Checker(problems_).text(*given, at.path, uris[i])) continue;
         const auto parsed = parse(uris[i], at, model, i == 0);
         if (!parsed) continue;
-        uris[i] = to_string(*parsed);
+        endpoints.push_back(*parsed);
         at.endpoint = *parsed;
         claim(std::move(at));
     }
-    return uris;
+    if (endpoints.size() < uris.size()) endpoints.clear();
+    return endpoints;
 }
 
 /// The profile of `profile_file`, which begins at the scenario's folder.
@@ -231,7 +227,6 @@ void DeviceReader::read(const Value& value, std::size_t index) {
     device.config.profile = read_profile(section, *device.model);
     device.config.effects = scenario_.render.effects;
     device.config.sound_speed = sound_speed(scenario_.water);
-    device.config.seed = device_seed(scenario_.seed, device.name);
     if (problems_.count() == before) try_make(device, value.place);
     devices_.push_back(std::move(device));
 }

@@ -161,9 +161,11 @@ void FaultReader::check_times() {
 void FaultReader::check_needs() {
     if (row_ == nullptr || device_ == nullptr || row_->needs.empty()) return;
     const Model& model = *device_->model;
-    const auto has_scheme = [this](std::string_view start) {
-        return std::ranges::any_of(device_->config.endpoints,
-                                   [start](const std::string& uri) { return uri.starts_with(start); });
+    const auto& endpoints = device_->config.endpoints;  // none: they have been complained of
+    const auto has_scheme = [&](std::string_view start) {
+        return endpoints.empty() || std::ranges::any_of(endpoints, [&](const Endpoint& endpoint) {
+                   return scheme_name(endpoint.scheme).starts_with(start);
+               });
     };
     bool good = true;
     if (row_->kind == FaultKind::wrong_checksum) good = !checksum_family(model.name).empty();

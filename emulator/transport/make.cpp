@@ -43,7 +43,7 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
             return std::make_unique<Pty>(io, e.path);
         case Scheme::serial:
             return std::make_unique<SerialPort>(io, e.path,
-                                                static_cast<int>(line_rate({to_string(e)}, rate)));
+                                                static_cast<int>(line_rate({&e, 1}, rate)));
         case Scheme::tcp_listen:
             return std::make_unique<TcpListener>(io, Address{e.ip, e.port});
         case Scheme::tcp:
@@ -112,7 +112,7 @@ std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std:
             transports.push_back(
                 wrap(in_step(clock, std::make_unique<Udp>(clock.io(), port.bind, port.shared)), port));
         } else {
-            const Endpoint endpoint = parse_endpoint(config.endpoints.at(next_stream++));
+            const Endpoint& endpoint = config.endpoints.at(next_stream++);
             const bool own_lines = (port.drivers > 1 || port.messages_kept > 0) &&
                                    endpoint.scheme == Endpoint::Scheme::tcp_listen;
             transports.push_back(own_lines ? open_driver_lines(clock, endpoint, port, wrap)

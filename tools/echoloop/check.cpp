@@ -53,7 +53,7 @@ void print_scene(const Scenario& scenario, const Scene& scene) {
 void print_devices(const Scenario& scenario) {
     for (const auto& device : scenario.devices) {
         std::string endpoints;
-        for (const auto& endpoint : device.config.endpoints) endpoints += "  " + endpoint;
+        for (const auto& endpoint : device.config.endpoints) endpoints += "  " + to_string(endpoint);
         std::printf("%s%s%s%s\n", padded("device", 12).c_str(), padded(device.name, 16).c_str(),
                     padded(device.model->name, 18).c_str(), endpoints.c_str());
         std::printf("%s%s\n", padded("", 12).c_str(), text_of(time_budget(device)).c_str());

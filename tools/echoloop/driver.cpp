@@ -25,8 +25,8 @@ bool is_seanet(const ScenarioDevice& device) {
 }
 
 DriverHint r2sonic_ros2(const ScenarioDevice& device) {
-    const auto head = parse_endpoint(device.config.endpoints.at(0));
-    const auto host = parse_endpoint(device.config.endpoints.at(1));
+    const Endpoint& head = device.config.endpoints.at(0);
+    const Endpoint& host = device.config.endpoints.at(1);
     return {"USF-COMIT ros2sonic",
             {"ros2 run r2sonic r2sonic_node --ros-args -p interface_ip:=" + host.host +
              " -p ports/bathy:=" + std::to_string(host.port) + " -p ports/acoustic_image:=" +
@@ -38,10 +38,8 @@ DriverHint r2sonic_ros2(const ScenarioDevice& device) {
 std::string told_host(const ScenarioDevice& device, const std::string& port) {
     if (device.model->name.starts_with("aris-") && port == "frames")
         return "the controller, or the receiver that it names";
-    for (const auto& uri : device.config.endpoints) {
-        const auto end = parse_endpoint(uri);
+    for (const Endpoint& end : device.config.endpoints)
         if (end.scheme == Endpoint::Scheme::udp) return address_text(end.host, end.port);
-    }
     return "whom it is told to by options or by its host";
 }
 
@@ -67,7 +65,7 @@ std::string place_line(const WirePlace& place) { return padded(place.what, 32) +
 
 std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
     std::vector<WirePlace> places;
-    const auto first = parse_endpoint(device.config.endpoints.at(0));
+    const Endpoint& first = device.config.endpoints.at(0);
     for (const Port& port : device.model->make(device.config)->ports()) {
         if (port.kind == Port::Kind::datagram && places.empty() && first.scheme == Endpoint::Scheme::udp) {
             places.push_back({"sends " + port.name + " to", address_text(first.host, first.port)});
@@ -76,19 +74,19 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
         } else if (port.kind == Port::Kind::datagram) {
             places.push_back({"listens for " + port.name, text_of(port.bind)});
         } else {
-            const auto end = parse_endpoint(device.config.endpoints.at(places.size()));
+            const Endpoint& end = device.config.endpoints.at(places.size());
             places.push_back({port.name, stream_address(end, chosen_rate(device))});
         }
     }
     if (device.model->name == "kongsberg-kmall") {
         places.push_back({"sends datagrams to", told_host(device, "")});
         for (std::size_t i = 2; i < device.config.endpoints.size(); ++i) {
-            const auto host = parse_endpoint(device.config.endpoints[i]);
+            const Endpoint& host = device.config.endpoints[i];
             places.push_back({"sends texts to", address_text(host.host, host.port)});
         }
     }
     if (!is_r2sonic(device)) return places;
-    const auto host = parse_endpoint(device.config.endpoints.at(1));
+    const Endpoint& host = device.config.endpoints.at(1);
     for (const Product& product : r2sonic_products)
         places.push_back({std::string("sends ") + product.name + " to",
                           address_text(host.host, host.port + product.offset)});

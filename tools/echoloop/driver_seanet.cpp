@@ -34,7 +34,7 @@ std::vector<std::string> ros2_lines(const std::string& path) {
 }  // namespace
 
 DriverHint seanet_driver_hint(const ScenarioDevice& device, const std::string& format) {
-    const auto end = parse_endpoint(device.config.endpoints.at(0));
+    const Endpoint& end = device.config.endpoints.at(0);
     const auto [path, preparation, _] = port_for_driver(device, end);
     DriverHint hint;
     if (format == "ros1") {

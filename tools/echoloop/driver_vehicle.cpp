@@ -78,7 +78,7 @@ DriverHint sitl_finder(const ScenarioDevice& device, const Endpoint& end, const 
 
 DriverHint vehicle_driver_hint(const ScenarioDevice& device, const std::string& format) {
     const auto& model = device.model->name;
-    const auto end = parse_endpoint(device.config.endpoints.at(0));
+    const Endpoint& end = device.config.endpoints.at(0);
     if (model == "ping360" && format == "ros1") return ping360_ros1(device, end);
     if (model == "ping360" && format == "ros2") return ping360_ros2(device, end);
     if (model.starts_with("oculus-") && format == "ros2") return oculus_ros2();

@@ -76,6 +76,12 @@ Json model(const Model& m) {
             {"profile", figures(m)}};
 }
 
+std::vector<std::string> uris(const std::vector<Endpoint>& endpoints) {
+    std::vector<std::string> all;
+    for (const Endpoint& endpoint : endpoints) all.push_back(to_string(endpoint));
+    return all;
+}
+
 Json device(const ScenarioDevice& d) {
     Json options = Json::object(), profile = Json::object();
     for (const auto& [name, figure] : d.config.profile) profile[name] = figure_value(figure);
@@ -83,7 +89,7 @@ Json device(const ScenarioDevice& d) {
     return {{"name", d.name},
             {"model", d.model->name},
             {"mount", pose(d.body_from_sonar)},
-            {"endpoints", d.config.endpoints},
+            {"endpoints", uris(d.config.endpoints)},
             {"options", options},
             {"profile", profile}};
 }
@@ -205,7 +211,7 @@ std::string endpoints_json(const std::string& format, const std::vector<DeviceEn
     for (const auto& [device, places, hint] : devices) {
         Json entry{{"name", device->name},
                    {"model", device->model->name},
-                   {"endpoints", device->config.endpoints},
+                   {"endpoints", uris(device->config.endpoints)},
                    {"places", Json::array()}};
         for (const auto& place : places)
             entry["places"].push_back({{"what", place.what}, {"address", place.address}});

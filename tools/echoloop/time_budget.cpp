@@ -84,10 +84,10 @@ double rate_of(const ScenarioDevice& device) {
     constexpr double usual = 115200;
     const auto baud = device.config.options.find("baud");
     if (baud == device.config.options.end()) return 0;
-    const auto scheme = parse_endpoint(device.config.endpoints.at(0)).scheme;
-    if (scheme == Endpoint::Scheme::udp || scheme == Endpoint::Scheme::udp_listen) return 0;
+    const Endpoint& first = device.config.endpoints.at(0);
+    if (first.on_udp()) return 0;
     const double rate = line_rate(device.config.endpoints, std::get<double>(baud->second));
-    return rate > 0 || scheme != Endpoint::Scheme::pty ? rate : usual;
+    return rate > 0 || first.scheme != Endpoint::Scheme::pty ? rate : usual;
 }
 
 std::string milliseconds(double seconds) { return plain(1e3 * seconds, 3) + " ms"; }

@@ -13,37 +13,35 @@ constexpr Variant aris_1200{aris::system_type::aris1200, 1, 1};
 constexpr Variant aris_1800{aris::system_type::aris1800, 3, 1};
 constexpr Variant aris_3000{aris::system_type::aris3000, 9, 6};
 
-Endpoint read_listener(const std::string& uri) {
-    const Endpoint listener = parse_endpoint(uri);
+void check_listener(const Endpoint& listener) {
     if (listener.scheme != Endpoint::Scheme::tcp_listen)
-        throw std::invalid_argument(uri + ": the first endpoint must be tcp-listen://ADDRESS:56888");
+        throw std::invalid_argument(to_string(listener) + ": the first endpoint must be tcp-listen://ADDRESS:56888");
     if (listener.ip == 0)
         throw std::invalid_argument(
-            uri + ": controllers connect to the address that beacons come from; name one of this machine's");
-    return listener;
+            to_string(listener) + ": controllers connect to the address that beacons come from; name one of this machine's");
 }
 
 /// A loopback sonar sends to loopback only.
-Address read_beacon(const std::string& uri, const Endpoint& listener) {
-    const Endpoint beacon = parse_endpoint(uri);
+Address read_beacon(const Endpoint& beacon, const Endpoint& listener) {
     if (beacon.scheme != Endpoint::Scheme::udp)
-        throw std::invalid_argument(uri +
+        throw std::invalid_argument(to_string(beacon) +
                                     ": the second endpoint, for the beacon, must be udp://ADDRESS:56124");
     if (is_loopback(listener.ip) && !is_loopback(beacon.ip))
-        throw std::invalid_argument(uri +
+        throw std::invalid_argument(to_string(beacon) +
                                     ": a sonar on a loopback address sends its beacon to loopback only; give "
                                     "the first endpoint an address of that network");
     return {beacon.ip, beacon.port};
 }
 
-Wiring read_wiring(const std::vector<std::string>& endpoints) {
+Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
     if (endpoints.empty() || endpoints.size() > 2)
         throw std::invalid_argument(
             "an ARIS has one or two endpoints, its command port and where its beacon goes, e.g. "
             "[\"tcp-listen://192.168.1.4:56888\", \"udp://192.168.1.255:56124\"]");
-    const Endpoint listener = read_listener(endpoints[0]);
+    const Endpoint& listener = endpoints[0];
+    check_listener(listener);
     if (endpoints.size() == 1 && !is_loopback(listener.ip))
-        throw std::invalid_argument(endpoints[0] +
+        throw std::invalid_argument(to_string(listener) +
                                     ": say where the beacon goes, e.g. \"udp://192.168.1.255:56124\"");
     Wiring wiring{{listener.ip, listener.port}, {loopback_broadcast, beacon_udp_port}};
     if (endpoints.size() == 2) wiring.beacon = read_beacon(endpoints[1], listener);

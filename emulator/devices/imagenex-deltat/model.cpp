@@ -6,14 +6,14 @@
 namespace echoloop::delta_t {
 namespace {
 
-Wiring read_wiring(const std::vector<std::string>& endpoints) {
+Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
     const char* const example = "udp://127.0.0.1:4040";
     if (endpoints.size() != 1)
         throw std::invalid_argument(
             std::string("a Delta T sends to one host: give exactly one endpoint, e.g. ") + example);
-    const Endpoint e = parse_endpoint(endpoints[0]);
+    const Endpoint& e = endpoints[0];
     if (e.scheme != Endpoint::Scheme::udp)
-        throw std::invalid_argument(endpoints[0] +
+        throw std::invalid_argument(to_string(e) +
                                     ": a Delta T's program speaks first; name the host that is to hear it, "
                                     "udp://ADDRESS:PORT");
     constexpr std::uint32_t loopback = 0x7F000001;

@@ -6,15 +6,14 @@
 namespace echoloop::kongsberg_kmall {
 namespace {
 
-Address address_of(const std::string& uri, Endpoint::Scheme scheme, const char* what) {
-    const Endpoint endpoint = parse_endpoint(uri);
+Address address_of(const Endpoint& endpoint, Endpoint::Scheme scheme, const char* what) {
     if (endpoint.scheme != scheme)
-        throw std::invalid_argument(uri + ": " + what + " must be " + std::string(scheme_name(scheme)) +
+        throw std::invalid_argument(to_string(endpoint) + ": " + what + " must be " + std::string(scheme_name(scheme)) +
                                     "://ADDRESS:PORT");
     return {endpoint.ip, endpoint.port};
 }
 
-Wiring read_wiring(const std::vector<std::string>& endpoints) {
+Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
     if (endpoints.size() != 2 && endpoints.size() != 3)
         throw std::invalid_argument(
             "a Kongsberg multibeam has two endpoints, where commands arrive and where datagrams go, and a "
@@ -29,7 +28,7 @@ Wiring read_wiring(const std::vector<std::string>& endpoints) {
     const bool texts = wiring.controller && elsewhere(*wiring.controller);
     if (!elsewhere(wiring.own) && (elsewhere(wiring.host) || texts))
         throw std::invalid_argument(
-            endpoints[texts ? 2 : 1] +
+            to_string(endpoints[texts ? 2 : 1]) +
             ": a sounder on a loopback address sends to loopback only; give the first "
             "endpoint an address of that network");
     return wiring;
@@ -54,8 +53,7 @@ Model model() {
     m.protocol = "KMALL over UDP, commands and status as text";
     m.default_endpoints = {"udp-listen://127.0.0.1:14002", "udp://127.0.0.1:6020"};
     m.endpoint_schemes = {"udp-listen"};
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;

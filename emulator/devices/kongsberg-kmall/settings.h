@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "emulator/contract/model.h"
+#include "emulator/contract/settings_list.h"
 
 namespace echoloop::kongsberg_kmall {
 
@@ -13,25 +13,26 @@ struct Settings {
     // What a host's commands change, at power-up.
     bool pinging = true;
     bool water_column = false;
-    double range = 0;                          ///< m, as long as no depth is set
+    double range = 40;                         ///< m, as long as no depth is set
     std::optional<double> max_depth{};         ///< m below the head
-    double frequency = 0;                      ///< Hz
+    double frequency = 300e3;                  ///< Hz
     double port_edge = 0, starboard_edge = 0;  ///< rad, of the fan, from below
-    bool equidistant = true;
-    double ping_rate = 0;  ///< Hz, at most
+    bool equidistant = false;
+    double ping_rate = 5;  ///< Hz, at most
     // What they do not.
-    double pulse = 0;  ///< s
-    double power = 0;  ///< dB re the source level
-    std::size_t soundings = 0;
+    double pulse = 35e-6;  ///< s
+    double power = 0;      ///< dB re the source level
+    std::size_t soundings = 400;
     bool values_as_xml = false;
     double absorption = 0;     ///< dB/m, that the sounder reckons with
     std::uint8_t version = 2;  ///< of #MRZ
     std::uint16_t sounder = 2040;
-    std::uint8_t system_id = 0;
+    std::uint8_t system_id = 40;
     double latitude = 0, longitude = 0;  ///< deg, of the scene's origin
-    double datagram_gap = 0;             ///< s
+    double datagram_gap = 2e-3;          ///< s
     // The profile; beam widths in rad at the frequency.
-    double source_level = 0;  ///< dB re 1 uPa at 1 m, at full power
+    double source_level = 0;         ///< dB re 1 uPa at 1 m, at full power
+    double reference_frequency = 0;  ///< Hz, of the profile's beam widths
     double receive_beam_width = 0, transmit_beam_width = 0;
     double detection_margin = 0;        ///< dB above the noise
     double water_column_reference = 0;  ///< dB re 1 uPa after gain: reads 0 dB
@@ -46,8 +47,7 @@ struct Settings {
     void tune(double hertz);
 };
 
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 /// From complete options and a complete profile.
 Settings read_settings(const DeviceConfig& config);
 

@@ -9,9 +9,9 @@ namespace {
 
 constexpr double default_range = 30;  // m
 
-void check_endpoints(const std::vector<std::string>& endpoints) {
-    const auto listens = [](const std::string& uri) {
-        return parse_endpoint(uri).scheme == Endpoint::Scheme::tcp_listen;
+void check_endpoints(const std::vector<Endpoint>& endpoints) {
+    const auto listens = [](const Endpoint& endpoint) {
+        return endpoint.scheme == Endpoint::Scheme::tcp_listen;
     };
     if (endpoints.size() != 3 || !std::all_of(endpoints.begin(), endpoints.end(), listens))
         throw std::invalid_argument(

@@ -12,38 +12,36 @@ constexpr double default_range = 10;                      // m
 
 bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
 
-Endpoint read_listener(const std::string& uri) {
-    const Endpoint listener = parse_endpoint(uri);
+void check_listener(const Endpoint& listener) {
     if (listener.scheme != Endpoint::Scheme::tcp_listen)
-        throw std::invalid_argument(uri + ": the first endpoint must be tcp-listen://ADDRESS:52100");
+        throw std::invalid_argument(to_string(listener) + ": the first endpoint must be tcp-listen://ADDRESS:52100");
     if (listener.ip == 0)
         throw std::invalid_argument(
-            uri + ": the status tells drivers the address to connect to; name one of this machine's");
-    return listener;
+            to_string(listener) + ": the status tells drivers the address to connect to; name one of this machine's");
 }
 
 /// A loopback sonar sends to loopback only.
-Address read_status(const std::string& uri, const Endpoint& listener) {
-    const Endpoint status = parse_endpoint(uri);
+Address read_status(const Endpoint& status, const Endpoint& listener) {
     if (status.scheme != Endpoint::Scheme::udp)
-        throw std::invalid_argument(uri +
+        throw std::invalid_argument(to_string(status) +
                                     ": the second endpoint, for the status, must be udp://ADDRESS:52102");
     if (is_loopback(listener.ip) && !is_loopback(status.ip))
         throw std::invalid_argument(
-            uri +
+            to_string(status) +
             ": a sonar on a loopback address sends its status to loopback only; give the first endpoint "
             "an address of that network");
     return {status.ip, status.port};
 }
 
-Wiring read_wiring(const std::vector<std::string>& endpoints) {
+Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
     if (endpoints.empty() || endpoints.size() > 2)
         throw std::invalid_argument(
             "an Oculus has one or two endpoints, its data port and where its status goes, e.g. "
             "[\"tcp-listen://192.168.2.4:52100\", \"udp://192.168.2.255:52102\"]");
-    const Endpoint listener = read_listener(endpoints[0]);
+    const Endpoint& listener = endpoints[0];
+    check_listener(listener);
     if (endpoints.size() == 1 && !is_loopback(listener.ip))
-        throw std::invalid_argument(endpoints[0] +
+        throw std::invalid_argument(to_string(listener) +
                                     ": say where the status goes, e.g. \"udp://192.168.2.255:52102\"");
     Wiring wiring{{listener.ip, listener.port}, {loopback_broadcast, status_udp_port}};
     if (endpoints.size() == 2) wiring.status = read_status(endpoints[1], listener);

@@ -9,7 +9,7 @@ namespace echoloop::omniscan450 {
 
 using cerulean::Id;
 
-Omniscan450::Omniscan450(const Settings& settings, std::vector<std::string> endpoints)
+Omniscan450::Omniscan450(const Settings& settings, std::vector<Endpoint> endpoints)
     : Sonar(settings.identity, std::move(endpoints)), settings_(settings) {
     state_.params = typical_params();
 }

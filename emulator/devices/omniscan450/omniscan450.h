@@ -13,7 +13,7 @@ using ping_device::Peer;
 
 class Omniscan450 final : public cerulean_device::Sonar {
   public:
-    Omniscan450(const Settings& settings, std::vector<std::string> endpoints);
+    Omniscan450(const Settings& settings, std::vector<Endpoint> endpoints);
 
   private:
     void obey(const ping::Frame& frame, const Peer& peer, Time now) override;

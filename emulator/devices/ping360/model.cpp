@@ -31,8 +31,7 @@ Model model() {
     m.default_endpoints = {"pty:/tmp/echoloop/ping360"};
     m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
     m.turn_steps = circle;
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;

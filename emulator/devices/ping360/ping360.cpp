@@ -45,7 +45,7 @@ Ping360::Ping360(const Settings& settings, std::vector<Port> lines)
     : settings_(settings),
       ports_(std::move(lines)),
       link_(ports_.size(), 2, settings.marks_are_breaks),
-      discovery_(settings.discovery),
+      discovery_(settings.announced),
       last_(boot_settings()),
       last_scan_(boot_scan()) {
     for (Port& port : discovery_.ports()) ports_.push_back(std::move(port));

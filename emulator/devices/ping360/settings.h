@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "emulator/contract/settings_list.h"
 #include "emulator/devices/family/ping/serial_rate.h"
-#include "emulator/contract/model.h"
 #include "protocols/ping/messages.h"
 
 namespace echoloop::ping360 {
@@ -52,15 +52,15 @@ struct Settings {
     double baud = 0;         ///< bit/s, of ptys and TCP; 0: not paced
     SerialRate line;
     bool marks_are_breaks = true;
-    std::uint32_t discovery = 0;  ///< IPv4 address to announce; 0: not discoverable
+    std::string discovery = "auto";
+    std::uint32_t announced = 0;  ///< IPv4 address of `discovery`; 0: not discoverable
+    bool ring_down = true;
     Acoustics acoustics;
 };
 
 /// From complete options and a complete profile. std::invalid_argument if a version or an address is none.
 Settings read_settings(const DeviceConfig& config);
-/// The tables that `echoloop list MODEL` shows.
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 
 /// What 2300 echoes before a host has set anything.
 ping::DeviceData boot_settings();

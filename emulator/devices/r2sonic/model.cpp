@@ -6,18 +6,17 @@
 namespace echoloop::r2sonic_device {
 namespace {
 
-Address base_address(const std::string& uri, Endpoint::Scheme scheme, const char* what) {
-    const Endpoint endpoint = parse_endpoint(uri);
+Address base_address(const Endpoint& endpoint, Endpoint::Scheme scheme, const char* what) {
     if (endpoint.scheme != scheme)
-        throw std::invalid_argument(uri + ": " + what + " must be " + std::string(scheme_name(scheme)) +
+        throw std::invalid_argument(to_string(endpoint) + ": " + what + " must be " + std::string(scheme_name(scheme)) +
                                     "://ADDRESS:BASE_PORT");
     if (endpoint.port == 0 || endpoint.port > highest_base_port)
-        throw std::invalid_argument(uri +
+        throw std::invalid_argument(to_string(endpoint) +
                                     ": the base port must lie within 1..65528, since R2Sonic counts from it");
     return {endpoint.ip, endpoint.port};
 }
 
-Wiring read_wiring(const std::vector<std::string>& endpoints) {
+Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
     if (endpoints.size() < 2 || endpoints.size() > 3)
         throw std::invalid_argument(
             "an r2sonic head needs two endpoints, its own and the host's base port, e.g. "

@@ -6,14 +6,14 @@
 namespace echoloop::reson7k_device {
 namespace {
 
-Address read_listener(const std::vector<std::string>& endpoints) {
+Address read_listener(const std::vector<Endpoint>& endpoints) {
     if (endpoints.size() != 1)
         throw std::invalid_argument(
             "a 7k sonar has one endpoint, where it listens by TCP and UDP, e.g. "
             "[\"tcp-listen://127.0.0.1:7000\"]");
-    const Endpoint listener = parse_endpoint(endpoints[0]);
+    const Endpoint& listener = endpoints[0];
     if (listener.scheme != Endpoint::Scheme::tcp_listen)
-        throw std::invalid_argument(endpoints[0] + ": the endpoint must be tcp-listen://ADDRESS:7000");
+        throw std::invalid_argument(to_string(listener) + ": the endpoint must be tcp-listen://ADDRESS:7000");
     return {listener.ip, listener.port};
 }
 

@@ -20,7 +20,7 @@ std::uint8_t percent(double value) { return static_cast<std::uint8_t>(value); }
 
 }  // namespace
 
-S500::S500(const Settings& settings, std::vector<std::string> endpoints)
+S500::S500(const Settings& settings, std::vector<Endpoint> endpoints)
     : Sonar(settings.identity, std::move(endpoints)), settings_(settings) {
     state_.params.gain_index = -1;
 }

@@ -6,22 +6,22 @@
 namespace echoloop::sonar_3d_15 {
 namespace {
 
-Wiring read_wiring(const std::vector<std::string>& endpoints) {
+Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
     if (endpoints.empty() || endpoints.size() > 2)
         throw std::invalid_argument(
             "a Sonar 3D-15 has its HTTP port and, if images go to one host from the start, that host's: "
             "[\"tcp-listen://192.168.194.96:80\", \"udp://192.168.194.1:4747\"]");
-    const Endpoint listener = parse_endpoint(endpoints[0]);
+    const Endpoint& listener = endpoints[0];
     if (listener.scheme != Endpoint::Scheme::tcp_listen)
-        throw std::invalid_argument(endpoints[0] + ": the first endpoint must be tcp-listen://ADDRESS:80");
+        throw std::invalid_argument(to_string(listener) + ": the first endpoint must be tcp-listen://ADDRESS:80");
     Wiring wiring{{listener.ip, listener.port}, {}, 0};
     if (endpoints.size() == 1) return wiring;
-    const Endpoint host = parse_endpoint(endpoints[1]);
+    const Endpoint& host = endpoints[1];
     if (host.scheme != Endpoint::Scheme::udp)
-        throw std::invalid_argument(endpoints[1] +
+        throw std::invalid_argument(to_string(host) +
                                     ": the second endpoint, for the images, must be udp://ADDRESS:PORT");
     if (listener.ip >> 24 == 127 && host.ip >> 24 != 127)
-        throw std::invalid_argument(endpoints[1] +
+        throw std::invalid_argument(to_string(host) +
                                     ": a sonar on a loopback address sends images to loopback only; give the "
                                     "first endpoint an address of that network");
     wiring.unicast_ip = host.host;

@@ -27,7 +27,7 @@ Time after(Time now, double period) { return period > 0 ? now + from_seconds(per
 
 }  // namespace
 
-Surveyor240::Surveyor240(const Settings& settings, const std::vector<std::string>& endpoints)
+Surveyor240::Surveyor240(const Settings& settings, const std::vector<Endpoint>& endpoints)
     : settings_(settings),
       endpoints_(endpoints),
       ports_(cerulean_device::make_ports(endpoints, settings.identity)),

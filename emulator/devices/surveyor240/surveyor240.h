@@ -14,7 +14,7 @@ using ping_device::Peer;
 
 class Surveyor240 final : public Device {
   public:
-    Surveyor240(const Settings& settings, const std::vector<std::string>& endpoints);
+    Surveyor240(const Settings& settings, const std::vector<Endpoint>& endpoints);
 
     std::vector<Port> ports() const override { return ports_; }
     Actions started(Time now) override;
@@ -59,7 +59,7 @@ class Surveyor240 final : public Device {
     Actions take_actions();
 
     Settings settings_;
-    std::vector<std::string> endpoints_;
+    std::vector<Endpoint> endpoints_;
     std::vector<Port> ports_;
     std::vector<std::size_t> pieces_;  ///< largest datagram, by port
     ping_device::Link link_;

@@ -43,8 +43,7 @@ Model model() {
     m.default_endpoints = {"pty:/tmp/echoloop/profiler"};
     m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
     m.turn_steps = turn_steps;
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "emulator/contract/option_rows.h"
-#include "emulator/contract/options.h"
-
 namespace echoloop::profiler {
 namespace {
 
@@ -15,33 +12,28 @@ constexpr double scan_time_unit = 100e-6;  // s
 
 }  // namespace
 
-std::vector<Option> option_table() {
-    std::vector<Option> all = tritech::head_option_rows(1, false);
-    tritech::append(
-        all, {
-                 flag_row("whole_steps", false, "no shorter last step at a limit", tritech::specification),
-                 choice_row("acquisition", {"main", "block"},
-                            "whose threshold, gain and slope count in mtHeadCommand 0x1D: the main fields or "
-                            "the block behind",
-                            tritech::specification),
-                 number_row("period_scale", "", 1, 0.01, 100, "factor on the time of a ping", "own choice"),
-                 integer_row("device_type", "", -1, -1, 255,
-                             "byte 15 of mtHeadData; -1: HdType of the command", tritech::specification),
-             });
-    return all;
+void describe(Settings& s, OptionList& o, FigureList& f) {
+    s.head.node = seanet::nodes::profiler;
+    s.head.dst = false;
+    s.head.replies = 1;
+    s.acoustics.tunable.emplace();
+    describe(s.head, o);
+    o.flag(s.whole_steps, "whole_steps", "no shorter last step at a limit", tritech::specification);
+    o.choice(
+        s.gains_count, "acquisition", {"main", "block"},
+        "whose threshold, gain and slope count in mtHeadCommand 0x1D: the main fields or the block behind",
+        tritech::specification);
+    o.number(s.period_scale, "period_scale", "", 0.01, 100, "factor on the time of a ping", "own choice");
+    o.whole(s.device_type, "device_type", "", -1, 255, "byte 15 of mtHeadData; -1: HdType of the command",
+            tritech::specification);
+    describe(s.acoustics, f);
 }
 
-std::vector<FigureRow> figure_table() { return tritech::acoustic_figures(true); }
-
 Settings read_settings(const DeviceConfig& config) {
-    const Options& o = config.options;
-    Settings s;
-    s.head = tritech::read_head_settings(config, seanet::nodes::profiler, false);
-    s.acoustics = tritech::read_acoustics(config.profile, true, config.effects.has(Effect::tvg));
-    s.whole_steps = flag(o, "whole_steps");
-    s.gains_count = text(o, "acquisition") == "block";
-    s.period_scale = number(o, "period_scale");
-    s.device_type = static_cast<int>(integer(o, "device_type"));
+    auto s = fill_settings<Settings>(config);
+    s.head.version.node = s.head.node;
+    s.head.line_rate = line_rate(config.endpoints, s.head.line_rate);
+    s.acoustics.tvg = config.effects.has(Effect::tvg);
     return s;
 }
 

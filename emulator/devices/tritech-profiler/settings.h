@@ -19,8 +19,7 @@ struct Settings {
 };
 
 Settings read_settings(const DeviceConfig& config);
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 
 /// False if no ping can come of it.
 bool usable(const seanet::ProfilerParameters& parameters);

@@ -54,7 +54,7 @@ inline Echogram echo_of(const Shot& shot, std::size_t bin, float power) {
 inline DeviceConfig make_config(const Model& row, const Options& changes = {}) {
     DeviceConfig config;
     config.name = "under test";
-    config.endpoints = row.default_endpoints;
+    config.endpoints = parse_endpoints(row.default_endpoints);
     config.options = default_options(row);
     config.profile = own_profile(row);
     for (const auto& [name, value] : changes) config.options.at(name) = value;
@@ -65,7 +65,7 @@ inline std::unique_ptr<Device> make_device(const std::string& model, std::vector
                                            const Options& changes = {}) {
     const Model& row = *find_model(model);
     DeviceConfig config = make_config(row, changes);
-    if (!endpoints.empty()) config.endpoints = std::move(endpoints);
+    if (!endpoints.empty()) config.endpoints = parse_endpoints(endpoints);
     return row.make(config);
 }
 

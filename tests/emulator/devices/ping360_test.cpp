@@ -252,7 +252,7 @@ TEST(Ping360, AResetIsFollowedBySilenceAndTheSettingsOfPowerUp) {
 TEST(Ping360, AnswersWhoAskedAndScansForWhoStarted) {
     const Model& row = *find_model("ping360");
     DeviceConfig config = make_config(row);
-    config.endpoints = {"pty:/tmp/a", "udp-listen://127.0.0.1:1234"};
+    config.endpoints = {parse_endpoint("pty:/tmp/a"), parse_endpoint("udp-listen://127.0.0.1:1234")};
     Bench bench(row.make(config));
     bench.say(auto_transmit(0, 399, 1), 1, {0x7F000001, 5000});
     bench.say(frame(4), 0);

@@ -42,8 +42,9 @@ Bench watched_head(double sync) {
     const Model& model = *find_model("r2sonic-2024");
     DeviceConfig config =
         make_config(model, {{"range", 15.0}, {"trigger", std::string("command")}, {"sync_in", sync}});
-    config.endpoints = {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400",
-                        "udp-listen://127.0.0.1:65300"};
+    config.endpoints = {parse_endpoint("udp-listen://127.0.0.1:65500"),
+                        parse_endpoint("udp://127.0.0.1:65400"),
+                        parse_endpoint("udp-listen://127.0.0.1:65300")};
     config.unix_start = 1700000000.25;
     config.sound_speed = 1520;
     return Bench(model.make(config));

@@ -107,7 +107,7 @@ class SonarBench {
         const Model& row = *find_model("sonar-3d-15");
         DeviceConfig config = make_config(row, changes);
         config.unix_start = 1.75e9 + 0.25;
-        if (!endpoints.empty()) config.endpoints = std::move(endpoints);
+        if (!endpoints.empty()) config.endpoints = parse_endpoints(endpoints);
         bench.emplace(row.make(config));
         bench->echo_power = 1e16F;  // 160 dB
         bench->echo_bin = 100;

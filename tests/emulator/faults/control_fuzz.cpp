@@ -32,7 +32,7 @@ std::vector<ScenarioDevice> devices() {
         device.name = devices.empty() ? "a" : "b";
         device.model = &turner();
         device.config.name = device.name;
-        device.config.endpoints = {endpoint};
+        device.config.endpoints = {parse_endpoint(endpoint)};
         device.config.options = {{"baud", 115200.0}};
         devices.push_back(std::move(device));
     }

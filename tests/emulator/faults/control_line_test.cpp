@@ -23,7 +23,7 @@ class ControlLineTest : public testing::Test {
         micron.name = "micron";
         micron.model = find_model("tritech-micron");
         micron.config.name = "micron";
-        micron.config.endpoints = micron.model->default_endpoints;
+        micron.config.endpoints = parse_endpoints(micron.model->default_endpoints);
         micron.config.options = default_options(*micron.model);
         devices_.push_back(micron);
     }

@@ -46,7 +46,7 @@ std::unique_ptr<Device> make_device(const WireCase& the_case) {
     if (model == nullptr) throw std::runtime_error("bench: there is no model " + the_case.model);
     DeviceConfig config;
     config.name = the_case.name;
-    config.endpoints = model->default_endpoints;
+    config.endpoints = parse_endpoints(model->default_endpoints);
     config.options = default_options(*model);
     config.profile = own_profile(*model);
     for (const auto& [name, value] : the_case.options) config.options.at(name) = value;

@@ -12,14 +12,10 @@ namespace {
 constexpr std::uint16_t discovery_port = 30303;
 const char* const spec = "Ping specification notes";
 
-bool is_datagram(const Endpoint& endpoint) {
-    return endpoint.scheme == Endpoint::Scheme::udp || endpoint.scheme == Endpoint::Scheme::udp_listen;
-}
-
 /// Where hosts find the data: the first port that is listened on.
-std::uint16_t data_port(const std::vector<std::string>& endpoints) {
-    for (const std::string& uri : endpoints)
-        if (const Endpoint e = parse_endpoint(uri); e.listens()) return e.port;
+std::uint16_t data_port(const std::vector<Endpoint>& endpoints) {
+    for (const Endpoint& e : endpoints)
+        if (e.listens()) return e.port;
     return 0;
 }
 
@@ -90,7 +86,7 @@ bool is_speed_of_sound(std::uint32_t speed) {
     return speed >= lowest && speed <= highest;
 }
 
-std::vector<Port> make_ports(const std::vector<std::string>& endpoints, const Identity& identity) {
+std::vector<Port> make_ports(const std::vector<Endpoint>& endpoints, const Identity& identity) {
     std::vector<Port> ports = ping_device::link_ports(endpoints, identity.baud);
     if (!identity.discovery.empty()) {
         const Endpoint at =
@@ -100,14 +96,13 @@ std::vector<Port> make_ports(const std::vector<std::string>& endpoints, const Id
     return ports;
 }
 
-std::vector<std::size_t> pieces(const std::vector<std::string>& endpoints, const Identity& identity) {
+std::vector<std::size_t> pieces(const std::vector<Endpoint>& endpoints, const Identity& identity) {
     std::vector<std::size_t> all;
-    for (const std::string& uri : endpoints)
-        all.push_back(is_datagram(parse_endpoint(uri)) ? identity.datagram : 0);
+    for (const Endpoint& e : endpoints) all.push_back(e.on_udp() ? identity.datagram : 0);
     return all;
 }
 
-wire::Bytes discovery_reply(wire::ByteView question, const std::vector<std::string>& endpoints,
+wire::Bytes discovery_reply(wire::ByteView question, const std::vector<Endpoint>& endpoints,
                             const Identity& identity) {
     const std::string_view asked(reinterpret_cast<const char*>(question.data()), question.size());
     if (!asked.starts_with("Discovery")) return {};

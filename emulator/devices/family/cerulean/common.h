@@ -42,12 +42,12 @@ bool is_speed_of_sound(std::uint32_t speed);
 
 /// The ports of a device: one per endpoint, and one for discovery if it is wanted. std::invalid_argument as
 /// link_ports, or if the address to announce is none.
-std::vector<Port> make_ports(const std::vector<std::string>& endpoints, const Identity& identity);
+std::vector<Port> make_ports(const std::vector<Endpoint>& endpoints, const Identity& identity);
 /// Per port, what reply_in_pieces wants: the largest datagram, or 0 for a byte stream.
-std::vector<std::size_t> pieces(const std::vector<std::string>& endpoints, const Identity& identity);
+std::vector<std::size_t> pieces(const std::vector<Endpoint>& endpoints, const Identity& identity);
 /// The announcement, with the data port of the first endpoint that has one; empty for any other bytes than
 /// the question.
-wire::Bytes discovery_reply(wire::ByteView question, const std::vector<std::string>& endpoints,
+wire::Bytes discovery_reply(wire::ByteView question, const std::vector<Endpoint>& endpoints,
                             const Identity& identity);
 
 }  // namespace echoloop::cerulean_device

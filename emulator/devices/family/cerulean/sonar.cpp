@@ -2,7 +2,7 @@
 
 namespace echoloop::cerulean_device {
 
-Sonar::Sonar(const Identity& identity, std::vector<std::string> endpoints)
+Sonar::Sonar(const Identity& identity, std::vector<Endpoint> endpoints)
     : identity_(identity),
       endpoints_(std::move(endpoints)),
       ports_(make_ports(endpoints_, identity_)),

@@ -19,7 +19,7 @@ using ping_device::Peer;
 
 class Sonar : public Device {
   public:
-    Sonar(const Identity& identity, std::vector<std::string> endpoints);
+    Sonar(const Identity& identity, std::vector<Endpoint> endpoints);
 
     std::vector<Port> ports() const override { return ports_; }
     Actions started(Time) override { return take_actions(); }
@@ -71,7 +71,7 @@ class Sonar : public Device {
     Actions take_actions();
 
     Identity identity_;
-    std::vector<std::string> endpoints_;
+    std::vector<Endpoint> endpoints_;
     std::vector<Port> ports_;
     std::vector<std::size_t> pieces_;  ///< largest datagram per port; 0: a stream
     ping_device::Link link_;

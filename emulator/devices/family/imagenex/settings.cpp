@@ -33,8 +33,7 @@ Acoustics read_acoustics(const Profile& p, bool tvg) {
 double reply_rate(const DeviceConfig& config) {
     if (config.endpoints.size() != 1)
         throw std::invalid_argument("an Imagenex head has one serial line: give exactly one endpoint");
-    const auto scheme = parse_endpoint(config.endpoints.front()).scheme;
-    if (scheme == Endpoint::Scheme::udp || scheme == Endpoint::Scheme::udp_listen) return 0;
+    if (config.endpoints.front().on_udp()) return 0;
     return line_rate(config.endpoints, number(config.options, "baud"));
 }
 

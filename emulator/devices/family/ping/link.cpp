@@ -49,15 +49,13 @@ std::vector<Send> in_pieces(wire::Bytes frame, const Peer& to, std::size_t piece
     return sends;
 }
 
-std::vector<Port> link_ports(const std::vector<std::string>& endpoints, double baud) {
+std::vector<Port> link_ports(const std::vector<Endpoint>& endpoints, double baud) {
     if (endpoints.empty() || endpoints.size() > most_endpoints)
         throw std::invalid_argument("give one to four endpoints: each is another way to the same device");
     std::vector<Port> ports;
-    for (const std::string& uri : endpoints) {
-        const auto scheme = parse_endpoint(uri).scheme;
-        const bool udp = scheme == Endpoint::Scheme::udp || scheme == Endpoint::Scheme::udp_listen;
-        if (udp && baud > 0)
-            throw std::invalid_argument("a line rate would cut the datagrams of " + uri +
+    for (const Endpoint& endpoint : endpoints) {
+        if (endpoint.on_udp() && baud > 0)
+            throw std::invalid_argument("a line rate would cut the datagrams of " + to_string(endpoint) +
                                         ": set baud to 0, or leave that endpoint out");
         ports.push_back({"line " + std::to_string(ports.size() + 1), Port::Kind::stream, {}, false});
     }
@@ -78,6 +76,14 @@ std::array<std::uint8_t, 3> read_version(const std::string& text, const std::str
         throw std::invalid_argument("option '" + option + "': '" + text +
                                     "' is no version; write three numbers of 0 to 255 like 3.3.8");
     return {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c)};
+}
+
+void version(std::array<std::uint8_t, 3>& member, OptionList& options, std::string_view name,
+             std::string_view help, std::string_view source) {
+    std::string text =
+        std::to_string(member[0]) + "." + std::to_string(member[1]) + "." + std::to_string(member[2]);
+    options.text(text, name, help, source);
+    member = read_version(text, std::string(name));
 }
 
 }  // namespace echoloop::ping_device

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "emulator/contract/device.h"
-#include "emulator/contract/endpoint.h"
+#include "emulator/contract/settings_list.h"
 #include "protocols/ping/codec.h"
 #include "protocols/ping/framer.h"
 
@@ -62,10 +62,13 @@ std::vector<Send> in_pieces(wire::Bytes frame, const Peer& to, std::size_t piece
 
 /// A port per endpoint. std::invalid_argument if there are none, more than four, or datagrams with a line
 /// rate.
-std::vector<Port> link_ports(const std::vector<std::string>& endpoints, double baud);
+std::vector<Port> link_ports(const std::vector<Endpoint>& endpoints, double baud);
 
 ping::Nack nack(ping::Id refused, std::string_view text);
 /// "3.3.8" as three numbers of 0..255; std::invalid_argument naming `option` otherwise.
 std::array<std::uint8_t, 3> read_version(const std::string& text, const std::string& option);
+/// Lists an option that is such a version.
+void version(std::array<std::uint8_t, 3>& member, OptionList& options, std::string_view name,
+             std::string_view help, std::string_view source);
 
 }  // namespace echoloop::ping_device

@@ -8,6 +8,7 @@
 #include "emulator/contract/device.h"
 #include "emulator/contract/endpoint.h"
 #include "emulator/contract/options.h"
+#include "emulator/contract/settings_list.h"
 
 namespace echoloop {
 
@@ -32,6 +33,16 @@ struct SerialRate {
         return from_seconds(bits_per_byte * static_cast<double>(bytes) / bits_per_second);
     }
 };
+
+/// Lists the options `baud`, which is the rate of ptys and TCP in bit/s, and `automatic_baud`.
+inline void describe(double& baud, SerialRate& line, OptionList& options) {
+    const std::string_view source = "Ping specification notes";
+    options.number(baud, "baud", "bit/s", 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", source);
+    options.flag(line.automatic, "automatic_baud",
+                 "a pty is as fast as its driver sets it, whatever baud says; false: another rate than baud "
+                 "makes garbage",
+                 source);
+}
 
 /// From the options `baud` and `automatic_baud` and the rates of real serial ports.
 inline SerialRate read_serial_rate(const DeviceConfig& config) {

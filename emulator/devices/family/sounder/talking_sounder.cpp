@@ -8,12 +8,12 @@
 
 namespace echoloop::echosounder {
 
-Wiring read_wiring(const std::vector<std::string>& endpoints, const std::string& model) {
+Wiring read_wiring(const std::vector<Endpoint>& endpoints, const std::string& model) {
     if (endpoints.size() != 1)
         throw std::invalid_argument("a " + model + " has one port: give exactly one endpoint");
-    const Endpoint e = parse_endpoint(endpoints[0]);
+    const Endpoint& e = endpoints[0];
     if (e.scheme == Endpoint::Scheme::udp_listen)
-        throw std::invalid_argument(endpoints[0] +
+        throw std::invalid_argument(to_string(e) +
                                     ": an echosounder speaks first; name the host that is to hear it, "
                                     "udp://ADDRESS:PORT");
     if (e.scheme != Endpoint::Scheme::udp) return {{"line", Port::Kind::stream, {}, false}, {}};

@@ -19,7 +19,7 @@ struct Wiring {
 
 /// Exactly one endpoint of any kind but udp-listen, since nobody would speak first. std::invalid_argument
 /// that names `model` otherwise.
-Wiring read_wiring(const std::vector<std::string>& endpoints, const std::string& model);
+Wiring read_wiring(const std::vector<Endpoint>& endpoints, const std::string& model);
 
 class TalkingSounder : public Device {
   public:

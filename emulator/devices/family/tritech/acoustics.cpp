@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 namespace echoloop::tritech {
 namespace {
@@ -12,23 +11,24 @@ constexpr double intermediate_frequency = 455e3;  // Hz
 constexpr double clock_frequency = 32e6;          // Hz
 constexpr double silence = -300;                  // dB
 
-double deg(const Profile& p, const std::string& name) { return deg_to_rad(figure(p, name)); }
-
-/// `prefix`: "" or "low_".
-Band read_band(const Profile& p, const std::string& prefix) {
-    return {figure(p, prefix + "frequency"),         figure(p, prefix + "source_level"),
-            deg(p, prefix + "beam_width"),           deg(p, prefix + "fan_height"),
-            figure(p, prefix + "directivity_index"), figure(p, prefix + "tvg_absorption")};
+/// `prefix`: "" or "low_". Its directivity index is left out.
+void describe(Band& b, const std::string& prefix, FigureList& f) {
+    f.number(b.frequency, prefix + "frequency", "Hz", 10e3, 10e6,
+             "of the transducer, the middle of a swept band");
+    f.number(b.source_level, prefix + "source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis");
+    f.degrees(b.beam_width, prefix + "beam_width", 0.1, 60, "horizontal -3 dB full width, two-way");
+    f.degrees(b.fan_height, prefix + "fan_height", 0.1, 120, "vertical -3 dB full width, two-way");
+    f.number(b.absorption, prefix + "tvg_absorption", "dB/m", 0, 2, "time-varied gain, one way");
 }
 
-std::vector<FigureRow> band_figures(const std::string& prefix) {
-    return {
-        {prefix + "frequency", "Hz", "of the transducer, the middle of a swept band", 10e3, 10e6},
-        {prefix + "source_level", "dB re 1 uPa at 1 m", "on the axis", 100, 240},
-        {prefix + "beam_width", "deg", "horizontal -3 dB full width, two-way", 0.1, 60},
-        {prefix + "fan_height", "deg", "vertical -3 dB full width, two-way", 0.1, 120},
-        {prefix + "tvg_absorption", "dB/m", "time-varied gain, one way", 0, 2},
-    };
+void describe(Tunable& t, FigureList& f) {
+    describe(t.low, "low_", f);
+    f.number(t.low.directivity_index, "low_directivity_index", "dB", 0, 60,
+             "of the receiver against isotropic noise");
+    f.number(t.lowest, "lowest_frequency", "Hz", 10e3, 10e6, "TxN below it is taken as it");
+    f.number(t.highest, "highest_frequency", "Hz", 10e3, 10e6, "TxN above it is taken as it");
+    f.number(t.receiver_band, "receiver_band", "Hz", 0, 5e6,
+             "RxN further away from TxN hears nothing but noise");
 }
 
 /// The same aperture at another frequency: widths go with 1 / f, absorption about with f, the index with f^2.
@@ -101,42 +101,17 @@ Shot sounding(const Acoustics& acoustics, const Tuning& tuning, double pulse) {
     return shot;
 }
 
-Acoustics read_acoustics(const Profile& p, bool tunable, bool tvg) {
-    Acoustics a;
-    a.band = read_band(p, "");
-    if (tunable)
-        a.tunable = Tunable{read_band(p, "low_"), figure(p, "lowest_frequency"),
-                            figure(p, "highest_frequency"), figure(p, "receiver_band")};
-    a.bandwidth = figure(p, "bandwidth");
-    a.shortest_pulse = figure(p, "shortest_pulse");
-    a.horizontal = axis_pattern(p, "horizontal");
-    a.vertical = axis_pattern(p, "vertical");
-    a.receiver = receiver(p);
-    a.reference_level = figure(p, "reference_level");
-    a.tvg_spreading = figure(p, "tvg_spreading");
-    a.tvg = tvg;
-    return a;
-}
-
-std::vector<FigureRow> acoustic_figures(bool tunable) {
-    std::vector<FigureRow> rows = band_figures("");
-    const auto add = [&](std::vector<FigureRow> more) {
-        std::move(more.begin(), more.end(), std::back_inserter(rows));
-    };
-    add({{"bandwidth", "Hz", "width of the swept band; 0: a tone", 0, 5e6},
-         {"shortest_pulse", "s", "shorter commanded pulses are made as long", 1e-6, 1e-2},
-         {"tvg_spreading", "dB per decade of range", "time-varied gain", 0, 60},
-         {"reference_level", "dB re 1 uPa", "level after time-varied gain that reads 0 dB at zero gain", 0,
-          300}});
-    if (tunable) {
-        add(band_figures("low_"));
-        add({{"low_directivity_index", "dB", "of the receiver against isotropic noise", 0, 60},
-             {"lowest_frequency", "Hz", "TxN below it is taken as it", 10e3, 10e6},
-             {"highest_frequency", "Hz", "TxN above it is taken as it", 10e3, 10e6},
-             {"receiver_band", "Hz", "RxN further away from TxN hears nothing but noise", 0, 5e6}});
-    }
-    add(common_figures());
-    return rows;
+void describe(Acoustics& a, FigureList& f) {
+    describe(a.band, "", f);
+    f.number(a.bandwidth, "bandwidth", "Hz", 0, 5e6, "width of the swept band; 0: a tone");
+    f.number(a.shortest_pulse, "shortest_pulse", "s", 1e-6, 1e-2,
+             "shorter commanded pulses are made as long");
+    f.number(a.tvg_spreading, "tvg_spreading", "dB per decade of range", 0, 60, "time-varied gain");
+    f.number(a.reference_level, "reference_level", "dB re 1 uPa", 0, 300,
+             "level after time-varied gain that reads 0 dB at zero gain");
+    if (a.tunable) describe(*a.tunable, f);
+    f.common(a.horizontal, a.vertical, a.receiver);
+    a.band.directivity_index = a.receiver.directivity_index;
 }
 
 }  // namespace echoloop::tritech

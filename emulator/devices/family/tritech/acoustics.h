@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "emulator/contract/profile.h"
+#include "emulator/contract/settings_list.h"
 #include "protocols/seanet/messages.h"
 
 namespace echoloop::tritech {
@@ -65,7 +65,6 @@ double tvg_db(double range, const Acoustics& acoustics, const Tuning& tuning);
 /// and the direction are left to the caller.
 Shot sounding(const Acoustics& acoustics, const Tuning& tuning, double pulse);
 
-Acoustics read_acoustics(const Profile& profile, bool tunable, bool tvg);
-std::vector<FigureRow> acoustic_figures(bool tunable);
+void describe(Acoustics& acoustics, FigureList& figures);
 
 }  // namespace echoloop::tritech

@@ -5,8 +5,6 @@
 #include <numbers>
 
 #include "emulator/devices/family/tritech/head_options.h"
-#include "emulator/contract/option_rows.h"
-#include "emulator/contract/options.h"
 
 namespace echoloop::tritech {
 namespace {
@@ -15,47 +13,27 @@ constexpr double bin_length = 0.01;  // m; the text has millimetres, the pulse i
 
 }  // namespace
 
-std::vector<Option> aux_rows() {
-    return {
-        flag_row("aux_echosounder", false,
-                 "an echosounder on the AUX port, looking down; its depth comes as mtAuxData between lines",
-                 specification),
-        number_row("aux_period", "s", 1, 0.05, 60, "from one ping of the echosounder to the next",
-                   "own choice"),
-        number_row("aux_range", "m", 30, 1, 300, "of the echosounder; while it listens, no line is under way",
-                   "own choice"),
-        number_row("aux_sound_speed", "m/s", 1500, 1300, 1700, "that the echosounder reckons with",
-                   "usual setting"),
-    };
-}
-
-std::vector<FigureRow> aux_figures() {
-    return {
-        {"aux_frequency", "Hz", "of the echosounder on the AUX port", 10e3, 10e6},
-        {"aux_pulse_length", "s", "of the echosounder on the AUX port", 1e-6, 1e-2},
-        {"aux_beam_width", "deg", "of the echosounder on the AUX port, -3 dB full width of its cone, two-way",
-         0.5, 60},
-        {"aux_source_level", "dB re 1 uPa at 1 m", "of the echosounder on the AUX port", 100, 240},
-        {"aux_directivity_index", "dB", "of the echosounder on the AUX port", 0, 60},
-        {"aux_blanking", "m", "of the echosounder on the AUX port; nothing nearer counts", 0, 10},
-    };
-}
-
-AuxSettings read_aux(const DeviceConfig& config) {
-    const Profile& p = config.profile;
-    AuxSettings s;
-    s.connected = flag(config.options, "aux_echosounder");
-    s.period = number(config.options, "aux_period");
-    s.range = number(config.options, "aux_range");
-    s.sound_speed = number(config.options, "aux_sound_speed");
-    s.frequency = figure(p, "aux_frequency");
-    s.pulse_length = figure(p, "aux_pulse_length");
-    s.beam_width = deg_to_rad(figure(p, "aux_beam_width"));
-    s.source_level = figure(p, "aux_source_level");
-    s.directivity_index = figure(p, "aux_directivity_index");
-    s.bottom.blanking = 2 * figure(p, "aux_blanking") / s.sound_speed;
-    s.receiver = receiver(p);
-    return s;
+void describe(AuxSettings& s, OptionList& o, FigureList& f) {
+    o.flag(s.connected, "aux_echosounder",
+           "an echosounder on the AUX port, looking down; its depth comes as mtAuxData between lines",
+           specification);
+    o.number(s.period, "aux_period", "s", 0.05, 60, "from one ping of the echosounder to the next",
+             "own choice");
+    o.number(s.range, "aux_range", "m", 1, 300, "of the echosounder; while it listens, no line is under way",
+             "own choice");
+    o.number(s.sound_speed, "aux_sound_speed", "m/s", 1300, 1700, "that the echosounder reckons with",
+             "usual setting");
+    f.number(s.frequency, "aux_frequency", "Hz", 10e3, 10e6, "of the echosounder on the AUX port");
+    f.number(s.pulse_length, "aux_pulse_length", "s", 1e-6, 1e-2, "of the echosounder on the AUX port");
+    f.degrees(s.beam_width, "aux_beam_width", 0.5, 60,
+              "of the echosounder on the AUX port, -3 dB full width of its cone, two-way");
+    f.number(s.source_level, "aux_source_level", "dB re 1 uPa at 1 m", 100, 240,
+             "of the echosounder on the AUX port");
+    f.number(s.directivity_index, "aux_directivity_index", "dB", 0, 60, "of the echosounder on the AUX port");
+    double blanking = 0;
+    f.number(blanking, "aux_blanking", "m", 0, 10,
+             "of the echosounder on the AUX port; nothing nearer counts");
+    s.bottom.blanking = 2 * blanking / s.sound_speed;
 }
 
 double aux_window(const AuxSettings& settings) { return 2 * settings.range / settings.sound_speed; }

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "emulator/contract/settings_list.h"
 #include "emulator/devices/family/sounder/bottom.h"
-#include "emulator/contract/model.h"
 
 namespace echoloop::tritech {
 
@@ -21,9 +21,8 @@ struct AuxSettings {
     Receiver receiver;
 };
 
-std::vector<Option> aux_rows();
-std::vector<FigureRow> aux_figures();
-AuxSettings read_aux(const DeviceConfig& config);
+/// All but its receiver, which is as good as the head's.
+void describe(AuxSettings& settings, OptionList& options, FigureList& figures);
 
 /// Its ping straight down.
 Shot aux_shot(const AuxSettings& settings);

@@ -11,9 +11,9 @@ namespace echoloop::tritech {
 
 /// What the specification leaves open about the start.
 struct BootRules {
-    double first_alive = 1;                        ///< s after power-up or reboot
-    int recentring_alives = 3;                     ///< alives with InCentre after a reboot
-    std::vector<std::uint8_t> homing{0x5D, 0x4D};  ///< their HeadInf; the last one repeats
+    double first_alive = 1;            ///< s after power-up or reboot
+    int recentring_alives = 3;         ///< alives with InCentre after a reboot
+    std::vector<std::uint8_t> homing;  ///< their HeadInf; the last one repeats
     bool alives_while_scanning = false;
     std::string sent_cfg_by = "both";
     double motor_off_after = 0;  ///< s without a ping; 0: never

@@ -2,8 +2,8 @@
 // only.
 #pragma once
 
+#include "emulator/contract/settings_list.h"
 #include "emulator/devices/family/tritech/boot.h"
-#include "emulator/contract/model.h"
 #include "protocols/seanet/codec.h"
 #include "protocols/seanet/framer.h"
 
@@ -29,16 +29,13 @@ struct HeadSettings {
 
 inline constexpr const char* specification = "SeaNet specification notes";
 
-/// The rows of these options: `replies` is the default of that option; `dst` adds the FPGA messages.
-std::vector<Option> head_option_rows(int replies, bool dst);
-/// From complete options. std::invalid_argument with a sentence for the user if a text is no hex.
-HeadSettings read_head_settings(const DeviceConfig& config, std::uint8_t node, bool dst);
+/// std::invalid_argument with a sentence for the user if a text is no hex. What is left to the endpoints: the
+/// line rate of a real serial port.
+void describe(HeadSettings& settings, OptionList& options);
 
 /// "5D, 4D" or the name of a file with such text: bytes. Anything after # in a line of a file is a comment.
 /// std::invalid_argument naming `option` if it is neither.
 std::vector<std::uint8_t> hex_bytes(const std::string& text, const std::string& option);
-
-void append(std::vector<Option>& all, std::vector<Option> more);
 
 /// HdCtrl as replies show it: the command's, with the bits that options force.
 std::uint16_t shown_hd_ctrl(std::uint16_t commanded, const HeadSettings& settings);

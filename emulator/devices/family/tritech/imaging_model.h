@@ -21,8 +21,7 @@ inline Model imaging_model(const std::string& name, const std::string& link, Fam
     m.default_endpoints = {"pty:/tmp/echoloop/" + link};
     m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
     m.turn_steps = turn_steps;
-    m.options = imaging_options(family);
-    m.figures = imaging_figures(family);
+    list_settings<ImagingSettings>(m, family);
     m.profile = built_in_profile(m.name);
     return m;
 }

@@ -4,52 +4,49 @@
 #include <cmath>
 #include <numbers>
 
-#include "emulator/contract/option_rows.h"
-#include "emulator/contract/options.h"
-
 namespace echoloop::tritech {
 namespace {
 
 constexpr double ad_interval_unit = 640e-9;  // s
 
-std::vector<Option> scan_rows(Family family) {
-    const std::vector<std::string> ping_pong = family == Family::dst
-                                                   ? std::vector<std::string>{"ignore", "channels"}
-                                                   : std::vector<std::string>{"channels", "ignore"};
-    return {
-        flag_row("force_right", false, "continuous scans turn clockwise even without the scanright bit",
-                 specification),
-        flag_row("limits_twice", false, "ping each sector limit twice per pass", specification),
-        flag_row("whole_steps", false, "never cut the last step at a sector limit", specification),
-        choice_row("sector_start", {"left-limit", "position"}, "where a new sector begins", specification),
-        flag_row("obey_invert", true, "the invert bit turns the rotation round (head mounted boot down)",
-                 specification),
-        choice_row("ping_pong", ping_pong, "HdCtrl bit 11: every other line uses the other channel",
-                   "own choice: the specification gives the bit's name only; a DST has one channel"),
-        choice_row("period_law", {"A", "B", "fixed"},
-                   "A: 2R/c + step * MoTime + line time; B: twice 2R/c + step * MoTime, line time included",
-                   specification),
-        number_row("period_scale", "", 1, 0.01, 100, "factor on the period of law A or B", specification),
-        number_row("fixed_period", "s", 0.05, 0.001, 60, "period of a line under law fixed", specification),
-    };
+void describe_scan(ImagingSettings& s, OptionList& o, Family family) {
+    o.flag(s.scan.force_right, "force_right",
+           "continuous scans turn clockwise even without the scanright bit", specification);
+    o.flag(s.scan.limits_twice, "limits_twice", "ping each sector limit twice per pass", specification);
+    o.flag(s.scan.whole_steps, "whole_steps", "never cut the last step at a sector limit", specification);
+    o.choice(s.scan.start_at_position, "sector_start", {"left-limit", "position"},
+             "where a new sector begins", specification);
+    o.flag(s.obey_invert, "obey_invert", "the invert bit turns the rotation round (head mounted boot down)",
+           specification);
+    const std::initializer_list<Word<bool>> dst{{"ignore", false}, {"channels", true}},
+        seaking{{"channels", true}, {"ignore", false}};
+    s.ping_pong = family == Family::seaking;
+    o.words(s.ping_pong, "ping_pong", family == Family::dst ? dst : seaking,
+            "HdCtrl bit 11: every other line uses the other channel",
+            "own choice: the specification gives the bit's name only; a DST has one channel");
+    o.choice(s.period_law, "period_law", {"A", "B", "fixed"},
+             "A: 2R/c + step * MoTime + line time; B: twice 2R/c + step * MoTime, line time included",
+             specification);
+    o.number(s.period_scale, "period_scale", "", 0.01, 100, "factor on the period of law A or B",
+             specification);
+    o.number(s.fixed_period, "fixed_period", "s", 0.001, 60, "period of a line under law fixed",
+             specification);
 }
 
-std::vector<Option> data_rows(Family family) {
-    return {
-        choice_row("v3b", {"main", "v3b"},
-                   "mtHeadCommand 0x1D: whose ADSpan, ADLow, gain and slope count, the main fields or V3B",
-                   specification),
-        choice_row("nibble_order", {"high-first", "low-first"},
-                   "4-bit bins: which half of a byte is the nearer bin", specification),
-        choice_row("ad_span_scale", {"255", "15"}, "4-bit bins: scale of ADSpan and ADLow", specification),
-        integer_row("device_type", "", family == Family::dst ? 0x11 : -1, -1, 255,
-                    "byte 15 of mtHeadData; -1: HdType of the command", specification),
-        integer_row("motor_error_after", "", 0, 0, 1e9,
-                    "lines after which MotErr is set, until parameters come again; 0: never",
-                    "for tests of drivers"),
-        integer_row("power_loss_every", "", 0, 0, 1e9, "every so many lines one says HdPwrLoss; 0: never",
-                    "for tests of drivers"),
-    };
+void describe_data(ImagingSettings& s, OptionList& o) {
+    o.choice(s.v3b_counts, "v3b", {"main", "v3b"},
+             "mtHeadCommand 0x1D: whose ADSpan, ADLow, gain and slope count, the main fields or V3B",
+             specification);
+    o.words(s.packing.high_first, "nibble_order", {{"high-first", true}, {"low-first", false}},
+            "4-bit bins: which half of a byte is the nearer bin", specification);
+    o.choice(s.packing.span_of_15, "ad_span_scale", {"255", "15"}, "4-bit bins: scale of ADSpan and ADLow",
+             specification);
+    o.whole(s.device_type, "device_type", "", -1, 255, "byte 15 of mtHeadData; -1: HdType of the command",
+            specification);
+    o.whole(s.motor_error_after, "motor_error_after", "", 0, 1e9,
+            "lines after which MotErr is set, until parameters come again; 0: never", "for tests of drivers");
+    o.whole(s.power_loss_every, "power_loss_every", "", 0, 1e9,
+            "every so many lines one says HdPwrLoss; 0: never", "for tests of drivers");
 }
 
 void limit_window(Shot& shot) {
@@ -59,42 +56,27 @@ void limit_window(Shot& shot) {
 
 }  // namespace
 
-std::vector<Option> imaging_options(Family family) {
-    std::vector<Option> all = head_option_rows(2, family == Family::dst);
-    all.push_back(integer_row("node", "", seanet::nodes::imaging, 1, 254, "SeaNet node number of the head",
-                              specification));
-    append(all, scan_rows(family));
-    append(all, data_rows(family));
-    append(all, aux_rows());
-    return all;
-}
-
-std::vector<FigureRow> imaging_figures(Family family) {
-    std::vector<FigureRow> all = acoustic_figures(family == Family::seaking);
-    for (FigureRow& row : aux_figures()) all.push_back(std::move(row));
-    return all;
+void describe(ImagingSettings& s, OptionList& o, FigureList& f, Family family) {
+    s.head.dst = family == Family::dst;
+    if (family == Family::seaking) {
+        s.acoustics.tunable.emplace();
+        s.device_type = -1;
+        s.most_bins = 800;
+    }
+    describe(s.head, o);
+    o.whole(s.head.node, "node", "", 1, 254, "SeaNet node number of the head", specification);
+    describe_scan(s, o, family);
+    describe_data(s, o);
+    describe(s.acoustics, f);
+    describe(s.aux, o, f);
 }
 
 ImagingSettings read_imaging_settings(const DeviceConfig& config, Family family) {
-    const Options& o = config.options;
-    const bool dst = family == Family::dst;
-    ImagingSettings s;
-    s.head = read_head_settings(config, static_cast<std::uint8_t>(integer(o, "node")), dst);
-    s.acoustics = read_acoustics(config.profile, !dst, config.effects.has(Effect::tvg));
-    s.aux = read_aux(config);
-    s.scan = {flag(o, "force_right"), flag(o, "limits_twice"), flag(o, "whole_steps"),
-              text(o, "sector_start") == "position"};
-    s.packing = {text(o, "nibble_order") == "high-first", text(o, "ad_span_scale") == "15"};
-    s.obey_invert = flag(o, "obey_invert");
-    s.v3b_counts = text(o, "v3b") == "v3b";
-    s.ping_pong = text(o, "ping_pong") == "channels";
-    s.period_law = text(o, "period_law");
-    s.period_scale = number(o, "period_scale");
-    s.fixed_period = number(o, "fixed_period");
-    s.device_type = static_cast<int>(integer(o, "device_type"));
-    s.motor_error_after = static_cast<int>(integer(o, "motor_error_after"));
-    s.power_loss_every = static_cast<int>(integer(o, "power_loss_every"));
-    s.most_bins = dst ? 1500 : 800;
+    auto s = fill_settings<ImagingSettings>(config, family);
+    s.head.version.node = s.head.node;
+    s.head.line_rate = line_rate(config.endpoints, s.head.line_rate);
+    s.acoustics.tvg = config.effects.has(Effect::tvg);
+    s.aux.receiver = s.acoustics.receiver;
     return s;
 }
 

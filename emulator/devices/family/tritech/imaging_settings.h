@@ -32,8 +32,7 @@ struct ImagingSettings {
 };
 
 ImagingSettings read_imaging_settings(const DeviceConfig& config, Family family);
-std::vector<Option> imaging_options(Family family);
-std::vector<FigureRow> imaging_figures(Family family);
+void describe(ImagingSettings& settings, OptionList& options, FigureList& figures, Family family);
 
 /// True if a head can work with these parameters at all.
 bool usable(const seanet::HeadParameters& parameters);

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "emulator/devices/family/tritech/head_options.h"
-#include "emulator/contract/options.h"
 #include "protocols/seanet/codec.h"
 
 namespace echoloop::tritech {
@@ -50,26 +49,25 @@ std::vector<std::uint8_t> hex_bytes(const std::string& text, const std::string& 
 }
 
 void put_front(std::span<std::uint8_t> content, const std::vector<std::uint8_t>& bytes,
-          const std::string& option) {
+               const std::string& option) {
     if (bytes.size() > content.size())
         throw std::invalid_argument("option '" + option + "' has " + std::to_string(bytes.size()) +
                                     " bytes; there is room for " + std::to_string(content.size()));
     std::copy(bytes.begin(), bytes.end(), content.begin());
 }
 
-seanet::BBUserData read_user_block(const Options& options, bool dst) {
+seanet::BBUserData make_user_block(bool dst, bool half_duplex, bool older, const std::string& content) {
     seanet::BBUserData block;
     block.a0.baud_low = block.a0.baud_high = baud_115200;
     block.a1.baud_low = block.a1.baud_high = baud_9600;
-    const std::uint8_t half = flag(options, "half_duplex") ? 1 : 0;
-    (dst ? block.half_duplex_dst : block.half_duplex) = half;
+    (dst ? block.half_duplex_dst : block.half_duplex) = half_duplex ? 1 : 0;
     if (!dst) {
         block.device_marker = 0;
         block.block1[0] = 1;  // hasMotor
     }
-    if (text(options, "user_block_form") == "175") block.rest.resize(older_rest);
+    if (older) block.rest.resize(older_rest);
     seanet::Frame frame = seanet::make_frame(block);
-    put_front(frame.payload, hex_bytes(text(options, "user_block"), "user_block"), "user_block");
+    put_front(frame.payload, hex_bytes(content, "user_block"), "user_block");
     return std::get<seanet::BBUserData>(*seanet::parse(frame));
 }
 

@@ -2,15 +2,18 @@
 // one that an option names.
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
-#include "emulator/contract/model.h"
 #include "protocols/seanet/messages.h"
 
 namespace echoloop::tritech {
 
-/// The block of a DST or another head, as the options want it. std::invalid_argument if they do not fit.
-seanet::BBUserData read_user_block(const Options& options, bool dst);
+/// The block of a DST or another head. `content`: hex from byte 13 on. `older`: the form of 175 bytes.
+/// std::invalid_argument if the content does not fit.
+seanet::BBUserData make_user_block(bool dst, bool half_duplex, bool older, const std::string& content);
 
 /// Copies `bytes` to the front of `content`; std::invalid_argument naming `option` if they are too many.
 void put_front(std::span<std::uint8_t> content, const std::vector<std::uint8_t>& bytes,
