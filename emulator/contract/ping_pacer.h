@@ -1,8 +1,10 @@
-// When a sonar that pings by itself sends the next ping: one at a time, not sooner than the host's interval.
-// Sets no timer of its own; the device wakes at wake().
+// When a sonar that pings by itself sends the next ping, and how a ping's datagrams are spread over time. One ping at a
+// time, not sooner than the interval after the last one. Sets no timer of its own: the device wakes at wake().
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <span>
 
 #include "emulator/contract/device.h"
 
@@ -10,22 +12,34 @@ namespace echoloop {
 
 class PingPacer {
   public:
-    /// Pings from now on, behind the one under way, and `interval` behind the last one.
+    /// Pings from now on, behind the one under way, and `interval` behind the last one. Also where the interval has
+    /// changed.
     void start(Time now, Time interval) {
         wanted_ = true;
         if (!under_way_) next_ = std::max(now, after_last(interval));
     }
-    /// No more pings; the one under way is not heard.
-    void stop() {
-        wanted_ = under_way_ = false;
+    /// No more pings; the one under way is heard all the same.
+    void pause() {
+        wanted_ = false;
         next_ = Time::max();
+    }
+    /// No more pings, and the one under way is not heard.
+    void stop() {
+        pause();
+        under_way_ = false;
+    }
+    /// As new: no ping was ever sent.
+    void reset() { *this = {}; }
+    /// The next ping, if one is planned, waits until then at least.
+    void hold(Time until) {
+        if (next_ != Time::max()) next_ = std::max(next_, until);
     }
     /// True if a ping goes out now; end() must follow.
     bool begin(Time now) {
         if (under_way_ || now < next_) return false;
         began_ = next_;  // as planned, so that late wake-ups do not add up
         next_ = Time::max();
-        under_way_ = any_ = true;
+        under_way_ = true;
         return true;
     }
     /// The ping was heard, and the next one follows if one is wanted. False if it was given up.
@@ -41,13 +55,28 @@ class PingPacer {
 
     Time wake() const { return next_; }
     bool under_way() const { return under_way_; }
+    /// When the last ping began, as planned; empty before the first.
+    std::optional<Time> began() const { return began_; }
 
   private:
-    Time after_last(Time interval) const { return any_ ? std::max(began_ + interval, ended_) : Time{}; }
+    Time after_last(Time interval) const { return began_ ? std::max(*began_ + interval, ended_) : Time{}; }
 
     bool wanted_ = false, under_way_ = false;
-    bool any_ = false;
-    Time next_ = Time::max(), began_{}, ended_{};
+    Time next_ = Time::max(), ended_{};
+    std::optional<Time> began_;
 };
+
+/// Spreads datagrams over time, since receivers lose bursts: the first at `from`, each `gap` behind the one before, or
+/// closer where the last would come after `until`. Returns when the next one may go. `together`: those of so long leave
+/// at once, so that nobody is woken for each.
+inline Time spread(std::span<Send> datagrams, Time from, Time gap, Time until, Time together = {}) {
+    const auto count = static_cast<Time::rep>(datagrams.size());
+    if (count == 0) return from;
+    gap = std::clamp((until - from) / count, Time{}, gap);
+    const Time::rep at_once = gap > Time{} ? std::max<Time::rep>(together / gap, 1) : count;
+    for (Time::rep i = 0; i < count; ++i)
+        datagrams[static_cast<std::size_t>(i)].not_before = from + i / at_once * at_once * gap;
+    return from + count * gap;
+}
 
 }  // namespace echoloop
