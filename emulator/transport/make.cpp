@@ -42,8 +42,7 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
         case Scheme::pty:
             return std::make_unique<Pty>(io, e.path);
         case Scheme::serial:
-            return std::make_unique<SerialPort>(io, e.path,
-                                                static_cast<int>(line_rate({&e, 1}, rate)));
+            return std::make_unique<SerialPort>(io, e.path, static_cast<int>(line_rate({&e, 1}, rate)));
         case Scheme::tcp_listen:
             return std::make_unique<TcpListener>(io, Address{e.ip, e.port});
         case Scheme::tcp:

@@ -69,13 +69,15 @@ TEST(Scenario, poses_are_metres_and_degrees_in_ENU) {
 }
 
 TEST(Scenario, fills_endpoints_that_are_left_out_from_the_models_defaults) {
-    EXPECT_THAT(parse(complete).devices[1].config.endpoints,
-                ElementsAre(parse_endpoint("udp-listen://127.0.0.1:4000"), parse_endpoint("udp://127.0.0.1:65400")));
+    EXPECT_THAT(
+        parse(complete).devices[1].config.endpoints,
+        ElementsAre(parse_endpoint("udp-listen://127.0.0.1:4000"), parse_endpoint("udp://127.0.0.1:65400")));
 }
 
 TEST(Scenario, takes_more_endpoints_than_the_default_for_the_device_to_judge) {
     const auto scenario = parse(smallest, {"devices.micron.endpoints=[pty:/tmp/a, pty:/tmp/b]"});
-    EXPECT_THAT(scenario.devices[0].config.endpoints, ElementsAre(parse_endpoint("pty:/tmp/a"), parse_endpoint("pty:/tmp/b")));
+    EXPECT_THAT(scenario.devices[0].config.endpoints,
+                ElementsAre(parse_endpoint("pty:/tmp/a"), parse_endpoint("pty:/tmp/b")));
 }
 
 TEST(Scenario, takes_the_depth_and_the_sound_speed_from_where_the_vehicle_is) {

@@ -15,10 +15,12 @@ constexpr Variant aris_3000{aris::system_type::aris3000, 9, 6};
 
 void check_listener(const Endpoint& listener) {
     if (listener.scheme != Endpoint::Scheme::tcp_listen)
-        throw std::invalid_argument(to_string(listener) + ": the first endpoint must be tcp-listen://ADDRESS:56888");
+        throw std::invalid_argument(to_string(listener) +
+                                    ": the first endpoint must be tcp-listen://ADDRESS:56888");
     if (listener.ip == 0)
         throw std::invalid_argument(
-            to_string(listener) + ": controllers connect to the address that beacons come from; name one of this machine's");
+            to_string(listener) +
+            ": controllers connect to the address that beacons come from; name one of this machine's");
 }
 
 /// A loopback sonar sends to loopback only.

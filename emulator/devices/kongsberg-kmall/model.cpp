@@ -8,8 +8,8 @@ namespace {
 
 Address address_of(const Endpoint& endpoint, Endpoint::Scheme scheme, const char* what) {
     if (endpoint.scheme != scheme)
-        throw std::invalid_argument(to_string(endpoint) + ": " + what + " must be " + std::string(scheme_name(scheme)) +
-                                    "://ADDRESS:PORT");
+        throw std::invalid_argument(to_string(endpoint) + ": " + what + " must be " +
+                                    std::string(scheme_name(scheme)) + "://ADDRESS:PORT");
     return {endpoint.ip, endpoint.port};
 }
 

@@ -14,10 +14,12 @@ bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
 
 void check_listener(const Endpoint& listener) {
     if (listener.scheme != Endpoint::Scheme::tcp_listen)
-        throw std::invalid_argument(to_string(listener) + ": the first endpoint must be tcp-listen://ADDRESS:52100");
+        throw std::invalid_argument(to_string(listener) +
+                                    ": the first endpoint must be tcp-listen://ADDRESS:52100");
     if (listener.ip == 0)
         throw std::invalid_argument(
-            to_string(listener) + ": the status tells drivers the address to connect to; name one of this machine's");
+            to_string(listener) +
+            ": the status tells drivers the address to connect to; name one of this machine's");
 }
 
 /// A loopback sonar sends to loopback only.

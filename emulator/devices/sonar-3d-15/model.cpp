@@ -13,7 +13,8 @@ Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
             "[\"tcp-listen://192.168.194.96:80\", \"udp://192.168.194.1:4747\"]");
     const Endpoint& listener = endpoints[0];
     if (listener.scheme != Endpoint::Scheme::tcp_listen)
-        throw std::invalid_argument(to_string(listener) + ": the first endpoint must be tcp-listen://ADDRESS:80");
+        throw std::invalid_argument(to_string(listener) +
+                                    ": the first endpoint must be tcp-listen://ADDRESS:80");
     Wiring wiring{{listener.ip, listener.port}, {}, 0};
     if (endpoints.size() == 1) return wiring;
     const Endpoint& host = endpoints[1];
