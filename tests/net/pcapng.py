@@ -1,0 +1,43 @@
+"""Takes out of a recording what no two runs have in common: the version of the program that wrote it, and ports that the
+kernel chose."""
+
+import struct
+
+from place import FIRST_EPHEMERAL
+
+SECTION, INTERFACE, PACKET = 0x0A0D0D0A, 1, 6
+IPV4_LINKS = {101: 0, 228: 0, 1: 14}  # link type: bytes before the IP header
+TCP, UDP = 6, 17
+
+
+def blocks(data):
+    at = 0
+    while at + 12 <= len(data):
+        kind, size = struct.unpack_from("<II", data, at)
+        yield kind, at, size
+        at += max(size, 12)
+
+
+def masked_ports(data):
+    """The recording with those ports and the checksums over them set to 0."""
+    out, links = bytearray(data), []
+    for kind, at, _ in blocks(data):
+        if kind == INTERFACE:
+            links.append(struct.unpack_from("<H", data, at + 8)[0])
+        if kind == PACKET:
+            interface, _, _, size = struct.unpack_from("<4I", data, at + 8)
+            skip = IPV4_LINKS.get(links[interface])
+            if skip is not None and size >= skip + 28:
+                mask_packet(out, at + 28 + skip)
+    return bytes(out)
+
+
+def mask_packet(out, ip):
+    protocol, head = out[ip + 9], ip + 4 * (out[ip] & 15)
+    if out[ip] >> 4 != 4 or protocol not in (TCP, UDP):
+        return
+    for port in (head, head + 2):
+        if struct.unpack_from(">H", out, port)[0] >= FIRST_EPHEMERAL:
+            out[port : port + 2] = b"\0\0"
+            checksum = head + (6 if protocol == UDP else 16)
+            out[checksum : checksum + 2] = b"\0\0"

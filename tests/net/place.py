@@ -1,0 +1,53 @@
+"""Where a run of the net takes place: a network of its own, so that ports are the same every time whatever else runs on the
+machine, and a folder whose name is masked in everything that is recorded."""
+
+import ctypes
+import fcntl
+import os
+import shutil
+import socket
+import struct
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+for folder in ("tests/hosts", "tests/e2e"):
+    sys.path.insert(0, str(ROOT / folder))
+
+NEW_NETWORK, NEW_USER = 0x40000000, 0x10000000  # CLONE_NEWNET, CLONE_NEWUSER
+SET_FLAGS, UP = 0x8914, 0x49  # SIOCSIFFLAGS; IFF_UP, IFF_LOOPBACK, IFF_RUNNING
+FIRST_EPHEMERAL = 61000  # ports from here on are the kernel's choice
+
+
+def enter_network():
+    """Moves this process into an empty network with a loopback. OSError where the system allows no such thing."""
+    libc = ctypes.CDLL(None, use_errno=True)
+    if libc.unshare(NEW_NETWORK) != 0 and libc.unshare(NEW_USER | NEW_NETWORK) != 0:
+        raise OSError(ctypes.get_errno(), "cannot make a network of its own (unshare)")
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as s:
+        fcntl.ioctl(s, SET_FLAGS, struct.pack("16sh14x", b"lo", UP))
+    Path("/proc/sys/net/ipv4/ip_local_port_range").write_text(f"{FIRST_EPHEMERAL} 65535")
+
+
+class Folder:
+    """A temporary folder with the project's config/ in it. Its name has the same length every time."""
+
+    def __init__(self):
+        self.path = Path(tempfile.mkdtemp(prefix="echoloop-net-", dir="/tmp"))
+        shutil.copytree(ROOT / "config", self.path / "config")
+
+    def masked(self, data):
+        """Bytes in which the folder has a name that every run has."""
+        return data.replace(str(self.path).encode(), b"/tmp/echoloop-net-" + b"_" * 8)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        shutil.rmtree(self.path, ignore_errors=True)
+
+
+def environment():
+    """That of the program: no colours, one thread of the renderer for each of two programs at a time."""
+    return {**os.environ, "NO_COLOR": "1"}
