@@ -91,10 +91,17 @@ def silent_models(out):
     return [file.parent.name for file in out.glob("models/*/heard.json") if sum(json.loads(file.read_text()).values()) == 0]
 
 
+def options_line(file):
+    return next(line.split("options: ")[1] for line in file.read_text().splitlines() if "options: " in line)
+
+
 def heard(out):
     for file in sorted(out.glob("[mt]o*/*/heard.json")):
         counts = json.loads(file.read_text())
         print(f"{file.parent.relative_to(out)!s:28} " + ", ".join(f"{port.split('/', 1)[-1]} {n}" for port, n in counts.items()))
+    for file in sorted(out.glob("options/*/*.heard.json")):
+        if json.loads(file.read_text()) == {}:
+            print(f"{file.parent.relative_to(out)}: nothing with {options_line(file.with_name(file.name.replace('heard.json', 'scenario.yaml')))}")
     return 0
 
 

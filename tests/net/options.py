@@ -8,6 +8,7 @@ from place import environment
 from stepped import recorded
 
 AT_A_TIME = 6
+ALONE = ("head_id", "pinging", "transmit", "enabled", "acoustics")  # may silence a sonar, and what else is changed with it
 STEPS, STEPS_OF_FANS = 32, 8
 
 
@@ -36,8 +37,11 @@ def variants(options):
     """Lines of options for some runs."""
     values = [(o["name"], other(o)) for o in options]
     values = [(name, value) for name, value in values if value is not None]
-    for at in range(0, len(values), AT_A_TIME):
-        yield ", ".join(f"{name}: {json.dumps(value)}" for name, value in values[at : at + AT_A_TIME])
+    packs = [[v] for v in values if v[0] in ALONE]
+    values = [v for v in values if v[0] not in ALONE]
+    packs += [values[at : at + AT_A_TIME] for at in range(0, len(values), AT_A_TIME)]
+    for pack in packs:
+        yield ", ".join(f"{name}: {json.dumps(value)}" for name, value in pack)
 
 
 def optioned(run):

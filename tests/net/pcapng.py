@@ -1,11 +1,10 @@
-"""Takes out of a recording what no two runs have in common: the version of the program that wrote it, and ports that the
-kernel chose."""
+"""Takes out of a recording what no two runs have in common: ports that the kernel chose."""
 
 import struct
 
-from place import FIRST_EPHEMERAL
+from place import FIRST_EPHEMERAL, LAST_EPHEMERAL
 
-SECTION, INTERFACE, PACKET = 0x0A0D0D0A, 1, 6
+INTERFACE, PACKET = 1, 6
 IPV4_LINKS = {101: 0, 228: 0, 1: 14}  # link type: bytes before the IP header
 TCP, UDP = 6, 17
 
@@ -37,7 +36,7 @@ def mask_packet(out, ip):
     if out[ip] >> 4 != 4 or protocol not in (TCP, UDP):
         return
     for port in (head, head + 2):
-        if struct.unpack_from(">H", out, port)[0] >= FIRST_EPHEMERAL:
+        if FIRST_EPHEMERAL <= struct.unpack_from(">H", out, port)[0] <= LAST_EPHEMERAL:
             out[port : port + 2] = b"\0\0"
             checksum = head + (6 if protocol == UDP else 16)
             out[checksum : checksum + 2] = b"\0\0"

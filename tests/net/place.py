@@ -4,6 +4,7 @@ machine, and a folder whose name is masked in everything that is recorded."""
 import ctypes
 import fcntl
 import os
+import re
 import shutil
 import socket
 import struct
@@ -17,7 +18,8 @@ for folder in ("tests/hosts", "tests/e2e"):
 
 NEW_NETWORK, NEW_USER = 0x40000000, 0x10000000  # CLONE_NEWNET, CLONE_NEWUSER
 SET_FLAGS, UP = 0x8914, 0x49  # SIOCSIFFLAGS; IFF_UP, IFF_LOOPBACK, IFF_RUNNING
-FIRST_EPHEMERAL = 61000  # ports from here on are the kernel's choice
+FIRST_EPHEMERAL, LAST_EPHEMERAL = 61000, 61999  # ports of the kernel's choice
+EPHEMERAL = re.compile(rb":61\d{3}\b")
 
 
 def enter_network():
@@ -27,7 +29,7 @@ def enter_network():
         raise OSError(ctypes.get_errno(), "cannot make a network of its own (unshare)")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as s:
         fcntl.ioctl(s, SET_FLAGS, struct.pack("16sh14x", b"lo", UP))
-    Path("/proc/sys/net/ipv4/ip_local_port_range").write_text(f"{FIRST_EPHEMERAL} 65535")
+    Path("/proc/sys/net/ipv4/ip_local_port_range").write_text(f"{FIRST_EPHEMERAL} {LAST_EPHEMERAL}")
 
 
 class Folder:
@@ -38,8 +40,8 @@ class Folder:
         shutil.copytree(ROOT / "config", self.path / "config")
 
     def masked(self, data):
-        """Bytes in which the folder has a name that every run has."""
-        return data.replace(str(self.path).encode(), b"/tmp/echoloop-net-" + b"_" * 8)
+        """Bytes in which the folder, and ports that the kernel chose, have names that every run has, as long as before."""
+        return EPHEMERAL.sub(b":61___", data.replace(str(self.path).encode(), b"/tmp/echoloop-net-" + b"_" * 8))
 
     def __enter__(self):
         return self
@@ -49,5 +51,5 @@ class Folder:
 
 
 def environment():
-    """That of the program: no colours, one thread of the renderer for each of two programs at a time."""
+    """That of the program: no colours."""
     return {**os.environ, "NO_COLOR": "1"}

@@ -26,7 +26,7 @@ devices:
 """
 # What a run says of the machine and not of the sonars.
 MACHINE = re.compile(
-    r"(?m)^(renderer|  after they were due).*$|; \d+ held up.*$|at most \d+ messages? at once|"
+    r"(?m)/dev/pts/\d+|^(renderer|  after they were due).*$|; \d+ held up.*$|at most \d+ messages? at once|"
     r'"(renderer|late_\w+|held_up\w*|longest_held_up_s|\w+_lateness_s|most_waiting\w*)":("[^"]*"|[^,}]*),'
 )
 
@@ -108,7 +108,7 @@ def drive(run, folder, log):
                 answer = simulator.step(round(n * run.interval, 6), **run.pose(n))
                 for name, pieces in ends.take(answer["sent"]).items():
                     for piece in pieces:
-                        log.add(n, "heard", name, folder.masked(piece))
+                        log.add(n, "heard", name, piece)
                 log.note(step=n, sent=answer["sent"], **({"unheard": ends.unheard} if any(ends.unheard.values()) else {}))
                 for device in run.devices:
                     if n < len(device.words) and device.words[n] is not None:
