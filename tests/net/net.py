@@ -22,7 +22,7 @@ from pathlib import Path
 import texts
 from cases import MODELS, TOGETHER
 from compare import compare
-from place import ROOT, Folder, enter_network
+from place import ROOT, Folder, enter_place
 from options import optioned
 from pictures import pictures, report
 from stepped import recorded
@@ -61,7 +61,7 @@ def make(job):
     name, program, out = job
     begin = time.monotonic()
     try:
-        enter_network()
+        enter_place()
         with Folder() as folder:
             files = records()[name](program, folder)
         shutil.rmtree(out / name, ignore_errors=True)

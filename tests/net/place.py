@@ -1,5 +1,5 @@
-"""Where a run of the net takes place: a network of its own, so that ports are the same every time whatever else runs on the
-machine, and a folder whose name is masked in everything that is recorded."""
+"""Where a run of the net takes place: a network and ptys of its own, so that their numbers are the same every time whatever else
+runs on the machine, and a folder whose name is masked in everything that is recorded."""
 
 import ctypes
 import fcntl
@@ -16,17 +16,22 @@ ROOT = Path(__file__).resolve().parents[2]
 for folder in ("tests/hosts", "tests/e2e"):
     sys.path.insert(0, str(ROOT / folder))
 
-NEW_NETWORK, NEW_USER = 0x40000000, 0x10000000  # CLONE_NEWNET, CLONE_NEWUSER
+NEW_PLACE, NEW_USER = 0x40000000 | 0x00020000, 0x10000000  # CLONE_NEWNET and CLONE_NEWNS, CLONE_NEWUSER
+PRIVATE = 0x4000 | 0x40000  # MS_REC, MS_PRIVATE
 SET_FLAGS, UP = 0x8914, 0x49  # SIOCSIFFLAGS; IFF_UP, IFF_LOOPBACK, IFF_RUNNING
 FIRST_EPHEMERAL, LAST_EPHEMERAL = 61000, 61999  # ports of the kernel's choice
 EPHEMERAL = re.compile(rb":61\d{3}\b")
 
 
-def enter_network():
-    """Moves this process into an empty network with a loopback. OSError where the system allows no such thing."""
+def enter_place():
+    """Moves this process into an empty network with a loopback, where the first pty is /dev/pts/0. OSError where the system
+    allows no such thing."""
     libc = ctypes.CDLL(None, use_errno=True)
-    if libc.unshare(NEW_NETWORK) != 0 and libc.unshare(NEW_USER | NEW_NETWORK) != 0:
-        raise OSError(ctypes.get_errno(), "cannot make a network of its own (unshare)")
+    pts = (b"devpts", b"/dev/pts", b"devpts", 0, b"newinstance,ptmxmode=0666,mode=0620")
+    if libc.unshare(NEW_PLACE) != 0 and libc.unshare(NEW_USER | NEW_PLACE) != 0:
+        raise OSError(ctypes.get_errno(), "cannot make a network and a /dev/pts of its own (unshare)")
+    if libc.mount(b"none", b"/", None, PRIVATE, None) != 0 or libc.mount(*pts) != 0:
+        raise OSError(ctypes.get_errno(), "cannot mount a /dev/pts of its own")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as s:
         fcntl.ioctl(s, SET_FLAGS, struct.pack("16sh14x", b"lo", UP))
     Path("/proc/sys/net/ipv4/ip_local_port_range").write_text(f"{FIRST_EPHEMERAL} {LAST_EPHEMERAL}")
