@@ -1,4 +1,5 @@
-"""Takes out of a recording what no two runs have in common: ports that the kernel chose."""
+"""Takes out of a recording what no two runs have in common: ports that the kernel chose, and which of several devices was
+heard first at one moment."""
 
 import struct
 
@@ -15,6 +16,12 @@ def blocks(data):
         kind, size = struct.unpack_from("<II", data, at)
         yield kind, at, size
         at += max(size, 12)
+
+
+def sorted_by_interface(data):
+    """The recording with the packets of each interface behind those of the one before, in their order."""
+    ranked = [(struct.unpack_from("<I", data, at + 8)[0] + 1 if kind == PACKET else 0, at, size) for kind, at, size in blocks(data)]
+    return b"".join(data[at : at + size] for _, at, size in sorted(ranked))
 
 
 def masked_ports(data):

@@ -9,7 +9,7 @@ import subprocess
 from typing import NamedTuple
 
 from lines import Datagrams, Ends, Pty, Tcp
-from pcapng import masked_ports
+from pcapng import masked_ports, sorted_by_interface
 from place import environment
 from stepper import Refused, Stepper
 
@@ -155,7 +155,9 @@ def recorded(program, run, folder, is_brief=False):
         if (folder.path / name).exists():
             out[name] = (folder.path / name).read_bytes()
     if "recording.pcapng" in out:
-        out["recording.pcapng"] = masked_ports(out["recording.pcapng"])
+        recording = out["recording.pcapng"] if len(run.devices) == 1 else sorted_by_interface(out["recording.pcapng"])
+        out["recording.pcapng"] = masked_ports(recording)
+        (folder.path / "recording.pcapng").write_bytes(recording)
         more = ["--summary"] if len(out["recording.pcapng"]) > LONG else []
         out["inspected.txt"] = subprocess.run(["echoloop", "inspect", "recording.pcapng", *more], executable=program, cwd=folder.path,
                                               env=environment(), capture_output=True).stdout

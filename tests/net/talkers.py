@@ -51,17 +51,17 @@ def ping1d(port="line"):
     )  # fmt: skip
 
 
-def transducer(angle, samples=400, mode=1, gain=1, duration=20, period=120, frequency=750, transmit=1):
+def transducer(angle, samples=400, mode=1, gain=1, duration=20, period=800, frequency=750, transmit=1):
     return br(2601, "BBHHHHHBB", mode, gain, angle, duration, period, frequency, samples, transmit, 0)
 
 
 def ping360(port="line"):
     scan = [transducer(angle) for angle in (0, 1, 2, 30, 199, 399)]
-    auto = br(2602, "BBHHHHHHBB", 1, 2, 32, 200, 740, 300, 10, 60, 5, 0)
+    auto = br(2602, "BBHHHHHHBB", 1, 2, 32, 800, 740, 300, 10, 60, 5, 0)
     return on(
-        port, br(6, "H", 4), br(6, "H", 5), *scan, transducer(50, 800), transducer(51, gain=2), transducer(52, period=240),
+        port, br(6, "H", 4), br(6, "H", 5), *scan, transducer(50, 800), transducer(51, gain=2), transducer(52, period=1200),
         transducer(53, duration=100), transducer(54, frequency=650), transducer(55, mode=0), transducer(56, transmit=0), br(2300),
-        auto, None, None, transducer(60), br(2000, "BB", 5, 0), transducer(700), transducer(61, samples=3000),
+        auto, None, None, transducer(60), br(2000, "BB", 5, 0), transducer(700), transducer(61, samples=3000), transducer(61, samples=1200, period=400),
         damaged(transducer(62)), br(9999, "I", 1), br(2601, "I", 7), br(2903), transducer(63), br(2600, "BB", 0, 0), None,
         transducer(64),
     )  # fmt: skip
