@@ -8,8 +8,8 @@ from place import environment
 from stepped import recorded
 
 AT_A_TIME = 6
-ALONE = ("head_id", "pinging", "transmit", "enabled", "acoustics")  # may silence a sonar, and what else is changed with it
-STEPS, STEPS_OF_FANS = 32, 8
+ALONE = ("head_id", "pinging", "acoustics", "baud", "no_bottom", "mode")  # may silence a sonar, and what else is changed with it
+STEPS, STEPS_OF_FANS = 32, 10
 
 
 def other(option):
@@ -25,7 +25,8 @@ def other(option):
     value = min(max(default * 1.2, low), high) if default else min(high, low + (high - low) / 8)
     if option["type"] == "integer":
         value = min(high, default + 1) if default < high else default - 1
-    return value if value != default else (low + default) / 2
+    value = value if value != default else (low + default) / 2
+    return round(value, 6) if value != round(value) else int(value)
 
 
 def listed(program, model, folder):

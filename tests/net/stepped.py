@@ -110,7 +110,7 @@ def drive(run, folder, log):
                     for piece in pieces:
                         log.add(n, "heard", name, piece)
                 log.note(step=n, sent=answer["sent"], **({"unheard": ends.unheard} if any(ends.unheard.values()) else {}))
-                for device in run.devices:
+                for device in run.devices if n + 1 < steps else []:  # who knows whether the end comes before the last word
                     if n < len(device.words) and device.words[n] is not None:
                         port, data = device.words[n]
                         ends.lines[f"{device.name}/{port}"].write(data)
@@ -124,9 +124,13 @@ def drive(run, folder, log):
 def started(process):
     """Output up to the line that says how to end it, or all of it where the program has ended."""
     text = b""
-    while b"Ctrl-C" not in text and text[:1] != b"{" and (line := process.stdout.readline()):
+    while not is_ready(text) and (line := process.stdout.readline()):
         text += line
     return text
+
+
+def is_ready(text):
+    return b"Ctrl-C" in text or text[:1] == b"{"
 
 
 def recorded(program, run, folder, is_brief=False):
@@ -143,7 +147,7 @@ def recorded(program, run, folder, is_brief=False):
     log = Log()
     try:
         output = started(process)
-        if process.poll() is None:
+        if is_ready(output):
             drive(run, folder, log)
             process.send_signal(signal.SIGINT)
         output += process.communicate(timeout=60)[0]
