@@ -14,6 +14,7 @@ import json
 import multiprocessing
 import os
 import shutil
+import subprocess
 import sys
 import time
 import traceback
@@ -82,7 +83,8 @@ def record(options):
             if options.verbose or fault:
                 print(f"{seconds:6.1f} s  {name}{': ' + fault if fault else ''}", flush=True)
             failed += fault is not None
-    silent = silent_models(out)
+    listed = json.loads(subprocess.run([program, "list", "--json"], capture_output=True, check=True).stdout)["models"]
+    silent = silent_models(out) + [m["name"] for m in listed if m["name"] not in MODELS]
     print(f"{len(names)} records in {out}, {failed} failed" + "".join(f"; {name} says nothing" for name in silent))
     return 1 if failed or silent else 0
 
