@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "emulator/devices/r2sonic/r2sonic.h"
 #include "emulator/contract/endpoint.h"
+#include "emulator/devices/r2sonic/r2sonic.h"
 
 namespace echoloop::r2sonic_device {
 namespace {
@@ -52,10 +52,8 @@ Model model() {
     m.protocol = "R2Sonic UDP: BTH0, AID0, WCD0, SNI0, TPX0, status, commands, discovery";
     m.default_endpoints = {"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400"};
     m.endpoint_schemes = {"udp-listen"};
-    m.options = option_table(variant);
-    m.figures = figure_table();
+    list_settings<Settings>(m, variant);
     m.profile = built_in_profile(m.name);
-    m.moved = {{"image_reference", "image_reference"}, {"detection_threshold", "detection_margin"}};
     m.make = make<Index>;
     m.default_shot = default_shot<Index>;
     return m;

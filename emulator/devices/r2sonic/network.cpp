@@ -40,8 +40,8 @@ Network::Network(const Wiring& wiring, const Settings& settings)
       model_(settings.model),
       serial_(settings.serial),
       sim_serial_(settings.sim_serial),
-      answer_(settings.answer_discovery),
-      answer_sender_(settings.discovery_to_sender),
+      answer_(settings.discovery != Discovery::none),
+      answer_sender_(settings.discovery == Discovery::sender),
       configured_hosts_(settings.configured_hosts) {}
 
 std::vector<Port> Network::ports() const {

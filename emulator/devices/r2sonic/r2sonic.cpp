@@ -12,7 +12,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Time processing = 2ms;  // from the last sample to the datagram
 constexpr Time status_period = 1s;
 constexpr Time presence_period = 1300ms;  // of R2DS, as a real 2022 and its SIM send it
 constexpr Time sync_delay = 10ms;         // from the edge to the middle of the pulse, manual on SYI0
@@ -48,7 +47,7 @@ void R2Sonic::obey(const r2sonic::Packet& packet, const Received& data, Time now
         for (const r2sonic::Command& command : set->commands) count_unknown(command.name.view());
         if (data.port == head_commands && head_on_) obey_head(*set);
         if (data.port == sim_commands && network_.has_sim()) obey_sim(*set);
-        if (!ping_under_way_) plan_next_ping(now);
+        plan_next_ping(now);
     } else if (const auto* request = std::get_if<r2sonic::R2dd>(&packet)) {
         for (Send& answer : network_.answers(*request, data.from, head_on_))
             actions_.send.push_back(std::move(answer));
@@ -98,8 +97,8 @@ void R2Sonic::switch_head(bool on) {
     controls_ = settings_.start;
     followed_range_.reset();
     ping_ = {};
-    ping_under_way_ = ping_asked_ = false;
-    last_transmission_.reset();
+    ping_asked_ = false;
+    pacer_.reset();
     seabed_ = {};
 }
 
@@ -113,18 +112,15 @@ Time R2Sonic::next_sync(Time from) const {
 }
 
 void R2Sonic::plan_next_ping(Time now) {
-    next_ping_ = Time::max();
-    if (!head_on_ || (controls_.trigger == 2 && !ping_asked_)) return;
-    const Time period = from_seconds(ping_period(controls_in_use(), settings_));
-    const Time earliest = std::max(now, last_transmission_ ? *last_transmission_ + period : now);
-    next_ping_ = controls_.trigger == 1 ? next_sync(earliest) : earliest;
+    if (!head_on_ || (controls_.trigger == 2 && !ping_asked_)) return pacer_.pause();
+    pacer_.start(now, from_seconds(ping_period(controls_in_use(), settings_)));
+    if (controls_.trigger == 1) pacer_.hold(next_sync(pacer_.wake()));
 }
 
 void R2Sonic::transmit(Time now) {
-    next_ping_ = Time::max();
     ping_asked_ = false;
-    ping_under_way_ = true;
-    ping_.period = last_transmission_ ? to_seconds(now - *last_transmission_) : 0;
+    ping_.period = ping_.number > 0 ? to_seconds(now - transmitted_) : 0;
+    transmitted_ = now;
     ping_.controls = controls_in_use();
     if (settings_.mode_sets > 0)
         ping_.controls = with_set(ping_.controls, ping_.number % settings_.mode_sets);
@@ -132,17 +128,17 @@ void R2Sonic::transmit(Time now) {
     ping_.attitude = attitude_;
     ++ping_.number;
     ping_.beams = beam_angles(ping_.controls, attitude_.roll, bottom_normal(seabed_, attitude_.roll));
-    last_transmission_ = now;
-    const Time due = now + from_seconds(range_time(ping_.controls, settings_)) + processing;
+    const Time due =
+        now + from_seconds(range_time(ping_.controls, settings_)) + from_seconds(settings_.processing_time);
     actions_.ping =
         Ping{make_shot(ping_.controls, settings_, ping_.beams, attitude_.pitch, ping_.number), due};
 }
 
 Actions R2Sonic::heard(const Echogram& echogram, Time now) {
     const auto& angles = ping_.beams.angles;
-    if (!ping_under_way_ || echogram.shot.ping != ping_.number || echogram.beams() != angles.size())
+    if (!pacer_.under_way() || echogram.shot.ping != ping_.number || echogram.beams() != angles.size())
         return take_actions();
-    ping_under_way_ = false;
+    pacer_.end(now, {});
     ++counters_.pings;
     attitude_ = attitude_of(echogram.world_from_sonar);
     const double c = working_sound_speed(ping_.controls, settings_);
@@ -191,16 +187,11 @@ void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibea
     add(snippet_datagrams(ping_, settings_, echogram, detections), Product::snippets);
     add(truepix_datagrams(ping_, settings_, echogram, gates), Product::truepix);
     add(water_column_datagrams(ping_, settings_, echogram), Product::water_column);
-    const std::size_t count = actions_.send.size() - first;
-    if (count == 0) return;
-    const double room = 0.8 * ping_period(ping_.controls, settings_) / static_cast<double>(count);
-    const Time gap = from_seconds(std::min(settings_.datagram_gap, room));
+    const auto datagrams = std::span(actions_.send).subspan(first);
+    const Time end = now + from_seconds(0.8 * ping_period(ping_.controls, settings_));
     // Those of a millisecond leave together, so that the processor is not woken for each.
-    const std::size_t together =
-        gap > Time{} ? std::max<std::size_t>(std::chrono::milliseconds(1) / gap, 1) : count;
-    for (std::size_t i = 0; i < count; ++i)
-        actions_.send[first + i].not_before = now + static_cast<int>(i / together * together) * gap;
-    datagrams_sent_ += static_cast<std::uint32_t>(count);
+    spread(datagrams, now, from_seconds(settings_.datagram_gap), end, std::chrono::milliseconds(1));
+    datagrams_sent_ += static_cast<std::uint32_t>(datagrams.size());
 }
 
 void R2Sonic::send_presence(Time now) {
@@ -225,7 +216,7 @@ void R2Sonic::send_status(Time now) {
 Actions R2Sonic::woken(Time now) {
     if (now >= next_presence_) send_presence(now);
     if (now >= next_status_) send_status(now);
-    if (now >= next_ping_) transmit(now);
+    if (pacer_.begin(now)) transmit(now);
     return take_actions();
 }
 
@@ -235,7 +226,7 @@ void R2Sonic::send(std::size_t port, const r2sonic::Packet& packet, Product prod
 }
 
 Actions R2Sonic::take_actions() {
-    actions_.wake = std::min({next_ping_, next_presence_, next_status_});
+    actions_.wake = std::min({pacer_.wake(), next_presence_, next_status_});
     return std::exchange(actions_, {});
 }
 

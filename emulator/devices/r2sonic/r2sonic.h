@@ -5,10 +5,11 @@
 #include <set>
 #include <string>
 
+#include "emulator/contract/model.h"
+#include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/r2sonic/network.h"
 #include "emulator/devices/r2sonic/packets.h"
 #include "emulator/devices/r2sonic/settings.h"
-#include "emulator/contract/model.h"
 
 namespace echoloop::r2sonic_device {
 
@@ -51,13 +52,12 @@ class R2Sonic final : public Device {
     std::uint32_t sync_edge_;               ///< SYI0: 0 off, 1 rising, 2 falling
     std::uint32_t sim_status_ = 2;          ///< STM0 of the SIM
     PingRecord ping_;                       ///< the ping under way, or the last one
-    bool ping_under_way_ = false;
+    PingPacer pacer_;
     bool ping_asked_ = false;  ///< PNG0 came
-    std::optional<Time> last_transmission_;
-    Attitude attitude_;  ///< of the last ping
-    Seabed seabed_;      ///< for automatic gates
+    Time transmitted_{};       ///< when ping_ was
+    Attitude attitude_;        ///< of the last ping
+    Seabed seabed_;            ///< for automatic gates
     std::uint32_t datagrams_received_ = 0, datagrams_sent_ = 0;
-    Time next_ping_ = Time::max();
     Time next_presence_ = Time::max();
     Time next_status_ = Time::max();
     Actions actions_;

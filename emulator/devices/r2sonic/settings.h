@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "emulator/contract/settings_list.h"
 #include "emulator/devices/r2sonic/controls.h"
-#include "emulator/contract/model.h"
 #include "protocols/wire/text.h"
 
 namespace echoloop::r2sonic_device {
@@ -25,15 +24,19 @@ struct Acoustics {
 /// Bits 1 and 0 of a good point's quality.
 enum class TestBits { tests, set, clear };
 
+/// Who is answered on the discovery port.
+enum class Discovery { sender, gui, none };
+
 struct Settings {
     const Variant* variant = nullptr;
     wire::Text<12> model;
-    wire::Text<12> serial = "100017", sim_serial = "100117";
+    wire::Text<12> serial, sim_serial;
     Controls start;  ///< the controls at power-up
     Acoustics acoustics;
-    bool tvg = true;          ///< the effect of that name
-    bool pulse = true;        ///< the effect of that name: echoes are as long as the pulse
-    double datagram_gap = 0;  ///< s between the datagrams of one ping
+    bool tvg = true;                ///< the effect of that name
+    bool pulse = true;              ///< the effect of that name: echoes are as long as the pulse
+    double datagram_gap = 0.3e-3;   ///< s between the datagrams of one ping
+    double processing_time = 2e-3;  ///< s from the last sample to the first datagram
     TestBits test_bits = TestBits::tests;
     bool verbose_gates = false;       ///< BTH0 has a G1
     bool bins_first = false;          ///< AID0's data is bin-major
@@ -41,14 +44,12 @@ struct Settings {
     bool configured_hosts = false;    ///< water column, snippets and TruePix go where R2DC says
     std::size_t mode_sets = 0;        ///< of MultiMode that pings take in turn
     double sync_in = 0;               ///< Hz of pulses at the sync input, 0: none
-    bool discovery_to_sender = true;
-    bool answer_discovery = true;
+    Discovery discovery = Discovery::sender;
     double sound_speed = 1500;  ///< m/s, at the head's own sensor: the true one
     double unix_start = 0;      ///< s
 };
 
-std::vector<Option> option_table(const Variant& variant);
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures, const Variant& variant);
 /// From complete options and a complete profile.
 Settings read_settings(const DeviceConfig& config, const Variant& variant);
 

@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "emulator/devices/reson-7k/reson7k.h"
 #include "emulator/contract/endpoint.h"
+#include "emulator/devices/reson-7k/reson7k.h"
 
 namespace echoloop::reson7k_device {
 namespace {
@@ -37,8 +37,7 @@ Model model() {
     m.protocol = "7k records, TCP and UDP 7000";
     m.default_endpoints = {"tcp-listen://127.0.0.1:7000"};
     m.endpoint_schemes = {"tcp-listen"};
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;

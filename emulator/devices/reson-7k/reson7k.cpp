@@ -86,7 +86,7 @@ Refusal Reson7k::obey(const RemoteControl& control, const Peer& from, bool named
     if (control.command == command::request) return check_request(control);
     if (is_about_records(control.command)) return subscribe(control, from);
     const Refusal refusal = apply(control, settings_.acoustics, controls_);
-    if (!refusal && !ping_under_way_) plan_next_ping(now);
+    if (!refusal) plan_next_ping(now);
     return refusal;
 }
 
@@ -172,34 +172,30 @@ void Reson7k::answer_request(std::uint32_t type, const Peer& to, Time now) {
     PingRecord current = ping_;
     current.controls = controls_;
     current.number = 0;
-    if (!last_transmission_) current.since_last = ping_period(controls_, settings_);
+    if (ping_.number == 0) current.since_last = ping_period(controls_, settings_);
     send(make_remote_settings(current, settings_), frame, to);
 }
 
 void Reson7k::plan_next_ping(Time now) {
-    next_ping_ = Time::max();
-    if (!controls_.pinging || controls_.max_rate <= 0) return;
-    const Time period = from_seconds(ping_period(controls_, settings_));
-    next_ping_ = last_transmission_ ? std::max(now, *last_transmission_ + period) : now;
+    if (!controls_.pinging || controls_.max_rate <= 0) return pacer_.pause();
+    pacer_.start(now, from_seconds(ping_period(controls_, settings_)));
 }
 
 void Reson7k::transmit(Time now) {
-    next_ping_ = Time::max();
-    ping_under_way_ = true;
     // Readers divide by it: the first ping has the time to the next one.
     const double since =
-        last_transmission_ ? to_seconds(now - *last_transmission_) : ping_period(controls_, settings_);
-    last_transmission_ = now;
+        ping_.number > 0 ? to_seconds(now - transmitted_) : ping_period(controls_, settings_);
+    transmitted_ = now;
     ping_ = {controls_, ping_.number + 1, unix_time(now) + controls_.pulse, since};
-    const double due = range_time(controls_) + settings_.acoustics.processing;
+    const double due = range_time(controls_) + settings_.processing_time;
     actions_.ping = Ping{make_shot(controls_, settings_, ping_.number), now + from_seconds(due)};
 }
 
 Actions Reson7k::heard(const Echogram& echogram, Time now) {
-    const bool expected = ping_under_way_ && echogram.shot.ping == ping_.number &&
+    const bool expected = pacer_.under_way() && echogram.shot.ping == ping_.number &&
                           echogram.beams() == settings_.beams && echogram.shot.bins > 0;
     if (!expected) return take_actions();
-    ping_under_way_ = false;
+    pacer_.end(now, {});
     ++counters_.pings;
     for (const std::uint32_t type : ping_records())
         if (subscribers_.wanted(type)) publish(type, echogram);
@@ -236,18 +232,13 @@ void Reson7k::publish(std::uint32_t type, const Echogram& echogram) {
 /// Spreads the datagrams of a ping to all hosts, but never beyond the next ping, however many they are. Those
 /// of two pings do not mix.
 void Reson7k::pace(Time now) {
-    const auto paced = [](const Send& one) { return one.port == datagram_port; };
-    const auto count = std::count_if(actions_.send.begin(), actions_.send.end(), paced);
-    if (count == 0) return;
-    Time at = std::max(now, datagrams_until_);
+    auto& sends = actions_.send;
+    const auto first = std::stable_partition(sends.begin(), sends.end(),
+                                             [](const Send& one) { return one.port != datagram_port; });
+    if (first == sends.end()) return;
     const Time end = now + from_seconds(0.8 * ping_period(controls_, settings_));
-    const Time gap = std::clamp((end - at) / count, Time{}, from_seconds(settings_.packet_gap));
-    for (Send& one : actions_.send) {
-        if (!paced(one)) continue;
-        one.not_before = at;
-        at += gap;
-    }
-    datagrams_until_ = at;
+    datagrams_until_ = spread({first, sends.end()}, std::max(now, datagrams_until_),
+                              from_seconds(settings_.datagram_gap), end);
 }
 
 void Reson7k::send(const reson7k::Message& message, const reson7k::RecordFrame& frame, const Peer& to) {
@@ -260,7 +251,7 @@ void Reson7k::send_record(ByteView record, const Peer& to) {
 }
 
 Actions Reson7k::woken(Time now) {
-    if (now >= next_ping_) transmit(now);
+    if (pacer_.begin(now)) transmit(now);
     return take_actions();
 }
 
@@ -271,7 +262,7 @@ DeviceCounters Reson7k::counters() const {
 }
 
 Actions Reson7k::take_actions() {
-    actions_.wake = next_ping_;
+    actions_.wake = pacer_.wake();
     return std::exchange(actions_, {});
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <map>
-#include <optional>
 
+#include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/reson-7k/commands.h"
 #include "emulator/devices/reson-7k/records.h"
 #include "emulator/devices/reson-7k/subscribers.h"
@@ -50,9 +50,8 @@ class Reson7k final : public Device {
     std::map<Address, reson7k::Framer> framers_;  ///< of the hosts on TCP
     Subscribers subscribers_;
     PingRecord ping_;  ///< the ping under way, or the last one
-    bool ping_under_way_ = false;
-    std::optional<Time> last_transmission_;
-    Time next_ping_ = Time::max();
+    PingPacer pacer_;
+    Time transmitted_{};      ///< when ping_ was
     Time datagrams_until_{};  ///< when the datagrams of the last ping are out
     std::uint16_t transmission_ = 0;
     Actions actions_;

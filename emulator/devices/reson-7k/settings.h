@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "emulator/contract/model.h"
+#include "emulator/contract/settings_list.h"
 
 namespace echoloop::reson7k_device {
 
@@ -42,7 +41,6 @@ struct Acoustics {
     double most_gain = 0;                    ///< dB
     double most_rate = 0;                    ///< Hz
     double ping_pause = 0;                   ///< s beyond the range time
-    double processing = 0;                   ///< s from the last echo to the records
     double spreading = 0;                    ///< dB per decade of range, at power-up
     double absorption = 0;                   ///< dB/km, at power-up
     double amplitude_reference = 0;          ///< dB re 1 uPa after gain: reads full scale
@@ -53,21 +51,21 @@ struct Acoustics {
 
 struct Settings {
     std::uint32_t device = 7125;
-    std::uint64_t serial = 0;
+    std::uint64_t serial = 1001;
     std::size_t beams = 256;
-    double swath = 0;  ///< rad, from the first to the last beam
+    double swath = deg_to_rad(140);  ///< rad, from the first to the last beam
     Controls start;
     Acoustics acoustics;
     bool any_device = false;           ///< commands are taken whatever device they name
     bool ends_by_third_party = false;  ///< 1053 without an address ends subscriptions, not 1052
-    double packet_gap = 0;             ///< s between the datagrams of one record
+    double datagram_gap = 0.3e-3;      ///< s between the datagrams of one ping
+    double processing_time = 5e-3;     ///< s from the last echo to the records
     bool tvg = true;                   ///< the effect of that name
     bool pulse = true;                 ///< the effect of that name: echoes are as long as the pulse
     double unix_start = 0;             ///< s
 };
 
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 /// From complete options and a complete profile.
 Settings read_settings(const DeviceConfig& config);
 

@@ -107,7 +107,7 @@ TEST(Reson7k, DatagramsToSixteenHostsAreOutBeforeTheNextPing) {
 }
 
 TEST(Reson7k, AGapThatIsTooLargeShrinks) {
-    Reson sonar(Options{{"packet_gap", 0.1}});
+    Reson sonar(Options{{"datagram_gap", 0.1}});
     const Address host{0x7F000001, 40000};
     ASSERT_EQ(sonar.answer(control(1051, {1, 7018}), 1, host), 0U);
     expect_bounded_latency(sonar, 71667us);
