@@ -44,11 +44,6 @@ struct DeviceConfig {
     double unix_start = 0;  ///< s, Unix time at the start of the run, for devices that send wall-clock time
 };
 
-/// An option of an earlier version that is a figure of the profile now.
-struct MovedOption {
-    std::string option, figure;
-};
-
 struct Model {
     std::string name;      ///< "tritech-micron"
     std::string title;     ///< "Tritech Micron DST scanning sonar"
@@ -59,7 +54,6 @@ struct Model {
     std::vector<Option> options;
     std::vector<FigureRow> figures{};  ///< of its profile
     std::string_view profile{};        ///< the text of its own profile, which outlives the table
-    std::vector<MovedOption> moved{};  ///< names that are refused with a hint
     /// Throws std::invalid_argument with a sentence for the user if an endpoint or option does not fit.
     std::unique_ptr<Device> (*make)(const DeviceConfig&) = nullptr;
     /// The ping that the device sends by itself or after a plain start: `step` counts the pings of a turn,

@@ -33,13 +33,13 @@ struct ReadOption {
     }
 };
 
-/// Options of earlier versions that are figures of the profile now.
-void refuse_moved(const Section& section, const Model& model, Problems& problems) {
-    for (const auto& moved : model.moved)
-        if (const Value* given = section.get(moved.option))
-            problems.add(given->key_place, section.path_of(moved.option) +
-                                               " is a figure of the device's profile now; write profile: {" +
-                                               moved.figure + ": ...} beside options");
+/// Figures of the profile that stand among the options.
+void refuse_figures(const Section& section, const Model& model, Problems& problems) {
+    for (const FigureRow& figure : model.figures)
+        if (const Value* given = section.get(figure.name))
+            problems.add(given->key_place, section.path_of(figure.name) +
+                                               " is a figure of the device's profile; write profile: {" +
+                                               figure.name + ": ...} beside options");
 }
 
 }  // namespace
@@ -55,10 +55,10 @@ OptionValue read_option(const Option& option, const Section& section, Problems& 
 Options read_options(const Value* value, const std::string& path, const Model& model, Problems& problems) {
     std::vector<std::string_view> known;
     for (const auto& option : model.options) known.push_back(option.name);
-    auto with_moved = known;
-    for (const auto& moved : model.moved) with_moved.push_back(moved.option);
-    const Section section(value, path, with_moved, problems);
-    refuse_moved(section, model, problems);
+    for (const auto& figure : model.figures)
+        if (value != nullptr && value->find(figure.name) != nullptr) known.push_back(figure.name);
+    const Section section(value, path, known, problems);
+    refuse_figures(section, model, problems);
     Options options;
     for (const auto& option : model.options) options[option.name] = read_option(option, section, problems);
     return options;

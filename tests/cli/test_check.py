@@ -78,7 +78,7 @@ class Check(ProgramTest):
         self.assertEqual(report["devices"][0]["profile"]["source_level"], 200)
         self.assertIn("did you mean 'source_level'?",
                       self.bad(78, "check", TANK, "--set", "devices.micron.profile.sorce_level=200"))
-        self.assertIn("is a figure of the device's profile now; write profile: {source_level: ...}",
+        self.assertIn("is a figure of the device's profile; write profile: {source_level: ...}",
                       self.bad(78, "check", TANK, "--set", "devices.micron.options.source_level=200"))
 
     def test_every_problem_is_reported_with_its_place(self):

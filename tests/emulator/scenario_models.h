@@ -45,8 +45,7 @@ inline const std::vector<Model>& test_models() {
                       {"pty", "serial", "tcp-listen"},
                       scanner_options(),
                       scanner_figures(),
-                      scanner_profile,
-                      {{"loudness", "source_level"}}};
+                      scanner_profile};
         return std::vector<Model>{picky, fan, scanner};
     }();
     return table;

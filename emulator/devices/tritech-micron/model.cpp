@@ -21,10 +21,6 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
 Model model() {
     Model m = tritech::imaging_model("tritech-micron", "micron", Family::dst);
     m.title = "Tritech Micron DST mechanical scanning sonar";
-    m.moved = {{"source_level", "source_level"},
-               {"reference_level", "reference_level"},
-               {"tvg_spreading", "tvg_spreading"},
-               {"tvg_absorption", "tvg_absorption"}};
     m.make = make;
     m.default_shot = default_shot;
     return m;

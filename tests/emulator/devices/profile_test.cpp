@@ -18,14 +18,6 @@ TEST(OwnProfiles, AreCompleteAndEveryFigureHasASource) {
     }
 }
 
-TEST(OwnProfiles, MovedOptionsNameFiguresThatExist) {
-    for (const Model& model : models())
-        for (const MovedOption& moved : model.moved) {
-            EXPECT_TRUE(own_profile(model).contains(moved.figure)) << moved.figure;
-            EXPECT_FALSE(default_options(model).contains(moved.option)) << moved.option;
-        }
-}
-
 /// 10 log10 (4 pi L H / lambda^2) of a rectangle, from its one-way -3 dB widths: 0.886 lambda / L.
 double directivity_index(double width, double height) {
     const auto length = [](double angle) { return 0.443 / std::sin(angle / 2); };
