@@ -11,6 +11,7 @@
 
 #include "emulator/contract/device.h"
 #include "emulator/contract/endpoint.h"
+#include "emulator/contract/known_driver.h"
 #include "emulator/contract/profile.h"
 #include "render/effects.h"
 
@@ -60,6 +61,14 @@ struct Model {
     /// `range` is in m, 0 for the default.
     Shot (*default_shot)(const DeviceConfig&, std::size_t step, double range) = nullptr;
     std::size_t turn_steps = 1;  ///< pings of a full turn; 1: one fan
+    std::string_view family{};   ///< of its messages, as protocols/inspect.h calls it
+    bool has_checksums = false;  ///< in its messages; models() fills it in
+    /// What a plain driver says to get pings. Each message makes one; an empty one stands for a ping that
+    /// comes by itself. `turns`: the last ping is a step of the motor away from the one before. nullptr: the
+    /// device pings unasked, or wants a longer talk.
+    std::vector<Bytes> (*requests)(const DeviceConfig&, bool turns) = nullptr;
+    std::vector<Destination> sends{};
+    std::vector<KnownDriver> drivers{};  ///< the first that fits counts
 };
 
 /// All models, sorted by name.

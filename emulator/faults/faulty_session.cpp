@@ -1,6 +1,5 @@
 #include "emulator/faults/faulty_session.h"
 
-#include "emulator/scenario/checksum.h"
 #include "emulator/contract/options.h"
 #include "emulator/transport/driver_lines.h"
 
@@ -40,7 +39,7 @@ std::unique_ptr<Device> FaultySession::device(FaultyDevice::Make make) {
 std::vector<std::unique_ptr<Transport>> FaultySession::lines(
     std::vector<std::unique_ptr<Transport>> transports, const std::vector<Port>& ports,
     const ScenarioDevice& device) {
-    MessageTraits traits{true, find_checksums(checksum_family(device.model->name))};
+    MessageTraits traits{true, find_checksums(device.model->family)};
     for (std::size_t i = 0; i < transports.size(); ++i) {
         traits.stream = ports[i].kind == Port::Kind::stream;
         const bool serial = transports[i]->wire().kind == Wire::Kind::serial;

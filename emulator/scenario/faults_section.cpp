@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "emulator/contract/endpoint.h"
-#include "emulator/scenario/checksum.h"
 #include "emulator/scenario/device_section.h"
 
 namespace echoloop::scenario {
@@ -168,7 +167,7 @@ void FaultReader::check_needs() {
                });
     };
     bool good = true;
-    if (row_->kind == FaultKind::wrong_checksum) good = !checksum_family(model.name).empty();
+    if (row_->kind == FaultKind::wrong_checksum) good = model.has_checksums;
     if (row_->kind == FaultKind::stuck_motor) good = model.turn_steps > 1;
     if (row_->kind == FaultKind::half_open || row_->kind == FaultKind::reset) good = has_scheme("tcp");
     if (row_->kind == FaultKind::baud_mismatch)

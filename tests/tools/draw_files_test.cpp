@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <png.h>
 #include <unistd.h>
 
 #include <cstring>
@@ -8,8 +7,8 @@
 #include <sstream>
 
 #include "tests/tools/made_up_echograms.h"
+#include "tools/draw/canvas.h"
 #include "tools/draw/draw.h"
-#include "tools/draw/font.h"
 
 namespace echoloop::draw {
 namespace {
@@ -78,15 +77,15 @@ TEST_F(DrawFiles, png_gives_the_pixels_back) {
     image.at(0, 2) = {9, 99, 199};
     write_png(file("a.png"), image);
 
-    png_image header{};
-    header.version = PNG_IMAGE_VERSION;
-    ASSERT_TRUE(png_image_begin_read_from_file(&header, file("a.png").c_str()));
-    header.format = PNG_FORMAT_RGB;
-    std::vector<Color> pixels(15);
-    ASSERT_TRUE(png_image_finish_read(&header, nullptr, pixels.data(), 0, nullptr));
-    EXPECT_EQ(header.width, 5);
-    EXPECT_EQ(header.height, 3);
-    EXPECT_EQ(pixels, image.pixels);
+    const Surface read(cairo_image_surface_create_from_png(file("a.png").c_str()), cairo_surface_destroy);
+    ASSERT_EQ(cairo_image_surface_get_width(read.get()), 5);
+    ASSERT_EQ(cairo_image_surface_get_height(read.get()), 3);
+    for (int y = 0; y < 3; ++y) {
+        const auto* row =
+            cairo_image_surface_get_data(read.get()) + y * cairo_image_surface_get_stride(read.get());
+        for (int x = 0; x < 5; ++x)
+            EXPECT_EQ(Color(row[4 * x + 2], row[4 * x + 1], row[4 * x]), image.at(x, y)) << x << ' ' << y;
+    }
 }
 
 TEST_F(DrawFiles, name_the_path_and_the_reason_when_they_cannot_write) {
@@ -118,26 +117,45 @@ TEST_F(DrawFiles, report_a_full_disk) {
 }
 
 int inked(const std::string& text) {
-    Image image(400, 20, {});
-    draw_text(image, 2, 10, text, {255, 255, 255}, 1);
-    return static_cast<int>(std::count(image.pixels.begin(), image.pixels.end(), Color{255, 255, 255}));
+    Image image(400, 30, {});
+    Canvas(image).text({2, 15}, text, {255, 255, 255}, 16);
+    return static_cast<int>(
+        std::count_if(image.pixels.begin(), image.pixels.end(), [](Color c) { return c != Color(); }));
 }
 
-TEST(Font, has_the_characters_that_captions_use) {
-    const int unknown = inked("\u00FF");
-    EXPECT_EQ(unknown, inked("?"));
+TEST(Text, has_the_characters_that_captions_use) {
     for (const std::string letter : {"A", "z", "0", "9", "-", "+", ".", ",", ":", "/", "(", ")", "\u00B0",
                                      "\u00B5", "m", "k", "H", "d", "B"})
         EXPECT_NE(inked(letter), 0) << letter;
     EXPECT_EQ(inked(" "), 0);
-    EXPECT_EQ(text_width("60\u00B0", 2), (6 * 3 - 1) * 2) << "a character of two bytes is one letter wide";
+    EXPECT_NE(inked("\u00B0"), inked("\u00B5")) << "a font without them has a box for each";
 }
 
-TEST(Font, takes_any_bytes_and_stays_inside_the_image) {
+TEST(Text, stands_where_its_anchor_says) {
+    Image image(400, 30, {});
+    Canvas canvas(image);
+    const auto columns = [&](Anchor anchor) {
+        std::fill(image.pixels.begin(), image.pixels.end(), Color());
+        canvas.text({200, 15}, "HHHH", {255, 255, 255}, 16, anchor);
+        int first = 400, last = 0;
+        for (int i = 0; i < 400 * 30; ++i)
+            if (image.pixels[i] != Color()) first = std::min(first, i % 400), last = std::max(last, i % 400);
+        return std::pair{first, last};
+    };
+    const double width = canvas.text_width("HHHH", 16);
+    EXPECT_NEAR(columns(Anchor::left).first, 200, 3);
+    EXPECT_NEAR(columns(Anchor::middle).first, 200 - width / 2, 3);
+    EXPECT_NEAR(columns(Anchor::middle).second, 200 + width / 2, 3);
+    EXPECT_NEAR(columns(Anchor::right).second, 200, 3);
+}
+
+TEST(Text, takes_any_bytes_and_does_not_spoil_what_comes_after_them) {
+    EXPECT_EQ(inked("a\xFF\x80z"), inked("a??z"));
     Image image(30, 10, {});
-    draw_text(image, -20, 3, "\xC2\xFF\x80 long text that runs out on both sides", {255, 255, 255}, 3);
-    draw_text(image, 10, 200, "below", {255, 255, 255}, 3);
-    EXPECT_EQ(image.pixels.size(), 300);
+    Canvas canvas(image);
+    canvas.text({-20, 3}, "\xC2\xFF\x80 long text that runs out on both sides", {255, 255, 255}, 16);
+    canvas.rectangle({4, 5}, 2, 2, {1, 2, 3});
+    EXPECT_EQ(image.at(4, 5), Color(1, 2, 3));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "tools/draw/chart.h"
 #include "tools/draw/draw.h"
 #include "tools/draw/palette.h"
+#include "tools/draw/ticks.h"
 
 namespace echoloop::draw {
 namespace {
@@ -102,7 +103,7 @@ TEST(PolarPicture, has_no_gap_between_the_steps_of_a_head) {
     const auto pings = scan(0, 358.2, 1.8, 10, [](double, double) { return 1e3F; });
     const Image image = polar_picture(pings, plain());
     const Chart chart = Chart::fit(PolarScan(pings), 1000);
-    const int level = brightness(palette(0.6));
+    const int level = brightness(palette(0.6)) - 3;  // each channel of the grid is rounded
     for (int y = chart.top; y < chart.bottom; ++y)
         for (int x = chart.left; x < chart.right; ++x)
             if (std::hypot(x + 0.5 - chart.center_x, y + 0.5 - chart.center_y) < 9.95 * chart.scale) {
@@ -199,6 +200,12 @@ TEST(RoundStep, is_1_2_or_5_times_a_power_of_ten) {
     EXPECT_DOUBLE_EQ(round_step(20, 5), 5);
     EXPECT_DOUBLE_EQ(round_step(0.9, 5), 0.2);
     EXPECT_DOUBLE_EQ(round_step(1200, 5), 200);
+}
+
+TEST(Ticks, are_the_multiples_of_a_step_with_both_ends) {
+    EXPECT_EQ(ticks(-1, 1, 0.5), (std::vector<double>{-1, -0.5, 0, 0.5, 1}));
+    EXPECT_EQ(ticks(0.3, 2.9, 1), (std::vector<double>{1, 2}));
+    EXPECT_EQ(ticks(0, 0.3, 0.1).size(), 4) << "3 x 0.1 is a little more than 0.3";
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ PURE = r"emulator/(device|model|option_rows|options|endpoint|profile)\.h|render/
 STANDARD = r"[a-z0-9_]+"  # <vector>; any other library has a slash or a suffix
 GRAPHICS = r"(GL|EGL|glm|embree\d?)/.*|tiny_gltf\.h"
 NETWORK = r"boost/.*|libserialport\.h|pcap.*"
-USER_INTERFACE = r"CLI/.*|yaml-cpp/.*|png\.h"
+USER_INTERFACE = r"CLI/.*|yaml-cpp/.*|cairo\.h"
 
 
 @dataclass

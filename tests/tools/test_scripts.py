@@ -34,7 +34,7 @@ class Script(unittest.TestCase):
         for name, text in FAKES.items():
             (self.bin / name).write_text(f"#!{shutil.which('bash')}\n{text}\n")
             (self.bin / name).chmod(0o755)
-        self.put("missing", "libpng-dev\nlibgtest-dev\n")
+        self.put("missing", "libcairo2-dev\nlibgtest-dev\n")
         self.put("failures", "0")
         self.put("uid", "0")
         self.put("log", "")
@@ -60,19 +60,19 @@ class Script(unittest.TestCase):
 class Install(Script):
     def test_installs_only_what_is_missing_and_says_why(self):
         self.assertEqual(self.run_script("install", "build"), 0, self.output)
-        self.assertEqual(self.installs(), ["libpng-dev"])
+        self.assertEqual(self.installs(), ["libcairo2-dev"])
         self.assertEqual(self.updates(), [])
-        self.assertRegex(self.output, r"libpng-dev +pictures")
+        self.assertRegex(self.output, r"libcairo2-dev +pictures")
         self.assertNotIn("libgtest-dev", self.output)
 
     def test_adds_what_the_tests_need(self):
         self.assertEqual(self.run_script("install", "test"), 0, self.output)
-        self.assertEqual(self.installs(), ["libpng-dev libgtest-dev"])
+        self.assertEqual(self.installs(), ["libcairo2-dev libgtest-dev"])
 
     def test_adds_what_fuzzing_needs(self):
-        self.put("missing", "libpng-dev\nlibgtest-dev\nclang-16\n")
+        self.put("missing", "libcairo2-dev\nlibgtest-dev\nclang-16\n")
         self.assertEqual(self.run_script("install", "fuzz"), 0, self.output)
-        self.assertEqual(self.installs(), ["libpng-dev libgtest-dev clang-16"])
+        self.assertEqual(self.installs(), ["libcairo2-dev libgtest-dev clang-16"])
 
     def test_says_and_does_nothing_when_all_is_there(self):
         self.put("missing")
@@ -90,26 +90,26 @@ class Install(Script):
         self.assertEqual((len(self.installs()), len(self.updates())), (2, 1))
         self.put("failures", "9")
         self.assertEqual(self.run_script("install", "build"), 69)
-        self.assertIn("could not install: libpng-dev", self.output)
+        self.assertIn("could not install: libcairo2-dev", self.output)
 
     def test_without_permission_names_the_command_for_an_administrator(self):
         self.put("uid", "1000")
         self.put("no_sudo")
         self.assertEqual(self.run_script("install", "build"), 77)
-        self.assertIn("apt-get install -y libpng-dev", self.output)
+        self.assertIn("apt-get install -y libcairo2-dev", self.output)
         self.assertEqual(self.installs(), [])
 
     def test_without_sudo_names_it_too(self):
         self.put("uid", "1000")
         (self.bin / "sudo").unlink()
         self.assertEqual(self.run_script("install", "build"), 77)
-        self.assertIn("apt-get install -y libpng-dev", self.output)
+        self.assertIn("apt-get install -y libcairo2-dev", self.output)
 
     def test_as_a_user_goes_through_sudo(self):
         self.put("uid", "1000")
         self.assertEqual(self.run_script("install", "build"), 0, self.output)
         self.assertTrue(any(line.startswith("sudo ") and "install" in line for line in self.log))
-        self.assertEqual(self.installs(), ["libpng-dev"])
+        self.assertEqual(self.installs(), ["libcairo2-dev"])
 
     def test_elsewhere_than_on_debian_lists_the_packages(self):
         (self.bin / "dpkg-query").unlink()

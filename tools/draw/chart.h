@@ -27,9 +27,6 @@ struct Chart {
     static Chart fit(const PolarScan& scan, int width);
 };
 
-/// Step of 1, 2 or 5 times a power of ten that cuts `length` into about `parts`.
-double round_step(double length, double parts);
-
 void draw_grid(Image& image, const Chart& chart, const PolarScan& scan);
 void draw_legend(Image& image, const Chart& chart, const Legend& legend);
 

@@ -26,14 +26,15 @@ class OutputFile {
     void close() {
         if (std::fclose(file_.release()) != 0) fail();
     }
+    /// What the last call of the system said is the reason.
+    [[noreturn]] void fail() const {
+        throw std::runtime_error("cannot write " + path_.string() + ": " + std::strerror(errno));
+    }
 
   private:
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    [[noreturn]] void fail() const {
-        throw std::runtime_error("cannot write " + path_.string() + ": " + std::strerror(errno));
-    }
     std::filesystem::path path_;
     std::unique_ptr<std::FILE, Close> file_;
 };

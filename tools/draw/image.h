@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -9,10 +10,15 @@
 
 namespace echoloop::draw {
 
+/// In the order in which cairo keeps the pixels of CAIRO_FORMAT_RGB24 in memory.
 struct Color {
-    std::uint8_t r = 0, g = 0, b = 0;
-    friend bool operator==(const Color&, const Color&) = default;
+    std::uint8_t b = 0, g = 0, r = 0, unused = 0;
+
+    constexpr Color() = default;
+    constexpr Color(std::uint8_t red, std::uint8_t green, std::uint8_t blue) : b(blue), g(green), r(red) {}
+    friend bool operator==(Color x, Color y) { return x.r == y.r && x.g == y.g && x.b == y.b; }
 };
+static_assert(std::endian::native == std::endian::little && sizeof(Color) == 4);
 
 /// `a` where t = 0, `b` where t = 1.
 inline Color mix(Color a, Color b, double t) {
@@ -30,12 +36,6 @@ struct Image {
 
     Color& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
     const Color& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
-
-    /// Lays `color` over a pixel; outside the image nothing happens.
-    void blend(int x, int y, Color color, double alpha = 1) {
-        if (x < 0 || y < 0 || x >= width || y >= height) return;
-        at(x, y) = mix(at(x, y), color, alpha);
-    }
 };
 
 }  // namespace echoloop::draw

@@ -6,6 +6,7 @@
 #include "tools/draw/chart.h"
 #include "tools/draw/draw.h"
 #include "tools/draw/palette.h"
+#include "tools/draw/ticks.h"
 
 namespace echoloop::draw {
 namespace {

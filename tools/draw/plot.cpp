@@ -2,14 +2,12 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
-#include "tools/draw/chart.h"
-#include "tools/draw/font.h"
-#include "tools/draw/number.h"
+#include "tools/draw/canvas.h"
 #include "tools/draw/palette.h"
+#include "tools/draw/ticks.h"
 
 namespace echoloop::draw {
 namespace {
@@ -27,32 +25,31 @@ class Axes {
         if (!(end_ > begin_) || !(top_ > bottom_)) throw std::invalid_argument("plot: an axis has no extent");
     }
 
-    double x(double value) const {
-        return left + (value - begin_) / (end_ - begin_) * (width_ - left - right);
+    Point at(double x, double y) const {
+        return {left + (x - begin_) / (end_ - begin_) * (width_ - left - right),
+                above + (top_ - y) / (top_ - bottom_) * (height_ - above - below)};
     }
-    double y(double value) const {
-        return above + (top_ - value) / (top_ - bottom_) * (height_ - above - below);
-    }
-    bool holds(double value) const { return value >= bottom_ && value <= top_; }
+    bool holds(double y) const { return y >= bottom_ && y <= top_; }
 
-    void draw(Image& image) const {
-        for (int px = left; px <= width_ - right; ++px) image.blend(px, height_ - below, faint_ink);
-        for (int py = above; py <= height_ - below; ++py) image.blend(left, py, faint_ink);
-        const double x_step = round_step(end_ - begin_, 8), y_step = round_step(top_ - bottom_, 6);
-        for (double v = std::ceil(begin_ / x_step) * x_step; v <= end_ + 1e-9; v += x_step) draw_x(image, v);
-        for (double v = std::ceil(bottom_ / y_step) * y_step; v <= top_ + 1e-9; v += y_step) draw_y(image, v);
+    void draw(Canvas& canvas) const {
+        for (const double x : ticks(begin_, end_, round_step(end_ - begin_, 8))) {
+            grid_line(canvas, at(x, bottom_), at(x, top_), grid_ink, 0.3);
+            const Point label{at(x, bottom_).x, height_ - below + 18.0};
+            canvas.text(label, tick_label(x), ink, text_size, Anchor::middle);
+        }
+        for (const double y : ticks(bottom_, top_, round_step(top_ - bottom_, 6))) {
+            grid_line(canvas, at(begin_, y), at(end_, y), grid_ink, 0.3);
+            canvas.text({left - 8.0, at(begin_, y).y}, tick_label(y), ink, text_size, Anchor::right);
+        }
+        grid_line(canvas, at(begin_, bottom_), at(end_, bottom_), faint_ink, 1);
+        grid_line(canvas, at(begin_, bottom_), at(begin_, top_), faint_ink, 1);
     }
 
   private:
-    void draw_x(Image& image, double value) const {
-        const int px = static_cast<int>(x(value));
-        for (int py = above; py <= height_ - below; ++py) image.blend(px, py, grid_ink, 0.22);
-        draw_text(image, px, height_ - below + 18, number(value), ink, 2, Anchor::middle);
-    }
-    void draw_y(Image& image, double value) const {
-        const int py = static_cast<int>(y(value));
-        for (int px = left; px <= width_ - right; ++px) image.blend(px, py, grid_ink, 0.22);
-        draw_text(image, left - 8, py, number(value), ink, 2, Anchor::right);
+    /// One px wide, on whole pixels.
+    static void grid_line(Canvas& canvas, Point from, Point to, Color color, double alpha) {
+        for (Point* p : {&from, &to}) *p = {std::floor(p->x) + 0.5, std::floor(p->y) + 0.5};
+        canvas.line({from, to}, 1, color, alpha);
     }
 
     int width_, height_;
@@ -60,50 +57,39 @@ class Axes {
     double begin_ = std::numeric_limits<double>::infinity(), end_ = -begin_;
 };
 
-void draw_dot(Image& image, double x, double y, Color color) {
-    for (int dy = -4; dy <= 4; ++dy)
-        for (int dx = -4; dx <= 4; ++dx)
-            image.blend(static_cast<int>(x) + dx, static_cast<int>(y) + dy, color,
-                        std::clamp(3.4 - std::hypot(dx, dy), 0.0, 1.0));
-}
-
-void draw_line(Image& image, double x0, double y0, double x1, double y1, Color color) {
-    const double steps = std::ceil(2 * std::max({std::abs(x1 - x0), std::abs(y1 - y0), 0.5}));
-    for (double k = 0; k <= steps; ++k) {
-        const double x = x0 + (x1 - x0) * k / steps, y = y0 + (y1 - y0) * k / steps;
-        for (const int beside : {0, 1})
-            image.blend(static_cast<int>(x), static_cast<int>(y) + beside, color, 0.8);
-    }
-}
-
-void draw_curve(Image& image, const Axes& axes, const Curve& curve, Color color) {
-    for (std::size_t i = 0; i < curve.points.size(); ++i) {
-        const auto [x, y] = curve.points[i];
-        if (!axes.holds(y)) continue;
-        if (curve.dots) {
-            draw_dot(image, axes.x(x), axes.y(y), color);
-        } else if (i > 0 && axes.holds(curve.points[i - 1].second)) {
-            draw_line(image, axes.x(curve.points[i - 1].first), axes.y(curve.points[i - 1].second), axes.x(x),
-                      axes.y(y), color);
+void draw_curve(Canvas& canvas, const Axes& axes, const Curve& curve, Color color) {
+    constexpr double radius = 3.4, width = 1.8;
+    std::vector<Point> piece;  // what lies within the axes without a gap
+    for (const auto& [x, y] : curve.points) {
+        if (!axes.holds(y)) {
+            canvas.line(piece, width, color);
+            piece.clear();
+        } else if (curve.dots) {
+            canvas.dot(axes.at(x, y), radius, color);
+        } else {
+            piece.push_back(axes.at(x, y));
         }
     }
+    canvas.line(piece, width, color);
 }
 
 }  // namespace
 
 Image plot_picture(const Plot& plot, int width, int height) {
     Image image(width, height, background);
+    Canvas canvas(image);
     const Axes axes(plot, width, height);
-    axes.draw(image);
-    draw_text(image, 24, 24, plot.title, ink, 3);
-    draw_text(image, 24, 52, plot.y_label, faint_ink);
-    draw_text(image, width - right, height - 22, plot.x_label, faint_ink, 2, Anchor::right);
-    int legend = left;
+    axes.draw(canvas);
+    canvas.text({24, 24}, plot.title, ink, title_size);
+    canvas.text({24, 52}, plot.y_label, faint_ink, text_size);
+    const double lowest = height - 22;
+    canvas.text({width - 1.0 * right, lowest}, plot.x_label, faint_ink, text_size, Anchor::right);
+    double legend = left;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         const Color color = colors[i % colors.size()];
-        draw_curve(image, axes, plot.curves[i], color);
-        draw_text(image, legend, height - 22, plot.curves[i].label, color);
-        legend += text_width(plot.curves[i].label, 2) + 30;
+        draw_curve(canvas, axes, plot.curves[i], color);
+        canvas.text({legend, lowest}, plot.curves[i].label, color, text_size);
+        legend += canvas.text_width(plot.curves[i].label, text_size) + 30;
     }
     return image;
 }

@@ -1,20 +1,23 @@
-#include <png.h>
-
+#include "tools/draw/canvas.h"
 #include "tools/draw/draw.h"
 #include "tools/draw/file.h"
 
 namespace echoloop::draw {
+namespace {
+
+cairo_status_t write(void* file, const unsigned char* data, unsigned size) {
+    const auto written = std::fwrite(data, 1, size, static_cast<std::FILE*>(file));
+    return written == size ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
+}  // namespace
 
 void write_png(const std::filesystem::path& path, const Image& image) {
-    static_assert(sizeof(Color) == 3, "rows are handed over as they lie in memory");
-    png_image header{};
-    header.version = PNG_IMAGE_VERSION;
-    header.width = static_cast<png_uint_32>(image.width);
-    header.height = static_cast<png_uint_32>(image.height);
-    header.format = PNG_FORMAT_RGB;
+    Image pixels = image;  // cairo takes nothing constant
     OutputFile file(path);
-    if (!png_image_write_to_stdio(&header, file.get(), 0, image.pixels.data(), 0, nullptr))
-        throw std::runtime_error("cannot write " + path.string() + ": " + header.message);
+    if (cairo_surface_write_to_png_stream(surface_of(pixels).get(), write, file.get()) !=
+        CAIRO_STATUS_SUCCESS)
+        file.fail();
     file.close();
 }
 

@@ -1,46 +1,75 @@
 #include "tools/echoloop/driver.h"
 
+#include <algorithm>
+#include <map>
+
 #include "emulator/contract/endpoint.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/driver_port.h"
-#include "tools/echoloop/driver_seanet.h"
-#include "tools/echoloop/driver_vehicle.h"
 
 namespace echoloop::cli {
 namespace {
 
-constexpr std::uint16_t image_offset = 3;
-/// R2Sonic: what is sent where, counted from the host's base port.
-struct Product {
-    const char* name;
-    std::uint16_t offset;
-};
-constexpr Product r2sonic_products[] = {{"bathymetry", 0},        {"TruePix", 1},      {"status", 2},
-                                        {"images", image_offset}, {"water column", 5}, {"snippets", 6}};
-
-bool is_r2sonic(const ScenarioDevice& device) { return device.model->name.starts_with("r2sonic-"); }
-/// The heads that those drivers can read: the profiler is none of them.
-bool is_seanet(const ScenarioDevice& device) {
-    return device.model->name == "tritech-micron" || device.model->name == "tritech-seaking";
-}
-
-DriverHint r2sonic_ros2(const ScenarioDevice& device) {
-    const Endpoint& head = device.config.endpoints.at(0);
-    const Endpoint& host = device.config.endpoints.at(1);
-    return {"USF-COMIT ros2sonic",
-            {"ros2 run r2sonic r2sonic_node --ros-args -p interface_ip:=" + host.host +
-             " -p ports/bathy:=" + std::to_string(host.port) + " -p ports/acoustic_image:=" +
-             std::to_string(host.port + image_offset) + " -p sonar_ip:=" + head.host},
-            "it only listens: settings come from the scenario, or from a program that sends CMD0"};
-}
+using Words = std::vector<std::pair<std::string, std::string>>;  ///< "{port}" and what stands for it
 
 /// Where a device sends to that listens on no port of its own for it.
 std::string told_host(const ScenarioDevice& device, const std::string& port) {
-    if (device.model->name.starts_with("aris-") && port == "frames")
-        return "the controller, or the receiver that it names";
+    for (const Destination& sent : device.model->sends)
+        if (sent.what == port && !sent.words.empty()) return sent.words;
     for (const Endpoint& end : device.config.endpoints)
         if (end.scheme == Endpoint::Scheme::udp) return address_text(end.host, end.port);
     return "whom it is told to by options or by its host";
+}
+
+/// "uart:/tmp/echoloop/ping1d:115200", as SITL names what a serial port of the autopilot is; "": it cannot.
+std::string sitl_line(const Endpoint& end, const SerialPort& port) {
+    const auto place = address_text(end.host, end.port);
+    if (end.scheme == Endpoint::Scheme::tcp_listen) return "tcpclient:" + place;
+    if (end.scheme == Endpoint::Scheme::udp_listen) return "udpclient:" + place;
+    return port.preparation.empty() ? "uart:" + port.path + ":" + std::to_string(port.rate) : "";
+}
+
+Words words_of(const ScenarioDevice& device, const Endpoint& end, const SerialPort& port) {
+    Words words{{"{name}", device.name},
+                {"{port}", port.path},
+                {"{rate}", std::to_string(port.rate)},
+                {"{kbaud}", std::to_string(port.rate / 1000)},
+                {"{host}", end.host},
+                {"{number}", std::to_string(end.port)},
+                {"{sitl}", sitl_line(end, port)}};
+    if (device.config.endpoints.size() > 1) words.emplace_back("{host 2}", device.config.endpoints[1].host);
+    for (const auto& [what, endpoint, offset, _] : device.model->sends)
+        if (endpoint < device.config.endpoints.size())
+            words.emplace_back("{" + what + "}",
+                               std::to_string(device.config.endpoints[endpoint].port + offset));
+    return words;
+}
+
+std::string filled(std::string_view line, const Words& words) {
+    std::string result;
+    while (!line.empty()) {
+        const auto word =
+            std::ranges::find_if(words, [&](const auto& w) { return line.starts_with(w.first); });
+        result += word == words.end() ? std::string(1, line.front()) : word->second;
+        line.remove_prefix(word == words.end() ? 1 : word->first.size());
+    }
+    return result;
+}
+
+bool uses(const KnownDriver& driver, std::string_view word) {
+    return std::ranges::any_of(driver.lines,
+                               [&](const auto& line) { return line.find(word) != std::string::npos; });
+}
+
+DriverHint hint_of(const KnownDriver& driver, const Endpoint& end, const SerialPort& port,
+                   const Words& words) {
+    DriverHint hint{driver.name, {}, driver.note};
+    const bool opens_port = uses(driver, "{port}");
+    if (opens_port && !port.preparation.empty()) hint.paste.push_back(port.preparation);
+    for (const auto& line : driver.lines) hint.paste.push_back(filled(line, words));
+    if (end.scheme == Endpoint::Scheme::serial && (opens_port || uses(driver, "{sitl}")))
+        hint.note = "write the port at the driver's end of the cable in place of " + port.path;
+    return hint;
 }
 
 std::string title_of(const std::string& format) {
@@ -78,25 +107,24 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
             places.push_back({port.name, stream_address(end, chosen_rate(device))});
         }
     }
-    if (device.model->name == "kongsberg-kmall") {
-        places.push_back({"sends datagrams to", told_host(device, "")});
-        for (std::size_t i = 2; i < device.config.endpoints.size(); ++i) {
-            const Endpoint& host = device.config.endpoints[i];
-            places.push_back({"sends texts to", address_text(host.host, host.port)});
-        }
+    for (const auto& [what, endpoint, offset, words] : device.model->sends) {
+        if (endpoint >= device.config.endpoints.size() || !words.empty()) continue;
+        const Endpoint& host = device.config.endpoints[endpoint];
+        places.push_back({"sends " + what + " to", address_text(host.host, host.port + offset)});
     }
-    if (!is_r2sonic(device)) return places;
-    const Endpoint& host = device.config.endpoints.at(1);
-    for (const Product& product : r2sonic_products)
-        places.push_back({std::string("sends ") + product.name + " to",
-                          address_text(host.host, host.port + product.offset)});
     return places;
 }
 
 DriverHint driver_hint(const ScenarioDevice& device, const std::string& format) {
-    if (is_r2sonic(device) && format == "ros2") return r2sonic_ros2(device);
-    auto hint = is_seanet(device) ? seanet_driver_hint(device, format) : vehicle_driver_hint(device, format);
-    return hint.driver.empty() && hint.note.empty() ? no_driver(device, format) : hint;
+    const Endpoint& end = device.config.endpoints.at(0);
+    const auto port = port_for_driver(device, end);
+    const auto words = words_of(device, end, port);
+    for (const KnownDriver& driver : device.model->drivers) {
+        const bool fits = driver.scheme.empty() || driver.scheme == scheme_name(end.scheme);
+        const bool reachable = !uses(driver, "{sitl}") || !sitl_line(end, port).empty();
+        if (driver.format == format && fits && reachable) return hint_of(driver, end, port, words);
+    }
+    return no_driver(device, format);
 }
 
 }  // namespace echoloop::cli

@@ -1,5 +1,5 @@
-// What to write into the configuration of a driver so that it finds an emulated sonar. A table of known
-// drivers; opens nothing. Names of parameters are those of the drivers' public sources.
+// What to write into the configuration of a driver so that it finds an emulated sonar, from what its model says
+// of itself (emulator/contract/known_driver.h). Opens nothing.
 #pragma once
 
 #include <string>

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "emulator/contract/endpoint.h"
-#include "tools/echoloop/asking.h"
 #include "tools/echoloop/common.h"
 
 namespace echoloop::cli {
@@ -11,16 +10,13 @@ namespace {
 
 constexpr Time patience = std::chrono::seconds(5);
 
-bool has_motor(const std::string& model) {
-    return model == "ping360" || model == "imagenex-881a" || model.starts_with("tritech-");
-}
-
 /// A device without a session: time passes when it is asked to.
 class DryRun {
   public:
     DryRun(const ScenarioDevice& entry, bool turns) : device_(entry.model->make(entry.config)) {
         take(device_->started(now_));
-        for (const Bytes& request : requests_of(entry, turns)) {
+        if (entry.model->requests == nullptr) return;
+        for (const Bytes& request : entry.model->requests(entry.config, turns)) {
             if (ping_) hear();
             asked_ = now_;
             if (!request.empty()) take(device_->received({0, request, {}}, now_));
@@ -70,8 +66,9 @@ class DryRun {
 
 /// s that a step of the motor adds; nothing without one, or where a driver must say more than is known here.
 std::optional<double> motor_of(const ScenarioDevice& device, const DryRun& resting) {
+    if (device.model->turn_steps == 1) return {};
     DryRun turning(device, true);
-    if (!has_motor(device.model->name) || !turning.wait_for_ping()) return {};
+    if (!turning.wait_for_ping()) return {};
     return std::max(0.0, to_seconds(turning.asked_for() - resting.asked_for()));
 }
 

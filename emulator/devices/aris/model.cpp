@@ -93,6 +93,8 @@ Model row(const std::string& name, const std::string& title) {
     m.profile = built_in_profile(m.name);
     m.make = make<variant>;
     m.default_shot = default_shot<variant>;
+    m.family = "aris";
+    m.sends = {{.what = "frames", .words = "the controller, or the receiver that it names"}};
     return m;
 }
 

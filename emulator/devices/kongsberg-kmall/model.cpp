@@ -57,6 +57,8 @@ Model model() {
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;
+    m.family = "kmall";
+    m.sends = {{"datagrams", 1}, {"texts", 2}};
     return m;
 }
 

@@ -22,6 +22,7 @@ Model model() {
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = echosounder::plain_shot;
+    m.family = "altimeter";
     return m;
 }
 

@@ -25,6 +25,8 @@ Model model() {
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = echosounder::plain_shot;
+    m.family = "nmea";
+    m.drivers = {range_finder_in_sitl("17")};
     return m;
 }
 

@@ -2,6 +2,7 @@
 
 #include "emulator/devices/oculus/oculus.h"
 #include "emulator/contract/endpoint.h"
+#include "protocols/oculus/codec.h"
 
 namespace echoloop::oculus_device {
 namespace {
@@ -64,6 +65,10 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     return make_shot(request, make_plan(request, settings), settings, static_cast<std::uint32_t>(step + 1));
 }
 
+std::vector<Bytes> requests(const DeviceConfig&, bool) {
+    return {oculus::encode(oculus::Message(oculus::Fire{.range = 10, .gain = 50}))};
+}
+
 Model row(const std::string& name, const std::string& title) {
     Model m;
     m.name = name;
@@ -76,6 +81,12 @@ Model row(const std::string& name, const std::string& title) {
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;
+    m.family = "oculus";
+    m.requests = requests;
+    m.drivers = {{"ros2",
+                  "ENSTA Bretagne oculus_ros2",
+                  {"ros2 launch oculus_ros2 default.launch.py"},
+                  "it takes the first sonar whose status it hears on UDP 52102, so emulate one"}};
     return m;
 }
 

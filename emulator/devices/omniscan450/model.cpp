@@ -34,6 +34,7 @@ Model model() {
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;
+    m.family = "cerulean";
     return m;
 }
 

@@ -1,4 +1,5 @@
 #include "emulator/devices/ping1d/ping1d.h"
+#include "protocols/ping/codec.h"
 
 namespace echoloop::ping1d {
 namespace {
@@ -18,6 +19,11 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     return shot;
 }
 
+std::vector<Bytes> requests(const DeviceConfig&, bool) {
+    constexpr std::uint16_t profile = 1300;
+    return {ping::encode(ping::Message(ping::GeneralRequest{profile}))};
+}
+
 }  // namespace
 
 Model model() {
@@ -32,6 +38,9 @@ Model model() {
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;
+    m.family = "ping";
+    m.requests = requests;
+    m.drivers = {range_finder_in_sitl("23")};
     return m;
 }
 

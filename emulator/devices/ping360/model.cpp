@@ -1,4 +1,5 @@
 #include "emulator/devices/ping360/ping360.h"
+#include "protocols/ping/codec.h"
 
 namespace echoloop::ping360 {
 namespace {
@@ -21,6 +22,27 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     return shot;
 }
 
+std::vector<Bytes> requests(const DeviceConfig&, bool turns) {
+    const auto transducer = [](std::uint16_t angle) {
+        return ping::encode(ping::Message(ping::Transducer{1, 0, angle, 11, 88, 750, 1200, 1, 0}));
+    };
+    return {transducer(0), transducer(turns ? 1 : 0)};
+}
+
+std::vector<KnownDriver> drivers() {
+    const std::string node = "ros2 run ping360_sonar ping360_node --ros-args -p fallback_emulated:=false -p ";
+    const std::string ros2 = "CentraleNantesRobotics ping360_sonar (branch ros2)";
+    return {{"ros1",
+             "CentraleNantesRobotics ping360_sonar (branch melodic)",
+             {"rosrun ping360_sonar ping360_node _device:={port} _baudrate:={rate} _frame:={name}"}},
+            {"ros2",
+             ros2,
+             {node + "connection_type:=udp -p udp_address:={host} -p udp_port:={number}"},
+             "",
+             "udp-listen"},
+            {"ros2", ros2, {node + "device:={port} -p baudrate:={rate}"}}};
+}
+
 }  // namespace
 
 Model model() {
@@ -35,6 +57,9 @@ Model model() {
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;
+    m.family = "ping";
+    m.requests = requests;
+    m.drivers = drivers();
     return m;
 }
 

@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "emulator/devices/tritech-profiler/profiler.h"
+#include "protocols/seanet/codec.h"
 
 namespace echoloop::profiler {
 namespace {
@@ -33,6 +34,24 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     return shot;
 }
 
+/// 20 ms for a ping, 15 m; a pass of one, or of two 0.9 deg apart at 250 us for each 1/16 gradian.
+std::vector<Bytes> requests(const DeviceConfig&, bool turns) {
+    seanet::ProfilerCommand command;
+    seanet::ProfilerParameters& p = command.parameters;
+    p.hd_ctrl = seanet::profiler_ctrl::hasmot | seanet::profiler_ctrl::scanright;
+    p.tx_pulse = 62;
+    p.range_scale = 150;
+    p.left_limit = 3200;
+    p.step_size = turns ? 16 : 0;
+    p.right_limit = 3200 + 16;
+    p.motor_time = 25;
+    p.scan_time = 200;
+    std::vector<Bytes> words{seanet::encode(seanet::Message(command)),
+                             seanet::encode(seanet::Message(seanet::SendData{}), {seanet::nodes::profiler})};
+    if (turns) words.emplace_back();  // the second ping of a pass comes unasked
+    return words;
+}
+
 }  // namespace
 
 Model model() {
@@ -47,6 +66,8 @@ Model model() {
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;
+    m.family = "seanet";
+    m.requests = requests;
     return m;
 }
 

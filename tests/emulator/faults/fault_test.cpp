@@ -5,9 +5,8 @@
 
 #include <set>
 
-#include "emulator/scenario/checksum.h"
 #include "emulator/faults/dice.h"
-#include "protocols/checksums.h"
+#include "protocols/inspect.h"
 
 namespace echoloop {
 namespace {
@@ -84,11 +83,11 @@ TEST(Dice, AreEvenAndIndependentOfEachOther) {
     EXPECT_NE(one.of(1).word(), one.of(2).word());
 }
 
-TEST(ChecksumFamily, IsOneWhoseChecksumsAreFound) {
-    for (const char* model : {"norbit-wbms", "nmea-echosounder", "omniscan450", "ping1d", "ping360",
-                              "reson-7k", "s500", "sonar-3d-15", "surveyor240"})
-        EXPECT_NE(find_checksums(checksum_family(model)), nullptr) << model;
-    EXPECT_EQ(find_checksums(checksum_family("tritech-micron")), nullptr);
+TEST(EveryModel, NamesAFamilyThatInspectKnows) {
+    for (const Model& model : models())
+        EXPECT_NE(inspect::find_family(model.family), nullptr) << model.name << ": " << model.family;
+    EXPECT_TRUE(find_model("ping1d")->has_checksums);
+    EXPECT_FALSE(find_model("tritech-micron")->has_checksums);
 }
 
 }  // namespace

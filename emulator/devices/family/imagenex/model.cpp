@@ -4,8 +4,25 @@
 #include <cmath>
 
 #include "emulator/devices/family/imagenex/echo.h"
+#include "protocols/imagenex/codec.h"
 
 namespace echoloop::imagenex_head {
+namespace {
+
+std::vector<Bytes> requests(const DeviceConfig& config, bool turns) {
+    imagenex::SwitchCommand command;
+    command.head_id = static_cast<std::uint8_t>(read_settings(config).head_id);
+    command.range = 10;
+    command.mode = imagenex::mode::all;
+    command.sector_width = 120;
+    command.step_size = turns ? 1 : 0;
+    command.pulse_length = 10;
+    command.data_points = 25;
+    command.data_bits = 8;
+    return std::vector<Bytes>(2, imagenex::encode(imagenex::Message(command)));
+}
+
+}  // namespace
 
 Model model_of(const std::string& name, const std::string& title) {
     Model m;
@@ -16,6 +33,8 @@ Model model_of(const std::string& name, const std::string& title) {
     m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
     m.figures = figure_table();
     m.profile = built_in_profile(name);
+    m.family = "imagenex";
+    m.requests = requests;
     return m;
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "emulator/devices/family/tritech/imaging.h"
+#include "emulator/devices/family/tritech/imaging_drivers.h"
 
 namespace echoloop::tritech {
 
@@ -23,6 +24,9 @@ inline Model imaging_model(const std::string& name, const std::string& link, Fam
     m.turn_steps = turn_steps;
     list_settings<ImagingSettings>(m, family);
     m.profile = built_in_profile(m.name);
+    m.family = "seanet";
+    m.requests = imaging_requests;
+    m.drivers = imaging_drivers();
     return m;
 }
 

@@ -1,0 +1,14 @@
+// What drivers of imaging heads say, and which are known. Rows and bytes only.
+#pragma once
+
+#include <vector>
+
+#include "emulator/contract/model.h"
+
+namespace echoloop::tritech {
+
+/// See Model::requests and Model::drivers.
+std::vector<Bytes> imaging_requests(const DeviceConfig& config, bool turns);
+std::vector<KnownDriver> imaging_drivers();
+
+}  // namespace echoloop::tritech
