@@ -6,17 +6,17 @@
 namespace echoloop::altimeter {
 namespace {
 
-inspect::Message inspected(const Line& line, std::size_t offset) {
-    const bool millimetres = line.reading.format == Format::millimetres;
-    const std::string text = write_line(line.reading);
+inspect::Message inspected(const Reading& reading, std::size_t offset, std::size_t size) {
+    const bool millimetres = reading.format == Format::millimetres;
+    const std::string text = write_line(reading);
     const std::string number = text.substr(0, text.find('m'));
-    inspect::Message out{.offset = offset, .size = line.size, .name = "Reading"};
+    inspect::Message out{.offset = offset, .size = size, .name = "Reading"};
     out.fields.push_back({.name = "range",
                           .text = number,
                           .unit = millimetres ? "mm" : "m",
                           .offset = offset,
                           .size = number.size(),
-                          .number = line.reading.metres * (millimetres ? 1000 : 1)});
+                          .number = reading.metres * (millimetres ? 1000 : 1)});
     return out;
 }
 

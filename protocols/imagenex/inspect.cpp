@@ -76,8 +76,8 @@ inspect::Message inspected_shot(const FileShot& shot, std::size_t size, std::siz
     return out;
 }
 
-inspect::Message inspected(const wire::Bytes& bytes, std::size_t offset) {
-    if (const auto shot = parse_shot(bytes)) return inspected_shot(*shot, bytes.size(), offset);
+inspect::Message inspected(const wire::Bytes& bytes, std::size_t offset, std::size_t size) {
+    if (const auto shot = parse_shot(bytes)) return inspected_shot(*shot, size, offset);
     return inspected_message(bytes, offset);
 }
 

@@ -72,8 +72,8 @@ void add_checksum(inspect::Message& out, const Sentence& sentence, std::size_t e
     out.reason = fault("Sentence", "checksum", end - 2, "the characters make ") + digits.data();
 }
 
-inspect::Message inspected(const Line& line, std::size_t offset) {
-    inspect::Message out{.offset = offset, .size = line.size};
+inspect::Message inspected(const Line& line, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size};
     const auto sentence = read_sentence(line.text);
     if (!sentence) {
         out.name = "Sentence";

@@ -13,10 +13,8 @@ const char* fault_of(const WaterColumn& message) {
     return image_of(message) ? "" : "rows, columns and sample type do not fit the packet's size";
 }
 
-inspect::Message inspected(const Frame& frame, std::size_t offset) {
-    inspect::Message out;
-    out.offset = offset;
-    out.size = header_bytes + frame.payload.size();
+inspect::Message inspected(const Frame& frame, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size};
     out.name = name_of(frame.header);
     inspect::add_fields(out, frame.header);
     const auto message = parse(frame);

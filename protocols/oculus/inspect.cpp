@@ -16,10 +16,8 @@ const char* fault_of(const M& message) {
     return "";
 }
 
-inspect::Message inspected(const Frame& frame, std::size_t offset) {
-    inspect::Message out;
-    out.offset = offset;
-    out.size = header_bytes + frame.payload.size();
+inspect::Message inspected(const Frame& frame, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size};
     out.name = name_of(frame);
     inspect::add_fields(out, frame.header);
     if (const auto message = parse(frame)) {

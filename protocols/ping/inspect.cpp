@@ -11,11 +11,8 @@ namespace {
 
 using inspect::add_fields;
 
-inspect::Message inspected(const Frame& frame, std::size_t offset) {
-    inspect::Message out;
-    out.offset = offset;
-    out.size = frame.payload.size() + min_frame_bytes;
-    out.name = name_of(frame.header.id);
+inspect::Message inspected(const Frame& frame, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size, .name = name_of(frame.header.id)};
     add_fields(out, frame.header);
     if (is_short_request(frame)) {
         out.name += " request";

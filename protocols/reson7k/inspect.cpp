@@ -8,26 +8,8 @@
 namespace echoloop::reson7k {
 namespace {
 
-/// The framer, with the size that a record took on the wire.
-struct Sized {
-    Record record;
-    std::size_t size = 0;
-};
-class SizingFramer : public Framer {
-  public:
-    std::optional<Sized> next() {
-        auto record = Framer::next();
-        if (!record) return std::nullopt;
-        return Sized{*std::move(record), static_cast<std::size_t>(frame_size())};
-    }
-};
-
-inspect::Message inspected(const Sized& sized, std::size_t offset) {
-    const Record& record = sized.record;
-    inspect::Message out;
-    out.offset = offset;
-    out.size = sized.size;
-    out.name = name_of(record.frame.type);
+inspect::Message inspected(const Record& record, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size, .name = name_of(record.frame.type)};
     inspect::add_fields(out, record.frame);
     if (const auto message = parse(record)) {
         std::visit([&](const auto& m) { inspect::add_fields(out, m); }, *message);
@@ -40,7 +22,7 @@ inspect::Message inspected(const Sized& sized, std::size_t offset) {
 }  // namespace
 
 std::vector<inspect::Message> decode(wire::ByteView bytes) {
-    return inspect::decode_stream<SizingFramer>(bytes, inspected);
+    return inspect::decode_stream<Framer>(bytes, inspected);
 }
 
 /// A frame is a sure sign; a whole record may be longer than what is looked at.

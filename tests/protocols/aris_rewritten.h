@@ -10,7 +10,7 @@ namespace echoloop::aris {
 inline wire::Bytes rewritten(wire::ByteView bytes) {
     Framer framer;
     framer.feed(bytes);
-    if (const auto frame = framer.next()) return encode(frame->command);
+    if (const auto frame = framer.next()) return encode(*frame);
     const auto part = parse_frame_part(bytes);
     if (part && !part->data.empty()) {
         FramePart again = *part;
