@@ -59,4 +59,14 @@ bool recognise_stream(wire::ByteView bytes) {
     return framer.next().has_value();
 }
 
+/// What `rewrite(frame)` makes of the first frame; empty if there is none.
+template <class Framer, class Rewrite>
+wire::Bytes rewritten_frame(wire::ByteView bytes, const Rewrite& rewrite) {
+    Framer framer;
+    framer.feed(bytes);
+    framer.finish();
+    const auto frame = framer.next();
+    return frame ? rewrite(*frame) : wire::Bytes{};
+}
+
 }  // namespace echoloop::inspect

@@ -41,4 +41,10 @@ std::vector<wire::Table> tables() {
                   row("unit", "char[]", "", "m or mm"), row("end", "char[]", "", "CR LF, or LF after mm")}}};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    const auto reading = read_line(wire::characters(bytes));
+    const std::string text = reading ? write_line(*reading) : "";
+    return {text.begin(), text.end()};
+}
+
 }  // namespace echoloop::altimeter

@@ -82,4 +82,18 @@ std::vector<wire::Table> tables() {
             wire::table_of<FrameHeader>()};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    Framer framer;
+    framer.feed(bytes);
+    if (const auto frame = framer.next()) return encode(*frame);
+    const auto part = parse_frame_part(bytes);
+    if (part && !part->data.empty()) {
+        FramePart again = *part;
+        if (const auto header = parse_frame_header(part->header)) again.header = encode(*header);
+        return encode(again);
+    }
+    const auto beacon = parse_availability(bytes);
+    return beacon ? encode(*beacon) : wire::Bytes{};
+}
+
 }  // namespace echoloop::aris

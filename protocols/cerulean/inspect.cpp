@@ -101,4 +101,18 @@ std::vector<wire::Table> tables() {
     return all;
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    ping::Framer framer;
+    framer.feed(bytes);
+    const auto frame = framer.next();
+    if (!frame) return {};
+    const std::uint8_t from = frame->header.source, to = frame->header.destination;
+    if (const auto message = omniscan::Codec::parse(*frame))
+        return omniscan::Codec::encode(*message, from, to);
+    if (const auto message = s500::Codec::parse(*frame)) return s500::Codec::encode(*message, from, to);
+    if (const auto message = surveyor::Codec::parse(*frame))
+        return surveyor::Codec::encode(*message, from, to);
+    return {};
+}
+
 }  // namespace echoloop::cerulean

@@ -96,4 +96,10 @@ std::vector<wire::Table> tables() {
             table_of<Shot81A>()};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    if (const auto shot = parse_shot(bytes)) return encode(*shot);
+    const auto message = parse(bytes);
+    return message ? encode(*message) : wire::Bytes{};
+}
+
 }  // namespace echoloop::imagenex

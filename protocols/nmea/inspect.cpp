@@ -135,4 +135,24 @@ std::vector<wire::Table> tables() {
     return all;
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    return inspect::rewritten_frame<Framer>(bytes, [](const Line& line) -> wire::Bytes {
+        const auto sentence = read_sentence(line.text);
+        const std::string text = sentence ? write_sentence(*sentence) : "";
+        return {text.begin(), text.end()};
+    });
+}
+
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes) {
+    Framer framer;
+    framer.feed(bytes);
+    std::vector<ChecksumPlace> places;
+    while (const auto line = framer.next()) {
+        const std::size_t star = line->text.find('*');
+        if (star != std::string::npos && star + 3 == line->text.size())
+            places.push_back({framer.frame_offset() + star + 1, 2, true});
+    }
+    return places;
+}
+
 }  // namespace echoloop::nmea

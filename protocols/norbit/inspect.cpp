@@ -49,4 +49,24 @@ std::vector<wire::Table> tables() {
     return {table_of<Header>(), table_of<Bathymetry>(), table_of<Point>(), table_of<WaterColumn>()};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    return inspect::rewritten_frame<Framer>(bytes, [](const Frame& frame) -> wire::Bytes {
+        const auto message = parse(frame);
+        return message ? encode(*message, frame.header.version, frame.header.type) : wire::Bytes{};
+    });
+}
+
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes) {
+    constexpr std::size_t sum_at = 20, sum_bytes = 4;
+    std::vector<ChecksumPlace> places;
+    std::size_t at = 0;
+    while (const auto header = plausible_header(bytes.subspan(at))) {
+        if (header->size > bytes.size() - at || header->size < header_bytes) break;
+        const bool has_one = header->type == Type::bathymetry || header->type == Type::water_column;
+        if (has_one) places.push_back({at + sum_at, sum_bytes});
+        at += header->size;
+    }
+    return places;
+}
+
 }  // namespace echoloop::norbit

@@ -53,4 +53,11 @@ std::vector<wire::Table> tables() {
             table_of<UserConfig>(), table_of<LogText>(), table_of<Dummy>()};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    return inspect::rewritten_frame<Framer>(bytes, [](const Frame& frame) -> wire::Bytes {
+        const auto message = parse(frame);
+        return message ? encode(*message, frame.header.source, frame.header.destination) : wire::Bytes{};
+    });
+}
+
 }  // namespace echoloop::oculus

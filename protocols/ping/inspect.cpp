@@ -80,4 +80,23 @@ std::vector<wire::Table> tables() {
             table_of<MotorOff>()};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    return inspect::rewritten_frame<Framer>(bytes, [](const Frame& frame) -> wire::Bytes {
+        const auto message = parse(frame);
+        return message ? encode(*message, frame.header.source) : wire::Bytes{};
+    });
+}
+
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes) {
+    constexpr std::size_t sum_bytes = 2;
+    Framer framer;
+    framer.feed(bytes);
+    std::vector<ChecksumPlace> places;
+    while (const auto frame = framer.next()) {
+        const std::size_t size = min_frame_bytes + frame->payload.size();
+        places.push_back({framer.frame_offset() + size - sum_bytes, sum_bytes});
+    }
+    return places;
+}
+
 }  // namespace echoloop::ping

@@ -46,4 +46,33 @@ std::vector<wire::Table> tables() {
             table_of<FileDevice>()};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    const auto network = plausible_network_frame(bytes);
+    Framer framer;
+    framer.feed(bytes);
+    const auto record = framer.next();
+    const auto message = record ? parse(*record) : wire::Result<Message>(wire::Error{});
+    if (!network || !message) return {};
+    wire::Bytes out;
+    for (const auto& packet :
+         packets_of(encode(*message, record->frame), network->transmission, network->source_device))
+        out.insert(out.end(), packet.begin(), packet.end());
+    return out;
+}
+
+/// A long record is several packets; the last one holds its sum, which is 0 if there is none.
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes) {
+    std::vector<ChecksumPlace> places;
+    std::size_t at = 0;
+    while (const auto frame = plausible_network_frame(bytes.subspan(at))) {
+        if (frame->packet_size > bytes.size() - at) break;
+        at += frame->packet_size;
+        if (frame->sequence + 1 != frame->packets) continue;
+        const std::size_t sum = at - checksum_size;
+        if (wire::load<wire::ByteOrder::little, std::uint32_t>(bytes.data() + sum) != 0)
+            places.push_back({sum, checksum_size});
+    }
+    return places;
+}
+
 }  // namespace echoloop::reson7k

@@ -65,4 +65,11 @@ std::vector<wire::Table> tables() {
             table_of<ProfilerData>()};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    return inspect::rewritten_frame<Framer>(bytes, [](const Frame& frame) -> wire::Bytes {
+        const auto message = parse(frame);
+        return message ? encode(*message) : wire::Bytes{};
+    });
+}
+
 }  // namespace echoloop::seanet

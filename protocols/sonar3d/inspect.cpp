@@ -67,4 +67,15 @@ std::vector<wire::Table> tables() {
             protobuf_table_of<BitmapImage>()};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    const auto packet = parse(bytes);
+    return packet ? serialise(*packet) : wire::Bytes{};
+}
+
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes) {
+    constexpr std::size_t sum_bytes = 4;
+    if (!is_packet(bytes)) return {};
+    return {{bytes.size() - sum_bytes, sum_bytes}};
+}
+
 }  // namespace echoloop::sonar3d

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "protocols/aris/beams.h"
+#include "protocols/aris/framer.h"
 #include "protocols/aris/layouts.h"
-#include "tests/protocols/aris_rewritten.h"
 #include "tests/protocols/data.h"
 #include "tests/protocols/fill.h"
 
