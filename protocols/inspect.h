@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocols/checksums.h"
 #include "protocols/wire/bytes.h"
 #include "protocols/wire/table.h"
 #include "protocols/wire/value.h"
@@ -38,9 +39,18 @@ enum class Framing {
     datagram,  ///< one call, one datagram
 };
 
+/// Where a family is met by default.
+struct Places {
+    std::string_view tcp{}, udp{};  ///< ports, as "4002,6020-6022"
+    bool serial = false;            ///< serial lines
+};
+
+/// All that tools know of a family. tests/data/NAME holds its golden bytes, docs/messages-NAME.md its tables
+/// and tools/echoloop/dissector/families/NAME.lua how Wireshark cuts its messages.
 struct Family {
     std::string_view name;   ///< "seanet"
     std::string_view title;  ///< "Tritech SeaNet"
+    Places places;
     Framing framing;
     /// All messages and undecoded spans in order; together they cover every byte.
     std::vector<Message> (*decode)(wire::ByteView bytes);
@@ -48,6 +58,9 @@ struct Family {
     bool (*recognise)(wire::ByteView bytes);
     /// Every message and section of the family.
     std::vector<wire::Table> (*tables)();
+    /// The one message that the bytes are, parsed and written back; empty if they are none.
+    wire::Bytes (*rewritten)(wire::ByteView bytes);
+    FindChecksums checksums = nullptr;                  ///< nullptr: its messages have none
     std::size_t longest_frame = std::size_t{66} << 10;  ///< B; of most families lengths are 16-bit
 };
 

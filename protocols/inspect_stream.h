@@ -1,4 +1,5 @@
-// Reads a byte stream of framed messages for inspection: what any family with a Framer does. Knows no family.
+// Reads a byte stream of framed messages for inspection: what any family with a wire::Framer does. Knows no
+// family.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +14,16 @@ inline constexpr std::size_t stream_chunk = 4096;
 
 /// Appends the fields of one part of a message.
 void add_fields(Message& message, const auto& part) {
-    wire::visit_fields(part, [&](const wire::FieldView& view) {
-        message.fields.push_back(to_field(view, message.offset));
-    });
+    wire::visit_fields(
+        part, [&](const wire::FieldView& view) { message.fields.push_back(to_field(view, message.offset)); });
 }
 
 inline Message stream_noise(std::size_t from, std::size_t to) {
     return {.offset = from, .size = to - from, .name = "", .fields = {}, .reason = "no complete frame"};
 }
 
-/// All frames of a stream, made into messages by `inspected(frame, offset)`, with the noise between them.
+/// All frames of a stream, made into messages by `inspected(frame, offset, size)`, with the noise between
+/// them.
 template <class Framer, class Inspected>
 std::vector<Message> decode_stream(wire::ByteView bytes, const Inspected& inspected) {
     std::vector<Message> out;
@@ -32,7 +33,7 @@ std::vector<Message> decode_stream(wire::ByteView bytes, const Inspected& inspec
         while (const auto frame = framer.next()) {
             const std::size_t at = framer.frame_offset();
             if (at > covered) out.push_back(stream_noise(covered, at));
-            out.push_back(inspected(*frame, at));
+            out.push_back(inspected(*frame, at, framer.frame_size()));
             covered = at + out.back().size;
         }
     };
@@ -56,6 +57,16 @@ bool recognise_stream(wire::ByteView bytes) {
     }
     framer.finish();
     return framer.next().has_value();
+}
+
+/// What `rewrite(frame)` makes of the first frame; empty if there is none.
+template <class Framer, class Rewrite>
+wire::Bytes rewritten_frame(wire::ByteView bytes, const Rewrite& rewrite) {
+    Framer framer;
+    framer.feed(bytes);
+    framer.finish();
+    const auto frame = framer.next();
+    return frame ? rewrite(*frame) : wire::Bytes{};
 }
 
 }  // namespace echoloop::inspect

@@ -6,17 +6,17 @@
 namespace echoloop::altimeter {
 namespace {
 
-inspect::Message inspected(const Line& line, std::size_t offset) {
-    const bool millimetres = line.reading.format == Format::millimetres;
-    const std::string text = write_line(line.reading);
+inspect::Message inspected(const Reading& reading, std::size_t offset, std::size_t size) {
+    const bool millimetres = reading.format == Format::millimetres;
+    const std::string text = write_line(reading);
     const std::string number = text.substr(0, text.find('m'));
-    inspect::Message out{.offset = offset, .size = line.size, .name = "Reading"};
+    inspect::Message out{.offset = offset, .size = size, .name = "Reading"};
     out.fields.push_back({.name = "range",
                           .text = number,
                           .unit = millimetres ? "mm" : "m",
                           .offset = offset,
                           .size = number.size(),
-                          .number = line.reading.metres * (millimetres ? 1000 : 1)});
+                          .number = reading.metres * (millimetres ? 1000 : 1)});
     return out;
 }
 
@@ -39,6 +39,12 @@ std::vector<wire::Table> tables() {
          .rows = {row("range", "number", "m or mm",
                       "to the bottom; the device's setting says what stands without one"),
                   row("unit", "char[]", "", "m or mm"), row("end", "char[]", "", "CR LF, or LF after mm")}}};
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    const auto reading = read_line(wire::characters(bytes));
+    const std::string text = reading ? write_line(*reading) : "";
+    return {text.begin(), text.end()};
 }
 
 }  // namespace echoloop::altimeter

@@ -9,5 +9,6 @@ namespace echoloop::altimeter {
 std::vector<inspect::Message> decode(wire::ByteView bytes);
 bool recognise(wire::ByteView bytes);
 std::vector<wire::Table> tables();
+wire::Bytes rewritten(wire::ByteView bytes);
 
 }  // namespace echoloop::altimeter

@@ -34,14 +34,14 @@ std::optional<double> millimetres_of(std::string_view number) {
     return static_cast<double>(value) / 1000;
 }
 
-/// The line that `text`, which has a line end, ends with; its size is 0 if there is none.
-Line line_at_end(std::string_view text) {
+/// What `text`, which has a line end, ends with: a line behind bytes that are none, or those only.
+wire::Found<Reading> line_at_end(std::string_view text) {
     for (std::size_t size = std::min(text.size(), longest); size > 0; --size) {
         const std::size_t from = text.size() - size;
         if (from > 0 && (digit(text[from - 1]) || text[from - 1] == '.')) continue;
-        if (const auto reading = read_line(text.substr(from))) return {*reading, size};
+        if (const auto reading = read_line(text.substr(from))) return {from, size, reading};
     }
-    return {};
+    return {text.size()};
 }
 
 }  // namespace
@@ -75,16 +75,13 @@ std::optional<Reading> read_line(std::string_view line) {
     return std::nullopt;
 }
 
-TextFound<Line> look(std::string_view pending, bool finished) {
+wire::Found<Reading> LineFinder::find(wire::ByteView bytes, bool finished) const {
+    const std::string_view pending = wire::characters(bytes);
     const std::size_t end = pending.find('\n');
-    if (end == std::string_view::npos) {
-        // One more than a line, for what stands before it matters.
-        const std::size_t kept = finished ? 0 : longest + 1;
-        return {pending.size() - std::min(pending.size(), kept)};
-    }
-    const Line line = line_at_end(pending.substr(0, end + 1));
-    if (line.size == 0) return {end + 1};
-    return {end + 1 - line.size, line};
+    if (end != std::string_view::npos) return line_at_end(pending.substr(0, end + 1));
+    // One more than a line, for what stands before it matters.
+    const std::size_t kept = finished ? 0 : longest + 1;
+    return {pending.size() - std::min(pending.size(), kept)};
 }
 
 }  // namespace echoloop::altimeter

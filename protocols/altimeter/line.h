@@ -1,12 +1,11 @@
-// The lines of a Tritech altimeter as text and as values, and their framer. Never opens or waits for
-// anything.
+// The lines of a Tritech altimeter as text and as values, and their framer.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "protocols/text_framer.h"
+#include "protocols/wire/framer.h"
 
 namespace echoloop::altimeter {
 
@@ -26,16 +25,13 @@ std::string write_line(const Reading& reading);
 /// A whole line with its end and nothing before it; nothing if it is none.
 std::optional<Reading> read_line(std::string_view line);
 
-/// A line where it stands in a stream.
-struct Line {
-    Reading reading;
-    std::size_t size = 0;  ///< bytes, with the line's end
-};
-
 /// What stands before the first line end of pending bytes is a line as far as it reads as one; everything
 /// before it is skipped.
-TextFound<Line> look(std::string_view pending, bool finished);
+struct LineFinder {
+    wire::Found<Reading> find(wire::ByteView pending, bool finished) const;
+    wire::FramerLimits limits() const { return {}; }
+};
 
-using Framer = TextFramer<Line, look>;
+using Framer = wire::Framer<Reading, LineFinder>;
 
 }  // namespace echoloop::altimeter

@@ -1,19 +1,14 @@
 #include "protocols/aris/codec.h"
 
+#include "protocols/aris/command_layouts.h"
 #include "protocols/aris/layouts.h"
-#include "protocols/aris/protobuf.h"
 #include "protocols/wire/read.h"
 #include "protocols/wire/write.h"
 
 namespace echoloop::aris {
 namespace {
 
-template <class M>
-wire::Bytes written(const M& message) {
-    wire::Bytes out;
-    protobuf::write(message, out);
-    return out;
-}
+namespace protobuf = wire::protobuf;
 
 template <class M>
 std::optional<M> parsed(wire::ByteView bytes) {
@@ -61,12 +56,12 @@ bool has_its_part(const Command& c) {
 
 }  // namespace
 
-wire::Bytes encode(const Availability& message) { return written(message); }
-wire::Bytes encode(const FramePart& message) { return written(message); }
-wire::Bytes encode(const FramePartAck& message) { return written(message); }
+wire::Bytes encode(const Availability& message) { return protobuf::write(message); }
+wire::Bytes encode(const FramePart& message) { return protobuf::write(message); }
+wire::Bytes encode(const FramePartAck& message) { return protobuf::write(message); }
 
 wire::Bytes encode(const Command& message) {
-    const wire::Bytes body = written(message);
+    const wire::Bytes body = protobuf::write(message);
     wire::Bytes out;
     out.reserve(length_bytes + body.size());
     out.resize(length_bytes);

@@ -1,57 +1,18 @@
 #include "protocols/aris/inspect.h"
 
+#include "protocols/aris/command_layouts.h"
 #include "protocols/aris/framer.h"
 #include "protocols/aris/layouts.h"
-#include "protocols/aris/protobuf.h"
+#include "protocols/inspect_protobuf.h"
 #include "protocols/inspect_stream.h"
 
 namespace echoloop::aris {
 namespace {
 
-using protobuf::is_names;
-using protobuf::is_part;
-
-template <class T>
-wire::Value value_of(const T& value) {
-    if constexpr (std::is_same_v<T, float>) {
-        return wire::readable(value);
-    } else if constexpr (std::is_integral_v<T>) {
-        return std::uint64_t{value};
-    } else if constexpr (is_names<T>) {
-        std::string all;
-        for (const std::string& name : value) all += (all.empty() ? "" : " ") + name;
-        return all;
-    } else if constexpr (std::is_same_v<T, std::string>) {
-        return value;
-    } else {
-        return std::vector<double>(value.begin(), value.end());
-    }
-}
-
-/// Fields have the place of their message: in protobuf they have no fixed one.
-template <class M>
-void add_fields(inspect::Message& out, const std::string& prefix, const M& message) {
-    const auto add = [&]<class T>(const Field<M, T>& row) {
-        const T& value = message.*row.member;
-        const std::string name = prefix + std::string(row.name);
-        if constexpr (is_part<T>) {
-            if (value) add_fields(out, name + '.', *value);
-        } else {
-            wire::FieldView view;
-            view.name = name;
-            view.unit = row.unit;
-            view.size = out.size;
-            view.value = value_of(value);
-            out.fields.push_back(inspect::to_field(view, out.offset));
-        }
-    };
-    std::apply([&](const auto&... row) { (add(row), ...); }, Fields<M>::rows);
-}
-
 template <class M>
 inspect::Message inspected(const M& message, std::size_t offset, std::size_t size) {
-    inspect::Message out{.offset = offset, .size = size, .name = std::string(Fields<M>::name)};
-    add_fields(out, "", message);
+    inspect::Message out{.offset = offset, .size = size, .name = std::string(wire::protobuf::layout<M>.name)};
+    inspect::ProtobufFields(out, 0, size).add_all(message);
     return out;
 }
 
@@ -91,39 +52,12 @@ std::optional<FramePart> sure_part(wire::ByteView bytes) {
     return fits && sure ? part : std::nullopt;
 }
 
-template <class T>
-std::string type_name() {
-    if constexpr (is_part<T>)
-        return std::string(Fields<typename T::value_type>::name);
-    else if constexpr (is_names<T>)
-        return "strings";
-    else if constexpr (std::is_integral_v<T>)
-        return "varint";
-    else if constexpr (std::is_same_v<T, float>)
-        return "f32";
-    else
-        return std::is_same_v<T, std::string> ? "string" : "bytes";
-}
-
-template <class M>
-wire::Table table_of() {
-    wire::Table table{.name = std::string(Fields<M>::name), .help = std::string(Fields<M>::help)};
-    table.help += ". Protobuf: the first column is the number of the field; fields that are 0 are absent";
-    const auto add = [&]<class T>(const Field<M, T>& row) {
-        table.rows.push_back({.meta = {row.name, row.unit, row.help}, .type = type_name<T>()});
-        table.rows.back().offset = row.number;
-    };
-    std::apply([&](const auto&... row) { (add(row), ...); }, Fields<M>::rows);
-    return table;
-}
-
 }  // namespace
 
 std::vector<inspect::Message> decode(wire::ByteView bytes) {
     if (const auto beacon = sure_beacon(bytes)) return {inspected(*beacon, 0, bytes.size())};
     if (const auto part = sure_part(bytes)) return {inspected_part(*part, bytes.size())};
-    return inspect::decode_stream<Framer>(
-        bytes, [](const Frame& frame, std::size_t at) { return inspected(frame.command, at, frame.size); });
+    return inspect::decode_stream<Framer>(bytes, inspected<Command>);
 }
 
 /// A stream is one if it begins with a command.
@@ -135,13 +69,31 @@ bool recognise(wire::ByteView bytes) {
 }
 
 std::vector<wire::Table> tables() {
-    return {table_of<Availability>(),     table_of<SoftwareVersion>(), table_of<Names>(),
-            table_of<Command>(),          table_of<SetDateTime>(),     table_of<SetReceiver>(),
-            table_of<SetStream>(),        table_of<PacketDelay>(),     table_of<SetAcoustics>(),
-            table_of<SetSalinity>(),      table_of<SetTelephoto>(),    table_of<SetFocus>(),
-            table_of<ForceFocus>(),       table_of<SetMount>(),        table_of<AxisValue>(),
-            table_of<SetSyslog>(),        table_of<FramePart>(),       table_of<FramePartAck>(),
+    using inspect::protobuf_table_of;
+    return {protobuf_table_of<Availability>(), protobuf_table_of<SoftwareVersion>(),
+            protobuf_table_of<Names>(),        protobuf_table_of<Command>(),
+            protobuf_table_of<SetDateTime>(),  protobuf_table_of<SetReceiver>(),
+            protobuf_table_of<SetStream>(),    protobuf_table_of<PacketDelay>(),
+            protobuf_table_of<SetAcoustics>(), protobuf_table_of<SetSalinity>(),
+            protobuf_table_of<SetTelephoto>(), protobuf_table_of<SetFocus>(),
+            protobuf_table_of<ForceFocus>(),   protobuf_table_of<SetMount>(),
+            protobuf_table_of<AxisValue>(),    protobuf_table_of<SetSyslog>(),
+            protobuf_table_of<FramePart>(),    protobuf_table_of<FramePartAck>(),
             wire::table_of<FrameHeader>()};
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    Framer framer;
+    framer.feed(bytes);
+    if (const auto frame = framer.next()) return encode(*frame);
+    const auto part = parse_frame_part(bytes);
+    if (part && !part->data.empty()) {
+        FramePart again = *part;
+        if (const auto header = parse_frame_header(part->header)) again.header = encode(*header);
+        return encode(again);
+    }
+    const auto beacon = parse_availability(bytes);
+    return beacon ? encode(*beacon) : wire::Bytes{};
 }
 
 }  // namespace echoloop::aris

@@ -12,8 +12,6 @@
 namespace echoloop::cerulean {
 namespace {
 
-constexpr std::size_t frame_overhead = ping::min_frame_bytes;
-
 /// One per device, each with messages of its own; what all have in common any of them can read.
 constexpr bool (*devices[])(const ping::Frame&, inspect::Message&) = {
     omniscan::Codec::add_fields,
@@ -38,11 +36,8 @@ void show_text(const ping::Frame& frame, inspect::Message& out) {
         field.text += c == '\n' ? ' ' : c >= ' ' && c < 127 ? static_cast<char>(c) : '.';
 }
 
-inspect::Message inspected(const ping::Frame& frame, std::size_t offset) {
-    inspect::Message out;
-    out.offset = offset;
-    out.size = frame.payload.size() + frame_overhead;
-    out.name = name_of(frame.header.id);
+inspect::Message inspected(const ping::Frame& frame, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size, .name = name_of(frame.header.id)};
     const auto& header = frame.header;
     inspect::add_fields(out, Header{static_cast<Id>(header.id), header.source, header.destination});
     const bool known = std::any_of(std::begin(devices), std::end(devices),
@@ -74,7 +69,7 @@ bool is_own(const ping::Frame& frame) {
     const auto id = static_cast<Id>(frame.header.id);
     if (std::find(std::begin(own), std::end(own), id) == std::end(own)) return false;
     const bool too_short = id == Id::processor_temperature && frame.payload.size() != 4;
-    return !too_short && inspected(frame, 0).reason.empty();
+    return !too_short && inspected(frame, 0, 0).reason.empty();
 }
 
 }  // namespace
@@ -104,6 +99,20 @@ std::vector<wire::Table> tables() {
     for (auto more : {omniscan::tables(), s500::tables(), surveyor::tables()})
         all.insert(all.end(), more.begin(), more.end());
     return all;
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    ping::Framer framer;
+    framer.feed(bytes);
+    const auto frame = framer.next();
+    if (!frame) return {};
+    const std::uint8_t from = frame->header.source, to = frame->header.destination;
+    if (const auto message = omniscan::Codec::parse(*frame))
+        return omniscan::Codec::encode(*message, from, to);
+    if (const auto message = s500::Codec::parse(*frame)) return s500::Codec::encode(*message, from, to);
+    if (const auto message = surveyor::Codec::parse(*frame))
+        return surveyor::Codec::encode(*message, from, to);
+    return {};
 }
 
 }  // namespace echoloop::cerulean

@@ -11,5 +11,6 @@ std::vector<inspect::Message> decode(wire::ByteView bytes);
 /// Ids that a Blue Robotics Ping1D has too prove nothing.
 bool recognise(wire::ByteView bytes);
 std::vector<wire::Table> tables();
+wire::Bytes rewritten(wire::ByteView bytes);
 
 }  // namespace echoloop::cerulean

@@ -59,4 +59,9 @@ std::vector<wire::Table> delta_t_tables() {
     return {wire::table_of<Profile83P>(), wire::table_of<ExternalControl>()};
 }
 
+wire::Bytes rewritten_delta_t(wire::ByteView bytes) {
+    const auto message = parse_delta_t(bytes);
+    return message ? encode(*message) : wire::Bytes{};
+}
+
 }  // namespace echoloop::imagenex

@@ -9,5 +9,6 @@ namespace echoloop::imagenex {
 std::vector<inspect::Message> decode_delta_t(wire::ByteView bytes);
 bool recognise_delta_t(wire::ByteView bytes);
 std::vector<wire::Table> delta_t_tables();
+wire::Bytes rewritten_delta_t(wire::ByteView bytes);
 
 }  // namespace echoloop::imagenex

@@ -9,21 +9,20 @@ namespace {
 
 using wire::ByteView;
 /// Bytes of the frame that starts here, 0 if none can start here, or nothing if more bytes must come first.
-using Found = std::optional<std::size_t>;
+using Size = std::optional<std::size_t>;
 
-constexpr std::size_t max_pending = std::size_t{128} << 10;
 constexpr std::uint8_t command_end = 0xFD, reply_end = 0xFC;
 
 /// The first FD ends what a head collects, whether it belongs there or not.
-Found find_command(ByteView bytes) {
+Size find_command(ByteView bytes) {
     if (bytes.size() > 1 && bytes[1] != 0x44) return 0;
     const auto seen = bytes.first(std::min(bytes.size(), command_bytes));
     const auto end = std::find(seen.begin(), seen.end(), command_end);
     if (end != seen.end()) return end - seen.begin() + 1 == command_bytes ? command_bytes : 0;
-    return bytes.size() < command_bytes ? Found() : 0;
+    return bytes.size() < command_bytes ? Size() : 0;
 }
 
-Found find_reply(ByteView bytes) {
+Size find_reply(ByteView bytes) {
     constexpr std::size_t count_at = 10;
     constexpr std::string_view letters = "MGPA";
     if (bytes.size() > 1 && letters.find(static_cast<char>(bytes[1])) == std::string_view::npos) return 0;
@@ -49,58 +48,28 @@ bool holds_reply(ByteView shot) {
     return size >= reply_overhead && reply[0] == 'I' && reply[2] == 'X' && reply[size - 1] == reply_end;
 }
 
-Found find_shot(ByteView bytes) {
-    const Found size = shot_bytes(bytes);
+Size find_shot(ByteView bytes) {
+    const Size size = shot_bytes(bytes);
     if (!size || *size == 0) return size;
     if (*size > bytes.size()) return std::nullopt;
     return holds_reply(bytes) ? size : 0;
 }
 
-}  // namespace
-
-Found Framer::frame_bytes(ByteView bytes) const {
+Size frame_bytes(ByteView bytes, FrameFinder::Takes takes) {
     if (bytes[0] == 0xFE) return find_command(bytes);
-    if (takes_ == Takes::commands) return 0;
+    if (takes == FrameFinder::Takes::commands) return 0;
     if (bytes[0] == 'I') return find_reply(bytes);
     if (bytes[0] == '8') return find_shot(bytes);
     return 0;
 }
 
-void Framer::feed(ByteView bytes) {
-    finished_ = false;
-    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
-    begin_ = 0;
-    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-    if (pending_bytes() > max_pending) skip(pending_bytes() - max_pending);
-}
+}  // namespace
 
-void Framer::skip(std::size_t count) {
-    begin_ += count;
-    position_ += count;
-    skipped_ += count;
-}
-
-std::optional<wire::Bytes> Framer::next() {
-    while (pending_bytes() > 0) {
-        const auto size = frame_bytes(ByteView(buffer_).subspan(begin_));
-        if (size && *size > 0) return take(*size);
-        if (!size && !finished_) return std::nullopt;
-        skip(1);
-    }
-    return std::nullopt;
-}
-
-wire::Bytes Framer::take(std::size_t size) {
-    const ByteView bytes = ByteView(buffer_).subspan(begin_, size);
-    frame_offset_ = position_;
-    begin_ += size;
-    position_ += size;
-    return {bytes.begin(), bytes.end()};
-}
-
-void Framer::clear() {
-    position_ += pending_bytes();
-    begin_ = buffer_.size();
+wire::Found<wire::Bytes> FrameFinder::find(ByteView pending, bool finished) const {
+    const Size size = frame_bytes(pending, takes_);
+    if (!size && !finished) return {};
+    if (!size || *size == 0) return {1};
+    return {0, *size, wire::Bytes(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(*size))};
 }
 
 }  // namespace echoloop::imagenex

@@ -76,8 +76,8 @@ inspect::Message inspected_shot(const FileShot& shot, std::size_t size, std::siz
     return out;
 }
 
-inspect::Message inspected(const wire::Bytes& bytes, std::size_t offset) {
-    if (const auto shot = parse_shot(bytes)) return inspected_shot(*shot, bytes.size(), offset);
+inspect::Message inspected(const wire::Bytes& bytes, std::size_t offset, std::size_t size) {
+    if (const auto shot = parse_shot(bytes)) return inspected_shot(*shot, size, offset);
     return inspected_message(bytes, offset);
 }
 
@@ -94,6 +94,12 @@ std::vector<wire::Table> tables() {
     return {table_of<SwitchCommand>(), table_of<AzimuthCommand>(), table_of<Reply>(),
             table_of<AzimuthReply>(),  table_of<Packed14>(),       table_of<Shot852>(),
             table_of<Shot81A>()};
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    if (const auto shot = parse_shot(bytes)) return encode(*shot);
+    const auto message = parse(bytes);
+    return message ? encode(*message) : wire::Bytes{};
 }
 
 }  // namespace echoloop::imagenex

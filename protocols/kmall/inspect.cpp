@@ -160,4 +160,9 @@ std::vector<wire::Table> tables() {
             table_of<ParametersInfo>(), table_of<SoundProfileInfo>(), table_of<SoundProfilePoint>()};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    const auto datagram = parse(bytes);
+    return datagram ? serialise(*datagram) : wire::Bytes{};
+}
+
 }  // namespace echoloop::kmall

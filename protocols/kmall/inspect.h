@@ -9,5 +9,6 @@ namespace echoloop::kmall {
 /// One datagram, or several back to back as in a .kmall file.
 std::vector<inspect::Message> decode(wire::ByteView bytes);
 std::vector<wire::Table> tables();
+wire::Bytes rewritten(wire::ByteView bytes);
 
 }  // namespace echoloop::kmall

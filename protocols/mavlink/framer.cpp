@@ -9,7 +9,6 @@ using wire::ByteView;
 
 constexpr std::uint8_t start1 = 0xFE, start2 = 0xFD, signed_frame = 0x01;
 constexpr std::size_t header1 = 6, header2 = 10, checksum_bytes = 2, signature_bytes = 13;
-constexpr std::size_t most_pending = 65536;
 
 /// Bytes of the frame that begins here; 0 if none can, nothing if its header is not complete.
 std::optional<std::size_t> frame_bytes(ByteView bytes) {
@@ -50,42 +49,22 @@ bool is_other(ByteView bytes, std::size_t size) {
     return size == bytes.size() || bytes[size] == start1 || bytes[size] == start2;
 }
 
+/// Where a known frame begins behind the first byte; 0 if none does.
+std::size_t known_frame_behind(ByteView bytes) {
+    for (std::size_t at = 1; at < bytes.size(); ++at)
+        if (known_frame(bytes.subspan(at))) return at;
+    return 0;
+}
+
 }  // namespace
 
-void Framer::feed(ByteView bytes) {
-    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-    if (buffer_.size() <= most_pending) return;
-    skipped_ += buffer_.size() - most_pending;
-    drop(buffer_.size() - most_pending);
-}
-
-void Framer::drop(std::size_t count) {
-    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(count));
-}
-
-std::optional<std::size_t> Framer::whole_frame_behind() const {
-    for (std::size_t at = 1; at < buffer_.size(); ++at)
-        if (known_frame(ByteView(buffer_).subspan(at))) return at;
-    return {};
-}
-
-std::optional<Frame> Framer::next() {
-    while (!buffer_.empty()) {
-        const auto size = frame_bytes(buffer_);
-        if (!size || *size > buffer_.size()) {
-            const auto behind = whole_frame_behind();
-            if (!behind) return {};
-            skipped_ += *behind;
-            drop(*behind);
-            continue;
-        }
-        auto frame = known_frame(buffer_);
-        const bool other = *size > 0 && !frame && is_other(buffer_, *size);
-        if (!frame && !other) ++skipped_;
-        drop(frame || other ? *size : 1);
-        if (frame) return frame;
-    }
-    return {};
+wire::Found<Frame> FrameFinder::find(ByteView pending, bool finished) const {
+    const auto size = frame_bytes(pending);
+    if (!size || *size > pending.size()) return {finished ? 1 : known_frame_behind(pending)};
+    if (*size == 0) return {1};
+    if (auto frame = known_frame(pending)) return {0, *size, std::move(frame)};
+    if (is_other(pending, *size)) return {0, *size};
+    return {1};
 }
 
 }  // namespace echoloop::mavlink

@@ -30,23 +30,22 @@ bool ends_with_checksum(std::string_view sentence) {
     return n > 3 && sentence[n - 3] == '*' && hex_digit(sentence[n - 2]) && hex_digit(sentence[n - 1]);
 }
 
-TextFound<Line> found_line(std::string_view pending, std::size_t text, std::size_t size) {
-    return {0, Line{std::string(pending.substr(0, text)), size}};
-}
-
 }  // namespace
 
-TextFound<Line> look(std::string_view pending, bool finished) {
+wire::Found<Line> LineFinder::find(wire::ByteView bytes, bool finished) const {
+    const std::string_view pending = wire::characters(bytes);
     if (!starts_sentence(pending.front())) return {1};
     const std::size_t run = run_of_sentence(pending);
     const std::string_view sentence = pending.substr(0, run), rest = pending.substr(run);
+    const auto line = [&](std::size_t size) {
+        return wire::Found<Line>{0, size, Line{std::string(sentence)}};
+    };
     if (run > longest_line) return {run};
     if (rest.starts_with("\r\n") || rest.starts_with('\n')) {
-        if (has_address(sentence)) return found_line(pending, run, run + (rest[0] == '\r' ? 2U : 1U));
+        if (has_address(sentence)) return line(run + (rest[0] == '\r' ? 2U : 1U));
     } else if (rest.empty() || rest == "\r") {
         if (!finished) return {};
-        if (has_address(sentence) && ends_with_checksum(sentence))
-            return found_line(pending, run, pending.size());
+        if (has_address(sentence) && ends_with_checksum(sentence)) return line(pending.size());
     }
     return {run};
 }

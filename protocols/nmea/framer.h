@@ -1,8 +1,9 @@
-// Cuts a byte stream into NMEA 0183 sentences, and skips and counts everything else. Never opens or waits for
-// anything.
+// Cuts a byte stream into NMEA 0183 sentences, and skips and counts everything else.
 #pragma once
 
-#include "protocols/text_framer.h"
+#include <string>
+
+#include "protocols/wire/framer.h"
 
 namespace echoloop::nmea {
 
@@ -12,14 +13,15 @@ inline constexpr std::size_t longest_line = 512;
 /// A line that looks like a sentence: '$' or '!', an address of capital letters and digits, printable
 /// characters, CR LF or LF. Its checksum has not been looked at.
 struct Line {
-    std::string text;      ///< from '$' to the character before the line's end
-    std::size_t size = 0;  ///< bytes, with the line's end
+    std::string text;  ///< from '$' to the character before the line's end
 };
 
-/// The sentence that pending bytes begin with, or the bytes before the next place where one may begin. At the
-/// end of a stream a line may end behind its checksum.
-TextFound<Line> look(std::string_view pending, bool finished);
+/// At the end of a stream a line may end behind its checksum.
+struct LineFinder {
+    wire::Found<Line> find(wire::ByteView pending, bool finished) const;
+    wire::FramerLimits limits() const { return {}; }
+};
 
-using Framer = TextFramer<Line, look>;
+using Framer = wire::Framer<Line, LineFinder>;
 
 }  // namespace echoloop::nmea

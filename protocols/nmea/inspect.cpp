@@ -72,8 +72,8 @@ void add_checksum(inspect::Message& out, const Sentence& sentence, std::size_t e
     out.reason = fault("Sentence", "checksum", end - 2, "the characters make ") + digits.data();
 }
 
-inspect::Message inspected(const Line& line, std::size_t offset) {
-    inspect::Message out{.offset = offset, .size = line.size};
+inspect::Message inspected(const Line& line, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size};
     const auto sentence = read_sentence(line.text);
     if (!sentence) {
         out.name = "Sentence";
@@ -133,6 +133,26 @@ std::vector<wire::Table> tables() {
     std::vector<wire::Table> all{table_of_sentence()};
     for (const SentenceRow& known : known_sentences()) all.push_back(table_of(known));
     return all;
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    return inspect::rewritten_frame<Framer>(bytes, [](const Line& line) -> wire::Bytes {
+        const auto sentence = read_sentence(line.text);
+        const std::string text = sentence ? write_sentence(*sentence) : "";
+        return {text.begin(), text.end()};
+    });
+}
+
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes) {
+    Framer framer;
+    framer.feed(bytes);
+    std::vector<ChecksumPlace> places;
+    while (const auto line = framer.next()) {
+        const std::size_t star = line->text.find('*');
+        if (star != std::string::npos && star + 3 == line->text.size())
+            places.push_back({framer.frame_offset() + star + 1, 2, true});
+    }
+    return places;
 }
 
 }  // namespace echoloop::nmea

@@ -10,5 +10,7 @@ std::vector<inspect::Message> decode(wire::ByteView bytes);
 /// A sentence with a checksum that fits.
 bool recognise(wire::ByteView bytes);
 std::vector<wire::Table> tables();
+wire::Bytes rewritten(wire::ByteView bytes);
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes);
 
 }  // namespace echoloop::nmea

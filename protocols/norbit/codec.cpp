@@ -1,9 +1,9 @@
 #include "protocols/norbit/codec.h"
 
 #include <algorithm>
-#include <array>
 
 #include "protocols/norbit/layouts.h"
+#include "protocols/wire/crc.h"
 #include "protocols/wire/read.h"
 #include "protocols/wire/write.h"
 
@@ -12,22 +12,6 @@ namespace {
 
 constexpr std::size_t type_at = 4, size_at = 8, crc_at = 20;
 constexpr std::size_t bathymetry_head = 112;  // B before the points, with the header
-
-using CrcTables = std::array<std::array<std::uint32_t, 256>, 16>;
-
-/// Of the reversed polynomial 0xEDB88320, for sixteen bytes at a time.
-constexpr CrcTables make_crc_tables() {
-    CrcTables t{};
-    for (std::uint32_t n = 0; n < 256; ++n) {
-        std::uint32_t c = n;
-        for (int bit = 0; bit < 8; ++bit) c = (c & 1) != 0 ? 0xEDB88320U ^ (c >> 1) : c >> 1;
-        t[0][n] = c;
-    }
-    for (std::size_t k = 1; k < 16; ++k)
-        for (std::size_t n = 0; n < 256; ++n) t[k][n] = t[0][t[k - 1][n] & 0xFF] ^ (t[k - 1][n] >> 8);
-    return t;
-}
-constexpr CrcTables crc_tables = make_crc_tables();
 
 bool carries_crc(Type type) { return type == Type::bathymetry || type == Type::water_column; }
 
@@ -63,26 +47,8 @@ wire::Result<Message> parse_as(const wire::Bytes& payload) {
 
 }  // namespace
 
-std::uint32_t crc32(wire::ByteView bytes) {
-    const auto& t = crc_tables;
-    std::uint32_t c = 0xFFFFFFFFU;
-    std::size_t i = 0;
-    const auto four = [](std::size_t table, std::uint32_t word) {
-        return t[table + 3][word & 0xFF] ^ t[table + 2][word >> 8 & 0xFF] ^ t[table + 1][word >> 16 & 0xFF] ^
-               t[table][word >> 24];
-    };
-    for (; i + 16 <= bytes.size(); i += 16) {
-        const auto word = [&](std::size_t at) {
-            return wire::load<wire::ByteOrder::little, std::uint32_t>(bytes.data() + i + at);
-        };
-        c = four(12, c ^ word(0)) ^ (four(8, word(4)) ^ four(4, word(8)) ^ four(0, word(12)));
-    }
-    for (; i < bytes.size(); ++i) c = t[0][(c ^ bytes[i]) & 0xFF] ^ (c >> 8);
-    return ~c;
-}
-
 bool has_right_crc(const Header& header, wire::ByteView payload) {
-    return !carries_crc(header.type) || header.crc == crc32(payload);
+    return !carries_crc(header.type) || header.crc == wire::crc32(payload);
 }
 
 std::optional<Header> plausible_header(wire::ByteView bytes) {
@@ -128,7 +94,9 @@ wire::Bytes open(const WaterColumn& message, std::uint32_t version) {
     return packet;
 }
 
-void close(wire::Bytes& packet) { put(packet, crc_at, crc32(wire::ByteView(packet).subspan(header_bytes))); }
+void close(wire::Bytes& packet) {
+    put(packet, crc_at, wire::crc32(wire::ByteView(packet).subspan(header_bytes)));
+}
 
 std::string name_of(const Header& header) {
     for (const wire::NamedValue& known : type_names)

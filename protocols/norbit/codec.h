@@ -16,8 +16,6 @@ inline constexpr std::size_t max_packet = 24 + max_payload;
 /// The header at the start of `bytes`, if one of a known type and possible size stands there.
 std::optional<Header> plausible_header(wire::ByteView bytes);
 
-/// CRC-32 as in zlib, seed 0.
-std::uint32_t crc32(wire::ByteView bytes);
 /// False if a packet that carries a checksum has a wrong one.
 bool has_right_crc(const Header& header, wire::ByteView payload);
 

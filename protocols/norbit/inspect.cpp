@@ -13,10 +13,8 @@ const char* fault_of(const WaterColumn& message) {
     return image_of(message) ? "" : "rows, columns and sample type do not fit the packet's size";
 }
 
-inspect::Message inspected(const Frame& frame, std::size_t offset) {
-    inspect::Message out;
-    out.offset = offset;
-    out.size = header_bytes + frame.payload.size();
+inspect::Message inspected(const Frame& frame, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size};
     out.name = name_of(frame.header);
     inspect::add_fields(out, frame.header);
     const auto message = parse(frame);
@@ -49,6 +47,26 @@ bool recognise(wire::ByteView bytes) {
 std::vector<wire::Table> tables() {
     using wire::table_of;
     return {table_of<Header>(), table_of<Bathymetry>(), table_of<Point>(), table_of<WaterColumn>()};
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    return inspect::rewritten_frame<Framer>(bytes, [](const Frame& frame) -> wire::Bytes {
+        const auto message = parse(frame);
+        return message ? encode(*message, frame.header.version, frame.header.type) : wire::Bytes{};
+    });
+}
+
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes) {
+    constexpr std::size_t sum_at = 20, sum_bytes = 4;
+    std::vector<ChecksumPlace> places;
+    std::size_t at = 0;
+    while (const auto header = plausible_header(bytes.subspan(at))) {
+        if (header->size > bytes.size() - at || header->size < header_bytes) break;
+        const bool has_one = header->type == Type::bathymetry || header->type == Type::water_column;
+        if (has_one) places.push_back({at + sum_at, sum_bytes});
+        at += header->size;
+    }
+    return places;
 }
 
 }  // namespace echoloop::norbit

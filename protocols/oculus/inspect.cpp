@@ -16,10 +16,8 @@ const char* fault_of(const M& message) {
     return "";
 }
 
-inspect::Message inspected(const Frame& frame, std::size_t offset) {
-    inspect::Message out;
-    out.offset = offset;
-    out.size = header_bytes + frame.payload.size();
+inspect::Message inspected(const Frame& frame, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size};
     out.name = name_of(frame);
     inspect::add_fields(out, frame.header);
     if (const auto message = parse(frame)) {
@@ -53,6 +51,13 @@ std::vector<wire::Table> tables() {
     return {table_of<Header>(),     table_of<Fire>(),    table_of<FireV2>(),  table_of<ResultV1>(),
             table_of<ResultV2>(),   table_of<Status>(),  table_of<Version>(), table_of<FullResult>(),
             table_of<UserConfig>(), table_of<LogText>(), table_of<Dummy>()};
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    return inspect::rewritten_frame<Framer>(bytes, [](const Frame& frame) -> wire::Bytes {
+        const auto message = parse(frame);
+        return message ? encode(*message, frame.header.source, frame.header.destination) : wire::Bytes{};
+    });
 }
 
 }  // namespace echoloop::oculus

@@ -11,11 +11,8 @@ namespace {
 
 using inspect::add_fields;
 
-inspect::Message inspected(const Frame& frame, std::size_t offset) {
-    inspect::Message out;
-    out.offset = offset;
-    out.size = frame.payload.size() + min_frame_bytes;
-    out.name = name_of(frame.header.id);
+inspect::Message inspected(const Frame& frame, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size, .name = name_of(frame.header.id)};
     add_fields(out, frame.header);
     if (is_short_request(frame)) {
         out.name += " request";
@@ -81,6 +78,25 @@ std::vector<wire::Table> tables() {
             table_of<Transducer>(),
             table_of<AutoTransmit>(),
             table_of<MotorOff>()};
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    return inspect::rewritten_frame<Framer>(bytes, [](const Frame& frame) -> wire::Bytes {
+        const auto message = parse(frame);
+        return message ? encode(*message, frame.header.source) : wire::Bytes{};
+    });
+}
+
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes) {
+    constexpr std::size_t sum_bytes = 2;
+    Framer framer;
+    framer.feed(bytes);
+    std::vector<ChecksumPlace> places;
+    while (const auto frame = framer.next()) {
+        const std::size_t size = min_frame_bytes + frame->payload.size();
+        places.push_back({framer.frame_offset() + size - sum_bytes, sum_bytes});
+    }
+    return places;
 }
 
 }  // namespace echoloop::ping

@@ -9,5 +9,7 @@ namespace echoloop::ping {
 std::vector<inspect::Message> decode(wire::ByteView bytes);
 bool recognise(wire::ByteView bytes);
 std::vector<wire::Table> tables();
+wire::Bytes rewritten(wire::ByteView bytes);
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes);
 
 }  // namespace echoloop::ping

@@ -86,4 +86,9 @@ std::vector<wire::Table> tables() {
             table_of<Command>(),  command_table()};
 }
 
+wire::Bytes rewritten(wire::ByteView bytes) {
+    const auto packet = parse(bytes);
+    return packet ? serialise(*packet) : wire::Bytes{};
+}
+
 }  // namespace echoloop::r2sonic

@@ -9,5 +9,6 @@ namespace echoloop::r2sonic {
 /// One datagram.
 std::vector<inspect::Message> decode(wire::ByteView bytes);
 std::vector<wire::Table> tables();
+wire::Bytes rewritten(wire::ByteView bytes);
 
 }  // namespace echoloop::r2sonic

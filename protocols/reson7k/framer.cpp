@@ -23,23 +23,11 @@ bool may_begin(wire::ByteView bytes, bool bare) {
 
 }  // namespace
 
-void Framer::feed(wire::ByteView bytes) {
-    finished_ = false;
-    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
-    begin_ = 0;
-    // A caller who does not take what is complete loses the oldest bytes.
-    const std::size_t most = longest_ + (longest_ / searched + 2) * network_frame_size;
-    if (buffer_.size() > most) skip(buffer_.size() - most);
-    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+wire::FramerLimits RecordFinder::limits() const {
+    return {.before = longest_ + (longest_ / searched + 2) * network_frame_size};
 }
 
-void Framer::skip(std::size_t count) {
-    begin_ += count;
-    position_ += count;
-    skipped_ += count;
-}
-
-bool Framer::is_beginning(wire::ByteView bytes) const {
+bool RecordFinder::is_beginning(wire::ByteView bytes) const {
     if (const auto network = plausible_network_frame(bytes, longest_)) {
         const auto record = plausible_record_frame(bytes.subspan(network_frame_size), longest_);
         return network->sequence == 0 && record && record->size == network->total_size;
@@ -47,15 +35,15 @@ bool Framer::is_beginning(wire::ByteView bytes) const {
     return bare_ && plausible_record_frame(bytes, longest_);
 }
 
-std::optional<std::size_t> Framer::beginning_within(wire::ByteView pending) const {
+std::size_t RecordFinder::beginning_within(wire::ByteView pending) const {
     const std::size_t end = std::min(pending.size(), searched);
     for (std::size_t at = 1; at < end; ++at)
         if (pending[at] == first_byte && is_beginning(pending.subspan(at))) return at;
-    return std::nullopt;
+    return 0;
 }
 
 /// Packets of one record follow each other on a stream.
-std::optional<Framer::Found> Framer::look_for_packets(wire::ByteView pending) const {
+std::optional<wire::Found<Record>> RecordFinder::look_for_packets(wire::ByteView pending) const {
     wire::Bytes bytes;
     std::size_t at = 0;
     const auto first = plausible_network_frame(pending, longest_);
@@ -74,11 +62,10 @@ std::optional<Framer::Found> Framer::look_for_packets(wire::ByteView pending) co
     }
     auto record = read_record(bytes);
     if (!record) return std::nullopt;
-    return Found{at, std::move(record)};
+    return Found{0, at, std::move(record)};
 }
 
-/// Nothing: no record begins here.
-std::optional<Framer::Found> Framer::look(wire::ByteView pending) const {
+std::optional<wire::Found<Record>> RecordFinder::look(wire::ByteView pending) const {
     if (may_begin(pending, bare_)) return Found{};
     if (!is_beginning(pending)) return std::nullopt;
     if (plausible_network_frame(pending, longest_)) return look_for_packets(pending);
@@ -86,31 +73,17 @@ std::optional<Framer::Found> Framer::look(wire::ByteView pending) const {
     if (pending.size() < frame->size) return Found{};
     auto record = read_record(pending.first(frame->size));
     if (!record) return std::nullopt;
-    return Found{frame->size, std::move(record)};
+    return Found{0, frame->size, std::move(record)};
 }
 
-std::optional<Record> Framer::next() {
-    while (pending_bytes() > 0) {
-        const wire::ByteView pending = wire::ByteView(buffer_).subspan(begin_);
-        auto found = look(pending);
-        if (found && found->record) {
-            frame_offset_ = position_;
-            begin_ += found->size;
-            position_ += found->size;
-            return std::move(found->record);
-        }
-        if (found) {
-            const auto other = beginning_within(pending);
-            if (!other && !finished_) return std::nullopt;
-            if (other) {
-                skip(*other);
-                continue;
-            }
-        }
-        const auto from = pending.begin() + 1;
-        skip(static_cast<std::size_t>(std::find(from, pending.end(), first_byte) - from) + 1);
+wire::Found<Record> RecordFinder::find(wire::ByteView pending, bool finished) const {
+    auto found = look(pending);
+    if (found && found->frame) return *std::move(found);
+    if (found) {
+        const std::size_t other = beginning_within(pending);
+        if (other > 0 || !finished) return {other};
     }
-    return std::nullopt;
+    return {wire::bytes_before(first_byte, pending)};
 }
 
 }  // namespace echoloop::reson7k

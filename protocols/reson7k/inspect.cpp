@@ -8,26 +8,8 @@
 namespace echoloop::reson7k {
 namespace {
 
-/// The framer, with the size that a record took on the wire.
-struct Sized {
-    Record record;
-    std::size_t size = 0;
-};
-class SizingFramer : public Framer {
-  public:
-    std::optional<Sized> next() {
-        auto record = Framer::next();
-        if (!record) return std::nullopt;
-        return Sized{*std::move(record), static_cast<std::size_t>(frame_size())};
-    }
-};
-
-inspect::Message inspected(const Sized& sized, std::size_t offset) {
-    const Record& record = sized.record;
-    inspect::Message out;
-    out.offset = offset;
-    out.size = sized.size;
-    out.name = name_of(record.frame.type);
+inspect::Message inspected(const Record& record, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size, .name = name_of(record.frame.type)};
     inspect::add_fields(out, record.frame);
     if (const auto message = parse(record)) {
         std::visit([&](const auto& m) { inspect::add_fields(out, m); }, *message);
@@ -40,7 +22,7 @@ inspect::Message inspected(const Sized& sized, std::size_t offset) {
 }  // namespace
 
 std::vector<inspect::Message> decode(wire::ByteView bytes) {
-    return inspect::decode_stream<SizingFramer>(bytes, inspected);
+    return inspect::decode_stream<Framer>(bytes, inspected);
 }
 
 /// A frame is a sure sign; a whole record may be longer than what is looked at.
@@ -62,6 +44,35 @@ std::vector<wire::Table> tables() {
             table_of<NotAcknowledge>(), table_of<RemoteSettings>(), table_of<RemoteExtras>(),
             table_of<AbsorptionLoss>(), table_of<SpreadingLoss>(),  table_of<FileHeader>(),
             table_of<FileDevice>()};
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    const auto network = plausible_network_frame(bytes);
+    Framer framer;
+    framer.feed(bytes);
+    const auto record = framer.next();
+    const auto message = record ? parse(*record) : wire::Result<Message>(wire::Error{});
+    if (!network || !message) return {};
+    wire::Bytes out;
+    for (const auto& packet :
+         packets_of(encode(*message, record->frame), network->transmission, network->source_device))
+        out.insert(out.end(), packet.begin(), packet.end());
+    return out;
+}
+
+/// A long record is several packets; the last one holds its sum, which is 0 if there is none.
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes) {
+    std::vector<ChecksumPlace> places;
+    std::size_t at = 0;
+    while (const auto frame = plausible_network_frame(bytes.subspan(at))) {
+        if (frame->packet_size > bytes.size() - at) break;
+        at += frame->packet_size;
+        if (frame->sequence + 1 != frame->packets) continue;
+        const std::size_t sum = at - checksum_size;
+        if (wire::load<wire::ByteOrder::little, std::uint32_t>(bytes.data() + sum) != 0)
+            places.push_back({sum, checksum_size});
+    }
+    return places;
 }
 
 }  // namespace echoloop::reson7k

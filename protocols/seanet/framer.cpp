@@ -10,7 +10,6 @@ namespace echoloop::seanet {
 
 namespace {
 
-constexpr std::size_t max_pending = 65536;
 constexpr std::size_t lengths_end = 7;  ///< of '@' and both length fields
 constexpr std::size_t id_at = 10;
 constexpr std::size_t min_length = min_frame_bytes - 6;
@@ -46,58 +45,21 @@ std::optional<Frame> short_command(ByteView bytes) {
 
 }  // namespace
 
-void Framer::feed(wire::ByteView bytes) {
-    finished_ = false;
-    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
-    begin_ = 0;
-    buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-    if (pending_bytes() > max_pending) skip(pending_bytes() - max_pending);
-}
-
-void Framer::skip(std::size_t count) {
-    begin_ += count;
-    position_ += count;
-    skipped_ += count;
-}
-
-std::optional<Frame> Framer::next() {
-    while (pending_bytes() > 0) {
-        const auto start =
-            std::find(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_), buffer_.end(), '@');
-        skip(static_cast<std::size_t>(start - buffer_.begin()) - begin_);
-        if (pending_bytes() == 0) break;
-        const Step step = at_begin();
-        if (step.wait && !finished_) break;
-        if (!step.frame) {
-            skip(1);
-            continue;
-        }
-        frame_offset_ = position_;
-        begin_ += step.bytes;
-        position_ += step.bytes;
-        return step.frame;
-    }
-    return std::nullopt;
-}
-
-Framer::Step Framer::at_begin() const {
-    const ByteView pending = ByteView(buffer_).subspan(begin_);
+wire::Found<Frame> FrameFinder::find(ByteView pending, bool finished) const {
+    const wire::Found<Frame> noise{wire::bytes_before('@', pending)};
+    if (pending[0] != '@') return noise;
+    const wire::Found<Frame> rest_to_come = finished ? noise : wire::Found<Frame>{};
     const auto size = frame_bytes(pending);
-    if (!size) return {.wait = true};
-    if (*size == 0) return {};
+    if (!size) return rest_to_come;
+    if (*size == 0) return noise;
     if (lengths_ == Lengths::by_id) {
-        if (pending.size() < min_frame_bytes) return {.wait = true};
-        if (auto frame = short_command(pending)) return {.frame = std::move(frame), .bytes = min_frame_bytes};
+        if (pending.size() < min_frame_bytes) return rest_to_come;
+        if (auto frame = short_command(pending)) return {0, min_frame_bytes, std::move(frame)};
     }
-    if (pending.size() < *size) return {.wait = true};
+    if (pending.size() < *size) return rest_to_come;
     auto frame = wire::parse<Frame>(pending.first(*size));
-    if (!frame) return {};
-    return {.frame = *std::move(frame), .bytes = *size};
-}
-
-void Framer::clear() {
-    position_ += pending_bytes();
-    begin_ = buffer_.size();
+    if (!frame) return noise;
+    return {0, *size, *std::move(frame)};
 }
 
 }  // namespace echoloop::seanet

@@ -11,11 +11,8 @@ namespace {
 
 using inspect::add_fields;
 
-inspect::Message inspected(const Frame& frame, std::size_t offset) {
-    inspect::Message out;
-    out.offset = offset;
-    out.size = frame.payload.size() + min_frame_bytes;
-    out.name = name_of(frame.header.id);
+inspect::Message inspected(const Frame& frame, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size, .name = name_of(frame.header.id)};
     add_fields(out, frame.header);
     if (const auto message = parse(frame)) {
         std::visit(
@@ -66,6 +63,13 @@ std::vector<wire::Table> tables() {
             table_of<ProfilerParameters>(),
             table_of<ProfilerGains>(),
             table_of<ProfilerData>()};
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    return inspect::rewritten_frame<Framer>(bytes, [](const Frame& frame) -> wire::Bytes {
+        const auto message = parse(frame);
+        return message ? encode(*message) : wire::Bytes{};
+    });
 }
 
 }  // namespace echoloop::seanet

@@ -1,27 +1,19 @@
 #include "protocols/sonar3d/codec.h"
 
 #include <algorithm>
-#include <array>
 
-#include "protocols/sonar3d/protobuf.h"
+#include "protocols/sonar3d/layouts.h"
 #include "protocols/sonar3d/snappy.h"
 #include "protocols/sonar3d/words.h"
+#include "protocols/wire/crc.h"
 
 namespace echoloop::sonar3d {
 namespace {
 
+namespace protobuf = wire::protobuf;
+
 constexpr std::string_view id_start = "RIP";
 constexpr std::size_t length_at = 4, payload_at = 8, crc_bytes = 4;
-
-constexpr auto crc_table = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t i = 0; i < table.size(); ++i) {
-        std::uint32_t c = i;
-        for (int bit = 0; bit < 8; ++bit) c = c >> 1 ^ (c & 1 ? 0xEDB88320U : 0);
-        table[i] = c;
-    }
-    return table;
-}();
 
 void put_word(std::uint32_t value, wire::Bytes& out) {
     out.resize(out.size() + 4);
@@ -48,7 +40,8 @@ std::optional<wire::Error> frame_fault(wire::ByteView bytes) {
     if (length > bytes.size()) return fault("payload", bytes.size(), Reason::truncated);
     if (length < bytes.size()) return fault("checksum", length, Reason::trailing_bytes);
     const std::size_t at = length - crc_bytes;
-    if (crc32(bytes.first(at)) != word_at(bytes, at)) return fault("checksum", at, Reason::wrong_constant);
+    if (wire::crc32(bytes.first(at)) != word_at(bytes, at))
+        return fault("checksum", at, Reason::wrong_constant);
     return std::nullopt;
 }
 
@@ -62,19 +55,15 @@ bool is_named(std::string_view url, std::string_view name) {
 }
 
 bool read_message(const Any& any, Message& message) {
-    if (is_named(any.type_url, Fields<RangeImage>::name)) return read_into<RangeImage>(any.value, message);
-    if (is_named(any.type_url, Fields<BitmapImage>::name)) return read_into<BitmapImage>(any.value, message);
+    if (is_named(any.type_url, protobuf::layout<RangeImage>.name))
+        return read_into<RangeImage>(any.value, message);
+    if (is_named(any.type_url, protobuf::layout<BitmapImage>.name))
+        return read_into<BitmapImage>(any.value, message);
     message = OtherMessage{any.value};
     return true;
 }
 
 }  // namespace
-
-std::uint32_t crc32(wire::ByteView bytes) {
-    std::uint32_t c = 0xFFFFFFFF;
-    for (const std::uint8_t byte : bytes) c = crc_table[(c ^ byte) & 0xFF] ^ c >> 8;
-    return ~c;
-}
 
 std::optional<std::size_t> packet_size(wire::ByteView bytes) {
     if (!has_id(bytes)) return 0;
@@ -123,13 +112,14 @@ wire::Bytes serialise(const Packet& packet) {
     for (const char c : {'R', 'I', 'P', plain ? '1' : '2'}) out.push_back(static_cast<std::uint8_t>(c));
     put_word(static_cast<std::uint32_t>(payload.size() + frame_bytes), out);
     out.insert(out.end(), payload.begin(), payload.end());
-    put_word(crc32(out), out);
+    put_word(wire::crc32(out), out);
     return out;
 }
 
 std::string type_url(std::string_view package, const Message& message) {
-    const std::string_view name =
-        std::holds_alternative<RangeImage>(message) ? Fields<RangeImage>::name : Fields<BitmapImage>::name;
+    const std::string_view name = std::holds_alternative<RangeImage>(message)
+                                      ? protobuf::layout<RangeImage>.name
+                                      : protobuf::layout<BitmapImage>.name;
     return "type.googleapis.com/" + std::string(package) + '.' + std::string(name);
 }
 

@@ -13,9 +13,6 @@ namespace echoloop::sonar3d {
 inline constexpr std::size_t longest_packet = 65507;  ///< B, what one datagram holds
 inline constexpr std::size_t frame_bytes = 12;        ///< id, length and checksum around the payload
 
-/// IEEE 802.3, as zlib's crc32.
-std::uint32_t crc32(wire::ByteView bytes);
-
 /// Bytes of the packet that begins here, by its id and length; 0 if none does, nothing if more bytes must
 /// say so.
 std::optional<std::size_t> packet_size(wire::ByteView bytes);

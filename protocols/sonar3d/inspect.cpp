@@ -1,57 +1,18 @@
 #include "protocols/sonar3d/inspect.h"
 
+#include "protocols/inspect_protobuf.h"
 #include "protocols/inspect_stream.h"
+#include "protocols/sonar3d/codec.h"
 #include "protocols/sonar3d/framer.h"
 #include "protocols/sonar3d/layouts.h"
 
 namespace echoloop::sonar3d {
 namespace {
 
-template <class T>
-concept Nested = requires {
-    Fields<T>::rows;
-};
+constexpr std::size_t payload_start = 8;
 
-template <class T>
-wire::Value value_of(const T& value) {
-    if constexpr (std::is_same_v<T, float>)
-        return wire::readable(value);
-    else if constexpr (std::is_signed_v<T>)
-        return std::int64_t{value};
-    else if constexpr (std::is_integral_v<T>)
-        return std::uint64_t{value};
-    else if constexpr (std::is_same_v<T, std::string>)
-        return value;
-    else
-        return std::vector<double>(value.begin(), value.end());
-}
-
-/// Places in a compressed message mean nothing: all fields have those of the payload.
-void add_field(inspect::Message& out, const std::string& name, std::string_view unit, wire::Value value) {
-    wire::FieldView view;
-    view.name = name;
-    view.unit = unit;
-    view.offset = 8;
-    view.size = out.size - frame_bytes;
-    view.value = std::move(value);
-    out.fields.push_back(inspect::to_field(view, out.offset));
-}
-
-template <class M>
-void add_fields(inspect::Message& out, const std::string& prefix, const M& message) {
-    const auto add = [&](const auto& row) {
-        const auto& value = message.*row.member;
-        const std::string name = prefix + std::string(row.name);
-        if constexpr (Nested<std::remove_cvref_t<decltype(value)>>)
-            add_fields(out, name + '.', value);
-        else
-            add_field(out, name, row.unit, value_of(value));
-    };
-    std::apply([&](const auto&... row) { (add(row), ...); }, Fields<M>::rows);
-}
-
-inspect::Message inspected(const wire::Bytes& bytes, std::size_t offset) {
-    inspect::Message out{.offset = offset, .size = bytes.size(), .name = "Packet"};
+inspect::Message inspected(const wire::Bytes& bytes, std::size_t offset, std::size_t size) {
+    inspect::Message out{.offset = offset, .size = size, .name = "Packet"};
     const auto packet = parse(bytes);
     if (!packet) {
         out.reason = packet.error().what();
@@ -59,43 +20,19 @@ inspect::Message inspected(const wire::Bytes& bytes, std::size_t offset) {
     }
     const std::string& url = packet->type_url;
     out.name = url.substr(url.find_last_of("./") + 1);
-    add_field(out, "id", "", std::string(packet->version == Version::rip1 ? "RIP1" : "RIP2"));
-    add_field(out, "type_url", "", url);
+    // Places in a compressed message mean nothing: all fields have those of the payload.
+    inspect::ProtobufFields fields(out, payload_start, size - frame_bytes);
+    fields.add("id", "", std::string(packet->version == Version::rip1 ? "RIP1" : "RIP2"));
+    fields.add("type_url", "", url);
     std::visit(
         [&]<class M>(const M& message) {
             if constexpr (std::is_same_v<M, OtherMessage>)
-                add_field(out, "value", "", value_of(message.value));
+                fields.add("value", "", inspect::protobuf_value(message.value));
             else
-                add_fields(out, "", message);
+                fields.add_all(message);
         },
         packet->message);
     return out;
-}
-
-template <class T>
-std::string type_name() {
-    if constexpr (Nested<T>)
-        return std::string(Fields<T>::name);
-    else if constexpr (std::is_same_v<T, std::vector<std::uint32_t>>)
-        return "packed varint";
-    else if constexpr (std::is_integral_v<T>)
-        return "varint";
-    else if constexpr (std::is_same_v<T, float>)
-        return "f32";
-    else
-        return std::is_same_v<T, std::string> ? "string" : "bytes";
-}
-
-template <class M>
-wire::Table table_of() {
-    wire::Table table{.name = std::string(Fields<M>::name), .help = std::string(Fields<M>::help)};
-    table.help += ". Protobuf: the first column is the number of the field, and fields that are 0 are absent";
-    const auto add = [&]<class T>(const Field<M, T>& row) {
-        table.rows.push_back({.meta = {row.name, row.unit, row.help}, .type = type_name<T>()});
-        table.rows.back().offset = row.number;
-    };
-    std::apply([&](const auto&... row) { (add(row), ...); }, Fields<M>::rows);
-    return table;
 }
 
 wire::Table frame_table() {
@@ -120,8 +57,25 @@ std::vector<inspect::Message> decode(wire::ByteView bytes) {
 bool recognise(wire::ByteView bytes) { return inspect::recognise_stream<Framer>(bytes); }
 
 std::vector<wire::Table> tables() {
-    return {frame_table(),      table_of<Envelope>(),   table_of<Any>(),        table_of<Timestamp>(),
-            table_of<Header>(), table_of<RangeImage>(), table_of<BitmapImage>()};
+    using inspect::protobuf_table_of;
+    return {frame_table(),
+            protobuf_table_of<Envelope>(),
+            protobuf_table_of<Any>(),
+            protobuf_table_of<Timestamp>(),
+            protobuf_table_of<Header>(),
+            protobuf_table_of<RangeImage>(),
+            protobuf_table_of<BitmapImage>()};
+}
+
+wire::Bytes rewritten(wire::ByteView bytes) {
+    const auto packet = parse(bytes);
+    return packet ? serialise(*packet) : wire::Bytes{};
+}
+
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes) {
+    constexpr std::size_t sum_bytes = 4;
+    if (!is_packet(bytes)) return {};
+    return {{bytes.size() - sum_bytes, sum_bytes}};
 }
 
 }  // namespace echoloop::sonar3d

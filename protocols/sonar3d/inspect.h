@@ -10,5 +10,7 @@ std::vector<inspect::Message> decode(wire::ByteView bytes);
 /// A packet whose checksum is right.
 bool recognise(wire::ByteView bytes);
 std::vector<wire::Table> tables();
+wire::Bytes rewritten(wire::ByteView bytes);
+std::vector<ChecksumPlace> checksums(wire::ByteView bytes);
 
 }  // namespace echoloop::sonar3d

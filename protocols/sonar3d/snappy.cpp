@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "protocols/sonar3d/protobuf.h"
 #include "protocols/sonar3d/words.h"
+#include "protocols/wire/protobuf.h"
 
 namespace echoloop::sonar3d {
 namespace {
@@ -55,7 +55,7 @@ std::size_t little_number(wire::ByteView bytes) {
     return value;
 }
 
-bool read_literal(protobuf::Cursor& from, std::uint8_t tag, std::size_t size, wire::Bytes& out) {
+bool read_literal(wire::protobuf::Cursor& from, std::uint8_t tag, std::size_t size, wire::Bytes& out) {
     std::size_t last = tag >> 2;
     if (last >= longest_short_literal) last = little_number(from.take(last - longest_short_literal + 1));
     const wire::ByteView bytes = from.take(last + 1);
@@ -64,7 +64,7 @@ bool read_literal(protobuf::Cursor& from, std::uint8_t tag, std::size_t size, wi
     return true;
 }
 
-bool read_element(protobuf::Cursor& from, std::size_t size, wire::Bytes& out) {
+bool read_element(wire::protobuf::Cursor& from, std::size_t size, wire::Bytes& out) {
     const std::uint8_t tag = from.take(1)[0];
     if ((tag & 3) == literal) return read_literal(from, tag, size, out);
     const bool near = (tag & 3) == near_copy;
@@ -78,7 +78,7 @@ bool read_element(protobuf::Cursor& from, std::size_t size, wire::Bytes& out) {
 
 wire::Bytes snappy_compress(wire::ByteView bytes) {
     wire::Bytes out;
-    protobuf::put_varint(bytes.size(), out);
+    wire::protobuf::put_varint(bytes.size(), out);
     std::array<std::uint32_t, std::size_t{1} << hash_bits> seen{};  // position + 1; 0: none
     std::size_t written = 0;
     for (std::size_t at = 0; at + shortest_match <= bytes.size();) {
@@ -101,7 +101,7 @@ wire::Bytes snappy_compress(wire::ByteView bytes) {
 }
 
 std::optional<wire::Bytes> snappy_uncompress(wire::ByteView block) {
-    protobuf::Cursor from{block};
+    wire::protobuf::Cursor from{block};
     const std::uint64_t size = from.varint();
     if (!from.fine || size > longest_block) return std::nullopt;
     wire::Bytes out;

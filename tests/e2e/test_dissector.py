@@ -15,12 +15,19 @@ from program import PROGRAM, ROOT
 from tshark import number
 
 DATA = ROOT / "tests" / "data"
-FAMILIES = sorted(path.stem.split("-")[1] for path in (ROOT / "docs").glob("messages-*.md"))
-SERIAL = ("seanet", "ping", "cerulean", "imagenex", "nmea", "altimeter")
-UDP_PORTS = {"r2sonic": 65400, "kmall": 6020, "deltat": 4040, "sonar3d": 4747, "aris": 56124, "oculus": 52102,
-             "reson7k": 7000, "ping": 1234, "cerulean": 51200}
-TCP_PORTS = {"oculus": 52100, "reson7k": 7000, "norbit": 2210, "cerulean": 51200, "aris": 56888}
+SCRIPT = subprocess.run([PROGRAM, "dissector"], capture_output=True, text=True, check=True).stdout
+PLACES = dict(re.findall(r'^sonar\.add_family\("(\w+)", ".*", \{(.*)\}\)$', SCRIPT, re.M))
+FAMILIES = sorted(PLACES)
+SERIAL = tuple(family for family in FAMILIES if "serial=true" in PLACES[family])
 
+
+def first_ports(transport):
+    """Of each family that has some."""
+    ports = {family: re.search(rf'\b{transport}="(\d+)', PLACES[family]) for family in FAMILIES}
+    return {family: int(match[1]) for family, match in ports.items() if match}
+
+
+UDP_PORTS, TCP_PORTS = first_ports("udp"), first_ports("tcp")
 
 TEXT_ENDPOINTS = ("tcp-listen://127.0.0.1:2209", "tcp-listen://127.0.0.1:8080")  # text commands; HTTP
 PROTOBUF = ("aris", "sonar3d")  # fields that are 0 are not sent
@@ -74,7 +81,7 @@ def add_golden(capture, item, number):
     """Adds the message as it travels, to its usual port or on a serial line, apart from all other messages."""
     if item.family in SERIAL:
         capture.serial(item.bytes, number)
-    elif item.family == "norbit" or (item.family == "aris" and item.bytes[:2] == b"\0\0"):
+    elif item.family not in UDP_PORTS or (item.family == "aris" and item.bytes[:2] == b"\0\0"):
         capture.tcp(item.bytes, (20000 + number, TCP_PORTS[item.family]))
     else:
         capture.udp(item.bytes, (20000 + number, UDP_PORTS[item.family]))
@@ -177,7 +184,7 @@ class Streams(WithDissector):
                 if family == "nmea" and b"*" not in item.bytes:
                     continue  # without a checksum a sentence is no sure sign
                 ports = (30000 + len(places), 50000 + len(places))
-                over_tcp = family == "norbit" or item.bytes[:2] == b"\0\0"
+                over_tcp = family not in UDP_PORTS and family in TCP_PORTS or item.bytes[:2] == b"\0\0"
                 (capture.tcp if over_tcp else capture.udp)(item.bytes, ports)
                 places[item] = capture.count - 1
         packets = self.shown(capture)

@@ -7,12 +7,12 @@ import unittest
 
 from program import PROGRAM, ROOT
 
-FAMILIES = ("altimeter", "aris", "cerulean", "deltat", "imagenex", "kmall", "nmea", "norbit", "oculus", "ping", "r2sonic",
-            "reson7k", "seanet", "sonar3d")
-
 
 def output(*arguments):
     return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True, timeout=60).stdout
+
+
+FAMILIES = re.findall(r'^sonar\.add_family\("(\w+)"', output("dissector"), re.M)
 
 
 class Documentation(unittest.TestCase):

@@ -15,7 +15,7 @@ std::string lines_in(const std::string& stream, std::size_t piece = 4096) {
     Framer framer;
     std::string found;
     const auto drain = [&] {
-        while (const auto line = framer.next()) found += write_line(line->reading);
+        while (const auto line = framer.next()) found += write_line(*line);
     };
     for (std::size_t at = 0; at < stream.size(); at += piece) {
         framer.feed(bytes_of(stream.substr(at, piece)));

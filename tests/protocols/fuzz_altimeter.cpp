@@ -15,10 +15,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::uint64_t framed = 0;
     const auto drain = [&] {
         while (const auto line = framer.next()) {
-            framed += line->size;
-            const auto again = read_line(write_line(line->reading));
-            if (!again || again->format != line->reading.format) std::abort();
-            if (std::abs(again->metres - std::min(line->reading.metres, 999.99)) > 1e-9) std::abort();
+            framed += framer.frame_size();
+            const auto again = read_line(write_line(*line));
+            if (!again || again->format != line->format) std::abort();
+            if (std::abs(again->metres - std::min(line->metres, 999.99)) > 1e-9) std::abort();
         }
     };
     for (std::size_t at = 1; at < size; at += piece) {

@@ -35,8 +35,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::uint64_t framed = 0;
     const auto drain = [&] {
         while (const auto frame = framer.next()) {
-            framed += frame->size;
-            check(std::optional(frame->command), [](const echoloop::wire::Bytes& bytes) {
+            framed += framer.frame_size();
+            check(frame, [](const echoloop::wire::Bytes& bytes) {
                 return parse_command(echoloop::wire::ByteView(bytes).subspan(length_bytes));
             });
         }

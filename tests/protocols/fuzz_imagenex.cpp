@@ -6,7 +6,6 @@
 #include "protocols/imagenex/framer.h"
 #include "protocols/imagenex/inspect.h"
 #include "protocols/imagenex/shot_writer.h"
-#include "tests/protocols/imagenex_rewritten.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace echoloop::imagenex;

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::uint64_t framed = 0;
     const auto drain = [&] {
         while (const auto line = framer.next()) {
-            framed += line->size;
+            framed += framer.frame_size();
             if (line->text.size() > longest_line) std::abort();
             const auto sentence = read_sentence(line->text);
             if (!sentence) continue;

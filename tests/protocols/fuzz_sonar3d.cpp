@@ -7,6 +7,7 @@
 #include "protocols/sonar3d/framer.h"
 #include "protocols/sonar3d/inspect.h"
 #include "protocols/sonar3d/snappy.h"
+#include "protocols/wire/crc.h"
 
 using namespace echoloop;
 using namespace echoloop::sonar3d;
@@ -28,7 +29,7 @@ wire::Bytes framed(wire::ByteView payload, char version) {
     wire::Bytes bytes{'R', 'I', 'P', static_cast<std::uint8_t>(version)};
     for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(size >> 8 * i));
     bytes.insert(bytes.end(), payload.begin(), payload.end());
-    const std::uint32_t sum = crc32(bytes);
+    const std::uint32_t sum = echoloop::wire::crc32(bytes);
     for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(sum >> 8 * i));
     return bytes;
 }

@@ -1,8 +1,6 @@
-// HTTP requests wherever the stream is split, with a length or in chunks, and JSON as small devices take
-// them.
+// HTTP requests wherever the stream is split, with a length or in chunks, and responses.
 #include <gtest/gtest.h>
 
-#include "protocols/http/json.h"
 #include "protocols/http/request.h"
 #include "tests/protocols/data.h"
 
@@ -112,25 +110,6 @@ TEST(HttpResponse, HasItsLengthAndNoneWithoutContent) {
     EXPECT_EQ(response(204), bytes_of("HTTP/1.1 204 No Content\r\nConnection: close\r\n\r\n"));
     EXPECT_EQ(response(404),
               bytes_of("HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\nConnection: close\r\n\r\n"));
-}
-
-TEST(Json, ReadsBareValuesAndFlatObjects) {
-    EXPECT_EQ(read_json(" true "), Json(JsonScalar(true)));
-    EXPECT_EQ(read_json("null"), Json(JsonScalar()));
-    EXPECT_EQ(read_json("-1.5e2"), Json(JsonScalar(-150.0)));
-    EXPECT_EQ(read_json(R"("a\"\u00e9\n")"), Json(JsonScalar("a\"\xC3\xA9\n")));
-    EXPECT_EQ(read_json(R"({"a": 1, "b" :"x"} )"),
-              Json(JsonObject{{"a", JsonScalar(1.0)}, {"b", JsonScalar("x")}}));
-    for (const char* text : {"", "tru", "truex", "inf", ".5", "1e999", "{", "{\"a\"}", "{\"a\":1,}", "[1]",
-                             "{\"a\":{}}", "\"a", "\"\\x\"", "\"\\u12\"", "1 2", "{\"a\":1}}"})
-        EXPECT_FALSE(read_json(text).has_value()) << text;
-}
-
-TEST(Json, NumbersHaveAPointAndReadBack) {
-    EXPECT_EQ(json_number(21), "21.0");
-    EXPECT_EQ(json_number(0.1), "0.1");
-    EXPECT_EQ(json_number(1e22), "1e+22");
-    EXPECT_EQ(json_string("a\"\\\x01"), R"("a\"\\\u0001")");
 }
 
 }  // namespace

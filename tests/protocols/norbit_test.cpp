@@ -5,6 +5,7 @@
 #include "protocols/norbit/command.h"
 #include "protocols/norbit/framer.h"
 #include "protocols/norbit/layouts.h"
+#include "protocols/wire/crc.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
 
@@ -102,8 +103,8 @@ TEST(NorbitFramer, EveryByteIsAccountedForAndMemoryIsBounded) {
 
 TEST(NorbitCrc, IsZlibs) {
     const std::string check = "123456789";
-    EXPECT_EQ(crc32(wire::Bytes(check.begin(), check.end())), 0xCBF43926U);
-    EXPECT_EQ(crc32({}), 0U);
+    EXPECT_EQ(wire::crc32(wire::Bytes(check.begin(), check.end())), 0xCBF43926U);
+    EXPECT_EQ(wire::crc32({}), 0U);
 }
 
 TEST(NorbitImage, IsFoundOnlyWhereTheTailHoldsIt) {

@@ -1,9 +1,10 @@
 // 7k records: round trips, truncations, packets, and the framer on noisy, split and lying streams.
 #include "protocols/inspect.h"
+#include "protocols/reson7k/codec.h"
+#include "protocols/reson7k/framer.h"
 #include "protocols/reson7k/layouts.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
-#include "tests/protocols/reson7k_rewritten.h"
 
 namespace echoloop::reson7k {
 namespace {

@@ -6,6 +6,7 @@
 #include "protocols/sonar3d/codec.h"
 #include "protocols/sonar3d/framer.h"
 #include "protocols/sonar3d/snappy.h"
+#include "protocols/wire/crc.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
 
@@ -18,7 +19,7 @@ wire::Bytes golden(const std::string& name) {
 
 wire::Bytes with_checksum(wire::Bytes packet) {
     packet.resize(packet.size() - 4);
-    const std::uint32_t sum = crc32(packet);
+    const std::uint32_t sum = wire::crc32(packet);
     for (int i = 0; i < 4; ++i) packet.push_back(static_cast<std::uint8_t>(sum >> 8 * i));
     return packet;
 }

@@ -33,6 +33,8 @@ RULES = [
     Rule(r"render/(echogram|effects|pose|simd)\.h", r"render/pose\.h", STANDARD),
     Rule(r"render/.*", r"render/.*", forbidden=f"{NETWORK}|{USER_INTERFACE}"),
     Rule(r"emulator/(device|model|option_rows|options|endpoint|profile)\.h", PURE, STANDARD),
+    Rule(r"emulator/devices/(sonar-3d-15)/api\.cpp", rf"{PURE}|protocols/.*|emulator/devices/(\1|family)/.*",
+         rf"{STANDARD}|nlohmann/json\.hpp"),
     Rule(r"emulator/devices/([^/]+)/.*", rf"{PURE}|protocols/.*|emulator/devices/(\1|family)/.*", STANDARD),
     Rule(r"emulator/models\.cpp", rf"{PURE}|emulator/devices/.*", STANDARD),
     Rule(r"emulator/transport/.*", r"emulator/.*", forbidden=rf"emulator/(devices|scenario)/.*|{GRAPHICS}"),

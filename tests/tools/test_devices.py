@@ -44,7 +44,7 @@ def families(folder):
 
 
 def reads_bytes(family):
-    return any(re.search(r"\b(parse|decode|read)\w*\(|class Framer", header.read_text())
+    return any(re.search(r"\b(parse|decode|read)\w*\(|\bFramer\b", header.read_text())
                for header in (ROOT / "protocols" / family).glob("*.h"))
 
 
@@ -118,13 +118,11 @@ class EveryModel(unittest.TestCase):
                 self.assertTrue([f for f, text in tests.items() if f'"{name}"' in text], "no test makes one")
 
     def test_has_a_fuzz_target_of_its_protocol(self):
-        built = (ROOT / "tests" / "protocols" / "CMakeLists.txt").read_text()
-        targets = {f.stem: f.read_text() for f in (ROOT / "tests" / "protocols").glob("fuzz_*.cpp")
-                   if re.search(rf"\b{f.stem.removeprefix('fuzz_')}\b", built)}
+        targets = [f.read_text() for f in (ROOT / "tests" / "protocols").glob("fuzz_*.cpp")]
         for name, folder in FOLDERS:
             with self.subTest(name):
                 for family in filter(reads_bytes, families(folder)):
-                    own = [t for t, text in targets.items() if f'"protocols/{family}/' in text]
+                    own = [text for text in targets if f'"protocols/{family}/' in text]
                     self.assertTrue(own, f"no fuzz target includes protocols/{family}")
 
     def test_has_a_row_in_the_main_readme(self):

@@ -84,7 +84,7 @@ Actions Aris::received(const Received& data, Time now) {
     connected_ = true;
     expect_words(now);
     framer_.feed(data.bytes);
-    while (const auto frame = framer_.next()) obey(frame->command, now);
+    while (const auto command = framer_.next()) obey(*command, now);
     return take_actions();
 }
 

@@ -1,11 +1,12 @@
 #include "emulator/devices/sonar-3d-15/api.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "emulator/contract/endpoint.h"
-#include "protocols/http/json.h"
 
 namespace echoloop::sonar_3d_15 {
 namespace {
@@ -15,24 +16,28 @@ constexpr std::string_view sign = "/api/v1/about";  // by which the maker's own 
 constexpr std::array<int, 3> always{0, 0, 0}, with_modes{1, 7, 0};
 constexpr double slowest = 1000, fastest = 2000;  // m/s, by hand
 
-using http::json_number;
-using http::json_string;
+using Json = nlohmann::ordered_json;
 
+/// The member of an object, or the value itself where `name` is empty; nothing if it is not of type T.
 template <class T>
-const T* scalar(const http::Json& json) {
-    const auto* value = std::get_if<http::JsonScalar>(&json);
-    return value ? std::get_if<T>(value) : nullptr;
+std::optional<T> value_of(const Json& json, const char* name = "") {
+    if (*name != 0 && !json.contains(name)) return std::nullopt;
+    const Json& value = *name != 0 ? json.at(name) : json;
+    const bool fits = std::is_same_v<T, bool>     ? value.is_boolean()
+                      : std::is_same_v<T, double> ? value.is_number()
+                                                  : value.is_string();
+    return fits ? std::optional(value.get<T>()) : std::nullopt;
 }
 
-template <class T>
-const T* member(const http::Json& json, std::string_view name) {
-    const auto* object = std::get_if<http::JsonObject>(&json);
-    if (!object) return nullptr;
-    const auto found = object->find(name);
-    return found == object->end() ? nullptr : std::get_if<T>(&found->second);
+/// The shortest digits that read back as the same number, with a decimal point or an exponent: 21.0. Not as
+/// the library writes them: 1e-04, not 0.0001.
+std::string number_text(double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    std::string text(digits.data(), end);
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
 }
-
-std::string flag_text(bool value) { return value ? "true" : "false"; }
 
 std::string release_text(const Settings& s) {
     return std::to_string(s.release[0]) + '.' + std::to_string(s.release[1]) + '.' +
@@ -41,36 +46,42 @@ std::string release_text(const Settings& s) {
 
 std::string about(const State&, const Settings& s) {
     const std::string release = release_text(s);
-    return R"({"chipid":"0x12345678","hardware_revision":6,"is_ready":true,"product_id":21045,)"
-           R"("product_name":"Sonar 3D-15","variant":"","version":)" +
-           json_string(release + " (echoloop)") + R"(,"version_short":)" + json_string(release) + '}';
+    return Json{{"chipid", "0x12345678"},
+                {"hardware_revision", 6},
+                {"is_ready", true},
+                {"product_id", 21045},
+                {"product_name", "Sonar 3D-15"},
+                {"variant", ""},
+                {"version", release + " (echoloop)"},
+                {"version_short", release}}
+        .dump();
 }
 
-std::string status_entry(std::string_view id, std::string_view message) {
-    return R"({"id":)" + json_string(id) + R"(,"message":)" + json_string(message) +
-           R"(,"operational":true,"status":"ok"})";
+Json status_entry(const char* id, const char* message) {
+    return {{"id", id}, {"message", message}, {"operational", true}, {"status", "ok"}};
 }
 
 std::string status(const State&, const Settings&) {
-    return R"({"api":)" + status_entry("api-normal", "Integration API is operational.") +
-           R"(,"temperature":)" + status_entry("temperature-normal", "Temperature is normal.") +
-           R"(,"systems_check":)" + status_entry("systems-check-normal", "Systems are operational.") + '}';
+    return Json{{"api", status_entry("api-normal", "Integration API is operational.")},
+                {"temperature", status_entry("temperature-normal", "Temperature is normal.")},
+                {"systems_check", status_entry("systems-check-normal", "Systems are operational.")}}
+        .dump();
 }
 
-std::string temperature(const State&, const Settings& s) { return json_number(s.temperature); }
+std::string temperature(const State&, const Settings& s) { return number_text(s.temperature); }
 
-std::string get_enabled(const State& s, const Settings&) { return flag_text(s.enabled); }
-bool set_enabled(const http::Json& json, State& s, const Settings&) {
-    const bool* value = scalar<bool>(json);
+std::string get_enabled(const State& s, const Settings&) { return Json(s.enabled).dump(); }
+bool set_enabled(const Json& json, State& s, const Settings&) {
+    const auto value = value_of<bool>(json);
     if (value) s.enabled = *value;
-    return value;
+    return value.has_value();
 }
 
 std::string get_range(const State& s, const Settings&) {
-    return R"({"min":)" + json_number(s.range_min) + R"(,"max":)" + json_number(s.range_max) + '}';
+    return R"({"min":)" + number_text(s.range_min) + R"(,"max":)" + number_text(s.range_max) + '}';
 }
-bool set_range(const http::Json& json, State& s, const Settings& settings) {
-    const double *min = member<double>(json, "min"), *max = member<double>(json, "max");
+bool set_range(const Json& json, State& s, const Settings& settings) {
+    const auto min = value_of<double>(json, "min"), max = value_of<double>(json, "max");
     if (!min || !max || *min < 0 || *max > settings.acoustics.longest_range) return false;
     if (*max - *min < settings.acoustics.finest_bin) return false;
     s.range_min = *min;
@@ -78,40 +89,41 @@ bool set_range(const http::Json& json, State& s, const Settings& settings) {
     return true;
 }
 
-std::string get_speed(const State& s, const Settings&) { return json_number(s.speed); }
-bool set_speed(const http::Json& json, State& s, const Settings&) {
-    const double* value = scalar<double>(json);
+std::string get_speed(const State& s, const Settings&) { return number_text(s.speed); }
+bool set_speed(const Json& json, State& s, const Settings&) {
+    const auto value = value_of<double>(json);
     if (!value || (*value != 0 && (*value < slowest || *value > fastest))) return false;
     s.speed = *value;
     return true;
 }
 
 /// Whether the body is one of two words; then `second` says which.
-bool read_choice(const http::Json& json, std::string_view no, std::string_view yes, bool& second) {
-    const auto* word = scalar<std::string>(json);
+bool read_choice(const Json& json, std::string_view no, std::string_view yes, bool& second) {
+    const auto word = value_of<std::string>(json);
     if (!word || (*word != no && *word != yes)) return false;
     second = *word == yes;
     return true;
 }
 
 std::string get_mode(const State& s, const Settings&) {
-    return json_string(s.high ? "high-frequency" : "low-frequency");
+    return Json(s.high ? "high-frequency" : "low-frequency").dump();
 }
-bool set_mode(const http::Json& json, State& s, const Settings&) {
+bool set_mode(const Json& json, State& s, const Settings&) {
     return read_choice(json, "low-frequency", "high-frequency", s.high);
 }
 
-std::string get_salinity(const State& s, const Settings&) { return json_string(s.salt ? "salt" : "fresh"); }
-bool set_salinity(const http::Json& json, State& s, const Settings&) {
+std::string get_salinity(const State& s, const Settings&) { return Json(s.salt ? "salt" : "fresh").dump(); }
+bool set_salinity(const Json& json, State& s, const Settings&) {
     return read_choice(json, "fresh", "salt", s.salt);
 }
 
 constexpr std::array<std::string_view, 3> udp_words{"multicast", "unicast", "disabled"};
 
 std::string get_udp(const State& s, const Settings&) {
-    return R"({"mode":)" + json_string(udp_words[static_cast<std::size_t>(s.udp)]) +
-           R"(,"unicast_destination_ip":)" + json_string(s.unicast_ip) + R"(,"unicast_destination_port":)" +
-           std::to_string(s.unicast_port) + '}';
+    return Json{{"mode", udp_words[static_cast<std::size_t>(s.udp)]},
+                {"unicast_destination_ip", s.unicast_ip},
+                {"unicast_destination_port", s.unicast_port}}
+        .dump();
 }
 
 bool is_address(const std::string& text) {
@@ -125,10 +137,10 @@ bool is_address(const std::string& text) {
 }
 
 /// Outside unicast mode address and port may be empty and 0, but no nonsense.
-bool set_udp(const http::Json& json, State& s, const Settings&) {
-    const auto *mode = member<std::string>(json, "mode"),
-               *ip = member<std::string>(json, "unicast_destination_ip");
-    const double* port = member<double>(json, "unicast_destination_port");
+bool set_udp(const Json& json, State& s, const Settings&) {
+    const auto mode = value_of<std::string>(json, "mode"),
+               ip = value_of<std::string>(json, "unicast_destination_ip");
+    const auto port = value_of<double>(json, "unicast_destination_port");
     if (!mode || !ip || !port || *port < 0 || *port > 65535 || *port != std::floor(*port)) return false;
     const auto word = std::find(udp_words.begin(), udp_words.end(), *mode);
     if (word == udp_words.end()) return false;
@@ -146,7 +158,7 @@ struct Path {
     std::string_view path;
     std::array<int, 3> since;  ///< release
     std::string (*get)(const State&, const Settings&);
-    bool (*set)(const http::Json&, State&, const Settings&);  ///< false: a bad request; nullptr: read only
+    bool (*set)(const Json&, State&, const Settings&);  ///< false: a bad request; nullptr: read only
 };
 
 constexpr std::array paths{
@@ -161,6 +173,12 @@ constexpr std::array paths{
     Path{"/udp", always, get_udp, set_udp},
 };
 
+/// What a host has to say is a bare value or an object of them.
+bool is_flat(const Json& json) {
+    return !json.is_discarded() &&
+           std::none_of(json.begin(), json.end(), [](const Json& value) { return value.is_structured(); });
+}
+
 }  // namespace
 
 Answer answer(const http::Request& request, State& state, const Settings& settings) {
@@ -173,8 +191,8 @@ Answer answer(const http::Request& request, State& state, const Settings& settin
     if (path == paths.end()) return {404};
     if (request.method == "GET") return {200, path->get(state, settings)};
     if (request.method != "POST" || !path->set) return {405};
-    const auto json = http::read_json(request.body);
-    return {json && path->set(*json, state, settings) ? 204 : 400};
+    const auto json = Json::parse(request.body, nullptr, false);
+    return {is_flat(json) && path->set(json, state, settings) ? 204 : 400};
 }
 
 }  // namespace echoloop::sonar_3d_15

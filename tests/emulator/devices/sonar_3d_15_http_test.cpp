@@ -14,6 +14,11 @@ TEST(Sonar3d15, WhatCannotBeIsRefusedAndChangesNothing) {
         {"/acoustics/range", R"({"min": -1, "max": 2.0})"},
         {"/acoustics/range", R"({"min": 0, "max": 20.1})"},
         {"/acoustics/range", R"({"max": 2.0})"},
+        {"/acoustics/range", R"({"min": 1, "max": 2.0, "more": {}})"},
+        {"/acoustics/range", R"([1, 2.0])"},
+        {"/acoustics/range", R"({"min": 1, "max": 2.0)"},
+        {"/acoustics/speed_of_sound", "1e999"},
+        {"/acoustics/speed_of_sound", "inf"},
         {"/acoustics/speed_of_sound", "999"},
         {"/acoustics/speed_of_sound", "2001"},
         {"/acoustics/speed_of_sound", R"("1500")"},
@@ -49,6 +54,8 @@ TEST(Sonar3d15, SaysWhoItIsInTheTypesThatTheMakersClientInsistsOn) {
         << "where the maker's BlueOS extension looks for it";
     EXPECT_EQ(sonar.status("GET /api/v1/about/more HTTP/1.1\r\n\r\n"), 404);
     EXPECT_EQ(sonar.get("/temperature"), "21.0") << "with a decimal point";
+    EXPECT_EQ(sonar.post("/acoustics/range", R"({"min": 0.0001, "max": 3})"), 204);
+    EXPECT_EQ(sonar.get("/acoustics/range"), R"({"min":1e-04,"max":3.0})");
     EXPECT_NE(sonar.get("/status").find(R"("systems_check":{"id":")"), std::string::npos);
 }
 

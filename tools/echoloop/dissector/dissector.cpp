@@ -27,7 +27,8 @@ std::string script() {
     for (const inspect::Family& family : inspect::families()) {
         const std::string name(family.name);
         out += "sonar.tables." + name + " = " + lua_tables(family) + "\n\n";
-        out += "sonar.add_family(" + lua_text(name) + ", " + lua_text(family.title) + ")\n\n";
+        out += "sonar.add_family(" + lua_text(name) + ", " + lua_text(family.title) + ", " +
+               lua_places(family.places) + ")\n\n";
     }
     for (const inspect::Family& family : inspect::families()) out += scoped(lua_part(family.name));
     return out + scoped(lua_part("register"));

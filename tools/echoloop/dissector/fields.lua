@@ -104,8 +104,8 @@ function sonar.replace_field(family, row, field)
 end
 
 -- The family's protocol with all its fields; its part of this script adds what tells its messages apart.
-function sonar.add_family(name, title)
-  local family = {name = name, title = title, fields = {}, tables = sonar.tables[name]}
+function sonar.add_family(name, title, places)
+  local family = {name = name, title = title, places = places, fields = {}, tables = sonar.tables[name]}
   family.proto = Proto("sonar." .. name, title)
   for _, tab in pairs(family.tables) do
     tab.rows_by_name = {}

@@ -123,6 +123,14 @@ std::string lua_text(std::string_view text) {
     return out + '"';
 }
 
+std::string lua_places(const inspect::Places& places) {
+    Pairs pairs;
+    pairs.text("tcp", places.tcp);
+    pairs.text("udp", places.udp);
+    if (places.serial) pairs.put("serial", "true");
+    return pairs.table();
+}
+
 std::string lua_tables(const inspect::Family& family) {
     std::string out = "{\n";
     for (const wire::Table& table : family.tables()) {

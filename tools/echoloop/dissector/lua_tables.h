@@ -13,6 +13,9 @@ namespace echoloop::cli {
 /// them.
 std::string lua_tables(const inspect::Family& family);
 
+/// `{tcp="52100",serial=true}`.
+std::string lua_places(const inspect::Places& places);
+
 /// In double quotes, with everything escaped that Lua would read otherwise.
 std::string lua_text(std::string_view text);
 

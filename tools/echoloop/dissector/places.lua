@@ -19,13 +19,13 @@ local function follow(family, transport, title)
   end
 end
 
--- ports: {tcp = "52100", udp = "52102"}; serial: the family may be met on a serial line.
-function sonar.add_places(family, ports, serial)
-  local proto = family.proto
+-- family.places: {tcp = "52100", udp = "52102", serial = true}; serial: it may be met on a serial line.
+function sonar.add_places(family)
+  local proto, places = family.proto, family.places
   family.dissect = family.dissect or sonar.dissector_of(family)
   proto.dissector = family.dissect
-  proto.prefs.tcp = Pref.range("TCP ports", ports.tcp or "", "Ports of this protocol, e.g. 7000-7001", 65535)
-  proto.prefs.udp = Pref.range("UDP ports", ports.udp or "", "Ports of this protocol, e.g. 65400-65410", 65535)
+  proto.prefs.tcp = Pref.range("TCP ports", places.tcp or "", "Ports of this protocol, e.g. 7000-7001", 65535)
+  proto.prefs.udp = Pref.range("UDP ports", places.udp or "", "Ports of this protocol, e.g. 65400-65410", 65535)
   proto.prefs.anywhere = Pref.bool("Any port", true, "Recognise the protocol by its first bytes on other ports, too")
   local follow_tcp, follow_udp = follow(family, "tcp"), follow(family, "udp")
   local function follow_both()
@@ -43,6 +43,5 @@ function sonar.add_places(family, ports, serial)
       return true
     end)
   end
-  family.serial = serial
-  if serial then DissectorTable.get("rtacser.data"):add_for_decode_as(proto) end
+  if places.serial then DissectorTable.get("rtacser.data"):add_for_decode_as(proto) end
 end

@@ -21,7 +21,7 @@ local function family_of(key, text)
   local heard = (spoken[key] or "") .. text
   spoken[key] = heard:sub(-enough)
   for _, family in ipairs(sonar.families) do
-    for _, piece in ipairs(family.serial and sonar.cut(family, heard, true) or {}) do
+    for _, piece in ipairs(family.places.serial and sonar.cut(family, heard, true) or {}) do
       if not piece.noise and (not family.is_sure or family.is_sure(heard, piece[1], piece[2])) then
         lines[line] = family
         spoken[key] = heard:sub(1, -#text - 1)
@@ -42,5 +42,8 @@ function sonar.proto.dissector(tvb, pinfo, tree)
   return header + sonar.dissect_in_turn(family, key, bytes, pinfo, tree)
 end
 
-for _, family in ipairs(sonar.families) do family.proto.fields = family.fields end
+for _, family in ipairs(sonar.families) do
+  sonar.add_places(family)
+  family.proto.fields = family.fields
+end
 DissectorTable.get("wtap_encap"):add(wtap_encaps.RTAC_SERIAL or 153, sonar.proto)

@@ -95,5 +95,3 @@ function family.dissect(tvb, pinfo, tree)
   if pinfo.port_type == udp then return dissect_datagram(tvb, pinfo, tree) end
   return dissect_stream(tvb, pinfo, tree)
 end
-
-sonar.add_places(family, {tcp = "56888", udp = "56124"})

@@ -21,5 +21,3 @@ function family.display(tree, tvb, at, size, text)
 end
 
 function family.sign(text) return sonar.begins_as_ping(text) and family.is_own(text, 0, family.frame(text, 0)) end
-
-sonar.add_places(family, {tcp = "51200,51210,62312", udp = "51200,51210,62312"}, true)

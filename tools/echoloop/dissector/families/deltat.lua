@@ -25,5 +25,3 @@ function family.sign(text)
   local function code(row) return text:byte(T[row].offset + 1) end
   return code("id") == 0 and code("range") >= 2 and code("range") <= 14 and code("sector") <= 3 and code("beams") <= 2
 end
-
-sonar.add_places(family, {udp = "4040"})

@@ -107,5 +107,3 @@ function family.sign(text)
   local size = family.frame(text, 0)
   return size and size > 0 and size <= #text and family.good(text, 0, size)
 end
-
-sonar.add_places(family, {}, true)

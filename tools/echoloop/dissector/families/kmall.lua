@@ -169,5 +169,3 @@ function family.display(tree, tvb, at, size, text)
 end
 
 function family.sign(text) return is_command(text, 0) or (family.frame(text, 0) or 0) > 0 end
-
-sonar.add_places(family, {udp = "4002,6020,14002"})

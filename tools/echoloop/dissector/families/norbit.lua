@@ -24,5 +24,3 @@ function family.display(tree, tvb, at, size, text)
 end
 
 function family.sign(text) return (family.frame(text, 0) or 0) > 0 end
-
-sonar.add_places(family, {tcp = "2210-2211"})

@@ -50,5 +50,3 @@ function family.display(tree, tvb, at, size, text)
 end
 
 function family.sign(text) return (family.frame(text, 0) or 0) > 0 end
-
-sonar.add_places(family, {tcp = "52100", udp = "52102"})

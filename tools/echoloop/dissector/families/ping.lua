@@ -11,5 +11,3 @@ function family.other(text, at, size)
   local cerulean = sonar.families.cerulean
   return cerulean.is_own(text, at, size) and cerulean or nil
 end
-
-sonar.add_places(family, {udp = "1234"}, true)

@@ -108,5 +108,3 @@ function family.display(tree, tvb, at, size, text)
 end
 
 function family.sign(text) return name_of(text) ~= nil end
-
-sonar.add_places(family, {udp = "65400-65412,65500-65512"})

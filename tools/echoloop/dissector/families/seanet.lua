@@ -49,5 +49,3 @@ function family.sign(text)
   local size = family.frame(text, 0)
   return size and size > 0 and #text >= overhead
 end
-
-sonar.add_places(family, {}, true)

@@ -99,5 +99,3 @@ function family.display(tree, tvb, at, size, text)
 end
 
 function family.sign(text) return #text > payload_at and (family.frame(text, 0) or 0) > 0 end
-
-sonar.add_places(family, {udp = "4747"})
