@@ -11,19 +11,11 @@
 #include "render/echogram.h"
 #include "render/fan/plan.h"
 #include "render/paths/paths.h"
+#include "render/pixel.h"
 
 namespace echoloop {
 
 class Workers;
-
-/// What the renderer writes for one pixel.
-struct Pixel {
-    float range;   ///< m, Euclidean, at the sample point
-    float cosine;  ///< of the angle of incidence, 0..1
-    float footprint;  ///< m, range that a pixel of the usual size covers on its surface's plane; negative: mostly
-                      ///< along bearing
-    float surface;    ///< 0: nothing; else 1 + index of its object and material
-};
 
 struct BinningInput {
     const FanPlan& plan;

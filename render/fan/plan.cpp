@@ -71,12 +71,6 @@ const FanPart& FanPlan::part_of(const View& view) const {
     return after == parts.end() ? parts.back() : *after;
 }
 
-std::size_t FanPlan::pixels() const {
-    std::size_t sum = 0;
-    for (const View& view : views) sum += view.lines * view.samples;
-    return sum;
-}
-
 FanGeometry geometry_of(const Shot& shot, const Effects& effects) {
     const double end = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
     const bool patterns = effects.has(Effect::beam_pattern);

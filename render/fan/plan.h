@@ -9,7 +9,7 @@
 
 #include "render/echogram.h"
 #include "render/effects.h"
-#include "render/fan/view.h"
+#include "render/view.h"
 
 namespace echoloop {
 
@@ -81,14 +81,12 @@ struct LobeTable {
     }
 };
 
-struct FanPlan {
+/// Level views first, ascending in bearing, then the surround views.
+struct FanPlan : Picture {
     std::vector<FanPart> parts;
-    std::vector<View> views;  ///< level views first, ascending in bearing, then the surround views
     std::size_t level_views = 0;
-    std::size_t lines = 0;        ///< of the level views
-    std::size_t image_lines = 0;  ///< of the image that holds all views, one below the other
-    std::size_t samples = 0;      ///< of a level line, and the image's width
-    std::size_t usual_samples = 0;  ///< the same at the usual density
+    std::size_t lines = 0;          ///< of the level views
+    std::size_t usual_samples = 0;  ///< of a level line at the usual density
 
     /// Per pixel of each distinct view, see View::first_pixel: the share 0..1 of the pixel that is drawn
     /// finely, and the same times the pixel's solid angle in sr and its pattern.
@@ -114,7 +112,6 @@ struct FanPlan {
     const View& view_at(double bearing) const;
     /// The part that a surround view belongs to.
     const FanPart& part_of(const View& view) const;
-    std::size_t pixels() const;  ///< of all views
 };
 
 /// What of a shot decides its plan.
