@@ -23,11 +23,11 @@ void ObjectFinder::list_sightings(const BinningInput& in, std::span<const std::u
 void ObjectFinder::take_loudest(std::uint32_t object, std::vector<std::uint16_t>& objects) {
     constexpr std::uint32_t last_number = std::numeric_limits<std::uint16_t>::max();
     const auto number = static_cast<std::uint16_t>(std::min(object + 1, last_number));
-    for (std::size_t i = 0; i < objects.size(); ++i)
-        if (power_[i] > strongest_[i]) {
-            strongest_[i] = power_[i];
-            objects[i] = number;
-        }
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const bool louder = power_[i] > strongest_[i];
+        strongest_[i] = louder ? power_[i] : strongest_[i];
+        objects[i] = louder ? number : objects[i];
+    }
 }
 
 void ObjectFinder::find(Summing& summing, BinningInput in, std::span<const std::uint32_t> object_of_surface,
@@ -42,8 +42,7 @@ void ObjectFinder::find(Summing& summing, BinningInput in, std::span<const std::
         wanted_.clear();
         for (const std::uint32_t other : object_of_surface) wanted_.push_back(other == object ? 1 : 0);
         in.wanted = wanted_;
-        summing.sum_wanted(in, lines_, power_);
-        take_loudest(object, objects);
+        if (summing.sum_wanted(in, lines_, power_)) take_loudest(object, objects);
     }
 }
 

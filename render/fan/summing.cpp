@@ -70,7 +70,7 @@ class FanSumming final : public Summing {
             values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
     }
 
-    void sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
+    bool sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
                     std::vector<float>& power) override {
         const BinGain gain(in);
         sums_.resize(in.plan.lines, in.plan.sectors, in.bins);
@@ -93,6 +93,7 @@ class FanSumming final : public Summing {
                               sums_);
         }
         beams_.sum(in.plan, in.offset, in.bins, sums_, gain.values(), workers_, power);
+        return true;
     }
 
     void find_nearest(const BinningInput& in, std::span<BeamTruth> truth) const override {

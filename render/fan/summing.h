@@ -27,17 +27,17 @@ class Summing {
     /// Power before the first or beyond the last bin is dropped, never wrapped or piled up.
     virtual void sum(const BinningInput& in, std::vector<float>& values) = 0;
 
-    /// Fills `power` in the same way, radiometrically, with what the surfaces in `in.wanted` send straight
-    /// back. `lines`: those of the image that show such a surface, ascending.
-    virtual void sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
+    /// Fills `power` in the same way, radiometrically, with what the surfaces in `in.wanted` send straight back.
+    /// `lines`: those of the image that show such a surface, ascending. Returns false, and leaves `power` as it
+    /// is, where no beam hears any of it.
+    virtual bool sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
                             std::vector<float>& power) = 0;
 
     /// Fills in the nearest range of every beam.
     virtual void find_nearest(const BinningInput& in, std::span<BeamTruth> truth) const = 0;
 
     /// What the beams hear of targets: one echo for each beam and target.
-    virtual std::vector<PointEcho> points(const FanPlan& plan,
-                                          std::span<const TargetEcho> targets) const = 0;
+    virtual std::vector<PointEcho> points(const FanPlan& plan, std::span<const TargetEcho> targets) const = 0;
 };
 
 std::unique_ptr<Summing> make_fan_summing(Workers& workers);

@@ -59,14 +59,19 @@ class GridSumming final : public Summing {
         finish(plan, in.bins, gain.values(), values);
     }
 
-    void sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
+    bool sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
                     std::vector<float>& power) override {
         const GridPlan& plan = grid(in.plan);
+        const View& last = plan.field_views().back();
+        if (lines.front() >= last.first_line + last.lines) return false;
         beams_ = bins_of_beams(power, plan.axes.size(), in.bins);
         add_wanted(in, plan, lines, beams_);
         const BinGain gain(in);
         for (std::size_t beam = 0; beam < beams_.size(); ++beam)
-            multiply(&power[beam * in.bins], gain.values().data(), in.bins);
+            if (const LineBins& own = beams_[beam]; !own.empty())
+                multiply(&power[beam * in.bins + own.begin()], &gain.values()[own.begin()],
+                         own.end() - own.begin());
+        return true;
     }
 
     void find_nearest(const BinningInput& in, std::span<BeamTruth> truth) const override {
