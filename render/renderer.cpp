@@ -6,17 +6,12 @@
 #include <stdexcept>
 #include <thread>
 
-#include "render/fan/binning.h"
+#include "render/acoustics/rows.h"
 #include "render/fan/object_finder.h"
 #include "render/fan/plan_cache.h"
-#include "render/fan/target_beams.h"
 #include "render/fan/truth.h"
 #include "render/gl/drawing_crew.h"
-#include "render/grid/object_finder.h"
-#include "render/grid/paths.h"
-#include "render/grid/plan_cache.h"
-#include "render/grid/rows.h"
-#include "render/grid/truth.h"
+#include "render/grid/summing.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -63,31 +58,28 @@ class Renderer::Impl {
           crew_((check_settings(), [this] { return gl::make_context(options_.context); }), scene,
                 options_.drawing_threads),
           plans_(options_.plans ? options_.plans : std::make_shared<PlanCache>()),
-          grids_({options_.columns_per_beam, options_.pixel_density}),
-          binning_(workers_),
-          grid_binning_(workers_),
-          finder_(workers_),
+          fan_(make_fan_summing(workers_)),
+          grid_(make_grid_summing(workers_)),
           chain_(options_.effects, options_.speckle) {
         for (const std::uint32_t material : drawer().material_of_surface())
             strength_.emplace_back(drawer().scene().materials()[material]);
     }
 
     Echogram render(const Shot& shot, const Situation& situation) {
-        if (!shot.elevations.empty()) return render_grid(shot, situation);
         const Pose& pose = situation.world_from_sonar;
         const FanPlan& plan = draw(shot, situation);
+        Summing& summing = summing_of(shot);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
         profile_.paths = timed([&] { trace_paths(shot, pose, out.sound_speed); });
+        const BinningInput input = binning_input(shot, plan, out.sound_speed);
         profile_.bins = timed([&] {
-            binning_.bin(binning_input(shot, plan, out.sound_speed), out.values);
-            out.truth = find_truth(plan, pixels_, shot.bearings, offset_of(shot));
+            summing.sum(input, out.values);
+            out.truth = find_truth(summing, input, shot);
         });
         if (options_.rule == EchoRule::radiometric)
-            profile_.acoustics = timed([&] {
-                const auto points = points_of(shot, effects(), paths_.targets);
-                out.noise_power = chain_.apply(shot, pose, out.sound_speed, points, out.values);
-            });
-        if (situation.objects) find_objects(plan, out);
+            profile_.acoustics = timed(
+                [&] { apply_to_rows(chain_, summing.points(plan, paths_.targets), out); });
+        if (situation.objects) find_objects(summing, input, out);
         return out;
     }
 
@@ -114,31 +106,7 @@ class Renderer::Impl {
         validate(options_);
     }
 
-    /// Rows of beams: one drawing for all.
-    Echogram render_grid(const Shot& shot, const Situation& situation) {
-        const Pose& pose = situation.world_from_sonar;
-        check(shot, situation);
-        const GridEntry& entry = grids_.entry_for(grid_geometry_of(shot, effects()), situation.detail);
-        const GridPlan& plan = entry.plan;
-        draw(plan.drawing, shot, situation);
-        Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
-        BinningInput input = binning_input(shot, plan.drawing, out.sound_speed);
-        input.paths = {};
-        GridPaths paths;
-        profile_.paths = timed([&] {
-            trace_paths(shot, pose, out.sound_speed);
-            paths = share_paths(paths_, plan, entry.geometry, entry.lobes);
-        });
-        profile_.bins = timed([&] {
-            grid_binning_.bin(input, plan, paths.arrivals, out.values);
-            out.truth = find_grid_truth(input, plan, shot);
-        });
-        if (options_.rule == EchoRule::radiometric)
-            profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(paths.points), out); });
-        if (situation.objects)
-            find_grid_objects(input, plan, drawer().object_of_surface(), least_of_object(out), out.objects);
-        return out;
-    }
+    Summing& summing_of(const Shot& shot) { return shot.elevations.empty() ? *fan_ : *grid_; }
 
     void trace_paths(const Shot& shot, const Pose& pose, double c) {
         paths_.diffuse.clear(), paths_.targets.clear();
@@ -164,14 +132,12 @@ class Renderer::Impl {
     }
 
     /// Which object is in which bin. What is 10 dB below the noise is not there: nobody could hear it.
-    void find_objects(const FanPlan& plan, Echogram& out) {
-        finder_.find(binning_input(out.shot, plan, out.sound_speed), drawer().object_of_surface(),
-                     least_of_object(out), out.objects);
-    }
-    static double least_of_object(const Echogram& out) {
+    void find_objects(Summing& summing, const BinningInput& input, Echogram& out) {
         const double bin_length = out.sound_speed / 2 * out.shot.bin_interval;
         const double bins_at_once = std::max(1.0, range_resolution(out.shot, out.sound_speed) / bin_length);
-        return 0.1 * out.noise_power / bins_at_once;
+        out.objects.assign(out.values.size(), 0);
+        finder_.find(summing, input, drawer().object_of_surface(), 0.1 * out.noise_power / bins_at_once,
+                     out.objects);
     }
 
     BinningInput binning_input(const Shot& shot, const FanPlan& plan, double c) const {
@@ -224,15 +190,11 @@ class Renderer::Impl {
     /// Fills pixels_ and returns the plan that they follow.
     const FanPlan& draw(const Shot& shot, const Situation& situation) {
         check(shot, situation);
-        plan_ = plans_->plan_for(geometry_of(shot, effects()),
-                                 {options_.columns_per_beam, options_.pixel_density * situation.detail});
-        draw(*plan_, shot, situation);
-        return *plan_;
-    }
-
-    void draw(const FanPlan& plan, const Shot& shot, const Situation& situation) {
+        const FanGeometry geometry = geometry_of(shot, effects());
+        const PlanDensity density{options_.columns_per_beam, options_.pixel_density * situation.detail};
+        plan_ = plans_->plan_for(geometry, density, [&] { return summing_of(shot).plan(geometry, density); });
         const bool background = situation.detail < 1;
-        crew_.draw(plan,
+        crew_.draw(*plan_,
                    {.world_from_fan = world_from_fan(shot, situation.world_from_sonar),
                     .movers = movers_,
                     .end_range = end_range(shot),
@@ -242,6 +204,7 @@ class Renderer::Impl {
         const gl::DrawProfile& drawn = crew_.profile();
         profile_ = {drawn.cull, drawn.draw,      drawn.read_back, 0,           0,
                     0,          drawn.triangles, drawn.chunks,    drawn.pixels};
+        return *plan_;
     }
 
     void add_channels(ChannelImage& image, const FanPlan& plan, std::size_t line, std::size_t sample) const {
@@ -263,10 +226,8 @@ class Renderer::Impl {
     std::vector<StrengthTable> strength_;
     std::shared_ptr<PlanCache> plans_;
     PlanCache::Plan plan_;  ///< of the ping at hand
-    GridCache grids_;
     Workers workers_;
-    Binning binning_;
-    GridBinning grid_binning_;
+    std::unique_ptr<Summing> fan_, grid_;
     ObjectFinder finder_;
     AcousticChain chain_;
     PathEchoes paths_;

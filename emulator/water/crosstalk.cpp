@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "emulator/contract/random_key.h"
-#include "render/fan/view.h"
+#include "render/view.h"
 
 namespace echoloop {
 namespace {

@@ -2,6 +2,9 @@
 // bins.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "render/echogram.h"
 
 namespace echoloop {
@@ -41,6 +44,12 @@ class AperturePattern {
     double length_ = 0;
     int elements_ = 0;  ///< of the shaded array
 };
+
+/// A line array cannot tell directions on a cone about it apart: the angle of that cone, measured from the
+/// array's plane of symmetry; the bearing itself in the fan's plane.
+inline double cone_angle(double bearing, double elevation) {
+    return std::asin(std::clamp(std::sin(bearing) * std::cos(elevation), -1.0, 1.0));
+}
 
 /// Transmit times receive pattern along one axis, made from the two-way -3 dB full width that a Shot gives.
 class TwoWayPattern {

@@ -6,9 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "render/scene/scene.h"
 
@@ -44,9 +41,5 @@ class StrengthTable {
   private:
     std::array<float, cells + 1> values_{};
 };
-
-/// A seabed with a typical angular response; null when the name is not known. Names: known_seabeds().
-const Material* seabed_by_name(std::string_view name);
-std::vector<std::string> known_seabeds();
 
 }  // namespace echoloop

@@ -7,17 +7,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/acoustics/pattern.h"
 #include "render/fan/plan.h"
 
 namespace echoloop {
 
 inline constexpr std::size_t sectors_per_part = 60;  ///< over 180 deg
-
-/// A line array cannot tell directions on a cone about it apart: the angle of that cone, measured from the
-/// array's plane of symmetry; the bearing itself in the fan's plane.
-inline double cone_angle(double bearing, double elevation) {
-    return std::asin(std::clamp(std::sin(bearing) * std::cos(elevation), -1.0, 1.0));
-}
 
 /// Sectors of a part with several beams: of its level lines, of what lies beside them, and of what lies above
 /// and below. A single beam has one sector.

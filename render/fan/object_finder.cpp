@@ -4,17 +4,6 @@
 #include <limits>
 
 namespace echoloop {
-namespace {
-
-constexpr std::size_t lines_per_piece = 32;
-constexpr std::size_t last_number = std::numeric_limits<std::uint16_t>::max();
-
-const View& view_with(const FanPlan& plan, std::size_t image_line) {
-    const auto after = std::ranges::upper_bound(plan.views, image_line, {}, &View::first_line);
-    return *(after - 1);
-}
-
-}  // namespace
 
 void ObjectFinder::list_sightings(const BinningInput& in, std::span<const std::uint32_t> object_of_surface) {
     constexpr auto never = static_cast<std::size_t>(-1);
@@ -31,52 +20,29 @@ void ObjectFinder::list_sightings(const BinningInput& in, std::span<const std::u
     std::ranges::sort(sightings_);
 }
 
-void ObjectFinder::sum_object(BinningInput in, const BinGain& gain, std::span<const Sighting> lines,
-                              std::span<const std::uint32_t> object_of_surface) {
-    wanted_.clear();
-    for (const std::uint32_t object : object_of_surface)
-        wanted_.push_back(object == lines.front().first ? 1 : 0);
-    in.wanted = wanted_;
-    sums_.resize(in.plan.lines, in.plan.sectors, in.bins);
-    const auto level_end = std::ranges::lower_bound(lines, in.plan.lines, {}, &Sighting::second);
-    const auto level = lines.first(static_cast<std::size_t>(level_end - lines.begin()));
-    workers_.run((level.size() + lines_per_piece - 1) / lines_per_piece, [&](std::size_t piece) {
-        LineReader reader;
-        for (std::size_t i = piece * lines_per_piece; i < std::min((piece + 1) * lines_per_piece, level.size());
-             ++i) {
-            const std::size_t line = level[i].second;
-            const View& view = view_with(in.plan, line);
-            add_level_line(in, gain, Amount::wanted_echo, view, line - view.first_line, reader,
-                           sums_.line(line));
-        }
-    });
-    LineReader reader;
-    for (const auto& [object, line] : lines.subspan(level.size())) {
-        const View& view = view_with(in.plan, line);
-        add_surround_line(in, gain, true, in.plan.part_of(view), view, line - view.first_line, reader, sums_);
+void ObjectFinder::take_loudest(std::uint32_t object, std::vector<std::uint16_t>& objects) {
+    constexpr std::uint32_t last_number = std::numeric_limits<std::uint16_t>::max();
+    const auto number = static_cast<std::uint16_t>(std::min(object + 1, last_number));
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const bool louder = power_[i] > strongest_[i];
+        strongest_[i] = louder ? power_[i] : strongest_[i];
+        objects[i] = louder ? number : objects[i];
     }
-    beams_.sum(in.plan, in.offset, in.bins, sums_, gain.values(), workers_, power_);
 }
 
-void ObjectFinder::find(const BinningInput& input, std::span<const std::uint32_t> object_of_surface,
+void ObjectFinder::find(Summing& summing, BinningInput in, std::span<const std::uint32_t> object_of_surface,
                         double least, std::vector<std::uint16_t>& objects) {
-    const BinGain gain(input);
-    const std::size_t values = input.plan.beams.size() * input.bins;
-    strongest_.assign(values, static_cast<float>(least));
-    objects.assign(values, 0);
+    strongest_.assign(objects.size(), static_cast<float>(least));
     if (object_of_surface.empty()) return;
-    list_sightings(input, object_of_surface);
+    list_sightings(in, object_of_surface);
     for (auto first = sightings_.begin(); first != sightings_.end();) {
-        const auto last =
-            std::find_if(first, sightings_.end(), [&](const Sighting& s) { return s.first != first->first; });
-        sum_object(input, gain, {first, last}, object_of_surface);
-        const auto number = static_cast<std::uint16_t>(std::min<std::size_t>(first->first + 1, last_number));
-        for (std::size_t i = 0; i < values; ++i)
-            if (power_[i] > strongest_[i]) {
-                strongest_[i] = power_[i];
-                objects[i] = number;
-            }
-        first = last;
+        const std::uint32_t object = first->first;
+        lines_.clear();
+        for (; first != sightings_.end() && first->first == object; ++first) lines_.push_back(first->second);
+        wanted_.clear();
+        for (const std::uint32_t other : object_of_surface) wanted_.push_back(other == object ? 1 : 0);
+        in.wanted = wanted_;
+        if (summing.sum_wanted(in, lines_, power_)) take_loudest(object, objects);
     }
 }
 

@@ -6,34 +6,26 @@
 #include <utility>
 #include <vector>
 
-#include "render/fan/beam_sums.h"
-#include "render/fan/line_sums.h"
+#include "render/fan/summing.h"
 
 namespace echoloop {
 
 class ObjectFinder {
   public:
-    explicit ObjectFinder(Workers& workers) : workers_(workers) {}
-
-    /// Fills `objects` (beams x bins, as Echogram::objects). `object_of_surface`: index in Scene::objects()
+    /// Fills in `objects` (as Echogram::objects, all 0 before). `object_of_surface`: index in Scene::objects()
     /// of every surface index. Bins with less power than `least` (uPa^2, of all echoes that arrive within the
     /// bin) are 0.
-    void find(const BinningInput& input, std::span<const std::uint32_t> object_of_surface, double least,
-              std::vector<std::uint16_t>& objects);
+    void find(Summing& summing, BinningInput in, std::span<const std::uint32_t> object_of_surface,
+              double least, std::vector<std::uint16_t>& objects);
 
   private:
-    /// An object, and an image line that shows it.
-    using Sighting = std::pair<std::uint32_t, std::size_t>;
-
     void list_sightings(const BinningInput& in, std::span<const std::uint32_t> object_of_surface);
-    /// Fills power_ with what one object sends back.
-    void sum_object(BinningInput in, const BinGain& gain, std::span<const Sighting> lines,
-                    std::span<const std::uint32_t> object_of_surface);
+    /// Takes the bins that `object` is loudest in, of those before.
+    void take_loudest(std::uint32_t object, std::vector<std::uint16_t>& objects);
 
-    Workers& workers_;
-    LineSums sums_;
-    BeamSums beams_;
-    std::vector<Sighting> sightings_;  ///< by object, then by line
+    std::vector<std::pair<std::uint32_t, std::size_t>>
+        sightings_;  ///< an object and a line that shows it, ascending
+    std::vector<std::size_t> lines_;
     std::vector<std::uint8_t> wanted_;
     std::vector<float> power_, strongest_;
 };

@@ -35,6 +35,15 @@ Lobe lobe_of(const FanGeometry& g, AxisPattern axis, double width, double edge_p
 /// lobe.
 double vertical_edge_power(const FanGeometry& g) { return g.side_lobes ? 0.05 : 0.003; }
 
+std::size_t bytes_of(const FanPlan& plan) {
+    std::size_t bytes =
+        sizeof(FanPlan) + plan.beams.size() * (sizeof(BeamLines) + sizeof(double)) +
+        (plan.coverage.size() + plan.weight.size() + plan.line_weight.size()) * sizeof(float) +
+        plan.surround.size() * sizeof(SurroundPixel) + plan.line_sector.size() * sizeof(SectorShare);
+    for (const FanPart& part : plan.parts) bytes += part.far.size() * sizeof(float);
+    return bytes;
+}
+
 }  // namespace
 
 FanLobes::FanLobes(const FanGeometry& g)
@@ -71,23 +80,19 @@ const FanPart& FanPlan::part_of(const View& view) const {
     return after == parts.end() ? parts.back() : *after;
 }
 
-std::size_t FanPlan::pixels() const {
-    std::size_t sum = 0;
-    for (const View& view : views) sum += view.lines * view.samples;
-    return sum;
-}
-
 FanGeometry geometry_of(const Shot& shot, const Effects& effects) {
     const double end = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
     const bool patterns = effects.has(Effect::beam_pattern);
     return {
         shot.bearings,   shot.beam_width, shot.fan_height, std::max(2 * shot.bin_interval / end, lowest_step),
-        shot.horizontal, shot.vertical,   patterns,        patterns && effects.has(Effect::side_lobes)};
+        shot.horizontal, shot.vertical,   patterns,        patterns && effects.has(Effect::side_lobes),
+        shot.elevations};
 }
 
 FanPlan plan_fan(const FanGeometry& geometry, const PlanDensity& density) {
     const FanLobes lobes(geometry);
     FanPlan plan;
+    plan.geometry = geometry;
     plan.parts = split_beams(geometry);
     for (const double bearing : geometry.bearings) plan.beams.push_back({.bearing = bearing});
     for (FanPart& part : plan.parts) add_level_views(plan, part, geometry, density, lobes);
@@ -100,6 +105,7 @@ FanPlan plan_fan(const FanGeometry& geometry, const PlanDensity& density) {
         if (geometry.side_lobes) add_surround(plan, part, geometry, lobes, density.pixels);
         if (geometry.side_lobes) add_far_lobes(plan, part, geometry, lobes);
     }
+    plan.bytes = bytes_of(plan);
     return plan;
 }
 

@@ -9,7 +9,7 @@
 
 #include "render/echogram.h"
 #include "render/effects.h"
-#include "render/fan/view.h"
+#include "render/view.h"
 
 namespace echoloop {
 
@@ -66,8 +66,8 @@ struct FanPart {
     std::vector<float> far;
 };
 
-/// A beam's two-way power over bearing, or over the sine of an angle, so finely that what lies between its values is as
-/// if linear.
+/// A beam's two-way power over bearing, or over the sine of an angle, so finely that what lies between its
+/// values is as if linear.
 struct LobeTable {
     double step = 0;            ///< rad, or of the sine
     std::vector<float> values;  ///< from the axis on
@@ -81,14 +81,25 @@ struct LobeTable {
     }
 };
 
-struct FanPlan {
+/// What of a shot decides its plan.
+struct FanGeometry {
+    std::vector<double> bearings;
+    double beam_width = 0, fan_height = 0;
+    double elevation_step = 0;  ///< rad, wished between samples: bin length over the window's end
+    AxisPattern horizontal, vertical;
+    bool patterns = false, side_lobes = false;
+    std::vector<double> elevations{};  ///< rad, of rows of such beams; empty: one fan
+    friend bool operator==(const FanGeometry&, const FanGeometry&) = default;
+};
+
+/// Level views first, ascending in bearing, then the surround views.
+struct FanPlan : Picture {
+    FanGeometry geometry;
+    std::size_t bytes = 0;  ///< of what grows with the beams
     std::vector<FanPart> parts;
-    std::vector<View> views;  ///< level views first, ascending in bearing, then the surround views
     std::size_t level_views = 0;
-    std::size_t lines = 0;        ///< of the level views
-    std::size_t image_lines = 0;  ///< of the image that holds all views, one below the other
-    std::size_t samples = 0;      ///< of a level line, and the image's width
-    std::size_t usual_samples = 0;  ///< the same at the usual density
+    std::size_t lines = 0;          ///< of the level views
+    std::size_t usual_samples = 0;  ///< of a level line at the usual density
 
     /// Per pixel of each distinct view, see View::first_pixel: the share 0..1 of the pixel that is drawn
     /// finely, and the same times the pixel's solid angle in sr and its pattern.
@@ -100,10 +111,10 @@ struct FanPlan {
     std::vector<SampleRange> nominal;  ///< of every level line
 
     std::vector<BeamLines> beams;
-    std::vector<float> line_weight;        ///< share of a line's power that a beam hears, 0..1
+    std::vector<float> line_weight;  ///< share of a line's power that a beam hears, 0..1
     LobeTable across;  ///< the same by where in a line a ping samples; empty for boxes and single beams
-    /// What a single beam hears over the sine of cone_angle(): its samples are weighed one by one. Empty for other beams,
-    /// boxes, and pistons, whose pattern is in `weight`.
+    /// What a single beam hears over the sine of cone_angle(): its samples are weighed one by one. Empty for
+    /// other beams, boxes, and pistons, whose pattern is in `weight`.
     LobeTable beside;
     std::vector<SectorShare> line_sector;  ///< far sector of every level line
     std::size_t sectors = 0;               ///< of all parts together
@@ -114,17 +125,6 @@ struct FanPlan {
     const View& view_at(double bearing) const;
     /// The part that a surround view belongs to.
     const FanPart& part_of(const View& view) const;
-    std::size_t pixels() const;  ///< of all views
-};
-
-/// What of a shot decides its plan.
-struct FanGeometry {
-    std::vector<double> bearings;
-    double beam_width = 0, fan_height = 0;
-    double elevation_step = 0;  ///< rad, wished between samples: bin length over the window's end
-    AxisPattern horizontal, vertical;
-    bool patterns = false, side_lobes = false;
-    friend bool operator==(const FanGeometry&, const FanGeometry&) = default;
 };
 
 /// At the far end of the window, one sample step moves a surface at 45 degrees by two bins.

@@ -7,19 +7,10 @@ namespace {
 
 constexpr std::size_t most_bytes = 64 << 20;
 
-/// Of what grows with the fan.
-std::size_t bytes_of(const FanPlan& plan) {
-    std::size_t bytes =
-        sizeof(FanPlan) + plan.beams.size() * (sizeof(BeamLines) + sizeof(double)) +
-        (plan.coverage.size() + plan.weight.size() + plan.line_weight.size()) * sizeof(float) +
-        plan.surround.size() * sizeof(SurroundPixel) + plan.line_sector.size() * sizeof(SectorShare);
-    for (const FanPart& part : plan.parts) bytes += part.far.size() * sizeof(float);
-    return bytes;
-}
-
 }  // namespace
 
-PlanCache::Plan PlanCache::plan_for(const FanGeometry& geometry, const PlanDensity& density) {
+PlanCache::Plan PlanCache::plan_for(const FanGeometry& geometry, const PlanDensity& density,
+                                    const std::function<Plan()>& make) {
     const auto fits = [&](const Entry& entry) {
         return entry.density == density && entry.geometry == geometry;
     };
@@ -35,11 +26,11 @@ PlanCache::Plan PlanCache::plan_for(const FanGeometry& geometry, const PlanDensi
         entries_.push_front({geometry, density, made.get_future().share()});
     }
     try {
-        Plan plan = std::make_shared<const FanPlan>(plan_fan(geometry, density));
+        Plan plan = make();
         made.set_value(plan);
         const std::lock_guard lock(mutex_);
         if (const auto entry = std::ranges::find_if(entries_, fits); entry != entries_.end())
-            entry->bytes = bytes_of(*plan);
+            entry->bytes = plan->bytes;
         limit();
         return plan;
     } catch (...) {

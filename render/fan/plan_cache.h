@@ -1,7 +1,8 @@
-// The plans of the fans that were drawn last, for several renderers. Never holds much more than 64 MB of
-// them.
+// The plans that were drawn last, of fans and of rows of beams, for several renderers. Never holds much more
+// than 64 MB of them.
 #pragma once
 
+#include <functional>
 #include <future>
 #include <list>
 #include <memory>
@@ -16,8 +17,8 @@ class PlanCache {
   public:
     using Plan = std::shared_ptr<const FanPlan>;
 
-    /// The plan of this geometry, made if it is not at hand: once, however many ask for it meanwhile.
-    Plan plan_for(const FanGeometry& geometry, const PlanDensity& density);
+    /// The plan of this geometry; make() if it is not at hand: once, however many ask for it meanwhile.
+    Plan plan_for(const FanGeometry& geometry, const PlanDensity& density, const std::function<Plan()>& make);
 
   private:
     struct Entry {

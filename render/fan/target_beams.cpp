@@ -4,16 +4,17 @@
 
 namespace echoloop {
 
-std::vector<PointEcho> points_of(const Shot& shot, const Effects& effects, std::span<const TargetEcho> targets) {
+std::vector<PointEcho> points_of(const FanPlan& plan, std::span<const TargetEcho> targets) {
     constexpr double least = 1e-8;  // of the axis, two ways: not heard
     std::vector<PointEcho> points;
     if (targets.empty()) return points;
-    const FanLobes lobes(geometry_of(shot, effects));
+    const FanGeometry& fan = plan.geometry;
+    const FanLobes lobes(fan);
     for (const TargetEcho& target : targets)
-        for (std::size_t beam = 0; beam < shot.bearings.size(); ++beam) {
-            const double off = target.bearing - shot.bearings[beam];
-            const bool aside = !effects.has(Effect::side_lobes) && std::abs(off) > lobes.horizontal.edge();
-            const double weight = shot.bearings.size() == 1 ? 1 : aside ? 0 : lobes.horizontal.power(off);
+        for (std::size_t beam = 0; beam < fan.bearings.size(); ++beam) {
+            const double off = target.bearing - fan.bearings[beam];
+            const bool aside = !fan.side_lobes && std::abs(off) > lobes.horizontal.edge();
+            const double weight = fan.bearings.size() == 1 ? 1 : aside ? 0 : lobes.horizontal.power(off);
             if (weight > least) points.push_back({beam, target.range, target.power * weight, target.phase});
         }
     return points;

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "render/acoustics/chain.h"
+#include "render/fan/plan.h"
 #include "render/paths/paths.h"
 
 namespace echoloop {
 
 /// One point echo per beam and path that is heard. A single beam's pattern is in the echoes already; a fan's beams
 /// weigh them by their bearing.
-std::vector<PointEcho> points_of(const Shot& shot, const Effects& effects, std::span<const TargetEcho> targets);
+std::vector<PointEcho> points_of(const FanPlan& plan, std::span<const TargetEcho> targets);
 
 }  // namespace echoloop

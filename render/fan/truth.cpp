@@ -6,18 +6,6 @@
 namespace echoloop {
 namespace {
 
-constexpr float nothing = std::numeric_limits<float>::infinity();
-
-/// Nearest range of a line among the pixels within the fan's nominal height.
-float nearest_of_line(const FanPlan& plan, std::span<const Pixel> pixels, std::size_t line) {
-    float nearest = nothing;
-    for (std::size_t i = plan.nominal[line].first; i < plan.nominal[line].last; ++i) {
-        const Pixel& pixel = pixels[line * plan.samples + i];
-        nearest = std::min(nearest, pixel.surface != 0 ? pixel.range : nothing);
-    }
-    return nearest;
-}
-
 /// A position between pixel centres along one axis of the image: lower neighbour and the share of the upper
 /// one.
 struct Between {
@@ -48,8 +36,7 @@ float range_between(std::span<const Pixel> pixels, std::size_t samples, Between 
     return std::lerp(left, right, line.share);
 }
 
-}  // namespace
-
+/// m, of what stands in a direction relative to the plan's level plane; NaN: nothing.
 float axis_range(const FanPlan& plan, std::span<const Pixel> pixels, double bearing, double elevation,
                  PixelOffset offset) {
     const View& view = plan.view_at(bearing);
@@ -61,19 +48,17 @@ float axis_range(const FanPlan& plan, std::span<const Pixel> pixels, double bear
     return range_between(pixels, plan.samples, lines, between(sample, view.samples));
 }
 
-std::vector<BeamTruth> find_truth(const FanPlan& plan, std::span<const Pixel> pixels,
-                                  std::span<const double> bearings, PixelOffset offset) {
-    std::vector<float> lines(plan.lines);
-    for (std::size_t line = 0; line < plan.lines; ++line) lines[line] = nearest_of_line(plan, pixels, line);
-    std::vector<BeamTruth> truth(bearings.size());
-    for (std::size_t beam = 0; beam < bearings.size(); ++beam) {
-        const BeamLines& own = plan.beams[beam];
-        float nearest = nothing;
-        for (std::size_t i = 0; i < own.nominal_lines; ++i)
-            nearest = std::min(nearest, lines[own.first_nominal + i]);
-        truth[beam].axis_range = axis_range(plan, pixels, bearings[beam], 0, offset);
-        if (nearest < nothing) truth[beam].nearest_range = nearest;
+}  // namespace
+
+std::vector<BeamTruth> find_truth(const Summing& summing, const BinningInput& in, const Shot& shot) {
+    const std::size_t columns = shot.bearings.size();
+    std::vector<BeamTruth> truth(columns * shot.rows());
+    for (std::size_t beam = 0; beam < truth.size(); ++beam) {
+        const double elevation = shot.elevations.empty() ? 0 : shot.elevations[beam / columns];
+        truth[beam].axis_range =
+            axis_range(in.plan, in.pixels, shot.bearings[beam % columns], elevation, in.offset);
     }
+    summing.find_nearest(in, truth);
     return truth;
 }
 

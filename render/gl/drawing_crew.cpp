@@ -119,12 +119,12 @@ void DrawingCrew::share_out() {
     }
 }
 
-void DrawingCrew::draw(const FanPlan& plan, const Outlook& outlook, std::vector<Pixel>& pixels) {
+void DrawingCrew::draw(const Picture& picture, const Outlook& outlook, std::vector<Pixel>& pixels) {
     const auto since = [](Clock::time_point then) {
         return std::chrono::duration<double>(Clock::now() - then).count();
     };
     const auto begin = Clock::now();
-    find_seen(own_.scene(), plan, outlook, seen_);
+    find_seen(own_.scene(), picture, outlook, seen_);
     share_out();
     profile_ = {since(begin), 0, 0, 0, 0, 0};
     for (const SeenView& view : seen_) {
@@ -133,10 +133,10 @@ void DrawingCrew::draw(const FanPlan& plan, const Outlook& outlook, std::vector<
         profile_.pixels += view.view->lines * view.view->samples;
     }
     const auto seen = Clock::now();
-    pixels.resize(plan.image_lines * plan.samples);
+    pixels.resize(picture.image_lines * picture.samples);
     for (std::size_t i = 0; i < helpers_.size(); ++i)
         if (!shares_[i + 1].views.empty())
-            helpers_[i]->begin(shares_[i + 1].views, plan.samples, outlook.offset, pixels.data());
+            helpers_[i]->begin(shares_[i + 1].views, picture.samples, outlook.offset, pixels.data());
     std::exception_ptr fault;
     const auto take = [&](const auto& read_back) {
         try {
@@ -145,7 +145,7 @@ void DrawingCrew::draw(const FanPlan& plan, const Outlook& outlook, std::vector<
             fault = std::current_exception();
         }
     };
-    take([&] { return own_.draw(shares_[0].views, plan.samples, outlook.offset, pixels.data()); });
+    take([&] { return own_.draw(shares_[0].views, picture.samples, outlook.offset, pixels.data()); });
     for (std::size_t i = 0; i < helpers_.size(); ++i)
         if (!shares_[i + 1].views.empty()) take([&] { return helpers_[i]->end(); });
     if (fault) std::rethrow_exception(fault);

@@ -26,8 +26,8 @@ class DrawingCrew {
     DrawingCrew(const MakeContext& make, std::shared_ptr<const Scene> scene, std::size_t threads);
     ~DrawingCrew();
 
-    /// Draws all views of the plan: plan.image_lines x plan.samples pixels.
-    void draw(const FanPlan& plan, const Outlook& outlook, std::vector<Pixel>& pixels);
+    /// Draws all views: picture.image_lines x picture.samples pixels.
+    void draw(const Picture& picture, const Outlook& outlook, std::vector<Pixel>& pixels);
 
     const DrawProfile& profile() const { return profile_; }  ///< of the last draw()
     const SceneDrawer& drawer() const { return own_; }       ///< for what all of them know

@@ -23,16 +23,11 @@ Mesh wall(const char* name, double ahead, double port) {
     return mesh;
 }
 
-FanPlan plan_of_one_view() {
+Picture picture_of_one_view() {
     View view;
     view.left = view.bottom = -0.5, view.right = view.top = 0.5;
     view.lines = 32, view.samples = 48;
-    FanPlan plan;
-    plan.views = {view};
-    plan.level_views = 1;
-    plan.lines = plan.image_lines = view.lines;
-    plan.samples = view.samples;
-    return plan;
+    return {{view}, view.lines, view.samples};
 }
 
 /// What pixel `line`, `sample` shows of a wall across the axis, `ahead` m away: R = ahead L, L = |(x, y, 1)|.
@@ -59,14 +54,14 @@ void compare(const char* what, float is, float should_be, std::size_t line, std:
 void check_picture(std::unique_ptr<Context> context) {
     const std::vector<Mesh> walls{wall("far", far_wall, 1), wall("near", near_wall, 0)};
     const auto scene = Scene::from_meshes(walls);
-    const FanPlan plan = plan_of_one_view();
-    const View& view = plan.views.front();
+    const Picture picture = picture_of_one_view();
+    const View& view = picture.views.front();
     std::vector<SeenView> seen;
-    find_seen(*scene, plan, {.world_from_fan = {}, .end_range = 100}, seen);
-    std::vector<Pixel> image(plan.samples * plan.image_lines);
+    find_seen(*scene, picture, {.world_from_fan = {}, .end_range = 100}, seen);
+    std::vector<Pixel> image(picture.samples * picture.image_lines);
     SceneDrawer drawer(std::move(context), scene);
     const SeenView* views[] = {&seen.front()};
-    drawer.draw(views, plan.samples, {}, image.data());
+    drawer.draw(views, picture.samples, {}, image.data());
     for (std::size_t line = 0; line < view.lines; ++line)
         for (std::size_t sample = 0; sample < view.samples; ++sample) {
             const Pixel &is = image[line * view.samples + sample], should_be = expected(view, line, sample);

@@ -76,10 +76,10 @@ void find_seen(const Scene& scene, const Outlook& outlook, SeenView& seen) {
 
 }  // namespace
 
-void find_seen(const Scene& scene, const FanPlan& plan, const Outlook& outlook, std::vector<SeenView>& seen) {
-    seen.resize(plan.views.size());
+void find_seen(const Scene& scene, const Picture& picture, const Outlook& outlook, std::vector<SeenView>& seen) {
+    seen.resize(picture.views.size());
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        seen[i].view = &plan.views[i];
+        seen[i].view = &picture.views[i];
         seen[i].parts.resize(1 + outlook.movers.size());
         find_seen(scene, outlook, seen[i]);
     }

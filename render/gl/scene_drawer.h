@@ -7,11 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "render/fan/binning.h"
-#include "render/fan/culling.h"
+#include "render/gl/culling.h"
 #include "render/gl/objects.h"
+#include "render/pixel.h"
 #include "render/recently_used.h"
 #include "render/scene/scene.h"
+#include "render/view.h"
 
 namespace echoloop::gl {
 
@@ -39,8 +40,8 @@ struct Outlook {
     PixelOffset offset{};  ///< moves the sample point within every pixel
 };
 
-/// Fills `seen`, one for every view of the plan, whose places it keeps. Needs no GL.
-void find_seen(const Scene& scene, const FanPlan& plan, const Outlook& outlook, std::vector<SeenView>& seen);
+/// Fills `seen`, one for every view of the picture, whose places it keeps. Needs no GL.
+void find_seen(const Scene& scene, const Picture& picture, const Outlook& outlook, std::vector<SeenView>& seen);
 
 class SceneDrawer {
   public:
@@ -50,7 +51,7 @@ class SceneDrawer {
     SceneDrawer(const SceneDrawer&) = delete;
     SceneDrawer& operator=(const SceneDrawer&) = delete;
 
-    /// Draws these views of a plan and reads them back to where they are in its image, whose lines have so
+    /// Draws these views of a picture and reads them back to where they are in its image, whose lines have so
     /// many samples. Returns the s of wall time that the reading took, which begins when the last pixel of a
     /// view is there.
     double draw(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,

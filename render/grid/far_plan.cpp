@@ -46,9 +46,9 @@ double spacing(std::span<const double> places, std::size_t i) {
 
 class FarPlan {
   public:
-    FarPlan(GridPlan& plan, const GridGeometry& g, const GridLobes& lobes, const FieldLimits& limits)
-        : plan_(plan), far_(plan.far), g_(g), lobes_(lobes), limits_(limits) {
-        const auto [least, most] = std::ranges::minmax(plan.across);
+    FarPlan(GridPlan& plan, const FieldLimits& limits)
+        : plan_(plan), far_(plan.far), g_(plan.geometry), lobes_(plan.lobes), limits_(limits) {
+        const auto [least, most] = std::ranges::minmax(plan.axes);
         far_.nodes = std::max<std::size_t>(2, plan.columns / columns_per_node + 1);
         first_node_ = least, node_step_ = (most - least) / static_cast<double>(far_.nodes - 1);
     }
@@ -65,13 +65,13 @@ class FarPlan {
 
     void place_beams() {
         for (const double elevation : g_.elevations) far_.row_sector.push_back(sector_of(elevation));
-        for (std::size_t beam = 0; beam < plan_.across.size(); ++beam) {
+        for (std::size_t beam = 0; beam < plan_.axes.size(); ++beam) {
             const std::size_t row = beam / plan_.columns, column = beam % plan_.columns;
             const double width =
-                spacing(std::span(plan_.across).subspan(row * plan_.columns, plan_.columns), column);
+                spacing(std::span(plan_.axes).subspan(row * plan_.columns, plan_.columns), column);
             const double height = spacing(g_.elevations, row);
-            far_.node.push_back(node_of(plan_.across[beam]));
-            far_.across.push_back(sector_of(plan_.across[beam]));
+            far_.node.push_back(node_of(plan_.axes[beam]));
+            far_.across.push_back(sector_of(plan_.axes[beam]));
             far_.row_share.push_back(static_cast<float>(width / lobes_.across.integral()));
             far_.column_share.push_back(
                 static_cast<float>(width / node_step_ * height / lobes_.upwards.integral()));
@@ -80,17 +80,17 @@ class FarPlan {
 
     void add_view(View view) {
         const std::size_t before = far_.shares.size(), first = far_.first.size();
-        view.first_line = plan_.drawing.image_lines, view.first_pixel = plan_.drawing.weight.size();
+        view.first_line = plan_.image_lines, view.first_pixel = plan_.weight.size();
         for (std::size_t line = 0; line < view.lines; ++line)
             for (std::size_t sample = 0; sample < view.samples; ++sample) add_pixel(view, line, sample);
         if (far_.shares.size() == before) {  // nobody hears any of it
             far_.first.resize(first);
-            plan_.drawing.weight.resize(view.first_pixel), plan_.drawing.coverage.resize(view.first_pixel);
+            plan_.weight.resize(view.first_pixel), plan_.coverage.resize(view.first_pixel);
             return;
         }
-        plan_.drawing.image_lines += view.lines;
-        plan_.drawing.samples = std::max(plan_.drawing.samples, view.samples);
-        plan_.drawing.views.push_back(view);
+        plan_.image_lines += view.lines;
+        plan_.samples = std::max(plan_.samples, view.samples);
+        plan_.views.push_back(view);
     }
 
   private:
@@ -127,8 +127,8 @@ class FarPlan {
         if (half > 0) add_to_rows(d.elevation, half, sector_of(across));
         if (half > 0) add_to_column(across, sector_of(d.elevation));
         const bool heard = far_.shares.size() > before;
-        plan_.drawing.coverage.push_back(1);
-        plan_.drawing.weight.push_back(heard ? static_cast<float>(solid_angle) : 0.0F);
+        plan_.coverage.push_back(1);
+        plan_.weight.push_back(heard ? static_cast<float>(solid_angle) : 0.0F);
     }
 
     void add(std::size_t sum, double share) {
@@ -156,7 +156,7 @@ class FarPlan {
 
     GridPlan& plan_;
     GridFar& far_;
-    const GridGeometry& g_;
+    const FanGeometry& g_;
     const GridLobes& lobes_;
     const FieldLimits& limits_;
     double first_node_ = 0, node_step_ = 0;  ///< rad
@@ -172,9 +172,8 @@ std::size_t GridFar::sum_above(std::size_t number_of_node, std::size_t sector, s
     return (rows + number_of_node) * sectors_per_part + sector;
 }
 
-void add_grid_far(GridPlan& plan, const GridGeometry& g, const GridLobes& lobes, const FieldLimits& limits,
-                  double density) {
-    FarPlan far(plan, g, lobes, limits);
+void add_grid_far(GridPlan& plan, const FieldLimits& limits, double density) {
+    FarPlan far(plan, limits);
     far.weigh_sectors();
     far.place_beams();
     const auto side = static_cast<std::size_t>(std::max(16.0, pixels_per_side * std::sqrt(density))) / 2 * 2;

@@ -36,26 +36,26 @@ struct Extent {
 
 class Hearers {
   public:
-    Hearers(GridPlan& plan, const GridGeometry& g, const GridLobes& lobes)
-        : plan_(plan), g_(g), lobes_(lobes) {}
+    explicit Hearers(GridPlan& plan) : plan_(plan) {}
 
     /// Appends who hears a pixel, beam by beam.
     void add(const Extent& pixel) {
-        const double reach = lobes_.upwards.edge();
-        const auto& rows = g_.elevations;
+        const double reach = plan_.lobes.upwards.edge();
+        const auto& rows = plan_.geometry.elevations;
         const auto first = std::ranges::lower_bound(rows, pixel.low - reach);
         for (auto row = first; row != rows.end() && *row < pixel.high + reach; ++row)
             add_row(static_cast<std::size_t>(row - rows.begin()), pixel,
-                    lobes_.upwards.mean(pixel.low - *row, pixel.high - *row));
+                    plan_.lobes.upwards.mean(pixel.low - *row, pixel.high - *row));
     }
 
   private:
     void add_row(std::size_t row, const Extent& pixel, double vertical) {
-        const double reach = lobes_.across.edge();
-        const auto axes = std::span(plan_.across).subspan(row * plan_.columns, plan_.columns);
+        const double reach = plan_.lobes.across.edge();
+        const auto axes = std::span(plan_.axes).subspan(row * plan_.columns, plan_.columns);
         const auto first = std::ranges::lower_bound(axes, pixel.port - reach);
         for (auto axis = first; axis != axes.end() && *axis < pixel.starboard + reach; ++axis) {
-            const double share = vertical * lobes_.across.mean(pixel.port - *axis, pixel.starboard - *axis);
+            const double share =
+                vertical * plan_.lobes.across.mean(pixel.port - *axis, pixel.starboard - *axis);
             if (share < least_share) continue;
             const std::size_t beam = row * plan_.columns + static_cast<std::size_t>(axis - axes.begin());
             plan_.heard.push_back({static_cast<std::uint16_t>(beam),
@@ -64,8 +64,6 @@ class Hearers {
     }
 
     GridPlan& plan_;
-    const GridGeometry& g_;
-    const GridLobes& lobes_;
 };
 
 void weigh_line(GridPlan& plan, const View& view, std::size_t line, Hearers& hearers) {
@@ -74,8 +72,8 @@ void weigh_line(GridPlan& plan, const View& view, std::size_t line, Hearers& hea
     for (std::size_t sample = 0; sample < view.samples; ++sample) {
         const double high = view.elevation_at(at + 0.5, static_cast<double>(sample));
         const double low = view.elevation_at(at + 0.5, static_cast<double>(sample + 1));
-        plan.drawing.coverage.push_back(1);
-        plan.drawing.weight.push_back(static_cast<float>(view.solid_angle(x2, sample)));
+        plan.coverage.push_back(1);
+        plan.weight.push_back(static_cast<float>(view.solid_angle(x2, sample)));
         plan.first_heard.push_back(static_cast<std::uint32_t>(plan.heard.size()));
         hearers.add({low, high, cone_angle(view.bearing_at(at), (low + high) / 2),
                      cone_angle(view.bearing_at(at + 1), (low + high) / 2)});
@@ -84,32 +82,33 @@ void weigh_line(GridPlan& plan, const View& view, std::size_t line, Hearers& hea
 
 }  // namespace
 
-FieldLimits limits_of(const GridGeometry& g, const GridLobes& lobes) {
+FieldLimits limits_of(const GridPlan& plan) {
+    const FanGeometry& g = plan.geometry;
+    const GridLobes& lobes = plan.lobes;
     const auto& [low, high] = std::pair(g.elevations.front(), g.elevations.back());
     const double tallest = std::max(std::abs(low), std::abs(high)), above = lobes.upwards.edge();
     // A cone angle changes more slowly than the bearing where it is far off both axes.
     const double beside = 1.5 * lobes.across.edge() / std::cos(std::min(tallest + above, deg_to_rad(70)));
-    return {g.row.bearings.front() - beside, g.row.bearings.back() + beside, low - above, high + above};
+    return {g.bearings.front() - beside, g.bearings.back() + beside, low - above, high + above};
 }
 
-void add_field(GridPlan& plan, const GridGeometry& g, const GridLobes& lobes, const FieldLimits& limits,
-               const PlanDensity& density) {
-    FanPlan& drawing = plan.drawing;
+void add_field(GridPlan& plan, const FieldLimits& limits, const PlanDensity& density) {
+    const FanGeometry& g = plan.geometry;
     const double span = limits.right - limits.left, per_side = std::sqrt(density.pixels);
     const double views = std::ceil(span / widest_view), width = span / views;
     for (double i = 0; i < views; ++i) {
         View view = field_view(limits, limits.left + (i + 0.5) * width, width);
-        view.lines = count((view.right - view.left) / g.row.beam_width * density.columns_per_beam * per_side);
-        view.samples = count((view.top - view.bottom) / g.row.fan_height * samples_per_beam * per_side);
-        view.first_line = drawing.image_lines;
-        drawing.image_lines += view.lines;
-        drawing.samples = std::max(drawing.samples, view.samples);
-        drawing.views.push_back(view);
+        view.lines = count((view.right - view.left) / g.beam_width * density.columns_per_beam * per_side);
+        view.samples = count((view.top - view.bottom) / g.fan_height * samples_per_beam * per_side);
+        view.first_line = plan.image_lines;
+        plan.image_lines += view.lines;
+        plan.samples = std::max(plan.samples, view.samples);
+        plan.views.push_back(view);
     }
-    drawing.level_views = drawing.views.size();
-    Hearers hearers(plan, g, lobes);
-    for (View& view : drawing.views) {
-        view.first_pixel = drawing.weight.size();
+    plan.level_views = plan.views.size();
+    Hearers hearers(plan);
+    for (View& view : plan.views) {
+        view.first_pixel = plan.weight.size();
         for (std::size_t line = 0; line < view.lines; ++line) weigh_line(plan, view, line, hearers);
     }
     plan.first_heard.push_back(static_cast<std::uint32_t>(plan.heard.size()));

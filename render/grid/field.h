@@ -1,7 +1,6 @@
 // The steps in which plan_grid() makes a plan. Used by the planning code only.
 #pragma once
 
-#include "render/grid/lobes.h"
 #include "render/grid/plan.h"
 
 namespace echoloop {
@@ -15,12 +14,10 @@ struct FieldLimits {
     }
 };
 
-FieldLimits limits_of(const GridGeometry& geometry, const GridLobes& lobes);
+FieldLimits limits_of(const GridPlan& plan);
 /// Appends views of the field, and finds who hears their pixels.
-void add_field(GridPlan& plan, const GridGeometry& geometry, const GridLobes& lobes,
-               const FieldLimits& limits, const PlanDensity& density);
+void add_field(GridPlan& plan, const FieldLimits& limits, const PlanDensity& density);
 /// Appends views of what is around the field, and finds what beams hear through side lobes.
-void add_grid_far(GridPlan& plan, const GridGeometry& geometry, const GridLobes& lobes,
-                  const FieldLimits& limits, double density);
+void add_grid_far(GridPlan& plan, const FieldLimits& limits, double density);
 
 }  // namespace echoloop

@@ -10,8 +10,11 @@ namespace {
 
 class Sharing {
   public:
-    Sharing(const GridPlan& plan, const GridGeometry& geometry, const GridLobes& lobes)
-        : plan_(plan), rows_(geometry.elevations), side_lobes_(geometry.row.side_lobes), lobes_(lobes) {}
+    explicit Sharing(const GridPlan& plan)
+        : plan_(plan),
+          rows_(plan.geometry.elevations),
+          side_lobes_(plan.geometry.side_lobes),
+          lobes_(plan.lobes) {}
 
     /// Main lobes over the directions that it comes from.
     void add(const PathEcho& echo, std::vector<Arrival>& arrivals) const {
@@ -54,7 +57,7 @@ class Sharing {
     /// Calls use(beam, angle off its axis) for a row's beams within `reach`.
     template <typename Use>
     void for_columns(std::size_t row, double across, double reach, const Use& use) const {
-        const auto axes = std::span(plan_.across).subspan(row * plan_.columns, plan_.columns);
+        const auto axes = std::span(plan_.axes).subspan(row * plan_.columns, plan_.columns);
         for (auto axis = std::ranges::lower_bound(axes, across - reach);
              axis != axes.end() && *axis < across + reach; ++axis)
             use(row * plan_.columns + static_cast<std::size_t>(axis - axes.begin()), across - *axis);
@@ -68,13 +71,18 @@ class Sharing {
 
 }  // namespace
 
-GridPaths share_paths(const PathEchoes& echoes, const GridPlan& plan, const GridGeometry& geometry,
-                      const GridLobes& lobes) {
-    const Sharing sharing(plan, geometry, lobes);
-    GridPaths paths;
-    for (const PathEcho& echo : echoes.diffuse) sharing.add(echo, paths.arrivals);
-    for (const TargetEcho& echo : echoes.targets) sharing.add(echo, paths.points);
-    return paths;
+std::vector<Arrival> arrivals_of(const GridPlan& plan, std::span<const PathEcho> echoes) {
+    const Sharing sharing(plan);
+    std::vector<Arrival> arrivals;
+    for (const PathEcho& echo : echoes) sharing.add(echo, arrivals);
+    return arrivals;
+}
+
+std::vector<PointEcho> points_of(const GridPlan& plan, std::span<const TargetEcho> echoes) {
+    const Sharing sharing(plan);
+    std::vector<PointEcho> points;
+    for (const TargetEcho& echo : echoes) sharing.add(echo, points);
+    return points;
 }
 
 }  // namespace echoloop

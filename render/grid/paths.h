@@ -3,19 +3,20 @@
 #pragma once
 
 #include "render/acoustics/chain.h"
-#include "render/grid/binning.h"
-#include "render/grid/lobes.h"
+#include "render/grid/plan.h"
 #include "render/paths/paths.h"
 
 namespace echoloop {
 
-/// What beams hear: diffuse echoes, and those of targets and corners.
-struct GridPaths {
-    std::vector<Arrival> arrivals;
-    std::vector<PointEcho> points;
+/// An echo of complete power that arrives along a beam.
+struct Arrival {
+    std::size_t beam;
+    float near_range, far_range, power;  ///< m, m, uPa^2
 };
 
-GridPaths share_paths(const PathEchoes& echoes, const GridPlan& plan, const GridGeometry& geometry,
-                      const GridLobes& lobes);
+/// Of diffuse echoes.
+std::vector<Arrival> arrivals_of(const GridPlan& plan, std::span<const PathEcho> echoes);
+/// Of targets and corners.
+std::vector<PointEcho> points_of(const GridPlan& plan, std::span<const TargetEcho> echoes);
 
 }  // namespace echoloop

@@ -7,17 +7,9 @@
 #include <vector>
 
 #include "render/fan/plan.h"
+#include "render/grid/lobes.h"
 
 namespace echoloop {
-
-/// What of a shot decides its plan.
-struct GridGeometry {
-    FanGeometry row;                 ///< of one row: bearings, widths, patterns
-    std::vector<double> elevations;  ///< rad, of the rows
-    friend bool operator==(const GridGeometry&, const GridGeometry&) = default;
-};
-
-GridGeometry grid_geometry_of(const Shot& shot, const Effects& effects);
 
 /// A beam that hears a pixel in its main lobe, with this share of the pixel's power in steps of 1 /
 /// whole_share.
@@ -60,12 +52,15 @@ struct GridFar {
     std::size_t sum_above(std::size_t number_of_node, std::size_t sector, std::size_t rows) const;
 };
 
-struct GridPlan {
-    /// The views, those of the field first, and the solid angle of each pixel; no beams and no lines.
-    FanPlan drawing;
-    std::size_t columns = 0, rows = 0;
+/// The views are those of the field first, each pixel's weight is its solid angle; there are no BeamLines and
+/// no level lines.
+struct GridPlan : FanPlan {
+    explicit GridPlan(const FanGeometry& rows_of_beams);
+
+    GridLobes lobes;
+    std::size_t columns, rows;
     std::vector<double>
-        across;  ///< rad, cone angle of each beam's axis, as a line array tells directions apart
+        axes;  ///< rad, cone angle of each beam's axis, as a line array tells directions apart
     std::vector<std::uint32_t> first_heard;  ///< per pixel of the field's views, and one more
     std::vector<Heard> heard;
     GridFar far;
@@ -73,18 +68,10 @@ struct GridPlan {
     std::span<const Heard> heard_by(std::size_t pixel) const {
         return std::span(heard).subspan(first_heard[pixel], first_heard[pixel + 1] - first_heard[pixel]);
     }
-    /// Of what grows with the grid.
-    std::size_t bytes() const {
-        return heard.size() * sizeof heard[0] + first_heard.size() * sizeof first_heard[0] +
-               far.shares.size() * sizeof far.shares[0] +
-               across.size() * (sizeof across[0] + 4 * sizeof(float));
-    }
-    std::span<const View> field_views() const { return std::span(drawing.views).first(drawing.level_views); }
-    std::span<const View> other_views() const {
-        return std::span(drawing.views).subspan(drawing.level_views);
-    }
+    std::span<const View> field_views() const { return std::span(views).first(level_views); }
+    std::span<const View> other_views() const { return std::span(views).subspan(level_views); }
 };
 
-GridPlan plan_grid(const GridGeometry& geometry, const PlanDensity& density);
+GridPlan plan_grid(const FanGeometry& geometry, const PlanDensity& density);
 
 }  // namespace echoloop

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/fan/far_lobes.h"
-
 namespace echoloop {
 
 namespace {

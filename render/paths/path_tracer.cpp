@@ -1,8 +1,8 @@
 #include <numbers>
 
-#include "render/fan/view.h"
 #include "render/paths/searches.h"
 #include "render/recently_used.h"
+#include "render/view.h"
 #include "render/water.h"
 
 namespace echoloop {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
 
-#include "render/acoustics/scattering.h"
 #include "render/scene/document_parts.h"
 #include "render/scene/fault.h"
 #include "render/scene/materials.h"
+#include "render/scene/seabeds.h"
 
 namespace echoloop {
 namespace {

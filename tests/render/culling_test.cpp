@@ -1,5 +1,5 @@
 // Which nodes of a scene a view draws, and the coarse stand-ins among them.
-#include "render/fan/culling.h"
+#include "render/gl/culling.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,8 @@
 
 namespace echoloop {
 namespace {
+
+using gl::find_visible, gl::NodeRange;
 
 Shot shallow_fan() {
     Shot shot = test::fan(120, 20, 256, 500, 50);

@@ -18,6 +18,8 @@ STANDARD = r"[a-z0-9_]+"  # <vector>; any other library has a slash or a suffix
 GRAPHICS = r"(GL|EGL|glm|embree\d?)/.*|tiny_gltf\.h"
 NETWORK = r"boost/.*|libserialport\.h|pcap.*"
 USER_INTERFACE = r"CLI/.*|yaml-cpp/.*|cairo\.h"
+SYSTEM = r"(sys/)?(dlfcn|fcntl|link|mman|resource|sched|sendfile|stat|unistd)\.h"
+RENDER_ROOT = r"render/(?!renderer)[a-z_]+\.h"  # what all rooms of render may see
 
 
 @dataclass
@@ -28,10 +30,23 @@ class Rule:
     forbidden: str = r"(?!)"   # pattern of any header that it must not include all the same
 
 
+def render_room(name, below="", libraries=STANDARD):
+    """A room of render: what it may include of those below it, separated by |, and its libraries."""
+    rooms = f"{name}|{below}" if below else name
+    return Rule(rf"render/{name}/.*", rf"{RENDER_ROOT}|render/({rooms})/.*", f"{STANDARD}|{libraries}")
+
+
 RULES = [
     Rule(r"protocols/.*", r"protocols/.*", STANDARD),
     Rule(r"render/(echogram|effects|pose|simd)\.h", r"render/pose\.h", STANDARD),
-    Rule(r"render/.*", r"render/.*", forbidden=f"{NETWORK}|{USER_INTERFACE}"),
+    Rule(r"render/(?!renderer|shot_check)[a-z_]+\.(h|cpp)", RENDER_ROOT, f"{STANDARD}|{SYSTEM}"),
+    render_room("scene", libraries=rf"{SYSTEM}|(glm|nlohmann)/.*|tiny_gltf\.h"),
+    render_room("gl", "scene", rf"{SYSTEM}|(GL|EGL)/.*"),
+    render_room("acoustics", "scene"),
+    render_room("paths", "acoustics|scene", r"embree3/.*"),
+    render_room("fan", "paths|acoustics|scene"),
+    render_room("grid", "fan|paths|acoustics|scene"),
+    Rule(r"render/(renderer|shot_check)\.(h|cpp)", r"render/.*", STANDARD),
     Rule(r"emulator/(device|model|option_rows|options|endpoint|profile)\.h", PURE, STANDARD),
     Rule(r"emulator/devices/(sonar-3d-15)/api\.cpp", rf"{PURE}|protocols/.*|emulator/devices/(\1|family)/.*",
          rf"{STANDARD}|nlohmann/json\.hpp"),

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "render/scene/seabeds.h"
+
 namespace echoloop {
 namespace {
 

@@ -1,9 +1,9 @@
 // The rasteriser against Embree, in a scene of the program's own: first surfaces along the axes of beams.
 #include <gtest/gtest.h>
 
-#include "render/fan/view.h"
 #include "render/paths/lobe_cells.h"
 #include "render/paths/ray_scene.h"
+#include "render/view.h"
 #include "tests/render/shots.h"
 
 namespace echoloop {

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "render/acoustics/pattern.h"
-#include "render/acoustics/scattering.h"
+#include "render/scene/seabeds.h"
 #include "tools/echoloop/validate/groups.h"
 #include "tools/echoloop/validate/world.h"
 

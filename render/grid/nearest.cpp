@@ -1,18 +1,15 @@
-#include "render/grid/truth.h"
-
-#include "render/fan/truth.h"
+#include "render/grid/nearest.h"
 
 namespace echoloop {
-namespace {
 
 /// Of the pixels that a beam hears within its nominal size.
-void find_nearest(const BinningInput& in, const GridPlan& plan, std::vector<BeamTruth>& truth) {
+void find_nearest_of_grid(const BinningInput& in, const GridPlan& plan, std::span<BeamTruth> truth) {
     constexpr auto nominal =
         static_cast<std::uint16_t>(0.4F * whole_share);  // -3 dB across and upwards, or so
     for (const View& view : plan.field_views())
         for (std::size_t i = 0; i < view.lines * view.samples; ++i) {
             const std::size_t line = view.first_line + i / view.samples;
-            const Pixel& pixel = in.pixels[line * in.plan.samples + i % view.samples];
+            const Pixel& pixel = in.pixels[line * plan.samples + i % view.samples];
             if (pixel.surface == 0) continue;
             for (const Heard& heard : plan.heard_by(view.first_pixel + i)) {
                 float& nearest = truth[heard.beam].nearest_range;
@@ -20,17 +17,6 @@ void find_nearest(const BinningInput& in, const GridPlan& plan, std::vector<Beam
                     nearest = pixel.range;  // also for NaN
             }
         }
-}
-
-}  // namespace
-
-std::vector<BeamTruth> find_grid_truth(const BinningInput& in, const GridPlan& plan, const Shot& shot) {
-    std::vector<BeamTruth> truth(plan.across.size());
-    for (std::size_t beam = 0; beam < truth.size(); ++beam)
-        truth[beam].axis_range = axis_range(plan.drawing, in.pixels, shot.bearings[beam % plan.columns],
-                                            shot.elevations[beam / plan.columns], in.offset);
-    find_nearest(in, plan, truth);
-    return truth;
 }
 
 }  // namespace echoloop

@@ -1,4 +1,4 @@
-#include "render/fan/binning.h"
+#include "render/fan/summing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,8 @@
 #include "render/fan/beam_sums.h"
 #include "render/fan/far_lobes.h"
 #include "render/fan/line_sums.h"
+#include "render/fan/nearest.h"
+#include "render/fan/target_beams.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -28,6 +30,11 @@ std::vector<Piece> cut(std::span<const View> views) {
     return pieces;
 }
 
+const View& view_with(const FanPlan& plan, std::size_t image_line) {
+    const auto after = std::ranges::upper_bound(plan.views, image_line, {}, &View::first_line);
+    return *(after - 1);
+}
+
 /// The level line that an echo arrives on, if it is drawn.
 std::optional<std::size_t> line_at(const FanPlan& plan, double bearing) {
     const View& view = plan.view_at(bearing);
@@ -37,13 +44,16 @@ std::optional<std::size_t> line_at(const FanPlan& plan, double bearing) {
     return view.first_line + std::min(static_cast<std::size_t>(line), view.lines - 1);
 }
 
-}  // namespace
-
-class Binning::Impl {
+class FanSumming final : public Summing {
   public:
-    explicit Impl(Workers& workers) : workers_(workers) {}
+    explicit FanSumming(Workers& workers) : workers_(workers) {}
 
-    void bin(const BinningInput& in, std::vector<float>& values) {
+    std::shared_ptr<const FanPlan> plan(const FanGeometry& geometry,
+                                        const PlanDensity& density) const override {
+        return std::make_shared<const FanPlan>(plan_fan(geometry, density));
+    }
+
+    void sum(const BinningInput& in, std::vector<float>& values) override {
         const BinGain gain(in);
         if (in.rule == EchoRule::radiometric) {
             add_levels(in, gain, Amount::echo);
@@ -58,6 +68,40 @@ class Binning::Impl {
         beams_.sum(in.plan, in.offset, in.bins, sums_, {}, workers_, values);
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
+    }
+
+    bool sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
+                    std::vector<float>& power) override {
+        const BinGain gain(in);
+        sums_.resize(in.plan.lines, in.plan.sectors, in.bins);
+        const auto level_end = std::ranges::lower_bound(lines, in.plan.lines);
+        const auto level = lines.first(static_cast<std::size_t>(level_end - lines.begin()));
+        workers_.run((level.size() + lines_at_once - 1) / lines_at_once, [&](std::size_t piece) {
+            LineReader reader;
+            const std::size_t first = piece * lines_at_once;
+            for (const std::size_t line :
+                 level.subspan(first, std::min(lines_at_once, level.size() - first))) {
+                const View& view = view_with(in.plan, line);
+                add_level_line(in, gain, Amount::wanted_echo, view, line - view.first_line, reader,
+                               sums_.line(line));
+            }
+        });
+        LineReader reader;
+        for (const std::size_t line : lines.subspan(level.size())) {
+            const View& view = view_with(in.plan, line);
+            add_surround_line(in, gain, true, in.plan.part_of(view), view, line - view.first_line, reader,
+                              sums_);
+        }
+        beams_.sum(in.plan, in.offset, in.bins, sums_, gain.values(), workers_, power);
+        return true;
+    }
+
+    void find_nearest(const BinningInput& in, std::span<BeamTruth> truth) const override {
+        find_nearest_of_fan(in, truth);
+    }
+
+    std::vector<PointEcho> points(const FanPlan& plan, std::span<const TargetEcho> targets) const override {
+        return points_of(plan, targets);
     }
 
   private:
@@ -111,10 +155,8 @@ class Binning::Impl {
     std::vector<float> shares_;
 };
 
-Binning::Binning(Workers& workers) : impl_(std::make_unique<Impl>(workers)) {}
-Binning::~Binning() = default;
-void Binning::bin(const BinningInput& input, std::vector<float>& values) { impl_->bin(input, values); }
+}  // namespace
 
-float cerqueira_sigmoid(float cosine) { return 1 / (1 + std::exp(-18 * (cosine - 2.0F / 3))); }
+std::unique_ptr<Summing> make_fan_summing(Workers& workers) { return std::make_unique<FanSumming>(workers); }
 
 }  // namespace echoloop

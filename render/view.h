@@ -1,4 +1,4 @@
-// One perspective view of a fan: which bearings and elevations its pixels see. Pure geometry; knows no GL and
+// Perspective views of a fan: which bearings and elevations their pixels see. Pure geometry; knows no GL and
 // no scene.
 //
 // The image is transposed: one image row (a "line") is one bearing, so that what goes into one beam lies
@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "render/pose.h"
 
@@ -42,6 +43,15 @@ struct View {
     Quat fan_from_view() const {
         return axis_angle({0, 0, 1}, -bearing) * axis_angle({0, 1, 0}, -elevation);
     }
+};
+
+/// The views of one picture: an image of image_lines x samples pixels holds them one below the other.
+struct Picture {
+    std::vector<View> views;
+    std::size_t image_lines = 0;
+    std::size_t samples = 0;  ///< the image's width
+
+    std::size_t pixels() const;  ///< of all views
 };
 
 /// Rotation from the fan's frame to the sonar's, after pan and tilt as Shot defines them.

@@ -1,4 +1,4 @@
-#include "render/fan/view.h"
+#include "render/view.h"
 
 namespace echoloop {
 
@@ -6,6 +6,12 @@ double View::solid_angle(double x2, std::size_t sample) const {
     const double y_middle = y(static_cast<double>(sample) + 0.5);
     const double square = 1 + x2 + y_middle * y_middle;
     return line_width() * sample_height() / (square * std::sqrt(square));
+}
+
+std::size_t Picture::pixels() const {
+    std::size_t sum = 0;
+    for (const View& view : views) sum += view.lines * view.samples;
+    return sum;
 }
 
 PixelOffset jitter_of(std::uint64_t ping) {

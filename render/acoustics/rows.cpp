@@ -1,4 +1,4 @@
-#include "render/grid/rows.h"
+#include "render/acoustics/rows.h"
 
 #include <algorithm>
 
@@ -8,6 +8,11 @@ namespace echoloop {
 
 void apply_to_rows(AcousticChain& chain, std::vector<PointEcho> points, Echogram& echogram) {
     const Shot& grid = echogram.shot;
+    if (grid.elevations.empty()) {
+        echogram.noise_power =
+            chain.apply(grid, echogram.world_from_sonar, echogram.sound_speed, points, echogram.values);
+        return;
+    }
     const std::size_t columns = grid.bearings.size(), size = columns * grid.bins;
     std::ranges::stable_sort(points, {}, &PointEcho::beam);
     Shot row = grid;

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/fan/view.h"
 #include "render/scene/scene.h"
+#include "render/view.h"
 
-namespace echoloop {
+namespace echoloop::gl {
 
 struct ViewLimits {
     double end_range = 0;  ///< m, nothing farther is wanted
@@ -31,4 +31,4 @@ struct NodeRange {
 bool find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
                   const ViewLimits& limits, std::vector<std::uint32_t>& nodes);
 
-}  // namespace echoloop
+}  // namespace echoloop::gl

@@ -1,10 +1,10 @@
-#include "render/fan/culling.h"
+#include "render/gl/culling.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-namespace echoloop {
+namespace echoloop::gl {
 namespace {
 
 double at(const std::array<float, 3>& v, std::size_t axis) { return static_cast<double>(v[axis]); }
@@ -81,4 +81,4 @@ bool find_visible(const Scene& scene, NodeRange range, const View& view, const P
     return wanted;
 }
 
-}  // namespace echoloop
+}  // namespace echoloop::gl

@@ -1,0 +1,23 @@
+// What the main lobes of a grid's beams hear of the field's pixels. Knows no side lobes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/fan/line_sums.h"
+#include "render/grid/plan.h"
+
+namespace echoloop {
+
+/// The bins of every beam, all 0, in `values` (beams x bins).
+std::vector<LineBins> bins_of_beams(std::vector<float>& values, std::size_t beams, std::size_t bins);
+
+/// Adds the field's pixels to the beams' bins, before the gain of the bins. In the order of the pixels and on
+/// one thread: many pixels share a beam.
+void add_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount,
+                    std::vector<LineBins>& beams);
+/// The same with what the surfaces in `in.wanted` send back, in these lines of the image, ascending.
+void add_wanted(const BinningInput& in, const GridPlan& plan, std::span<const std::size_t> lines,
+                std::vector<LineBins>& beams);
+
+}  // namespace echoloop

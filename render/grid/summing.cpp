@@ -1,0 +1,193 @@
+#include "render/grid/summing.h"
+
+#include <algorithm>
+
+#include "render/fan/far_lobes.h"
+#include "render/fan/pixel_echoes.h"
+#include "render/grid/main_lobes.h"
+#include "render/grid/nearest.h"
+#include "render/grid/paths.h"
+#include "render/simd.h"
+#include "render/workers.h"
+
+namespace echoloop {
+namespace {
+
+ECHOLOOP_SIMD
+void add_scaled(float* __restrict sum, const float* __restrict values, float weight, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) sum[i] += weight * values[i];
+}
+
+ECHOLOOP_SIMD
+void add_far_and_scale(float* __restrict sum, const float* __restrict a, float weight_a,
+                       const float* __restrict b, float weight_b, const float* __restrict gain,
+                       std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) sum[i] = (sum[i] + weight_a * a[i] + weight_b * b[i]) * gain[i];
+}
+
+ECHOLOOP_SIMD
+void multiply(float* __restrict values, const float* __restrict factors, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) values[i] *= factors[i];
+}
+
+void add_row(float* sum, const LineBins& row, const float* values, float weight) {
+    if (weight > 0 && !row.empty())
+        add_scaled(sum + row.begin(), values + row.begin(), weight, row.end() - row.begin());
+}
+
+class GridSumming final : public Summing {
+  public:
+    explicit GridSumming(Workers& workers) : workers_(workers) {}
+
+    std::shared_ptr<const FanPlan> plan(const FanGeometry& geometry,
+                                        const PlanDensity& density) const override {
+        return std::make_shared<const GridPlan>(plan_grid(geometry, density));
+    }
+
+    void sum(const BinningInput& in, std::vector<float>& values) override {
+        const GridPlan& plan = grid(in.plan);
+        if (in.rule != EchoRule::radiometric) return mean(in, plan, values);
+        const BinGain gain(in);
+        beams_ = bins_of_beams(values, plan.axes.size(), in.bins);
+        add_main_lobes(in, plan, Amount::echo, beams_);
+        add_arrivals(in, gain, arrivals_of(plan, in.paths));
+        if (plan.far.nodes > 0) {
+            far_.resize(plan.rows * sectors_per_part, plan.far.nodes * sectors_per_part, in.bins);
+            sum_far(plan);
+            add_surround(in, gain, plan);
+        }
+        finish(plan, in.bins, gain.values(), values);
+    }
+
+    bool sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
+                    std::vector<float>& power) override {
+        const GridPlan& plan = grid(in.plan);
+        const View& last = plan.field_views().back();
+        if (lines.front() >= last.first_line + last.lines) return false;
+        beams_ = bins_of_beams(power, plan.axes.size(), in.bins);
+        add_wanted(in, plan, lines, beams_);
+        const BinGain gain(in);
+        for (std::size_t beam = 0; beam < beams_.size(); ++beam)
+            if (const LineBins& own = beams_[beam]; !own.empty())
+                multiply(&power[beam * in.bins + own.begin()], &gain.values()[own.begin()],
+                         own.end() - own.begin());
+        return true;
+    }
+
+    void find_nearest(const BinningInput& in, std::span<BeamTruth> truth) const override {
+        find_nearest_of_grid(in, grid(in.plan), truth);
+    }
+
+    std::vector<PointEcho> points(const FanPlan& plan, std::span<const TargetEcho> targets) const override {
+        return points_of(grid(plan), targets);
+    }
+
+  private:
+    static const GridPlan& grid(const FanPlan& plan) { return static_cast<const GridPlan&>(plan); }
+
+    void mean(const BinningInput& in, const GridPlan& plan, std::vector<float>& values) {
+        beams_ = bins_of_beams(shares_, plan.axes.size(), in.bins);
+        add_main_lobes(in, plan, Amount::paper_share, beams_);
+        beams_ = bins_of_beams(values, plan.axes.size(), in.bins);
+        add_main_lobes(in, plan, Amount::paper_echo, beams_);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
+    }
+
+    /// Their power is complete, so the gain that the beams will get is taken out first.
+    void add_arrivals(const BinningInput& in, const BinGain& gain, std::span<const Arrival> arrivals) {
+        for (const Arrival& echo : arrivals) {
+            const auto low = static_cast<float>((echo.near_range - in.first_range) / in.bin_length);
+            const auto high = static_cast<float>((echo.far_range - in.first_range) / in.bin_length);
+            const auto bin = static_cast<std::size_t>(std::max(0.5F * (low + high), 0.0F));
+            if (bin < in.bins && gain.values()[bin] > 0)
+                beams_[echo.beam].deposit(low, high, echo.power / gain.values()[bin]);
+        }
+    }
+
+    /// The field's echo as its rows and columns hear it.
+    void sum_far(const GridPlan& plan) {
+        const GridFar& far = plan.far;
+        for (std::size_t beam = 0; beam < beams_.size(); ++beam) {
+            const LineBins& own = beams_[beam];
+            if (own.empty()) continue;
+            const std::size_t row = beam / plan.columns;
+            const float* values = own.values();
+            const auto add = [&](LineBins& sum, float share) {
+                if (share > 0) sum.add(values, share, own.begin(), own.end());
+            };
+            const Between across = far.across[beam], up = far.row_sector[row], node = far.node[beam];
+            const float to_row = far.row_share[beam], to_column = far.column_share[beam];
+            add(far_.line(far.sum_beside(row, across.lower)), to_row * (1 - across.next));
+            add(far_.line(far.sum_beside(row, across.lower + 1U)), to_row * across.next);
+            for (const auto& [n, share] :
+                 {std::pair(node.lower + 0U, 1 - node.next), {node.lower + 1U, node.next}}) {
+                add(far_.sector(far.sum_above(n, up.lower, 0)), to_column * share * (1 - up.next));
+                add(far_.sector(far.sum_above(n, up.lower + 1U, 0)), to_column * share * up.next);
+            }
+        }
+    }
+
+    void add_surround(const BinningInput& in, const BinGain& gain, const GridPlan& plan) {
+        if (plan.other_views().empty()) return;
+        const std::size_t first = plan.other_views().front().first_pixel,
+                          row_sums = plan.rows * sectors_per_part;
+        LineReader reader;
+        for (const View& view : plan.other_views())
+            for (std::size_t line = 0; line < view.lines; ++line) {
+                list_echoes(in, gain, Amount::echo, view, line, reader, echoes_);
+                for (const PixelEcho& echo : echoes_) {
+                    const std::size_t pixel = view.first_pixel + line * view.samples + echo.sample - first;
+                    for (std::size_t i = plan.far.first[pixel]; i < plan.far.first[pixel + 1]; ++i) {
+                        const auto [sum, share] = plan.far.shares[i];
+                        LineBins& bins = sum < row_sums ? far_.line(sum) : far_.sector(sum - row_sums);
+                        bins.deposit(echo.near, echo.far, echo.amount * share, echo.slope);
+                    }
+                }
+            }
+    }
+
+    /// Adds the side lobes, and brings every bin to its level.
+    void finish(const GridPlan& plan, std::size_t bins, const std::vector<float>& gain,
+                std::vector<float>& values) {
+        const GridFar& far = plan.far;
+        workers_.run(plan.rows, [&](std::size_t row) {
+            float* own = &values[row * plan.columns * bins];
+            if (far.nodes == 0) {
+                for (std::size_t column = 0; column < plan.columns; ++column)
+                    multiply(own + column * bins, gain.data(), bins);
+                return;
+            }
+            thread_local std::vector<float> nodes;
+            nodes.assign(far.nodes * bins, 0.0F);
+            for (std::size_t node = 0; node < far.nodes; ++node)
+                for (std::size_t s = 0; s < sectors_per_part; ++s) {
+                    const std::size_t beside = far.sum_beside(row, s), above = far.sum_above(node, s, 0);
+                    add_row(&nodes[node * bins], far_.line(beside), far_.line_values(beside),
+                            far.beside[node * sectors_per_part + s]);
+                    add_row(&nodes[node * bins], far_.sector(above), far_.sector_values(above),
+                            far.above[row * sectors_per_part + s]);
+                }
+            for (std::size_t column = 0; column < plan.columns; ++column) {
+                const Between at = far.node[row * plan.columns + column];
+                const float* lower = &nodes[at.lower * bins];
+                add_far_and_scale(own + column * bins, lower, 1 - at.next, lower + bins, at.next, gain.data(),
+                                  bins);
+            }
+        });
+    }
+
+    Workers& workers_;
+    std::vector<LineBins> beams_;
+    LineSums far_;  ///< those of GridFar
+    std::vector<PixelEcho> echoes_;
+    std::vector<float> shares_;
+};
+
+}  // namespace
+
+std::unique_ptr<Summing> make_grid_summing(Workers& workers) {
+    return std::make_unique<GridSumming>(workers);
+}
+
+}  // namespace echoloop
