@@ -135,7 +135,7 @@ class Runtime::Impl {
     std::optional<StepSummary> steps() const {
         return steps_ ? std::optional(steps_->summary()) : std::nullopt;
     }
-    double stolen() const { return stolen_; }
+    double stolen() const { return stepped_ == nullptr ? stolen_ : 0; }
     std::size_t triangles() const { return scene_->triangles(); }
     const std::string& renderer_description() const { return renderer_description_; }
 

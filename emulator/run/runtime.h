@@ -65,7 +65,8 @@ class Runtime {
     std::map<std::string, PoseSummary> objects() const;
     /// Empty unless the clock is stepped.
     std::optional<StepSummary> steps() const;
-    /// s of processor time that the host of a virtual machine took during the run.
+    /// s of processor time that the host of a virtual machine took during the run; 0 if the clock is stepped,
+    /// since nothing is late then.
     double stolen_seconds() const;
 
   private:

@@ -60,7 +60,7 @@ class RealTime(unittest.TestCase):
             of_threads = priorities(run.process.pid)
         locked = locked_kilobytes(run.process.pid)
         run.end()
-        self.assertEqual(of_threads["render"], {1})
+        self.assertIn(1, of_threads["render"])  # Mesa has less urgent ones, which bear that name until they run
         self.assertIn(2, of_threads["echoloop"])
         self.assertGreater(locked, 10_000)
 
