@@ -22,8 +22,6 @@ struct Situation {
     /// Factor on the number of pixels, 0.1..1: less will do for a faint background. Below 1 the echogram's
     /// truth tells of no surface nearer than the window.
     double detail = 1;
-
-    friend bool operator==(const Situation&, const Situation&) = default;
 };
 
 }  // namespace echoloop

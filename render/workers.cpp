@@ -1,7 +1,5 @@
 #include "render/workers.h"
 
-#include <sched.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -18,7 +16,6 @@ void Workers::run(std::size_t count, const std::function<void(std::size_t)>& wor
     }
     while (threads_.size() + 1 < wished_)
         threads_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
-    follow_caller();
     {
         const std::lock_guard lock(mutex_);
         work_ = &work;
@@ -33,16 +30,6 @@ void Workers::run(std::size_t count, const std::function<void(std::size_t)>& wor
     open_ = false;
     end_.wait(lock, [this] { return inside_ == 0; });
     if (const std::exception_ptr fault = std::exchange(fault_, nullptr)) std::rethrow_exception(fault);
-}
-
-void Workers::follow_caller() {
-    sched_param parameters{};
-    if (::sched_getparam(0, &parameters) != 0) return;
-    const Turn turn{::sched_getscheduler(0), parameters.sched_priority};
-    if (turn.policy < 0 || turn == turn_) return;
-    for (std::jthread& thread : threads_)
-        ::pthread_setschedparam(thread.native_handle(), turn.policy, &parameters);
-    turn_ = turn;
 }
 
 void Workers::take_pieces() {

@@ -30,8 +30,6 @@ class Workers {
 
   private:
     void serve(std::stop_token stop);
-    /// Those who help take turns with other programs as the caller does, also when that has changed.
-    void follow_caller();
     void take_pieces();
 
     std::size_t wished_;
@@ -47,11 +45,6 @@ class Workers {
     std::atomic<std::size_t> next_{0};
     std::exception_ptr fault_;  ///< the first one, under mutex_
     std::vector<std::jthread> threads_;
-    /// Of sched_setscheduler(2), of threads_.
-    struct Turn {
-        int policy = 0, priority = 0;
-        friend bool operator==(const Turn&, const Turn&) = default;
-    } turn_;
 };
 
 }  // namespace echoloop

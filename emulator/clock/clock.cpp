@@ -1,15 +1,11 @@
 #include "emulator/clock/clock.h"
 
-#include "emulator/machine/standstills.h"
-
 namespace echoloop {
 
 double Clock::unix_time() const {
     if (unix_start_) return *unix_start_ + to_seconds(now());
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
-
-Inbox& Clock::inbox() { return inbox_ ? *inbox_ : inbox_.emplace(io_); }
 
 Task<void> Alarm::until(Time when) {
     constexpr auto never = asio::steady_timer::time_point::max();
@@ -22,7 +18,7 @@ Task<void> Alarm::until(Time when) {
     }
     error_code ec;
     co_await timer_.async_wait(into(ec));
-    if (!ec) clock_.rang(*this, when);
+    if (!ec) clock_.rang(when);
 }
 
 void Alarm::cancel() {
@@ -31,29 +27,16 @@ void Alarm::cancel() {
     timer_.cancel();
 }
 
-Time RealClock::now() const { return run_time(Steady::now() - start_); }
-
-RealClock::~RealClock() {
-    for (const auto& [when, alarm] : alarms_) alarm->set_ = false;
+Time RealClock::now() const {
+    const std::chrono::duration<double, std::nano> real(Steady::now() - start_);
+    return Time(static_cast<Time::rep>(real.count() * rate_));
 }
 
 void RealClock::run() {
-    if (standstills_ == nullptr) return serve();
-    wire_thread_.emplace(io());
-    tell_what_is_due();
-    const Standstills::Care care(*standstills_, *wire_thread_);
-    serve();
-}
-
-void RealClock::serve() {
     while (io().run_one() > 0) worked_until_ = now();
 }
 
-void RealClock::rang(Alarm& alarm, Time when) {
-    if (alarm.set_ && alarm.when_ == when) {
-        unset(alarm);
-        alarm.set_ = false;
-    }
+void RealClock::rang(Time when) {
     if (worked_until_ > when) return;
     slept_from_ = worked_until_;
     slept_to_ = now();
@@ -63,37 +46,7 @@ Time RealClock::overslept(Time due) const {
     return slept_from_ <= due && due < slept_to_ ? slept_to_ - due : Time{};
 }
 
-Time RealClock::stood_still(Time since) const {
-    if (standstills_ == nullptr) return {};
-    return run_time(standstills_->within(instant(since), Steady::now()));
-}
-
-Time RealClock::all_stood_still(Time since) const {
-    if (standstills_ == nullptr) return {};
-    return run_time(standstills_->of_all_within(instant(since), Steady::now()));
-}
-
-void RealClock::set(Alarm& alarm, Time when) {
-    alarm.timer_.expires_at(instant(when));
-    alarm.set_ = true;
-    alarm.when_ = when;
-    alarms_.emplace(when, &alarm);
-    tell_what_is_due();
-}
-
-void RealClock::unset(Alarm& alarm) {
-    alarms_.erase({alarm.when_, &alarm});
-    tell_what_is_due();
-}
-
-void RealClock::tell_what_is_due() {
-    if (!wire_thread_) return;
-    wire_thread_->due(alarms_.empty() ? Steady::time_point::max() : instant(alarms_.begin()->first));
-}
-
-Time RealClock::run_time(Steady::duration real) const {
-    return Time(static_cast<Time::rep>(std::chrono::duration<double, std::nano>(real).count() * rate_));
-}
+void RealClock::set(Alarm& alarm, Time when) { alarm.timer_.expires_at(instant(when)); }
 
 RealClock::Steady::time_point RealClock::instant(Time t) const {
     const std::chrono::duration<double, std::nano> real(static_cast<double>(t.count()) / rate_);

@@ -5,18 +5,14 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "emulator/clock/asio.h"
 #include "emulator/contract/device.h"
-#include "emulator/clock/inbox.h"
-#include "emulator/machine/wire_thread.h"
 
 namespace echoloop {
 
 class Alarm;
-class Standstills;
 
 /// Time of the run. Everything that waits for it does so with an Alarm, on the thread that runs the clock.
 class Clock {
@@ -34,9 +30,6 @@ class Clock {
     /// Serves everything on the io_context, alarms as well, until that is stopped.
     virtual void run() = 0;
     asio::io_context& io() const { return io_; }
-    /// By which other threads hand something to the one that runs the clock. From the first call on, which
-    /// must be on that one, the io_context never runs out of work.
-    Inbox& inbox();
     /// s since 1970, for time stamps.
     double unix_time() const;
     double unix_start() const { return unix_start_.value_or(unix_time()); }
@@ -44,12 +37,6 @@ class Clock {
     /// other programs, the kernel or the host of a virtual machine had its processor. At least; 0 where
     /// unknown.
     virtual Time overslept(Time) const { return {}; }
-    /// Since then, how long the machine let nothing run; 0 where nobody watches.
-    virtual Time stood_still(Time) const { return {}; }
-    /// Of that, how long all of its processors stood still at once.
-    virtual Time all_stood_still(Time) const { return {}; }
-    /// It outlives this, and looks after the thread that runs the clock.
-    void watch(Standstills* standstills) { standstills_ = standstills; }
 
     /// While one lives, something is under way whose outcome belongs to this moment (an echogram that is due,
     /// a write that does not fit yet): a stepped clock does not move on. Others take no notice.
@@ -66,7 +53,6 @@ class Clock {
 
   protected:
     bool held() const { return *holds_ > 0; }
-    Standstills* standstills_ = nullptr;
 
   private:
     friend class Alarm;
@@ -74,15 +60,14 @@ class Clock {
     /// Arranges for `alarm` to ring at `when`.
     virtual void set(Alarm& alarm, Time when) = 0;
     /// Before it rang.
-    virtual void unset(Alarm& alarm) = 0;
-    /// It rang by itself, as it was set to `when`; by now it may be set again.
-    virtual void rang(Alarm&, Time) {}
+    virtual void unset(Alarm&) {}
+    /// An alarm rang by itself that was set to `when`.
+    virtual void rang(Time) {}
 
     asio::io_context& io_;
     std::optional<double> unix_start_;
     std::size_t ranks_ = 0;
     std::shared_ptr<std::size_t> holds_;
-    std::optional<Inbox> inbox_;
 };
 
 /// Wakes one coroutine at a time of the run. Of alarms for the same time those of lower rank ring first; of
@@ -125,22 +110,15 @@ class RealClock final : public Clock {
         : Clock(io, unix_start), rate_(rate) {
         begin();
     }
-    ~RealClock() override;
 
     Time now() const override;
     void begin() override { start_ = Steady::now(); }
     void run() override;
     Time overslept(Time due) const override;
-    Time stood_still(Time since) const override;
-    Time all_stood_still(Time since) const override;
 
   private:
     void set(Alarm& alarm, Time when) override;
-    void unset(Alarm& alarm) override;
-    void rang(Alarm& alarm, Time when) override;
-    void serve();
-    void tell_what_is_due();
-    Time run_time(Steady::duration real) const;
+    void rang(Time when) override;
     /// Instant of the steady clock at which run time `t` comes.
     Steady::time_point instant(Time t) const;
 
@@ -148,8 +126,6 @@ class RealClock final : public Clock {
     double rate_;
     Time worked_until_{};             ///< when the last thing to do was done
     Time slept_from_{}, slept_to_{};  ///< before an alarm rang
-    std::set<std::pair<Time, Alarm*>> alarms_;
-    std::optional<WireThread> wire_thread_;  ///< where somebody looks after the thread that runs the clock
 };
 
 }  // namespace echoloop

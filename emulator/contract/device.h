@@ -30,6 +30,9 @@ struct Address {
     friend auto operator<=>(const Address&, const Address&) = default;
 };
 
+/// 127.0.0.0/8, an IPv4 address in host byte order.
+constexpr bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
+
 /// Bytes to send on port `port` of ports(); a datagram is one element. `to` is for datagram ports, and for
 /// ports of several drivers: one of them, or zero for all who are connected.
 struct Send {

@@ -21,7 +21,7 @@ FaultEvent Pieces::event(const AskedFault& asked) const {
     FaultEvent event;
     event.kind = asked.fault.kind;
     event.id = asked.id;
-    if (faults_.ping > 0) event.ping = faults_.ping;
+    if (faults_.sent_ping() > 0) event.ping = faults_.sent_ping();
     event.message = message_;
     return event;
 }

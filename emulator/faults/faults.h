@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "emulator/contract/options.h"
+#include "emulator/contract/ping_log.h"
 #include "emulator/faults/dice.h"
 #include "emulator/faults/labels.h"
 
@@ -30,7 +31,7 @@ inline std::size_t whole(const AskedFault& asked, std::string_view name) {
 }
 
 /// Those of one device. Other devices' faults, and other kinds on this one, do not change its chances.
-class DeviceFaults {
+class DeviceFaults final : public PingLog {
   public:
     DeviceFaults(std::string name, std::uint64_t seed, FaultLabels& labels)
         : name_(std::move(name)), seed_(seed), labels_(labels) {}
@@ -57,14 +58,15 @@ class DeviceFaults {
 
     void add(int id, Fault fault);
     bool clear(int id);
-    /// Kind and number of each that is on: "bit_flips 3".
-    std::vector<std::string> on(Time now) const;
+    std::vector<std::string> on(Time now) const override;
     void record(Time now, const FaultPlace& place, const FaultEvent& event);
 
-    /// Number of the ping that the message at hand belongs to; 0: none yet. The session says it.
-    std::uint64_t ping = 0;
-    /// Number of the ping that the device hears now. The session says it.
-    std::uint64_t heard_ping = 0;
+    void hears(std::uint64_t ping) override { heard_ping_ = ping; }
+    void sends(std::uint64_t ping) override { sent_ping_ = ping; }
+    /// Number of the ping that the device hears now; 0: none yet.
+    std::uint64_t heard_ping() const { return heard_ping_; }
+    /// Number of the ping that the message at hand belongs to; 0: none yet.
+    std::uint64_t sent_ping() const { return sent_ping_; }
     /// `tell` is called when faults have come or gone.
     void on_change(std::function<void()> tell) { listeners_.push_back(std::move(tell)); }
 
@@ -77,6 +79,7 @@ class DeviceFaults {
     std::uint64_t seed_;
     FaultLabels& labels_;
     std::vector<std::function<void()>> listeners_;
+    std::uint64_t heard_ping_ = 0, sent_ping_ = 0;
     std::list<AskedFault> asked_;
     std::array<std::uint64_t, fault_kinds> so_far_{};  ///< of each kind
 };

@@ -66,7 +66,7 @@ void FaultyDevice::about_to_hear(Time now) {
         FaultEvent event;
         event.kind = FaultKind::frozen_image;
         event.id = asked.id;
-        event.ping = faults_.heard_ping;
+        event.ping = faults_.heard_ping();
         faults_.record(now, {faults_.name()}, event);
     });
 }

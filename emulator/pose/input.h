@@ -10,8 +10,8 @@
 #include "emulator/clock/clock.h"
 #include "emulator/pose/lines.h"
 #include "emulator/pose/mavlink_pose.h"
+#include "emulator/pose/step_server.h"
 #include "emulator/pose/whereabouts.h"
-#include "emulator/run/step_server.h"
 #include "emulator/transport/transport.h"
 #include "protocols/mavlink/framer.h"
 

@@ -59,11 +59,6 @@ void Movers::step(Time from, Time to) {
         if (auto* told = std::get_if<Told>(&source)) told->where.step(from, to);
 }
 
-bool Movers::known_ahead() const {
-    return std::ranges::none_of(sources_,
-                                [](const Source& source) { return std::holds_alternative<Told>(source); });
-}
-
 std::vector<Pose> Movers::at(Time time) {
     std::vector<std::optional<Pose>> told;
     told.reserve(sources_.size());

@@ -32,8 +32,6 @@ class Movers {
     /// Of each object that somebody outside moves, by name.
     std::map<std::string, PoseSummary> summary() const;
 
-    /// Nobody outside moves any, so that they may be asked about times to come.
-    bool known_ahead() const;
     /// world_from_object of all movers of the scene.
     std::vector<Pose> at(Time time);
     /// m, from each mover's origin to its farthest point.

@@ -21,8 +21,6 @@ class Vehicle {
     void close();
     /// A stepped run moves on.
     void step(Time from, Time to);
-    /// Nobody outside tells, so that it may be asked about times to come.
-    bool known_ahead() const { return !std::holds_alternative<Whereabouts>(source_); }
     /// For a ping at that time; counts those with a stale pose.
     Pose world_from_body(Time time);
     /// Empty unless poses come from outside.

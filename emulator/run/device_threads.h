@@ -2,38 +2,39 @@
 #pragma once
 
 #include <functional>
-#include <list>
 #include <thread>
 #include <vector>
 
-#include "emulator/clock/priority_mutex.h"
+#include "emulator/clock/asio.h"
+#include "emulator/machine/scheduling.h"
 
 namespace echoloop {
 
-/// How much a run asks of the machine to be on time: what anybody may ask, or what needs rights.
-enum class Punctuality { ordinary, real_time };
-
-/// Two of them. Who hands them something never waits for one that waits for its turn itself.
-class Listeners {
+class DeviceThreads {
   public:
-    /// Throws StartError with the remedy if real time is asked for and not permitted.
-    explicit Listeners(Punctuality punctuality);
-    ~Listeners() { join(); }
-    Listeners(const Listeners&) = delete;
-    Listeners& operator=(const Listeners&) = delete;
+    DeviceThreads() {
+        constexpr std::size_t threads = 2;
+        for (std::size_t i = 0; i < threads; ++i)
+            threads_.emplace_back([this] {
+                wake_on_time();
+                mailbox_.run();
+            });
+    }
+    ~DeviceThreads() { join(); }
+    DeviceThreads(const DeviceThreads&) = delete;
+    DeviceThreads& operator=(const DeviceThreads&) = delete;
 
     /// One of them does `work`, which must not throw, when one is free; in the order of these calls.
-    void post(std::function<void()> work);
+    void post(std::function<void()> work) { asio::post(mailbox_, std::move(work)); }
     /// Returns when all is done and they have ended. Nothing must be posted afterwards.
-    void join();
+    void join() {
+        open_.reset();
+        threads_.clear();
+    }
 
   private:
-    void serve();
-
-    PriorityMutex mutex_;
-    std::list<std::function<void()>> waiting_;
-    bool ending_ = false;
-    Sleeper called_;  ///< once for everything that was posted
+    asio::io_context mailbox_;
+    asio::executor_work_guard<asio::io_context::executor_type> open_ = asio::make_work_guard(mailbox_);
     std::vector<std::jthread> threads_;
 };
 

@@ -6,18 +6,17 @@
 
 #include "emulator/capture/recorded.h"
 #include "emulator/contract/error.h"
-#include "emulator/faults/control.h"
-#include "emulator/faults/faulty_session.h"
+#include "emulator/machine/scheduling.h"
+#include "emulator/machine/steal.h"
 #include "emulator/pose/movers.h"
+#include "emulator/pose/step_server.h"
 #include "emulator/pose/vehicle.h"
-#include "emulator/machine/punctual.h"
-#include "emulator/machine/real_time.h"
+#include "emulator/run/control.h"
+#include "emulator/run/faulty_session.h"
+#include "emulator/run/warm_up.h"
 #include "emulator/scenario/scene.h"
-#include "emulator/water/scheduling.h"
-#include "emulator/run/step_server.h"
 #include "emulator/transport/make.h"
 #include "emulator/truth/device_truth.h"
-#include "emulator/run/warm_up.h"
 #include "render/fan/plan_cache.h"
 #include "render/renderer.h"
 
@@ -30,19 +29,19 @@ const Scenario& with_memory_at_hand(const Scenario& scenario) {
     return scenario;
 }
 
+/// The threads that are made behind it inherit it.
+bool claim(Punctuality punctuality) {
+    const bool real_time = punctuality == Punctuality::real_time;
+    if (real_time) claim_real_time(Priority::rendering);
+    return real_time;
+}
+
 std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io) {
     if (scenario.clock == ClockMode::stepped) return std::make_unique<SteppedClock>(io, *scenario.unix_start);
     return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
 }
 
-std::size_t fans_of(const Scenario& scenario) {
-    return static_cast<std::size_t>(std::ranges::count_if(scenario.devices, [](const ScenarioDevice& device) {
-        return !RenderThread::is_single_beam(device.model->default_shot(device.config, 0, 0));
-    }));
-}
-
-SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers,
-                         Punctuality punctuality) {
+SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers) {
     const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
     const Effects effects = knows_effects ? scenario.render.effects : Effects::none();
     const bool by_the_clock = scenario.clock == ClockMode::real || scenario.clock == ClockMode::scaled;
@@ -52,7 +51,7 @@ SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Mov
             scene.bounds(),
             CrossTalk(scenario.water, effects),
             0,
-            by_the_clock ? std::make_shared<Listeners>(punctuality) : nullptr,
+            by_the_clock ? std::make_unique<DeviceThreads>() : nullptr,
             movers.reach()};
 }
 
@@ -62,20 +61,19 @@ class Runtime::Impl {
   public:
     Impl(const Scenario& scenario, const RunRecords& records, Punctuality punctuality)
         : scene_(load_scene(with_memory_at_hand(scenario))),
+          real_time_(claim(punctuality)),
           signals_(io_),
           end_(io_),
           clock_(make_clock(scenario, io_)),
           stepped_(dynamic_cast<SteppedClock*>(clock_.get())),
           steps_(stepped_ == nullptr ? nullptr : make_step_server()),
-          real_time_(punctuality == Punctuality::real_time ? std::make_unique<RealTime>(scenario) : nullptr),
           movers_(scenario, scene_),
           vehicle_(scenario, *clock_, steps_.get(), movers_.by_lines()),
-          water_(shared_water(scenario, *scene_, movers_, punctuality)),
+          water_(shared_water(scenario, *scene_, movers_)),
           faults_(scenario.seed, scenario.file.string(), records.labels,
                   [this] { return clock_->unix_time(); }),
-          render_thread_([this, &scenario](RenderThread::Lane lane) { return make_renderer(scenario, lane); },
-                         RenderThread::useful(scenario.devices.size(), fans_of(scenario),
-                                              punctuality == Punctuality::real_time)) {
+          render_threads_([this, &scenario] { return make_renderer(scenario); },
+                          RenderThreads::useful(scenario.devices.size())) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
         if (stepped_ != nullptr && records.recording != nullptr)
@@ -94,7 +92,7 @@ class Runtime::Impl {
     ~Impl() {
         for (auto& session : faulty_sessions_) session->close();
         for (auto& session : sessions_) session->close();
-        join_listeners();
+        join_device_threads();
     }
 
     std::vector<RunningDevice> devices() const {
@@ -111,16 +109,17 @@ class Runtime::Impl {
         });
         wake_on_time();
         if (real_time_) {
-            clock_->watch(&real_time_->standstills());
-            claim_real_time(Turn::wires);
+            claim_real_time(Priority::wires);
             lock_memory();
         }
+        stolen_ = echoloop::stolen_seconds();
         clock_->begin();
         vehicle_.start();
         movers_.start();
         stepped_ == nullptr ? begin(duration) : begin_with_first_step(duration);
         clock_->run();
-        join_listeners();
+        stolen_ = echoloop::stolen_seconds() - stolen_;
+        join_device_threads();
     }
 
     std::vector<SessionSummary> summary() const {
@@ -136,9 +135,7 @@ class Runtime::Impl {
     std::optional<StepSummary> steps() const {
         return steps_ ? std::optional(steps_->summary()) : std::nullopt;
     }
-    std::optional<RealTimeSummary> real_time() const {
-        return real_time_ ? std::optional(real_time_->summary()) : std::nullopt;
-    }
+    double stolen() const { return stepped_ == nullptr ? stolen_ : 0; }
     std::size_t triangles() const { return scene_->triangles(); }
     const std::string& renderer_description() const { return renderer_description_; }
 
@@ -185,19 +182,19 @@ class Runtime::Impl {
     }
 
     /// On a render thread, several at once.
-    std::unique_ptr<Renderer> make_renderer(const Scenario& scenario, RenderThread::Lane lane) {
+    std::unique_ptr<Renderer> make_renderer(const Scenario& scenario) {
         RendererOptions options = scenario.render;
         options.plans = plans_;
-        options.drawing_threads = RenderThread::drawing_threads(scenario.devices.size());
+        options.drawing_threads = RenderThreads::drawing_threads(scenario.devices.size());
         auto renderer = std::make_unique<Renderer>(scene_, scenario.water, options);
         std::call_once(described_, [&] { renderer_description_ = renderer->context_description(); });
-        warm_up(*renderer, scenario, water_, lane);
+        warm_up(*renderer, scenario, water_);
         return renderer;
     }
 
     /// A device may still be busy with an echogram.
-    void join_listeners() {
-        if (water_.listeners) water_.listeners->join();
+    void join_device_threads() {
+        if (water_.device_threads) water_.device_threads->join();
     }
 
     void add(const ScenarioDevice& entry, const RunRecords& records, bool faulty) {
@@ -216,7 +213,7 @@ class Runtime::Impl {
         auto transports = make_transports(*clock_, ports, config, around);
         if (faults != nullptr) transports = faults->lines(std::move(transports), ports, entry);
         sessions_.push_back(std::make_unique<Session>(
-            io_, *clock_, render_thread_, water_, entry.name, std::move(device), std::move(transports),
+            io_, *clock_, render_threads_, water_, entry.name, std::move(device), std::move(transports),
             [this, body_from_sonar = entry.body_from_sonar](Time time) {
                 Situation situation(vehicle_.world_from_body(time) * body_from_sonar);
                 situation.movers = movers_.at(time);
@@ -227,8 +224,6 @@ class Runtime::Impl {
                 std::make_unique<DeviceTruth>(*records.truth, entry.name, entry.body_from_sonar));
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         if (records.remarks) sessions_.back()->remark_pings();
-        if (stepped_ == nullptr && vehicle_.known_ahead() && movers_.known_ahead())
-            sessions_.back()->look_ahead();
         running_.push_back({entry.name, entry.model, {}});
     }
 
@@ -258,6 +253,8 @@ class Runtime::Impl {
     }
 
     std::shared_ptr<const Scene> scene_;
+    const bool real_time_;
+    double stolen_ = 0;  ///< s, of the processors, by the host
     std::string renderer_description_;
     std::once_flag described_;
     const std::shared_ptr<PlanCache> plans_ = std::make_shared<PlanCache>();
@@ -265,9 +262,8 @@ class Runtime::Impl {
     asio::signal_set signals_;
     asio::steady_timer end_;
     std::unique_ptr<Clock> clock_;
-    SteppedClock* stepped_;                ///< the clock, if it is one
-    std::unique_ptr<StepServer> steps_;    ///< if it is
-    std::unique_ptr<RealTime> real_time_;  ///< nullptr: not asked for
+    SteppedClock* stepped_;              ///< the clock, if it is one
+    std::unique_ptr<StepServer> steps_;  ///< if it is
     Movers movers_;
     Vehicle vehicle_;
     SharedWater water_;
@@ -276,7 +272,8 @@ class Runtime::Impl {
     std::vector<std::unique_ptr<Session>> sessions_;
     std::unique_ptr<Control> control_;  ///< nullptr without a place
     std::vector<RunningDevice> running_;
-    RenderThread render_thread_;  // last: joined first, so that no ping comes back to a session that is gone
+    RenderThreads
+        render_threads_;  // last: joined first, so that no ping comes back to a session that is gone
 };
 
 Runtime::Runtime(const Scenario& scenario, RunRecords records, Punctuality punctuality)
@@ -288,7 +285,7 @@ std::string Runtime::renderer() const { return impl_->renderer_description(); }
 std::optional<PoseSummary> Runtime::poses() const { return impl_->poses(); }
 std::map<std::string, PoseSummary> Runtime::objects() const { return impl_->objects(); }
 std::optional<StepSummary> Runtime::steps() const { return impl_->steps(); }
-std::optional<RealTimeSummary> Runtime::real_time() const { return impl_->real_time(); }
+double Runtime::stolen_seconds() const { return impl_->stolen(); }
 std::map<std::string, FaultCounts> Runtime::faults() const { return impl_->faults(); }
 std::string Runtime::control() const { return impl_->control(); }
 void Runtime::run(std::optional<double> duration) { impl_->run(duration); }

@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "emulator/faults/labels.h"
-#include "emulator/run/device_threads.h"
-#include "emulator/scenario/scenario.h"
 #include "emulator/run/session.h"
+#include "emulator/scenario/scenario.h"
 
 namespace echoloop {
 
@@ -26,8 +25,10 @@ class BackgroundFile;
 class Recording;
 class TruthFile;
 struct PoseSummary;
-struct RealTimeSummary;
 struct StepSummary;
+
+/// How much a run asks of the machine to be on time: what anybody may ask, or what needs rights.
+enum class Punctuality { ordinary, real_time };
 
 /// What a run writes beside the bytes on the wire; nullptr: not asked for. All outlive the runtime.
 struct RunRecords {
@@ -40,7 +41,8 @@ struct RunRecords {
 class Runtime {
   public:
     /// Loads the scene, makes the renderer and opens every endpoint; nothing is said on any of them yet.
-    /// Throws SceneError, StartError or std::runtime_error, and then has left nothing behind.
+    /// In real time, what is made here renders before all ordinary programs. Throws SceneError, StartError or
+    /// std::runtime_error, and then has left nothing behind.
     explicit Runtime(const Scenario& scenario, RunRecords records = {},
                      Punctuality punctuality = Punctuality::ordinary);
     ~Runtime();
@@ -63,8 +65,9 @@ class Runtime {
     std::map<std::string, PoseSummary> objects() const;
     /// Empty unless the clock is stepped.
     std::optional<StepSummary> steps() const;
-    /// Empty unless it was asked for.
-    std::optional<RealTimeSummary> real_time() const;
+    /// s of processor time that the host of a virtual machine took during the run; 0 if the clock is stepped,
+    /// since nothing is late then.
+    double stolen_seconds() const;
 
   private:
     class Impl;

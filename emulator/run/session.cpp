@@ -23,7 +23,7 @@ double farthest_from(Vec3 point, const Bounds& scene) {
 
 }  // namespace
 
-Session::Session(asio::io_context& io, Clock& clock, RenderThread& renderer, SharedWater& water,
+Session::Session(asio::io_context& io, Clock& clock, RenderThreads& renderers, SharedWater& water,
                  std::string name, std::unique_ptr<Device> device,
                  std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at)
     : io_(io),
@@ -34,15 +34,11 @@ Session::Session(asio::io_context& io, Clock& clock, RenderThread& renderer, Sha
       device_(std::move(device)),
       transports_(std::move(transports)),
       situation_at_(std::move(situation_at)),
-      renderer_(clock, renderer, sonar_, name_),
+      renderers_(renderers),
       mail_(clock, sonar_),
-      alarm_(clock, sonar_),
-      alive_(std::make_shared<bool>(true)) {}
+      alarm_(clock, sonar_) {}
 
-Session::~Session() {
-    close();
-    *alive_ = false;
-}
+Session::~Session() = default;
 
 void Session::tell(std::unique_ptr<DeviceTruth> truth) { truth_ = std::move(truth); }
 
@@ -81,17 +77,11 @@ void Session::cut_power(std::function<void()> cut) {
     outbox_bytes_ = 0;
     wake_ = Time::max();
     late_.reset();
-    renderer_.expect_nothing();
     alarm_.cancel();
     to_device(std::move(cut));
 }
 
 void Session::close() {
-    if (closed_) return;
-    closed_ = true;
-    mail_.cancel();
-    alarm_.cancel();
-    renderer_.close();
     for (auto& transport : transports_) transport->close();
 }
 
@@ -134,22 +124,20 @@ void Session::transmit(Ping ping, Time time) {
     const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
     situation.objects = truth_ != nullptr;
-    auto echoes = renderer_.render(ping, situation);
-    const bool objects = std::exchange(situation.objects, false);
+    auto echoes = render(ping.due, ping.shot, situation);
+    situation.objects = false;
     situation.detail = late_detail;
-    const auto late_before =
-        std::exchange(late_, late ? renderer_.render(next_due, *late, situation) : nullptr);
-    renderer_.expect_next(ping, time, objects);
+    auto late_before = std::exchange(late_, late ? render(next_due, *late, situation) : nullptr);
     const double unix_time = clock_.unix_time() - to_seconds(clock_.now() - time);
     asio::co_spawn(io_,
-                   deliver({std::move(transmission), sequence_, ping.due, std::move(echoes), late_before,
-                            std::move(situation), unix_time, power_cuts_}),
+                   deliver({std::move(transmission), sequence_, ping.due, std::move(echoes),
+                            std::move(late_before), std::move(situation), unix_time, power_cuts_}),
                    Serving(name_));
 }
 
-Task<void> Session::ready(std::shared_ptr<Rendering> rendering) {
-    const Clock::Hold hold(clock_);
-    while (rendering && !rendering->echogram && !closed_) co_await rendering->done.until(Time::max());
+std::shared_ptr<Rendering> Session::render(Time needed, Shot shot, Situation situation) {
+    return Rendering::start(renderers_, clock_, {sonar_, needed, std::move(shot), std::move(situation), {}},
+                            name_);
 }
 
 Task<void> Session::deliver(UnderWay ping) {
@@ -157,9 +145,8 @@ Task<void> Session::deliver(UnderWay ping) {
     co_await due.until(ping.due);
     ping.woken = clock_.now();
     ping.overslept = clock_.overslept(ping.due);
-    co_await ready(ping.echoes);
-    co_await ready(ping.late_before);
-    if (closed_ || ping.powered != power_cuts_) co_return;
+    co_await ping.echoes->ready();
+    if (ping.late_before) co_await ping.late_before->ready();
     to_device([this, heard = std::make_shared<UnderWay>(std::move(ping))] {
         if (heard->powered == power_cuts_) hear(*heard);
     });
@@ -167,14 +154,7 @@ Task<void> Session::deliver(UnderWay ping) {
 
 void Session::count_late(const UnderWay& ping, Time now) {
     const Time lateness = now - ping.due;
-    if (clock_.stood_still(ping.transmission.time) >= lateness - late_after) {
-        ++summary_.held_up;
-        if (clock_.all_stood_still(ping.due) >= lateness - late_after) ++summary_.held_up_by_all;
-        summary_.longest_held_up = std::max(summary_.longest_held_up, lateness);
-        return;
-    }
     ++summary_.late_pings;
-    summary_.worst_late = std::max(summary_.worst_late, lateness);
     if (now - ping.woken > lateness / 2) {
         ++summary_.late_renderings;
     } else if (ping.overslept > lateness / 2) {
@@ -193,15 +173,15 @@ void Session::hear(UnderWay& ping) {
     Echogram& echogram = heard->echogram;
     heard->foreign = water_.cross_talk.pulses_in(echogram, ping.transmission);
     heard_ = ping.sequence;
-    if (faults_ != nullptr) faults_->heard_ping = heard_;
+    if (log_ != nullptr) log_->hears(heard_);
     if (remarks_) remark_ = remark_of(ping.transmission, ping.sequence);
-    auto faults = truth_ && faults_ != nullptr ? faults_->on(now) : std::vector<std::string>{};
+    auto faults = truth_ && log_ != nullptr ? log_->on(now) : std::vector<std::string>{};
     if (truth_)
         truth_->heard(ping.transmission, ping.situation, ping.unix_time, ping.due, std::move(faults),
                       echogram);
     before_hearing_(now);
     const bool large = echogram.values.size() >= worth_a_thread;
-    if (large && water_.listeners) return hear_elsewhere(std::move(heard));
+    if (large && water_.device_threads) return hear_elsewhere(std::move(heard));
     apply_now(after_hearing_(hear_all(*heard), now));
 }
 
@@ -216,25 +196,24 @@ void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {
     hearing_ = true;
     counters_ = device_->counters();
     auto hold = std::make_shared<const Clock::Hold>(clock_);  // it comes back to the io thread before it ends
-    water_.listeners->post([this, &inbox = clock_.inbox(), alive = alive_, heard = std::move(heard),
-                            powered = power_cuts_, hold = std::move(hold)]() mutable {
-        auto actions = std::make_shared<Actions>();
-        std::exception_ptr fault;
-        try {
-            *actions = hear_all(*heard);
-        } catch (...) {
-            fault = std::current_exception();
-        }
-        inbox.post([this, now = heard->now, powered, alive = std::move(alive), actions = std::move(actions),
-                    fault = std::move(fault), hold = std::move(hold)] {
-            if (!*alive || closed_) return;
-            hearing_ = false;
-            Serving{name_}(fault);
-            if (powered == power_cuts_) apply_now(after_hearing_(std::move(*actions), now));
-            alarm_.cancel();
-            for (; !waiting_.empty() && !hearing_ && !closed_; waiting_.pop_front()) waiting_.front()();
+    water_.device_threads->post(
+        [this, heard = std::move(heard), powered = power_cuts_, hold = std::move(hold)]() mutable {
+            auto actions = std::make_shared<Actions>();
+            std::exception_ptr fault;
+            try {
+                *actions = hear_all(*heard);
+            } catch (...) {
+                fault = std::current_exception();
+            }
+            asio::post(io_, [this, now = heard->now, powered, actions = std::move(actions),
+                             fault = std::move(fault), hold = std::move(hold)] {
+                hearing_ = false;
+                Serving{name_}(fault);
+                if (powered == power_cuts_) apply_now(after_hearing_(std::move(*actions), now));
+                alarm_.cancel();
+                for (; !waiting_.empty() && !hearing_; waiting_.pop_front()) waiting_.front()();
+            });
         });
-    });
 }
 
 void Session::act(std::function<Actions()> event) {
@@ -244,10 +223,10 @@ void Session::act(std::function<Actions()> event) {
 }
 
 Task<void> Session::keep_waking() {
-    while (!closed_) {
+    while (true) {
         co_await alarm_.until(hearing_ ? Time::max() : wake_);
         const Time now = clock_.now();
-        if (closed_ || hearing_ || now < wake_) continue;
+        if (hearing_ || now < wake_) continue;
         // What was planned happens when it was, unless this woke far too late: a row of pings keeps its pace.
         const Time planned = std::max(std::exchange(wake_, Time::max()), acted_);
         const Time time = now - planned < late_after ? planned : now;
@@ -256,7 +235,7 @@ Task<void> Session::keep_waking() {
 }
 
 Task<void> Session::keep_writing() {
-    while (!closed_) {
+    while (true) {
         if (outbox_.empty()) {
             co_await mail_.until(Time::max());
             continue;
@@ -268,7 +247,7 @@ Task<void> Session::keep_writing() {
         }
         const auto [send, ping, remark] = std::move(outbox_.extract(first).mapped());
         outbox_bytes_ -= send.bytes.size();
-        if (faults_ != nullptr) faults_->ping = ping;
+        if (log_ != nullptr) log_->sends(ping);
         if (send.port >= transports_.size()) continue;
         if (!remark.empty()) transports_[send.port]->annotate(remark);
         transports_[send.port]->speak_at(send.line_rate);

@@ -12,14 +12,15 @@
 
 #include "emulator/clock/asio.h"
 #include "emulator/clock/clock.h"
-#include "emulator/water/crosstalk.h"
 #include "emulator/contract/device.h"
-#include "emulator/faults/faults.h"
-#include "emulator/run/lateness.h"
+#include "emulator/contract/ping_log.h"
+#include "emulator/contract/transmission.h"
 #include "emulator/run/device_threads.h"
-#include "emulator/water/ping_renderer.h"
-#include "emulator/water/second_time_around.h"
+#include "emulator/run/lateness.h"
 #include "emulator/transport/transport.h"
+#include "emulator/water/crosstalk.h"
+#include "emulator/water/rendering.h"
+#include "emulator/water/second_time_around.h"
 #include "render/scene/scene.h"
 
 namespace echoloop {
@@ -31,18 +32,11 @@ struct SessionSummary {
     std::string name;
     DeviceCounters device;
     std::uint64_t pings = 0;       ///< echograms delivered
-    /// Delivered more than a millisecond after they were due, for which no standstill of the machine accounts.
-    std::uint64_t late_pings = 0;
+    std::uint64_t late_pings = 0;  ///< delivered more than a millisecond after they were due
     /// Of those, by cause: the echogram was what they waited for, or else the machine woke this program too
     /// late.
     std::uint64_t late_renderings = 0, late_wakings = 0;
-    Time worst_late{};
-    /// Those that would not have been late, had not a processor stood still while their echoes were on their
-    /// way (known in real-time runs only). Of them: when they were due none ran, for all of their lateness but
-    /// a millisecond.
-    std::uint64_t held_up = 0, held_up_by_all = 0;
-    Time longest_held_up{};
-    /// Of all pings, whoever was to blame; the last is what 99 of 100 do not exceed.
+    /// Of all pings; the last is what 99 of 100 do not exceed.
     Time worst_lateness{}, median_lateness{}, p99_lateness{};
     /// Messages that did not fit the outbox, or what is kept for a driver that does not read.
     std::uint64_t dropped = 0;
@@ -59,10 +53,9 @@ struct SharedWater {
     Bounds scene;
     CrossTalk cross_talk;
     std::size_t sonars = 0;  ///< sessions so far
-    /// Threads on which devices make bytes of large echograms, so that the wires of others do not wait;
-    /// nullptr: that happens in its turn, for runs whose every event has its place. Join them before the
-    /// sessions end.
-    std::shared_ptr<Listeners> listeners{};
+    /// nullptr: devices make their bytes in turn, for runs whose every event has its place. Join them before
+    /// the sessions end.
+    std::unique_ptr<DeviceThreads> device_threads{};
     std::vector<double> reach{};  ///< m, from each mover's origin to its farthest point
 };
 
@@ -72,21 +65,18 @@ class Session {
     using SituationAt = std::function<Situation(Time)>;
 
     /// `transports`: one per port of the device, in the order of ports().
-    Session(asio::io_context& io, Clock& clock, RenderThread& renderer, SharedWater& water, std::string name,
-            std::unique_ptr<Device> device, std::vector<std::unique_ptr<Transport>> transports,
-            SituationAt situation_at);
+    Session(asio::io_context& io, Clock& clock, RenderThreads& renderers, SharedWater& water,
+            std::string name, std::unique_ptr<Device> device,
+            std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at);
     ~Session();
 
     /// Before start(). `truth` gets every ping from then on.
     void tell(std::unique_ptr<DeviceTruth> truth);
-    /// Before start(): whose messages and pings the faults are made on. It outlives this.
-    void tell_of_pings(DeviceFaults& faults) { faults_ = &faults; }
+    /// Before start(): who is told which ping is heard and sent. It outlives this.
+    void tell_of_pings(PingLog& log) { log_ = &log; }
 
     /// Before start(): the first packet of each ping gets a comment that says where the sonar was.
     void remark_pings() { remarks_ = true; }
-
-    /// Before start(): where everything will be is known, so that pings may be rendered ahead of their time.
-    void look_ahead() { renderer_.look_ahead(situation_at_); }
 
     void start();
     /// `before` is called on this thread before the device hears an echogram, and `after` with what
@@ -111,8 +101,7 @@ class Session {
     void apply(Actions actions, Time time);
     void apply_now(Actions actions) { apply(std::move(actions), clock_.now()); }
     void transmit(Ping ping, Time time);
-    /// The clock waits for it; nullptr is ready at once.
-    Task<void> ready(std::shared_ptr<Rendering> rendering);
+    std::shared_ptr<Rendering> render(Time needed, Shot shot, Situation situation);
     /// A ping on its way, and its place in the row of this session's pings.
     struct UnderWay {
         Transmission transmission;
@@ -161,7 +150,7 @@ class Session {
     std::unique_ptr<Device> device_;
     std::vector<std::unique_ptr<Transport>> transports_;
     SituationAt situation_at_;
-    PingRenderer renderer_;
+    RenderThreads& renderers_;
     std::unique_ptr<DeviceTruth> truth_;  ///< nullptr: nobody asks
 
     std::multimap<Time, Mail> outbox_;  ///< by not_before; equal times keep their order
@@ -172,14 +161,13 @@ class Session {
     Alarm mail_;          ///< rings when the outbox has a new first element
     Alarm alarm_;         ///< rings at wake_
     Time wake_ = Time::max();
-    Time acted_{};  ///< when the device did something last
-    bool closed_ = false;
+    Time acted_{};             ///< when the device did something last
     bool hearing_ = false;     ///< the device belongs to another thread
     DeviceCounters counters_;  ///< meanwhile: what they were before
     std::function<void(Time)> before_hearing_ = [](Time) {};
     std::function<Actions(Actions, Time)> after_hearing_ = [](Actions actions, Time) { return actions; };
     std::deque<std::function<void()>> waiting_;
-    DeviceFaults* faults_ = nullptr;  ///< nullptr: none can come
+    PingLog* log_ = nullptr;  ///< nullptr: nobody asks
     std::uint64_t power_cuts_ = 0;
     std::uint64_t heard_ = 0;  ///< number of the ping heard last, from 1
 
@@ -188,7 +176,6 @@ class Session {
     std::uint64_t sequence_ = 0;       ///< of the last ping
     Time silent_from_ = Time::max();   ///< when the echoes of the last ping have died away
     SessionSummary summary_;
-    std::shared_ptr<bool> alive_;  ///< false once this session is gone; for what comes late
 };
 
 }  // namespace echoloop

@@ -148,12 +148,19 @@ std::vector<Endpoint> DeviceReader::read_endpoints(const Section& section, const
     }
     if (list != nullptr) uris.resize(std::max(uris.size(), list->items.size()));
     std::vector<Endpoint> endpoints;
+    bool on_loopback = false;
     for (std::size_t i = 0; i < uris.size(); ++i) {
         const Value* given = list != nullptr && i < list->items.size() ? &list->items[i] : nullptr;
         Claim at{{}, given != nullptr ? given->place : section.place(), path + "." + std::to_string(i)};
         if (given != nullptr && !Checker(problems_).text(*given, at.path, uris[i])) continue;
         const auto parsed = parse(uris[i], at, model, i == 0);
         if (!parsed) continue;
+        if (i == 0) on_loopback = parsed->listens() && is_loopback(parsed->ip);
+        if (on_loopback && parsed->scheme == Endpoint::Scheme::udp && !is_loopback(parsed->ip))
+            problems_.add(at.place,
+                          at.path +
+                              ": a device on a loopback address sends to loopback only; give the first "
+                              "endpoint an address of that network");
         endpoints.push_back(*parsed);
         at.endpoint = *parsed;
         claim(std::move(at));

@@ -51,8 +51,7 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
             return std::make_unique<Udp>(io, Address{e.ip, e.port}, false);
         case Scheme::udp: {
             constexpr std::uint32_t loopback = 0x7F000001;
-            const bool local = e.ip >> 24 == 127;
-            return std::make_unique<Udp>(io, Address{local ? loopback : 0, e.local_port()}, false,
+            return std::make_unique<Udp>(io, Address{is_loopback(e.ip) ? loopback : 0, e.local_port()}, false,
                                          Address{e.ip, e.port});
         }
     }

@@ -49,6 +49,7 @@ Task<void> Udp::read_datagrams() {
 Task<void> Udp::write(ByteView bytes, Address to) {
     if (to.port == 0) to = reply_to_;
     if (to.port == 0 || !socket_.is_open()) co_return;
+    if (!may_send_to(to.ip)) co_return count_lost(bytes.size());
     error_code ec;
     const auto where = to_endpoint<asio::ip::udp::endpoint>(to);
     std::size_t n = socket_.send_to(asio::buffer(bytes.data(), bytes.size()), where, 0, ec);
@@ -60,6 +61,12 @@ Task<void> Udp::write(ByteView bytes, Address to) {
     } else {
         count_out(n);
     }
+}
+
+bool Udp::may_send_to(std::uint32_t ip) const {
+    error_code ec;
+    const bool own_loopback = is_loopback(to_address(socket_.local_endpoint(ec)).ip);
+    return !own_loopback || is_loopback(ip) || asio::ip::address_v4(ip).is_multicast();
 }
 
 void Udp::close() {

@@ -1,4 +1,5 @@
 // Datagrams on one local address. Never connected: a refusal by the other side must not end the emulation.
+// What is bound to loopback sends to loopback only, and to multicast groups, which stay there.
 #pragma once
 
 #include "emulator/transport/transport.h"
@@ -21,6 +22,7 @@ class Udp final : public CountingTransport {
 
   private:
     Task<void> read_datagrams();
+    bool may_send_to(std::uint32_t ip) const;
 
     asio::ip::udp::socket socket_;
     Address reply_to_;

@@ -2,7 +2,10 @@
 
     tools ----> emulator ----> protocols        protocols   standard library only
       |            '---------> render           render      knows no protocol and no emulator
-      '--> protocols, render                    emulator    devices see no GL, asio, clock or scenario
+      '--> protocols, render                    emulator    rooms with arrows of their own, see ROOMS
+
+    run -> {faults, pose, replay, truth, water} -> {capture, machine, scenario, transport} -> {clock, contract}
+    devices -> contract, protocols
 
 A rule says which of the project's files and which libraries a file may include; the first rule that fits counts.
 """
@@ -13,7 +16,7 @@ from dataclasses import dataclass
 MODULES = ("protocols", "render", "emulator", "tools", "tests")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 
-PURE = r"emulator/(device|model|option_rows|options|endpoint|profile)\.h|render/(echogram|effects|pose|simd)\.h"
+PURE = r"render/(echogram|effects|pose|simd)\.h"
 STANDARD = r"[a-z0-9_]+"  # <vector>; any other library has a slash or a suffix
 GRAPHICS = r"(GL|EGL|glm|embree\d?)/.*|tiny_gltf\.h"
 NETWORK = r"boost/.*|libserialport\.h|pcap.*"
@@ -36,6 +39,34 @@ def render_room(name, below="", libraries=STANDARD):
     return Rule(rf"render/{name}/.*", rf"{RENDER_ROOT}|render/({rooms})/.*", f"{STANDARD}|{libraries}")
 
 
+# What a room of the emulator may include beside itself: other rooms, the project's other modules, libraries that are
+# not for everybody.
+ROOMS = {
+    "contract": ((), PURE, STANDARD),
+    "clock": (("contract",), "", NETWORK),
+    "machine": (("contract",), "", ""),
+    "scenario": (("contract",), "render/.*", "yaml-cpp/.*"),
+    "transport": (("contract", "clock"), "", NETWORK),
+    "capture": (("contract", "clock", "transport"), "", ""),
+    "truth": (("contract", "capture"), "render/.*", ""),
+    "faults": (("contract", "clock", "scenario", "transport", "capture"), "protocols/.*", ""),
+    "pose": (("contract", "clock", "scenario", "transport"), "(render|protocols)/.*", ""),
+    "replay": (("contract", "clock", "transport", "capture"), "protocols/.*", ""),
+    "water": (("contract", "clock", "machine"), "render/.*", ""),
+    "run": (("contract", "clock", "machine", "scenario", "transport", "capture", "truth", "faults", "pose", "water"),
+            "render/.*", NETWORK),
+}
+
+
+def room_rule(room):
+    others, modules, libraries = ROOMS[room]
+    allowed = "|".join([rf"emulator/({'|'.join((room, *others))})/.*", *([modules] if modules else [])])
+    if libraries == STANDARD:
+        return Rule(rf"emulator/{room}/.*", allowed, STANDARD)
+    special = f"{GRAPHICS}|{NETWORK}|{USER_INTERFACE}"
+    return Rule(rf"emulator/{room}/.*", allowed, forbidden=rf"(?!{libraries or '(?!)'})({special})")
+
+
 RULES = [
     Rule(r"protocols/.*", r"protocols/.*", STANDARD),
     Rule(r"render/(echogram|effects|pose|simd)\.h", r"render/pose\.h", STANDARD),
@@ -47,14 +78,14 @@ RULES = [
     render_room("fan", "paths|acoustics|scene"),
     render_room("grid", "fan|paths|acoustics|scene"),
     Rule(r"render/(renderer|shot_check)\.(h|cpp)", r"render/.*", STANDARD),
-    Rule(r"emulator/(device|model|option_rows|options|endpoint|profile)\.h", PURE, STANDARD),
-    Rule(r"emulator/devices/(sonar-3d-15)/api\.cpp", rf"{PURE}|protocols/.*|emulator/devices/(\1|family)/.*",
-         rf"{STANDARD}|nlohmann/json\.hpp"),
-    Rule(r"emulator/devices/([^/]+)/.*", rf"{PURE}|protocols/.*|emulator/devices/(\1|family)/.*", STANDARD),
-    Rule(r"emulator/models\.cpp", rf"{PURE}|emulator/devices/.*", STANDARD),
-    Rule(r"emulator/transport/.*", r"emulator/.*", forbidden=rf"emulator/(devices|scenario)/.*|{GRAPHICS}"),
-    Rule(r"emulator/scenario/.*", r"(emulator|render)/.*", forbidden=rf"emulator/(devices|transport)/.*|{GRAPHICS}"),
-    Rule(r"emulator/.*", r"(emulator|render|protocols)/.*", forbidden=rf"emulator/devices/.*|{GRAPHICS}"),
+    Rule(r"emulator/devices/(sonar-3d-15)/api\.cpp",
+         rf"{PURE}|protocols/.*|emulator/contract/.*|emulator/devices/(\1|family)/.*", rf"{STANDARD}|nlohmann/json\.hpp"),
+    Rule(r"emulator/devices/models\.cpp", rf"{PURE}|protocols/.*|emulator/(contract|devices)/.*", STANDARD),
+    Rule(r"emulator/devices/family/([^/]+)/.*", rf"{PURE}|protocols/.*|emulator/contract/.*|emulator/devices/family/.*",
+         STANDARD),
+    Rule(r"emulator/devices/([^/]+)/.*", rf"{PURE}|protocols/.*|emulator/contract/.*|emulator/devices/(\1|family)/.*",
+         STANDARD),
+    *(room_rule(room) for room in ROOMS),
     Rule(r"tools/.*", r"(tools|emulator|render|protocols)/.*"),
     Rule(r"tests/.*", r".*"),
 ]

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "emulator/contract/error.h"
-#include "emulator/water/scheduling.h"
+#include "emulator/machine/scheduling.h"
 #include "tools/echoloop/bench/report.h"
 #include "tools/echoloop/bench/wire.h"
 #include "tools/echoloop/json_output.h"

@@ -2,8 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "emulator/machine/real_time.h"
-#include "emulator/run/step_server.h"
+#include "emulator/pose/step_server.h"
 #include "tools/echoloop/conditions.h"
 #include "tools/echoloop/driver.h"
 #include "tools/echoloop/json_line.h"
@@ -33,8 +32,6 @@ std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
                  {"clock", clock_text(scenario)},
                  {"devices", devices}};
     if (!scenario.control.empty()) started["control"] = runtime.control();
-    if (const auto real_time = runtime.real_time())
-        started["real_time"] = {{"kernel_workers", real_time->workers}};
     return line_of(started);
 }
 
@@ -48,9 +45,6 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
                            {"late_pings", s.late_pings},
                            {"late_renderings", s.late_renderings},
                            {"late_wakings", s.late_wakings},
-                           {"held_up_pings", s.held_up},
-                           {"held_up_by_all", s.held_up_by_all},
-                           {"longest_held_up_s", to_seconds(s.longest_held_up)},
                            {"worst_lateness_s", to_seconds(s.worst_lateness)},
                            {"median_lateness_s", to_seconds(s.median_lateness)},
                            {"p99_lateness_s", to_seconds(s.p99_lateness)},
@@ -63,7 +57,7 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
                            {"bytes_in", s.bytes_in},
                            {"bytes_out", s.bytes_out},
                            {"bytes_lost", s.bytes_lost}});
-    Json ended{{"event", "ended"}, {"devices", devices}};
+    Json ended{{"event", "ended"}, {"devices", devices}, {"stolen_s", runtime.stolen_seconds()}};
     if (const auto poses = runtime.poses()) ended["vehicle"] = json_of(*poses);
     for (const auto& [name, poses] : runtime.objects()) ended["objects"][name] = json_of(poses);
     if (const auto steps = runtime.steps())
@@ -71,12 +65,6 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
                           {"refused", steps->refused},
                           {"last_refusal", steps->last_refusal},
                           {"run_time_s", to_seconds(steps->run_time)}};
-    if (const auto real_time = runtime.real_time()) {
-        const auto& s = real_time->standstills;
-        ended["standstills"] = {{"count", s.count},
-                                {"longest_s", std::chrono::duration<double>(s.longest).count()},
-                                {"fetched", s.fetched}};
-    }
     if (recording != nullptr) {
         const RecordingSummary s = recording->summary();
         ended["recording"] = {{"file", recording->file().string()},

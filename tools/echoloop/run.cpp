@@ -4,11 +4,10 @@
 #include <optional>
 
 #include "emulator/capture/recording.h"
-#include "emulator/scenario/control_place.h"
 #include "emulator/pose/input.h"
-#include "emulator/machine/real_time.h"
+#include "emulator/pose/step_server.h"
 #include "emulator/run/runtime.h"
-#include "emulator/run/step_server.h"
+#include "emulator/scenario/control_place.h"
 #include "emulator/truth/truth.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
@@ -19,16 +18,6 @@
 
 namespace echoloop::cli {
 namespace {
-
-/// Of a run that was asked to be on time, who goes before whom.
-std::string claimed(const RealTimeSummary& s) {
-    if (!s.needs_workers) return "before all other programs";
-    if (s.workers == 0)
-        return "before all other programs, but not the kernel's workers, which carry what goes over "
-               "pseudo-terminals and serial ports: root, outside of containers, may let them go first";
-    return "before all other programs, and until the end " + counted(s.workers, "worker") +
-           " of the kernel too, which carry what goes over pseudo-terminals and serial ports";
-}
 
 void print_start(const Scenario& scenario, const Runtime& runtime, std::optional<double> duration) {
     const auto line = [](const std::string& name, const std::string& text) {
@@ -45,7 +34,6 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
         for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
     }
     if (!scenario.control.empty()) line("control", runtime.control());
-    if (const auto real_time = runtime.real_time()) line("real time", claimed(*real_time));
     std::printf("For a driver: %s endpoints %s --format ros1 (or ros2, moos, rock, sitl)\n",
                 program_invocation_name, scenario.file.c_str());
     const bool stepped = scenario.clock == ClockMode::stepped;
@@ -138,7 +126,7 @@ int run_scenario(const Arguments& arguments) {
                 print_poses("object " + name, poses,
                             "it is, and it stayed where the scenario or the scene puts it");
             if (const auto steps = runtime.steps()) print_steps(*steps);
-            if (const auto real_time = runtime.real_time()) print_standstills(real_time->standstills);
+            print_stolen(runtime.stolen_seconds());
             print_faults(runtime.faults());
             if (recording) print_recording(*recording);
             if (truth) print_truth(*truth);
@@ -178,11 +166,10 @@ Verb run_verb() {
           "take faults while it runs, at unix:/PATH or tcp-listen://127.0.0.1:PORT; see echoloop fault"},
          {Argument::Kind::value, "--labels", "FILE", "write a line of JSON for every fault that is made"},
          {Argument::Kind::flag, "--fail-late", "",
-          "end with status 75 if a ping was late (not if the machine held it up, see --realtime), or a message or "
-          "bytes were lost"},
+          "end with status 75 if a ping was late, or messages or bytes were lost"},
          {Argument::Kind::flag, "--realtime", "",
-          "render and answer before all other programs, from locked memory, and tell pings that the machine held "
-          "up from late ones; needs the permission to"},
+          "render and answer before all other programs (SCHED_FIFO), from locked memory; needs the "
+          "permission to"},
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop run config/demo.yaml\n"

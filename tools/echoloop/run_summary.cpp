@@ -20,23 +20,14 @@ std::string remedy(const SessionSummary& s) {
 
 std::string in_ms(Time time) { return plain(to_seconds(time) * 1e3, 1) + " ms"; }
 
-std::string held_up(const SessionSummary& s) {
-    if (s.held_up == 0) return "";
-    return "; " + std::to_string(s.held_up) + " held up by at most " + in_ms(s.longest_held_up) +
-           " since the machine stood still, " + std::to_string(s.held_up_by_all) +
-           " of them while none of its processors ran";
-}
-
 std::string late(const SessionSummary& s) {
     if (s.late_pings == 0) return "none late";
     return std::to_string(s.late_pings) + " late (" + std::to_string(s.late_renderings) +
            " waited for their rendering, " + std::to_string(s.late_wakings) +
-           " until the machine woke the program), the worst by " + in_ms(s.worst_late) + ": " + remedy(s);
+           " until the machine woke the program), the worst by " + in_ms(s.worst_lateness) + ": " + remedy(s);
 }
 
-std::string punctuality(const SessionSummary& s) {
-    return counted(s.pings, "ping") + ", " + late(s) + held_up(s);
-}
+std::string punctuality(const SessionSummary& s) { return counted(s.pings, "ping") + ", " + late(s); }
 
 /// Of all sonars together, as far as punctuality() tells it.
 SessionSummary sum_of(const std::vector<SessionSummary>& sessions) {
@@ -46,10 +37,7 @@ SessionSummary sum_of(const std::vector<SessionSummary>& sessions) {
         all.late_pings += s.late_pings;
         all.late_renderings += s.late_renderings;
         all.late_wakings += s.late_wakings;
-        all.worst_late = std::max(all.worst_late, s.worst_late);
-        all.held_up += s.held_up;
-        all.held_up_by_all += s.held_up_by_all;
-        all.longest_held_up = std::max(all.longest_held_up, s.longest_held_up);
+        all.worst_lateness = std::max(all.worst_lateness, s.worst_lateness);
     }
     return all;
 }
@@ -108,17 +96,10 @@ void print_steps(const StepSummary& s) {
                 s.refused == 0 ? "" : (" (the last: " + s.last_refusal + ")").c_str());
 }
 
-void print_standstills(const Standstills::Summary& s) {
-    const double longest = std::chrono::duration<double, std::milli>(s.longest).count();
-    std::printf("%s%s\n", padded("machine", 16).c_str(),
-                s.count == 0
-                    ? "never stood still"
-                    : ("stood still " + counted(s.count, "time") + ", at most " + plain(longest, 1) + " ms" +
-                       ", as one whose processors serve others as well does" +
-                       (s.fetched == 0
-                            ? ""
-                            : "; the wires were served by another processor " + counted(s.fetched, "time")))
-                          .c_str());
+void print_stolen(double seconds) {
+    if (seconds > 0)
+        std::printf("%sits host took %s s of processor time\n", padded("machine", 16).c_str(),
+                    plain(seconds, 2).c_str());
 }
 
 }  // namespace echoloop::cli

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "emulator/faults/answers.h"
 #include "emulator/faults/control_line.h"
 #include "emulator/faults/pieces.h"
+#include "emulator/run/answers.h"
 
 namespace {
 

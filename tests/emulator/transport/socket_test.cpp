@@ -28,6 +28,16 @@ TEST_F(SocketTest, UdpAnswersWhoeverSpokeAndSurvivesRefusals) {
     EXPECT_EQ(driver.receive(asio::buffer(buffer)), 3u);
 }
 
+TEST_F(SocketTest, UdpOnLoopbackSendsToLoopbackOnly) {
+    Udp device(io_, {loopback, 0}, false);
+    start(device);
+    write(device, {1, 2, 3}, {0x08080808, 53});
+    EXPECT_EQ(device.bytes_out(), 0U);
+    EXPECT_EQ(device.bytes_lost(), 3U);
+    write(device, {1, 2}, {0x7FFFFFFF, 4000});
+    EXPECT_EQ(device.bytes_out(), 2U);
+}
+
 TEST_F(SocketTest, PortInUseIsAStartErrorWithARemedy) {
     Udp first(io_, {loopback, 0}, false);
     try {

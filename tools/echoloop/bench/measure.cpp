@@ -15,8 +15,8 @@
 #include <type_traits>
 
 #include "emulator/contract/error.h"
-#include "emulator/water/render_thread.h"
-#include "emulator/water/scheduling.h"
+#include "emulator/machine/scheduling.h"
+#include "emulator/water/render_threads.h"
 #include "tools/echoloop/bench/scenes.h"
 
 namespace echoloop::bench {
@@ -99,7 +99,7 @@ Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     options.rule = rule;
     options.pixel_density = settings.pixel_density;
     options.context = settings.context;
-    options.drawing_threads = RenderThread::drawing_threads(1);
+    options.drawing_threads = RenderThreads::drawing_threads(1);
     keep_rasterisers_on_their_threads();
     Renderer renderer(scene, {}, options);
     renderer.render(shot_of(the_case, 0), pose_of(0));

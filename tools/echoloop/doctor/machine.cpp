@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "emulator/contract/error.h"
-#include "emulator/machine/punctual.h"
+#include "emulator/machine/scheduling.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/doctor/findings.h"
 
@@ -64,7 +64,7 @@ Finding real_time() {
     std::string text = "allowed: echoloop run --realtime";
     std::thread([&text] {
         try {
-            claim_real_time(Turn::fans);
+            claim_real_time(Priority::rendering);
         } catch (const StartError&) {
             text = "not allowed, and only echoloop run --realtime needs it";
         }

@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "emulator/contract/error.h"
-#include "emulator/water/render_thread.h"
 #include "emulator/run/runtime.h"
+#include "emulator/water/render_threads.h"
 #include "render/renderer.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/doctor/findings.h"
@@ -62,7 +62,7 @@ Findings look_at_scenario(const Scenario& scenario) {
     Findings found{endpoints(scenario)};
     if (found.front().state == State::bad) return found;
     RendererOptions options = scenario.render;
-    options.drawing_threads = RenderThread::drawing_threads(scenario.devices.size());
+    options.drawing_threads = RenderThreads::drawing_threads(scenario.devices.size());
     Renderer renderer(scene_of(scenario), scenario.water, options);
     for (const ScenarioDevice& device : scenario.devices)
         found.push_back(ping(renderer, device, scenario.world_from_body * device.body_from_sonar));

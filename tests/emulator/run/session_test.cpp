@@ -78,7 +78,7 @@ TEST(Sessions, DoWhatWasPlannedWhenItWasPlannedUnlessTheyWakeFarTooLate) {
     asio::io_context io;
     RealClock clock(io);
     SharedWater shared{{}, Effects::none(), 1, scene->bounds(), CrossTalk({}, Effects::none())};
-    RenderThread renderer([&](RenderThread::Lane) { return std::make_unique<Renderer>(scene, Water{}); });
+    RenderThreads renderer([&] { return std::make_unique<Renderer>(scene, Water{}); });
     std::vector<Time> told;
     Session session(io, clock, renderer, shared, "ticker",
                     std::make_unique<Ticker>(told, [&io] { io.stop(); }),
@@ -111,8 +111,7 @@ class TwoSonars : public testing::Test {
         SharedWater shared{water, effects, 1, scene->bounds(), CrossTalk(water, effects)};
         std::array<std::vector<Echogram>, 2> heard;
         std::vector<std::unique_ptr<Session>> sessions;
-        RenderThread renderer(
-            [&](RenderThread::Lane) { return std::make_unique<Renderer>(scene, water, options); });
+        RenderThreads renderer([&] { return std::make_unique<Renderer>(scene, water, options); });
         int busy = 2;
         const auto done = [&] {
             if (--busy == 0) io.stop();

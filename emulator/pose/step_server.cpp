@@ -1,4 +1,4 @@
-#include "emulator/run/step_server.h"
+#include "emulator/pose/step_server.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -6,14 +6,16 @@
 namespace echoloop {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 Time to_time(double seconds) { return Time(std::llround(seconds * 1e9)); }
 
-std::string in_seconds(double s) { return Json(s).dump() + " s"; }
+std::string in_seconds(double s) { return OrderedJson(s).dump() + " s"; }
 
 /// What a sender of nonsense said goes back to it, whatever its bytes are.
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string line_of(const OrderedJson& json) {
+    return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
 
 }  // namespace
 
@@ -92,9 +94,9 @@ void StepServer::refuse(const std::string& reason) {
 }
 
 std::string StepServer::acknowledgement(double now) const {
-    Json sent = Json::object();
+    OrderedJson sent = OrderedJson::object();
     for (const auto& [device, bytes] : sent_()) sent[device] = bytes;
-    Json answer{{"now", now}, {"ack", summary_.steps}, {"sent", sent}};
+    OrderedJson answer{{"now", now}, {"ack", summary_.steps}, {"sent", sent}};
     if (end_ && clock_.now() >= *end_) answer["end"] = true;
     return line_of(answer);
 }

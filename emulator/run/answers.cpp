@@ -1,4 +1,4 @@
-#include "emulator/faults/answers.h"
+#include "emulator/run/answers.h"
 
 #include <nlohmann/json.hpp>
 
@@ -50,7 +50,6 @@ std::string status(const std::vector<SessionSummary>& sessions, const Faults& fa
         devices.push_back({{"name", s.name},
                            {"pings", s.pings},
                            {"late_pings", s.late_pings},
-                           {"held_up_pings", s.held_up},
                            {"messages", s.device.messages},
                            {"rejected", s.device.rejected},
                            {"skipped_bytes", s.device.skipped_bytes},

@@ -1,5 +1,6 @@
-#include "emulator/machine/punctual.h"
+#include "emulator/machine/scheduling.h"
 
+#include <malloc.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -9,6 +10,7 @@
 
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -27,6 +29,15 @@ struct SchedulingAttributes {
     std::uint64_t runtime = 0, deadline = 0, period = 0;  ///< ns
 };
 
+/// Of the calling thread, in ns, in place of the system's own of some milliseconds.
+void set_slice(std::uint64_t slice) {
+    SchedulingAttributes attributes;
+    if (::syscall(SYS_sched_getattr, 0, &attributes, sizeof attributes, 0) != 0) return;
+    if (attributes.policy != SCHED_OTHER) return;  // a user who chose another policy has reasons
+    attributes.runtime = slice;
+    ::syscall(SYS_sched_setattr, 0, &attributes, 0);
+}
+
 /// With a limit, memory that is locked as it comes would run out in the middle of a run.
 bool may_lock_all() {
     rlimit limit{};
@@ -41,28 +52,12 @@ bool may_lock_all() {
 
 }  // namespace
 
-void wake_on_time() {
-    constexpr std::uint64_t shortest_turn = 100'000;
-    ::prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
-    SchedulingAttributes attributes;
-    if (::syscall(SYS_sched_getattr, 0, &attributes, sizeof attributes, 0) != 0) return;
-    if (attributes.policy != SCHED_OTHER) return;
-    attributes.runtime = shortest_turn;
-    ::syscall(SYS_sched_setattr, 0, &attributes, 0);
-}
-
-void claim_real_time(Turn turn) {
-    sched_param priority{};
-    priority.sched_priority = static_cast<int>(turn);
-    const int policy = turn == Turn::wires ? SCHED_FIFO | SCHED_RESET_ON_FORK : SCHED_FIFO;
-    if (::sched_setscheduler(0, policy, &priority) != 0)
+void claim_real_time(Priority priority) {
+    sched_param parameters{};
+    parameters.sched_priority = static_cast<int>(priority);
+    const int policy = priority == Priority::wires ? SCHED_FIFO | SCHED_RESET_ON_FORK : SCHED_FIFO;
+    if (::sched_setscheduler(0, policy, &parameters) != 0)
         refuse("the scheduler", "allow it with `ulimit -r 10`, or `setcap cap_sys_nice+ep` on the program");
-}
-
-void give_turn(pthread_t thread, Turn turn) {
-    sched_param priority{};
-    priority.sched_priority = static_cast<int>(turn);
-    ::pthread_setschedparam(thread, turn == Turn::ordinary ? SCHED_OTHER : SCHED_FIFO, &priority);
 }
 
 void lock_memory() {
@@ -70,6 +65,25 @@ void lock_memory() {
         refuse(
             "locking memory",
             "allow it with `ulimit -l unlimited`, or `setcap cap_sys_nice,cap_ipc_lock+ep` on the program");
+}
+
+void wake_on_time() {
+    ::prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
+    set_slice(100'000);
+}
+
+void give_way(int nice) {
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), nice);
+    set_slice(static_cast<std::uint64_t>(nice) * 500'000);
+}
+
+void keep_rasterisers_on_their_threads() { ::setenv("LP_NUM_THREADS", "0", 0); }
+
+void keep_freed_memory() {
+#ifdef M_TRIM_THRESHOLD
+    ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+#endif
 }
 
 }  // namespace echoloop

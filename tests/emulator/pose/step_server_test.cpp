@@ -1,5 +1,5 @@
 // Lines that step the clock: what is answered to good, bad and repeated ones, and in which order.
-#include "emulator/run/step_server.h"
+#include "emulator/pose/step_server.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

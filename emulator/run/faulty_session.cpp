@@ -1,4 +1,4 @@
-#include "emulator/faults/faulty_session.h"
+#include "emulator/run/faulty_session.h"
 
 #include "emulator/contract/options.h"
 #include "emulator/transport/driver_lines.h"
@@ -116,7 +116,7 @@ void FaultySession::record(const Fault& fault, int id, bool begins) {
     FaultEvent event;
     event.kind = fault.kind;
     event.id = id;
-    if (faults_.heard_ping > 0) event.ping = faults_.heard_ping;
+    if (faults_.heard_ping() > 0) event.ping = faults_.heard_ping();
     event.is_end = !begins;
     if (!row_of(fault.kind).momentary) event.details = {{"phase", std::string(begins ? "begin" : "end")}};
     for (AskedFault& asked : faults_.asked())

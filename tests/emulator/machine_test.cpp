@@ -1,5 +1,5 @@
 // What the kernel grants a thread that must wake on time.
-#include "emulator/machine/punctual.h"
+#include "emulator/machine/scheduling.h"
 
 #include <gtest/gtest.h>
 #include <sys/prctl.h>

@@ -1,4 +1,4 @@
-#include "emulator/faults/control.h"
+#include "emulator/run/control.h"
 
 #include <spdlog/spdlog.h>
 #include <sys/stat.h>
@@ -10,7 +10,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "emulator/faults/answers.h"
+#include "emulator/run/answers.h"
 #include "emulator/transport/address.h"
 
 namespace echoloop {
