@@ -49,8 +49,9 @@ void Aris::forget_controller() {
     framer_.clear();
     parts_.drop();
     control_ = {};
-    next_frame_ = next_silence_ = Time::max();
-    connected_ = frame_under_way_ = false;
+    pacer_.stop();
+    next_silence_ = Time::max();
+    connected_ = false;
     frame_.number = 0;  // receivers start anew with each connection, and drop numbers below one that they had
     peer_ = 0;
 }
@@ -125,7 +126,7 @@ void Aris::obey(const aris::Command& command, Time now) {
             break;
     }
     ++(good ? counters_.messages : counters_.rejected);
-    if (!frame_under_way_) plan_next_frame(now);
+    plan_next_frame(now);
 }
 
 bool Aris::set_clock(const std::string& text, Time now) {
@@ -187,17 +188,12 @@ bool Aris::set_focus(const aris::SetFocus& wish, Time now) {
 
 /// Not before the parts of the last frame have gone when those of the next one come.
 void Aris::plan_next_frame(Time now) {
-    next_frame_ = Time::max();
-    if (!control_.acoustics || !control_.receiver) return;
-    const aris::SetAcoustics& acoustics = *control_.acoustics;
-    next_frame_ = std::max(now, parts_.out() - from_seconds(frame_time(acoustics)));
-    if (last_transmission_) next_frame_ = std::max(next_frame_, *last_transmission_ + period_of(acoustics));
+    if (!control_.acoustics || !control_.receiver) return pacer_.pause();
+    pacer_.start(now, period_of(*control_.acoustics));
+    pacer_.hold(parts_.out() - from_seconds(frame_time(*control_.acoustics)));
 }
 
 void Aris::transmit(Time now) {
-    next_frame_ = Time::max();
-    frame_under_way_ = true;
-    last_transmission_ = now;
     const aris::SetAcoustics& acoustics = *control_.acoustics;
     frame_ = {frame_.number + 1,
               acoustics,
@@ -208,7 +204,7 @@ void Aris::transmit(Time now) {
               focus_,
               now,
               static_cast<std::uint64_t>(clock_offset_ + now.count() / 1000)};
-    const Time heard = from_seconds(frame_time(acoustics) + settings_.acoustics.processing);
+    const Time heard = from_seconds(frame_time(acoustics) + settings_.processing_time);
     const Time due = now + std::min(heard, period_of(acoustics));
     actions_.ping = Ping{make_shot(acoustics, telephoto_, settings_, ++pings_), due};
     actions_.ping->shot.interval = interval(now, due);
@@ -222,11 +218,11 @@ double Aris::interval(Time now, Time due) const {
 }
 
 Actions Aris::heard(const Echogram& echogram, Time now) {
-    const bool expected = frame_under_way_ && echogram.shot.ping == pings_ &&
+    const bool expected = pacer_.under_way() && echogram.shot.ping == pings_ &&
                           echogram.shot.bins == frame_.acoustics.samples &&
                           echogram.beams() == frame_.beams();
     if (!expected) return take_actions();
-    frame_under_way_ = false;
+    pacer_.end(now, {});
     ++counters_.pings;
     if (control_.receiver) send_frame(echogram, now);
     plan_next_frame(now);
@@ -264,7 +260,7 @@ Actions Aris::woken(Time now) {
         actions_.send.push_back({command_port, {}, {}, {}, true});
     }
     parts_.hand_over(now, actions_.send);
-    if (now >= next_frame_) transmit(now);
+    if (pacer_.begin(now)) transmit(now);
     return take_actions();
 }
 
@@ -275,7 +271,7 @@ DeviceCounters Aris::counters() const {
 }
 
 Actions Aris::take_actions() {
-    actions_.wake = std::min({next_frame_, next_beacon_, next_silence_, parts_.wake()});
+    actions_.wake = std::min({pacer_.wake(), next_beacon_, next_silence_, parts_.wake()});
     return std::exchange(actions_, {});
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/aris/frame.h"
 #include "emulator/devices/aris/part_queue.h"
 #include "protocols/aris/framer.h"
@@ -69,10 +70,8 @@ class Aris final : public Device {
     std::int64_t clock_offset_;  ///< us, Unix time at power-up by the sonar's own clock
     FrameRecord frame_;          ///< the frame under way, or the last one; its number is 0 before the first
     std::uint64_t pings_ = 0;    ///< goes on across controllers, unlike numbers of frames
-    bool frame_under_way_ = false;
-    std::optional<Time> last_transmission_;
+    PingPacer pacer_;            ///< of frames
     PartQueue parts_;
-    Time next_frame_ = Time::max();
     Time next_beacon_ = Time::max();
     std::uint32_t peer_ = 0;           ///< IPv4 address of the controller
     Time next_silence_ = Time::max();  ///< when the controller will have been silent too long

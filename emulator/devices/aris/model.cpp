@@ -88,8 +88,7 @@ Model row(const std::string& name, const std::string& title) {
     m.protocol = "ARIS: beacon and frames on UDP, commands on TCP";
     m.default_endpoints = {"tcp-listen://127.0.0.1:56888", "udp://127.255.255.255:56124"};
     m.endpoint_schemes = {"tcp-listen"};
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make<variant>;
     m.default_shot = default_shot<variant>;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "emulator/contract/model.h"
+#include "emulator/contract/settings_list.h"
 
 namespace echoloop::aris_device {
 
@@ -28,7 +28,6 @@ struct Acoustics {
     double floor_level = 0;       ///< dB re 1 uPa: reads 0 at 0 dB gain within a metre
     double tvg_spreading = 0;     ///< dB per decade of range
     double tvg_limit = 0;         ///< dB
-    double processing = 0;        ///< s from the last sample to the first part
 };
 
 /// One of the sonars of the series.
@@ -39,7 +38,7 @@ struct Variant {
 
 struct Settings {
     Variant variant;
-    std::uint32_t serial = 0;
+    std::uint32_t serial = 1001;
     double temperature = 10;       ///< degC, of the water, at the sonar's own sensor
     double beacon_period = 1;      ///< s
     double silence_limit = 10;     ///< s; 0: none
@@ -50,13 +49,13 @@ struct Settings {
     bool pulse_in_cycles = false;  ///< else us
     bool ethernet = true;
     bool voyager = false;
-    bool tvg = true;        ///< the effect of that name
-    double unix_start = 0;  ///< s
+    double processing_time = 2e-3;  ///< s from the last sample to the first part
+    bool tvg = true;                ///< the effect of that name
+    double unix_start = 0;          ///< s
     Acoustics acoustics;
 };
 
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 /// From complete options and a complete profile; std::invalid_argument if the controller is no address.
 Settings read_settings(const DeviceConfig& config, const Variant& variant);
 

@@ -44,8 +44,7 @@ Model model() {
     m.default_endpoints = {"tcp-listen://127.0.0.1:2209", "tcp-listen://127.0.0.1:2210",
                            "tcp-listen://127.0.0.1:2211"};
     m.endpoint_schemes = {"tcp-listen"};
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;

@@ -68,7 +68,7 @@ void NorbitWbms::obey_line(const std::string& line, Address from, Time now) {
     ++(reply.understood ? counters_.messages : counters_.rejected);
     send(command_port, Bytes(reply.text.begin(), reply.text.end()), from);
     actions_.send.back().hang_up = command.name == "exit";
-    if (!ping_under_way_) plan_next_ping(now);
+    plan_next_ping(now);
 }
 
 bool NorbitWbms::pinging() const {
@@ -77,10 +77,8 @@ bool NorbitWbms::pinging() const {
 }
 
 void NorbitWbms::plan_next_ping(Time now) {
-    next_ping_ = Time::max();
-    if (!pinging()) return;
-    const Time period = from_seconds(make_plan(controls_, settings_, digital_gain_).period);
-    next_ping_ = last_transmission_ ? std::max(now, *last_transmission_ + period) : now;
+    if (!pinging()) return pacer_.pause();
+    pacer_.start(now, from_seconds(make_plan(controls_, settings_, digital_gain_).period));
 }
 
 double NorbitWbms::time_stamp(Time time) const {
@@ -89,9 +87,6 @@ double NorbitWbms::time_stamp(Time time) const {
 }
 
 void NorbitWbms::transmit(Time now) {
-    next_ping_ = Time::max();
-    ping_under_way_ = true;
-    last_transmission_ = now;
     ping_ = {controls_, make_plan(controls_, settings_, digital_gain_), ping_.number + 1, time_stamp(now)};
     actions_.ping = Ping{make_shot(ping_.controls, ping_.plan, settings_, ping_.number),
                          now + from_seconds(ping_.plan.due)};
@@ -101,18 +96,18 @@ bool NorbitWbms::takes_image() {
     if (viewers_.empty()) return false;
     const double rate = ping_.controls.image_rate;
     const Time interval = rate > 0 ? from_seconds(1 / rate) : Time{};
-    const Time sent = last_transmission_.value_or(Time{}), due = last_image_ ? *last_image_ + interval : sent;
+    const Time sent = pacer_.began().value_or(Time{}), due = last_image_ ? *last_image_ + interval : sent;
     if (sent < due) return false;
     last_image_ = sent < due + interval ? due : sent;  // so that the rate is kept where pings do not fit it
     return true;
 }
 
 Actions NorbitWbms::heard(const Echogram& echogram, Time now) {
-    const bool expected = ping_under_way_ && echogram.shot.ping == ping_.number &&
+    const bool expected = pacer_.under_way() && echogram.shot.ping == ping_.number &&
                           echogram.shot.bins == ping_.plan.bins &&
                           echogram.beams() == ping_.plan.bearings.size();
     if (!expected) return take_actions();
-    ping_under_way_ = false;
+    pacer_.end(now, {});
     ++counters_.pings;
     if (ping_.controls.mode != 0)
         send(bathymetry_port, bathymetry_packet(ping_, settings_, echogram, time_stamp(now)));
@@ -131,7 +126,7 @@ Actions NorbitWbms::woken(Time now) {
         commander.line_ends = Time::max();
         obey_line(commander.lines.rest(), host, now);
     }
-    if (now >= next_ping_) transmit(now);
+    if (pacer_.begin(now)) transmit(now);
     return take_actions();
 }
 
@@ -143,7 +138,7 @@ DeviceCounters NorbitWbms::counters() const {
 }
 
 Actions NorbitWbms::take_actions() {
-    Time wake = next_ping_;
+    Time wake = pacer_.wake();
     for (const auto& [host, commander] : commanders_) wake = std::min(wake, commander.line_ends);
     actions_.wake = wake;
     return std::exchange(actions_, {});

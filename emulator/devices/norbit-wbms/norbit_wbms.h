@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/norbit-wbms/packets.h"
 
 namespace echoloop::norbit_device {
@@ -52,10 +53,8 @@ class NorbitWbms final : public Device {
     std::map<Address, Commander> commanders_;
     std::set<Address> viewers_;  ///< hosts on the water column
     PingRecord ping_;            ///< the ping under way, or the last one
-    bool ping_under_way_ = false;
-    double digital_gain_ = 0;  ///< dB, of the next ping
-    std::optional<Time> last_transmission_;
-    Time next_ping_ = Time::max();
+    double digital_gain_ = 0;    ///< dB, of the next ping
+    PingPacer pacer_;
     std::optional<Time> last_image_;  ///< when its ping was due, at the rate of water columns
     Actions actions_;
     DeviceCounters counters_;

@@ -77,7 +77,7 @@ Plan make_plan(const Controls& c, const Settings& s, double digital_gain) {
     plan.bearings = make_bearings(first, last, beams, equidistant);
     plan_window(plan, c);
     plan.digital_gain = digital_gain;
-    plan.due = static_cast<double>(plan.first_bin + plan.bins) / plan.bin_rate() + s.acoustics.processing;
+    plan.due = static_cast<double>(plan.first_bin + plan.bins) / plan.bin_rate() + s.processing_time;
     plan.period = c.rate > 0 ? std::max(1 / c.rate, plan.due) : plan.due;
     return plan;
 }

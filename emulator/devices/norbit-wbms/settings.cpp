@@ -1,11 +1,7 @@
 #include "emulator/devices/norbit-wbms/settings.h"
 
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
-
-#include "emulator/contract/option_rows.h"
-#include "emulator/contract/options.h"
 
 namespace echoloop::norbit_device {
 namespace {
@@ -14,115 +10,83 @@ const char* const spec = "Norbit WBMS specification notes";
 const char* const document = "Norbit TN-180196, WBMS DFD External";
 const char* const own = "own choice";
 
-Acoustics read_acoustics(const Profile& p) {
-    Acoustics a;
-    a.reference_frequency = figure(p, "reference_frequency");
-    a.receive_beam_width = deg_to_rad(figure(p, "receive_beam_width"));
-    a.transmit_beam_width = deg_to_rad(figure(p, "transmit_beam_width"));
-    a.forward_fan_height = deg_to_rad(figure(p, "forward_fan_height"));
-    a.widest_swath = deg_to_rad(figure(p, "widest_swath"));
-    a.source_level = figure(p, "source_level");
-    a.horizontal = axis_pattern(p, "horizontal");
-    a.vertical = axis_pattern(p, "vertical");
-    a.receiver = receiver(p);
-    a.full_scale = figure(p, "full_scale");
-    a.largest_gain = figure(p, "largest_gain");
-    a.detection_margin = figure(p, "detection_margin");
-    a.processing = figure(p, "processing_time");
-    return a;
-}
-
-norbit::BeamMode read_beam_mode(const std::string& word) {
-    if (word == "512EA") return norbit::BeamMode::ea512;
-    return word == "256ED" ? norbit::BeamMode::ed256 : norbit::BeamMode::ea256;
-}
-
-norbit::Sample read_sample(const std::string& word) {
-    if (word == "u8") return norbit::Sample::u8;
-    if (word == "u16") return norbit::Sample::u16;
-    return word == "f32" ? norbit::Sample::f32 : norbit::Sample::s16;
-}
-
-/// A word that an answer can carry.
-std::string read_word(const Options& options, const std::string& name) {
-    const std::string& word = text(options, name);
+/// A text that an answer can carry as a word.
+void describe_word(std::string& word, const std::string& name, const char* help, const char* source,
+                   OptionList& o) {
+    o.text(word, name, help, source);
     const bool plain =
         std::all_of(word.begin(), word.end(), [](char c) { return c > ' ' && c <= '~' && c != '#'; });
     if (word.empty() || word.size() > 64 || !plain)
         throw std::invalid_argument("option " + name + ": '" + word +
                                     "' must be 1 to 64 printable ASCII characters without blanks and '#'");
-    return word;
+}
+
+void describe_packets(Settings& s, OptionList& o) {
+    using norbit::BeamMode, norbit::Sample;
+    o.choice(s.forward_looking, "system", {"bathymetry", "forward-looking"},
+             "values at the start of mode (1, 0), flip (1, 0) and gate mode (1, 0)", document);
+    o.words(s.beam_mode, "beam_mode",
+            {{"256EA", BeamMode::ea256}, {"512EA", BeamMode::ea512}, {"256ED", BeamMode::ed256}},
+            "beams at equal angles or equal distances", spec);
+    o.words(s.sample, "sample",
+            {{"s16", Sample::s16}, {"u8", Sample::u8}, {"u16", Sample::u16}, {"f32", Sample::f32}},
+            "type of the water column's samples",
+            "Norbit WBMS specification notes: a known reader accepts s16 only");
+    o.whole(s.version, "version", "", 0, 4294967295.0, "in every packet", spec);
+    o.choice(s.hertz_in_water_column, "water_column_frequency", {"kHz", "Hz"},
+             "unit of frequency and bandwidth there", spec);
+    o.choice(s.whole_vga_gains, "water_column_vga", {"f32", "s32"}, "type of the gains g1 and g2 there",
+             spec);
+    o.flag(s.newer_fields, "newer_fields",
+           "fills what the document reserves: time uncertainty, multi-ping, raw sound speed, flags of "
+           "points",
+           spec);
+}
+
+void describe_answers(Settings& s, OptionList& o) {
+    o.flag(s.power, "power", "pings from the start, without set_power 1", document);
+    o.number(s.command_pause, "command_pause", "s", 0.01, 10,
+             "silence after which a command without a line's end is obeyed",
+             "own choice: a known driver sends no line ends and waits 0.5 s for its answer");
+    o.number(s.temperature, "temperature", "degC", -20, 100, "answered to 'temperature'", own);
+    describe_word(s.revision, "revision", "in the greeting and answered to 'revision'",
+                  "Norbit TN-180197 1D: the sonar in its pictures", o);
+    describe_word(s.serial, "serial", "answered to 'serial'", own, o);
+    describe_word(s.part_number, "partno", "answered to 'partno'",
+                  "own choice: a part number of the maker's drawings", o);
+    o.number(s.processing_time, "processing_time", "s", 0, 1, "from the last echo to the packets",
+             "own choice: from the last echo to the packets; 60 Hz is reached up to 5 m");
+}
+
+void describe_profile(Acoustics& a, FigureList& f) {
+    f.number(a.reference_frequency, "reference_frequency", "Hz", 80e3, 1e6, "at which the beam widths hold");
+    f.degrees(a.receive_beam_width, "receive_beam_width", 0.05, 20, "-3 dB full width across track");
+    f.degrees(a.transmit_beam_width, "transmit_beam_width", 0.05, 60, "-3 dB full width along track");
+    f.degrees(a.forward_fan_height, "forward_fan_height", 0.05, 60,
+              "-3 dB full width along track of the forward-looking system");
+    f.degrees(a.widest_swath, "widest_swath", 10, 340, "wider opening angles are cut");
+    f.number(a.source_level, "source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis at amplitude 15");
+    f.number(a.full_scale, "full_scale", "dB re 1 uPa", 50, 300, "reads full scale at 0 dB gain");
+    f.number(a.largest_gain, "largest_gain", "dB", 0, 120, "digital");
+    f.number(a.detection_margin, "detection_margin", "dB", 0, 60,
+             "echoes that are not so far above the noise are no bottom");
+    f.common(a.horizontal, a.vertical, a.receiver);
 }
 
 }  // namespace
 
-std::vector<FigureRow> figure_table() {
-    std::vector<FigureRow> rows{
-        {"reference_frequency", "Hz", "at which the beam widths hold", 80e3, 1e6},
-        {"receive_beam_width", "deg", "-3 dB full width across track", 0.05, 20},
-        {"transmit_beam_width", "deg", "-3 dB full width along track", 0.05, 60},
-        {"forward_fan_height", "deg", "-3 dB full width along track of the forward-looking system", 0.05, 60},
-        {"widest_swath", "deg", "wider opening angles are cut", 10, 340},
-        {"source_level", "dB re 1 uPa at 1 m", "on the axis at amplitude 15", 100, 240},
-        {"full_scale", "dB re 1 uPa", "reads full scale at 0 dB gain", 50, 300},
-        {"largest_gain", "dB", "digital", 0, 120},
-        {"detection_margin", "dB", "echoes that are not so far above the noise are no bottom", 0, 60},
-        {"processing_time", "s", "from the last echo to the packets", 0, 1},
-    };
-    auto common = common_figures();
-    std::move(common.begin(), common.end(), std::back_inserter(rows));
-    return rows;
-}
-
-std::vector<Option> option_table() {
-    return {
-        choice_row("system", {"bathymetry", "forward-looking"},
-                   "values at the start of mode (1, 0), flip (1, 0) and gate mode (1, 0)", document),
-        choice_row("beam_mode", {"256EA", "512EA", "256ED"}, "beams at equal angles or equal distances",
-                   spec),
-        choice_row("sample", {"s16", "u8", "u16", "f32"}, "type of the water column's samples",
-                   "Norbit WBMS specification notes: a known reader accepts s16 only"),
-        integer_row("version", "", 4, 0, 4294967295.0, "in every packet", spec),
-        choice_row("water_column_frequency", {"kHz", "Hz"}, "unit of frequency and bandwidth there", spec),
-        choice_row("water_column_vga", {"f32", "s32"}, "type of the gains g1 and g2 there", spec),
-        flag_row("newer_fields", false,
-                 "fills what the document reserves: time uncertainty, multi-ping, raw sound speed, flags of "
-                 "points",
-                 spec),
-        flag_row("power", false, "pings from the start, without set_power 1", document),
-        number_row("command_pause", "s", 0.1, 0.01, 10,
-                   "silence after which a command without a line's end is obeyed",
-                   "own choice: a known driver sends no line ends and waits 0.5 s for its answer"),
-        number_row("temperature", "degC", 25, -20, 100, "answered to 'temperature'", own),
-        text_row("revision", "10.3.6", "in the greeting and answered to 'revision'",
-                 "Norbit TN-180197 1D: the sonar in its pictures"),
-        text_row("serial", "1001", "answered to 'serial'", own),
-        text_row("partno", "12004", "answered to 'partno'",
-                 "own choice: a part number of the maker's drawings"),
-    };
+void describe(Settings& s, OptionList& o, FigureList& f) {
+    describe_packets(s, o);
+    describe_answers(s, o);
+    describe_profile(s.acoustics, f);
 }
 
 Settings read_settings(const DeviceConfig& config) {
-    const Options& o = config.options;
-    Settings s;
-    s.forward_looking = text(o, "system") == "forward-looking";
-    s.beam_mode = read_beam_mode(text(o, "beam_mode"));
-    s.sample = read_sample(text(o, "sample"));
-    s.version = static_cast<std::uint32_t>(integer(o, "version"));
-    s.hertz_in_water_column = text(o, "water_column_frequency") == "Hz";
-    s.whole_vga_gains = text(o, "water_column_vga") == "s32";
-    s.newer_fields = flag(o, "newer_fields");
-    s.power = flag(o, "power");
-    s.command_pause = number(o, "command_pause");
-    s.temperature = number(o, "temperature");
-    s.revision = read_word(o, "revision");
-    s.serial = read_word(o, "serial");
-    s.part_number = read_word(o, "partno");
+    auto s = fill_settings<Settings>(config);
     s.sound_speed = config.sound_speed;
     s.unix_start = config.unix_start;
     s.tvg = config.effects.has(Effect::tvg);
     s.pulse = config.effects.has(Effect::pulse);
-    s.acoustics = read_acoustics(config.profile);
     return s;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/contract/model.h"
+#include "emulator/contract/settings_list.h"
 #include "protocols/norbit/messages.h"
 
 namespace echoloop::norbit_device {
@@ -21,7 +21,6 @@ struct Acoustics {
     double full_scale = 0;        ///< dB re 1 uPa: reads full scale at 0 dB gain
     double largest_gain = 0;      ///< dB, digital
     double detection_margin = 0;  ///< dB above the noise
-    double processing = 0;        ///< s from the last echo to the packets
 };
 
 /// Emulator options; README.md of this folder explains each.
@@ -33,19 +32,19 @@ struct Settings {
     bool hertz_in_water_column = false;
     bool whole_vga_gains = false;  ///< g1 and g2 as s32
     bool newer_fields = false;
-    bool power = false;        ///< pings from the start
-    double command_pause = 0;  ///< s after which a command without a line's end is one
-    double temperature = 0;    ///< degC
-    std::string revision, serial, part_number;
-    double sound_speed = 1500;  ///< m/s, that the probe measures
-    double unix_start = 0;      ///< s
-    bool tvg = true;            ///< the effect of that name
-    bool pulse = true;          ///< the effect of that name
+    bool power = false;          ///< pings from the start
+    double command_pause = 0.1;  ///< s after which a command without a line's end is one
+    double temperature = 25;     ///< degC
+    std::string revision = "10.3.6", serial = "1001", part_number = "12004";
+    double processing_time = 10e-3;  ///< s from the last echo to the packets
+    double sound_speed = 1500;       ///< m/s, that the probe measures
+    double unix_start = 0;           ///< s
+    bool tvg = true;                 ///< the effect of that name
+    bool pulse = true;               ///< the effect of that name
     Acoustics acoustics;
 };
 
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 /// From complete options and a complete profile. std::invalid_argument if a text cannot be answered.
 Settings read_settings(const DeviceConfig& config);
 

@@ -76,8 +76,7 @@ Model row(const std::string& name, const std::string& title) {
     m.protocol = "Oculus: status on UDP, fire messages and images on TCP";
     m.default_endpoints = {"tcp-listen://127.0.0.1:52100", "udp://127.255.255.255:52102"};
     m.endpoint_schemes = {"tcp-listen"};
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;

@@ -34,7 +34,8 @@ Actions Oculus::started(Time now) {
 void Oculus::forget_client() {
     framer_.clear();
     request_.reset();
-    next_ping_ = next_silence_ = Time::max();
+    pacer_.pause();
+    next_silence_ = Time::max();
     client_ = {};
     network_free_ = {};
 }
@@ -84,7 +85,7 @@ void Oculus::fire(std::optional<Request> request, Time now) {
     if (hangs_up_on_fire()) return hang_up();
     if (settings_.answer != Answer::as_asked) request->v2 = settings_.answer == Answer::v2;
     request_ = request;
-    if (!ping_under_way_) plan_next_ping(now);
+    plan_next_ping(now);
 }
 
 bool Oculus::hangs_up_on_fire() {
@@ -103,19 +104,13 @@ bool Oculus::pinging() const {
 }
 
 void Oculus::plan_next_ping(Time now) {
-    next_ping_ = Time::max();
-    if (!pinging()) return;
+    if (!pinging()) return pacer_.pause();
     const Time period = from_seconds(make_plan(*request_, settings_).period);
-    if (!last_transmission_)
-        next_ping_ = now;
-    else  // results of a host that was slow before go first
-        next_ping_ = std::max({now, *last_transmission_ + period, network_free_ - period});
+    pacer_.start(now, period);
+    pacer_.hold(network_free_ - period);  // results of a host that was slow before go first
 }
 
 void Oculus::transmit(Time now) {
-    next_ping_ = Time::max();
-    ping_under_way_ = true;
-    last_transmission_ = now;
     ping_client_ = client_;
     ping_ = {*request_, make_plan(*request_, settings_), ping_.number + 1, now};
     actions_.ping = Ping{make_shot(ping_.request, ping_.plan, settings_, ping_.number),
@@ -123,10 +118,10 @@ void Oculus::transmit(Time now) {
 }
 
 Actions Oculus::heard(const Echogram& echogram, Time now) {
-    const bool expected = ping_under_way_ && echogram.shot.ping == ping_.number &&
+    const bool expected = pacer_.under_way() && echogram.shot.ping == ping_.number &&
                           echogram.shot.bins == ping_.plan.rows && echogram.beams() == ping_.plan.beams;
     if (!expected) return take_actions();
-    ping_under_way_ = false;
+    pacer_.end(now, {});
     if (ping_client_ == client_) send_result(echogram, now);  // else it has left
     plan_next_ping(now);
     return take_actions();
@@ -155,7 +150,7 @@ Actions Oculus::woken(Time now) {
     }
     if (now >= next_silence_) hang_up();
     if (now >= next_tick_) tick(now);
-    if (now >= next_ping_) transmit(now);
+    if (pacer_.begin(now)) transmit(now);
     return take_actions();
 }
 
@@ -166,7 +161,7 @@ DeviceCounters Oculus::counters() const {
 }
 
 Actions Oculus::take_actions() {
-    actions_.wake = std::min({next_ping_, next_status_, next_tick_, next_silence_});
+    actions_.wake = std::min({pacer_.wake(), next_status_, next_tick_, next_silence_});
     return std::exchange(actions_, {});
 }
 

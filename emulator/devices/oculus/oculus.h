@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/oculus/messages.h"
 #include "protocols/oculus/framer.h"
 
@@ -47,14 +48,12 @@ class Oculus final : public Device {
     oculus::Framer framer_{oculus::host_payload};
     std::optional<Request> request_;  ///< of the connected host; none: standby
     PingRecord ping_;                 ///< the ping under way, or the last one
-    bool ping_under_way_ = false;
-    Address ping_client_;  ///< whom it is for
-    std::optional<Time> last_transmission_;
-    Address client_;        ///< who is connected; port 0: nobody
-    bool hung_up_ = false;  ///< on a fire
-    double depth_ = 0;      ///< m, at the last ping
-    Time network_free_{};   ///< when the last result has gone through it
-    Time next_ping_ = Time::max();
+    Address ping_client_;             ///< whom it is for
+    PingPacer pacer_;
+    Address client_;                   ///< who is connected; port 0: nobody
+    bool hung_up_ = false;             ///< on a fire
+    double depth_ = 0;                 ///< m, at the last ping
+    Time network_free_{};              ///< when the last result has gone through it
     Time next_silence_ = Time::max();  ///< when the host will have been silent too long
     Time next_status_ = Time::max();
     Time next_tick_ = Time::max();  ///< of the second that dummies keep

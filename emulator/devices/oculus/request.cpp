@@ -99,7 +99,7 @@ Plan make_plan(const Request& r, const Settings& s) {
     plan.beams = r.has(flag::beams_512) ? s.acoustics.beams : 256;
     plan.data_size = data_size_of(r, s);
     plan.gain = gain_of(r, s);
-    plan.due = 2 * plan.range / plan.sound_speed + s.acoustics.processing;
+    plan.due = 2 * plan.range / plan.sound_speed + s.processing_time;
     const std::size_t row_bytes = plan.beams * plan.sample_bytes() + (r.has(flag::gain_words) ? 4 : 0);
     const auto bytes = static_cast<double>(overhead + plan.rows * row_bytes);
     plan.transfer = 8e-6 * bytes / network_speed(r, s);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "emulator/contract/model.h"
+#include "emulator/contract/settings_list.h"
 #include "protocols/oculus/messages.h"
 
 namespace echoloop::oculus_device {
@@ -39,7 +39,6 @@ struct Acoustics {
     double shortest_range = 0;   ///< m
     std::size_t rows = 0;        ///< the most of an image
     std::size_t beams = 0;       ///< the most of an image
-    double processing = 0;       ///< s from the last echo to the message
     double reference_level = 0;  ///< dB re 1 uPa: reads full scale at 0 % gain within a metre
     double gain_span = 0;        ///< dB from 0 to 100 %
     double tvg_spreading = 0;    ///< dB per decade of range
@@ -47,11 +46,11 @@ struct Acoustics {
 };
 
 struct Settings {
-    std::uint16_t device_id = 0;   ///< in the status
-    std::uint16_t message_id = 0;  ///< device id in dummies and results
+    std::uint16_t device_id = 1001;  ///< in the status
+    std::uint16_t message_id = 0;    ///< device id in dummies and results
     std::uint16_t part_number = 0;
     std::uint16_t status_id = 0;  ///< message id of the status
-    std::uint32_t status_bits = 0;
+    std::uint32_t status_bits = 3;
     double status_period = 1;  ///< s
     oculus::Ipv4 mask{};
     double temperature = 10;   ///< degC, at the sonar's own sensor
@@ -67,12 +66,12 @@ struct Settings {
     bool useless_rate_echo = false;
     bool starboard_negative = false;
     bool garbage_sensors = false;
-    bool tvg = true;  ///< the effect of that name
+    double processing_time = 8e-3;  ///< s from the last echo to the message
+    bool tvg = true;                ///< the effect of that name
     Acoustics acoustics;
 };
 
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 /// From complete options and a complete profile.
 Settings read_settings(const DeviceConfig& config);
 

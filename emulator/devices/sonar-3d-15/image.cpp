@@ -49,7 +49,8 @@ Plan make_plan(const State& state, double speed, const Settings& settings) {
     plan.bins =
         std::clamp(static_cast<std::size_t>(std::ceil(window / a.finest_bin)), std::size_t{1}, a.bins);
     plan.bin = window / static_cast<double>(plan.bins);
-    plan.period = std::max(1 / settings.mode(plan.high).rate, 2 * plan.range_max / speed + a.processing);
+    plan.period =
+        std::max(1 / settings.mode(plan.high).rate, 2 * plan.range_max / speed + settings.processing_time);
     return plan;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "emulator/contract/model.h"
+#include "emulator/contract/settings_list.h"
 #include "protocols/sonar3d/messages.h"
 
 namespace echoloop::sonar_3d_15 {
@@ -30,7 +30,6 @@ struct Acoustics {
     Receiver receiver;           ///< its directivity index is that of the mode
     double pulse_length = 0;     ///< s
     double longest_range = 0;    ///< m, that can be set
-    double processing = 0;       ///< s from the last echo to the image, at least
     double finest_bin = 0;       ///< m
     std::size_t bins = 0;        ///< the most
     double detection = 0;        ///< dB above the noise that an echo must have
@@ -43,8 +42,8 @@ enum class UdpMode { multicast, unicast, disabled };
 /// What a host reads and sets by HTTP.
 struct State {
     bool enabled = false;
-    double range_min = 0, range_max = 0;  ///< m
-    double speed = 0;                     ///< m/s; 0: from salinity and temperature
+    double range_min = 0.5, range_max = 15;  ///< m
+    double speed = 1491;                     ///< m/s; 0: from salinity and temperature
     bool high = false;
     bool salt = true;
     UdpMode udp = UdpMode::multicast;
@@ -54,24 +53,24 @@ struct State {
 
 struct Settings {
     State start;
-    std::array<int, 3> release{};  ///< of the firmware
+    std::array<int, 3> release{1, 7, 0};  ///< of the firmware
     sonar3d::Version version = sonar3d::Version::rip2;
-    std::string package;              ///< of the protobuf messages
-    bool frequency_in_hertz = false;  ///< else 5, as real sonars send
+    std::string package = "waterlinked.sonar.protocol";  ///< of the protobuf messages
+    bool frequency_in_hertz = false;                     ///< else 5, as real sonars send
     bool first_row_up = false;
-    bool other_messages = false;   ///< a message that readers do not know follows each shot's images
-    double temperature = 0;        ///< degC, inside
-    double water_temperature = 0;  ///< degC, for the automatic speed of sound
-    double speed_delay = 0;        ///< s until a new speed of sound is used
-    bool tvg = true;               ///< the effect of that name
-    double unix_start = 0;         ///< s
+    bool other_messages = false;    ///< a message that readers do not know follows each shot's images
+    double temperature = 21;        ///< degC, inside
+    double water_temperature = 10;  ///< degC, for the automatic speed of sound
+    double speed_delay = 0;         ///< s until a new speed of sound is used
+    double processing_time = 5e-3;  ///< s from the last echo to the image, at least
+    bool tvg = true;                ///< the effect of that name
+    double unix_start = 0;          ///< s
     Acoustics acoustics;
 
     const ModeFigures& mode(bool high) const { return high ? acoustics.high : acoustics.low; }
 };
 
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 /// From complete options and a complete profile; std::invalid_argument if they contradict each other.
 Settings read_settings(const DeviceConfig& config);
 
