@@ -39,17 +39,18 @@ Echosounder::Echosounder(const Settings& settings, echosounder::Wiring wiring)
 }
 
 Actions Echosounder::received(const Received& data, Time now) {
-    Actions actions;
     for (const std::uint8_t byte : data.bytes) {
         if (byte != 'Z' && byte != 'F') {
             ++counters_.skipped_bytes;
             continue;
         }
         ++counters_.messages;
-        if (Actions next = byte == 'Z' ? ask(now) : run_freely(now); next.ping || next.wake)
-            actions = std::move(next);
+        if (byte == 'Z')
+            ask(now);
+        else
+            run_freely(now);
     }
-    return actions;
+    return take_actions();
 }
 
 }  // namespace echoloop::micron_echosounder

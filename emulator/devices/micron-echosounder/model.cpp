@@ -8,6 +8,10 @@ std::unique_ptr<Device> make(const DeviceConfig& config) {
                                          echosounder::read_wiring(config.endpoints, "micron-echosounder"));
 }
 
+Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
+    return echosounder::plain_shot(read_settings(config).sounding, config.sound_speed, step, range);
+}
+
 }  // namespace
 
 Model model() {
@@ -17,11 +21,10 @@ Model model() {
     m.protocol = "ASCII lines, serial 9600 8N1";
     m.default_endpoints = {"pty:/tmp/echoloop/altimeter"};
     m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp"};
-    m.options = option_table();
-    m.figures = echosounder::figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
-    m.default_shot = echosounder::plain_shot;
+    m.default_shot = default_shot;
     m.family = "altimeter";
     return m;
 }

@@ -12,7 +12,7 @@ namespace echoloop::micron_echosounder {
 enum class NoEcho { zero, maximum, silent };
 
 struct Settings {
-    echosounder::Sounding sounding;
+    echosounder::Sounding sounding{.rate = 4, .range = 50, .baud = 9600};
     std::optional<altimeter::Format> format = altimeter::Format::three_decimals;  ///< none: NMEA, $PADBT
     NoEcho no_echo = NoEcho::zero;
     bool free_running = true;  ///< false: it waits to be asked
@@ -20,7 +20,6 @@ struct Settings {
 
 /// From complete options and a complete profile.
 Settings read_settings(const DeviceConfig& config);
-/// The table that `echoloop list` shows.
-std::vector<Option> option_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 
 }  // namespace echoloop::micron_echosounder

@@ -11,6 +11,10 @@ std::unique_ptr<Device> make(const DeviceConfig& config) {
         settings.sounding, echosounder::read_wiring(config.endpoints, "nmea-echosounder"), words);
 }
 
+Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
+    return echosounder::plain_shot(read_settings(config).sounding, config.sound_speed, step, range);
+}
+
 }  // namespace
 
 Model model() {
@@ -20,11 +24,10 @@ Model model() {
     m.protocol = "NMEA 0183: DPT, DBT, MTW, serial 4800 8N1 or UDP";
     m.default_endpoints = {"pty:/tmp/echoloop/echosounder"};
     m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp"};
-    m.options = option_table();
-    m.figures = echosounder::figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
-    m.default_shot = echosounder::plain_shot;
+    m.default_shot = default_shot;
     m.family = "nmea";
     m.drivers = {range_finder_in_sitl("17")};
     return m;

@@ -1,11 +1,11 @@
 #include "emulator/devices/nmea-echosounder/settings.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
-#include "emulator/contract/option_rows.h"
-#include "emulator/contract/options.h"
+#include "emulator/contract/endpoint.h"
 
 namespace echoloop::nmea_echosounder {
 namespace {
@@ -21,12 +21,15 @@ void check_talker(const std::string& talker) {
                                     "' is no talker identifier; write two capital letters like SD");
 }
 
-/// "DPT DBT" to its words, each of them known and possible with this offset.
-std::vector<std::string> read_sentences(const std::string& words, double offset) {
-    static const std::vector<std::string> known{"DPT", "DBT", "MTW", "DBS", "DBK"};
+std::vector<std::string> split(const std::string& words) {
     std::istringstream in(words);
-    std::vector<std::string> all;
-    for (std::string word; in >> word; all.push_back(word)) {
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
+/// Each of them is known and possible with this offset.
+void check_sentences(const std::vector<std::string>& sentences, double offset) {
+    static const std::vector<std::string> known{"DPT", "DBT", "MTW", "DBS", "DBK"};
+    for (const std::string& word : sentences) {
         if (std::find(known.begin(), known.end(), word) == known.end())
             throw std::invalid_argument("option 'sentences': '" + word +
                                         "' is not known; write some of DPT DBT MTW DBS DBK");
@@ -35,47 +38,40 @@ std::vector<std::string> read_sentences(const std::string& words, double offset)
         if (word == "DBK" && offset > 0)
             throw std::invalid_argument("sentence DBK needs 'offset' down to the keel, so not positive");
     }
-    if (all.empty()) throw std::invalid_argument("option 'sentences' is empty; write e.g. DPT DBT MTW");
-    return all;
+    if (sentences.empty()) throw std::invalid_argument("option 'sentences' is empty; write e.g. DPT DBT MTW");
 }
 
 }  // namespace
 
-std::vector<Option> option_table() {
-    std::vector<Option> rows{
-        text_row("talker", "SD", "talker identifier of every sentence", standard),
-        text_row("sentences", "DPT DBT MTW", "in this order after each ping; also DBS and DBK", standard),
-        number_row("rate", "Hz", 1, 0.05, 20, "pings a second; less where range or line need longer",
-                   "own choice: usual for sounders on a 4800 bit/s line"),
-        integer_row("decimals", "", 2, 0, 3, "of depths", "own choice; makers write 1 to 3"),
-        number_row("offset", "m", 0, -50, 50,
-                   "of DPT: positive up to the water line, negative down to the keel", standard),
-        choice_row("dpt_fields", {"3", "2"}, "3: with the range in use, from version 3.0 on", standard),
-        choice_row("no_bottom", {"empty", "silent"},
-                   "empty: depth sentences with null fields; silent: none, MTW alone",
-                   "recorded sentences of sounders without a bottom"),
-        number_row("range", "m", 100, 1, 1000, "greatest depth that it listens for", "own choice"),
-        number_row("temperature", "degC", 10, -4, 40, "in MTW",
-                   "own choice: the scenario's own default; give the water's"),
-        number_row("baud", "bit/s", 4800, 0, 4e6,
-                   "line rate of pty and TCP endpoints; 0: not paced; not of UDP",
-                   "NMEA 0183: 4800; 38400 for high-speed talkers (0183-HS)"),
-    };
-    for (Option& row : echosounder::common_options()) rows.push_back(std::move(row));
-    return rows;
+void describe(Settings& s, OptionList& o, FigureList& f) {
+    o.text(s.style.talker, "talker", "talker identifier of every sentence", standard);
+    std::string sentences = "DPT DBT MTW";
+    o.text(sentences, "sentences", "in this order after each ping; also DBS and DBK", standard);
+    s.sentences = split(sentences);
+    o.number(s.sounding.rate, "rate", "Hz", 0.05, 20, "pings a second; less where range or line need longer",
+             "own choice: usual for sounders on a 4800 bit/s line");
+    o.whole(s.style.decimals, "decimals", "", 0, 3, "of depths", "own choice; makers write 1 to 3");
+    o.number(s.offset, "offset", "m", -50, 50,
+             "of DPT: positive up to the water line, negative down to the keel", standard);
+    o.words(s.range_in_dpt, "dpt_fields", {{"3", true}, {"2", false}},
+            "3: with the range in use, from version 3.0 on", standard);
+    o.choice(s.silent_without_bottom, "no_bottom", {"empty", "silent"},
+             "empty: depth sentences with null fields; silent: none, MTW alone",
+             "recorded sentences of sounders without a bottom");
+    o.number(s.sounding.range, "range", "m", 1, 1000, "greatest depth that it listens for", "own choice");
+    o.number(s.temperature, "temperature", "degC", -4, 40, "in MTW",
+             "own choice: the scenario's own default; give the water's");
+    o.number(s.sounding.baud, "baud", "bit/s", 0, 4e6,
+             "line rate of pty and TCP endpoints; 0: not paced; not of UDP",
+             "NMEA 0183: 4800; 38400 for high-speed talkers (0183-HS)");
+    describe(s.sounding, o, f);
 }
 
 Settings read_settings(const DeviceConfig& config) {
-    const Options& o = config.options;
-    Settings s;
-    s.sounding = echosounder::read_sounding(config);
-    s.style = {text(o, "talker"), static_cast<int>(integer(o, "decimals"))};
+    Settings s = fill_settings<Settings>(config);
+    s.sounding.baud = line_rate(config.endpoints, s.sounding.baud);
     check_talker(s.style.talker);
-    s.offset = number(o, "offset");
-    s.sentences = read_sentences(text(o, "sentences"), s.offset);
-    s.range_in_dpt = text(o, "dpt_fields") == "3";
-    s.silent_without_bottom = text(o, "no_bottom") == "silent";
-    s.temperature = number(o, "temperature");
+    check_sentences(s.sentences, s.offset);
     return s;
 }
 

@@ -21,7 +21,6 @@ struct Settings {
 
 /// From complete options and a complete profile; std::invalid_argument if options contradict each other.
 Settings read_settings(const DeviceConfig& config);
-/// The table that `echoloop list` shows.
-std::vector<Option> option_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 
 }  // namespace echoloop::nmea_echosounder

@@ -29,8 +29,7 @@ Model model() {
     m.protocol = "Ping protocol, TCP or UDP";
     m.default_endpoints = {"tcp-listen://127.0.0.1:51200"};
     m.endpoint_schemes = {"tcp-listen", "udp-listen", "tcp", "udp", "pty", "serial"};
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;

@@ -5,32 +5,43 @@
 #include <string>
 
 #include "emulator/devices/family/cerulean/levels.h"
-#include "emulator/contract/option_rows.h"
-#include "emulator/contract/options.h"
 
 namespace echoloop::omniscan450 {
 namespace {
 
 const char* const spec = "Ping specification notes";
-constexpr std::size_t gain_steps = 8;
 constexpr std::uint16_t least_results = 200, most_results = 1200;
 constexpr std::uint32_t longest_range = 500000;  // mm
 constexpr float typical_pulse = 0.002F, typical_filter = 0.0015F;
 
-std::string gain_name(std::size_t index) { return "gain_" + std::to_string(index); }
+void describe_options(Settings& s, OptionList& o) {
+    describe(s.identity, o);
+    std::string speed_of_sound_id = "both";
+    o.choice(speed_of_sound_id, "speed_of_sound_id", {"both", "1002", "116"},
+             "message that sets the speed of sound", spec);
+    s.takes_1002 = speed_of_sound_id != "116";
+    s.takes_116 = speed_of_sound_id != "1002";
+    o.choice(s.accept_anything, "invalid_settings", {"nack", "accept"},
+             "values outside the documented ranges: refused, or cut to what can be pinged",
+             "own choice, as the ping360");
+    o.whole(s.channel, "channel_number", "", 0, 255,
+            "in the profile; hosts of two units use 0 port, 1 starboard", "maker's manual");
+    o.number(s.mount_bearing, "mount_bearing", "deg", -360, 360,
+             "of the transducer, clockwise against the vehicle, for vehicle_heading_deg", "own choice");
+    o.number(s.processing_time, "processing_time", "s", 0, 1,
+             "from the end of the range to the profile and the next ping",
+             "recordings of real units, as a public simulator quotes them");
+}
 
-Acoustics read_acoustics(const Profile& p) {
-    Acoustics a;
-    a.frequency = figure(p, "frequency");
-    a.source_level = figure(p, "source_level");
-    a.beam_width = deg_to_rad(figure(p, "beam_width"));
-    a.fan_height = deg_to_rad(figure(p, "fan_height"));
-    a.horizontal = axis_pattern(p, "horizontal");
-    a.vertical = axis_pattern(p, "vertical");
-    a.receiver = receiver(p);
-    for (std::size_t i = 0; i < gain_steps; ++i) a.gains.push_back(figure(p, gain_name(i)));
-    a.full_scales = cerulean_device::full_scales(a.receiver.saturation_level, a.gains);
-    return a;
+void describe_profile(Acoustics& a, FigureList& f) {
+    f.number(a.frequency, "frequency", "Hz", 10e3, 10e6, "of the pulse");
+    f.number(a.source_level, "source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis");
+    f.degrees(a.beam_width, "beam_width", 0.05, 60, "-3 dB full width of the narrow side, two-way");
+    f.degrees(a.fan_height, "fan_height", 0.1, 120, "-3 dB full width of the wide side, two-way");
+    for (std::size_t i = 0; i < gain_steps; ++i)
+        f.number(a.gains[i], "gain_" + std::to_string(i), "", 0.01, 1e6,
+                 "factor of amplitude at this gain index; the input clips accordingly");
+    f.common(a.horizontal, a.vertical, a.receiver);
 }
 
 /// A fraction of a ping's time; what is none means the typical one.
@@ -41,53 +52,16 @@ double fraction(float value, float typical) {
 
 }  // namespace
 
-std::vector<FigureRow> figure_table() {
-    std::vector<FigureRow> rows{
-        {"frequency", "Hz", "of the pulse", 10e3, 10e6},
-        {"source_level", "dB re 1 uPa at 1 m", "on the axis", 100, 240},
-        {"beam_width", "deg", "-3 dB full width of the narrow side, two-way", 0.05, 60},
-        {"fan_height", "deg", "-3 dB full width of the wide side, two-way", 0.1, 120},
-    };
-    for (std::size_t i = 0; i < gain_steps; ++i)
-        rows.push_back({gain_name(i), "",
-                        "factor of amplitude at this gain index; the input clips accordingly", 0.01, 1e6});
-    auto common = common_figures();
-    std::move(common.begin(), common.end(), std::back_inserter(rows));
-    return rows;
-}
-
-std::vector<Option> option_table() {
-    constexpr int listed_type = 101;
-    auto all = cerulean_device::identity_options(listed_type, "SONAR OMNISCAN450", false);
-    const Option own[] = {
-        choice_row("speed_of_sound_id", {"both", "1002", "116"}, "message that sets the speed of sound",
-                   spec),
-        choice_row("invalid_settings", {"nack", "accept"},
-                   "values outside the documented ranges: refused, or cut to what can be pinged",
-                   "own choice, as the ping360"),
-        integer_row("channel_number", "", 0, 0, 255,
-                    "in the profile; hosts of two units use 0 port, 1 starboard", "maker's manual"),
-        number_row("mount_bearing", "deg", 0, -360, 360,
-                   "of the transducer, clockwise against the vehicle, for vehicle_heading_deg", "own choice"),
-        number_row("processing", "ms", 2, 0, 1000,
-                   "from the end of the range to the profile and the next ping",
-                   "recordings of real units, as a public simulator quotes them"),
-    };
-    all.insert(all.end(), std::begin(own), std::end(own));
-    return all;
+void describe(Settings& s, OptionList& o, FigureList& f) {
+    describe_options(s, o);
+    describe_profile(s.acoustics, f);
 }
 
 Settings read_settings(const DeviceConfig& config) {
-    const Options& o = config.options;
-    Settings s;
-    s.identity = cerulean_device::read_identity(config);
-    s.takes_1002 = text(o, "speed_of_sound_id") != "116";
-    s.takes_116 = text(o, "speed_of_sound_id") != "1002";
-    s.accept_anything = text(o, "invalid_settings") == "accept";
-    s.channel = static_cast<std::uint8_t>(integer(o, "channel_number"));
-    s.mount_bearing = number(o, "mount_bearing");
-    s.processing = number(o, "processing") * 1e-3;
-    s.acoustics = read_acoustics(config.profile);
+    Settings s = fill_settings<Settings>(config);
+    s.identity.line.bits_per_second = line_rate(config.endpoints, s.identity.baud);
+    Acoustics& a = s.acoustics;
+    a.full_scales = cerulean_device::full_scales(a.receiver.saturation_level, a.gains);
     return s;
 }
 
@@ -123,7 +97,9 @@ double window(const State& state) {
     return 2 * (static_cast<double>(state.params.start_mm) + state.params.length_mm) / state.speed_of_sound;
 }
 
-double ping_time(const State& state, const Settings& settings) { return window(state) + settings.processing; }
+double ping_time(const State& state, const Settings& settings) {
+    return window(state) + settings.processing_time;
+}
 
 double pulse_length(const State& state, const Settings& settings) {
     constexpr double shortest = 10e-6, longest = 10e-3;  // s

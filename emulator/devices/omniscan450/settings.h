@@ -2,6 +2,8 @@
 // follows. Data only.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -13,33 +15,33 @@ namespace echoloop::omniscan450 {
 
 using cerulean::omniscan::OsPingParams;
 
+inline constexpr std::size_t gain_steps = 8;
+
 /// Figures of the profile, in radians where they are angles.
 struct Acoustics {
     double frequency = 0;     ///< Hz
     double source_level = 0;  ///< dB re 1 uPa at 1 m
     double beam_width = 0, fan_height = 0;
     AxisPattern horizontal, vertical;
-    Receiver receiver;                ///< clips where `full_scales` says
-    std::vector<double> gains;        ///< factors by index
-    std::vector<double> full_scales;  ///< dB re 1 uPa, by index
+    Receiver receiver;                       ///< clips where `full_scales` says
+    std::array<double, gain_steps> gains{};  ///< factors by index
+    std::vector<double> full_scales;         ///< dB re 1 uPa, by index
 };
 
 /// Emulator options; README.md of this folder explains each.
 struct Settings {
-    cerulean_device::Identity identity;
+    cerulean_device::Identity identity{.listed_type = 101, .discovery_name = "SONAR OMNISCAN450"};
     bool takes_1002 = true, takes_116 = true;
     bool accept_anything = false;
     std::uint8_t channel = 0;
-    double mount_bearing = 0;  ///< deg clockwise, of the transducer against the vehicle
-    double processing = 2e-3;  ///< s between the end of a ping and its profile
+    double mount_bearing = 0;       ///< deg clockwise, of the transducer against the vehicle
+    double processing_time = 2e-3;  ///< s between the end of a ping and its profile
     Acoustics acoustics;
 };
 
 /// From complete options and a complete profile. std::invalid_argument if a version is none.
 Settings read_settings(const DeviceConfig& config);
-/// The tables that `echoloop list` shows.
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 
 /// What a host can change.
 struct State {

@@ -33,8 +33,7 @@ Model model() {
     m.protocol = "Ping protocol, serial or UDP";
     m.default_endpoints = {"pty:/tmp/echoloop/ping1d"};
     m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;

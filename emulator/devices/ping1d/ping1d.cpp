@@ -25,8 +25,9 @@ void Ping1d::power_up(Time now) {
     last_ = {};
     streams_.clear();
     if (settings_.stream_at_start) streams_[Id::profile] = {};
-    under_way_ = restarting_ = false;
-    next_ping_ = now;
+    restarting_ = false;
+    pacer_.reset();
+    pacer_.start(now, {});
 }
 
 Actions Ping1d::started(Time now) {
@@ -41,10 +42,8 @@ Actions Ping1d::received(const Received& data, Time now) {
 }
 
 Actions Ping1d::woken(Time now) {
-    if (now >= next_ping_) {
-        if (restarting_) power_up(now);
-        transmit(now);
-    }
+    if (restarting_ && now >= pacer_.wake()) power_up(now);
+    if (pacer_.begin(now)) transmit(now);
     return take_actions();
 }
 
@@ -75,9 +74,12 @@ void Ping1d::obey(const ping::Frame& frame, const Peer& peer, Time now) {
             }
         },
         *parsed);
-    if (restarting_) next_ping_ = now + boot_loader_time;
-    // Pings that are enabled again begin at once.
-    if (state_.enabled && !under_way_ && next_ping_ == Time::max()) next_ping_ = now;
+    if (restarting_) {
+        pacer_.reset();
+        pacer_.start(now + boot_loader_time, {});
+    } else if (state_.enabled && pacer_.wake() == Time::max()) {
+        pacer_.start(now, {});  // pings that are enabled again begin at once
+    }
 }
 
 void Ping1d::on(const ping::GeneralRequest& request, const Peer& peer) {
@@ -135,7 +137,7 @@ void Ping1d::on(const ping::SetGainSetting& command, const Peer& peer) {
 void Ping1d::on(const ping::SetPingEnable& command, const Peer& peer) {
     acknowledge(true, Id::set_ping_enable, "", peer);
     state_.enabled = command.ping_enabled != 0;
-    if (!state_.enabled) next_ping_ = Time::max();
+    if (!state_.enabled) pacer_.pause();
 }
 
 void Ping1d::on(const ping::SetOssProfileConfiguration& command, const Peer& peer) {
@@ -160,7 +162,6 @@ void Ping1d::on(const ping::ContinuousStop& command, const Peer& peer) {
 
 void Ping1d::on(const ping::GotoBootloader&, const Peer& peer) {
     acknowledge(true, Id::goto_bootloader, "", peer);
-    under_way_ = false;
     restarting_ = true;
 }
 
@@ -238,9 +239,6 @@ void Ping1d::reply(const ping::Message& message, const Peer& peer) {
 
 void Ping1d::transmit(Time now) {
     pinged_ = state_;
-    pinged_at_ = now;
-    next_ping_ = Time::max();
-    under_way_ = true;
     Shot shot = shot_from(state_, settings_);
     shot.ping = ++ping_;
     const double window = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
@@ -249,8 +247,7 @@ void Ping1d::transmit(Time now) {
 }
 
 Actions Ping1d::heard(const Echogram& echogram, Time now) {
-    if (!under_way_ || echogram.shot.ping != ping_) return take_actions();
-    under_way_ = false;
+    if (!pacer_.under_way() || echogram.shot.ping != ping_) return take_actions();
     ++counters_.pings;
     const Bottom bottom = find_bottom(echogram, pinged_, settings_);
     last_ = {bottom.distance,
@@ -263,17 +260,17 @@ Actions Ping1d::heard(const Echogram& echogram, Time now) {
              profile_points(echogram, pinged_, settings_)};
     if (state_.automatic) follow(state_, bottom, loudest(last_.profile_data, pinged_, settings_));
     for (const auto& [id, peer] : streams_) send_message(id, peer);
+    pacer_.end(now, std::chrono::milliseconds(state_.interval));
     // Not so soon that the next message would queue up behind what is about to be sent, and grow old.
-    if (state_.enabled)
-        next_ping_ = std::max({pinged_at_ + std::chrono::milliseconds(state_.interval), now + shortest_pause,
-                               now + settings_.line.time(actions_.send) - from_seconds(state_.window())});
+    pacer_.hold(now +
+                std::max(shortest_pause, settings_.line.time(actions_.send) - from_seconds(state_.window())));
     return take_actions();
 }
 
 void Ping1d::line_rate(std::size_t port, double rate) { settings_.line.follow(port, rate); }
 
 Actions Ping1d::take_actions() {
-    actions_.wake = next_ping_;
+    actions_.wake = pacer_.wake();
     return std::exchange(actions_, {});
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/family/ping/link.h"
 #include "emulator/devices/ping1d/settings.h"
 
@@ -57,11 +58,9 @@ class Ping1d final : public Device {
     State state_, pinged_;  ///< as set, and as it was when the last ping went out
     ping::Profile last_;    ///< of the last ping heard
     std::map<ping::Id, Peer> streams_;
-    bool under_way_ = false;
     std::uint32_t ping_ = 0;
-    Time pinged_at_{};
-    Time next_ping_ = Time::max();
-    bool restarting_ = false;  ///< in the boot loader until next_ping_
+    PingPacer pacer_;
+    bool restarting_ = false;  ///< in the boot loader until the next ping
     Actions actions_;          ///< of the call at hand
     DeviceCounters counters_;
 };

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "emulator/devices/family/sounder/ring_down.h"
+#include "emulator/contract/settings_list.h"
 #include "emulator/devices/family/ping/serial_rate.h"
-#include "emulator/contract/model.h"
+#include "emulator/devices/family/sounder/ring_down.h"
 
 namespace echoloop::ping1d {
 
@@ -66,9 +66,7 @@ inline constexpr std::uint16_t shortest_pulse = 20, longest_pulse = 1000;       
 
 /// From complete options and a complete profile. std::invalid_argument if a version is none.
 Settings read_settings(const DeviceConfig& config);
-/// The tables that `echoloop list` shows.
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 
 Shot shot_from(const State& state, const Settings& settings);
 

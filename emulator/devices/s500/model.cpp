@@ -28,8 +28,7 @@ Model model() {
     m.protocol = "Ping protocol, TCP, UDP or serial";
     m.default_endpoints = {"tcp-listen://127.0.0.1:51210"};
     m.endpoint_schemes = {"tcp-listen", "udp-listen", "tcp", "udp", "pty", "serial"};
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;

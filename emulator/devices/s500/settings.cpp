@@ -5,8 +5,6 @@
 #include <string>
 
 #include "emulator/devices/family/cerulean/levels.h"
-#include "emulator/contract/option_rows.h"
-#include "emulator/contract/options.h"
 #include "protocols/ping/framer.h"
 
 namespace echoloop::s500 {
@@ -17,22 +15,35 @@ constexpr int highest_gain = 13;
 constexpr std::uint32_t longest_length = 500000;  // mm
 constexpr std::size_t most_results = 6000;
 
-Acoustics read_acoustics(const Profile& p) {
-    Acoustics a;
-    a.frequency = figure(p, "frequency");
-    a.chirp_width = figure(p, "chirp_width");
-    a.source_level = figure(p, "source_level");
-    a.beam_width = deg_to_rad(figure(p, "beam_width"));
-    a.horizontal = axis_pattern(p, "horizontal");
-    a.vertical = axis_pattern(p, "vertical");
-    a.receiver = receiver(p);
+void describe_options(Settings& s, OptionList& o) {
+    describe(s.identity, o);
+    o.choice(s.accept_anything, "invalid_settings", {"nack", "accept"},
+             "values outside the documented ranges: refused, or cut to what can be pinged",
+             "own choice, as the ping360");
+    o.number(s.processing_time, "processing_time", "s", 0, 1,
+             "from the end of the range to the report and the next ping", "as the omniscan450");
+    o.whole(s.processor_temperature, "processor_temperature", "0.01 degC", 0, 65535, "told on request", spec);
+}
+
+void describe_profile(Acoustics& a, FigureList& f) {
+    f.number(a.frequency, "frequency", "Hz", 10e3, 10e6, "of the tone, and the middle of the chirp");
+    f.number(a.chirp_width, "chirp_width", "Hz", 1e3, 5e6, "from the chirp's beginning to its end");
+    f.number(a.source_level, "source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis");
+    f.degrees(a.beam_width, "beam_width", 0.1, 120, "-3 dB full width of the cone, two-way");
+    f.number(a.nearest_range, "nearest_range", "m", 0, 10, "nothing closer is taken for the bottom");
+    f.number(a.absorption, "absorption", "dB/m", 0, 2, "one way, given back before echoes are compared");
+    f.number(a.lowest_gain, "lowest_gain", "", 0.01, 1e6, "factor of amplitude at gain index 0");
+    f.number(a.gain_step, "gain_step", "dB", 0, 20,
+             "from one gain index to the next; the input clips accordingly");
+    f.number(a.sample_rate, "sample_rate", "Hz", 1e3, 1e8,
+             "of the converter; a chirp's results are every so manieth sample");
+    f.common(a.horizontal, a.vertical, a.receiver);
+}
+
+void set_gains(Acoustics& a) {
     for (int i = 0; i <= highest_gain; ++i)
-        a.gains.push_back(figure(p, "lowest_gain") * std::pow(10, figure(p, "gain_step") * i / 20));
+        a.gains.push_back(a.lowest_gain * std::pow(10, a.gain_step * i / 20));
     a.full_scales = cerulean_device::full_scales(a.receiver.saturation_level, a.gains);
-    a.nearest_range = figure(p, "nearest_range");
-    a.absorption = figure(p, "absorption");
-    a.sample_rate = figure(p, "sample_rate");
-    return a;
 }
 
 bool is_report(std::uint16_t id) {
@@ -58,46 +69,15 @@ std::uint16_t State::interval() const {
     return static_cast<std::uint16_t>(std::max<std::int16_t>(params.msec_per_ping, 0));
 }
 
-std::vector<FigureRow> figure_table() {
-    std::vector<FigureRow> rows{
-        {"frequency", "Hz", "of the tone, and the middle of the chirp", 10e3, 10e6},
-        {"chirp_width", "Hz", "from the chirp's beginning to its end", 1e3, 5e6},
-        {"source_level", "dB re 1 uPa at 1 m", "on the axis", 100, 240},
-        {"beam_width", "deg", "-3 dB full width of the cone, two-way", 0.1, 120},
-        {"nearest_range", "m", "nothing closer is taken for the bottom", 0, 10},
-        {"absorption", "dB/m", "one way, given back before echoes are compared", 0, 2},
-        {"lowest_gain", "", "factor of amplitude at gain index 0", 0.01, 1e6},
-        {"gain_step", "dB", "from one gain index to the next; the input clips accordingly", 0, 20},
-        {"sample_rate", "Hz", "of the converter; a chirp's results are every so manieth sample", 1e3, 1e8},
-    };
-    auto common = common_figures();
-    std::move(common.begin(), common.end(), std::back_inserter(rows));
-    return rows;
-}
-
-std::vector<Option> option_table() {
-    constexpr int listed_type = 112;
-    auto all = cerulean_device::identity_options(listed_type, "SONAR S500", false);
-    const Option own[] = {
-        choice_row("invalid_settings", {"nack", "accept"},
-                   "values outside the documented ranges: refused, or cut to what can be pinged",
-                   "own choice, as the ping360"),
-        number_row("processing", "ms", 2, 0, 1000,
-                   "from the end of the range to the report and the next ping", "as the omniscan450"),
-        integer_row("processor_temperature", "0.01 degC", 4000, 0, 65535, "told on request", spec),
-    };
-    all.insert(all.end(), std::begin(own), std::end(own));
-    return all;
+void describe(Settings& s, OptionList& o, FigureList& f) {
+    describe_options(s, o);
+    describe_profile(s.acoustics, f);
 }
 
 Settings read_settings(const DeviceConfig& config) {
-    const Options& o = config.options;
-    Settings s;
-    s.identity = cerulean_device::read_identity(config);
-    s.accept_anything = text(o, "invalid_settings") == "accept";
-    s.processing = number(o, "processing") * 1e-3;
-    s.processor_temperature = static_cast<std::uint32_t>(integer(o, "processor_temperature"));
-    s.acoustics = read_acoustics(config.profile);
+    Settings s = fill_settings<Settings>(config);
+    s.identity.line.bits_per_second = line_rate(config.endpoints, s.identity.baud);
+    set_gains(s.acoustics);
     return s;
 }
 
@@ -122,7 +102,9 @@ double window(const State& state) {
     return 2 * (static_cast<double>(state.params.start_mm) + state.length) / state.speed_of_sound;
 }
 
-double ping_time(const State& state, const Settings& settings) { return window(state) + settings.processing; }
+double ping_time(const State& state, const Settings& settings) {
+    return window(state) + settings.processing_time;
+}
 
 Resolution resolution(const State& state, const Settings& settings) {
     if (state.params.chirp == 0) return {};

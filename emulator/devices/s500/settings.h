@@ -20,6 +20,8 @@ struct Acoustics {
     double beam_width = 0;
     AxisPattern horizontal, vertical;
     Receiver receiver;                ///< clips where `full_scales` says
+    double lowest_gain = 0;           ///< factor at index 0
+    double gain_step = 0;             ///< dB from index to index
     std::vector<double> gains;        ///< factors by index
     std::vector<double> full_scales;  ///< dB re 1 uPa, by index
     double nearest_range = 0;         ///< m, nothing closer is taken for the bottom
@@ -29,18 +31,16 @@ struct Acoustics {
 
 /// Emulator options; README.md of this folder explains each.
 struct Settings {
-    cerulean_device::Identity identity;
+    cerulean_device::Identity identity{.listed_type = 112, .discovery_name = "SONAR S500"};
     bool accept_anything = false;
-    double processing = 2e-3;                    ///< s between the end of a ping and its report
+    double processing_time = 2e-3;               ///< s between the end of a ping and its report
     std::uint32_t processor_temperature = 4000;  ///< 0.01 degC
     Acoustics acoustics;
 };
 
 /// From complete options and a complete profile. std::invalid_argument if a version is none.
 Settings read_settings(const DeviceConfig& config);
-/// The tables that `echoloop list` shows.
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 
 /// What a host can change.
 struct State {

@@ -6,9 +6,8 @@
 namespace echoloop::surveyor240 {
 namespace {
 
-constexpr double shortest_end = 0.5;     // m
-constexpr double least_start = 0.05;     // of the end, the maker's definition
-constexpr double shortest_pause = 5e-3;  // s from the last range step to the next ping
+constexpr double shortest_end = 0.5;  // m
+constexpr double least_start = 0.05;  // of the end, the maker's definition
 constexpr int highest_gain = 100;
 
 bool is_within(double value, double low, double high) { return value >= low && value <= high; }
@@ -71,7 +70,7 @@ Plan make_plan(const Parameters& p, const Automatic& automatic, const Settings& 
     plan.gain = plan.automatic_gain ? automatic.gain : p.gain_index;
     plan.yz = p.enable_yz_point_data != 0;
     plan.atof = p.enable_atof_data != 0;
-    plan.period = std::max(1e-3 * p.msec_per_ping, plan.listening() + shortest_pause);
+    plan.period = std::max(1e-3 * p.msec_per_ping, plan.listening() + settings.processing_time);
     return plan;
 }
 

@@ -23,22 +23,21 @@ struct Acoustics {
 
 /// Emulator options; README.md of this folder explains each.
 struct Settings {
-    cerulean_device::Identity identity;
+    cerulean_device::Identity identity{.listed_type = 103, .discovery_name = "SONAR SURVEYOR"};
     bool bow_up_is_positive = true;  ///< x of the up vector
     std::size_t points = 15;         ///< at most, in one ping
     double attitude_period = 0.1;    ///< s; 0: on request only
     double utc_request_period = 10;  ///< s; 0: never
-    double message_gap = 0.01;       ///< s
+    double datagram_gap = 0.01;      ///< s
     double temperature = -1000;      ///< degC; -1000: no sensor
     bool pressure_sensor = false;
-    bool pulse = true;  ///< the effect of that name: echoes are as long as the pulse
+    double processing_time = 5e-3;  ///< s from the last range step to the points
+    bool pulse = true;              ///< the effect of that name: echoes are as long as the pulse
     Acoustics acoustics;
 };
 
 /// From complete options and a complete profile. std::invalid_argument if a version is none.
 Settings read_settings(const DeviceConfig& config);
-/// The tables that `echoloop list` shows.
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 
 }  // namespace echoloop::surveyor240

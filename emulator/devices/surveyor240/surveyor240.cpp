@@ -11,9 +11,8 @@ namespace {
 namespace wire_messages = cerulean::surveyor;
 using cerulean::Id;
 
-constexpr Time processing = std::chrono::milliseconds(5);  // from the last range step to the points
-constexpr Time look = std::chrono::milliseconds(50);       // for a look at the attitude between pings
-constexpr Time patience = std::chrono::seconds(1);         // with a look that a busy machine is late with
+constexpr Time look = std::chrono::milliseconds(50);  // for a look at the attitude between pings
+constexpr Time patience = std::chrono::seconds(1);    // with a look that a busy machine is late with
 constexpr Time water_period = std::chrono::seconds(1);
 constexpr Time longest_wait = std::chrono::milliseconds(40);  // of a message behind others
 constexpr float no_sensor = -1000;                            // the maker's definition
@@ -174,8 +173,8 @@ void Surveyor240::transmit(Time now) {
     plan_ = make_plan(parameters_, automatic_, settings_);
     transmitted_ = now;
     looking_.reset();  // the ping will tell
-    actions_.ping =
-        Ping{make_shot(plan_, settings_, ++ping_), now + from_seconds(plan_.listening()) + processing};
+    const Time due = now + from_seconds(plan_.listening()) + from_seconds(settings_.processing_time);
+    actions_.ping = Ping{make_shot(plan_, settings_, ++ping_), due};
 }
 
 void Surveyor240::look_at_attitude(Time now) {
@@ -284,7 +283,7 @@ void Surveyor240::send(const wire_messages::Message& message, const Peer& to, Ti
     }
     Time& free_from = free_from_.at(to.port);
     free_from =
-        std::max(when, std::min(free_from, now_ + longest_wait)) + from_seconds(settings_.message_gap);
+        std::max(when, std::min(free_from, now_ + longest_wait)) + from_seconds(settings_.datagram_gap);
 }
 
 Actions Surveyor240::take_actions() {

@@ -3,9 +3,6 @@
 #include <string_view>
 #include <utility>
 
-#include "emulator/contract/option_rows.h"
-#include "emulator/contract/options.h"
-
 namespace echoloop::cerulean_device {
 namespace {
 
@@ -21,52 +18,29 @@ std::uint16_t data_port(const std::vector<Endpoint>& endpoints) {
 
 }  // namespace
 
-std::vector<Option> identity_options(int listed_type, const std::string& name, bool acknowledge) {
-    return {
-        text_row("firmware", "1.0.0", "version in device_information", "own choice: hosts do not look at it"),
-        text_row("protocol_version", "1.0.0", "version of the message set", spec),
-        integer_row("device_type", "", 198, 0, 255,
-                    "in device_information; " + std::to_string(listed_type) + " in the maker's list of types",
-                    spec),
-        integer_row("device_revision", "", 1, 0, 255, "in device_information", spec),
-        integer_row("source_id", "", 0, 0, 255, "source in the header of what the device sends",
-                    "maker's manual: reserved, 0"),
-        flag_row("acknowledge", acknowledge, "ack messages that set something",
-                 "own choice: the manual names no ack for them, and each delays some public hosts by a ping"),
-        choice_row("nacked_id", {"request", "requested"},
-                   "id in the nack of a general_request: 6, or the id that was asked for", spec),
-        integer_row("datagram", "B", 1472, 64, 65507,
-                    "largest datagram; longer messages go on in the next one. Public hosts hang on one of "
-                    "exactly 4096",
-                    "Ethernet frame of 1500 bytes less the headers of IP and UDP"),
-        number_row("baud", "bit/s", 0, 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", spec),
-        flag_row("automatic_baud", true,
-                 "a pty is as fast as its driver sets it, whatever baud says; false: another rate than baud "
-                 "makes garbage",
-                 spec),
-        text_row("discovery", "", "IPv4 address to announce on UDP 30303 of that interface; empty: silent",
-                 spec),
-        text_row("discovery_name", name, "first line of the announcement",
-                 "own choice after the maker's other sonars; their real line is not public"),
-    };
-}
-
-Identity read_identity(const DeviceConfig& config) {
-    const Options& o = config.options;
-    Identity i;
-    i.firmware = ping_device::read_version(text(o, "firmware"), "firmware");
-    i.protocol = ping_device::read_version(text(o, "protocol_version"), "protocol_version");
-    i.device_type = static_cast<std::uint8_t>(integer(o, "device_type"));
-    i.device_revision = static_cast<std::uint8_t>(integer(o, "device_revision"));
-    i.source = static_cast<std::uint8_t>(integer(o, "source_id"));
-    i.acknowledge = flag(o, "acknowledge");
-    i.nack_requested_id = text(o, "nacked_id") == "requested";
-    i.datagram = static_cast<std::size_t>(integer(o, "datagram"));
-    i.baud = number(o, "baud");
-    i.line = read_serial_rate(config);
-    i.discovery = text(o, "discovery");
-    i.discovery_name = text(o, "discovery_name");
-    return i;
+void describe(Identity& i, OptionList& o) {
+    ping_device::version(i.firmware, o, "firmware", "version in device_information",
+                         "own choice: hosts do not look at it");
+    ping_device::version(i.protocol, o, "protocol_version", "version of the message set", spec);
+    o.whole(i.device_type, "device_type", "", 0, 255,
+            "in device_information; " + std::to_string(i.listed_type) + " in the maker's list of types",
+            spec);
+    o.whole(i.device_revision, "device_revision", "", 0, 255, "in device_information", spec);
+    o.whole(i.source, "source_id", "", 0, 255, "source in the header of what the device sends",
+            "maker's manual: reserved, 0");
+    o.flag(i.acknowledge, "acknowledge", "ack messages that set something",
+           "own choice: the manual names no ack for them, and each delays some public hosts by a ping");
+    o.choice(i.nack_requested_id, "nacked_id", {"request", "requested"},
+             "id in the nack of a general_request: 6, or the id that was asked for", spec);
+    o.whole(i.datagram, "datagram", "B", 64, 65507,
+            "largest datagram; longer messages go on in the next one. Public hosts hang on one of "
+            "exactly 4096",
+            "Ethernet frame of 1500 bytes less the headers of IP and UDP");
+    describe(i.baud, i.line, o);
+    o.text(i.discovery, "discovery", "IPv4 address to announce on UDP 30303 of that interface; empty: silent",
+           spec);
+    o.text(i.discovery_name, "discovery_name", "first line of the announcement",
+           "own choice after the maker's other sonars; their real line is not public");
 }
 
 ping::DeviceInformation device_information(const Identity& i) {

@@ -6,31 +6,29 @@
 #include <string>
 #include <vector>
 
+#include "emulator/contract/settings_list.h"
 #include "emulator/devices/family/ping/link.h"
 #include "emulator/devices/family/ping/serial_rate.h"
-#include "emulator/contract/model.h"
 
 namespace echoloop::cerulean_device {
 
 /// Options that all of them have.
 struct Identity {
+    int listed_type = 0;  ///< what the maker's list of device types says
     std::uint8_t device_type = 198, device_revision = 1;
     std::array<std::uint8_t, 3> firmware{1, 0, 0}, protocol{1, 0, 0};
-    std::uint8_t source = 0;  ///< in the header of what the device sends
-    bool acknowledge = true;  ///< ack what sets something
+    std::uint8_t source = 0;   ///< in the header of what the device sends
+    bool acknowledge = false;  ///< ack what sets something
     bool nack_requested_id = false;
     std::size_t datagram = 1472;  ///< bytes, at most
     double baud = 0;              ///< bit/s, of ptys and TCP; 0: not paced
-    SerialRate line;
-    std::string discovery;       ///< address to announce; empty: not discoverable
-    std::string discovery_name;  ///< first line of the announcement
+    SerialRate line{};
+    std::string discovery{};       ///< address to announce; empty: not discoverable
+    std::string discovery_name{};  ///< first line of the announcement
 };
 
-/// `listed_type`: what the maker's list of device types says. `name`: the first line of the announcement.
-/// `acknowledge`: the default of that option.
-std::vector<Option> identity_options(int listed_type, const std::string& name, bool acknowledge = true);
 /// std::invalid_argument if a version is none.
-Identity read_identity(const DeviceConfig& config);
+void describe(Identity& identity, OptionList& options);
 
 ping::DeviceInformation device_information(const Identity& identity);
 ping::ProtocolVersion protocol_version(const Identity& identity);

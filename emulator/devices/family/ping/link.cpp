@@ -11,6 +11,17 @@ namespace {
 constexpr std::uint8_t mark = 0x55;
 constexpr std::size_t most_endpoints = 4;
 
+/// "3.3.8" as three numbers of 0..255; std::invalid_argument naming `option` otherwise.
+std::array<std::uint8_t, 3> read_version(const std::string& text, const std::string& option) {
+    unsigned a = 256, b = 256, c = 256;
+    char more = 0;
+    const int found = std::sscanf(text.c_str(), "%3u.%3u.%3u%c", &a, &b, &c, &more);
+    if (found != 3 || a > 255 || b > 255 || c > 255)
+        throw std::invalid_argument("option '" + option + "': '" + text +
+                                    "' is no version; write three numbers of 0 to 255 like 3.3.8");
+    return {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c)};
+}
+
 }  // namespace
 
 Link::Link(std::size_t ports, std::uint8_t id, bool marks_are_breaks)
@@ -66,16 +77,6 @@ ping::Nack nack(ping::Id refused, std::string_view text) {
     ping::Nack message{static_cast<std::uint16_t>(refused), {text.begin(), text.end()}};
     message.text.push_back(0);
     return message;
-}
-
-std::array<std::uint8_t, 3> read_version(const std::string& text, const std::string& option) {
-    unsigned a = 256, b = 256, c = 256;
-    char more = 0;
-    const int found = std::sscanf(text.c_str(), "%3u.%3u.%3u%c", &a, &b, &c, &more);
-    if (found != 3 || a > 255 || b > 255 || c > 255)
-        throw std::invalid_argument("option '" + option + "': '" + text +
-                                    "' is no version; write three numbers of 0 to 255 like 3.3.8");
-    return {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c)};
 }
 
 void version(std::array<std::uint8_t, 3>& member, OptionList& options, std::string_view name,

@@ -65,9 +65,7 @@ std::vector<Send> in_pieces(wire::Bytes frame, const Peer& to, std::size_t piece
 std::vector<Port> link_ports(const std::vector<Endpoint>& endpoints, double baud);
 
 ping::Nack nack(ping::Id refused, std::string_view text);
-/// "3.3.8" as three numbers of 0..255; std::invalid_argument naming `option` otherwise.
-std::array<std::uint8_t, 3> read_version(const std::string& text, const std::string& option);
-/// Lists an option that is such a version.
+/// Lists an option that is a version: three numbers of 0 to 255, like 3.3.8. std::invalid_argument otherwise.
 void version(std::array<std::uint8_t, 3>& member, OptionList& options, std::string_view name,
              std::string_view help, std::string_view source);
 

@@ -7,7 +7,6 @@
 
 #include "emulator/contract/device.h"
 #include "emulator/contract/endpoint.h"
-#include "emulator/contract/options.h"
 #include "emulator/contract/settings_list.h"
 
 namespace echoloop {
@@ -42,13 +41,6 @@ inline void describe(double& baud, SerialRate& line, OptionList& options) {
                  "a pty is as fast as its driver sets it, whatever baud says; false: another rate than baud "
                  "makes garbage",
                  source);
-}
-
-/// From the options `baud` and `automatic_baud` and the rates of real serial ports.
-inline SerialRate read_serial_rate(const DeviceConfig& config) {
-    return {line_rate(config.endpoints, number(config.options, "baud")),
-            flag(config.options, "automatic_baud"),
-            {}};
 }
 
 }  // namespace echoloop

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "emulator/contract/settings_list.h"
 #include "emulator/devices/family/sounder/bottom.h"
-#include "emulator/contract/model.h"
 
 namespace echoloop::echosounder {
 
@@ -21,13 +21,13 @@ struct Acoustics {
 };
 
 struct Sounding {
-    double rate = 1;            ///< pings per second
-    double range = 100;         ///< m, by its own sound speed
-    double sound_speed = 1500;  ///< m/s, by which it turns times into depths
-    double processing = 0.02;   ///< s
-    double baud = 4800;         ///< bit/s; 0: not paced
-    Acoustics acoustics;
-    BottomRule bottom;
+    double rate = 1;                ///< pings per second
+    double range = 100;             ///< m, by its own sound speed
+    double sound_speed = 1500;      ///< m/s, by which it turns times into depths
+    double processing_time = 0.02;  ///< s
+    double baud = 4800;             ///< bit/s; 0: not paced
+    Acoustics acoustics{};
+    BottomRule bottom{};
 
     /// How long it listens after each pulse, in s: out to the end of its range.
     double window() const { return 2 * range / sound_speed; }
@@ -37,14 +37,12 @@ struct Sounding {
     double line_time(std::size_t bytes) const;
 };
 
-/// Options that all of them have: `sound_speed` and `processing`. The rest differs in defaults and sources.
-std::vector<Option> common_options();
-std::vector<FigureRow> figure_table();
+/// The options `sound_speed` and `processing_time`, and the figures. The other options differ in defaults and
+/// sources.
+void describe(Sounding& sounding, OptionList& options, FigureList& figures);
 
-/// From complete options (`rate`, `range`, `baud` and the common ones) and a complete profile.
-Sounding read_sounding(const DeviceConfig& config);
 Shot shot_from(const Sounding& sounding);
-/// The `default_shot` of a model: its own ping, out to `range` m of the true sound speed if that is not 0.
-Shot plain_shot(const DeviceConfig& config, std::size_t step, double range);
+/// Its ping after `step` others, out to `range` m of the true sound speed if that is not 0.
+Shot plain_shot(Sounding sounding, double sound_speed, std::size_t step, double range);
 
 }  // namespace echoloop::echosounder

@@ -31,26 +31,28 @@ TalkingSounder::TalkingSounder(const Sounding& sounding, Wiring wiring, Words wo
     if (wiring_.port.kind == Port::Kind::datagram) sounding_.baud = 0;
 }
 
-Actions TalkingSounder::ping(Time now) {
-    waiting_ = false;
+Actions TalkingSounder::started(Time now) {
+    if (free_running_) run_freely(now);
+    ping_if_due(now);
+    return take_actions();
+}
+
+void TalkingSounder::ping_if_due(Time now) {
+    if (!pacer_.begin(now)) return;
     ++shot_.ping;
-    next_ping_ = now + from_seconds(sounding_.period());
-    Actions actions;
-    actions.ping = Ping{shot_, now + from_seconds(sounding_.window() + sounding_.processing)};
-    return actions;
+    actions_.ping = Ping{shot_, now + from_seconds(sounding_.window() + sounding_.processing_time)};
 }
 
-Actions TalkingSounder::ask(Time now) {
-    free_running_ = false;
-    return waiting_ ? ping(now) : Actions{};
+void TalkingSounder::ask(Time now) {
+    if (!pacer_.under_way()) {
+        pacer_.reset();  // at once, whatever the line still has to say
+        pacer_.start(now, {});
+        ping_if_due(now);
+    }
+    pacer_.once();
 }
 
-Actions TalkingSounder::run_freely(Time now) {
-    free_running_ = true;
-    Actions actions;
-    if (waiting_) actions.wake = next_ping_ = std::max(now, next_ping_);
-    return actions;
-}
+void TalkingSounder::run_freely(Time now) { pacer_.start(now, from_seconds(sounding_.period())); }
 
 Actions TalkingSounder::received(const Received& data, Time) {
     counters_.skipped_bytes += data.bytes.size();
@@ -58,28 +60,30 @@ Actions TalkingSounder::received(const Received& data, Time) {
 }
 
 Actions TalkingSounder::woken(Time now) {
-    if (!free_running_ || !waiting_ || now < next_ping_) return {};
-    return ping(now);
+    ping_if_due(now);
+    return take_actions();
 }
 
 Actions TalkingSounder::heard(const Echogram& echogram, Time now) {
-    if (waiting_ || echogram.shot.ping != shot_.ping) return {};
+    if (!pacer_.under_way() || echogram.shot.ping != shot_.ping) return {};
     ++counters_.pings;
     std::optional<double> depth;
     if (const auto bottom = find_bottom(echogram, sounding_.bottom))
         depth = bin_time(echogram.shot, static_cast<double>(bottom->bin)) * sounding_.sound_speed / 2;
-    Actions actions;
     std::size_t bytes = 0;
     for (const std::string& line : words_(depth)) {
         bytes += line.size();
-        actions.send.push_back({0, Bytes(line.begin(), line.end()), wiring_.host, {}});
+        actions_.send.push_back({0, Bytes(line.begin(), line.end()), wiring_.host, {}});
     }
-    waiting_ = true;
     // A slow line holds the next ping back, so that lines never queue up and grow old.
-    const double held = sounding_.line_time(bytes) - sounding_.window();
-    next_ping_ = std::max({next_ping_, now, now + from_seconds(held)});
-    if (free_running_) actions.wake = next_ping_;
-    return actions;
+    const Time held = from_seconds(sounding_.line_time(bytes) - sounding_.window());
+    pacer_.end(now + std::max(held, Time{}), from_seconds(sounding_.period()));
+    return take_actions();
+}
+
+Actions TalkingSounder::take_actions() {
+    actions_.wake = pacer_.wake();
+    return std::exchange(actions_, {});
 }
 
 }  // namespace echoloop::echosounder

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/family/sounder/sounding.h"
 
 namespace echoloop::echosounder {
@@ -29,7 +30,7 @@ class TalkingSounder : public Device {
     TalkingSounder(const Sounding& sounding, Wiring wiring, Words words, bool free_running = true);
 
     std::vector<Port> ports() const override { return {wiring_.port}; }
-    Actions started(Time now) override { return free_running_ ? ping(now) : Actions{}; }
+    Actions started(Time now) override;
     /// It listens to nobody: what comes is counted.
     Actions received(const Received& data, Time now) override;
     Actions heard(const Echogram& echogram, Time now) override;
@@ -39,21 +40,22 @@ class TalkingSounder : public Device {
 
   protected:
     /// From now on it pings only when it is asked, as here; a ping under way is as good an answer.
-    Actions ask(Time now);
+    void ask(Time now);
     /// From now on it pings by itself, at its rate.
-    Actions run_freely(Time now);
+    void run_freely(Time now);
+    Actions take_actions();
     DeviceCounters counters_;
 
   private:
-    Actions ping(Time now);
+    void ping_if_due(Time now);
 
     Sounding sounding_;
     Wiring wiring_;
     Words words_;
-    Shot shot_;  ///< of the last ping
-    bool free_running_;
-    Time next_ping_{};     ///< not before; meaningful while no ping is under way
-    bool waiting_ = true;  ///< for the next ping; false: for echoes
+    Shot shot_;          ///< of the last ping
+    bool free_running_;  ///< from the start
+    PingPacer pacer_;
+    Actions actions_;  ///< of the call at hand
 };
 
 }  // namespace echoloop::echosounder
