@@ -8,10 +8,12 @@ namespace echoloop::imagenex852 {
 
 /// Emulator options beside those of all Imagenex heads; README.md of this folder explains each.
 struct Settings {
-    imagenex_head::Settings head;
-    imagenex::Packed14 position_bytes;  ///< bytes 5 and 6
-    double trigger_rate = 0;            ///< pulses per s on the trigger input; 0: there is none
+    imagenex_head::Settings head{.head_id = 0x11, .status = 0x45};
+    imagenex::Packed14 position_bytes{0x0A << 7 | 0x78};  ///< bytes 5 and 6
+    double trigger_rate = 0;  ///< pulses per s on the trigger input; 0: there is none
 };
+
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 
 class Sounder final : public imagenex_head::Head {
   public:

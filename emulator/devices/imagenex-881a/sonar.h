@@ -9,11 +9,13 @@ namespace echoloop::imagenex881a {
 
 /// Emulator options beside those of all Imagenex heads; README.md of this folder explains each.
 struct Settings {
-    imagenex_head::Settings head;
+    imagenex_head::Settings head{.head_id = 0x10, .status = 0x41};
     bool clip = false;
     int start_position = ahead;
     bool azimuth_drive = false;
 };
+
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 
 class Sonar final : public imagenex_head::Head {
   public:

@@ -13,7 +13,7 @@ DeltaT::DeltaT(const Settings& settings, const Wiring& wiring)
 std::vector<Port> DeltaT::ports() const { return {{"83P", Port::Kind::datagram, wiring_.from, false}}; }
 
 double DeltaT::period() const {
-    return std::max(window(controls_) + settings_.processing, 1 / settings_.frame_rate);
+    return std::max(window(controls_) + settings_.processing_time, 1 / settings_.frame_rate);
 }
 
 Actions DeltaT::started(Time now) {
@@ -45,10 +45,9 @@ Actions DeltaT::woken(Time now) {
 
 Actions DeltaT::transmit(Time now) {
     if (!alike(record_.controls, controls_)) averaged_ = 0;
-    const double latency = window(controls_) + settings_.processing;
+    const double latency = window(controls_) + settings_.processing_time;
     const double time = settings_.unix_start + to_seconds(now);
     record_ = {controls_, 0, time, period(), latency};
-    transmitted_ = now;
     const double roll = controls_.roll_compensation ? down_bearing_ : 0;
     Actions actions;
     actions.ping = Ping{make_shot(controls_, settings_.acoustics, ++pings_, roll, period()),

@@ -39,9 +39,8 @@ class DeltaT final : public Device {
     Controls controls_;
     PingRecord record_;  ///< of the ping under way
     PingPacer pacer_;
-    Echogram mean_;          ///< of the pings averaged so far
-    unsigned averaged_ = 0;  ///< pings in it
-    Time transmitted_{};
+    Echogram mean_;            ///< of the pings averaged so far
+    unsigned averaged_ = 0;    ///< pings in it
     double down_bearing_ = 0;  ///< rad, at the ping before
     std::uint64_t pings_ = 0;
     DeviceCounters counters_;

@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "emulator/devices/imagenex-deltat/delta_t.h"
 #include "emulator/contract/endpoint.h"
+#include "emulator/devices/imagenex-deltat/delta_t.h"
 
 namespace echoloop::delta_t {
 namespace {
@@ -40,8 +40,7 @@ Model model() {
     m.protocol = "83P over UDP, external control by EC";
     m.default_endpoints = {"udp://127.0.0.1:4040"};
     m.endpoint_schemes = {"udp"};
-    m.options = option_table();
-    m.figures = figure_table();
+    list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);
     m.make = make;
     m.default_shot = default_shot;

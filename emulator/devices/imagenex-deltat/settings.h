@@ -1,10 +1,8 @@
 // The options and the profile of a Delta T as typed values. Data only.
 #pragma once
 
-#include <vector>
-
+#include "emulator/contract/settings_list.h"
 #include "emulator/devices/imagenex-deltat/controls.h"
-#include "emulator/contract/model.h"
 
 namespace echoloop::delta_t {
 
@@ -34,13 +32,12 @@ struct Settings {
     bool intensity = true;
     bool orientation = true;        ///< pitch, roll and heading are measured
     double frame_rate = 20;         ///< Hz, most pings
-    double processing = 0.01;       ///< s from the end of the window to the datagram
+    double processing_time = 0.01;  ///< s from the end of the window to the datagram
     bool tvg = true, pulse = true;  ///< the effects of that name
     double unix_start = 0;          ///< s
 };
 
-std::vector<Option> option_table();
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures);
 /// From complete options and a complete profile.
 Settings read_settings(const DeviceConfig& config);
 

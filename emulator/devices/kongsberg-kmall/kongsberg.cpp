@@ -10,8 +10,6 @@
 namespace echoloop::kongsberg_kmall {
 namespace {
 
-constexpr Time processing = std::chrono::milliseconds(5);  // from the last sample to the datagram
-
 constexpr std::string_view text_ends{"\r\n\0", 3};
 
 constexpr Time texts_interval = std::chrono::seconds(1);  // of 616; that of the others is own choice
@@ -63,7 +61,7 @@ void Kongsberg::obey(const kmall::Command& command, Time now) {
     if (command.number == stop || command.number == start) settings_.pinging = command.number == start;
     if (command.number == water_column_off || command.number == water_column_on)
         settings_.water_column = command.number == water_column_on;
-    if (!ping_under_way_) plan_next_ping(now);
+    plan_next_ping(now);
 }
 
 void Kongsberg::set_values(std::string_view assignments) {
@@ -98,25 +96,26 @@ void Kongsberg::tell_standing(Time now) {
 }
 
 void Kongsberg::plan_next_ping(Time now) {
-    const Time earliest = pings_begun_ > 0 ? transmitted_ + from_seconds(ping_period(settings_)) : now;
-    next_ping_ = settings_.pinging ? std::max(now, earliest) : Time::max();
+    if (settings_.pinging)
+        pacer_.start(now, from_seconds(ping_period(settings_)));
+    else
+        pacer_.pause();
 }
 
-void Kongsberg::transmit(Time now) {
-    next_ping_ = Time::max();
-    ping_under_way_ = true;
-    ping_.period = pings_begun_ > 0 ? to_seconds(now - transmitted_) : 0;
+void Kongsberg::transmit_if_due(Time now) {
+    const auto before = pacer_.began();
+    if (!pacer_.begin(now)) return;
+    ping_.period = before ? to_seconds(*pacer_.began() - *before) : 0;
     ping_.number = static_cast<std::uint16_t>(++pings_begun_);
     ping_.time = unix_time(now);
-    transmitted_ = now;
     ping_settings_ = settings_;
+    const Time last_echo = now + from_seconds(range_time(settings_));
     actions_.ping =
-        Ping{make_shot(settings_, pings_begun_), now + from_seconds(range_time(settings_)) + processing};
+        Ping{make_shot(settings_, pings_begun_), last_echo + from_seconds(settings_.processing_time)};
 }
 
 Actions Kongsberg::heard(const Echogram& echogram, Time now) {
-    if (!ping_under_way_ || echogram.shot.ping != pings_begun_) return take_actions();
-    ping_under_way_ = false;
+    if (echogram.shot.ping != pings_begun_ || !pacer_.end(now, {})) return take_actions();
     ++counters_.pings;
     const Shot& shot = echogram.shot;
     const multibeam::TimeGate window{0, static_cast<double>(shot.bins) * shot.bin_interval};
@@ -135,24 +134,21 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
 
 /// The parts of a big datagram are spread over time, but never beyond the next ping.
 void Kongsberg::send(const kmall::Datagram& datagram, Time now) {
-    auto parts = kmall::divided(kmall::serialise(datagram));
-    const double room = 0.8 * ping_period(settings_) / static_cast<double>(parts.size());
-    const Time gap = from_seconds(std::min(settings_.datagram_gap, room));
-    Time when = now;
-    for (Bytes& part : parts) {
-        actions_.send.push_back({0, std::move(part), wiring_.host, when});
-        when += gap;
-    }
+    const std::size_t before = actions_.send.size();
+    for (Bytes& part : kmall::divided(kmall::serialise(datagram)))
+        actions_.send.push_back({0, std::move(part), wiring_.host, {}});
+    spread(std::span(actions_.send).subspan(before), now, from_seconds(settings_.datagram_gap),
+           now + from_seconds(0.8 * ping_period(settings_)));
 }
 
 Actions Kongsberg::woken(Time now) {
     if (now >= next_texts_) tell_standing(now);
-    if (now >= next_ping_) transmit(now);
+    transmit_if_due(now);
     return take_actions();
 }
 
 Actions Kongsberg::take_actions() {
-    actions_.wake = std::min(next_ping_, next_texts_);
+    actions_.wake = std::min(pacer_.wake(), next_texts_);
     return std::exchange(actions_, {});
 }
 

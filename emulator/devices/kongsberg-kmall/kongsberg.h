@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/kongsberg-kmall/messages.h"
 #include "emulator/devices/kongsberg-kmall/texts.h"
 
@@ -38,7 +39,7 @@ class Kongsberg final : public Device {
     Standing standing() const { return {started_, wiring_.own, wiring_.host, depth_}; }
     double unix_time(Time now) const { return settings_.unix_start + to_seconds(now); }
     void plan_next_ping(Time now);
-    void transmit(Time now);
+    void transmit_if_due(Time now);
     void send(const kmall::Datagram& datagram, Time now);
     Actions take_actions();
 
@@ -46,13 +47,11 @@ class Kongsberg final : public Device {
     Wiring wiring_;
     PingRecord ping_;  ///< the ping under way, or the last one
     std::uint64_t pings_begun_ = 0;
-    bool ping_under_way_ = false;
     bool started_ = false;           ///< its host has chosen it
     double water_level_ = 0;         ///< m below the head, at the last ping
     std::optional<double> depth_{};  ///< m, of the bottom below the head; empty: the last ping found none
     Time next_texts_ = Time::max();
-    Time transmitted_{};  ///< when the last ping went out
-    Time next_ping_ = Time::max();
+    PingPacer pacer_;
     Actions actions_;
     DeviceCounters counters_;
 };

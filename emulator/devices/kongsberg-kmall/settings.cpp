@@ -43,6 +43,7 @@ void describe_words(Settings& s, OptionList& o) {
              "401: a known driver's list of texts; 814: its code");
     o.number(s.datagram_gap, "datagram_gap", "s", 0, 0.1, "pause between the parts of a water column",
              "own choice: receivers with default buffers lose faster bursts");
+    o.number(s.processing_time, "processing_time", "s", 0, 1, "from the last echo to the datagrams", own);
 }
 
 void describe_profile(Settings& s, FigureList& f) {

@@ -31,24 +31,21 @@ Model model_of(const std::string& name, const std::string& title) {
     m.protocol = "Imagenex switch data, serial 115200 8N1";
     m.default_endpoints = {"pty:/tmp/echoloop/" + name};
     m.endpoint_schemes = {"pty", "serial", "tcp-listen", "tcp", "udp-listen", "udp"};
-    m.figures = figure_table();
     m.profile = built_in_profile(name);
     m.family = "imagenex";
     m.requests = requests;
     return m;
 }
 
-Shot plain_ping(imagenex::SwitchCommand command, double range, double longest, const DeviceConfig& config,
-                std::size_t step) {
+Shot plain_ping(imagenex::SwitchCommand command, double range, double longest, const Settings& settings,
+                double true_sound_speed) {
     constexpr double default_range = 10;  // m
     constexpr int points = 500;
     if (!(range > 0)) range = default_range;
-    const Settings settings = read_settings(config);
     command.range = static_cast<std::uint8_t>(std::clamp(std::ceil(range), 1.0, longest));
     command.data_points = points / 10;
     Shot shot = plain_shot(command, format_of(command, settings), range / points, settings);
-    shot.bin_interval = 2 * range / config.sound_speed / static_cast<double>(shot.bins);
-    shot.ping = step + 1;
+    shot.bin_interval = 2 * range / true_sound_speed / static_cast<double>(shot.bins);
     return shot;
 }
 

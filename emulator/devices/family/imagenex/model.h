@@ -4,17 +4,18 @@
 
 #include <string>
 
-#include "emulator/contract/model.h"
+#include "emulator/devices/family/imagenex/settings.h"
 #include "protocols/imagenex/messages.h"
 
 namespace echoloop::imagenex_head {
 
-/// A row of the table that lacks the head's own options, its device and its ping.
+/// A row of the table that lacks the head's options and figures, its device and its ping.
 Model model_of(const std::string& name, const std::string& title);
 
 /// The ping of a host that asks for 500 points out to `range` m, the default if it is 0; `longest`: of the
-/// head. `command` is what else it says. Numbered after `step`; the model aims it and gives it its sound.
-Shot plain_ping(imagenex::SwitchCommand command, double range, double longest, const DeviceConfig& config,
-                std::size_t step);
+/// head. `command` is what else it says, `true_sound_speed` is in m/s. The model numbers it, aims it and
+/// gives it its sound.
+Shot plain_ping(imagenex::SwitchCommand command, double range, double longest, const Settings& settings,
+                double true_sound_speed);
 
 }  // namespace echoloop::imagenex_head

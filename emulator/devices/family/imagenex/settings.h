@@ -3,12 +3,16 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
+#include <initializer_list>
 
-#include "emulator/contract/model.h"
+#include "emulator/contract/settings_list.h"
 
 namespace echoloop::imagenex_head {
+
+/// Everything that Imagenex serial heads answer with is timed by this line rate.
+inline constexpr double usual_baud = 115200;
+/// m/s, what the heads and their hosts calculate with.
+inline constexpr double sound_speed = 1500;
 
 /// Figures of the profile, in radians where they are angles.
 struct Acoustics {
@@ -37,26 +41,20 @@ struct Settings {
     ShotTiming timing = ShotTiming::table;
     double fixed_time = 0.1;  ///< s from command to the end of the reply
     bool obey_baud = false;
-    double line_rate = 0;          ///< bit/s at which the reply leaves on its own; 0: at once
-    double profile_threshold = 0;  ///< of the scale, 0 to 1
-    Acoustics acoustics;
+    double line_rate = usual_baud;  ///< bit/s at which the reply leaves on its own; 0: at once
+    double profile_threshold = 0;   ///< of the scale, 0 to 1
+    Acoustics acoustics{};
 };
 
-/// What differs between the heads in the rows of the common options.
-struct Defaults {
-    std::uint8_t head_id, lowest_id, highest_id;
-    std::vector<std::string> status;  ///< hex; the first is the default
-    std::vector<std::string> ceilings;
+/// What differs between the heads in the choices of the common options.
+struct Choices {
+    std::uint8_t lowest_id, highest_id;
+    std::initializer_list<Word<std::uint8_t>> status;
+    std::initializer_list<Word<int>> ceilings;
 };
-std::vector<Option> option_table(const Defaults& defaults);
-std::vector<FigureRow> figure_table();
+void describe(Settings& settings, OptionList& options, FigureList& figures, const Choices& choices);
 
-/// From complete options and a complete profile. std::invalid_argument unless there is one endpoint.
-Settings read_settings(const DeviceConfig& config);
-
-/// Everything that Imagenex serial heads answer with is timed by this line rate.
-inline constexpr double usual_baud = 115200;
-/// m/s, what the heads and their hosts calculate with.
-inline constexpr double sound_speed = 1500;
+/// Sets what is neither an option nor a figure. std::invalid_argument unless there is one endpoint.
+void complete(Settings& settings, const DeviceConfig& config);
 
 }  // namespace echoloop::imagenex_head
