@@ -1,22 +1,26 @@
 #include "emulator/scenario/fault_kinds.h"
 
 #include <algorithm>
-
-#include "emulator/contract/option_rows.h"
+#include <utility>
 
 namespace echoloop {
 namespace {
 
+/// `low` and `high` are inclusive.
+Option parameter(std::string name, std::string unit, OptionValue value, double low, double high, std::string help) {
+    return {std::move(name), std::move(unit), std::move(value), std::move(help), "", {}, low, high};
+}
+
 Option chance(double value, const std::string& of) {
-    return number_row("rate", "", value, 0, 1, "share of " + of + " that it happens to", "");
+    return parameter("rate", "", value, 0, 1, "share of " + of + " that it happens to");
 }
 
 Option seconds(std::string name, double value, double low, double high, std::string help) {
-    return number_row(std::move(name), "s", value, low, high, std::move(help), "");
+    return parameter(std::move(name), "s", value, low, high, std::move(help));
 }
 
 Option count(std::string name, std::int64_t value, double low, double high, std::string help) {
-    return integer_row(std::move(name), "", value, low, high, std::move(help), "");
+    return parameter(std::move(name), "", value, low, high, std::move(help));
 }
 
 Option patience() {
@@ -90,7 +94,7 @@ std::vector<FaultRow> rows_of_time() {
              "bandwidth",
              bytes,
              "the line carries no more than so many bits in a second; messages queue up",
-             {number_row("bits_per_second", "bit/s", 9600, 1, 1e12, "what the line carries", "")}},
+             {parameter("bits_per_second", "bit/s", 9600.0, 1, 1e12, "what the line carries")}},
             std::move(stale)};
 }
 
@@ -102,7 +106,7 @@ std::vector<FaultRow> rows_of_lines_and_devices() {
          "baud_mismatch",
          Where::bytes,
          "the device's UART runs at another rate than the driver's: what a UART makes of it arrives",
-         {number_row("baud", "bit/s", 9600, 50, 1e7, "rate at which the device speaks and listens", "")},
+         {parameter("baud", "bit/s", 9600.0, 50, 1e7, "rate at which the device speaks and listens")},
          "a serial line"},
         {Kind::unplug, "unplug", Where::line,
          "the cable is pulled: a pty hangs up and its link goes, TCP is closed and refused, UDP and serial "
