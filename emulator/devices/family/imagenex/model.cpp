@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "emulator/contract/options.h"
 #include "emulator/devices/family/imagenex/echo.h"
 #include "protocols/imagenex/codec.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 std::vector<Bytes> requests(const DeviceConfig& config, bool turns) {
     imagenex::SwitchCommand command;
-    command.head_id = static_cast<std::uint8_t>(read_settings(config).head_id);
+    command.head_id = static_cast<std::uint8_t>(integer(config.options, "head_id"));
     command.range = 10;
     command.mode = imagenex::mode::all;
     command.sector_width = 120;
