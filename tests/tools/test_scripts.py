@@ -69,6 +69,11 @@ class Install(Script):
         self.assertEqual(self.run_script("install", "test"), 0, self.output)
         self.assertEqual(self.installs(), ["libcairo2-dev libgtest-dev"])
 
+    def test_adds_less_for_the_tests_of_sonars(self):
+        self.put("missing", "libcairo2-dev\nlibgtest-dev\numockdev\nlibroscpp-dev\n")
+        self.assertEqual(self.run_script("install", "devices"), 0, self.output)
+        self.assertEqual(self.installs(), ["libcairo2-dev libgtest-dev"])
+
     def test_adds_what_fuzzing_needs(self):
         self.put("missing", "libcairo2-dev\nlibgtest-dev\nclang-16\n")
         self.assertEqual(self.run_script("install", "fuzz"), 0, self.output)
