@@ -15,8 +15,6 @@ struct Wiring {
     Address beacon;  ///< where the beacon goes
 };
 
-inline bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
-
 class Aris final : public Device {
   public:
     Aris(const Settings& settings, const Wiring& wiring);

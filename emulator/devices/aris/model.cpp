@@ -23,15 +23,10 @@ void check_listener(const Endpoint& listener) {
             ": controllers connect to the address that beacons come from; name one of this machine's");
 }
 
-/// A loopback sonar sends to loopback only.
-Address read_beacon(const Endpoint& beacon, const Endpoint& listener) {
+Address read_beacon(const Endpoint& beacon) {
     if (beacon.scheme != Endpoint::Scheme::udp)
         throw std::invalid_argument(to_string(beacon) +
                                     ": the second endpoint, for the beacon, must be udp://ADDRESS:56124");
-    if (is_loopback(listener.ip) && !is_loopback(beacon.ip))
-        throw std::invalid_argument(to_string(beacon) +
-                                    ": a sonar on a loopback address sends its beacon to loopback only; give "
-                                    "the first endpoint an address of that network");
     return {beacon.ip, beacon.port};
 }
 
@@ -46,7 +41,7 @@ Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
         throw std::invalid_argument(to_string(listener) +
                                     ": say where the beacon goes, e.g. \"udp://192.168.1.255:56124\"");
     Wiring wiring{{listener.ip, listener.port}, {loopback_broadcast, beacon_udp_port}};
-    if (endpoints.size() == 2) wiring.beacon = read_beacon(endpoints[1], listener);
+    if (endpoints.size() == 2) wiring.beacon = read_beacon(endpoints[1]);
     return wiring;
 }
 

@@ -17,7 +17,7 @@ Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
                                     ": a Delta T's program speaks first; name the host that is to hear it, "
                                     "udp://ADDRESS:PORT");
     constexpr std::uint32_t loopback = 0x7F000001;
-    return {{e.ip >> 24 == 127 ? loopback : 0, e.local_port()}, {e.ip, e.port}};
+    return {{is_loopback(e.ip) ? loopback : 0, e.local_port()}, {e.ip, e.port}};
 }
 
 std::unique_ptr<Device> make(const DeviceConfig& config) {

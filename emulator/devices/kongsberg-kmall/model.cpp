@@ -24,13 +24,6 @@ Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
                   address_of(endpoints[1], Endpoint::Scheme::udp, "the endpoint of datagrams")};
     if (endpoints.size() == 3)
         wiring.controller = address_of(endpoints[2], Endpoint::Scheme::udp, "the endpoint of texts");
-    const auto elsewhere = [](Address address) { return address.ip >> 24 != 127; };
-    const bool texts = wiring.controller && elsewhere(*wiring.controller);
-    if (!elsewhere(wiring.own) && (elsewhere(wiring.host) || texts))
-        throw std::invalid_argument(
-            to_string(endpoints[texts ? 2 : 1]) +
-            ": a sounder on a loopback address sends to loopback only; give the first "
-            "endpoint an address of that network");
     return wiring;
 }
 

@@ -11,8 +11,6 @@ constexpr std::uint16_t status_udp_port = 52102;
 constexpr std::uint32_t loopback_broadcast = 0x7FFFFFFF;  // 127.255.255.255
 constexpr double default_range = 10;                      // m
 
-bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
-
 void check_listener(const Endpoint& listener) {
     if (listener.scheme != Endpoint::Scheme::tcp_listen)
         throw std::invalid_argument(to_string(listener) +
@@ -23,16 +21,10 @@ void check_listener(const Endpoint& listener) {
             ": the status tells drivers the address to connect to; name one of this machine's");
 }
 
-/// A loopback sonar sends to loopback only.
-Address read_status(const Endpoint& status, const Endpoint& listener) {
+Address read_status(const Endpoint& status) {
     if (status.scheme != Endpoint::Scheme::udp)
         throw std::invalid_argument(to_string(status) +
                                     ": the second endpoint, for the status, must be udp://ADDRESS:52102");
-    if (is_loopback(listener.ip) && !is_loopback(status.ip))
-        throw std::invalid_argument(
-            to_string(status) +
-            ": a sonar on a loopback address sends its status to loopback only; give the first endpoint "
-            "an address of that network");
     return {status.ip, status.port};
 }
 
@@ -47,7 +39,7 @@ Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
         throw std::invalid_argument(to_string(listener) +
                                     ": say where the status goes, e.g. \"udp://192.168.2.255:52102\"");
     Wiring wiring{{listener.ip, listener.port}, {loopback_broadcast, status_udp_port}};
-    if (endpoints.size() == 2) wiring.status = read_status(endpoints[1], listener);
+    if (endpoints.size() == 2) wiring.status = read_status(endpoints[1]);
     return wiring;
 }
 

@@ -33,7 +33,7 @@ std::optional<std::uint32_t> read_address(std::string_view text) {
 std::vector<Port> Discovery::ports() const {
     constexpr auto datagram = Port::Kind::datagram;
     if (own_ == 0) return {};
-    if (own_ >> 24 != 127) return {{"discovery", datagram, {0, discovery_port}, true}};
+    if (!is_loopback(own_)) return {{"discovery", datagram, {0, discovery_port}, true}};
     return {{"discovery", datagram, {own_, discovery_port}, true},
             {"discovery broadcast", datagram, {loopback_broadcast, discovery_port}, true}};
 }

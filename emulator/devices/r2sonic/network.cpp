@@ -8,8 +8,6 @@ namespace {
 constexpr std::uint16_t commands = 2;                     // above the base port of head and SIM
 constexpr std::uint32_t loopback_broadcast = 0x7FFFFFFF;  // 127.255.255.255
 
-bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
-
 Address with_offset(Address base, std::uint16_t offset) {
     return {base.ip, static_cast<std::uint16_t>(base.port + offset)};
 }

@@ -13,8 +13,6 @@ constexpr std::uint32_t centre = 7000;  // device id of the sonar's control cent
 constexpr std::uint32_t configuration = reson7k::Configuration::type;
 constexpr std::uint32_t settings_record = reson7k::RemoteSettings::type;
 
-bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
-
 bool is_about_records(std::uint32_t command) {
     return command >= command::request && command <= command::unsubscribe;
 }

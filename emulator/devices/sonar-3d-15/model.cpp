@@ -21,10 +21,6 @@ Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
     if (host.scheme != Endpoint::Scheme::udp)
         throw std::invalid_argument(to_string(host) +
                                     ": the second endpoint, for the images, must be udp://ADDRESS:PORT");
-    if (listener.ip >> 24 == 127 && host.ip >> 24 != 127)
-        throw std::invalid_argument(to_string(host) +
-                                    ": a sonar on a loopback address sends images to loopback only; give the "
-                                    "first endpoint an address of that network");
     wiring.unicast_ip = host.host;
     wiring.unicast_port = host.port;
     return wiring;

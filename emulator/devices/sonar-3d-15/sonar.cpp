@@ -21,8 +21,6 @@ constexpr float pixel_scale = 50.0F / 65536;        // m
 constexpr double salt_water = 35, fresh_water = 0;  // ppt
 constexpr std::uint32_t frequency_of_real_ones = 5;
 
-bool is_loopback(std::uint32_t ip) { return ip >> 24 == 127; }
-
 sonar3d::Timestamp unix_time(double unix_start, Time at) {
     const auto start = static_cast<std::int64_t>(std::floor(unix_start));
     const Time within = at + from_seconds(unix_start - static_cast<double>(start));

@@ -18,7 +18,7 @@ Wiring read_wiring(const std::vector<Endpoint>& endpoints, const std::string& mo
                                     "udp://ADDRESS:PORT");
     if (e.scheme != Endpoint::Scheme::udp) return {{"line", Port::Kind::stream, {}, false}, {}};
     constexpr std::uint32_t loopback = 0x7F000001;
-    const Address from{e.ip >> 24 == 127 ? loopback : 0, e.local_port()};
+    const Address from{is_loopback(e.ip) ? loopback : 0, e.local_port()};
     return {{"datagrams", Port::Kind::datagram, from, false}, {e.ip, e.port}};
 }
 
