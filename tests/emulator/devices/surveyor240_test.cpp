@@ -98,6 +98,14 @@ TEST(Surveyor240, PingsComeAtThePeriodOrAsFastAsTheRangeAllows) {
         << "it does not wait for the longer period to end";
 }
 
+TEST(Surveyor240, TheProcessingTimeDelaysTheReportAndTheNextPing) {
+    Bench bench = surveyor({{"processing_time", 0.1}});
+    bench.say(frame(Set{}));
+    bench.run_to(bench.now);
+    EXPECT_NEAR(to_seconds(bench.ping->due), 2 * 10 / 1500.0 + 0.1, 1e-6);
+    EXPECT_NEAR(bench.ping->shot.interval, 2 * 10 / 1500.0 + 0.1, 1e-6) << "longer than the host's 100 ms";
+}
+
 TEST(Surveyor240, StoppedIsStopped) {
     Bench bench = surveyor();
     bench.say(frame(Set{}));
