@@ -79,8 +79,9 @@ void BackgroundFile::write(const std::string& text, std::uint64_t lines) {
 }
 
 void BackgroundFile::give_up(const std::string& reason) {
-    spdlog::error("{}: {} has stopped: {}; the emulation goes on. Make room and start again to have it whole",
-                  path_.string(), what_, reason);
+    spdlog::error(
+        "{}: {} has stopped: {}; the emulation goes on. Make room and start again for a complete file",
+        path_.string(), what_, reason);
     file_.close();
     const std::scoped_lock lock(mutex_);
     summary_.stopped = true;

@@ -9,7 +9,7 @@ void Serving::operator()(std::exception_ptr error) const {
     try {
         std::rethrow_exception(error);
     } catch (const std::exception& e) {
-        spdlog::critical("{}: stopped by a fault of this program: {}; please report it", what_, e.what());
+        spdlog::critical("{}: stopped by a bug in this program: {}; please report it", what_, e.what());
     }
 }
 

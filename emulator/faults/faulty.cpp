@@ -66,7 +66,7 @@ Task<void> Faulty::write(ByteView bytes, Address to) {
     const bool had_room = out_.dropped_bytes() == 0;
     out_.add(bytes, to, clock_.now(), line_rate_);
     if (had_room && out_.dropped_bytes() > 0)
-        spdlog::warn("{}: so much waits for its faults that messages are dropped", describe());
+        spdlog::warn("{}: too many messages are delayed by faults; messages are dropped", describe());
     out_bell_.cancel();
 }
 

@@ -58,7 +58,8 @@ void PoseInput::end() {
     constexpr std::uint8_t end = '\n';
     if (begun_ && !speaks_mavlink_) received({&end, 1}, {});  // of the last line
     if (has_stepped_) return steps_->finish();
-    spdlog::warn("{}: it has ended; no more {} come from it", place_, steps_ == nullptr ? "poses" : "lines");
+    spdlog::warn("{}: the input has ended; no more {} will come from it", place_,
+                 steps_ == nullptr ? "poses" : "lines");
 }
 
 /// Somebody else is at the other end.
@@ -126,7 +127,7 @@ void PoseInput::take_unstepped(const PoseText& read, Address from) {
 void PoseInput::take(const PoseText& read) {
     if (!read.reason.empty()) {
         if (summary_.refused++ == 0)
-            spdlog::warn("{}: a {} was refused: {}; further ones are counted only", place_,
+            spdlog::warn("{}: a {} was refused: {}; further ones are only counted", place_,
                          steps_ == nullptr ? "pose" : "line", read.reason);
         summary_.last_refusal = read.reason;
     }

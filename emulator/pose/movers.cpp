@@ -79,7 +79,7 @@ std::vector<Pose> Movers::at(Time time) {
 Pose Movers::pose_of(Told& told, const std::string& name, Time time) const {
     const auto [pose, stale] = told.where.at(time);
     if (stale && told.stale_pings++ == 0)
-        spdlog::warn("object {}: no pose for more than a second; it is taken to stand still", name);
+        spdlog::warn("object {}: no pose for more than a second; it is assumed to stand still", name);
     return pose;
 }
 

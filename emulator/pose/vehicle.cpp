@@ -36,7 +36,7 @@ Pose Vehicle::world_from_body(Time time) {
     if (const auto* pose = std::get_if<Pose>(&source_)) return *pose;
     const auto [pose, stale] = std::get<Whereabouts>(source_).at(time);
     if (stale && stale_pings_++ == 0)
-        spdlog::warn("{}: no pose for more than a second; the vehicle is taken to stand still",
+        spdlog::warn("{}: no pose for more than a second; the vehicle is assumed to stand still",
                      inputs_.front()->summary().place);
     return pose;
 }

@@ -21,7 +21,7 @@ void read_steps(const Section& clock, Scenario& scenario, Problems& problems) {
     if (!scenario.unix_start) scenario.unix_start = start_of_stepped_runs;
     if (clock.get("input") == nullptr && scenario.pose_input.empty())
         problems.add(clock.get("mode")->place,
-                     "clock.mode: 'stepped' needs somebody who steps it; add e.g. input: "
+                     "clock.mode: 'stepped' needs an endpoint for the steps; add e.g. input: "
                      "tcp-listen://127.0.0.1:9501, or vehicle.input");
 }
 

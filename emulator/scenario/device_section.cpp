@@ -177,7 +177,7 @@ Profile DeviceReader::read_file(const Section& section, const Model& model) {
     if (const auto fault = file_fault(file)) {
         problems_.add(value.place,
                       path + ": " + in_quotes(file.string()) + ": " + fault->message +
-                          "; a relative name begins at the scenario's folder",
+                          "; a relative path starts at the scenario's folder",
                       fault->kind);
         return {};
     }

@@ -7,12 +7,13 @@ namespace echoloop {
 namespace {
 
 /// `low` and `high` are inclusive.
-Option parameter(std::string name, std::string unit, OptionValue value, double low, double high, std::string help) {
+Option parameter(std::string name, std::string unit, OptionValue value, double low, double high,
+                 std::string help) {
     return {std::move(name), std::move(unit), std::move(value), std::move(help), "", {}, low, high};
 }
 
 Option chance(double value, const std::string& of) {
-    return parameter("rate", "", value, 0, 1, "share of " + of + " that it happens to");
+    return parameter("rate", "", value, 0, 1, "share of " + of + " that are affected");
 }
 
 Option seconds(std::string name, double value, double low, double high, std::string help) {
@@ -32,16 +33,16 @@ std::vector<FaultRow> rows_of_bytes() {
     constexpr auto bytes = FaultRow::Where::bytes;
     return {
         {Kind::loss, "loss", bytes, "whole messages are lost", {chance(0.01, "messages")}},
-        {Kind::silence, "silence", bytes, "nothing is sent; the device goes on"},
+        {Kind::silence, "silence", bytes, "nothing is sent; the device carries on"},
         {Kind::duplication,
          "duplication",
          bytes,
          "messages come more than once",
-         {chance(0.01, "messages"), count("copies", 1, 1, 100, "how often each comes again")}},
+         {chance(0.01, "messages"), count("copies", 1, 1, 100, "how many copies follow")}},
         {Kind::wrong_checksum,
          "wrong_checksum",
          bytes,
-         "the checksum in a message is wrong, everything else is right",
+         "the checksum of a message is wrong and everything else is right",
          {chance(0.01, "messages")},
          "a protocol with checksums"},
         {Kind::truncation,
@@ -49,26 +50,26 @@ std::vector<FaultRow> rows_of_bytes() {
          bytes,
          "the end of a message is missing",
          {chance(0.01, "messages"),
-          count("keep", 0, 0, 1 << 20, "bytes that are left; 0: any number, and at least one is cut off")}},
+          count("keep", 0, 0, 1 << 20, "bytes that are kept; 0: any number, but at least one is cut off")}},
         {Kind::bit_flips,
          "bit_flips",
          bytes,
-         "single bits are inverted, one in a byte at most",
+         "single bits are inverted, at most one in a byte",
          {chance(1e-4, "bits")}},
         {Kind::merge,
          "merge",
          bytes,
-         "messages are put together into one write or datagram",
+         "messages are merged into one write or datagram",
          {count("messages", 2, 2, 1000, "how many become one"), patience()}},
         {Kind::reordering,
          "reordering",
          bytes,
-         "a message comes behind those that follow it",
+         "a message comes after those that should follow it",
          {chance(0.01, "messages"), count("by", 1, 1, 1000, "messages that overtake it"), patience()}},
         {Kind::split,
          "split",
          bytes,
-         "messages come in parts, cut anywhere; each part is a write or datagram of its own",
+         "messages come in parts, cut at any place; each part is a write or datagram of its own",
          {chance(1, "messages"), count("parts", 2, 2, 1000, "into how many"),
           seconds("gap", 0.005, 0, 60, "pause between the parts")}},
     };
@@ -78,24 +79,25 @@ std::vector<FaultRow> rows_of_time() {
     using Kind = FaultKind;
     constexpr auto bytes = FaultRow::Where::bytes;
     FaultRow stale{Kind::stale_burst, "stale_burst", bytes,
-                   "messages are held back until the end of its time and then come all at once"};
+                   "messages are held back until the fault ends and then come all at once"};
     stale.needs_end = true;
-    return {{Kind::latency,
-             "latency",
-             bytes,
-             "messages come late",
-             {seconds("delay", 0.1, 0, 60, "how late each comes")}},
-            {Kind::jitter,
-             "jitter",
-             bytes,
-             "messages come late by different times, in their order",
-             {seconds("delay", 0.02, 0, 60, "the most; any time from 0 up to it is as likely")}},
-            {Kind::bandwidth,
-             "bandwidth",
-             bytes,
-             "the line carries no more than so many bits in a second; messages queue up",
-             {parameter("bits_per_second", "bit/s", 9600.0, 1, 1e12, "what the line carries")}},
-            std::move(stale)};
+    return {
+        {Kind::latency,
+         "latency",
+         bytes,
+         "messages come late",
+         {seconds("delay", 0.1, 0, 60, "how late each comes")}},
+        {Kind::jitter,
+         "jitter",
+         bytes,
+         "messages come late by varying times, in their order",
+         {seconds("delay", 0.02, 0, 60, "the largest delay; all delays from 0 up to it are equally likely")}},
+        {Kind::bandwidth,
+         "bandwidth",
+         bytes,
+         "the line carries at most this many bits a second; messages queue up",
+         {parameter("bits_per_second", "bit/s", 9600.0, 1, 1e12, "what the line carries")}},
+        std::move(stale)};
 }
 
 std::vector<FaultRow> rows_of_lines_and_devices() {
@@ -105,30 +107,32 @@ std::vector<FaultRow> rows_of_lines_and_devices() {
         {Kind::baud_mismatch,
          "baud_mismatch",
          Where::bytes,
-         "the device's UART runs at another rate than the driver's: what a UART makes of it arrives",
+         "the device's UART runs at another rate than the driver's, and the garbage that a UART makes of it "
+         "arrives",
          {parameter("baud", "bit/s", 9600.0, 50, 1e7, "rate at which the device speaks and listens")},
          "a serial line"},
         {Kind::unplug, "unplug", Where::line,
          "the cable is pulled: a pty hangs up and its link goes, TCP is closed and refused, UDP and serial "
-         "ports are dead; at its end it is put back"},
+         "ports are dead; when the fault ends, it is put back"},
         {Kind::half_open,
          "half_open",
          Where::line,
-         "the device has forgotten the TCP connection without a word; at its end the old one is reset",
+         "the device has silently forgotten the TCP connection; when the fault ends, the old connection is "
+         "reset",
          {},
          "a TCP port"},
         {Kind::reset, "reset", Where::line, "the TCP connection is reset", {}, "a TCP port", true},
         {Kind::reboot,
          "reboot",
          Where::device,
-         "the device loses power and starts anew with all that it was told forgotten",
+         "the device loses power and restarts without anything it was told before",
          {seconds("off", 0, 0, 3600, "time without power")},
          {},
          true},
         {Kind::stuck_motor,
          "stuck_motor",
          Where::device,
-         "the head stays where it points while the device says that it turns",
+         "the head stops turning while the device says that it turns",
          {},
          "a motor"},
         {Kind::frozen_image, "frozen_image", Where::device, "every ping hears the same echoes again"},

@@ -14,11 +14,12 @@ constexpr std::size_t most_objects = 64;
 void refuse_shared_input(const Section& section, const std::string& input, const Scenario& scenario,
                          const std::vector<ScenarioObject>& objects, Problems& problems) {
     const auto refuse = [&](const std::string& other, const std::string& remedy) {
-        problems.add(section.get("input")->place,
-                     section.path_of("input") + ": " + input + " is already taken by " + other + "; " + remedy);
+        problems.add(section.get("input")->place, section.path_of("input") + ": " + input +
+                                                      " is already taken by " + other + "; " + remedy);
     };
     if (same_place(input, scenario.pose_input))
-        return refuse("vehicle.input", "leave it out, and lines with \"object\" and this node's name move it");
+        return refuse("vehicle.input",
+                      "leave it out, and lines with \"object\" and this node's name move it");
     for (std::size_t i = 0; i < objects.size(); ++i)
         if (same_place(input, objects[i].input))
             return refuse("objects[" + std::to_string(i) + "].input", "give each an endpoint of its own");
@@ -79,7 +80,7 @@ std::filesystem::path read_trajectory_name(const Section& section, const std::fi
     if (const auto fault = file_fault(name))
         problems.add(value->place,
                      section.path_of("trajectory") + ": " + in_quotes(name.string()) + ": " + fault->message +
-                         "; a relative name begins at the scenario's folder",
+                         "; a relative path starts at the scenario's folder",
                      fault->kind);
     return name;
 }

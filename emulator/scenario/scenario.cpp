@@ -1,7 +1,7 @@
 #include "emulator/scenario/scenario.h"
 
-#include "emulator/scenario/control_place.h"
 #include "emulator/scenario/clock_section.h"
+#include "emulator/scenario/control_place.h"
 #include "emulator/scenario/device_section.h"
 #include "emulator/scenario/effects_section.h"
 #include "emulator/scenario/faults_section.h"
@@ -41,7 +41,7 @@ std::filesystem::path read_scene(const Section& top, const std::filesystem::path
     } else if (const auto fault = file_fault(scene)) {
         problems.add(value->place,
                      "scene: " + in_quotes(scene.string()) + ": " + fault->message +
-                         "; a relative name begins at the scenario's folder",
+                         "; a relative path starts at the scenario's folder",
                      fault->kind);
     }
     return scene;
@@ -108,8 +108,10 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     Problems problems(file.string(), set_arguments);
     Value root = parse_tree(text, problems);
     apply_overrides(root, set_arguments, problems);
-    const Section top(
-        &root, "", {"scene", "seed", "water", "vehicle", "objects", "animations", "clock", "render", "effects", "devices", "faults", "control"}, problems);
+    const Section top(&root, "",
+                      {"scene", "seed", "water", "vehicle", "objects", "animations", "clock", "render",
+                       "effects", "devices", "faults", "control"},
+                      problems);
     if (!root.is_map() && root.kind != Value::Kind::null) problems.throw_if_any();
     Scenario scenario;
     scenario.file = file;

@@ -38,15 +38,14 @@ bool BaudCheck::disagree(double driver, double own) {
     if (std::exchange(told_, {driver, own}) == std::pair(driver, own)) return true;
     if (own == rate_)
         spdlog::warn(
-            "{}: the driver has set {:.0f} bit/s and the device talks at {:.0f}: they hear garbage of one "
-            "another. Set the driver to {:.0f}, or the device's option baud to {:.0f}, or write "
-            "?baud_check=off behind the endpoint",
+            "{}: the driver has set {:.0f} bit/s but the device talks at {:.0f}, so each receives garbage "
+            "from the other. Set the driver to {:.0f}, or the device's option baud to {:.0f}, or add "
+            "?baud_check=off to the endpoint",
             device_, driver, own, own, driver);
     else
         spdlog::warn(
-            "{}: the driver has asked for an answer at {:.0f} bit/s and has set {:.0f}: it hears garbage. "
-            "Set "
-            "it to {:.0f} before the answer comes, and back to {:.0f} behind it",
+            "{}: the driver has asked for an answer at {:.0f} bit/s and has set {:.0f}: it receives garbage. "
+            "Set it to {:.0f} before the answer comes, and back to {:.0f} after it",
             device_, own, driver, own, rate_);
     return true;
 }

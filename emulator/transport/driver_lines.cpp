@@ -101,7 +101,7 @@ void DriverLines::post(Line& line, std::shared_ptr<const Bytes> bytes) {
     const std::size_t more = memory_of(bytes);
     if (bytes && is_full(line, more)) {
         if (dropped_++ == 0)
-            spdlog::warn("{}: the driver at {} does not read; what is for it is lost", describe(),
+            spdlog::warn("{}: the driver at {} does not read; messages for it are lost", describe(),
                          to_text(line.driver));
         lost_ += bytes->size();
         return;

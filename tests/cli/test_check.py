@@ -49,7 +49,7 @@ class Check(ProgramTest):
         # Constant gradient of -0.5 /s: a level ray drops by 0.067 m at 20 m, on an arc of 3000 m.
         layers = ("--set", "water.profile=[[0, 1501], [300, 1351]]", "--set", "water.sound_speed=1500")
         self.assertRegex(self.good("check", TANK, *layers),
-                         r"(?m)^rays +micron: straight; an echo is at most 0\.0\d+ m from where it is shown")
+                         r"(?m)^rays +micron: straight; an echo is shown at most 0\.0\d+ m from its true place")
         bound = self.json("check", TANK, *layers)["straight_rays"][0]
         self.assertEqual(bound["device"], "micron")
         self.assertAlmostEqual(bound["range_m"], 20, delta=0.1)

@@ -53,7 +53,7 @@ class Doctor(ProgramTest):
     def test_tries_a_scenario_on_it(self):
         text = self.good("doctor", TANK, *self.to(f"pty:{self.folder}/micron"))
         self.assertRegex(text, r"endpoints +all can be opened")
-        self.assertRegex(text, r"micron: [0-9.]+ ms to render what the sonar listens to for 26\.7 ms")
+        self.assertRegex(text, r"micron: [0-9.]+ ms to render a ping; the sonar listens for 26\.7 ms")
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_port_in_use_is_a_fault_with_its_remedy(self):

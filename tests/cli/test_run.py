@@ -47,7 +47,7 @@ class Run(ProgramTest):
 
     def test_a_missed_deadline_fails_a_run_only_on_request(self):
         hasty = ("--set", "clock={mode: scaled, rate: 1000}", "--duration", "0.5")  # no machine is that fast
-        self.assertRegex(self.good("run", FLOOR, *hasty), r"\d late \(\d+ waited for their rendering, \d+ until the machine woke the program\), the worst by [\d.]+ ms")
+        self.assertRegex(self.good("run", FLOOR, *hasty), r"\d late \(\d+ because of rendering, \d+ until the machine woke the program\), the worst by [\d.]+ ms")
         self.assertRegex(self.bad(75, "run", FLOOR, *hasty, "--fail-late"),
                          r"multibeam: [1-9]\d* late pings?, \d+ dropped messages? and \d+ lost bytes?, and --fail-late allows none")
         ended = json.loads(self.good("run", FLOOR, *hasty, "--json").splitlines()[-1])["devices"][0]

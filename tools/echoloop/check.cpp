@@ -46,7 +46,8 @@ void print_scene(const Scenario& scenario, const Scene& scene) {
                     padded(material.name, 20).c_str(), plain(material.mu_db, 2).c_str(),
                     material.double_sided ? ", both sides" : "");
     for (const auto& mover : scene.movers())
-        std::printf("%s%s %s\n", padded("mover", 12).c_str(), mover.name.c_str(), moved_by(scenario, mover).c_str());
+        std::printf("%s%s %s\n", padded("mover", 12).c_str(), mover.name.c_str(),
+                    moved_by(scenario, mover).c_str());
     for (const auto& note : scene.notes()) std::printf("%s%s\n", padded("note", 12).c_str(), note.c_str());
 }
 
@@ -90,7 +91,7 @@ int run_check(const Arguments& arguments) {
 
 Verb check_verb() {
     return {"check",
-            "say whether a scenario would run, and what is in it",
+            "check whether a scenario would run, and show what is in it",
             {scenario_argument(), set_argument(), json_argument()},
             "  echoloop check config/demo.yaml\n"
             "  echoloop check config/demo.yaml --set water.temperature=4\n"

@@ -12,7 +12,7 @@ namespace echoloop::cli {
 namespace {
 
 constexpr auto purpose =
-    "echoloop: a sonar for your driver to talk to. It renders a 3D scene, turns it into echoes and speaks "
+    "echoloop: a sonar for your driver to talk to. It renders a 3D scene, turns it into echoes and sends "
     "them in\n"
     "the sonar's own protocol on serial ports, pseudo-terminals, TCP and UDP.";
 

@@ -39,15 +39,15 @@ std::string joined(const std::vector<std::string_view>& words) {
 }
 
 std::string effects_text(const Scenario& scenario) {
-    if (by_paper(scenario)) return "none; the rule cerqueira2016 knows no effects";
+    if (by_paper(scenario)) return "none; the rule cerqueira2016 has no effects";
     const auto off = effects_off(scenario);
     if (off.empty()) return "all on";
     return (off.size() == effect_rows.size() ? "all off" : "off: " + joined(off));
 }
 
 std::string ray_text(const RayBound& bound) {
-    return bound.device + ": straight; an echo is at most " + plain(bound.error.displacement, 3) +
-           " m from where it is shown (" + plain(rad_to_deg(bound.error.elevation), 1) + " deg up, " +
+    return bound.device + ": straight; an echo is shown at most " + plain(bound.error.displacement, 3) +
+           " m from its true place (" + plain(rad_to_deg(bound.error.elevation), 1) + " deg up, " +
            plain(bound.error.range, 1) + " m; bound for ranges to " + plain(bound.range, 1) + " m)";
 }
 
@@ -91,7 +91,7 @@ std::string clock_text(const Scenario& scenario) {
     if (scenario.clock == ClockMode::real) return "real";
     if (scenario.clock == ClockMode::scaled)
         return "scaled: " + plain(scenario.clock_rate, 3) + " s of the run in one real second";
-    return "stepped: time stands still until somebody says {\"now\": SECONDS} to " +
+    return "stepped: time stands still until a simulator sends {\"now\": SECONDS} to " +
            (scenario.step_input.empty() ? scenario.pose_input : scenario.step_input);
 }
 

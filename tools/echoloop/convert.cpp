@@ -147,7 +147,7 @@ Verb convert_verb() {
     using Kind = Argument::Kind;
     return {
         "convert",
-        "make a sonar maker's own file from a capture",
+        "convert a capture to the sonar maker's own file format",
         {{Kind::positional,
           "CAPTURE",
           "",
@@ -155,7 +155,7 @@ Verb convert_verb() {
           {},
           true},
          {Kind::positional, "OUT", "", "file to write: .852 or .81A (Imagenex)", {}, true},
-         {Kind::value, "--line", "NAME", "the line to take where the capture holds several"}},
+         {Kind::value, "--line", "NAME", "the line to convert, if the capture holds several"}},
         "  echoloop run config/imagenex-852.yaml --record dive.pcapng\n"
         "  echoloop convert dive.pcapng dive.852",
         run_convert};

@@ -41,7 +41,7 @@ Verb doctor_verb() {
     file.required = false;
     file.help = "a scenario to try on this machine, without running it";
     return {"doctor",
-            "look for what will make trouble on this machine",
+            "look for what will cause trouble on this machine",
             {file, set_argument(), json_argument()},
             "  echoloop doctor\n"
             "  echoloop doctor config/demo.yaml",

@@ -42,10 +42,10 @@ int run_endpoints(const Arguments& arguments) {
 
 Verb endpoints_verb() {
     return {"endpoints",
-            "what to write into your driver's configuration",
+            "print what to write into your driver's configuration",
             {scenario_argument(),
-             {Argument::Kind::value, "--format", "FORMAT", "lines to paste, for the drivers of one framework",
-              driver_formats()},
+             {Argument::Kind::value, "--format", "FORMAT",
+              "lines to paste into the configuration of this framework's drivers", driver_formats()},
              set_argument(),
              json_argument()},
             "  echoloop endpoints config/demo.yaml\n"

@@ -129,18 +129,18 @@ int run_fault(const Arguments& arguments) {
     if (fd < 0)
         throw StartError(Exit::unavailable, arguments.text("SOCKET") +
                                                 ": cannot be reached: " + std::strerror(errno) +
-                                                "; is there an echoloop run with --control and this place?");
+                                                "; is echoloop run --control with this place running?");
     const std::string line = ask(fd, line_of(request) + "\n");
     ::close(fd);
     const Json answer = Json::parse(line, nullptr, false);
-    if (!answer.is_object()) throw StartError(Exit::io, "the run has gone without an answer");
+    if (!answer.is_object()) throw StartError(Exit::io, "the run ended without an answer");
     if (arguments.has("--json")) std::printf("%s\n", line.c_str());
     try {
         if (!answer.value("ok", false)) throw StartError(Exit::data, answer.value("error", "refused"));
         if (!arguments.has("--json")) print_answer(answer);
     } catch (const Json::exception&) {
         throw StartError(Exit::io,
-                         "the answer is not that of a run; does SOCKET name what its --control does?");
+                         "the answer is not from a run; is SOCKET the place given to its --control?");
     }
     return 0;
 }
@@ -150,7 +150,7 @@ int run_fault(const Arguments& arguments) {
 Verb fault_verb() {
     return {"fault",
             "make something go wrong in a running emulator",
-            {{Argument::Kind::positional, "SOCKET", "", "what its --control names", {}, true},
+            {{Argument::Kind::positional, "SOCKET", "", "the place given to run's --control", {}, true},
              {Argument::Kind::words, "WORDS", "",
               "DEVICE KIND [KEY=VALUE]..., or list, status, clear NUMBER, clear all"},
              json_argument()},

@@ -213,7 +213,7 @@ Verb inspect_verb() {
             "print the messages in a capture or in a file of bytes",
             {{Kind::optional, "CAPTURE", "",
               "pcap, pcapng, a log of Ping Viewer, a serial log as text, or raw bytes; '-': standard input"},
-             {Kind::value, "--family", "NAME", "protocol family, e.g. seanet; without it: guessed"},
+             {Kind::value, "--family", "NAME", "protocol family, e.g. seanet; default: guessed"},
              {Kind::value, "--tables", "NAME", "print the message tables of a family as Markdown instead"},
              {Kind::flag, "--summary", "", "print the summary only"},
              json_argument()},

@@ -130,10 +130,10 @@ int run_list(const Arguments& arguments) {
 
 Verb list_verb() {
     return {"list",
-            "the sonars that can be emulated, their options and acoustic figures",
+            "list the sonars, their options and their acoustic figures",
             {{Argument::Kind::optional, "MODEL", "", "show the options and figures of this model"},
              {Argument::Kind::flag, "--all", "", "show the options and figures of every model"},
-             {Argument::Kind::flag, "--faults", "", "show the faults that a run can make instead"},
+             {Argument::Kind::flag, "--faults", "", "show the faults that a run can make"},
              json_argument()},
             "  echoloop list\n"
             "  echoloop list tritech-micron\n"

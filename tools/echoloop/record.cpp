@@ -31,7 +31,7 @@ void print_end(const replay::RelaySummary& passed, const RecordingSummary& recor
                 counted(passed.from_device, "byte").c_str(), padded("from the driver", 16).c_str(),
                 counted(passed.from_driver, "byte").c_str());
     if (passed.lost > 0)
-        std::printf("  %s were not passed on: nobody took them\n", counted(passed.lost, "byte").c_str());
+        std::printf("  %s were not passed on: nobody received them\n", counted(passed.lost, "byte").c_str());
     std::printf(
         "%s%s, %s in %s%s%s\n", padded("recorded", 16).c_str(), counted(recorded.packets, "packet").c_str(),
         counted(recorded.bytes, "byte").c_str(), counted(recorded.files, "file").c_str(),
@@ -49,7 +49,7 @@ replay::RelaySettings settings_from(const Arguments& arguments) {
 
 int run_record(const Arguments& arguments) {
     if (!arguments.has("--out"))
-        throw StartError(Exit::usage, "--out FILE is missing: where shall the capture go?");
+        throw StartError(Exit::usage, "--out FILE is missing: name the capture to write");
     try {
         Recording recording(arguments.text("--out"), limits_from(arguments));
         replay::Relay relay(settings_from(arguments), recording);
@@ -78,7 +78,7 @@ int run_record(const Arguments& arguments) {
 Verb record_verb() {
     using Kind = Argument::Kind;
     return {"record",
-            "stand between a real device and its driver, and record both",
+            "record the traffic between a real device and its driver",
             {{Kind::positional,
               "DEVICE",
               "",
@@ -88,12 +88,12 @@ Verb record_verb() {
              {Kind::positional,
               "DRIVER",
               "",
-              "where the driver shall look for it: pty:/tmp/sonar, tcp-listen://...",
+              "where the driver finds it: pty:/tmp/sonar, tcp-listen://...",
               {},
               true},
              {Kind::value, "--out", "FILE", "the pcapng capture to write"},
-             {Kind::value, "--name", "NAME", "of the device in the capture; \"device\" if not given"},
-             {Kind::value, "--size", "MB", "begin another file after so many megabytes"},
+             {Kind::value, "--name", "NAME", "name of the device in the capture; default \"device\""},
+             {Kind::value, "--size", "MB", "start a new file after this many megabytes"},
              {Kind::value, "--duration", "SECONDS", "end after this time"},
              {Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
             "  echoloop record serial:///dev/ttyUSB0:115200 pty:/tmp/micron --out lake.pcapng --name micron\n"

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "emulator/contract/random_key.h"
 #include "emulator/pose/movers.h"
 #include "emulator/pose/trajectory_file.h"
-#include "emulator/contract/random_key.h"
 #include "emulator/scenario/problems.h"
 #include "render/renderer.h"
 #include "tools/draw/draw.h"
@@ -97,7 +97,8 @@ class Job {
     }
     Situation situation(const std::shared_ptr<const Scene>& scene) const {
         Pose world_from_body = scenario_.world_from_body;
-        if (!scenario_.trajectory.empty()) world_from_body = read_trajectory(scenario_.trajectory).at(moment_)->pose;
+        if (!scenario_.trajectory.empty())
+            world_from_body = read_trajectory(scenario_.trajectory).at(moment_)->pose;
         Situation situation(world_from_body * device_.body_from_sonar);
         situation.movers = Movers(scenario_, scene).at(moment_);
         return situation;
@@ -175,11 +176,16 @@ Verb render_verb() {
         {scenario_argument(),
          {Kind::value, "--device", "NAME", "device of the scenario; may be left out if there is only one"},
          {Kind::value, "--out", "OUT", "OUT.png: picture; OUT.csv, OUT.npy: beams x bins", {}, true},
-         {Kind::value, "--step", "N", "a scanning head: this step of the turn only"},
-         {Kind::value, "--at", "SECONDS", "moment of the run: where trajectories and animations are then"},
-         {Kind::value, "--range", "METRES", "range instead of the device's own"},
-         {Kind::value, "--rule", "RULE", "how samples become echoes", {"radiometric", "cerqueira2016"}},
-         {Kind::flag, "--channels", "", "write intensity, range and bearing of the image instead (.npy)"},
+         {Kind::value, "--step", "N", "scanning head: only this step of the turn"},
+         {Kind::value, "--at", "SECONDS",
+          "time of the run at which trajectories and animations are evaluated"},
+         {Kind::value, "--range", "METRES", "range, instead of the device's own"},
+         {Kind::value,
+          "--rule",
+          "RULE",
+          "how rendered samples become echoes",
+          {"radiometric", "cerqueira2016"}},
+         {Kind::flag, "--channels", "", "write the image's intensity, range and bearing instead (.npy)"},
          {Kind::value, "--width", "PIXELS", "width of the picture, 400 to 4000"},
          {Kind::value, "--span", "DB", "dynamic range of the picture"},
          set_argument(),

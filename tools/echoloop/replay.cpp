@@ -35,7 +35,7 @@ void require_times(const Arguments& arguments, const Survey& survey) {
     if (only.first.pieces + only.second.pieces < 3) return;
     throw StartError(
         Exit::usage,
-        "the file holds no times; say --interval 0.1, or --stepped to be asked for each message");
+        "the file holds no times; give --interval 0.1, or --stepped to send one message for each request");
 }
 
 Survey survey_of(const Arguments& arguments) {
@@ -100,7 +100,7 @@ Mode mode_of(const Arguments& arguments) {
             Exit::usage,
             "--answer keeps the captured delays, so it goes with neither --stepped nor --speed 0");
     if (arguments.has("--stepped") && arguments.has("--speed") && !still)
-        throw StartError(Exit::usage, "--stepped waits to be asked, so it goes with no --speed");
+        throw StartError(Exit::usage, "--stepped waits for a request, so it does not go with --speed");
     if (answering && arguments.has("--loop"))
         throw StartError(Exit::usage, "--answer never ends by itself, so it needs no --loop");
     return answering ? Mode::answering : stepped ? Mode::stepped : Mode::timed;
@@ -186,7 +186,7 @@ Verb replay_verb() {
     using Kind = Argument::Kind;
     return {
         "replay",
-        "say again what a capture holds, to an endpoint that you name",
+        "play a capture back to an endpoint",
         {{Kind::positional,
           "CAPTURE",
           "",
@@ -196,21 +196,28 @@ Verb replay_verb() {
          {Kind::optional, "ENDPOINT", "",
           "where to play it: pty:/tmp/sonar, tcp-listen://127.0.0.1:9090, ..."},
          {Kind::value, "--port", "NAME",
-          "which port of the capture: its name, an address, a port number, or ADDRESS:PORT"},
-         {Kind::repeated, "--play", "PORT=ENDPOINT", "several ports at once, each at its own endpoint"},
-         {Kind::flag, "--list", "", "print the ports of the capture and end"},
-         {Kind::value, "--speed", "FACTOR", "how much faster than captured; 1 if not given; 0: as --stepped"},
-         {Kind::flag, "--stepped", "", "one message each time the driver asks, or Enter is pressed"},
-         {Kind::flag, "--answer", "", "answer each request with what followed the nearest captured one"},
-         {Kind::value, "--interval", "SECONDS", "between messages of a file that holds no times"},
-         {Kind::flag, "--loop", "", "begin again at the end"},
-         {Kind::value, "--from", "SECONDS", "begin there, counted from the capture's first packet"},
-         {Kind::value, "--until", "SECONDS", "end there"},
+          "port of the capture to play: its name, an address, a port number, or ADDRESS:PORT"},
+         {Kind::repeated, "--play", "PORT=ENDPOINT",
+          "play this port at this endpoint; repeat it for several ports"},
+         {Kind::flag, "--list", "", "print the ports of the capture and exit"},
+         {Kind::value, "--speed", "FACTOR",
+          "play this many times as fast as captured; default 1; 0: as --stepped"},
+         {Kind::flag, "--stepped", "", "send one message each time the driver writes or Enter is pressed"},
+         {Kind::flag, "--answer", "",
+          "answer each request with what followed the most similar captured request"},
+         {Kind::value, "--interval", "SECONDS", "time between messages, for a file without times"},
+         {Kind::flag, "--loop", "", "repeat from the start"},
+         {Kind::value, "--from", "SECONDS", "start at this time, counted from the capture's first packet"},
+         {Kind::value, "--until", "SECONDS", "stop at this time"},
          {Kind::value, "--direction", "SIDE", "which side to play, device or driver", {"device", "driver"}},
-         {Kind::value, "--family", "NAME", "protocol family of the requests; without it: guessed"},
-         {Kind::value, "--baud", "RATE", "as slow as a serial line of so many bit/s"},
-         {Kind::value, "--start", "WHEN", "with the first driver, or now", {"driver", "now"}},
-         {Kind::value, "--duration", "SECONDS", "end after this time, whatever is left"},
+         {Kind::value, "--family", "NAME", "protocol family of the requests; default: guessed"},
+         {Kind::value, "--baud", "RATE", "pace the bytes like a serial line of this many bit/s"},
+         {Kind::value,
+          "--start",
+          "WHEN",
+          "start when the first driver connects, or at once",
+          {"driver", "now"}},
+         {Kind::value, "--duration", "SECONDS", "end after this time, even if something is left"},
          {Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop replay dive.pcapng pty:/tmp/echoloop/micron\n"
         "  echoloop replay dive.pcapng --list\n"

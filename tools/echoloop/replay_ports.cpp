@@ -131,7 +131,7 @@ std::vector<Assignment> assignments_from(const Arguments& arguments, const Surve
         all.push_back(arguments.has("--port") ? chooser.choose(arguments.text("--port"), uri)
                                               : chooser.choose_only(uri));
     }
-    if (all.empty()) refuse("ENDPOINT is missing: where shall it be played? e.g. pty:/tmp/sonar", survey);
+    if (all.empty()) refuse("ENDPOINT is missing: name where to play, e.g. pty:/tmp/sonar", survey);
     for (auto one = all.begin(); one != all.end(); ++one)
         for (auto other = all.begin(); other != one; ++other)
             if (clash(one->endpoint, other->endpoint))

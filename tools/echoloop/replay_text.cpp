@@ -57,7 +57,7 @@ void print_replay_start(ReplayMode mode, const std::vector<Assignment>& assignme
 
 void print_replay_end(ReplayMode mode, const replay::Summary& s, const replay::PlayerCounts& counts) {
     if (!s.driver_came && s.messages == 0) {
-        std::printf("nobody came to listen; nothing was played\n");
+        std::printf("nobody connected; nothing was played\n");
         return;
     }
     std::printf("%s%s of %s in %s s, the worst %s ms late\n", padded("played", 16).c_str(),

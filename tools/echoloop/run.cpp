@@ -47,9 +47,11 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
 std::unique_ptr<Recording> recording_from(const Arguments& arguments) {
     if (!arguments.has("--record")) {
         if (arguments.has("--record-truth"))
-            throw StartError(Exit::usage, "--record-truth needs --record FILE, whose packets it comments");
+            throw StartError(Exit::usage,
+                             "--record-truth adds comments to a capture; give --record FILE too");
         if (arguments.has("--record-size"))
-            throw StartError(Exit::usage, "--record-size needs --record FILE, which it splits into several");
+            throw StartError(Exit::usage,
+                             "--record-size splits a capture into several files; give --record FILE too");
         return nullptr;
     }
     constexpr double megabyte = 1e6;
@@ -121,10 +123,10 @@ int run_scenario(const Arguments& arguments) {
         } else {
             print_summary(sessions);
             if (const auto poses = runtime.poses())
-                print_poses("vehicle", *poses, "the vehicle is, and it stayed where vehicle.pose puts it");
+                print_poses("vehicle", *poses, "the vehicle is, so it stayed at vehicle.pose");
             for (const auto& [name, poses] : runtime.objects())
                 print_poses("object " + name, poses,
-                            "it is, and it stayed where the scenario or the scene puts it");
+                            "it is, so it stayed where the scenario or the scene puts it");
             if (const auto steps = runtime.steps()) print_steps(*steps);
             print_stolen(runtime.stolen_seconds());
             print_faults(runtime.faults());
@@ -154,17 +156,16 @@ Verb run_verb() {
         "start the emulator",
         {scenario_argument(),
          {Argument::Kind::value, "--duration", "SECONDS",
-          "end after this time (stepped clock: of the run's time); without it: run until Ctrl-C"},
-         {Argument::Kind::value, "--record", "FILE",
-          "write what every port hears and says to a pcapng capture"},
-         {Argument::Kind::value, "--record-size", "MB", "begin another capture file after so many megabytes"},
+          "end after this time (stepped clock: time of the run); default: run until Ctrl-C"},
+         {Argument::Kind::value, "--record", "FILE", "write the traffic of all ports to a pcapng capture"},
+         {Argument::Kind::value, "--record-size", "MB", "start a new capture file after this many megabytes"},
          {Argument::Kind::flag, "--record-truth", "",
-          "in the capture, each ping's first packet says in a comment where its sonar was"},
+          "in the capture, give the sonar's pose in a comment on each ping's first packet"},
          {Argument::Kind::value, "--truth", "FILE",
-          "write what is really there at every ping, a line of JSON each (docs/truth.md)"},
+          "write what is really there, one line of JSON for each ping (docs/truth.md)"},
          {Argument::Kind::value, "--control", "PLACE",
-          "take faults while it runs, at unix:/PATH or tcp-listen://127.0.0.1:PORT; see echoloop fault"},
-         {Argument::Kind::value, "--labels", "FILE", "write a line of JSON for every fault that is made"},
+          "accept commands for faults at unix:/PATH or tcp-listen://127.0.0.1:PORT; see echoloop fault"},
+         {Argument::Kind::value, "--labels", "FILE", "write one line of JSON for every fault"},
          {Argument::Kind::flag, "--fail-late", "",
           "end with status 75 if a ping was late, or messages or bytes were lost"},
          {Argument::Kind::flag, "--realtime", "",

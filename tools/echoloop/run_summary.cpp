@@ -12,9 +12,9 @@ namespace {
 /// Why most late pings were late, and what helps.
 std::string remedy(const SessionSummary& s) {
     if (2 * s.late_renderings > s.late_pings)
-        return "rendering takes too long: fewer sonars, a simpler scene or render: {pixels: 0.5} help";
+        return "rendering takes too long; use fewer sonars, a simpler scene or render: {pixels: 0.5}";
     if (2 * s.late_wakings > s.late_pings)
-        return "other programs or the host had the processors: --realtime and docs/timing.md help";
+        return "other programs or the host used the processors; see --realtime and docs/timing.md";
     return "this machine is too busy or too slow for it";
 }
 
@@ -23,8 +23,8 @@ std::string in_ms(Time time) { return plain(to_seconds(time) * 1e3, 1) + " ms"; 
 std::string late(const SessionSummary& s) {
     if (s.late_pings == 0) return "none late";
     return std::to_string(s.late_pings) + " late (" + std::to_string(s.late_renderings) +
-           " waited for their rendering, " + std::to_string(s.late_wakings) +
-           " until the machine woke the program), the worst by " + in_ms(s.worst_lateness) + ": " + remedy(s);
+           " because of rendering, " + std::to_string(s.late_wakings) +
+           " because the program was woken late), the worst by " + in_ms(s.worst_lateness) + ": " + remedy(s);
 }
 
 std::string punctuality(const SessionSummary& s) { return counted(s.pings, "ping") + ", " + late(s); }
@@ -55,7 +55,7 @@ void print_summary(const std::vector<SessionSummary>& sessions) {
     for (const auto& s : sessions) {
         std::printf("%s%s\n", padded(s.name, 16).c_str(), punctuality(s).c_str());
         if (s.pings > 0)
-            std::printf("  after they were due: half of them within %s, 99 of 100 within %s\n",
+            std::printf("  time after they were due: median %s, 99th percentile %s\n",
                         ms(s.median_lateness).c_str(), ms(s.p99_lateness).c_str());
         std::printf("  from the driver: %s, %s understood, %s refused, %s of noise skipped\n",
                     counted(s.bytes_in, "byte").c_str(), counted(s.device.messages, "message").c_str(),

@@ -26,7 +26,7 @@ void describe_words(Settings& s, OptionList& o) {
              "of the water at the sonar's own sensor; gives its speed of sound", own);
     o.number(s.beacon_period, "beacon_period", "s", 0.05, 60, "between beacons", spec);
     o.number(s.silence_limit, "silence_limit", "s", 0, 3600,
-             "a controller that says nothing for so long has gone; 0: never",
+             "a controller that is silent for this long is disconnected; 0: never",
              "own choice: the notes say that the sonar closes silent connections, not when");
 }
 
@@ -34,16 +34,16 @@ void describe_frames(Settings& s, OptionList& o) {
     o.whole(s.datagram, "datagram", "B", 900, 1500, "the longest part of a frame",
             "ARIS specification notes: at most 1500; 1472 fit into an Ethernet frame");
     double microseconds = 300;
-    o.number(microseconds, "part_delay", "us", 0, 10000, "between parts, unless the controller sets it",
+    o.number(microseconds, "part_delay", "us", 0, 10000, "pause between parts, unless the controller sets it",
              spec);
     s.part_delay = microseconds * 1e-6;
     std::string controller;
     o.text(controller, "controller",
-           "IPv4 address for frames where the controller names none; overrides the controller's own",
+           "IPv4 address that frames go to, instead of the controller's own, if the controller names none",
            "own choice: empty, so that the controller's own is taken");
     s.controller = read_controller(controller);
     o.choice(s.reordered, "sample_order", {"device", "reordered"},
-             "channels of a ping side by side, or all beams of a range", spec);
+             "by ping, then range, then channel; or range after range with all beams", spec);
     o.choice(s.pulse_in_cycles, "pulse_unit", {"us", "cycles"}, "of the pulse width in the settings",
              "aris-integration-sdk: commands, tables and hosts say us; one comment in the notes' "
              "pseudo-code says cycles of the carrier");

@@ -36,7 +36,7 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
               .ceilings = {{"127", 127}}});
     o.words(s.position_bytes, "position_bytes",
             {{"78 0A", imagenex::Packed14(0x0A << 7 | 0x78)}, {"00 00", imagenex::Packed14()}},
-            "bytes 5 and 6, which mean nothing in a sounder", spec);
+            "bytes 5 and 6, which have no meaning in a sounder", spec);
     o.number(s.trigger_rate, "trigger_rate", "Hz", 0, 100,
              "pulses on the external trigger input, from the start of the run on; 0: no such input", spec);
 }

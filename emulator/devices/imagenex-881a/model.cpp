@@ -50,7 +50,7 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
     o.words(s.head.imx_bytes, "imx_bytes", {{"252", 252}, {"250", 250}},
             "8-bit echo data of an IMX reply; 250: old firmware", spec);
     o.choice(s.clip, "sector_edge", {"before", "clip"},
-             "the head turns round before it would pass a sector's edge, or makes its last step end there",
+             "the head reverses before it would pass a sector's edge, or shortens its last step to end there",
              spec);
     double start_angle = 0;  // deg
     o.number(start_angle, "start_angle", "deg", -180, 179.7, "where the head points at power-up",

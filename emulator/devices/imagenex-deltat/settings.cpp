@@ -32,18 +32,19 @@ void describe_start(Controls& c, OptionList& o) {
             "hosts read");
     c.sound_speed = 0;
     o.number(c.sound_speed, "sound_speed", "m/s", 0, 1600,
-             "in the 83P until a host sets another; 0: the true one. It changes no range",
+             "reported in the 83P until a host sets another; 0: the true one. It changes no range",
              "own choice: what an operator would have entered");
 }
 
 void describe_profile(Settings& s, OptionList& o) {
-    o.flag(s.intensity, "intensity", "an 83P has intensities, too", own);
+    o.flag(s.intensity, "intensity", "an 83P also has intensities", own);
     o.words(s.fine_ranges, "range_steps", {{"5000", true}, {"500", false}},
-            "of a range, in the ranges of an 83P",
+            "steps in which an 83P counts ranges up to the range setting",
             "own choice of the two that there are: 500 would break 0.5 % of a depth in a long range");
-    o.number(s.smoothing, "smoothing", "beam widths", 0, 10,
-             "on either side of a beam, over which the bottom is taken as straight; 0: each beam alone",
-             "own choice: beams overlap, and speckle would move each by up to 2 % of the depth");
+    o.number(
+        s.smoothing, "smoothing", "beam widths", 0, 10,
+        "width on either side of a beam over which the bottom is assumed to be straight; 0: each beam alone",
+        "own choice: beams overlap, and speckle would move each by up to 2 % of the depth");
     o.flag(s.orientation, "orientation",
            "pitch, roll and heading are measured, positive with bow up, starboard down",
            "own choice: signs are not public");
@@ -52,8 +53,8 @@ void describe_profile(Settings& s, OptionList& o) {
     o.words(s.upper_month, "month", {{"upper", true}, {"mixed", false}},
             "NOV, or Nov as in other files of the maker", spec);
     o.choice(s.speed_order, "ec_sound_speed", {"auto", "big", "little"},
-             "byte order of the sound speed in an EC; auto: big-endian, little-endian where that is not "
-             "within 1400 to 1600 m/s",
+             "byte order of the sound speed in an EC; auto: big-endian, or little-endian if that is not 1400 "
+             "to 1600 m/s",
              spec);
 }
 
@@ -70,8 +71,7 @@ void describe(Acoustics& a, FigureList& f) {
     f.degrees(a.fan_height, "fan_height", 0.1, 60, "-3 dB full width of the transmit beam, along track");
     f.number(a.intensity_reference, "intensity_reference", "dB re 1 uPa", 0, 300,
              "level after gain that reads 65535");
-    f.number(a.detection_margin, "detection_margin", "dB", 0, 60,
-             "echoes that are not so far above the noise are no bottom");
+    f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(a.horizontal, a.vertical, a.receiver);
 }
 

@@ -10,14 +10,14 @@ const char* const notes = "specification notes on KMALL";
 const char* const own = "own choice";
 
 void describe_start(Settings& s, OptionList& o) {
-    o.flag(s.pinging, "pinging", "it pings at power-up; the text 458 starts, 457 stops it",
+    o.flag(s.pinging, "pinging", "pings from power-up; the text 458 starts it, 457 stops it",
            "own choice, so that a first run shows a bottom");
     o.flag(s.water_column, "water_column", "#MWC at power-up; the text 461 switches it on, 460 off", own);
     o.number(s.range, "range", "m", 2, 600, "how far it listens", own);
     o.number(s.frequency, "frequency", "Hz", 200e3, 400e3, "frequency mode",
              "maker's names of the EM 2040's modes: 200, 300, 400 kHz");
     o.number(s.pulse, "pulse", "s", 25e-6, 600e-6, "CW pulse length", own);
-    o.number(s.power, "power", "dB", -40, 0, "re full power", own);
+    o.number(s.power, "power", "dB", -40, 0, "relative to full power", own);
     double sector_width = deg_to_rad(120);
     o.degrees(sector_width, "sector_width", 10, 150, "of the fan", own);
     s.port_edge = s.starboard_edge = sector_width / 2;
@@ -28,18 +28,18 @@ void describe_start(Settings& s, OptionList& o) {
 
 void describe_words(Settings& s, OptionList& o) {
     double absorption = 70;
-    o.number(absorption, "absorption", "dB/km", 0, 300, "that the sounder reckons with in its gain", own);
+    o.number(absorption, "absorption", "dB/km", 0, 300, "that the sounder assumes in its gain", own);
     s.absorption = absorption / 1000;
     o.words(s.version, "mrz_version", {{"2", 2}, {"0", 0}}, "of #MRZ: 152 or 144 bytes of ping info", notes);
     o.whole(s.sounder, "sounder", "", 1, 65535,
             "number of the echo sounder; commands must name it: EM2040_40, EM2040 or 2040", notes);
     o.whole(s.system_id, "system_id", "", 0, 255,
-            "tells sounders of one number apart; ends the sounder's name",
+            "distinguishes sounders of the same number; ends the sounder's name",
             "default of a known driver: EM2040_40");
     o.number(s.latitude, "latitude", "deg", -89, 89, "of the scene's origin", own);
     o.number(s.longitude, "longitude", "deg", -180, 180, "of the scene's origin", own);
     o.choice(s.values_as_xml, "values_text", {"401", "814"},
-             "the number of the text that answers 261 and 262: JSON, or XML of later controllers",
+             "number of the text that answers 261 and 262: 401 is JSON, 814 is the XML of later controllers",
              "401: a known driver's list of texts; 814: its code");
     o.number(s.datagram_gap, "datagram_gap", "s", 0, 0.1, "pause between the parts of a water column",
              "own choice: receivers with default buffers lose faster bursts");
@@ -55,8 +55,7 @@ void describe_profile(Settings& s, FigureList& f) {
               "-3 dB full width along track, one way");
     f.number(s.water_column_reference, "water_column_reference", "dB re 1 uPa", 0, 300,
              "level after gain that reads 0 dB in #MWC");
-    f.number(s.detection_margin, "detection_margin", "dB", 0, 60,
-             "echoes that are not so far above the noise are no bottom");
+    f.number(s.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(s.horizontal, s.vertical, s.receiver);
 }
 

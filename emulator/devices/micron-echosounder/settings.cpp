@@ -23,12 +23,12 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
     o.words(s.free_running, "mode", {{"free-running", true}, {"interrogated", false}},
             "interrogated: one reading after each Z; F and Z of the host change it", manual);
     o.number(s.sounding.rate, "rate", "Hz", 0.05, 20,
-             "pings a second while free-running; less where the line is slower",
+             "pings a second while free-running; less if the line is slower",
              "own choice: one host is too slow for 5 Hz, another waits for 1 s at most");
     o.number(s.sounding.range, "range", "m", 1, 500, "greatest depth that it listens for",
              "own choice: what the emulated transducer reaches");
     o.number(s.sounding.baud, "baud", "bit/s", 0, 4e6,
-             "line rate of pty and TCP endpoints; 0: not paced; not of UDP",
+             "line rate of pty and TCP endpoints, not of UDP; 0: not paced",
              "SeaNet specification notes; the format mm goes with 115200");
     describe(s.sounding, o, f);
 }

@@ -48,7 +48,8 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
     std::string sentences = "DPT DBT MTW";
     o.text(sentences, "sentences", "in this order after each ping; also DBS and DBK", standard);
     s.sentences = split(sentences);
-    o.number(s.sounding.rate, "rate", "Hz", 0.05, 20, "pings a second; less where range or line need longer",
+    o.number(s.sounding.rate, "rate", "Hz", 0.05, 20,
+             "pings a second; less if the range or the line needs longer",
              "own choice: usual for sounders on a 4800 bit/s line");
     o.whole(s.style.decimals, "decimals", "", 0, 3, "of depths", "own choice; makers write 1 to 3");
     o.number(s.offset, "offset", "m", -50, 50,
@@ -56,13 +57,13 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
     o.words(s.range_in_dpt, "dpt_fields", {{"3", true}, {"2", false}},
             "3: with the range in use, from version 3.0 on", standard);
     o.choice(s.silent_without_bottom, "no_bottom", {"empty", "silent"},
-             "empty: depth sentences with null fields; silent: none, MTW alone",
+             "empty: depth sentences with null fields; silent: only MTW",
              "recorded sentences of sounders without a bottom");
     o.number(s.sounding.range, "range", "m", 1, 1000, "greatest depth that it listens for", "own choice");
     o.number(s.temperature, "temperature", "degC", -4, 40, "in MTW",
              "own choice: the scenario's own default; give the water's");
     o.number(s.sounding.baud, "baud", "bit/s", 0, 4e6,
-             "line rate of pty and TCP endpoints; 0: not paced; not of UDP",
+             "line rate of pty and TCP endpoints, not of UDP; 0: not paced",
              "NMEA 0183: 4800; 38400 for high-speed talkers (0183-HS)");
     describe(s.sounding, o, f);
 }

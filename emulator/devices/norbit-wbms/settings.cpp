@@ -46,7 +46,7 @@ void describe_packets(Settings& s, OptionList& o) {
 void describe_answers(Settings& s, OptionList& o) {
     o.flag(s.power, "power", "pings from the start, without set_power 1", document);
     o.number(s.command_pause, "command_pause", "s", 0.01, 10,
-             "silence after which a command without a line's end is obeyed",
+             "silence after which a command without a line end is executed",
              "own choice: a known driver sends no line ends and waits 0.5 s for its answer");
     o.number(s.temperature, "temperature", "degC", -20, 100, "answered to 'temperature'", own);
     describe_word(s.revision, "revision", "in the greeting and answered to 'revision'",
@@ -59,17 +59,17 @@ void describe_answers(Settings& s, OptionList& o) {
 }
 
 void describe_profile(Acoustics& a, FigureList& f) {
-    f.number(a.reference_frequency, "reference_frequency", "Hz", 80e3, 1e6, "at which the beam widths hold");
+    f.number(a.reference_frequency, "reference_frequency", "Hz", 80e3, 1e6,
+             "at which the beam widths are given");
     f.degrees(a.receive_beam_width, "receive_beam_width", 0.05, 20, "-3 dB full width across track");
     f.degrees(a.transmit_beam_width, "transmit_beam_width", 0.05, 60, "-3 dB full width along track");
     f.degrees(a.forward_fan_height, "forward_fan_height", 0.05, 60,
               "-3 dB full width along track of the forward-looking system");
-    f.degrees(a.widest_swath, "widest_swath", 10, 340, "wider opening angles are cut");
+    f.degrees(a.widest_swath, "widest_swath", 10, 340, "wider opening angles are limited to it");
     f.number(a.source_level, "source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis at amplitude 15");
     f.number(a.full_scale, "full_scale", "dB re 1 uPa", 50, 300, "reads full scale at 0 dB gain");
     f.number(a.largest_gain, "largest_gain", "dB", 0, 120, "digital");
-    f.number(a.detection_margin, "detection_margin", "dB", 0, 60,
-             "echoes that are not so far above the noise are no bottom");
+    f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(a.horizontal, a.vertical, a.receiver);
 }
 

@@ -22,8 +22,8 @@ oculus::Ipv4 read_mask(const std::string& text) {
 void describe_identity(Settings& s, OptionList& o) {
     o.whole(s.device_id, "device_id", "", 1, 65535, "in the status and in every message", own);
     o.whole(s.message_id, "message_device_id", "", 0, 65535,
-            "in dummies and results; 0: that of the status, as drivers insist", spec);
-    o.whole(s.part_number, "part_number", "", 0, 65535, "in the status; 0: of the model", spec);
+            "in dummies and results; 0: the one in the status, which drivers expect", spec);
+    o.whole(s.part_number, "part_number", "", 0, 65535, "in the status; 0: the model's", spec);
     std::string mask = "255.255.255.0";
     o.text(mask, "mask", "network mask in the status", own);
     s.mask = read_mask(mask);
@@ -39,10 +39,10 @@ void describe_status(Settings& s, OptionList& o) {
     o.whole(s.status_bits, "status_bits", "", 0, 0xFFFFFFFF,
             "in the status: bits 0-2 state, 3 is normal; bit 15 stops the pings", spec);
     o.number(s.silence_limit, "silence_limit", "s", 0, 3600,
-             "a host that says nothing for so long is hung up on; 0: never. One driver tells of 1 s", spec);
+             "a host that is silent for this long is disconnected; 0: never. One driver reports 1 s", spec);
     o.choice(s.hang_up_on_fire, "hang_up_on_fire", {"never", "first", "always"},
-             "the connection is lost on a fire, the first one since power-up or each: a fault that users "
-             "complain of",
+             "the connection is lost on the first fire message after power-up, or on each; users report this "
+             "fault",
              spec);
     o.choice(s.garbage_sensors, "sensors", {"sane", "garbage"},
              "temperature and pressure in results; real units fill in garbage", spec);
@@ -50,15 +50,15 @@ void describe_status(Settings& s, OptionList& o) {
 
 void describe_answers(Settings& s, OptionList& o) {
     o.choice(s.answer, "result_version", {"asked", "v1", "v2"},
-             "of the fire, or always one: a fault that users complain of", spec);
+             "version of the fire message, or always the same; users report this fault", spec);
     o.words(s.data_16_bit_set, "data_16_bit", {{"set", true}, {"clear", false}},
-            "flag bit 1 of a host that wants 16-bit data", spec);
+            "value of flag bit 1 with which a host asks for 16-bit data", spec);
     o.choice(s.percent_in_32_bit, "range_in_32_bit", {"flag", "percent"},
              "unit of the range in 32-bit mode: as bit 0 says, or %", spec);
     o.choice(s.float_gain_words, "gain_word", {"u32", "f32"},
              "gain before each row: g of amplitude = sample / sqrt(g)", spec);
     o.words(s.scaled_gain_echo, "gain_echo", {{"scaled", true}, {"plain", false}},
-            "in mode 2: 40 + 0.6 g and gain to match, or g as it came (older firmware)", spec);
+            "in mode 2: 40 + 0.6 g with a gain to match, or g unchanged (older firmware)", spec);
     o.choice(s.echo_used_sound_speed, "sound_speed_echo", {"requested", "used"}, "in the echoed settings",
              spec);
     o.choice(s.useless_rate_echo, "rate_echo", {"requested", "useless"},
@@ -77,7 +77,7 @@ void describe_mode(ModeFigures& m, const std::string& mode, FigureList& f) {
     f.number(m.range, mode + "_range", "m", 0.5, 500, "the longest");
     f.number(m.rate, mode + "_rate", "Hz", 0.1, 100, "the most pings");
     f.number(m.sample_rate, mode + "_sample_rate", "Hz", 1e3, 1e7,
-             "rows of the finest images; others have a whole fraction of it");
+             "of the finest images' rows; other images use a whole fraction of it");
     f.number(m.bandwidth, mode + "_bandwidth", "Hz", 1e3, 1e7, "of the chirp");
     f.number(m.source_level, mode + "_source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis");
     f.number(m.tvg_absorption, mode + "_tvg_absorption", "dB/m", 0, 10, "time-varied gain, one way");

@@ -22,12 +22,12 @@ void describe_options(Settings& s, OptionList& o) {
     s.takes_1002 = speed_of_sound_id != "116";
     s.takes_116 = speed_of_sound_id != "1002";
     o.choice(s.accept_anything, "invalid_settings", {"nack", "accept"},
-             "values outside the documented ranges: refused, or cut to what can be pinged",
+             "values outside the documented ranges: refused, or limited to what is possible",
              "own choice, as the ping360");
     o.whole(s.channel, "channel_number", "", 0, 255,
             "in the profile; hosts of two units use 0 port, 1 starboard", "maker's manual");
     o.number(s.mount_bearing, "mount_bearing", "deg", -360, 360,
-             "of the transducer, clockwise against the vehicle, for vehicle_heading_deg", "own choice");
+             "of the transducer, clockwise from the vehicle's bow, for vehicle_heading_deg", "own choice");
     o.number(s.processing_time, "processing_time", "s", 0, 1,
              "from the end of the range to the profile and the next ping",
              "recordings of real units, as a public simulator quotes them");

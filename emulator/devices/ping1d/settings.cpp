@@ -29,7 +29,7 @@ void describe_power_up(State& s, OptionList& o) {
     o.whole(s.interval, "ping_interval", "ms", 0, 65535, "from ping to ping at power-up", own);
     double speed_of_sound = s.speed_of_sound / 1e3;
     o.number(speed_of_sound, "speed_of_sound", "m/s", 100, 10000,
-             "by which times become distances, at power-up; the water has its own", own);
+             "that it assumes to turn times into distances, at power-up; the water has its own", own);
     s.speed_of_sound = static_cast<std::uint32_t>(std::lround(1e3 * speed_of_sound));
 }
 
@@ -40,13 +40,14 @@ void describe_answers(Settings& s, OptionList& o) {
              "id in the nack of a general_request: 6, or the id that was asked for", spec);
     o.flag(s.ack_continuous, "ack_continuous", "acknowledge continuous_start and continuous_stop", spec);
     o.choice(s.always_profile, "streamed", {"as-asked", "profile"}, "message after continuous_start", spec);
-    o.flag(s.marks_are_breaks, "marks_are_breaks", "0x55 where a frame should begin forgets half a frame",
+    o.flag(s.marks_are_breaks, "marks_are_breaks", "0x55 where a frame should begin discards a partial frame",
            spec);
     describe(s.baud, s.line, o);
     o.whole(s.voltage, "voltage", "mV", 0, 65535, "5 V rail", "free choice");
-    o.whole(s.processor_temperature, "processor_temperature", "0.01 degC", 0, 65535, "told on request",
+    o.whole(s.processor_temperature, "processor_temperature", "0.01 degC", 0, 65535, "reported on request",
             "free choice");
-    o.whole(s.pcb_temperature, "pcb_temperature", "0.01 degC", 0, 65535, "told on request", "free choice");
+    o.whole(s.pcb_temperature, "pcb_temperature", "0.01 degC", 0, 65535, "reported on request",
+            "free choice");
 }
 
 void describe_profile(Acoustics& a, FigureList& f) {
@@ -56,9 +57,9 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.number(a.nearest_range, "nearest_range", "m", 0, 10,
              "nothing closer is taken for the bottom; a longer pulse adds half its length");
     f.number(a.ring_down.level, "ring_down_level", "dB re 1 uPa", -100, 300,
-             "what it hears of its own pulse while it sends");
+             "level at which it hears its own pulse while it transmits");
     double decay = 0;
-    f.number(decay, "ring_down_decay", "dB/ms", 1, 10000, "by which that dies away afterwards");
+    f.number(decay, "ring_down_decay", "dB/ms", 1, 10000, "rate at which it decays afterwards");
     a.ring_down.decay = 1e3 * decay;
     f.number(a.tvg_spreading, "tvg_spreading", "dB per decade of range", 0, 60, "time-varied gain");
     f.number(a.tvg_absorption, "tvg_absorption", "dB/m", 0, 2, "time-varied gain, one way");

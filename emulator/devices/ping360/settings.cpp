@@ -20,11 +20,10 @@ void describe_identity(Settings& s, OptionList& o) {
                          "version of the message set; one host's test stops on 1.1.0", spec);
     o.whole(s.device_type, "device_type", "", 1, 255, "in device_information", spec);
     o.whole(s.device_revision, "device_revision", "", 1, 255, "in device_information", spec);
-    o.text(
-        s.discovery, "discovery",
-        "IPv4 address to announce on UDP 30303; auto: that of an endpoint udp-listen://ADDRESS:12345, where "
-        "hosts go then, and silent without one; off: silent",
-        spec);
+    o.text(s.discovery, "discovery",
+           "IPv4 address to announce on UDP 30303; auto: that of an endpoint udp-listen://ADDRESS:12345, if "
+           "there is one; off: silent",
+           spec);
     describe(s.baud, s.line, o);
     o.flag(s.marks_are_breaks, "marks_are_breaks",
            "0x55 where a frame should begin ends an automatic scan as a break does", spec);
@@ -33,7 +32,7 @@ void describe_identity(Settings& s, OptionList& o) {
 void describe_answers(Settings& s, OptionList& o) {
     o.choice(s.echo_400, "echoed_400", {"0", "400"}, "angle in the reply to a command with angle 400", spec);
     o.choice(s.last_data_on_request, "data_on_request", {"empty", "last"},
-             "samples of a device_data that is only asked for", spec);
+             "samples in a device_data that is only requested", spec);
     o.choice(s.accept_anything, "invalid_settings", {"nack", "accept"},
              "values outside the documented ranges", spec);
     o.choice(s.accept_common_id, "common_set_id", {"nack", "ack"}, "answer to message 100", spec);
@@ -43,12 +42,12 @@ void describe_answers(Settings& s, OptionList& o) {
 }
 
 void describe_head(Settings& s, OptionList& o) {
-    o.whole(s.forward_angle, "forward_angle", "grad", 0, 399, "the angle that looks along x of the mount",
-            spec);
+    o.whole(s.forward_angle, "forward_angle", "grad", 0, 399,
+            "the angle at which the head looks along the mount's x axis", spec);
     o.words(s.clockwise, "rotation", {{"clockwise", true}, {"counter-clockwise", false}},
-            "rising angles, seen from above", spec);
+            "direction of rising angles, seen from above", spec);
     o.choice(s.ends_twice, "turn_around", {"once", "twice"}, "pings at the end of a sector", spec);
-    o.number(s.turn_time, "turn_time", "s", 0.01, 60, "motor: 400 gradians", spec);
+    o.number(s.turn_time, "turn_time", "s", 0.01, 60, "time of a full turn of 400 gradians", spec);
     o.number(s.idle_off, "idle_off", "s", 0, 1e6, "idle time after which the next move homes first; 0: never",
              spec);
     o.flag(s.ring_down, "ring_down", "the transmitter's own sound in the first samples",

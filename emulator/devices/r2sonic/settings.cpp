@@ -56,10 +56,10 @@ void describe_wire(Settings& s, OptionList& o) {
     o.number(s.datagram_gap, "datagram_gap", "s", 0, 0.1, "time for each datagram of one image",
              "receivers with default buffers lose faster ones; those of a millisecond leave together");
     o.choice(s.discovery, "discovery_reply", {"sender", "gui", "none"}, "where R2DI goes", manual);
-    o.choice(s.test_bits, "quality_bits", {"tests", "set", "clear"},
-             "bits 1 and 0 of Q0 of good points: as the tests of colinearity and brightness say, always set, "
-             "or clear",
-             "manual v3.0; set in all real pings; reserved in v5.0 and v6.3");
+    o.choice(
+        s.test_bits, "quality_bits", {"tests", "set", "clear"},
+        "bits 1 and 0 of Q0 of good points: by the tests of colinearity and brightness, always set, or clear",
+        "manual v3.0; set in all real pings; reserved in v5.0 and v6.3");
     o.flag(s.verbose_gates, "verbose_gates", "BTH0 carries the gate of every beam (G1)", manual);
     o.choice(s.bins_first, "image_order", {"beams", "bins"},
              "what comes first in the data of AID0: all bins of a beam, or all beams of a bin",
@@ -68,11 +68,11 @@ void describe_wire(Settings& s, OptionList& o) {
              "bytes 108 to 115 of TPX0's H0: reserved, or with the transmit voltage offset",
              "manuals of these versions");
     o.choice(s.configured_hosts, "data_hosts", {"gui", "configured"},
-             "where water column, snippets and TruePix go: to the host, or to R2DC's data acquisition hosts, "
-             "the first for TruePix and snippets, the second for the water column",
+             "where water column, snippets and TruePix go: to the host, or to R2DC's data acquisition hosts "
+             "(the first gets TruePix and snippets, the second the water column)",
              "normally the host itself; the order of the others is an own choice");
     o.whole(s.mode_sets, "multimode_sets", "", 0, 4,
-            "pings take that many sets of MultiMode in turn (ABS1, FRQ1, ...); 0: none",
+            "number of MultiMode sets (ABS1, FRQ1, ...) that the pings cycle through; 0: none",
             "manual; the command that starts it is not public");
     o.number(s.sync_in, "sync_in", "Hz", 0, 60, "pulses at the SIM's sync input, for TRG0 = 1; 0: none",
              "own choice");
@@ -92,8 +92,7 @@ void describe(Acoustics& a, FigureList& f) {
              "level after gain that reads 255 at 0 dB brightness");
     f.number(a.magnitude_reference, "magnitude_reference", "dB re 1 uPa", 0, 300,
              "level after gain that reads 65535 in WCD0, SNI0 and TPX0");
-    f.number(a.detection_margin, "detection_margin", "dB", 0, 60,
-             "echoes that are not so far above the noise are no bottom");
+    f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(a.horizontal, a.vertical, a.receiver);
 }
 

@@ -24,11 +24,11 @@ void describe(Settings& s, OptionList& o) {
     o.choice(s.any_device, "command_device", {"own", "any"},
              "device id that commands must carry; subscriptions and requests may name 7000 too", spec);
     o.choice(s.ends_by_third_party, "end_subscriptions", {"1052", "1053"},
-             "the command that ends all subscriptions: the command table has 1052, the introduction "
-             "1053 (here: without an address)",
+             "command that ends all subscriptions: 1052 as in the command table, or 1053 (without an "
+             "address) as in the introduction",
              spec);
     o.number(s.datagram_gap, "datagram_gap", "s", 0, 0.1,
-             "pause between the datagrams of a ping, less where the next ping comes before they are out",
+             "pause between the datagrams of a ping; shorter if the next ping would come before they are out",
              "receivers with default buffers lose faster bursts");
     o.number(s.processing_time, "processing_time", "s", 0, 1, "from the last echo to the records",
              "own choice: from the last echo to the records");
@@ -62,8 +62,7 @@ void describe_levels(Acoustics& a, FigureList& f) {
     f.number(a.absorption, "tvg_absorption", "dB/km", 0, 500, "time-varied gain, one way");
     f.number(a.amplitude_reference, "amplitude_reference", "dB re 1 uPa", 0, 400,
              "after gain and time-varied gain: reads full scale");
-    f.number(a.detection_margin, "detection_margin", "dB", 0, 60,
-             "above the noise; an echo below is no bottom");
+    f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(a.horizontal, a.vertical, a.receiver);
 }
 

@@ -18,11 +18,12 @@ constexpr std::size_t most_results = 6000;
 void describe_options(Settings& s, OptionList& o) {
     describe(s.identity, o);
     o.choice(s.accept_anything, "invalid_settings", {"nack", "accept"},
-             "values outside the documented ranges: refused, or cut to what can be pinged",
+             "values outside the documented ranges: refused, or limited to what is possible",
              "own choice, as the ping360");
     o.number(s.processing_time, "processing_time", "s", 0, 1,
              "from the end of the range to the report and the next ping", "as the omniscan450");
-    o.whole(s.processor_temperature, "processor_temperature", "0.01 degC", 0, 65535, "told on request", spec);
+    o.whole(s.processor_temperature, "processor_temperature", "0.01 degC", 0, 65535, "reported on request",
+            spec);
 }
 
 void describe_profile(Acoustics& a, FigureList& f) {
@@ -31,12 +32,12 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.number(a.source_level, "source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis");
     f.degrees(a.beam_width, "beam_width", 0.1, 120, "-3 dB full width of the cone, two-way");
     f.number(a.nearest_range, "nearest_range", "m", 0, 10, "nothing closer is taken for the bottom");
-    f.number(a.absorption, "absorption", "dB/m", 0, 2, "one way, given back before echoes are compared");
+    f.number(a.absorption, "absorption", "dB/m", 0, 2, "one way, compensated before echoes are compared");
     f.number(a.lowest_gain, "lowest_gain", "", 0.01, 1e6, "factor of amplitude at gain index 0");
     f.number(a.gain_step, "gain_step", "dB", 0, 20,
              "from one gain index to the next; the input clips accordingly");
     f.number(a.sample_rate, "sample_rate", "Hz", 1e3, 1e8,
-             "of the converter; a chirp's results are every so manieth sample");
+             "of the converter; a chirp's results are samples at a whole fraction of it");
     f.common(a.horizontal, a.vertical, a.receiver);
 }
 

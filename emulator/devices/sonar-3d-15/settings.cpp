@@ -19,7 +19,7 @@ void describe_start(State& s, OptionList& o) {
     o.words(s.salt, "salinity", {{"salt", true}, {"fresh", false}},
             "at the start, for the automatic speed of sound", own);
     o.words(s.udp, "udp", {{"multicast", UdpMode::multicast}, {"disabled", UdpMode::disabled}},
-            "images at the start, where no second endpoint says unicast", spec);
+            "where images go at the start, unless a second endpoint sets unicast", spec);
 }
 
 void describe_answers(Settings& s, OptionList& o) {
@@ -31,10 +31,10 @@ void describe_answers(Settings& s, OptionList& o) {
     o.choice(s.package, "package", {"waterlinked.sonar.protocol", "waterlinked.rip1"},
              "of the protobuf messages", spec);
     o.choice(s.frequency_in_hertz, "frequency_field", {"5", "hertz"},
-             "in images: as a real sonar sends, or as documented", spec);
+             "in images: as a real sonar sends it, or as documented", spec);
     o.choice(s.first_row_up, "first_row", {"down", "up"}, "where row 0 looks", spec);
     o.flag(s.other_messages, "other_messages",
-           "a message of an undocumented type follows the images of each shot: readers must skip it", spec);
+           "a message of an undocumented type follows the images of each shot; readers must skip it", spec);
     o.number(s.temperature, "temperature", "degC", -20, 100, "inside the sonar", spec);
     o.number(s.water_temperature, "water_temperature", "degC", -4, 40, "for the automatic speed of sound",
              own);
@@ -52,7 +52,7 @@ void describe_mode(ModeFigures& m, const std::string& mode, FigureList& f) {
               "between the centres of the outer pixels of a row");
     f.degrees(m.fov_vertical, mode + "_fov_vertical", 5, 60,
               "between the centres of the first and the last row");
-    f.number(m.rate, mode + "_rate", "Hz", 0.1, 40, "images, where the range allows it");
+    f.number(m.rate, mode + "_rate", "Hz", 0.1, 40, "images a second, if the range allows it");
     f.number(m.source_level, mode + "_source_level", "dB re 1 uPa at 1 m", 100, 240, "all over the view");
     f.number(m.tvg_absorption, mode + "_tvg_absorption", "dB/m", 0, 10, "time-varied gain, one way");
 }
@@ -62,7 +62,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.number(a.longest_range, "longest_range", "m", 1, 100, "that can be set");
     f.number(a.finest_bin, "finest_bin", "m", 0.001, 1, "of range, before the peak is interpolated");
     f.whole(a.bins, "bins", 16, 2048, "of range, the most");
-    f.number(a.detection, "detection_level", "dB", 0, 60, "above the noise that an echo must have to be one");
+    f.number(a.detection, "detection_level", "dB", 0, 60, "how far above the noise an echo must be to count");
     f.number(a.high.directivity_index, "high_directivity_index", "dB", 0, 60,
              "of the receiver in the high mode; directivity_index is the low one");
     f.number(a.reference_level, "reference_level", "dB re 1 uPa", 0, 300, "reads strength 0 at 1 m");

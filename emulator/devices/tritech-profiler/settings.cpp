@@ -18,11 +18,11 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
     s.head.replies = 1;
     s.acoustics.tunable.emplace();
     describe(s.head, o);
-    o.flag(s.whole_steps, "whole_steps", "no shorter last step at a limit", tritech::specification);
-    o.choice(
-        s.gains_count, "acquisition", {"main", "block"},
-        "whose threshold, gain and slope count in mtHeadCommand 0x1D: the main fields or the block behind",
-        tritech::specification);
+    o.flag(s.whole_steps, "whole_steps", "never shorten the last step at a limit", tritech::specification);
+    o.choice(s.gains_count, "acquisition", {"main", "block"},
+             "which threshold, gain and slope count in mtHeadCommand 0x1D: the main fields or the block "
+             "after them",
+             tritech::specification);
     o.number(s.period_scale, "period_scale", "", 0.01, 100, "factor on the time of a ping", "own choice");
     o.whole(s.device_type, "device_type", "", -1, 255, "byte 15 of mtHeadData; -1: HdType of the command",
             tritech::specification);

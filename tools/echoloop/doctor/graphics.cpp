@@ -20,12 +20,12 @@ std::string fault_of(const char* name) {
 }
 
 Finding gpu() {
-    if (!gl::may_have_gpu()) return {State::good, "GPU", "the kernel offers none; none is needed", ""};
+    if (!gl::may_have_gpu()) return {State::good, "GPU", "none found; none is needed", ""};
     try {
         gl::make_gpu_context()->make_current();
         return {State::good, "GPU", "found; `render: {context: auto}` draws on it", ""};
     } catch (const std::runtime_error& error) {
-        return {State::weak, "GPU", error.what(), "sonars are drawn by the processors meanwhile"};
+        return {State::weak, "GPU", error.what(), "the processors draw instead"};
     }
 }
 

@@ -56,13 +56,12 @@ Finding pseudo_terminals(asio::io_context& io) {
     try {
         const Pty pty(io, {});
         const auto [median, most] = time_across_a_pty();
-        const std::string text = "can be opened and watched; a byte is across within " + plain(median, 2) +
+        const std::string text = "can be opened and watched; a byte takes " + plain(median, 2) +
                                  " ms, 1 of 100 after " + plain(most, 2) + " ms";
         if (most <= 1) return {State::good, "pseudo-terminals", text, ""};
-        return {
-            State::weak, "pseudo-terminals", text,
-            "a worker of the kernel carries them, in its turn among all busy programs, on real serial ports "
-            "too: a quieter machine is more punctual"};
+        return {State::weak, "pseudo-terminals", text,
+                "a kernel thread carries the bytes and competes with all busy programs, on real serial ports "
+                "too; a less busy machine is more punctual"};
     } catch (const std::exception& error) {
         return {State::bad, "pseudo-terminals", error.what(),
                 "mount /dev/pts, or use tcp-listen:// endpoints"};
@@ -89,7 +88,7 @@ Finding serial() {
     if (!denied.empty())
         return {State::weak, "serial ports", denied + " may not be opened",
                 "join the group that owns them: sudo adduser $USER dialout, and log in again"};
-    return {State::good, "serial ports", usable.empty() ? "none here; pty: endpoints stand for them" : usable,
+    return {State::good, "serial ports", usable.empty() ? "none found; use pty: endpoints instead" : usable,
             ""};
 }
 

@@ -23,7 +23,7 @@ Finding processors() {
     const std::string text = counted(count, "processor") + ", load " + plain(load, 1);
     if (load > count)
         return {State::weak, "processors", text,
-                "other programs want them all: pings may be late until they are done"};
+                "other programs use all of them: pings may be late until they finish"};
     return {State::good, "processors", text, ""};
 }
 
@@ -54,7 +54,7 @@ Finding timers() {
     const std::string text = "ring " + plain(median, 2) + " ms late, 1 of 100 by " + plain(worst, 2) + " ms";
     if (worst > 1)
         return {State::weak, "timers", text,
-                "pings count as late from 1 ms on: a quieter machine, or one that is no "
+                "pings that are more than 1 ms late are counted; a less busy machine, or one that is not a "
                 "virtual machine with shared processors, is more punctual"};
     return {State::good, "timers", text, ""};
 }
@@ -66,7 +66,7 @@ Finding real_time() {
         try {
             claim_real_time(Priority::rendering);
         } catch (const StartError&) {
-            text = "not allowed, and only echoloop run --realtime needs it";
+            text = "not allowed; only echoloop run --realtime needs it";
         }
     }).join();
     return {State::good, "real time", text, ""};
@@ -77,7 +77,7 @@ Finding open_files() {
     ::getrlimit(RLIMIT_NOFILE, &limit);
     const bool enough = limit.rlim_cur >= 256;
     return {enough ? State::good : State::weak, "open files", "at most " + std::to_string(limit.rlim_cur),
-            enough ? "" : "each device takes up to a dozen: ulimit -n 1024"};
+            enough ? "" : "each device needs up to twelve: ulimit -n 1024"};
 }
 
 /// Of whoever receives big images on this machine.
@@ -88,7 +88,7 @@ Finding receive_buffers() {
     if (most < (1U << 20))
         return {
             State::weak, "UDP buffers", text,
-            "a driver that is slow to read loses parts of big images: sysctl -w net.core.rmem_max=4194304"};
+            "a driver that reads slowly loses parts of large images: sysctl -w net.core.rmem_max=4194304"};
     return {State::good, "UDP buffers", text, ""};
 }
 

@@ -46,13 +46,12 @@ Finding ping(Renderer& renderer, const ScenarioDevice& device, const Pose& world
                               : shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
     const double taken = time_of_ping(renderer, device, world_from_sonar);
     const std::string text = device.name + ": " + plain(taken * 1e3, 1) +
-                             (shot.rows() > 1 ? " ms to render what the sonar shoots every "
-                                              : " ms to render what the sonar listens to for ") +
+                             (shot.rows() > 1 ? " ms to render a ping; the sonar pings every "
+                                              : " ms to render a ping; the sonar listens for ") +
                              plain(window * 1e3, 1) + " ms";
     if (taken > window)
         return {State::weak, "ping", text,
-                "its pings will be late; render: {pixels: 0.5} or a simpler scene takes less, a longer range "
-                "has more time"};
+                "its pings will be late; use render: {pixels: 0.5}, a simpler scene or a longer range"};
     return {State::good, "ping", text, ""};
 }
 

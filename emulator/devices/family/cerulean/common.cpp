@@ -33,8 +33,8 @@ void describe(Identity& i, OptionList& o) {
     o.choice(i.nack_requested_id, "nacked_id", {"request", "requested"},
              "id in the nack of a general_request: 6, or the id that was asked for", spec);
     o.whole(i.datagram, "datagram", "B", 64, 65507,
-            "largest datagram; longer messages go on in the next one. Public hosts hang on one of "
-            "exactly 4096",
+            "largest datagram; longer messages continue in the next one. Public hosts hang on one of exactly "
+            "4096",
             "Ethernet frame of 1500 bytes less the headers of IP and UDP");
     describe(i.baud, i.line, o);
     o.text(i.discovery, "discovery", "IPv4 address to announce on UDP 30303 of that interface; empty: silent",

@@ -38,8 +38,8 @@ inline void describe(double& baud, SerialRate& line, OptionList& options) {
     const std::string_view source = "Ping specification notes";
     options.number(baud, "baud", "bit/s", 0, 4e6, "line rate of pty and TCP endpoints; 0: not paced", source);
     options.flag(line.automatic, "automatic_baud",
-                 "a pty is as fast as its driver sets it, whatever baud says; false: another rate than baud "
-                 "makes garbage",
+                 "a pty runs at the rate that its driver sets, whatever baud says; false: another rate than "
+                 "baud gives garbage",
                  source);
 }
 

@@ -14,7 +14,7 @@ double Sounding::line_time(std::size_t bytes) const {
 
 void describe(Sounding& s, OptionList& o, FigureList& f) {
     o.number(s.sound_speed, "sound_speed", "m/s", 1300, 1700,
-             "by which it turns times into depths; the water has its own", "usual setting of sounders");
+             "that it assumes to turn times into depths; the water has its own", "usual setting of sounders");
     o.number(s.processing_time, "processing_time", "s", 0, 1, "from the end of listening to the first byte",
              "own estimate");
     Acoustics& a = s.acoustics;
@@ -25,7 +25,7 @@ void describe(Sounding& s, OptionList& o, FigureList& f) {
     double blanking = 0;  // m
     f.number(blanking, "blanking", "m", 0, 20, "nothing nearer is taken for the bottom");
     s.bottom.blanking = 2 * blanking / s.sound_speed;
-    f.number(s.bottom.margin, "detection_margin", "dB", 0, 60, "that a bottom stands above the noise");
+    f.number(s.bottom.margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.number(s.bottom.edge, "edge_level", "dB", 0, 40,
              "below the strongest echo, where the bottom's leading edge counts");
     f.common(a.horizontal, a.vertical, a.receiver);

@@ -25,8 +25,8 @@ void describe(Tunable& t, FigureList& f) {
     describe(t.low, "low_", f);
     f.number(t.low.directivity_index, "low_directivity_index", "dB", 0, 60,
              "of the receiver against isotropic noise");
-    f.number(t.lowest, "lowest_frequency", "Hz", 10e3, 10e6, "TxN below it is taken as it");
-    f.number(t.highest, "highest_frequency", "Hz", 10e3, 10e6, "TxN above it is taken as it");
+    f.number(t.lowest, "lowest_frequency", "Hz", 10e3, 10e6, "a lower TxN is raised to it");
+    f.number(t.highest, "highest_frequency", "Hz", 10e3, 10e6, "a higher TxN is lowered to it");
     f.number(t.receiver_band, "receiver_band", "Hz", 0, 5e6,
              "RxN further away from TxN hears nothing but noise");
 }
@@ -105,7 +105,7 @@ void describe(Acoustics& a, FigureList& f) {
     describe(a.band, "", f);
     f.number(a.bandwidth, "bandwidth", "Hz", 0, 5e6, "width of the swept band; 0: a tone");
     f.number(a.shortest_pulse, "shortest_pulse", "s", 1e-6, 1e-2,
-             "shorter commanded pulses are made as long");
+             "shorter commanded pulses are lengthened to it");
     f.number(a.tvg_spreading, "tvg_spreading", "dB per decade of range", 0, 60, "time-varied gain");
     f.number(a.reference_level, "reference_level", "dB re 1 uPa", 0, 300,
              "level after time-varied gain that reads 0 dB at zero gain");

@@ -21,7 +21,7 @@ void describe(AuxSettings& s, OptionList& o, FigureList& f) {
              "own choice");
     o.number(s.range, "aux_range", "m", 1, 300, "of the echosounder; while it listens, no line is under way",
              "own choice");
-    o.number(s.sound_speed, "aux_sound_speed", "m/s", 1300, 1700, "that the echosounder reckons with",
+    o.number(s.sound_speed, "aux_sound_speed", "m/s", 1300, 1700, "that the echosounder assumes",
              "usual setting");
     f.number(s.frequency, "aux_frequency", "Hz", 10e3, 10e6, "of the echosounder on the AUX port");
     f.number(s.pulse_length, "aux_pulse_length", "s", 1e-6, 1e-2, "of the echosounder on the AUX port");

@@ -27,11 +27,11 @@ void describe_start(HeadSettings& s, OptionList& o) {
     o.choice(s.frame_lengths, "short_commands", {"drop", "by-id"},
              "commands that claim more bytes than they have", specification);
     o.flag(s.refuse_while_centring, "refuse_while_centring",
-           "drop mtHeadCommand that comes while re-centring", specification);
+           "drop an mtHeadCommand that arrives while re-centring", specification);
     o.number(s.boot.motor_off_after, "motor_off_after", "s", 0, 3600,
-             "the motor sleeps after so long without a ping; 0: never", specification);
+             "the motor sleeps after this long without a ping; 0: never", specification);
     o.number(s.boot.motor_start, "motor_start", "s", 0, 10,
-             "how much later the first ping of a sleeping motor comes",
+             "extra delay of the first ping after the motor has slept",
              "a public driver's comment: up to 1 s");
 }
 
@@ -55,7 +55,8 @@ void describe_user_block(HeadSettings& s, bool& half_duplex, OptionList& o) {
            "content of mtBBUserData from byte 13 on: hex digits or a file of them; the rest stays as it is",
            specification);
     o.flag(half_duplex, "half_duplex",
-           "the line is RS-485: said in mtBBUserData, one mtHeadData per mtSendData", specification);
+           "the line is RS-485: mtBBUserData says so, and there is one mtHeadData for each mtSendData",
+           specification);
     s.user_block = make_user_block(s.dst, half_duplex, older, content);
 }
 
@@ -70,7 +71,7 @@ void describe_content(std::span<std::uint8_t> content, std::string_view name, st
 void describe_replies(HeadSettings& s, OptionList& o) {
     o.whole(s.replies, "replies", "", 1, 2, "mtHeadData per mtSendData", specification);
     o.choice(s.queue_requests, "surplus_requests", {"merge", "queue"},
-             "mtSendData that comes while lines are under way", specification);
+             "what to do with mtSendData while lines are under way", specification);
     o.choice(s.head_data_remaining, "head_data_byte9", {"zero", "low-byte"},
              "byte 9 of mtHeadData: one public driver takes only zero", specification);
     o.whole(s.hd_ctrl_set, "hd_ctrl_set", "", 0, 65535, "bits forced to 1 in the HdCtrl of replies",
@@ -90,9 +91,9 @@ void describe(HeadSettings& s, OptionList& o) {
     describe_user_block(s, half_duplex, o);
     if (s.dst) {
         describe_content(s.fpga_cal.content, "fpga_cal_data",
-                         "content of mtFpgaCalData: hex digits or a file of them, zeros behind", o);
+                         "content of mtFpgaCalData: hex digits or a file of them, padded with zeros", o);
         describe_content(s.fpga_version.content, "fpga_version_data",
-                         "content of mtFpgaVersionData: hex digits or a file of them, zeros behind", o);
+                         "content of mtFpgaVersionData: hex digits or a file of them, padded with zeros", o);
     }
     describe_replies(s, o);
     if (half_duplex) s.replies = 1;

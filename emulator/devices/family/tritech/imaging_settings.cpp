@@ -13,10 +13,10 @@ void describe_scan(ImagingSettings& s, OptionList& o, Family family) {
     o.flag(s.scan.force_right, "force_right",
            "continuous scans turn clockwise even without the scanright bit", specification);
     o.flag(s.scan.limits_twice, "limits_twice", "ping each sector limit twice per pass", specification);
-    o.flag(s.scan.whole_steps, "whole_steps", "never cut the last step at a sector limit", specification);
+    o.flag(s.scan.whole_steps, "whole_steps", "never shorten the last step at a sector limit", specification);
     o.choice(s.scan.start_at_position, "sector_start", {"left-limit", "position"},
              "where a new sector begins", specification);
-    o.flag(s.obey_invert, "obey_invert", "the invert bit turns the rotation round (head mounted boot down)",
+    o.flag(s.obey_invert, "obey_invert", "the invert bit reverses the rotation (head mounted boot down)",
            specification);
     const std::initializer_list<Word<bool>> dst{{"ignore", false}, {"channels", true}},
         seaking{{"channels", true}, {"ignore", false}};
@@ -35,7 +35,7 @@ void describe_scan(ImagingSettings& s, OptionList& o, Family family) {
 
 void describe_data(ImagingSettings& s, OptionList& o) {
     o.choice(s.v3b_counts, "v3b", {"main", "v3b"},
-             "mtHeadCommand 0x1D: whose ADSpan, ADLow, gain and slope count, the main fields or V3B",
+             "mtHeadCommand 0x1D: which ADSpan, ADLow, gain and slope count, the main fields or V3B",
              specification);
     o.words(s.packing.high_first, "nibble_order", {{"high-first", true}, {"low-first", false}},
             "4-bit bins: which half of a byte is the nearer bin", specification);
@@ -44,9 +44,9 @@ void describe_data(ImagingSettings& s, OptionList& o) {
     o.whole(s.device_type, "device_type", "", -1, 255, "byte 15 of mtHeadData; -1: HdType of the command",
             specification);
     o.whole(s.motor_error_after, "motor_error_after", "", 0, 1e9,
-            "lines after which MotErr is set, until parameters come again; 0: never", "for tests of drivers");
+            "lines after which MotErr is set until new parameters arrive; 0: never", "for tests of drivers");
     o.whole(s.power_loss_every, "power_loss_every", "", 0, 1e9,
-            "every so many lines one says HdPwrLoss; 0: never", "for tests of drivers");
+            "one line in this many has HdPwrLoss; 0: never", "for tests of drivers");
 }
 
 void limit_window(Shot& shot) {
