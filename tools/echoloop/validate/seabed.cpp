@@ -27,7 +27,7 @@ Shot floor_shot(bool patterned) {
     return shot;
 }
 
-/// Mean level re the source over all seabed_beams and the bins within 0.2 m of a range; absorption is off.
+/// Mean level re the source over all beams and the bins within 0.2 m of a range; absorption is off.
 double level_at(const std::vector<double>& mean, const Shot& shot, double range) {
     double sum = 0;
     std::size_t count = 0;

@@ -43,7 +43,7 @@ std::vector<double> beam_of(const std::vector<double>& values, std::size_t beam,
     return {begin, begin + static_cast<std::ptrdiff_t>(bins - 128)};
 }
 
-/// Mean over the speckle_beams of the correlation with itself `lag` bins on.
+/// Mean over the beams of the correlation with itself `lag` bins on.
 double range_correlation(const std::vector<double>& values, std::size_t lag) {
     double sum = 0;
     for (std::size_t beam = 0; beam < speckle_beams; ++beam)
@@ -117,7 +117,7 @@ void check_correlation(Findings& find, const std::vector<double>& all) {
     for (std::size_t beam = 0; beam + 1 < speckle_beams; ++beam)
         worst += std::abs(correlation(beam_of(all, beam), beam_of(all, beam + 1))) /
                  static_cast<double>(speckle_beams - 1);
-    find.at_most("correlation of neighbouring speckle_beams, mean", "", 0.05, worst);
+    find.at_most("correlation of neighbouring beams, mean", "", 0.05, worst);
     double mirrored = 0;
     for (std::size_t beam = 0; beam < speckle_beams / 2; ++beam)
         mirrored += correlation(beam_of(all, beam), beam_of(all, speckle_beams - 1 - beam)) / (speckle_beams / 2.0);
