@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "emulator/scenario/device_section.h"
 
 namespace echoloop::scenario {
@@ -33,13 +35,14 @@ struct ReadOption {
     }
 };
 
-/// Figures of the profile that stand among the options.
-void refuse_figures(const Section& section, const Model& model, Problems& problems) {
+/// Figures of the profile that stand among the options, but for those that are options as well.
+std::vector<std::string_view> misplaced_figures(const Value* value, const Model& model) {
+    std::vector<std::string_view> found;
     for (const FigureRow& figure : model.figures)
-        if (const Value* given = section.get(figure.name))
-            problems.add(given->key_place, section.path_of(figure.name) +
-                                               " is a figure of the device's profile; write profile: {" +
-                                               figure.name + ": ...} beside options");
+        if (value != nullptr && value->find(figure.name) != nullptr &&
+            std::ranges::find(model.options, figure.name, &Option::name) == model.options.end())
+            found.push_back(figure.name);
+    return found;
 }
 
 }  // namespace
@@ -55,10 +58,13 @@ OptionValue read_option(const Option& option, const Section& section, Problems& 
 Options read_options(const Value* value, const std::string& path, const Model& model, Problems& problems) {
     std::vector<std::string_view> known;
     for (const auto& option : model.options) known.push_back(option.name);
-    for (const auto& figure : model.figures)
-        if (value != nullptr && value->find(figure.name) != nullptr) known.push_back(figure.name);
+    const auto figures = misplaced_figures(value, model);
+    known.insert(known.end(), figures.begin(), figures.end());
     const Section section(value, path, known, problems);
-    refuse_figures(section, model, problems);
+    for (const std::string_view figure : figures)
+        problems.add(section.get(figure)->key_place,
+                     section.path_of(figure) + " is a figure of the device's profile; write profile: {" +
+                         std::string(figure) + ": ...} beside options");
     Options options;
     for (const auto& option : model.options) options[option.name] = read_option(option, section, problems);
     return options;

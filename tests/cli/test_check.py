@@ -81,6 +81,9 @@ class Check(ProgramTest):
         self.assertIn("is a figure of the device's profile; write profile: {source_level: ...}",
                       self.bad(78, "check", TANK, "--set", "devices.micron.options.source_level=200"))
 
+    def test_an_option_may_have_the_name_of_a_figure(self):
+        self.good("check", ROOT / "config" / "oculus.yaml", "--set", "devices.oculus.options.part_number=1042")
+
     def test_every_problem_is_reported_with_its_place(self):
         file = self.scenario("scene: TANK\nwater: {temprature: 4}\ndevices:\n"
                              "  - {name: a, model: tritech-micro}\n  - {name: a, model: r2sonic-2024}\n")

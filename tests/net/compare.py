@@ -27,7 +27,7 @@ def bytes_report(a, b):
 
 def wire_report(a, b):
     """Of two logs of a run: step, end and bytes of the first word that is another one."""
-    before, after = ([json.loads(line) for line in data.splitlines()] for data in (a, b))
+    before, after = ([json.loads(line) for line in data.splitlines() if line] for data in (a, b))
     for one, two in zip(before, after):
         if one == two:
             continue
