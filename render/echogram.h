@@ -1,5 +1,5 @@
-// What a device asks of the water (Shot) and what it hears (Echogram). Standard library only, so that a device
-// links no GL. Never normalised by its own content: levels are absolute.
+// What a device asks of the water (Shot) and what it hears (Echogram). Standard library only, so that a
+// device links no GL. Never normalised by its own content: levels are absolute.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ enum class EchoRule {
 enum class ApertureShape {
     line,     ///< unshaded line or rectangle: sinc, side lobes -13.26 dB one way
     hamming,  ///< line with Hamming shading: side lobes about -42 dB one way
-    piston,   ///< circular piston, 2 J1(x)/x: side lobes -17.57 dB one way; one beam of equal width and height
+    piston,  ///< circular piston, 2 J1(x)/x: side lobes -17.57 dB one way; one beam of equal width and height
 };
 
 struct AxisPattern {
@@ -38,42 +38,43 @@ struct Receiver {
     double directivity_index = 0;  ///< dB, against isotropic noise
     /// dB re 1 uPa^2/Hz, beside the thermal noise and like it before the directivity index; -inf: none
     double self_noise = -std::numeric_limits<double>::infinity();
-    double saturation_level = std::numeric_limits<double>::infinity();  ///< dB re 1 uPa, where its input clips
-    int converter_bits = 0;  ///< of the amplitude up to saturation_level; 0: no steps
+    double saturation_level =
+        std::numeric_limits<double>::infinity();  ///< dB re 1 uPa, where its input clips
+    int converter_bits = 0;                       ///< of the amplitude up to saturation_level; 0: no steps
     friend bool operator==(const Receiver&, const Receiver&) = default;
 };
 
 /// One ping as a device asks for it.
 ///
-/// Sonar frame: x along the acoustic axis, y to port, z up (FLU). A bearing is clockwise positive seen from above
-/// (starboard positive), an elevation is positive upwards:
+/// Sonar frame: x along the acoustic axis, y to port, z up (FLU). A bearing is clockwise positive seen from
+/// above (starboard positive), an elevation is positive upwards:
 ///     direction = (cos e cos b, -cos e sin b, sin e), b = pan + bearing, e relative to the tilted fan plane.
-/// `pan` turns the head about z first, `tilt` then raises the fan about the panned y axis (negative looks down).
-/// With `elevations` the beams stand in rows above each other, and e of a beam is that of its row: a whole image in one
-/// ping. Its rows and columns must not be farther apart than beams are high and wide, or what is between them is missing
-/// from side lobes.
+/// `pan` turns the head about z first, `tilt` then raises the fan about the panned y axis (negative looks
+/// down). With `elevations` the beams stand in rows above each other, and e of a beam is that of its row: a
+/// whole image in one ping. Its rows and columns must not be farther apart than beams are high and wide, or
+/// what is between them is missing from side lobes.
 struct Shot {
     std::uint64_t ping = 0;        ///< ping number of the device, keys the random numbers
     double pan = 0;                ///< rad, bearing of the fan's centre
     double tilt = 0;               ///< rad, elevation of the fan's centre plane
     std::vector<double> bearings;  ///< rad, beam centres relative to pan, strictly ascending, within +-pi
-    /// rad, of rows of beams, each with all bearings; strictly ascending, within +-60 deg, as the bearings then are.
-    /// Empty: one row, in the fan's plane.
+    /// rad, of rows of beams, each with all bearings; strictly ascending, within +-60 deg, as the bearings
+    /// then are. Empty: one row, in the fan's plane.
     std::vector<double> elevations;
-    double beam_width = 0;         ///< rad, horizontal width of one beam (two-way, -3 dB)
-    double fan_height = 0;         ///< rad, vertical aperture of the fan, or of each beam of rows (-3 dB)
-    double first_bin_time = 0;     ///< s, two-way time of the leading edge of bin 0 (t0)
-    double bin_interval = 0;       ///< s, two-way time per bin (dt)
-    std::size_t bins = 0;          ///< range bins per beam
-    double frequency = 0;          ///< Hz, centre frequency
-    double pulse_length = 0;       ///< s
-    double bandwidth = 0;          ///< Hz of a chirp; 0 for CW
-    double source_level = 0;       ///< dB re 1 uPa at 1 m
-    AxisPattern horizontal;        ///< of each beam, across beam_width
-    AxisPattern vertical;          ///< of the fan, across fan_height
+    double beam_width = 0;      ///< rad, horizontal width of one beam (two-way, -3 dB)
+    double fan_height = 0;      ///< rad, vertical aperture of the fan, or of each beam of rows (-3 dB)
+    double first_bin_time = 0;  ///< s, two-way time of the leading edge of bin 0 (t0)
+    double bin_interval = 0;    ///< s, two-way time per bin (dt)
+    std::size_t bins = 0;       ///< range bins per beam
+    double frequency = 0;       ///< Hz, centre frequency
+    double pulse_length = 0;    ///< s
+    double bandwidth = 0;       ///< Hz of a chirp; 0 for CW
+    double source_level = 0;    ///< dB re 1 uPa at 1 m
+    AxisPattern horizontal;     ///< of each beam, across beam_width
+    AxisPattern vertical;       ///< of the fan, across fan_height
     Receiver receiver;
-    double interval = 0;            ///< s to the next transmission; 0: so long that nothing is heard of this one
-    std::uint64_t random_key = 0;   ///< of seed and device; the session sets it, a device leaves it alone
+    double interval = 0;  ///< s to the next transmission; 0: so long that nothing is heard of this one
+    std::uint64_t random_key = 0;  ///< of seed and device; the session sets it, a device leaves it alone
 
     std::size_t rows() const { return elevations.empty() ? 1 : elevations.size(); }
     std::size_t beams() const { return bearings.size() * rows(); }
@@ -83,21 +84,24 @@ struct Shot {
 
 /// What is really there, beside the levels of one beam.
 struct BeamTruth {
-    float axis_range = std::numeric_limits<float>::quiet_NaN();     ///< m, first surface on the beam axis; NaN: none
-    float nearest_range = std::numeric_limits<float>::quiet_NaN();  ///< m, nearest surface in the beam; NaN: none
+    float axis_range =
+        std::numeric_limits<float>::quiet_NaN();  ///< m, first surface on the beam axis; NaN: none
+    float nearest_range =
+        std::numeric_limits<float>::quiet_NaN();  ///< m, nearest surface in the beam; NaN: none
 };
 
-/// beams x bins of received level, beam-major (all bins of beam 0 first); the beams row by row, the lowest first.
+/// beams x bins of received level, beam-major (all bins of beam 0 first); the beams row by row, the lowest
+/// first.
 struct Echogram {
     Shot shot;
     Pose world_from_sonar;
     EchoRule rule = EchoRule::radiometric;
-    double sound_speed = 0;       ///< m/s, the true one of the water
-    std::vector<float> values;    ///< uPa^2 (radiometric) or 0..1 (cerqueira2016); size beams() * shot.bins
-    double noise_power = 0;       ///< uPa^2, mean of the noise that is in `values`
-    std::vector<BeamTruth> truth; ///< one per beam
-    /// As `values`, for who asks (Situation::objects), else empty: 1 + index in Scene::objects() of what most of a bin's
-    /// direct echo comes from; 0: nothing there.
+    double sound_speed = 0;        ///< m/s, the true one of the water
+    std::vector<float> values;     ///< uPa^2 (radiometric) or 0..1 (cerqueira2016); size beams() * shot.bins
+    double noise_power = 0;        ///< uPa^2, mean of the noise that is in `values`
+    std::vector<BeamTruth> truth;  ///< one per beam
+    /// As `values`, for who asks (Situation::objects), else empty: 1 + index in Scene::objects() of what most
+    /// of a bin's direct echo comes from; 0: nothing there.
     std::vector<std::uint16_t> objects;
 
     std::size_t beams() const { return shot.beams(); }

@@ -1,5 +1,5 @@
-// The physical effects that make up an echo; a scenario switches each off or on by its name. Names only: what an
-// effect does is written where it is done. Standard library only.
+// The physical effects that make up an echo; a scenario switches each off or on by its name. Names only: what
+// an effect does is written where it is done. Standard library only.
 #pragma once
 
 #include <array>
@@ -37,15 +37,18 @@ inline constexpr std::array<EffectRow, 13> effect_rows{{
     {Effect::absorption, "absorption", "Francois & Garrison; off: none"},
     {Effect::beam_pattern, "beam_pattern", "beams of the aperture's shape; off: boxes of the nominal widths"},
     {Effect::side_lobes, "side_lobes", "echoes from outside the main lobes; off: none"},
-    {Effect::pulse, "pulse", "the pulse's length or bandwidth limits range resolution; off: every echo in one bin"},
+    {Effect::pulse, "pulse",
+     "the pulse's length or bandwidth limits range resolution; off: every echo in one bin"},
     {Effect::speckle, "speckle", "interference of many scatterers; off: mean levels"},
     {Effect::noise, "noise", "thermal and self noise; off: silence"},
-    {Effect::multipath, "multipath", "echoes by way of the surface, the bottom and corners; off: direct ones only"},
+    {Effect::multipath, "multipath",
+     "echoes by way of the surface, the bottom and corners; off: direct ones only"},
     {Effect::second_time_around, "second_time_around", "late echoes of the ping before; off: none"},
     {Effect::cross_talk, "cross_talk", "pulses of other sonars in the same band; off: none"},
     {Effect::tvg, "tvg", "the receiver's time-varied gain; off: constant gain"},
     {Effect::saturation, "saturation", "the receiver's input clips; off: never"},
-    {Effect::quantisation, "quantisation", "steps of the receiver's converter; off: only those of the wire's format"},
+    {Effect::quantisation, "quantisation",
+     "steps of the receiver's converter; off: only those of the wire's format"},
 }};
 
 /// A set of effects; all are on to begin with.

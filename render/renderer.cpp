@@ -77,8 +77,8 @@ class Renderer::Impl {
             out.truth = find_truth(summing, input, shot);
         });
         if (options_.rule == EchoRule::radiometric)
-            profile_.acoustics = timed(
-                [&] { apply_to_rows(chain_, summing.points(plan, paths_.targets), out); });
+            profile_.acoustics =
+                timed([&] { apply_to_rows(chain_, summing.points(plan, paths_.targets), out); });
         if (situation.objects) find_objects(summing, input, out);
         return out;
     }

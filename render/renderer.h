@@ -22,16 +22,17 @@ class PlanCache;
 struct RendererOptions {
     EchoRule rule = EchoRule::radiometric;
     double columns_per_beam = 1.5;  ///< rendered bearings across one beam, 1..64
-    double pixel_density = 1;     ///< factor on the number of pixels, 0.1..64
+    double pixel_density = 1;       ///< factor on the number of pixels, 0.1..64
     bool jitter = true;  ///< move the sample inside its pixel from ping to ping (by Shot::ping), so that the
                          ///< mean over pings has no error from the pixel grid
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
-    std::size_t drawing_threads = 1;  ///< that share a picture where the context allows it; the pixels are the same
+    std::size_t drawing_threads =
+        1;  ///< that share a picture where the context allows it; the pixels are the same
     std::shared_ptr<PlanCache> plans{};  ///< shared by several renderers; empty: one of its own
-    Effects effects{};             ///< of EchoRule::radiometric; the paper's rule knows none
+    Effects effects{};                   ///< of EchoRule::radiometric; the paper's rule knows none
     SpeckleOptions speckle{};
-    /// For multipath: rippled by a light air to begin with, which leaves no mirror at sonar frequencies; empty: none
-    /// near.
+    /// For multipath: rippled by a light air to begin with, which leaves no mirror at sonar frequencies;
+    /// empty: none near.
     std::optional<WaterSurface> surface = WaterSurface{0, 0.01};
 };
 
@@ -60,10 +61,9 @@ class Renderer {
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    /// One ping. `situation` may be the sonar's pose alone. Throws std::invalid_argument, naming the member, for a shot
-    /// or pose that is not finite, not
-    /// ordered or too large (see validate(const Shot&)), and std::logic_error on a thread other than the
-    /// constructor's.
+    /// One ping. `situation` may be the sonar's pose alone. Throws std::invalid_argument, naming the member,
+    /// for a shot or pose that is not finite, not ordered or too large (see validate(const Shot&)), and
+    /// std::logic_error on a thread other than the constructor's.
     Echogram render(const Shot& shot, const Situation& situation);
 
     /// The three channels behind the same ping. Throws as render().

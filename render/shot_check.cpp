@@ -32,7 +32,8 @@ void check_bearings(const Shot& shot) {
 void check_rows(const Shot& shot) {
     constexpr double widest = deg_to_rad(60);
     if (shot.elevations.empty()) return;
-    require(shot.bearings.size() >= 2 && within(static_cast<double>(shot.rows()), 2, 256) && shot.beams() <= 65536,
+    require(shot.bearings.size() >= 2 && within(static_cast<double>(shot.rows()), 2, 256) &&
+                shot.beams() <= 65536,
             "elevations", "none, or 2..256 rows of 2 beams or more, 65536 beams in all");
     for (std::size_t i = 0; i < shot.rows(); ++i) {
         require(within(shot.elevations[i], -widest, widest), "elevations", "within +-60 deg");

@@ -40,9 +40,7 @@ struct View {
     double solid_angle(double x2, std::size_t sample) const;
 
     /// Rotation from the view (x forward, y to port, z up) to the fan's own frame.
-    Quat fan_from_view() const {
-        return axis_angle({0, 0, 1}, -bearing) * axis_angle({0, 1, 0}, -elevation);
-    }
+    Quat fan_from_view() const { return axis_angle({0, 0, 1}, -bearing) * axis_angle({0, 1, 0}, -elevation); }
 };
 
 /// The views of one picture: an image of image_lines x samples pixels holds them one below the other.

@@ -12,8 +12,8 @@
 namespace echoloop {
 
 // Of a thread that writes to a disk:
-inline constexpr std::size_t enough_to_write = 1 << 20;           ///< bytes
-inline constexpr std::chrono::milliseconds longest_wait(500);     ///< for more; what a kill -9 may lose
+inline constexpr std::size_t enough_to_write = 1 << 20;        ///< bytes
+inline constexpr std::chrono::milliseconds longest_wait(500);  ///< for more; what a kill -9 may lose
 
 class DiskFile {
   public:

@@ -1,5 +1,6 @@
-// When a sonar that pings by itself sends the next ping, and how a ping's datagrams are spread over time. One ping at a
-// time, not sooner than the interval after the last one. Sets no timer of its own: the device wakes at wake().
+// When a sonar that pings by itself sends the next ping, and how a ping's datagrams are spread over time. One
+// ping at a time, not sooner than the interval after the last one. Sets no timer of its own: the device wakes
+// at wake().
 #pragma once
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace echoloop {
 
 class PingPacer {
   public:
-    /// Pings from now on, behind the one under way, and `interval` behind the last one. Also where the interval has
-    /// changed.
+    /// Pings from now on, behind the one under way, and `interval` behind the last one. Also where the
+    /// interval has changed.
     void start(Time now, Time interval) {
         wanted_ = true;
         if (!under_way_) next_ = std::max(now, after_last(interval));
@@ -66,9 +67,9 @@ class PingPacer {
     std::optional<Time> began_;
 };
 
-/// Spreads datagrams over time, since receivers lose bursts: the first at `from`, each `gap` behind the one before, or
-/// closer where the last would come after `until`. Returns when the next one may go. `together`: those of so long leave
-/// at once, so that nobody is woken for each.
+/// Spreads datagrams over time, since receivers lose bursts: the first at `from`, each `gap` behind the one
+/// before, or closer where the last would come after `until`. Returns when the next one may go. `together`:
+/// those of so long leave at once, so that nobody is woken for each.
 inline Time spread(std::span<Send> datagrams, Time from, Time gap, Time until, Time together = {}) {
     const auto count = static_cast<Time::rep>(datagrams.size());
     if (count == 0) return from;

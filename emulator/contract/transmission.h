@@ -1,4 +1,5 @@
-// A ping as it went out: what the rest of the run may know of it, whether it hears it, records it or tells its truth.
+// A ping as it went out: what the rest of the run may know of it, whether it hears it, records it or tells
+// its truth.
 #pragma once
 
 #include "emulator/contract/device.h"

@@ -1,10 +1,12 @@
 #include <algorithm>
 
+#include "emulator/contract/model.h"
 #include "emulator/devices/aris/aris.h"
 #include "emulator/devices/imagenex-852/sounder.h"
 #include "emulator/devices/imagenex-881a/sonar.h"
 #include "emulator/devices/imagenex-deltat/delta_t.h"
 #include "emulator/devices/kongsberg-kmall/kongsberg.h"
+#include "emulator/devices/micron-echosounder/echosounder.h"
 #include "emulator/devices/nmea-echosounder/echosounder.h"
 #include "emulator/devices/norbit-wbms/norbit_wbms.h"
 #include "emulator/devices/oculus/oculus.h"
@@ -12,15 +14,13 @@
 #include "emulator/devices/ping1d/ping1d.h"
 #include "emulator/devices/ping360/ping360.h"
 #include "emulator/devices/r2sonic/r2sonic.h"
-#include "emulator/devices/sonar-3d-15/sonar.h"
 #include "emulator/devices/reson-7k/reson7k.h"
-#include "emulator/devices/surveyor240/surveyor240.h"
 #include "emulator/devices/s500/s500.h"
-#include "emulator/devices/micron-echosounder/echosounder.h"
+#include "emulator/devices/sonar-3d-15/sonar.h"
+#include "emulator/devices/surveyor240/surveyor240.h"
 #include "emulator/devices/tritech-micron/micron.h"
 #include "emulator/devices/tritech-profiler/profiler.h"
 #include "emulator/devices/tritech-seaking/seaking.h"
-#include "emulator/contract/model.h"
 #include "protocols/checksums.h"
 
 namespace echoloop {

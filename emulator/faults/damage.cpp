@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "emulator/faults/pieces.h"
 #include "emulator/contract/options.h"
+#include "emulator/faults/pieces.h"
 #include "emulator/transport/uart.h"
 
 namespace echoloop {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "emulator/faults/seconds.h"
 #include "emulator/contract/options.h"
+#include "emulator/faults/seconds.h"
 
 namespace echoloop {
 namespace {

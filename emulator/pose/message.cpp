@@ -12,7 +12,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-
 /// Thrown inside this file only.
 struct Refusal {
     std::string reason;

@@ -41,7 +41,7 @@ class Movers {
     /// What somebody outside tells of a thing.
     struct Told {
         Whereabouts where;
-        bool placed = false;  ///< it has a place before the first word
+        bool placed = false;    ///< it has a place before the first word
         bool by_lines = false;  ///< of the vehicle's input
         PoseInput* input = nullptr;
         std::uint64_t stale_pings = 0;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "emulator/pose/message.h"
 #include "emulator/clock/stepped_clock.h"
+#include "emulator/pose/message.h"
 
 namespace echoloop {
 

@@ -2,8 +2,8 @@
 
 #include <deque>
 
-#include "emulator/clock/asio.h"
 #include "emulator/capture/recorded.h"
+#include "emulator/clock/asio.h"
 #include "emulator/contract/endpoint.h"
 #include "emulator/transport/make.h"
 

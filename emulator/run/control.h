@@ -6,9 +6,9 @@
 
 #include "emulator/clock/clock.h"
 #include "emulator/faults/control_line.h"
-#include "emulator/scenario/control_place.h"
 #include "emulator/faults/faults.h"
 #include "emulator/run/session.h"
+#include "emulator/scenario/control_place.h"
 
 namespace echoloop {
 

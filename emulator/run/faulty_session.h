@@ -5,8 +5,8 @@
 #include "emulator/faults/faulty.h"
 #include "emulator/faults/faulty_device.h"
 #include "emulator/faults/schedule.h"
-#include "emulator/scenario/scenario.h"
 #include "emulator/run/session.h"
+#include "emulator/scenario/scenario.h"
 
 namespace echoloop {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "emulator/scenario/fault.h"
 #include "emulator/contract/model.h"
+#include "emulator/scenario/fault.h"
 #include "emulator/scenario/problems.h"
 #include "render/pose.h"
 #include "render/renderer.h"
@@ -52,8 +52,8 @@ struct Scenario {
     std::uint64_t seed = 1;
     Water water;           ///< depth defaults to the vehicle's depth below the surface
     Pose world_from_body;  ///< with an input: until its first message; with a trajectory: nothing yet
-    std::filesystem::path trajectory;  ///< as `scene`; empty: none
-    std::string pose_input;            ///< endpoint that poses come from; "": none
+    std::filesystem::path trajectory;     ///< as `scene`; empty: none
+    std::string pose_input;               ///< endpoint that poses come from; "": none
     std::vector<ScenarioObject> objects;  ///< that move
     Animations animations = Animations::loop;
     ClockMode clock = ClockMode::real;

@@ -166,7 +166,8 @@ void append_truth_line(const PingTruth& ping, std::string& text) {
     append_shot(json, echo.shot);
     json.list("beams", echo.shot.bearings, [&](double bearing) { json.number(static_cast<float>(bearing)); });
     if (echo.shot.rows() > 1)
-        json.list("rows", echo.shot.elevations, [&](double elevation) { json.number(static_cast<float>(elevation)); });
+        json.list("rows", echo.shot.elevations,
+                  [&](double elevation) { json.number(static_cast<float>(elevation)); });
     json.list("axis_range", echo.truth, [&](const BeamTruth& truth) { json.number(truth.axis_range); });
     json.list("nearest_range", echo.truth, [&](const BeamTruth& truth) { json.number(truth.nearest_range); });
     append_objects(json, echo);

@@ -1,5 +1,6 @@
-// Header, frame and the common messages of the Blue Robotics Ping protocol as plain structs. No wire code: layouts.h
-// says how they stand on the line. Names are those of the published definitions; angles are gradians, 400 a circle.
+// Header, frame and the common messages of the Blue Robotics Ping protocol as plain structs. No wire code:
+// layouts.h says how they stand on the line. Names are those of the published definitions; angles are
+// gradians, 400 a circle.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// The messages of the Ping1D and Ping2 as plain structs. No wire code: layouts.h says how they stand on the line.
+// The messages of the Ping1D and Ping2 as plain structs. No wire code: layouts.h says how they stand on the
+// line.
 #pragma once
 
 #include "protocols/ping/common_messages.h"

@@ -116,7 +116,7 @@ ECHOLOOP_INLINE void add_exponentials(const RandomStream& stream, std::size_t fi
 }
 
 ECHOLOOP_SIMD void fill_complex(const RandomStream& stream, std::size_t count, float* real,
-                                  float* imaginary) {
+                                float* imaginary) {
     Words words;
     for (std::size_t i = 0; i < count; i += 4 * blocks) {
         fill(stream, 0, i / 4, words);
@@ -126,7 +126,7 @@ ECHOLOOP_SIMD void fill_complex(const RandomStream& stream, std::size_t count, f
 }
 
 ECHOLOOP_SIMD void fill_few_looks(const RandomStream& stream, LookWeights weights, std::size_t count,
-                                    float* power) {
+                                  float* power) {
     float sum[4 * blocks];
     for (std::size_t i = 0; i < count; i += 4 * blocks) {
         std::fill_n(sum, 4 * blocks, 0.0F);
@@ -137,8 +137,7 @@ ECHOLOOP_SIMD void fill_few_looks(const RandomStream& stream, LookWeights weight
 }
 
 /// Wilson & Hilferty: the cube root of a gamma variable is nearly Gaussian.
-ECHOLOOP_SIMD void fill_many_looks(const RandomStream& stream, float looks, std::size_t count,
-                                     float* power) {
+ECHOLOOP_SIMD void fill_many_looks(const RandomStream& stream, float looks, std::size_t count, float* power) {
     const float ninth = 1 / (9 * looks), deviation = std::sqrt(2 * ninth);  // a real part has variance 1 / 2
     float normal[8 * blocks];
     Words words;

@@ -12,14 +12,19 @@ namespace echoloop {
 class BinGain {
   public:
     explicit BinGain(const BinningInput& in)
-        : absorption_(-4 * in.absorption), spreading_(in.spreading), first_(in.first_range), length_(in.bin_length) {
+        : absorption_(-4 * in.absorption),
+          spreading_(in.spreading),
+          first_(in.first_range),
+          length_(in.bin_length) {
         for (std::size_t bin = 0; bin < in.bins; ++bin)
-            values_.push_back(static_cast<float>(in.source_power * mean(first_ + static_cast<double>(bin) * length_)));
+            values_.push_back(
+                static_cast<float>(in.source_power * mean(first_ + static_cast<double>(bin) * length_)));
     }
 
     const std::vector<float>& values() const { return values_; }
 
-    /// gain at the range itself over that of its bin: what a bin's mean leaves out close to the sonar. 1 farther away.
+    /// gain at the range itself over that of its bin: what a bin's mean leaves out close to the sonar. 1
+    /// farther away.
     float correction(float range) const {
         const double bin = std::floor((range - first_) / length_), low = first_ + bin * length_;
         return static_cast<float>(at(range) / mean(low));

@@ -25,7 +25,8 @@ class LineSums {
     std::vector<LineBins> lines_, sectors_;
 };
 
-/// Reads the pixels of one thread's lines; keeps three rows, so that who needs a line's neighbours unpacks them once.
+/// Reads the pixels of one thread's lines; keeps three rows, so that who needs a line's neighbours unpacks
+/// them once.
 class LineReader {
   public:
     /// Line `line` of `view`; valid until the next call.
@@ -39,7 +40,7 @@ class LineReader {
     const PixelRow& before() const { return first_ ? rows_[1] : rows_[0]; }
     const PixelRow& after() const { return last_ ? rows_[1] : rows_[2]; }
 
-    Extents extents;  ///< what the reader of the line makes of it
+    Extents extents;             ///< what the reader of the line makes of it
     std::vector<float> weights;  ///< of the line's samples in a single beam
 
   private:

@@ -1,5 +1,5 @@
-// How a fan weighs directions along one axis: a box of the nominal width, or an aperture's two-way pattern. Knows no
-// pixels and no scene.
+// How a fan weighs directions along one axis: a box of the nominal width, or an aperture's two-way pattern.
+// Knows no pixels and no scene.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@ class Lobe {
   public:
     /// Power 1 over `width` rad, nothing outside.
     static Lobe box(double width);
-    /// The pattern of `axis`, -3 dB full width `width`. edge() is where the main lobe has fallen to `edge_power`.
+    /// The pattern of `axis`, -3 dB full width `width`. edge() is where the main lobe has fallen to
+    /// `edge_power`.
     static Lobe pattern(AxisPattern axis, double width, double edge_power);
 
     /// Mean two-way power, relative to the axis, over the angles low..high off the axis (low < high, rad).

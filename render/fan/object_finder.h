@@ -12,9 +12,9 @@ namespace echoloop {
 
 class ObjectFinder {
   public:
-    /// Fills in `objects` (as Echogram::objects, all 0 before). `object_of_surface`: index in Scene::objects()
-    /// of every surface index. Bins with less power than `least` (uPa^2, of all echoes that arrive within the
-    /// bin) are 0.
+    /// Fills in `objects` (as Echogram::objects, all 0 before). `object_of_surface`: index in
+    /// Scene::objects() of every surface index. Bins with less power than `least` (uPa^2, of all echoes that
+    /// arrive within the bin) are 0.
     void find(Summing& summing, BinningInput in, std::span<const std::uint32_t> object_of_surface,
               double least, std::vector<std::uint16_t>& objects);
 

@@ -46,8 +46,8 @@ inline float range_step(float before, float before_surface, float range, float a
     return std::copysign(std::min(footprint, 1.5F * std::abs(nearer)), nearer);
 }
 
-/// What a sample's echo is spread over: the plane of its surface, as far as a pixel of the usual size shows it. A
-/// function of the sample alone, so that the mean over pings does not depend on the number of pixels.
+/// What a sample's echo is spread over: the plane of its surface, as far as a pixel of the usual size shows
+/// it. A function of the sample alone, so that the mean over pings does not depend on the number of pixels.
 struct EchoSpread {
     explicit EchoSpread(const View& view)
         : most_across(static_cast<float>(most * view.usual_width * view.line_width())),

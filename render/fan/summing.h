@@ -27,9 +27,9 @@ class Summing {
     /// Power before the first or beyond the last bin is dropped, never wrapped or piled up.
     virtual void sum(const BinningInput& in, std::vector<float>& values) = 0;
 
-    /// Fills `power` in the same way, radiometrically, with what the surfaces in `in.wanted` send straight back.
-    /// `lines`: those of the image that show such a surface, ascending. Returns false, and leaves `power` as it
-    /// is, where no beam hears any of it.
+    /// Fills `power` in the same way, radiometrically, with what the surfaces in `in.wanted` send straight
+    /// back. `lines`: those of the image that show such a surface, ascending. Returns false, and leaves
+    /// `power` as it is, where no beam hears any of it.
     virtual bool sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
                             std::vector<float>& power) = 0;
 

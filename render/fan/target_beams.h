@@ -10,8 +10,8 @@
 
 namespace echoloop {
 
-/// One point echo per beam and path that is heard. A single beam's pattern is in the echoes already; a fan's beams
-/// weigh them by their bearing.
+/// One point echo per beam and path that is heard. A single beam's pattern is in the echoes already; a fan's
+/// beams weigh them by their bearing.
 std::vector<PointEcho> points_of(const FanPlan& plan, std::span<const TargetEcho> targets);
 
 }  // namespace echoloop

@@ -20,16 +20,19 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// By how much a coarse stand-in may be off at most; in the root mean square it is a third of that. Pixels of more than a
-/// degree show what side lobes hear: first of all the nearest bottom, whose first return shifts with it, so
-/// near stand-ins are finer.
+/// By how much a coarse stand-in may be off at most; in the root mean square it is a third of that. Pixels of
+/// more than a degree show what side lobes hear: first of all the nearest bottom, whose first return shifts
+/// with it, so near stand-ins are finer.
 ViewLimits limits_of(const View& view, const Outlook& outlook) {
     const double pixel =
         std::max(view.line_width() * view.usual_width, view.sample_height() * view.usual_height);
     const bool background = outlook.begin_range > 0, coarse = pixel > deg_to_rad(1);
     return {.end_range = outlook.end_range,
             .margin = pixel,
-            .tolerance = (background ? 1.5 : coarse ? 1.0 : 0.4) * pixel,
+            .tolerance = (background ? 1.5
+                          : coarse   ? 1.0
+                                     : 0.4) *
+                         pixel,
             .full_tolerance_range = coarse && !background ? 0.45 * outlook.end_range : 0,
             .begin_range = outlook.begin_range,
             .hiding_tolerance = 4 * pixel};
@@ -76,7 +79,8 @@ void find_seen(const Scene& scene, const Outlook& outlook, SeenView& seen) {
 
 }  // namespace
 
-void find_seen(const Scene& scene, const Picture& picture, const Outlook& outlook, std::vector<SeenView>& seen) {
+void find_seen(const Scene& scene, const Picture& picture, const Outlook& outlook,
+               std::vector<SeenView>& seen) {
     seen.resize(picture.views.size());
     for (std::size_t i = 0; i < seen.size(); ++i) {
         seen[i].view = &picture.views[i];

@@ -41,7 +41,8 @@ struct Outlook {
 };
 
 /// Fills `seen`, one for every view of the picture, whose places it keeps. Needs no GL.
-void find_seen(const Scene& scene, const Picture& picture, const Outlook& outlook, std::vector<SeenView>& seen);
+void find_seen(const Scene& scene, const Picture& picture, const Outlook& outlook,
+               std::vector<SeenView>& seen);
 
 class SceneDrawer {
   public:

@@ -6,9 +6,7 @@
 namespace echoloop {
 
 GridPlan::GridPlan(const FanGeometry& rows_of_beams)
-    : lobes(rows_of_beams),
-      columns(rows_of_beams.bearings.size()),
-      rows(rows_of_beams.elevations.size()) {
+    : lobes(rows_of_beams), columns(rows_of_beams.bearings.size()), rows(rows_of_beams.elevations.size()) {
     geometry = rows_of_beams;
     axes.reserve(columns * rows);
     for (const double elevation : geometry.elevations)

@@ -7,7 +7,7 @@ namespace echoloop {
 namespace {
 
 constexpr double right_angle_tolerance = 0.0175;  ///< rad, one degree
-constexpr double weakest_corner = 1e-2;                  ///< amplitude of all reflections together
+constexpr double weakest_corner = 1e-2;           ///< amplitude of all reflections together
 constexpr std::size_t most_corners = 8;
 constexpr int most_thirds = 32;  ///< rays in search of a third face
 
@@ -34,7 +34,8 @@ double mirror_zone_radius(double wavenumber, double range) {
 }
 
 void CornerList::note(const Encounter& first, const Encounter& second, Vec3 onward) {
-    if (!square(first.normal, second.normal) || std::abs(first.reflection * second.reflection) < weakest_corner)
+    if (!square(first.normal, second.normal) ||
+        std::abs(first.reflection * second.reflection) < weakest_corner)
         return;
     const Plane a = plane_of(first), b = plane_of(second);
     const Vec3 edge = cross(a.normal, b.normal);

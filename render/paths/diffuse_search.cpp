@@ -69,7 +69,8 @@ class DiffuseSearch {
             const Vec3 direction = rotate(ping_.world_from_fan, fan_direction(cell.bearing, cell.elevation));
             const auto first = ping_.space.meet(ping_.sonar, direction, 2 * ping_.end_range);
             if (!first) continue;
-            if (std::abs(first->reflection * first->flatness) > weakest_reflection) follow_mirror(cell, direction, *first);
+            if (std::abs(first->reflection * first->flatness) > weakest_reflection)
+                follow_mirror(cell, direction, *first);
             if (first->mu > 0) return_by_surface(cell, direction, *first);
         }
     }
@@ -156,7 +157,8 @@ class DiffuseSearch {
         }
         const double power = echo.amplitude * echo.amplitude * strength;
         if (power > 0)
-            fill_beams(cell, echo, static_cast<float>(near), static_cast<float>(far), static_cast<float>(power));
+            fill_beams(cell, echo, static_cast<float>(near), static_cast<float>(far),
+                       static_cast<float>(power));
     }
 
     /// A cell is wider than a beam: its echo comes from all its bearings.
@@ -165,12 +167,14 @@ class DiffuseSearch {
         echo.near_range = near, echo.far_range = far, echo.power = power;
         const double width = cell.last_bearing - cell.first_bearing, bearing = arrival.bearing;
         if (rows_) {  // beams share it by their patterns over the cell
-            echo.bearing = static_cast<float>(bearing), echo.elevation = static_cast<float>(arrival.elevation);
+            echo.bearing = static_cast<float>(bearing),
+            echo.elevation = static_cast<float>(arrival.elevation);
             echo.width = static_cast<float>(width), echo.height = static_cast<float>(cell.high - cell.low);
             out_.push_back(echo);
             return;
         }
-        const int copies = spacing_ > 0 ? std::clamp(static_cast<int>(std::ceil(width / spacing_)), 1, most_copies) : 1;
+        const int copies =
+            spacing_ > 0 ? std::clamp(static_cast<int>(std::ceil(width / spacing_)), 1, most_copies) : 1;
         const double first = bearing - (cell.bearing - cell.first_bearing);
         echo.power /= static_cast<float>(copies);
         for (int i = 0; i < copies; ++i) {

@@ -19,7 +19,8 @@ double r2(std::uint64_t k, int axis) {
 LobeCells::LobeCells(const Shot& shot, double half_width, double half_height)
     : half_height_(std::min(half_height, 1.5)) {
     if (shot.rows() > 1)
-        half_height_ = std::min(1.5, half_height + std::max(-shot.elevations.front(), shot.elevations.back()));
+        half_height_ =
+            std::min(1.5, half_height + std::max(-shot.elevations.front(), shot.elevations.back()));
     const std::size_t columns_at_most = shot.rows() > 1 ? columns_of_rows : most_columns;
     const std::size_t all_cells = shot.rows() > 1 ? columns_of_rows * most_rows : fan_cells;
     for (const double bearing : shot.bearings) {

@@ -26,9 +26,9 @@ struct LobeCell {
 class LobeCells {
   public:
     /// Cells over the beams' bearings and `half_width` rad beside them, `half_height` above and below the
-    /// plane, or the rows: 512 for a fan, 64 for one beam, 2048 for rows, a few more where beams lie apart. Rays are placed by the
-    /// low-discrepancy sequence R2 (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"),
-    /// which goes on from ping to ping.
+    /// plane, or the rows: 512 for a fan, 64 for one beam, 2048 for rows, a few more where beams lie apart.
+    /// Rays are placed by the low-discrepancy sequence R2 (Roberts 2018, "The unreasonable effectiveness of
+    /// quasirandom sequences"), which goes on from ping to ping.
     LobeCells(const Shot& shot, double half_width, double half_height);
 
     const std::vector<LobeCell>& cells() const { return cells_; }

@@ -40,8 +40,8 @@ std::optional<Encounter> PathSpace::meet(Vec3 origin, Vec3 direction, double end
     const double loss = coherent_loss(wavenumber_, material.roughness, -dot(direction, hit->normal));
     // The facet's smaller side against the diameter of the first Fresnel zone: a pipe's facets mirror little.
     const double zone = 2 * std::sqrt(std::numbers::pi * hit->range / wavenumber_);
-    return Encounter{origin + hit->range * direction, hit->normal, hit->range, material.reflection * loss,
-                     mu_[hit->material], std::min(1.0, hit->height / zone)};
+    return Encounter{origin + hit->range * direction, hit->normal,        hit->range,
+                     material.reflection * loss,      mu_[hit->material], std::min(1.0, hit->height / zone)};
 }
 
 }  // namespace echoloop

@@ -26,7 +26,8 @@ struct Encounter {
     double range = 0;       ///< m, along the ray
     double reflection = 0;  ///< amplitude of the mirrored wave at this angle of grazing, -1..1
     double mu = 0;          ///< Lambert's constant; 0 for the water's surface, which only mirrors
-    double flatness = 1;    ///< share of the mirrored amplitude that a facet smaller than its Fresnel zone keeps
+    double flatness =
+        1;  ///< share of the mirrored amplitude that a facet smaller than its Fresnel zone keeps
 };
 
 class PathSpace {

@@ -50,7 +50,8 @@ class PathTracer::Impl {
         space_->place(movers);
         targets_.assign(scene_->point_targets().begin(), scene_->point_targets().end());
         for (PointTarget& target : targets_)
-            if (target.mover > 0 && target.mover <= movers.size()) target.position = movers[target.mover - 1] * target.position;
+            if (target.mover > 0 && target.mover <= movers.size())
+                target.position = movers[target.mover - 1] * target.position;
     }
 
     std::shared_ptr<const Scene> scene_;

@@ -28,8 +28,8 @@ struct PathEcho {
           far_range = 0;  ///< m, apparent slant range: half the path's length; spread evenly between
     float power = 0;      ///< uPa^2, as if the pulse were infinitely short
     float bearing = 0;    ///< rad, where it arrives from, relative to Shot::pan
-    /// rad, where the shot has rows: over the fan's plane, and how far the directions reach that it comes from; the
-    /// receiver's vertical pattern is left out too.
+    /// rad, where the shot has rows: over the fan's plane, and how far the directions reach that it comes
+    /// from; the receiver's vertical pattern is left out too.
     float elevation = 0, width = 0, height = 0;
 };
 
@@ -41,7 +41,8 @@ struct TargetEcho {
     double phase = 0;    ///< rad, of the path's length and reflections
     double bearing = 0;  ///< rad, of arrival, relative to Shot::pan
     int bounces = 0;     ///< reflections on the way there and back
-    double elevation = 0;  ///< rad, over the fan's plane; where the shot has rows, its vertical pattern is left out too
+    double elevation =
+        0;  ///< rad, over the fan's plane; where the shot has rows, its vertical pattern is left out too
 };
 
 struct PathEchoes {
@@ -55,8 +56,9 @@ class PathTracer {
     PathTracer(std::shared_ptr<const Scene> scene, std::optional<WaterSurface> surface, Effects effects);
     ~PathTracer();
 
-    /// Adds the echoes of one ping to `out`. `movers`: world_from_object of all that the scene has. `absorption` in Np/m (0 when off), `end_range` in m. Cost is
-    /// bounded: a fixed number of rays, placed by the low-discrepancy sequence of the ping's number.
+    /// Adds the echoes of one ping to `out`. `movers`: world_from_object of all that the scene has.
+    /// `absorption` in Np/m (0 when off), `end_range` in m. Cost is bounded: a fixed number of rays, placed
+    /// by the low-discrepancy sequence of the ping's number.
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
                double end_range, PathEchoes& out, std::span<const Pose> movers = {});
 

@@ -77,7 +77,7 @@ using Tree = Handle<RTCScene, rtcReleaseScene>;
 struct Group {
     TriangleSet sets[2];  ///< there from one side, from both
     Tree tree;
-    Geometry instance;    ///< in the tree of all, where that is another
+    Geometry instance;  ///< in the tree of all, where that is another
     Quat world_from_group;
 };
 
@@ -196,8 +196,10 @@ class RayScene::Impl {
         const std::uint32_t* corner = &set.corners[3 * std::size_t{triangle}];
         double longest = 0;
         for (int i = 0; i < 3; ++i) {
-            const auto &a = scene_->vertices()[corner[i]].position, &b = scene_->vertices()[corner[(i + 1) % 3]].position;
-            longest = std::max(longest, std::hypot(double{a[0]} - b[0], double{a[1]} - b[1], double{a[2]} - b[2]));
+            const auto &a = scene_->vertices()[corner[i]].position,
+                       &b = scene_->vertices()[corner[(i + 1) % 3]].position;
+            longest =
+                std::max(longest, std::hypot(double{a[0]} - b[0], double{a[1]} - b[1], double{a[2]} - b[2]));
         }
         return longest;
     }

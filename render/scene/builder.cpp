@@ -222,7 +222,8 @@ std::shared_ptr<const Scene> SceneBuilder::finish() {
                     "export meshes, not only empties, points or lines");
     end_nodes();
     scene_->bounds_ = scene_->still_bounds_;
-    for (const SceneMover& mover : scene_->movers_) enclose(scene_->bounds_, placed(mover.bounds, mover.rest));
+    for (const SceneMover& mover : scene_->movers_)
+        enclose(scene_->bounds_, placed(mover.bounds, mover.rest));
     return std::shared_ptr<const Scene>(scene_.release());
 }
 

@@ -28,6 +28,7 @@ std::string buffer_uri(std::size_t index);
 
 /// Throws SceneFault with the JSON path of the first fault.
 /// `animations`: read them, else they are not even looked at.
-SceneDocument check_document(const SceneContainer& container, const SceneFolder& folder, bool animations = false);
+SceneDocument check_document(const SceneContainer& container, const SceneFolder& folder,
+                             bool animations = false);
 
 }  // namespace echoloop

@@ -29,8 +29,7 @@ std::vector<DocumentChannel> read_channels(const JsonView& root, const DocumentC
             const bool moves = path == "translation" || path == "rotation";
             if (!moves && node) ++left_out;
             if (!moves || !node) continue;  // without a node an extension knows what it means
-            const JsonView& sampler =
-                samplers.at(channel.need("sampler").index(samplers.size(), "samplers"));
+            const JsonView& sampler = samplers.at(channel.need("sampler").index(samplers.size(), "samplers"));
             if (out.size() == scene_limits::elements)
                 scene_fault("animations",
                             "have more than " + std::to_string(scene_limits::elements) + " channels",

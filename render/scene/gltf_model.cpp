@@ -170,11 +170,14 @@ std::vector<Vec3> GltfModel::read_vectors(std::size_t index, const std::string& 
 std::vector<std::array<float, 4>> GltfModel::read_values(std::size_t index, std::size_t parts,
                                                          const std::string& place) const {
     const auto& accessor = parsed_->model.accessors.at(index);
-    const int type = parts == 1   ? TINYGLTF_TYPE_SCALAR
-                     : parts == 3 ? TINYGLTF_TYPE_VEC3
-                                  : TINYGLTF_TYPE_VEC4;
+    const int type = parts == 1 ? TINYGLTF_TYPE_SCALAR : parts == 3 ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_VEC4;
     if (accessor.type != type || accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT)
-        scene_fault(place, "must be " + std::string(parts == 1 ? "SCALAR" : parts == 3 ? "VEC3" : "VEC4") + " of float",
+        scene_fault(place,
+                    "must be " +
+                        std::string(parts == 1   ? "SCALAR"
+                                    : parts == 3 ? "VEC3"
+                                                 : "VEC4") +
+                        " of float",
                     "export the scene without quantisation");
     const Elements source = elements(index, place);
     std::vector<std::array<float, 4>> out(source.count);
@@ -182,7 +185,8 @@ std::vector<std::array<float, 4>> GltfModel::read_values(std::size_t index, std:
         std::memcpy(out[i].data(), source.first + i * source.stride, parts * sizeof(float));
         for (const float part : out[i])
             if (!std::isfinite(part))
-                scene_fault(place, "element " + std::to_string(i) + " is not finite", "export the scene again");
+                scene_fault(place, "element " + std::to_string(i) + " is not finite",
+                            "export the scene again");
     }
     return out;
 }

@@ -85,11 +85,11 @@ struct Key {
 
 /// In this order, so that what is more particular wins.
 constexpr std::array<Key, 6> material_keys{{{"material", read_named},
-                                   {"mu_db", read_mu_db},
-                                   {"seabed", read_seabed},
-                                   {"backscatter_db", read_curve},
-                                   {"reflection", read_reflection},
-                                   {"roughness", read_roughness}}};
+                                            {"mu_db", read_mu_db},
+                                            {"seabed", read_seabed},
+                                            {"backscatter_db", read_curve},
+                                            {"reflection", read_reflection},
+                                            {"roughness", read_roughness}}};
 
 void check_material_keys(const JsonView& sonar) {
     if (!sonar.value().is_object())

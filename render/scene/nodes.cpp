@@ -59,7 +59,8 @@ class Walk {
   public:
     explicit Walk(const GltfModel& model) : model_(model), seen_(model.nodes().size()) {}
 
-    void visit(std::size_t index, std::optional<std::size_t> parent, std::size_t depth, const std::string& place) {
+    void visit(std::size_t index, std::optional<std::size_t> parent, std::size_t depth,
+               const std::string& place) {
         if (seen_[index])
             scene_fault(place, "meets node " + std::to_string(index) + " again",
                         "give each node one parent, without cycles");
@@ -76,8 +77,7 @@ class Walk {
         out_.push_back({index, node.mesh, node.name.empty() ? "node" + std::to_string(index) : node.name,
                         world_from_node, above * local_rotation(node), parent});
         for (std::size_t i = 0; i < node.children.size(); ++i)
-            visit(node.children[i], own, depth + 1,
-                  place_of(index) + ".children[" + std::to_string(i) + "]");
+            visit(node.children[i], own, depth + 1, place_of(index) + ".children[" + std::to_string(i) + "]");
     }
 
     std::vector<PlacedNode> take() { return std::move(out_); }

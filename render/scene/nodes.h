@@ -17,9 +17,9 @@ namespace echoloop {
 struct PlacedNode {
     std::size_t node;
     std::optional<std::size_t> mesh;
-    std::string object;          ///< the node's name, or "node<index>"
-    glm::dmat4 world_from_node;  ///< still glTF axes, y up
-    glm::dquat rotation;         ///< of world_from_node, without its scale
+    std::string object;                 ///< the node's name, or "node<index>"
+    glm::dmat4 world_from_node;         ///< still glTF axes, y up
+    glm::dquat rotation;                ///< of world_from_node, without its scale
     std::optional<std::size_t> parent;  ///< index in the same list
 };
 

@@ -86,7 +86,8 @@ std::shared_ptr<const Scene> read_scene(std::span<const unsigned char> bytes, co
             if (!placed[i].mesh) continue;
             for (const auto& primitive : model.primitives(*placed[i].mesh))
                 if (primitive.mode >= 4)  // points and lines have no area to scatter from
-                    builder.add(read_primitive(model, primitive, placed[i], document, mover), primitive.place);
+                    builder.add(read_primitive(model, primitive, placed[i], document, mover),
+                                primitive.place);
         }
     };
     add_all_of(0, nullptr);

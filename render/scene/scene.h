@@ -1,5 +1,6 @@
 // A scene as the sonar meets it: triangles in world coordinates (ENU, metres, z up) with acoustic materials,
-// cut into chunks for culling. What moves is kept in a frame of its own. Immutable; reads nothing outside the scene file's folder and knows no GL.
+// cut into chunks for culling. What moves is kept in a frame of its own. Immutable; reads nothing outside the
+// scene file's folder and knows no GL.
 #pragma once
 
 #include <array>
@@ -110,9 +111,10 @@ struct SceneOptions {
 class Scene {
   public:
     /// Reads a .gltf (with .bin or data: buffers) or .glb. Throws SceneError.
-    static std::shared_ptr<const Scene> load(const std::filesystem::path& file, const SceneOptions& options = {});
-    /// Throws SceneError (file "meshes") for the same faults as load(). Meshes whose object is named in `movable` are
-    /// given in its own frame, which lies in the world's until it is moved.
+    static std::shared_ptr<const Scene> load(const std::filesystem::path& file,
+                                             const SceneOptions& options = {});
+    /// Throws SceneError (file "meshes") for the same faults as load(). Meshes whose object is named in
+    /// `movable` are given in its own frame, which lies in the world's until it is moved.
     static std::shared_ptr<const Scene> from_meshes(std::span<const Mesh> meshes,
                                                     std::span<const PointTarget> targets = {},
                                                     std::span<const std::string> movable = {});

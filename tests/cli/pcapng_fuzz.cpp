@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "protocols/stream_decoder.h"
 #include "tools/capture/packet.h"
 #include "tools/capture/pcapng_reader.h"
-#include "protocols/stream_decoder.h"
 #include "tools/capture/tcp_streams.h"
 
 using namespace echoloop;
@@ -25,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     while (const auto raw = file.next()) {
         const auto packet = reader.read(raw->link_type, raw->bytes);
         if (const auto* segment = std::get_if<capture::TcpSegment>(&packet)) tcp.add(*segment, decode);
-        if (const auto* serial = std::get_if<capture::SerialBytes>(&packet)) decoder.add(serial->payload, ignore);
+        if (const auto* serial = std::get_if<capture::SerialBytes>(&packet))
+            decoder.add(serial->payload, ignore);
     }
     tcp.finish(decode);
     decoder.finish(ignore);

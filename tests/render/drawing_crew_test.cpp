@@ -21,7 +21,8 @@ std::vector<Pixel> draw(std::size_t threads, const std::shared_ptr<const Scene>&
     gl::DrawingCrew crew(make_context, scene, threads);
     std::vector<Pixel> pixels;
     for (int ping = 0; ping < 2; ++ping)
-        crew.draw(plan, {pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, 50, 0, {0.2, -0.3}}, pixels);
+        crew.draw(plan, {pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, 50, 0, {0.2, -0.3}},
+                  pixels);
     if (profile != nullptr) *profile = crew.profile();
     return pixels;
 }

@@ -31,7 +31,8 @@ TEST(Geometry, TargetsStandInTheirBeamAndBin) {
             Shot shot = test::fan(130, 20, 130, 400, 40, 1500);  // the device's bins are times, not ranges
             shot.first_bin_time = 2e-3;
             const double range = 17.3 + 0.1 * bearing;
-            Renderer renderer(scene_of({plate(deg_to_rad(bearing), range, 0.1)}), test::water_of(c), test::boxes());
+            Renderer renderer(scene_of({plate(deg_to_rad(bearing), range, 0.1)}), test::water_of(c),
+                              test::boxes());
             const Echogram e = renderer.render(shot, {});
             const std::size_t beam = strongest_beam(e);
             EXPECT_LE(std::abs(shot.bearings[beam] - deg_to_rad(bearing)), shot.beam_width / 2 + 1e-9)
@@ -46,7 +47,8 @@ TEST(Geometry, TargetsStandInTheirBeamAndBin) {
 TEST(Geometry, FansUpToAFullTurn) {
     const Shot shot = test::fan(360, 20, 180, 200, 40);
     for (const double bearing : {-171.0, -93.0, -31.0, 1.0, 89.0, 179.0}) {
-        Renderer renderer(scene_of({plate(deg_to_rad(bearing), 20, 0.5)}), test::water_of(1500), test::boxes());
+        Renderer renderer(scene_of({plate(deg_to_rad(bearing), 20, 0.5)}), test::water_of(1500),
+                          test::boxes());
         const Echogram e = renderer.render(shot, {});
         EXPECT_LE(std::abs(shot.bearings[strongest_beam(e)] - deg_to_rad(bearing)),
                   shot.beam_width / 2 + 1e-9);
@@ -172,7 +174,8 @@ TEST(Geometry, NothingWrapsAndNothingPilesUp) {
     const Echogram e = before.render(shot, {});
     for (const float v : e.values) EXPECT_EQ(v, 0);
     EXPECT_NEAR(e.truth[5].nearest_range, 3, 0.05);
-    Renderer empty(scene_of({test::wall_at(-12, 1, -1, 1)}), test::water_of(1500), test::boxes());  // behind the sonar
+    Renderer empty(scene_of({test::wall_at(-12, 1, -1, 1)}), test::water_of(1500),
+                   test::boxes());  // behind the sonar
     for (const float v : empty.render(shot, {}).values) EXPECT_EQ(v, 0);
 }
 
@@ -207,8 +210,8 @@ TEST(Geometry, OneSideScatters) {
     EXPECT_EQ(test::total_power(Renderer(scene_of({wall}), {}, test::boxes()).render(shot, astern)), 0);
     wall.material.double_sided = true;
     const double both = test::total_power(Renderer(scene_of({wall}), {}, test::boxes()).render(shot, astern));
-    const double front =
-        test::total_power(Renderer(scene_of({test::wall_at(10, 5, -5, 5)}), {}, test::boxes()).render(shot, {}));
+    const double front = test::total_power(
+        Renderer(scene_of({test::wall_at(10, 5, -5, 5)}), {}, test::boxes()).render(shot, {}));
     EXPECT_GT(front, 0);
     EXPECT_NEAR(test::db(both / front), 0, 0.01);
 }

@@ -1,5 +1,5 @@
-// What to write into the configuration of a driver so that it finds an emulated sonar, from what its model says
-// of itself (emulator/contract/known_driver.h). Opens nothing.
+// What to write into the configuration of a driver so that it finds an emulated sonar, from what its model
+// says of itself (emulator/contract/known_driver.h). Opens nothing.
 #pragma once
 
 #include <string>

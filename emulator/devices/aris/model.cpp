@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "emulator/devices/aris/aris.h"
 #include "emulator/contract/endpoint.h"
+#include "emulator/devices/aris/aris.h"
 
 namespace echoloop::aris_device {
 namespace {

@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "emulator/devices/kongsberg-kmall/kongsberg.h"
 #include "emulator/contract/endpoint.h"
+#include "emulator/devices/kongsberg-kmall/kongsberg.h"
 
 namespace echoloop::kongsberg_kmall {
 namespace {

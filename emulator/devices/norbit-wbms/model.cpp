@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "emulator/devices/norbit-wbms/norbit_wbms.h"
 #include "emulator/contract/endpoint.h"
+#include "emulator/devices/norbit-wbms/norbit_wbms.h"
 
 namespace echoloop::norbit_device {
 namespace {

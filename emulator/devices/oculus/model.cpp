@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "emulator/devices/oculus/oculus.h"
 #include "emulator/contract/endpoint.h"
+#include "emulator/devices/oculus/oculus.h"
 #include "protocols/oculus/codec.h"
 
 namespace echoloop::oculus_device {

@@ -59,11 +59,12 @@ Model model() {
     m.family = "r2sonic";
     m.sends = {{"bathymetry", 1, 0}, {"TruePix", 1, 1},      {"status", 1, 2},
                {"images", 1, 3},     {"water column", 1, 5}, {"snippets", 1, 6}};
-    m.drivers = {{"ros2",
-                  "USF-COMIT ros2sonic",
-                  {"ros2 run r2sonic r2sonic_node --ros-args -p interface_ip:={host 2} -p ports/bathy:={bathymetry} "
-                   "-p ports/acoustic_image:={images} -p sonar_ip:={host}"},
-                  "it only listens: settings come from the scenario, or from a program that sends CMD0"}};
+    m.drivers = {
+        {"ros2",
+         "USF-COMIT ros2sonic",
+         {"ros2 run r2sonic r2sonic_node --ros-args -p interface_ip:={host 2} -p ports/bathy:={bathymetry} "
+          "-p ports/acoustic_image:={images} -p sonar_ip:={host}"},
+         "it only listens: settings come from the scenario, or from a program that sends CMD0"}};
     return m;
 }
 

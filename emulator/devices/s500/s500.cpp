@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "emulator/devices/family/sounder/auto_range.h"
 #include "emulator/devices/family/cerulean/levels.h"
+#include "emulator/devices/family/sounder/auto_range.h"
 
 namespace echoloop::s500 {
 namespace {

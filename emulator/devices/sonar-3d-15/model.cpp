@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "emulator/devices/sonar-3d-15/sonar.h"
 #include "emulator/contract/endpoint.h"
+#include "emulator/devices/sonar-3d-15/sonar.h"
 
 namespace echoloop::sonar_3d_15 {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "emulator/devices/sonar-3d-15/api.h"
 #include "emulator/contract/endpoint.h"
+#include "emulator/devices/sonar-3d-15/api.h"
 #include "protocols/sonar3d/codec.h"
 
 namespace echoloop::sonar_3d_15 {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string_view>
 
-#include "emulator/devices/family/cerulean/common.h"
 #include "emulator/contract/ping_pacer.h"
+#include "emulator/devices/family/cerulean/common.h"
 #include "emulator/devices/surveyor240/messages.h"
 
 namespace echoloop::surveyor240 {

@@ -5,9 +5,9 @@
 #include <array>
 #include <optional>
 
+#include "emulator/contract/model.h"
 #include "emulator/devices/family/tritech/head.h"
 #include "emulator/devices/tritech-profiler/settings.h"
-#include "emulator/contract/model.h"
 
 namespace echoloop::profiler {
 

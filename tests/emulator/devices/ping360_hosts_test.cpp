@@ -113,7 +113,7 @@ TEST(Ping360Hosts, PingViewerScansByItselfAfterAnEmptyDatagram) {
     for (const Send& s : sent) EXPECT_EQ(s.to.port, 50000);
     bench.say(Bytes{}, 0, viewer);
     bench.say(auto_transmit(0, 399, 2), 0, viewer);  // another setting
-    bench.run_to(2s);  // the way back first
+    bench.run_to(2s);                                // the way back first
     sent = bench.sent();
     ASSERT_GT(sent.size(), 3u);
     EXPECT_EQ(angles(sent)[0], 0);

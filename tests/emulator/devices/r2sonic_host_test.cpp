@@ -11,7 +11,8 @@ namespace {
 TEST(R2SonicUnknownCommands, AreCountedOnceANameHoweverOftenTheyComeAndHoweverManyThereAre) {
     Bench bench = head({{"trigger", std::string("command")}});
     for (int again = 0; again < 3; ++again)
-        for (const char* what : {"XYZ0", "RNG0", "DHM0", "ABS4", "ABS5", "BDG0", "MIM0"})  // two of them unknown
+        for (const char* what :
+             {"XYZ0", "RNG0", "DHM0", "ABS4", "ABS5", "BDG0", "MIM0"})  // two of them unknown
             bench.say(command(what, 40.0F));
     EXPECT_EQ(bench.device().counters().rejected, 2u);
     for (int i = 0; i < 2000; ++i) bench.say(command("#" + std::to_string(i), std::uint32_t{0}));

@@ -6,8 +6,8 @@
 
 #include <stdexcept>
 
-#include "emulator/scenario/control_place.h"
 #include "emulator/contract/options.h"
+#include "emulator/scenario/control_place.h"
 
 namespace echoloop {
 namespace {

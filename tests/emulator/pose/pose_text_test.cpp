@@ -39,8 +39,9 @@ TEST(PoseLine, MayNameAnObjectOfTheScene) {
     EXPECT_EQ(good(R"({"object": "auv", "position": [0, 0, 0], "rpy_deg": [0, 0, 90]})").object, "auv");
     EXPECT_EQ(good(R"({"object": "auv", "position": [1, 2, 3], "attitude": [0, 0, 0]})").object, "auv");
     for (const char* name : {"7", "\"\"", "null", "[\"auv\"]"})
-        EXPECT_THAT(parse_pose_line("{\"position\": [0, 0, 0], \"object\": " + std::string(name) + "}").reason,
-                    HasSubstr("object: expected the name of a node"));
+        EXPECT_THAT(
+            parse_pose_line("{\"position\": [0, 0, 0], \"object\": " + std::string(name) + "}").reason,
+            HasSubstr("object: expected the name of a node"));
 }
 
 TEST(PoseLine, ArduPilotSpeaksNorthEastDown) {

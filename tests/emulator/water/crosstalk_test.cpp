@@ -177,7 +177,9 @@ TEST(CrossTalk, RowsOfBeamsHearAPulseWhereItComesFrom) {
         cross_talk.add(cross_talk.pulses_in(silent, receiver), silent);
         return silent;
     }();
-    const auto power = [&](std::size_t row, std::size_t column) { return echo.values[(row * 5 + column) * 100 + 30]; };
+    const auto power = [&](std::size_t row, std::size_t column) {
+        return echo.values[(row * 5 + column) * 100 + 30];
+    };
     EXPECT_GT(power(2, 2), 0);
     for (std::size_t i = 0; i < 5; ++i) {
         EXPECT_FLOAT_EQ(power(2, i), power(i, 2)) << "alike across and upwards";
@@ -189,9 +191,11 @@ TEST(CrossTalk, RowsOfBeamsHearAPulseWhereItComesFrom) {
     sender.shot.bearings = sender.shot.elevations = {-0.2, 0.2};
     sender.shot.fan_height = 0.1;
     const float ahead = heard(sender).values[30];
-    sender.world_from_sonar.orientation = axis_angle({0, 0, 1}, std::numbers::pi) * axis_angle({0, 1, 0}, 0.15);
+    sender.world_from_sonar.orientation =
+        axis_angle({0, 0, 1}, std::numbers::pi) * axis_angle({0, 1, 0}, 0.15);
     EXPECT_FLOAT_EQ(heard(sender).values[30], ahead);
-    sender.world_from_sonar.orientation = axis_angle({0, 0, 1}, std::numbers::pi) * axis_angle({0, 1, 0}, 0.5);
+    sender.world_from_sonar.orientation =
+        axis_angle({0, 0, 1}, std::numbers::pi) * axis_angle({0, 1, 0}, 0.5);
     EXPECT_LT(heard(sender).values[30], 0.01F * ahead);
 }
 

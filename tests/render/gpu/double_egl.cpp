@@ -1,7 +1,7 @@
 // TEST DOUBLE of libEGL, since a GPU is not to be had on every machine: the system's own EGL with Mesa's
 // software device passed off as hardware, or with a broken GPU before it. What it draws is drawn by Mesa.
-// ECHOLOOP_DOUBLE_EGL says which: "gpu", "wrong" for one whose ranges are a thousandth too long, "broken", or anything
-// else for the system's devices as they are.
+// ECHOLOOP_DOUBLE_EGL says which: "gpu", "wrong" for one whose ranges are a thousandth too long, "broken", or
+// anything else for the system's devices as they are.
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

@@ -186,9 +186,10 @@ Side read_side(const std::string& file, const SideSettings& settings) {
     else
         read_bytes(input, settings, side);
     if (side.messages > 0) return side;
-    const std::string where = settings.port.empty() ? ""
-                                                    : " at " + scenario::in_quotes(settings.port) +
-                                                          " (`echoloop replay " + file + " --list` shows its ports)";
+    const std::string where = settings.port.empty()
+                                  ? ""
+                                  : " at " + scenario::in_quotes(settings.port) + " (`echoloop replay " +
+                                        file + " --list` shows its ports)";
     throw StartError(Exit::data, scenario::in_quotes(file) + ": no message of a known protocol" + where +
                                      (side.fault.empty() ? "" : " (" + side.fault + ")") +
                                      "; --family names the protocol to try");

@@ -5,8 +5,8 @@
 
 namespace echoloop::cli {
 
-/// A file of tools/echoloop/dissector by its name without folder and ending. Throws std::logic_error if there is
-/// none.
+/// A file of tools/echoloop/dissector by its name without folder and ending. Throws std::logic_error if there
+/// is none.
 std::string_view lua_part(std::string_view name);
 
 }  // namespace echoloop::cli

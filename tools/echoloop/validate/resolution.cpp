@@ -12,7 +12,7 @@ namespace {
 
 constexpr double usual_speed = 1500;
 constexpr double resolution_bin = 0.75e-3;  // m
-constexpr double deepest = 60;        // dB; silence between two echoes counts as that
+constexpr double deepest = 60;              // dB; silence between two echoes counts as that
 
 Shot fine_shot(double pulse_length, double bandwidth) {
     Shot shot = fan(1, 1, 1, 2000, 2000 * resolution_bin);

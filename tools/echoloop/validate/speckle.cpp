@@ -47,7 +47,8 @@ std::vector<double> beam_of(const std::vector<double>& values, std::size_t beam,
 double range_correlation(const std::vector<double>& values, std::size_t lag) {
     double sum = 0;
     for (std::size_t beam = 0; beam < speckle_beams; ++beam)
-        sum += correlation(beam_of(values, beam), beam_of(values, beam, lag)) / static_cast<double>(speckle_beams);
+        sum += correlation(beam_of(values, beam), beam_of(values, beam, lag)) /
+               static_cast<double>(speckle_beams);
     return sum;
 }
 
@@ -120,7 +121,8 @@ void check_correlation(Findings& find, const std::vector<double>& all) {
     find.at_most("correlation of neighbouring beams, mean", "", 0.05, worst);
     double mirrored = 0;
     for (std::size_t beam = 0; beam < speckle_beams / 2; ++beam)
-        mirrored += correlation(beam_of(all, beam), beam_of(all, speckle_beams - 1 - beam)) / (speckle_beams / 2.0);
+        mirrored +=
+            correlation(beam_of(all, beam), beam_of(all, speckle_beams - 1 - beam)) / (speckle_beams / 2.0);
     find.at_most("correlation of port with starboard", "", 0.05, std::abs(mirrored));
 }
 

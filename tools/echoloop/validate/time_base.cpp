@@ -38,9 +38,7 @@ void check_time_base(Findings& find) {
     Shot shot = fan(2, 2, 1, 1000, 60);
     shot.first_bin_time = 10e-3;
     shot.bin_interval = 40e-6;
-    const struct {
-        double sound_speed, bin;
-    } table[] = {{1450, 439}, {1500, 416}, {1531, 403}, {1550, 395}};
+    const struct { double sound_speed, bin; } table[] = {{1450, 439}, {1500, 416}, {1531, 403}, {1550, 395}};
     for (const auto& row : table) {
         char name[80];
         std::snprintf(name, sizeof name, "bin of a target, c %.0f m/s", row.sound_speed);

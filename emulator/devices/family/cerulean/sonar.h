@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "emulator/devices/family/cerulean/common.h"
 #include "emulator/contract/ping_pacer.h"
+#include "emulator/devices/family/cerulean/common.h"
 #include "protocols/cerulean/codec.h"
 #include "protocols/cerulean/ids.h"
 
