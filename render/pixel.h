@@ -8,7 +8,7 @@ struct Pixel {
     float cosine;     ///< of the angle of incidence, 0..1
     float footprint;  ///< m, range that a pixel of the usual size covers on its surface's plane; negative:
                       ///< mostly along bearing
-    float surface;  ///< 0: nothing; else 1 + index of its object and material
+    float surface;    ///< 0: nothing; else 1 + index of its object and material
 };
 
 }  // namespace echoloop

@@ -113,7 +113,7 @@ class MakersFiles(CaptureFiles):
 
     def test_a_file_without_times_wants_an_interval(self):
         path = self.file(b"".join(device_data(angle) for angle in range(5)))
-        self.assertIn("holds no times; say --interval", self.bad(64, "replay", path, "udp://127.0.0.1:20999"))
+        self.assertIn("holds no times; give --interval", self.bad(64, "replay", path, "udp://127.0.0.1:20999"))
         port, = self.json("replay", path, "--list", "--interval", 0.25)["ports"]
         self.assertAlmostEqual(port["end"], 1.0)
 

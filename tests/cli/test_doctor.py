@@ -45,7 +45,7 @@ class Doctor(ProgramTest):
     def test_says_how_long_a_byte_takes_across_a_pseudo_terminal(self):
         for _ in range(3):
             found = next(f for f in self.json("doctor")["findings"] if f["name"] == "pseudo-terminals")
-            half, most = (float(n) for n in re.search(r"within ([\d.]+) ms, 1 of 100 after ([\d.]+) ms", found["text"]).groups())
+            half, most = (float(n) for n in re.search(r"takes ([\d.]+) ms, 1 of 100 more than ([\d.]+) ms", found["text"]).groups())
             self.assertTrue(0 <= half <= most, found)
             self.assertGreater(most, 0)
             self.assertEqual(found["state"], "weak" if most > 1 else "good", found)

@@ -107,7 +107,7 @@ class Late(unittest.TestCase):
                 emulator.process.send_signal(signal.SIGCONT)
             log = emulator.stop()[1]
         late, rendering, waking, worst = re.search(
-            r"(\d+) late \((\d+) because of rendering, (\d+) until the machine woke the program\), "
+            r"(\d+) late \((\d+) because of rendering, (\d+) because the program was woken late\), "
             r"the worst by ([\d.]+) ms", log).groups()
         self.assertGreaterEqual(int(waking), 1, log)
         self.assertLessEqual(int(rendering) + int(waking), int(late), log)

@@ -26,7 +26,7 @@ devices:
 """
 # What a run says of the machine and not of the sonars.
 MACHINE = re.compile(
-    r"(?m)/dev/pts/\d+|^(renderer|  after they were due).*$|; \d+ held up.*$|at most \d+ messages? at once|"
+    r"(?m)/dev/pts/\d+|^(renderer|  (time )?after they were due).*$|; \d+ held up.*$|at most \d+ messages? at once|"
     r'"(renderer|late_\w+|held_up\w*|longest_held_up_s|\w+_lateness_s|most_waiting\w*)":("[^"]*"|[^,}]*),'
 )
 

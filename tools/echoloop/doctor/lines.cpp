@@ -57,7 +57,7 @@ Finding pseudo_terminals(asio::io_context& io) {
         const Pty pty(io, {});
         const auto [median, most] = time_across_a_pty();
         const std::string text = "can be opened and watched; a byte takes " + plain(median, 2) +
-                                 " ms, 1 of 100 after " + plain(most, 2) + " ms";
+                                 " ms, 1 of 100 more than " + plain(most, 2) + " ms";
         if (most <= 1) return {State::good, "pseudo-terminals", text, ""};
         return {State::weak, "pseudo-terminals", text,
                 "a kernel thread carries the bytes and competes with all busy programs, on real serial ports "
