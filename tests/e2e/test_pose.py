@@ -107,7 +107,7 @@ class Pose(PoseCase):
         status, output = emulator.stop()
         self.assertEqual(status, 0)
         self.assertRegex(output, r"vehicle +2 poses from stdin, 1 refused \(the last: no JSON\)")
-        self.assertIn("stdin: it has ended", output)
+        self.assertIn("stdin: the input has ended", output)
 
     def test_both_dialects_over_tcp_mean_the_same_place(self):
         depths, port = Depths(self), free_port()
