@@ -129,7 +129,7 @@ class Reson(SeveralDrivers):
         self.assertLess(memory() - before, 10e6, "40 records are 75 MB")
         self.assertLess((late.time - early.time).total_seconds(), 40 * 0.1 * 1.5)
         output = emulator.stop()[1]
-        self.assertRegex(output, r"does not read; what is for it is lost")
+        self.assertRegex(output, r"does not read; messages for it are lost")
 
 
 class Stepped(SeveralDrivers):
