@@ -160,7 +160,9 @@ TEST_P(Physics, StepsOfTheConverterLieBelowTheNoise) {
         receiver.saturation_level - 20 * std::log10(std::exp2(receiver.converter_bits - 1) - 1);
     const auto debt = too_coarse.find(GetParam());
     EXPECT_LT(step - noise, debt == too_coarse.end() ? 0 : debt->second);
-    if (debt != too_coarse.end()) EXPECT_GT(step - noise, 0) << "paid: take it off the list";
+    if (debt != too_coarse.end()) {
+        EXPECT_GT(step - noise, 0) << "paid: take it off the list";
+    }
 }
 
 std::vector<std::string> names() {
@@ -169,8 +171,8 @@ std::vector<std::string> names() {
     return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryModel, Physics, testing::ValuesIn(names()), [](const auto& info) {
-    std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(EveryModel, Physics, testing::ValuesIn(names()), [](const auto& test) {
+    std::string name = test.param;
     for (char& c : name)
         if (c == '-') c = '_';
     return name;
