@@ -47,16 +47,12 @@ std::string status(const std::vector<SessionSummary>& sessions, const Faults& fa
         if (const auto found = faults.labels().counts().find(s.name); found != faults.labels().counts().end())
             for (std::size_t i = 0; i < fault_kinds; ++i)
                 if (found->second[i] > 0) made[fault_table()[i].name] = found->second[i];
-        devices.push_back({{"name", s.name},
-                           {"pings", s.pings},
-                           {"late_pings", s.late_pings},
-                           {"messages", s.device.messages},
-                           {"rejected", s.device.rejected},
-                           {"skipped_bytes", s.device.skipped_bytes},
-                           {"dropped", s.dropped},
-                           {"bytes_in", s.bytes_in},
-                           {"bytes_out", s.bytes_out},
-                           {"faults", made}});
+        Json device{{"name", s.name}};
+        for_each_figure(s, [&device](const char* name, auto value, bool while_running) {
+            if (while_running) device[name] = value;
+        });
+        device["faults"] = std::move(made);
+        devices.push_back(std::move(device));
     }
     return line_of({{"ok", true}, {"t", told_seconds(now)}, {"devices", devices}});
 }

@@ -17,6 +17,7 @@
 #include "emulator/contract/transmission.h"
 #include "emulator/run/device_threads.h"
 #include "emulator/run/lateness.h"
+#include "emulator/run/session_summary.h"
 #include "emulator/transport/transport.h"
 #include "emulator/water/crosstalk.h"
 #include "emulator/water/rendering.h"
@@ -26,24 +27,6 @@
 namespace echoloop {
 
 class DeviceTruth;
-
-/// What a session did, for the end of a run.
-struct SessionSummary {
-    std::string name;
-    DeviceCounters device;
-    std::uint64_t pings = 0;       ///< echograms delivered
-    std::uint64_t late_pings = 0;  ///< delivered more than a millisecond after they were due
-    /// Of those, by cause: the echogram was what they waited for, or else the machine woke this program too
-    /// late.
-    std::uint64_t late_renderings = 0, late_wakings = 0;
-    /// Of all pings; the last is what 99 of 100 do not exceed.
-    Time worst_lateness{}, median_lateness{}, p99_lateness{};
-    /// Messages that did not fit the outbox, or what is kept for a driver that does not read.
-    std::uint64_t dropped = 0;
-    std::size_t most_waiting = 0, most_waiting_bytes = 0;  ///< messages in the outbox at once
-    std::uint64_t bytes_in = 0, bytes_out = 0;
-    std::uint64_t bytes_lost = 0;  ///< a driver was there and did not take them
-};
 
 /// What the sessions of a run share: the water that they all ping in.
 struct SharedWater {

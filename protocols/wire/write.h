@@ -16,6 +16,7 @@ void write_fields(Writer& writer, const M& message) {
 template <class M>
 Bytes serialise(const M& message) {
     Writer writer;
+    if constexpr (constexpr FixedSize size = fixed_size<M>(); size) writer.out.reserve(*size);
     writer.counts.message(message);
     write_fields(writer, message);
     if (writer.set_size != nullptr) writer.set_size(writer.out, writer.size_at);

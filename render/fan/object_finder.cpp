@@ -20,14 +20,16 @@ void ObjectFinder::list_sightings(const BinningInput& in, std::span<const std::u
     std::ranges::sort(sightings_);
 }
 
-void ObjectFinder::take_loudest(std::uint32_t object, std::vector<std::uint16_t>& objects) {
+void ObjectFinder::take_loudest(std::uint32_t object, const WantedPower& power,
+                                std::vector<std::uint16_t>& objects) {
     constexpr std::uint32_t last_number = std::numeric_limits<std::uint16_t>::max();
     const auto number = static_cast<std::uint16_t>(std::min(object + 1, last_number));
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        const bool louder = power_[i] > strongest_[i];
-        strongest_[i] = louder ? power_[i] : strongest_[i];
-        objects[i] = louder ? number : objects[i];
-    }
+    for (const auto& [begin, end] : power.stretches)
+        for (std::size_t i = begin; i < end; ++i) {
+            const bool louder = power.values[i] > strongest_[i];
+            strongest_[i] = louder ? power.values[i] : strongest_[i];
+            objects[i] = louder ? number : objects[i];
+        }
 }
 
 void ObjectFinder::find(Summing& summing, BinningInput in, std::span<const std::uint32_t> object_of_surface,
@@ -42,7 +44,7 @@ void ObjectFinder::find(Summing& summing, BinningInput in, std::span<const std::
         wanted_.clear();
         for (const std::uint32_t other : object_of_surface) wanted_.push_back(other == object ? 1 : 0);
         in.wanted = wanted_;
-        if (summing.sum_wanted(in, lines_, power_)) take_loudest(object, objects);
+        take_loudest(object, summing.sum_wanted(in, lines_), objects);
     }
 }
 

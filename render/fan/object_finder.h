@@ -21,13 +21,13 @@ class ObjectFinder {
   private:
     void list_sightings(const BinningInput& in, std::span<const std::uint32_t> object_of_surface);
     /// Takes the bins that `object` is loudest in, of those before.
-    void take_loudest(std::uint32_t object, std::vector<std::uint16_t>& objects);
+    void take_loudest(std::uint32_t object, const WantedPower& power, std::vector<std::uint16_t>& objects);
 
     std::vector<std::pair<std::uint32_t, std::size_t>>
         sightings_;  ///< an object and a line that shows it, ascending
     std::vector<std::size_t> lines_;
     std::vector<std::uint8_t> wanted_;
-    std::vector<float> power_, strongest_;
+    std::vector<float> strongest_;
 };
 
 }  // namespace echoloop

@@ -70,8 +70,7 @@ class FanSumming final : public Summing {
             values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
     }
 
-    bool sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
-                    std::vector<float>& power) override {
+    WantedPower sum_wanted(const BinningInput& in, std::span<const std::size_t> lines) override {
         const BinGain gain(in);
         sums_.resize(in.plan.lines, in.plan.sectors, in.bins);
         const auto level_end = std::ranges::lower_bound(lines, in.plan.lines);
@@ -92,8 +91,9 @@ class FanSumming final : public Summing {
             add_surround_line(in, gain, true, in.plan.part_of(view), view, line - view.first_line, reader,
                               sums_);
         }
-        beams_.sum(in.plan, in.offset, in.bins, sums_, gain.values(), workers_, power);
-        return true;
+        beams_.sum(in.plan, in.offset, in.bins, sums_, gain.values(), workers_, wanted_);
+        everywhere_ = {0, wanted_.size()};
+        return {wanted_, {&everywhere_, 1}};
     }
 
     void find_nearest(const BinningInput& in, std::span<BeamTruth> truth) const override {
@@ -152,7 +152,8 @@ class FanSumming final : public Summing {
     Workers& workers_;
     LineSums sums_;
     BeamSums beams_;
-    std::vector<float> shares_;
+    std::vector<float> shares_, wanted_;
+    WantedPower::Stretch everywhere_{};
 };
 
 }  // namespace

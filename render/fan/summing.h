@@ -13,6 +13,15 @@ namespace echoloop {
 
 class Workers;
 
+/// What some surfaces send straight back, in memory of the one who summed it: until it sums again.
+struct WantedPower {
+    struct Stretch {
+        std::size_t begin, end;
+    };
+    std::span<const float> values;       ///< beams x bins, beam-major
+    std::span<const Stretch> stretches;  ///< of `values`, ascending; all others are 0
+};
+
 /// Owns the scratch memory of one renderer; `BinningInput::plan` is always one that its own plan() made.
 class Summing {
   public:
@@ -27,11 +36,9 @@ class Summing {
     /// Power before the first or beyond the last bin is dropped, never wrapped or piled up.
     virtual void sum(const BinningInput& in, std::vector<float>& values) = 0;
 
-    /// Fills `power` in the same way, radiometrically, with what the surfaces in `in.wanted` send straight
-    /// back. `lines`: those of the image that show such a surface, ascending. Returns false, and leaves
-    /// `power` as it is, where no beam hears any of it.
-    virtual bool sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
-                            std::vector<float>& power) = 0;
+    /// Sums in the same way, radiometrically, what the surfaces in `in.wanted` send straight back. `lines`:
+    /// those of the image that show such a surface, ascending.
+    virtual WantedPower sum_wanted(const BinningInput& in, std::span<const std::size_t> lines) = 0;
 
     /// Fills in the nearest range of every beam.
     virtual void find_nearest(const BinningInput& in, std::span<BeamTruth> truth) const = 0;

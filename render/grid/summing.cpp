@@ -59,19 +59,22 @@ class GridSumming final : public Summing {
         finish(plan, in.bins, gain.values(), values);
     }
 
-    bool sum_wanted(const BinningInput& in, std::span<const std::size_t> lines,
-                    std::vector<float>& power) override {
+    WantedPower sum_wanted(const BinningInput& in, std::span<const std::size_t> lines) override {
         const GridPlan& plan = grid(in.plan);
         const View& last = plan.field_views().back();
-        if (lines.front() >= last.first_line + last.lines) return false;
-        beams_ = bins_of_beams(power, plan.axes.size(), in.bins);
-        add_wanted(in, plan, lines, beams_);
+        if (lines.front() >= last.first_line + last.lines) return {};
+        clear_wanted(plan.axes.size(), in.bins);
+        add_wanted(in, plan, lines, wanted_beams_);
         const BinGain gain(in);
-        for (std::size_t beam = 0; beam < beams_.size(); ++beam)
-            if (const LineBins& own = beams_[beam]; !own.empty())
-                multiply(&power[beam * in.bins + own.begin()], &gain.values()[own.begin()],
-                         own.end() - own.begin());
-        return true;
+        stretches_.clear();
+        for (std::size_t beam = 0; beam < wanted_beams_.size(); ++beam) {
+            const LineBins& own = wanted_beams_[beam];
+            if (own.empty()) continue;
+            const WantedPower::Stretch heard{beam * in.bins + own.begin(), beam * in.bins + own.end()};
+            multiply(&wanted_[heard.begin], &gain.values()[own.begin()], heard.end - heard.begin);
+            stretches_.push_back(heard);
+        }
+        return {wanted_, stretches_};
     }
 
     void find_nearest(const BinningInput& in, std::span<BeamTruth> truth) const override {
@@ -84,6 +87,14 @@ class GridSumming final : public Summing {
 
   private:
     static const GridPlan& grid(const FanPlan& plan) { return static_cast<const GridPlan&>(plan); }
+
+    /// An object fills few bins of a large grid, so only those are cleared.
+    void clear_wanted(std::size_t beams, std::size_t bins) {
+        if (wanted_beams_.size() == beams && wanted_.size() == beams * bins)
+            for (LineBins& beam : wanted_beams_) beam.clear();
+        else
+            wanted_beams_ = bins_of_beams(wanted_, beams, bins);
+    }
 
     void mean(const BinningInput& in, const GridPlan& plan, std::vector<float>& values) {
         beams_ = bins_of_beams(shares_, plan.axes.size(), in.bins);
@@ -178,10 +189,11 @@ class GridSumming final : public Summing {
     }
 
     Workers& workers_;
-    std::vector<LineBins> beams_;
+    std::vector<LineBins> beams_, wanted_beams_;
     LineSums far_;  ///< those of GridFar
     std::vector<PixelEcho> echoes_;
-    std::vector<float> shares_;
+    std::vector<float> shares_, wanted_;
+    std::vector<WantedPower::Stretch> stretches_;
 };
 
 }  // namespace

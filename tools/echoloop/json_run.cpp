@@ -39,24 +39,11 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
                              const Recording* recording, const TruthFile* truth,
                              const BackgroundFile* labels) {
     Json devices = Json::array();
-    for (const auto& s : sessions)
-        devices.push_back({{"name", s.name},
-                           {"pings", s.pings},
-                           {"late_pings", s.late_pings},
-                           {"late_renderings", s.late_renderings},
-                           {"late_wakings", s.late_wakings},
-                           {"worst_lateness_s", to_seconds(s.worst_lateness)},
-                           {"median_lateness_s", to_seconds(s.median_lateness)},
-                           {"p99_lateness_s", to_seconds(s.p99_lateness)},
-                           {"most_waiting", s.most_waiting},
-                           {"most_waiting_bytes", s.most_waiting_bytes},
-                           {"messages", s.device.messages},
-                           {"rejected", s.device.rejected},
-                           {"skipped_bytes", s.device.skipped_bytes},
-                           {"dropped", s.dropped},
-                           {"bytes_in", s.bytes_in},
-                           {"bytes_out", s.bytes_out},
-                           {"bytes_lost", s.bytes_lost}});
+    for (const auto& s : sessions) {
+        Json device{{"name", s.name}};
+        for_each_figure(s, [&device](const char* name, auto value, bool) { device[name] = value; });
+        devices.push_back(std::move(device));
+    }
     Json ended{{"event", "ended"}, {"devices", devices}, {"stolen_s", runtime.stolen_seconds()}};
     if (const auto poses = runtime.poses()) ended["vehicle"] = json_of(*poses);
     for (const auto& [name, poses] : runtime.objects()) ended["objects"][name] = json_of(poses);

@@ -1,0 +1,52 @@
+// What a session did, and the names that its figures have in JSON. Data only.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "emulator/contract/device.h"
+
+namespace echoloop {
+
+/// What a session did, for the end of a run.
+struct SessionSummary {
+    std::string name;
+    DeviceCounters device;
+    std::uint64_t pings = 0;       ///< echograms delivered
+    std::uint64_t late_pings = 0;  ///< delivered more than a millisecond after they were due
+    /// Of those, by cause: the echogram was what they waited for, or else the machine woke this program too
+    /// late.
+    std::uint64_t late_renderings = 0, late_wakings = 0;
+    /// Of all pings; the last is what 99 of 100 do not exceed.
+    Time worst_lateness{}, median_lateness{}, p99_lateness{};
+    /// Messages that did not fit the outbox, or what is kept for a driver that does not read.
+    std::uint64_t dropped = 0;
+    std::size_t most_waiting = 0, most_waiting_bytes = 0;  ///< messages in the outbox at once
+    std::uint64_t bytes_in = 0, bytes_out = 0;
+    std::uint64_t bytes_lost = 0;  ///< a driver was there and did not take them
+};
+
+/// Calls `visit(name, value, while_running)` with each figure in the order of JSON; times are in s.
+/// `while_running`: somebody who asks during the run is told of it, too.
+template <class Visit>
+void for_each_figure(const SessionSummary& s, const Visit& visit) {
+    visit("pings", s.pings, true);
+    visit("late_pings", s.late_pings, true);
+    visit("late_renderings", s.late_renderings, false);
+    visit("late_wakings", s.late_wakings, false);
+    visit("worst_lateness_s", to_seconds(s.worst_lateness), false);
+    visit("median_lateness_s", to_seconds(s.median_lateness), false);
+    visit("p99_lateness_s", to_seconds(s.p99_lateness), false);
+    visit("most_waiting", s.most_waiting, false);
+    visit("most_waiting_bytes", s.most_waiting_bytes, false);
+    visit("messages", s.device.messages, true);
+    visit("rejected", s.device.rejected, true);
+    visit("skipped_bytes", s.device.skipped_bytes, true);
+    visit("dropped", s.dropped, true);
+    visit("bytes_in", s.bytes_in, true);
+    visit("bytes_out", s.bytes_out, true);
+    visit("bytes_lost", s.bytes_lost, false);
+}
+
+}  // namespace echoloop
