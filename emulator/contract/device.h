@@ -81,6 +81,8 @@ struct Port {
     /// Several drivers: one that has said its last word and closed its direction only is still there for half
     /// a second, until it is hung up on.
     bool answers_half_closed = false;
+    /// Stream that listens by TCP: it serves web browsers, and looks itself at whose page asks.
+    bool speaks_http = false;
 };
 
 /// Figures of what went wrong on the wire, printed at the end of a run.

@@ -30,6 +30,7 @@ Json to_json(const AskedFault& asked, Time now) {
 }  // namespace
 
 std::string refusal(const std::string& reason) { return line_of({{"ok", false}, {"error", reason}}); }
+std::string welcome() { return line_of({{"ok", true}}); }
 std::string added(int id) { return line_of({{"ok", true}, {"id", id}}); }
 std::string cleared(std::size_t count) { return line_of({{"ok", true}, {"cleared", count}}); }
 

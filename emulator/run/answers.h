@@ -11,6 +11,8 @@ namespace echoloop::answers {
 
 /// {"ok": false, "error": "..."}
 std::string refusal(const std::string& reason);
+/// {"ok": true}
+std::string welcome();
 /// {"ok": true, "id": 3}
 std::string added(int id);
 /// {"ok": true, "cleared": 1}

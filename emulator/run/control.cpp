@@ -1,14 +1,17 @@
 #include "emulator/run/control.h"
 
 #include <spdlog/spdlog.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "emulator/run/answers.h"
 #include "emulator/transport/address.h"
@@ -35,6 +38,21 @@ bool is_left_over(asio::io_context& io, const fs::path& path) {
     return refused == asio::error::connection_refused;
 }
 
+/// 128 random bits as hexadecimal digits.
+std::string random_token() {
+    constexpr char digits[] = "0123456789abcdef";
+    std::array<std::uint8_t, 16> random{};
+    if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size()))
+        throw StartError(Exit::unavailable,
+                         std::string("no random numbers for a token: ") + std::strerror(errno));
+    std::string token;
+    for (const std::uint8_t byte : random) {
+        token += digits[byte >> 4];
+        token += digits[byte & 15];
+    }
+    return token;
+}
+
 StartError cannot_make(const std::string& path, const std::string& reason) {
     return {Exit::cannot_create, "unix:" + path + ": the control socket cannot be made: " + reason};
 }
@@ -42,8 +60,9 @@ StartError cannot_make(const std::string& path, const std::string& reason) {
 }  // namespace
 
 struct Control::Client {
-    explicit Client(Socket&& accepted) : socket(std::move(accepted)) {}
+    Client(Socket&& accepted, bool trust) : socket(std::move(accepted)), trusted(trust) {}
     Socket socket;
+    bool trusted;
     std::string waiting;  ///< the beginning of a line
 };
 
@@ -115,6 +134,7 @@ Control::Control(Clock& clock, const ControlPlace& place, Faults& faults, std::v
       faults_(faults),
       devices_(std::move(devices)),
       summaries_(std::move(summaries)),
+      token_(place.path.empty() ? random_token() : ""),
       listener_(std::make_unique<Listener>(clock.io(), place)) {}
 
 Control::~Control() = default;
@@ -142,7 +162,7 @@ Task<void> Control::accept() {
         } else if (clients_.size() >= most_clients) {
             spdlog::warn("{}: a client was turned away; {} are connected already", describe(), most_clients);
         } else {
-            auto client = std::make_shared<Client>(std::move(socket));
+            auto client = std::make_shared<Client>(std::move(socket), token_.empty());
             clients_.push_back(client);
             asio::co_spawn(clock_.io(), serve(client), Serving(describe()));
         }
@@ -162,15 +182,27 @@ Task<void> Control::serve(std::shared_ptr<Client> client) {
              from = end + 1) {
             const auto line = std::string_view(client->waiting).substr(from, end - from);
             if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-            const std::string reply = answer(line) + "\n";
+            const std::string reply = (client->trusted ? answer(line) : admit(*client, line)) + "\n";
             co_await asio::async_write(client->socket, asio::buffer(reply), into(ec));
+            if (!client->trusted) co_return;
         }
         client->waiting.erase(0, from);
         if (client->waiting.size() <= longest_control_line) continue;
-        const std::string reply = answer(client->waiting) + "\n";
+        const std::string reply = (client->trusted ? answer(client->waiting) : admit(*client, "")) + "\n";
         co_await asio::async_write(client->socket, asio::buffer(reply), into(ec));
         co_return;
     }
+}
+
+/// The first line of a client by TCP.
+std::string Control::admit(Client& client, std::string_view line) const {
+    const auto said = nlohmann::json::parse(line, nullptr, false);
+    client.trusted = said.is_object() && said.contains("token") && said["token"] == token_;
+    if (client.trusted) return answers::welcome();
+    return answers::refusal(
+        "token: by TCP the first line must be {\"token\": \"...\"} with the token that the run printed at "
+        "its "
+        "start, or give it to echoloop fault --token; a control place of the kind unix:/PATH needs none");
 }
 
 std::string Control::answer(std::string_view line) {

@@ -129,6 +129,7 @@ class Runtime::Impl {
     }
 
     std::string control() const { return control_ ? control_->describe() : ""; }
+    std::string control_token() const { return control_ ? control_->token() : ""; }
     const std::map<std::string, FaultCounts>& faults() const { return faults_.labels().counts(); }
     std::optional<PoseSummary> poses() const { return vehicle_.summary(); }
     std::map<std::string, PoseSummary> objects() const { return movers_.summary(); }
@@ -288,6 +289,7 @@ std::optional<StepSummary> Runtime::steps() const { return impl_->steps(); }
 double Runtime::stolen_seconds() const { return impl_->stolen(); }
 std::map<std::string, FaultCounts> Runtime::faults() const { return impl_->faults(); }
 std::string Runtime::control() const { return impl_->control(); }
+std::string Runtime::control_token() const { return impl_->control_token(); }
 void Runtime::run(std::optional<double> duration) { impl_->run(duration); }
 std::vector<SessionSummary> Runtime::summary() const { return impl_->summary(); }
 

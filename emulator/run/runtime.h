@@ -57,6 +57,8 @@ class Runtime {
     std::vector<SessionSummary> summary() const;
     /// Where it is controlled from; "": nowhere.
     std::string control() const;
+    /// What a client says there first; "" if nothing is asked for.
+    std::string control_token() const;
     /// Of the faults that were made, by device; empty if none could be.
     std::map<std::string, FaultCounts> faults() const;
     /// What came from outside about the vehicle; empty if nothing is asked from there.

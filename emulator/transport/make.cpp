@@ -82,7 +82,7 @@ std::unique_ptr<Transport> open_driver_lines(Clock& clock, const Endpoint& endpo
                                              const Around& around) {
     constexpr int few_messages = 256 << 10;  // B, which the system doubles
     const bool keeps_few = port.messages_kept > 0;
-    const Manners manners{keeps_few ? few_messages : 0, port.answers_half_closed};
+    const Manners manners{keeps_few ? few_messages : 0, port.answers_half_closed, port.speaks_http};
     const auto door = std::make_shared<TcpDoor>(clock.io(), Address{endpoint.ip, endpoint.port}, manners);
     std::vector<std::unique_ptr<Transport>> lines;
     for (std::size_t i = 0; i < port.drivers; ++i)

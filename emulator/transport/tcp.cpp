@@ -1,11 +1,14 @@
 #include "emulator/transport/tcp.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "emulator/transport/address.h"
 #include "emulator/transport/tcp_watch.h"
+#include "emulator/transport/web_request.h"
 
 namespace echoloop {
 namespace {
@@ -82,11 +85,16 @@ void TcpListener::take(Tcp::socket driver) {
 
 Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver, Address peer) {
     std::array<std::uint8_t, 4096> buffer;
+    WebRequest web;
     error_code ec;
     while (driver->is_open()) {
         const std::size_t n = co_await driver->async_read_some(asio::buffer(buffer), into(ec));
         if (ec) break;
         count_in(n);
+        if (!door_->manners().speaks_http && web.is_begun_by(ByteView(buffer).first(n))) {
+            spdlog::warn("{}: a web browser was turned away", describe());
+            break;
+        }
         events_.received(ByteView(buffer).first(n), {});
     }
     if (ec == asio::error::eof && door_->manners().answers_half_closed) co_await wait_for_last_answer();

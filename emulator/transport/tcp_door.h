@@ -16,6 +16,7 @@ class TcpListener;
 struct Manners {
     int send_buffer = 0;               ///< B that the system takes for one that does not read; 0: megabytes
     bool answers_half_closed = false;  ///< one that will say nothing more still gets an answer
+    bool speaks_http = false;          ///< else a web browser is hung up on
 };
 
 class TcpDoor {

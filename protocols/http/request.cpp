@@ -16,6 +16,8 @@ std::string_view reason(int status) {
             return "No Content";
         case 400:
             return "Bad Request";
+        case 403:
+            return "Forbidden";
         case 404:
             return "Not Found";
         case 405:
@@ -72,13 +74,15 @@ struct BodyForm {
 };
 
 /// Or the status of a refusal.
-std::variant<BodyForm, int> read_headers(std::string_view headers) {
+std::variant<BodyForm, int> read_headers(std::string_view headers, Request& request) {
     BodyForm form;
     while (!headers.empty()) {
         const std::string_view line = take_line(headers);
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos || colon == 0) return 400;
         const std::string_view name = line.substr(0, colon), value = trimmed(line.substr(colon + 1));
+        if (equal_names(name, "Host")) request.host = value;
+        if (equal_names(name, "Origin")) request.origin = value;
         if (equal_names(name, "Transfer-Encoding")) {
             if (!equal_names(value, "chunked") || form.chunked) return 501;
             form.chunked = true;
@@ -88,6 +92,7 @@ std::variant<BodyForm, int> read_headers(std::string_view headers) {
         const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), length);
         if (error != std::errc() || end != value.data() + value.size()) return 400;
         if (length > longest_body) return 413;
+        if (form.length && form.length != length) return 400;
         form.length = length;
     }
     if (form.chunked && form.length) return 400;  // two lengths, and nobody knows which
@@ -95,6 +100,15 @@ std::variant<BodyForm, int> read_headers(std::string_view headers) {
 }
 
 }  // namespace
+
+bool is_of_foreign_page(const Request& request) {
+    std::string_view name = request.host;
+    if (const std::size_t colon = name.rfind(':'); colon != name.npos && !name.ends_with(']'))
+        name = name.substr(0, colon);
+    const bool address = name.starts_with('[') || name.find_first_not_of("0123456789.") == name.npos;
+    if (!address && !equal_names(name, "localhost")) return true;
+    return !request.origin.empty() && !equal_names(request.origin, "http://" + request.host);
+}
 
 void RequestReader::feed(wire::ByteView bytes) { buffer_.append(bytes.begin(), bytes.end()); }
 
@@ -122,7 +136,7 @@ RequestReader::Next RequestReader::next() {
     Request request;
     std::string_view head = std::string_view(buffer_).substr(0, end);
     if (!read_request_line(take_line(head), request)) return refuse(400);
-    const auto form = read_headers(head);
+    const auto form = read_headers(head, request);
     if (const int* status = std::get_if<int>(&form)) return refuse(*status);
     const std::size_t body = end + blank_line.size(), size = std::get<BodyForm>(form).length.value_or(0);
     if (std::get<BodyForm>(form).chunked) {

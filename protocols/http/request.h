@@ -18,8 +18,15 @@ inline constexpr std::size_t longest_body = 65536;  ///< B
 struct Request {
     std::string method;  ///< "GET"
     std::string target;  ///< "/api/v1?x=1", as it came
+    std::string host;    ///< the header Host; "" without one
+    std::string origin;  ///< the header Origin: the page that asks, which browsers tell
     std::string body;
 };
+
+/// Whether a web page asks that did not come from here: Origin is another than Host (RFC 6454), or Host is a
+/// name, which whoever owns it may let point to this machine at any time (DNS rebinding). Addresses and
+/// localhost are no such names.
+bool is_of_foreign_page(const Request& request);
 
 /// Bytes that are no request: everything pending is forgotten, and the host should be told.
 struct Refusal {

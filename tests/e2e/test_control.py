@@ -3,6 +3,7 @@
 import contextlib
 import json
 import os
+import re
 import shutil
 import socket
 import stat
@@ -138,10 +139,13 @@ class Control(unittest.TestCase):
         for answer in (b"no JSON\n", b'{"ok": "yes"}\n', b'{"ok": true, "faults": [{"id": []}]}\n', b"{", b""):
             with socket.create_server(("127.0.0.1", 0)) as server:
                 place = "tcp-listen://127.0.0.1:%d" % server.getsockname()[1]
-                with subprocess.Popen([PROGRAM, "fault", place, os.fsdecode(b"\xff"), "loss"], stderr=subprocess.PIPE,
+                with subprocess.Popen([PROGRAM, "fault", place, os.fsdecode(b"\xff"), "loss", "--token", "any"], stderr=subprocess.PIPE,
                                       stdout=subprocess.DEVNULL) as asking:
                     with server.accept()[0] as connection:
-                        line = json.loads(connection.makefile("rb").readline())
+                        with connection.makefile("rb") as lines:
+                            self.assertEqual(json.loads(lines.readline()), {"token": "any"})
+                            connection.sendall(b'{"ok": true}\n')
+                            line = json.loads(lines.readline())
                         self.assertEqual(line["fault"]["device"], "\ufffd")
                         connection.sendall(answer)
                     said = asking.communicate(timeout=60)[1].decode()
@@ -151,8 +155,17 @@ class Control(unittest.TestCase):
         emulator = self.start("tcp-listen://127.0.0.1:%d" % (port := free_port()))
         place = f"tcp-listen://127.0.0.1:{port}"
 
-        def fault(*words):
-            return subprocess.run([PROGRAM, "fault", place, *words], capture_output=True, text=True, timeout=60)
+        token = re.search(r"^control +tcp-listen://\S+, token ([0-9a-f]{32})$", emulator.output, re.M)[1]
+
+        def fault(*words, token=token):
+            return subprocess.run([PROGRAM, "fault", place, *words], capture_output=True, text=True, timeout=60,
+                                  env={**os.environ, "ECHOLOOP_TOKEN": token})
+
+        self.assertEqual(fault("list", token="").returncode, 64)
+        wrong = fault("ping1d", "silence", token="0" * 32)
+        self.assertEqual(wrong.returncode, 65)
+        self.assertIn("token", wrong.stderr)
+        self.assertEqual(json.loads(fault("list", "--json").stdout)["faults"], [])
 
         self.assertIn("fault 1", fault("ping1d", "bit_flips", "rate=1e-4", "for=60").stdout)
         self.assertRegex(fault("list").stdout, r"1  ping1d bit_flips .*rate=0.0001")

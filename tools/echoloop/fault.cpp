@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -69,9 +70,10 @@ int connect_to(const ControlPlace& place) {
     return ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 ? fd : -1;
 }
 
-/// "" if the run has gone.
-std::string ask(int fd, const std::string& line) {
+/// Reads no further than the end of the line. "" if the run has gone.
+std::string ask(int fd, const Json& request) {
     constexpr std::size_t longest = std::size_t{64} << 20;
+    const std::string line = line_of(request) + "\n";
     if (::send(fd, line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size())) return {};
     std::string answer;
     for (char buffer[4096]; answer.size() < longest;) {
@@ -123,16 +125,40 @@ ControlPlace place_from(const Arguments& arguments) {
     }
 }
 
+/// A place by TCP asks for it first.
+std::string token_for(const ControlPlace& place, const Arguments& arguments) {
+    if (!place.path.empty()) return {};
+    const char* const kept = std::getenv("ECHOLOOP_TOKEN");
+    const std::string token = arguments.has("--token") ? arguments.text("--token") : kept ? kept : "";
+    if (token.empty())
+        throw StartError(
+            Exit::usage,
+            "SOCKET: a place by TCP asks for the token that the run printed at its start; give it as "
+            "--token TOKEN or in the environment as ECHOLOOP_TOKEN");
+    return token;
+}
+
+bool is_welcome(const Json& answer) {
+    const auto ok = answer.is_object() ? answer.find("ok") : answer.end();
+    return ok != answer.end() && *ok == true;
+}
+
 int run_fault(const Arguments& arguments) {
     const Json request = request_of(arguments.all("WORDS"));
-    const int fd = connect_to(place_from(arguments));
+    const ControlPlace place = place_from(arguments);
+    const std::string token = token_for(place, arguments);
+    const int fd = connect_to(place);
     if (fd < 0)
         throw StartError(Exit::unavailable, arguments.text("SOCKET") +
                                                 ": cannot be reached: " + std::strerror(errno) +
                                                 "; is echoloop run --control with this place running?");
-    const std::string line = ask(fd, line_of(request) + "\n");
+    std::string line = token.empty() ? "" : ask(fd, {{"token", token}});
+    Json answer = Json::parse(line, nullptr, false);
+    if (token.empty() || is_welcome(answer)) {
+        line = ask(fd, request);
+        answer = Json::parse(line, nullptr, false);
+    }
     ::close(fd);
-    const Json answer = Json::parse(line, nullptr, false);
     if (!answer.is_object()) throw StartError(Exit::io, "the run ended without an answer");
     if (arguments.has("--json")) std::printf("%s\n", line.c_str());
     try {
@@ -148,18 +174,21 @@ int run_fault(const Arguments& arguments) {
 }  // namespace
 
 Verb fault_verb() {
-    return {"fault",
-            "make something go wrong in a running emulator",
-            {{Argument::Kind::positional, "SOCKET", "", "the place given to run's --control", {}, true},
-             {Argument::Kind::words, "WORDS", "",
-              "DEVICE KIND [KEY=VALUE]..., or list, status, clear NUMBER, clear all"},
-             json_argument()},
-            "  echoloop fault unix:/tmp/echoloop/control micron bit_flips rate=1e-4 for=2\n"
-            "  echoloop fault unix:/tmp/echoloop/control micron unplug for=3\n"
-            "  echoloop fault unix:/tmp/echoloop/control list\n"
-            "  echoloop fault unix:/tmp/echoloop/control clear all\n"
-            "  echoloop list --faults                     the kinds, with their parameters",
-            run_fault};
+    return {
+        "fault",
+        "make something go wrong in a running emulator",
+        {{Argument::Kind::positional, "SOCKET", "", "the place given to run's --control", {}, true},
+         {Argument::Kind::words, "WORDS", "",
+          "DEVICE KIND [KEY=VALUE]..., or list, status, clear NUMBER, clear all"},
+         {Argument::Kind::value, "--token", "TOKEN",
+          "what the run printed at its start, for a SOCKET by TCP; or in the environment as ECHOLOOP_TOKEN"},
+         json_argument()},
+        "  echoloop fault unix:/tmp/echoloop/control micron bit_flips rate=1e-4 for=2\n"
+        "  echoloop fault unix:/tmp/echoloop/control micron unplug for=3\n"
+        "  echoloop fault unix:/tmp/echoloop/control list\n"
+        "  echoloop fault unix:/tmp/echoloop/control clear all\n"
+        "  echoloop list --faults                     the kinds, with their parameters",
+        run_fault};
 }
 
 }  // namespace echoloop::cli

@@ -32,6 +32,7 @@ std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
                  {"clock", clock_text(scenario)},
                  {"devices", devices}};
     if (!scenario.control.empty()) started["control"] = runtime.control();
+    if (!runtime.control_token().empty()) started["control_token"] = runtime.control_token();
     return line_of(started);
 }
 

@@ -33,7 +33,10 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
         line(device.name, device.model->title);
         for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
     }
-    if (!scenario.control.empty()) line("control", runtime.control());
+    if (const std::string token = runtime.control_token(); !token.empty())
+        line("control", runtime.control() + ", token " + token);
+    else if (!scenario.control.empty())
+        line("control", runtime.control());
     std::printf("For a driver: %s endpoints %s --format ros1 (or ros2, moos, rock, sitl)\n",
                 program_invocation_name, scenario.file.c_str());
     const bool stepped = scenario.clock == ClockMode::stepped;

@@ -33,6 +33,8 @@ void describe_answers(Settings& s, OptionList& o) {
     o.choice(s.frequency_in_hertz, "frequency_field", {"5", "hertz"},
              "in images: as a real sonar sends it, or as documented", spec);
     o.choice(s.first_row_up, "first_row", {"down", "up"}, "where row 0 looks", spec);
+    o.flag(s.any_page, "any_page",
+           "HTTP answers web pages from elsewhere, and under any host name, as the real sonar does", own);
     o.flag(s.other_messages, "other_messages",
            "a message of an undocumented type follows the images of each shot; readers must skip it", spec);
     o.number(s.temperature, "temperature", "degC", -20, 100, "inside the sonar", spec);

@@ -58,6 +58,7 @@ struct Settings {
     std::string package = "waterlinked.sonar.protocol";  ///< of the protobuf messages
     bool frequency_in_hertz = false;                     ///< else 5, as real sonars send
     bool first_row_up = false;
+    bool any_page = false;          ///< a web page from elsewhere may command
     bool other_messages = false;    ///< a message that readers do not know follows each shot's images
     double temperature = 21;        ///< degC, inside
     double water_temperature = 10;  ///< degC, for the automatic speed of sound

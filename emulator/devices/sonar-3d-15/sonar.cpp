@@ -46,6 +46,7 @@ std::vector<Port> Sonar::ports() const {
     Port http{"http", Port::Kind::stream, {}, false};
     http.drivers = 4;
     http.answers_half_closed = true;
+    http.speaks_http = true;
     return {http, {"images", Port::Kind::datagram, {wiring_.own.ip, 0}, false}};
 }
 
@@ -84,6 +85,10 @@ Actions Sonar::received(const Received& data, Time now) {
 }
 
 void Sonar::obey(const http::Request& request, Address from, Time now) {
+    if (!settings_.any_page && http::is_of_foreign_page(request)) {
+        ++counters_.rejected;
+        return respond(http::response(403), from);
+    }
     const State before = state_;
     const Answer reply = answer(request, state_, settings_);
     ++(reply.status < 300 ? counters_.messages : counters_.rejected);

@@ -59,6 +59,26 @@ TEST(Sonar3d15, SaysWhoItIsInTheTypesThatTheMakersClientInsistsOn) {
     EXPECT_NE(sonar.get("/status").find(R"("systems_check":{"id":")"), std::string::npos);
 }
 
+TEST(Sonar3d15, PagesFromElsewhereMayNotCommand) {
+    const auto status = [](SonarBench& sonar, const std::string& headers) {
+        return sonar.status("POST " + integration + "/acoustics/enabled HTTP/1.1\r\n" + headers +
+                            "Content-Length: 4\r\n\r\ntrue");
+    };
+    SonarBench sonar, open({{"any_page", true}});
+    for (const char* foreign :
+         {"Host: 127.0.0.1:8080\r\nOrigin: http://page.example\r\n", "Host: 127.0.0.1\r\nOrigin: null\r\n",
+          "Host: rebound.example:8080\r\n", "Host: rebound.example\r\nOrigin: http://rebound.example\r\n",
+          "Host: 127.0.0.1:8080\r\nOrigin: http://127.0.0.1:9000\r\n"}) {
+        EXPECT_EQ(status(sonar, foreign), 403) << foreign;
+        EXPECT_EQ(status(open, foreign), 204) << foreign;
+    }
+    EXPECT_EQ(sonar.get("/acoustics/enabled"), "false");
+    for (const char* own :
+         {"", "Host: 192.168.194.96\r\n", "host: localhost:8080\r\norigin: http://localhost:8080\r\n",
+          "Host: [::1]:80\r\n", "Host: [::1]\r\n"})
+        EXPECT_EQ(status(sonar, own), 204) << own;
+}
+
 TEST(Sonar3d15, OlderReleasesHaveNoModes) {
     SonarBench sonar({{"release", std::string("1.5.1")}});
     EXPECT_NE(sonar.get("/about").find(R"("version_short":"1.5.1")"), std::string::npos);
