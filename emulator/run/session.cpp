@@ -1,5 +1,6 @@
 #include "emulator/run/session.h"
 
+#include <malloc.h>
 #include <spdlog/spdlog.h>
 
 #include "emulator/capture/remark.h"
@@ -9,7 +10,8 @@
 namespace echoloop {
 namespace {
 
-constexpr std::size_t outbox_limit = 64 << 20;  // bytes; a driver that never reads must not eat the memory
+constexpr std::size_t outbox_limit = 48 << 20;  // bytes of memory; a driver may never read
+constexpr double line_patience = 2;             // s; what a serial line cannot say within is not said at all
 constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t worth_a_thread = 16'384;  ///< values of an echogram; fewer take a device no time
 
@@ -35,6 +37,7 @@ Session::Session(asio::io_context& io, Clock& clock, RenderThreads& renderers, S
       transports_(std::move(transports)),
       situation_at_(std::move(situation_at)),
       renderers_(renderers),
+      bytes_for_(transports_.size()),
       mail_(clock, sonar_),
       alarm_(clock, sonar_) {}
 
@@ -52,7 +55,11 @@ void Session::start() {
                          return device_->received({port, kept, from}, clock_.now());
                      });
                  },
-             .reconnected = [this, port] { to_device([this, port] { device_->reconnected(port); }); },
+             .reconnected =
+                 [this, port] {
+                     forget_mail(port);
+                     to_device([this, port] { device_->reconnected(port); });
+                 },
              .connected =
                  [this, port](Address peer) {
                      act([this, port, peer] { return device_->connected(port, peer, clock_.now()); });
@@ -74,7 +81,8 @@ void Session::start() {
 void Session::cut_power(std::function<void()> cut) {
     ++power_cuts_;
     outbox_.clear();
-    outbox_bytes_ = 0;
+    outbox_bytes_ = outbox_memory_ = 0;
+    std::ranges::fill(bytes_for_, 0U);
     wake_ = Time::max();
     late_.reset();
     alarm_.cancel();
@@ -95,18 +103,53 @@ void Session::apply(Actions actions, Time time) {
     if (actions.ping) transmit(std::move(*actions.ping), time);
 }
 
+std::size_t Session::Mail::memory() const {
+    constexpr std::size_t of_a_row = 96;  // of the map, and what the allocator adds
+    return sizeof(Mail) + of_a_row + send.bytes.capacity() + remark.capacity();
+}
+
+bool Session::has_room(const Mail& mail) const {
+    const std::size_t port = mail.send.port;
+    if (outbox_memory_ + mail.memory() > outbox_limit || port >= transports_.size()) return false;
+    const double rate = bytes_for_[port] > 0 ? transports_[port]->line_rate() : 0;
+    return rate <= 0 || static_cast<double>(bytes_for_[port]) <= line_patience * rate / uart::bits_per_byte;
+}
+
 void Session::post_mail(Send send) {
-    if (outbox_bytes_ + send.bytes.size() > outbox_limit) {
-        if (summary_.dropped++ == 0) spdlog::warn("{}: the outbox is full; messages are dropped", name_);
+    Mail mail{std::move(send), heard_, std::exchange(remark_, {})};
+    if (!has_room(mail)) {
+        if (summary_.dropped++ == 0)
+            spdlog::warn("{}: more is asked for than can be said; messages are dropped", name_);
         return;
     }
-    outbox_bytes_ += send.bytes.size();
-    const Time when = send.not_before;
+    count_mail(mail, true);
+    const Time when = mail.send.not_before;
     const bool first = outbox_.empty() || when < outbox_.begin()->first;
-    outbox_.emplace(when, Mail{std::move(send), heard_, std::exchange(remark_, {})});
+    outbox_.emplace(when, std::move(mail));
+    most_memory_ = std::max(most_memory_, outbox_memory_);
     summary_.most_waiting = std::max(summary_.most_waiting, outbox_.size());
     summary_.most_waiting_bytes = std::max(summary_.most_waiting_bytes, outbox_bytes_);
     if (first) mail_.cancel();
+}
+
+void Session::count_mail(const Mail& mail, bool comes) {
+    const auto count = [comes](std::size_t& sum, std::size_t size) { comes ? sum += size : sum -= size; };
+    count(outbox_bytes_, mail.send.bytes.size());
+    count(outbox_memory_, mail.memory());
+    count(bytes_for_[mail.send.port], mail.send.bytes.size());
+}
+
+void Session::forget_mail(std::size_t port) {
+    std::erase_if(outbox_, [&](const auto& entry) {
+        if (entry.second.send.port != port) return false;
+        count_mail(entry.second, false);
+        return true;
+    });
+}
+
+void Session::release_memory() {
+    constexpr std::size_t worth_it = 4 << 20;  // bytes
+    if (std::exchange(most_memory_, 0) > worth_it) ::malloc_trim(0);
 }
 
 void Session::transmit(Ping ping, Time time) {
@@ -237,6 +280,7 @@ Task<void> Session::keep_waking() {
 Task<void> Session::keep_writing() {
     while (true) {
         if (outbox_.empty()) {
+            release_memory();
             co_await mail_.until(Time::max());
             continue;
         }
@@ -245,10 +289,9 @@ Task<void> Session::keep_writing() {
             co_await mail_.until(first->first);
             continue;
         }
+        count_mail(first->second, false);
         const auto [send, ping, remark] = std::move(outbox_.extract(first).mapped());
-        outbox_bytes_ -= send.bytes.size();
         if (log_ != nullptr) log_->sends(ping);
-        if (send.port >= transports_.size()) continue;
         if (!remark.empty()) transports_[send.port]->annotate(remark);
         transports_[send.port]->speak_at(send.line_rate);
         co_await transports_[send.port]->write(send.bytes, send.to);

@@ -102,6 +102,8 @@ class Session {
         Send send;
         std::uint64_t ping;
         std::string remark;  ///< for a recording; "": none
+
+        std::size_t memory() const;  ///< bytes that it takes in the outbox
     };
     Task<void> deliver(UnderWay ping);
     void hear(UnderWay& ping);
@@ -124,6 +126,12 @@ class Session {
     Task<void> keep_waking();
     Task<void> keep_writing();
     void post_mail(Send send);
+    bool has_room(const Mail& mail) const;
+    void count_mail(const Mail& mail, bool comes);
+    /// A new driver gets nothing that was said before it came.
+    void forget_mail(std::size_t port);
+    /// The outbox is empty: what a flood took goes back to the system.
+    void release_memory();
 
     asio::io_context& io_;
     Clock& clock_;
@@ -137,7 +145,9 @@ class Session {
     std::unique_ptr<DeviceTruth> truth_;  ///< nullptr: nobody asks
 
     std::multimap<Time, Mail> outbox_;  ///< by not_before; equal times keep their order
-    std::size_t outbox_bytes_ = 0;
+    std::size_t outbox_bytes_ = 0, outbox_memory_ = 0;
+    std::size_t most_memory_ = 0;         ///< in the outbox since it was empty
+    std::vector<std::size_t> bytes_for_;  ///< in the outbox, by port
     Lateness lateness_;
     bool remarks_ = false;
     std::string remark_;  ///< of the ping that was heard last, until a message takes it along

@@ -27,6 +27,7 @@ class Decorator : public Transport {
     std::string describe() const override { return line_->describe(); }
     Wire wire() const override { return line_->wire(); }
     uart::Receiver far_end() const override { return line_->far_end(); }
+    double line_rate() const override { return line_->line_rate(); }
     std::uint64_t bytes_in() const override { return line_->bytes_in(); }
     std::uint64_t bytes_out() const override { return line_->bytes_out(); }
     std::uint64_t bytes_lost() const override { return line_->bytes_lost(); }

@@ -48,6 +48,22 @@ double Paced::rate_now() const {
     return other_ == OtherRate::garbage ? 0 : own;
 }
 
+double Paced::line_rate() const {
+    constexpr double fastest = 921600;  // that drivers of sonars set; one that sets none is not slower
+    const double now = rate_now();
+    return now > 0 ? now : rate_ > 0 ? rate_ : fastest;
+}
+
+void Paced::start(Events events) {
+    const auto reconnected = std::move(events.reconnected);
+    events.reconnected = [this, reconnected] {
+        ++cuts_;  // the rest was for the one who has left
+        alarm_.cancel();
+        reconnected();
+    };
+    line().start(std::move(events));
+}
+
 Task<void> Paced::write(ByteView bytes, Address to) {
     const double rate = rate_now();
     if (rate <= 0) {

@@ -17,10 +17,12 @@ class Paced final : public Decorator {
     /// is the pace.
     Paced(Clock& clock, std::unique_ptr<Transport> line, double rate, OtherRate other = OtherRate::ignored);
 
+    void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
     void speak_at(double rate) override;
     void cut_off() override;
     void close() override;
+    double line_rate() const override;
 
   private:
     /// bit/s; 0: not paced.
@@ -31,8 +33,8 @@ class Paced final : public Decorator {
     double rate_;
     double asked_ = 0;  ///< in place of rate_; 0: none
     OtherRate other_;
-    Time free_{};  ///< when the last byte handed over has left the wire
-    std::uint64_t cuts_ = 0;
+    Time free_{};             ///< when the last byte handed over has left the wire
+    std::uint64_t cuts_ = 0;  ///< how often the rest of a message was not to be sent any more
     bool closed_ = false;
 };
 

@@ -152,10 +152,15 @@ bool Pty::hear() {
     std::array<std::uint8_t, 4096> buffer;  // a terminal holds fewer (N_TTY_BUF_SIZE): one read takes all
     const ssize_t n = master_ < 0 ? 0 : ::read(master_, buffer.data(), buffer.size());
     if (n <= 0) return false;
-    note_openers();  // who came before these bytes must not lose them to who left
     count_in(static_cast<std::size_t>(n));
+    const ByteView bytes = ByteView(buffer).first(static_cast<std::size_t>(n));
+    note_openers();  // who came before these bytes must not lose them to who left
+    if (has_left_) {
+        hear_last_words(bytes);
+        return true;
+    }
     note_rate();
-    events_.received(ByteView(buffer).first(static_cast<std::size_t>(n)), {});
+    events_.received(bytes, {});
     return true;
 }
 
@@ -165,7 +170,26 @@ Task<void> Pty::watch_openers() {
         co_await watch_.async_wait(asio::posix::descriptor_base::wait_read, into(ec));
         if (ec) co_return;
         note_openers();
+        if (has_left_) hear_last_words({});
     }
+}
+
+void Pty::hear_last_words(ByteView begin) {
+    constexpr std::size_t longest = 1024, most = 256 << 10;  // most: more than the kernel holds
+    has_left_ = false;
+    Bytes last(begin.begin(), begin.end());
+    std::array<std::uint8_t, 4096> buffer;
+    std::size_t read = 0;
+    for (ssize_t n; read < most && master_ >= 0 && (n = ::read(master_, buffer.data(), buffer.size())) > 0;) {
+        count_in(static_cast<std::size_t>(n));
+        read += static_cast<std::size_t>(n);
+        const std::size_t kept =
+            std::min(static_cast<std::size_t>(n), longest - std::min(longest, last.size()));
+        last.insert(last.end(), buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(kept));
+    }
+    last.resize(std::min(last.size(), longest));
+    note_rate();
+    if (!last.empty()) events_.received(last, {});
 }
 
 void Pty::note_openers() {
@@ -188,6 +212,8 @@ void Pty::handle_watch(ByteView events) {
         if (event.mask & IN_CLOSE) openers_ = std::max(0, openers_ - 1);
         if ((event.mask & IN_CLOSE) && openers_ == 0) {
             drop_unread();
+            ++visit_;
+            has_left_ = true;
             events_.reconnected();
         }
     }
@@ -204,14 +230,15 @@ void Pty::recount() {
     while (::read(watch_.native_handle(), own.data(), own.size()) > 0) continue;
     openers_ = 0;
     drop_unread();
+    ++visit_;
+    has_left_ = true;
     events_.reconnected();
     if (master.revents & POLLHUP) return;
     openers_ = 1;
     events_.opened();
 }
 
-/// What a driver left unread must not reach the next one. What it said last, or the next one says already,
-/// is on its way to the device as on a wire.
+/// What a driver left unread must not reach the next one.
 void Pty::drop_unread() {
     ::tcflush(slave_, TCIFLUSH);
     ::ioctl(master_, TCFLSH, TCOFLUSH);
@@ -227,6 +254,7 @@ void Pty::note_rate() {
 }
 
 Task<void> Pty::write(ByteView bytes, Address) {
+    const std::uint64_t visit = visit_;  // bytes for who leaves are for nobody else
     note_openers();
     if (opened()) note_rate();
     // The kernel buffers some 13 kB. A driver that has not read for this long loses bytes, as with a UART's
@@ -234,7 +262,7 @@ Task<void> Pty::write(ByteView bytes, Address) {
     constexpr std::chrono::milliseconds patience(200), pause(2);
     const auto give_up = std::chrono::steady_clock::now() + patience;
     const std::string terminal = slave_path_;
-    while (!bytes.empty() && opened() && master_ >= 0 && terminal == slave_path_) {
+    while (!bytes.empty() && opened() && master_ >= 0 && terminal == slave_path_ && visit == visit_) {
         const ssize_t n = ::write(master_, bytes.data(), bytes.size());
         if (n > 0) {
             count_out(static_cast<std::size_t>(n));

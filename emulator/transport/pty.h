@@ -52,6 +52,9 @@ class Pty final : public CountingTransport {
     Task<void> read_line();
     /// Passes on what has arrived; false if nothing has.
     bool hear();
+    /// Passes on as much of what a driver said last, from `begin` on, as a small buffer of a device holds; of
+    /// a flood the rest is lost. What the next one says already may be among it.
+    void hear_last_words(ByteView begin);
     Task<void> watch_openers();
     void handle_watch(ByteView events);
     /// Takes note of who has opened and closed the slave by now.
@@ -72,6 +75,8 @@ class Pty final : public CountingTransport {
     std::optional<PtyLink> link_;
     Events events_;
     int openers_ = 0;
+    std::uint64_t visit_ = 0;  ///< how often the last driver has left
+    bool has_left_ = false;    ///< and what it said last is not read yet
     double told_rate_ = 0;
 };
 

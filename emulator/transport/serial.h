@@ -30,6 +30,7 @@ class SerialPort final : public CountingTransport {
     bool has_driver() const override { return line_.is_open(); }
     void close() override;
     std::string describe() const override;
+    double line_rate() const override { return baud_; }
 
   private:
     Task<void> keep_open();

@@ -71,6 +71,8 @@ class Transport {
     virtual Wire wire() const { return {}; }
     /// The UART of a driver on a serial line, where its settings can be seen; else its rate is 0.
     virtual uart::Receiver far_end() const { return {}; }
+    /// bit/s at which what is written leaves a serial line; 0: as fast as the other end takes it.
+    virtual double line_rate() const { return 0; }
     virtual std::uint64_t bytes_in() const = 0;
     virtual std::uint64_t bytes_out() const = 0;
     /// Bytes that a driver, though there, did not take: overrun, a full buffer, a refused datagram.

@@ -14,6 +14,11 @@ UsbAdapter::UsbAdapter(Clock& clock, std::unique_ptr<Transport> line, Time laten
     : Decorator(std::move(line)), clock_(clock), alarm_(clock), latency_(latency) {}
 
 void UsbAdapter::start(Events events) {
+    const auto reconnected = std::move(events.reconnected);
+    events.reconnected = [this, reconnected] {
+        waiting_.clear();
+        reconnected();
+    };
     line().start(std::move(events));
     rings_ = clock_.now() + latency_;
     asio::co_spawn(clock_.io(), keep_flushing(), Serving(describe()));
