@@ -135,6 +135,19 @@ class Builder : public YAML::EventHandler {
     std::map<YAML::anchor_t, Value> anchored_;
 };
 
+/// The parser says of a tab what it makes of it, which few understand.
+YamlError fault_of(const std::string& text, const YAML::Exception& error) {
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; number <= error.mark.line + 1 && std::getline(lines, line); ++number) {
+        const std::size_t tab = line.find('\t');
+        if (tab != line.npos && tab == line.find_first_not_of(' '))
+            return {{number, static_cast<int>(tab) + 1, -1},
+                    "not YAML: the line begins with a tab; YAML is indented with spaces only"};
+    }
+    return {place_of(error.mark), "not YAML: " + error.msg};
+}
+
 }  // namespace
 
 Value parse_yaml(const std::string& text, const YamlLimits& limits) {
@@ -149,7 +162,7 @@ Value parse_yaml(const std::string& text, const YamlLimits& limits) {
                             "a second document begins here; a scenario is one document"};
         return first;
     } catch (const YAML::Exception& error) {
-        throw YamlError{place_of(error.mark), "not YAML: " + error.msg};
+        throw fault_of(text, error);
     }
 }
 

@@ -1,8 +1,10 @@
 #include "emulator/transport/make.h"
 
+#include "emulator/clock/stepped_clock.h"
 #include "emulator/contract/endpoint.h"
 #include "emulator/contract/error.h"
 #include "emulator/contract/options.h"
+#include "emulator/contract/random_key.h"
 #include "emulator/transport/baud_check.h"
 #include "emulator/transport/driver_lines.h"
 #include "emulator/transport/paced.h"
@@ -36,7 +38,31 @@ OwnEnd own_end(const DeviceConfig& config, const Endpoint& endpoint) {
     return end;
 }
 
-std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, double rate) {
+/// Tells the places of a stepped run apart; "" in others.
+std::string steady_name(Clock& clock, const DeviceConfig& config, const Port& port) {
+    return dynamic_cast<SteppedClock*>(&clock) != nullptr ? config.name + '/' + port.name : "";
+}
+
+/// Where the system may choose the port, and the place has a steady name: the same port in every run, if it
+/// is free, so that equal runs have equal recordings.
+std::unique_ptr<Udp> open_datagrams(asio::io_context& io, Address bind, bool shared, Address to,
+                                    const std::string& steady) {
+    constexpr std::uint16_t first = 49152, ports = 16384;  // of the dynamic ones (RFC 6335)
+    constexpr std::uint64_t tries = 8;
+    if (bind.port == 0 && !steady.empty()) {
+        for (std::uint64_t i = 0; i < tries; ++i) {
+            const auto port = static_cast<std::uint16_t>(first + random_key(i, steady) % ports);
+            try {
+                return std::make_unique<Udp>(io, Address{bind.ip, port}, shared, to);
+            } catch (const StartError&) {  // somebody has it
+            }
+        }
+    }
+    return std::make_unique<Udp>(io, bind, shared, to);
+}
+
+std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, double rate,
+                                       const std::string& steady) {
     using Scheme = Endpoint::Scheme;
     switch (e.scheme) {
         case Scheme::pty:
@@ -48,19 +74,20 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
         case Scheme::tcp:
             return std::make_unique<TcpClient>(io, e.host, e.port);
         case Scheme::udp_listen:
-            return std::make_unique<Udp>(io, Address{e.ip, e.port}, false);
+            return open_datagrams(io, {e.ip, e.port}, false, {}, steady);
         case Scheme::udp: {
             constexpr std::uint32_t loopback = 0x7F000001;
-            return std::make_unique<Udp>(io, Address{is_loopback(e.ip) ? loopback : 0, e.local_port()}, false,
-                                         Address{e.ip, e.port});
+            return open_datagrams(io, {is_loopback(e.ip) ? loopback : 0, e.local_port()}, false,
+                                  {e.ip, e.port}, steady);
         }
     }
     throw StartError(Exit::software, "endpoint of an unknown kind");
 }
 
 /// A stream as slow as a serial line, if it is one.
-std::unique_ptr<Transport> open_wire(Clock& clock, const Endpoint& endpoint, const OwnEnd& own) {
-    auto line = in_step(clock, open_stream(clock.io(), endpoint, own.rate));
+std::unique_ptr<Transport> open_wire(Clock& clock, const Endpoint& endpoint, const OwnEnd& own,
+                                     const std::string& steady) {
+    auto line = in_step(clock, open_stream(clock.io(), endpoint, own.rate, steady));
     if (endpoint.usb_latency() > 0)
         line = std::make_unique<UsbAdapter>(clock, std::move(line),
                                             std::chrono::milliseconds(endpoint.usb_latency()));
@@ -73,7 +100,7 @@ std::unique_ptr<Transport> open_wire(Clock& clock, const Endpoint& endpoint, con
 std::unique_ptr<Transport> open_line(Clock& clock, const Endpoint& endpoint, const DeviceConfig& config,
                                      const Port& port, const Around& around) {
     const OwnEnd own = own_end(config, endpoint);
-    auto wire = around(open_wire(clock, endpoint, own), port);
+    auto wire = around(open_wire(clock, endpoint, own, steady_name(clock, config, port)), port);
     if (own.other != Paced::OtherRate::garbage) return wire;
     return std::make_unique<BaudCheck>(clock, std::move(wire), own.rate, config.name);
 }
@@ -97,7 +124,7 @@ std::unique_ptr<Transport> as_it_is(std::unique_ptr<Transport> wire, const Port&
 }  // namespace
 
 std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri) {
-    return open_stream(io, parse_endpoint(uri), 0);
+    return open_stream(io, parse_endpoint(uri), 0, "");
 }
 
 std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
@@ -107,8 +134,9 @@ std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std:
     std::size_t next_stream = 0;
     for (const Port& port : ports) {
         if (port.kind == Port::Kind::datagram) {
-            transports.push_back(
-                wrap(in_step(clock, std::make_unique<Udp>(clock.io(), port.bind, port.shared)), port));
+            transports.push_back(wrap(in_step(clock, open_datagrams(clock.io(), port.bind, port.shared, {},
+                                                                    steady_name(clock, config, port))),
+                                      port));
         } else {
             const Endpoint& endpoint = config.endpoints.at(next_stream++);
             const bool own_lines = (port.drivers > 1 || port.messages_kept > 0) &&

@@ -187,6 +187,18 @@ TEST(ProfileSection, a_broken_profile_of_the_program_itself_is_refused) {
     }
 }
 
+TEST(Yaml, a_tab_is_named_where_it_stands) {
+    for (const char* text : {"scene: a.glb\nwater:\n\tdepth: 1\n", "scene: a.glb\nwater:\n  \tdepth: 1\n"}) {
+        try {
+            parse(text);
+            FAIL() << "accepted";
+        } catch (const ScenarioError& error) {
+            EXPECT_THAT(error.what(), HasSubstr(":3:"));
+            EXPECT_THAT(error.what(), HasSubstr("begins with a tab"));
+        }
+    }
+}
+
 TEST(Override, changes_devices_by_name_and_by_number) {
     const auto scenario = parse(complete, {"devices.front.options.gain=75", "devices.1.name=renamed",
                                            "seed=7", "vehicle.pose.position=[0,0,-9]"});
