@@ -43,6 +43,26 @@ bool holds_something_else(const std::filesystem::path& file, std::string_view be
     return !begins.starts_with(held);
 }
 
+/// Not through a link, which another user may have left where everybody may write; but a link to a pipe or a
+/// device is how a shell hands those over (/dev/fd/63).
+int open_for_writing(const std::filesystem::path& file) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
+    if (descriptor >= 0 || errno != ELOOP) return descriptor;
+    const int behind = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+    if (behind < 0 || !is_plain(behind)) return behind;
+    ::close(behind);
+    errno = ELOOP;
+    return -1;
+}
+
+/// After open_for_writing().
+std::string why_not(const std::filesystem::path& file) {
+    const int error = errno;
+    std::error_code ec;
+    return std::filesystem::is_symlink(file, ec) ? "it is a link; links are not followed"
+                                                 : std::strerror(error);
+}
+
 }  // namespace
 
 void DiskFile::refuse(const std::string& why) {
@@ -51,10 +71,9 @@ void DiskFile::refuse(const std::string& why) {
 }
 
 DiskFile::DiskFile(std::filesystem::path file, std::string_view begins)
-    : file_(std::move(file)), descriptor_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644)) {
+    : file_(std::move(file)), descriptor_(open_for_writing(file_)) {
     if (descriptor_ < 0)
-        throw StartError(Exit::cannot_create, file_.string() +
-                                                  ": cannot be written: " + std::strerror(errno) +
+        throw StartError(Exit::cannot_create, file_.string() + ": cannot be written: " + why_not(file_) +
                                                   "; name a file in a folder that you may write to");
     if (!is_plain(descriptor_)) return;
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)

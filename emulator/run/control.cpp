@@ -15,6 +15,7 @@
 
 #include "emulator/run/answers.h"
 #include "emulator/transport/address.h"
+#include "emulator/transport/own_folder.h"
 
 namespace echoloop {
 namespace {
@@ -85,7 +86,9 @@ class Control::Listener {
         tcp_.close(ignored);
         if (!local_.is_open()) return;
         local_.close(ignored);
-        ::unlink(path_.c_str());
+        struct stat now {};  // another run may have replaced it meanwhile
+        if (::lstat(path_.c_str(), &now) == 0 && now.st_ino == made_.st_ino && now.st_dev == made_.st_dev)
+            ::unlink(path_.c_str());
     }
     std::string describe() const {
         error_code ignored;
@@ -105,7 +108,8 @@ class Control::Listener {
     /// Nobody can connect before listen(), when the file has its rights already.
     void listen(asio::io_context& io) {
         std::error_code ignored;
-        fs::create_directories(fs::path(path_).parent_path(), ignored);
+        make_own_folder(fs::path(path_).parent_path(), "the control socket",
+                        "unix:/tmp/echoloop-" + std::to_string(::getuid()) + "/control");
         if (is_left_over(io, path_)) fs::remove(path_, ignored);
         error_code ec;
         local_.open();
@@ -119,6 +123,7 @@ class Control::Listener {
             throw cannot_make(path_, ec.message() + "; name a place that you may write to");
         }
         if (::chmod(path_.c_str(), S_IRUSR | S_IWUSR) != 0) throw cannot_make(path_, std::strerror(errno));
+        ::lstat(path_.c_str(), &made_);
         local_.listen(most_clients, ec);
         if (ec) throw cannot_make(path_, ec.message());
     }
@@ -126,6 +131,7 @@ class Control::Listener {
     Local::acceptor local_;
     asio::ip::tcp::acceptor tcp_;
     std::string path_;
+    struct stat made_ {};  ///< the socket file
 };
 
 Control::Control(Clock& clock, const ControlPlace& place, Faults& faults, std::vector<ScenarioDevice> devices,

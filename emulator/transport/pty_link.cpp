@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "emulator/contract/error.h"
+#include "emulator/transport/own_folder.h"
 #include "emulator/transport/pty.h"
 
 namespace echoloop {
@@ -28,18 +29,6 @@ bool is_stale_pty_link(const fs::path& link, const fs::path& our_slave) {
 /// Where another user's /tmp/echoloop is in nobody's way.
 std::string own_place() { return "pty:/tmp/echoloop-" + std::to_string(::getuid()) + "/micron"; }
 
-void make_directories(const fs::path& link) {
-    if (link.parent_path().empty()) return;
-    std::error_code ec;
-    fs::create_directories(link.parent_path(), ec);
-    if (!ec) return;
-    const bool denied = ec == std::errc::permission_denied || ec == std::errc::read_only_file_system;
-    throw StartError(denied ? Exit::no_permission : Exit::cannot_create,
-                     link.parent_path().string() +
-                         ": directory for the pty link cannot be made: " + ec.message() +
-                         "; name a directory that you may write in the endpoint, e.g. " + own_place());
-}
-
 /// Why a link cannot be made where something is, and what to do.
 std::string taken(const fs::path& link) {
     std::error_code ec;
@@ -56,7 +45,7 @@ std::string taken(const fs::path& link) {
 }  // namespace
 
 PtyLink::PtyLink(fs::path link, fs::path slave) : link_(std::move(link)), slave_(std::move(slave)) {
-    make_directories(link_);
+    make_own_folder(link_.parent_path(), "the pty link", own_place());
     std::error_code ec;
     if (is_stale_pty_link(link_, slave_)) fs::remove(link_, ec);
     fs::create_symlink(slave_, link_, ec);

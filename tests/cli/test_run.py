@@ -130,6 +130,29 @@ class Run(ProgramTest):
         text = self.bad(73, "run", TANK, "--duration", "0", *self.micron(f"pty:{self.folder}/link"))
         self.assertIn(f"exists already and leads to {self.folder}/mine; ", text)
 
+    @unittest.skipIf(os.getuid() != 0, "only root can make folders of another user")
+    def test_a_folder_that_another_user_made_where_everybody_may_is_refused(self):
+        shared = self.folder / "shared"  # as /tmp is
+        shared.mkdir()
+        shared.chmod(0o1777)
+        for name, make in (("folder", lambda f: f.mkdir()), ("link", lambda f: f.symlink_to(self.folder))):
+            make(shared / name)
+            os.chown(shared / name, 12345, 12345, follow_symlinks=False)
+            for arguments in (self.micron(f"pty:{shared}/{name}/micron"),
+                              ("--control", f"unix:{shared}/{name}/control", *self.micron(f"pty:{self.folder}/micron"))):
+                text = self.bad(77, "run", TANK, "--duration", "0", *arguments)
+                self.assertIn(f"{shared}/{name}: directory for the ", text)
+                self.assertIn("the user number 12345, who could exchange what is in it; name another", text)
+
+    def test_a_recording_does_not_follow_a_link(self):
+        link, target = self.folder / "dive.pcapng", self.folder / "elsewhere"
+        link.symlink_to(target)
+        for option in ("--record", "--truth", "--labels"):
+            text = self.bad(73, "run", TANK, "--duration", "0", option, str(link),
+                            *self.micron(f"pty:{self.folder}/micron"))
+            self.assertIn("links are not followed", text)
+        self.assertFalse(target.exists())
+
     def test_what_is_no_serial_port_ends_with_69(self):
         for path in ("/dev/null", TANK):
             text = self.bad(69, "run", TANK, "--duration", "0", *self.micron(f"serial://{path}:9600"))

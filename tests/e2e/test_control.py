@@ -81,6 +81,14 @@ class Control(unittest.TestCase):
         self.assertIn("1 silence", emulator.stop()[1])
         self.assertFalse((emulator.folder / "control").exists())
 
+    def test_a_file_that_took_the_sockets_place_stays(self):
+        emulator = self.start()
+        place = emulator.folder / "control"
+        place.unlink()
+        place.write_text("of another run")
+        self.assertEqual(emulator.stop()[0], 0)
+        self.assertEqual(place.read_text(), "of another run")
+
     def test_what_is_wrong_is_refused_and_the_run_goes_on(self):
         emulator = self.start()
         client, other = self.client(emulator), self.client(emulator)
