@@ -14,6 +14,7 @@ enum class Exit : int {
     no_input = 66,
     unavailable = 69,
     software = 70,
+    os_error = 71,  ///< memory ran out
     cannot_create = 73,
     io = 74,
     late = 75,  ///< EX_TEMPFAIL: a deadline was missed; a less busy machine may meet it

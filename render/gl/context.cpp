@@ -5,6 +5,7 @@
 #include "render/gl/egl.h"
 #include "render/gl/osmesa.h"
 #include "render/gl/picture_check.h"
+#include "render/memory_check.h"
 
 namespace echoloop::gl {
 namespace {
@@ -36,6 +37,7 @@ std::unique_ptr<Context> first_of(std::initializer_list<Maker> makers) {
 }  // namespace
 
 std::unique_ptr<Context> make_context(std::string_view name) {
+    require_address_space();
     if (name == "osmesa") return make_osmesa_context();
     if (name == "egl-surfaceless") return make_egl_surfaceless_context();
     if (name == "egl-device") return checked<make_egl_device_context>();

@@ -32,7 +32,7 @@ class Context {
 /// Makes a context of the named kind: "osmesa", "egl-surfaceless", "egl-device" (a GPU), or "auto": a GPU
 /// where there is one that draws a known picture rightly (check_picture()), else OSMesa, else EGL
 /// surfaceless. Throws std::invalid_argument for an unknown name, and std::runtime_error naming the package
-/// to install when none can be made.
+/// to install when none can be made, OutOfMemory where there is too little of it.
 std::unique_ptr<Context> make_context(std::string_view name);
 /// What "auto" makes; `may_have_gpu`: whether looking for a GPU is worth loading EGL.
 std::unique_ptr<Context> make_auto_context(bool may_have_gpu);

@@ -2,6 +2,7 @@
 import json
 import os
 import re
+import resource
 import signal
 import socket
 import struct
@@ -152,6 +153,15 @@ class Run(ProgramTest):
                             *self.micron(f"pty:{self.folder}/micron"))
             self.assertIn("links are not followed", text)
         self.assertFalse(target.exists())
+
+    def test_too_little_memory_is_called_so(self):
+        for mebibytes in (100, 200, 250, 300, 350, 400, 450, 500, 600, 700):
+            done = subprocess.run(
+                [PROGRAM, "run", TANK, "--duration", "0", *self.micron(f"pty:{self.folder}/micron")],
+                capture_output=True, text=True, timeout=60,
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20,) * 2))
+            self.assertEqual(done.returncode, 71, (mebibytes, done.stderr))
+            self.assertRegex(done.stderr, r"^echoloop: error: not enough memory.*ulimit -v.*\n$")
 
     def test_what_is_no_serial_port_ends_with_69(self):
         for path in ("/dev/null", TANK):

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "emulator/contract/error.h"
+#include "render/memory_check.h"
 #include "tools/echoloop/command_line.h"
 #include "tools/echoloop/log.h"
 #include "tools/echoloop/terminal.h"
@@ -19,9 +20,12 @@ int run(int argc, char** argv) {
     } catch (const echoloop::StartError& error) {
         print_error(error.what());
         return status(error.exit());
+    } catch (const echoloop::OutOfMemory& error) {
+        print_error(error.what());
+        return status(echoloop::Exit::os_error);
     } catch (const std::bad_alloc&) {
-        print_error("out of memory");
-        return status(echoloop::Exit::unavailable);
+        print_error("not enough memory; end other programs, or raise this process' limit (ulimit -v)");
+        return status(echoloop::Exit::os_error);
     } catch (const std::exception& error) {
         print_error(std::string("internal: ") + error.what());
         return status(echoloop::Exit::software);
