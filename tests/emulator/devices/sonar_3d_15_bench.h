@@ -19,7 +19,8 @@ inline const std::string integration = "/api/v1/integration";
 inline Bytes text_bytes(const std::string& text) { return {text.begin(), text.end()}; }
 
 inline std::string post_text(const std::string& path, const std::string& body) {
-    return "POST " + integration + path + " HTTP/1.1\r\nHost: 192.168.194.96\r\nContent-Type: application/json\r\n" +
+    return "POST " + integration + path +
+           " HTTP/1.1\r\nHost: 192.168.194.96\r\nContent-Type: application/json\r\n" +
            "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
 }
 inline std::string get_text(const std::string& path) {
