@@ -62,7 +62,7 @@ std::unique_ptr<Udp> open_datagrams(asio::io_context& io, Address bind, bool sha
 }
 
 std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, double rate,
-                                       const std::string& steady) {
+                                       const std::string& steady, Browsers browsers) {
     using Scheme = Endpoint::Scheme;
     switch (e.scheme) {
         case Scheme::pty:
@@ -70,7 +70,8 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
         case Scheme::serial:
             return std::make_unique<SerialPort>(io, e.path, static_cast<int>(line_rate({&e, 1}, rate)));
         case Scheme::tcp_listen:
-            return std::make_unique<TcpListener>(io, Address{e.ip, e.port});
+            return std::make_unique<TcpListener>(std::make_shared<TcpDoor>(
+                io, Address{e.ip, e.port}, Manners{.speaks_http = browsers == Browsers::served}));
         case Scheme::tcp:
             return std::make_unique<TcpClient>(io, e.host, e.port);
         case Scheme::udp_listen:
@@ -87,7 +88,7 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
 /// A stream as slow as a serial line, if it is one.
 std::unique_ptr<Transport> open_wire(Clock& clock, const Endpoint& endpoint, const OwnEnd& own,
                                      const std::string& steady) {
-    auto line = in_step(clock, open_stream(clock.io(), endpoint, own.rate, steady));
+    auto line = in_step(clock, open_stream(clock.io(), endpoint, own.rate, steady, Browsers::turned_away));
     if (endpoint.usb_latency() > 0)
         line = std::make_unique<UsbAdapter>(clock, std::move(line),
                                             std::chrono::milliseconds(endpoint.usb_latency()));
@@ -123,8 +124,8 @@ std::unique_ptr<Transport> as_it_is(std::unique_ptr<Transport> wire, const Port&
 
 }  // namespace
 
-std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri) {
-    return open_stream(io, parse_endpoint(uri), 0, "");
+std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri, Browsers browsers) {
+    return open_stream(io, parse_endpoint(uri), 0, "", browsers);
 }
 
 std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
