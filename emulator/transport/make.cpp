@@ -71,7 +71,8 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
             return std::make_unique<SerialPort>(io, e.path, static_cast<int>(line_rate({&e, 1}, rate)));
         case Scheme::tcp_listen:
             return std::make_unique<TcpListener>(std::make_shared<TcpDoor>(
-                io, Address{e.ip, e.port}, Manners{.speaks_http = browsers == Browsers::served}));
+                io, Address{e.ip, e.port},
+                Manners{.speaks_http = browsers == Browsers::served, .idle = e.idle()}));
         case Scheme::tcp:
             return std::make_unique<TcpClient>(io, e.host, e.port);
         case Scheme::udp_listen:
@@ -110,7 +111,8 @@ std::unique_ptr<Transport> open_driver_lines(Clock& clock, const Endpoint& endpo
                                              const Around& around) {
     constexpr int few_messages = 256 << 10;  // B, which the system doubles
     const bool keeps_few = port.messages_kept > 0;
-    const Manners manners{keeps_few ? few_messages : 0, port.answers_half_closed, port.speaks_http};
+    const Manners manners{keeps_few ? few_messages : 0, port.answers_half_closed, port.speaks_http,
+                          endpoint.idle()};
     const auto door = std::make_shared<TcpDoor>(clock.io(), Address{endpoint.ip, endpoint.port}, manners);
     std::vector<std::unique_ptr<Transport>> lines;
     for (std::size_t i = 0; i < port.drivers; ++i)

@@ -279,6 +279,11 @@ Task<void> Pty::write(ByteView bytes, Address) {
     }
 }
 
+std::vector<std::string> Pty::connected() const {
+    if (!opened()) return {};
+    return {"on " + (link_ ? link_->path().string() : slave_path_)};
+}
+
 std::string Pty::describe() const {
     return link_ ? "pty:" + link_->path().string() + " -> " + slave_path_ : "pty " + slave_path_;
 }
