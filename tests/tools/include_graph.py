@@ -74,7 +74,7 @@ RULES = [
     render_room("scene", libraries=rf"{SYSTEM}|(glm|nlohmann)/.*|tiny_gltf\.h"),
     render_room("gl", "scene", rf"{SYSTEM}|(GL|EGL)/.*"),
     render_room("acoustics", "scene"),
-    render_room("paths", "acoustics|scene", r"embree3/.*"),
+    render_room("paths", "acoustics|scene", r"embree[34]/.*"),
     render_room("fan", "paths|acoustics|scene"),
     render_room("grid", "fan|paths|acoustics|scene"),
     Rule(r"render/(renderer|shot_check)\.(h|cpp)", r"render/.*", STANDARD),
