@@ -39,7 +39,7 @@ class Script(unittest.TestCase):
         self.put("missing", "libcairo2-dev\nlibgtest-dev\n")
         self.put("unknown")
         self.put("failures", "0")
-        self.put("os-release", 'ID=debian\nVERSION_ID="13"\n')
+        self.put("os-release", 'VERSION_ID="13"\nVERSION="13 (trixie)"\nID=debian\n')
         self.put("uid", "0")
         self.put("log", "")
 
@@ -148,7 +148,7 @@ class Install(Script):
         self.assertEqual(self.log, [])
 
     def test_another_release_gets_the_list_of_what_is_missing(self):
-        self.put("os-release", 'NAME="Ubuntu"\nID=ubuntu\nVERSION_ID="22.04"\n')
+        self.put("os-release", 'NAME="Ubuntu"\nVERSION_ID="22.04"\nID=ubuntu\nID_LIKE=debian\n')
         self.assertEqual(self.run_script("install", "build"), 69)
         self.assertEqual(self.log, [])
         for words in ("this is the system ubuntu-22.04", "Debian 13", "libcairo2-dev", "cmake --preset release"):
