@@ -111,9 +111,17 @@ std::unique_ptr<Context> first_device(bool hardware, std::string& refusals) {
 }  // namespace
 
 std::unique_ptr<Context> make_egl_surfaceless_context() {
-    auto mesa = take_mesa_egl();
-    const EGLDisplay display = software_display(*mesa);
-    return std::make_unique<EglContext>("EGL surfaceless", std::move(mesa), display, true);
+    const auto on = [](std::shared_ptr<const EglLibrary> lib, bool own) {
+        const EGLDisplay display = software_display(*lib);
+        return std::make_unique<EglContext>("EGL surfaceless", std::move(lib), display, own);
+    };
+    std::shared_ptr<const EglLibrary> mesa;
+    try {
+        mesa = take_mesa_egl();
+    } catch (const std::runtime_error&) {  // a Mesa without GLVND, or a system that lets nothing be copied
+        return on(system_egl(), false);
+    }
+    return on(std::move(mesa), true);
 }
 
 std::unique_ptr<Context> make_gpu_context() {

@@ -17,7 +17,8 @@ void* load_mesa_egl() {
 }
 
 /// By the interface that libEGL.so.1 of GLVND uses of each maker's library. What we would export is for
-/// functions that are called through GLVND, which nothing is here.
+/// functions that are called through GLVND, which nothing is here: an instance that GLVND uses would lose its
+/// own exports by this.
 EglLibrary resolved_mesa_egl(void* handle) {
     const auto main = reinterpret_cast<__PFNEGLMAINPROC>(::dlsym(handle, __EGL_MAIN_PROTO_NAME));
     static const __EGLapiExports exports{};
@@ -31,7 +32,7 @@ EglLibrary resolved_mesa_egl(void* handle) {
 }  // namespace
 
 std::shared_ptr<const EglLibrary> take_mesa_egl() {
-    static ThreadLibraries<EglLibrary> libraries(load_mesa_egl, resolved_mesa_egl);
+    static ThreadLibraries<EglLibrary> libraries(load_mesa_egl, resolved_mesa_egl, true);
     return libraries.take();
 }
 

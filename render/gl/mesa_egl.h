@@ -9,7 +9,7 @@
 namespace echoloop::gl {
 
 /// The instance of this thread, for a context that it makes; see ThreadLibraries. Throws std::runtime_error
-/// where Mesa's EGL cannot be loaded.
+/// where Mesa's EGL cannot be loaded, or not by itself.
 std::shared_ptr<const EglLibrary> take_mesa_egl();
 
 /// A display of it that draws in software and opens no device: on its surfaceless platform it would take a

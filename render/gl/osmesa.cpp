@@ -63,7 +63,7 @@ Library resolved(void* handle) {
 
 /// A dozen megabytes each.
 std::shared_ptr<const Library> take_osmesa() {
-    static ThreadLibraries<Library> libraries(load_osmesa, resolved);
+    static ThreadLibraries<Library> libraries(load_osmesa, resolved, false);
     return libraries.take();
 }
 

@@ -7,6 +7,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 
 #include "render/gl/library_copy.h"
@@ -17,8 +18,11 @@ namespace echoloop::gl {
 template <typename Library>
 class ThreadLibraries {
   public:
-    /// `load` returns what dlopen() did, `resolve` finds the functions in it. Both throw std::runtime_error.
-    ThreadLibraries(void* (*load)(), Library (*resolve)(void* handle)) : load_(load), resolve_(resolve) {}
+    /// `load` returns what dlopen() did, `resolve` finds the functions in it; both throw std::runtime_error.
+    /// `others_use_it`: who is not asked may call the library, too, so that even the first instance is a
+    /// copy.
+    ThreadLibraries(void* (*load)(), Library (*resolve)(void* handle), bool others_use_it)
+        : load_(load), resolve_(resolve), others_use_it_(others_use_it) {}
 
     /// This thread's, else one that nobody uses, else a new copy; where there are none, the first. It is
     /// given back with the pointer.
@@ -45,13 +49,18 @@ class ThreadLibraries {
             if (instance.contexts > 0 && instance.owner == thread) return instance;
         for (Instance& instance : instances_)
             if (instance.contexts == 0) return instance;
-        if (instances_.empty()) return instances_.emplace_back(Instance{resolve_(first_ = load_())});
-        void* copy = instances_.size() < most ? load_copy(first_) : nullptr;
-        return copy == nullptr ? instances_.front() : instances_.emplace_back(Instance{resolve_(copy)});
+        if (first_ == nullptr) first_ = load_();
+        void* const handle = instances_.empty() && !others_use_it_ ? first_
+                             : instances_.size() < most            ? load_copy(first_)
+                                                                   : nullptr;
+        if (handle != nullptr) return instances_.emplace_back(Instance{resolve_(handle)});
+        if (instances_.empty()) throw std::runtime_error("a library cannot be copied into memory");
+        return instances_.front();
     }
 
     void* (*load_)();
     Library (*resolve_)(void* handle);
+    bool others_use_it_;
     std::mutex mutex_;
     void* first_ = nullptr;
     std::list<Instance> instances_;
