@@ -112,7 +112,7 @@ class Control::Listener {
     void listen(asio::io_context& io) {
         std::error_code ignored;
         make_own_folder(fs::path(path_).parent_path(), "the control socket",
-                        "unix:/tmp/echoloop-" + std::to_string(::getuid()) + "/control");
+                        "unix:" + (place_of_ones_own() / "control").string());
         if (is_left_over(io, path_)) fs::remove(path_, ignored);
         error_code ec;
         local_.open();
