@@ -18,6 +18,7 @@ inline constexpr std::string_view standard_input = "stdin";
 ///     pty:/tmp/echoloop/micron            a pseudo-terminal with a link of that name
 ///         ?baud_check=off                 the driver may set any rate (on: a wrong one makes garbage)
 ///         ?usb_latency=16                 bytes come as from a USB adapter with that latency timer, ms
+///         ?group=dialout                  the members of that group may open it, not only its user
 ///     serial:///dev/ttyUSB0:115200        a real serial port; without a rate: the device's own
 ///     tcp-listen://127.0.0.1:9090         tcp://127.0.0.1:9090
 ///     udp-listen://127.0.0.1:65500        udp://127.0.0.1:65400?local_port=65502
@@ -38,6 +39,8 @@ struct Endpoint {
     bool checks_baud() const;
     /// pty: latency timer of a USB adapter, ms; 0: none.
     std::uint32_t usb_latency() const;
+    /// pty: the group that may open it, as one may a real serial port; "": the system's own rule.
+    std::string group() const;
     bool on_udp() const { return scheme == Scheme::udp || scheme == Scheme::udp_listen; }
     bool listens() const { return scheme == Scheme::tcp_listen || scheme == Scheme::udp_listen; }
     friend bool operator==(const Endpoint&, const Endpoint&) = default;
