@@ -1,25 +1,29 @@
 #include <cctype>
+#include <sstream>
 
 #include "tools/echoloop/manual/manual.h"
 
 namespace echoloop::cli::manual {
 namespace {
 
-/// Text as mdoc takes it: one line for each sentence, and nothing that it could take for a macro.
+/// Text as mdoc takes it: a new line for each sentence, none too long, and nothing that it could take for a
+/// macro.
 std::string prose(const std::string& text) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool sentence = i >= 2 && text[i - 1] == '.' && text[i] == ' ' && i + 1 < text.size() &&
-                              std::isupper(static_cast<unsigned char>(text[i + 1])) != 0;
-        const bool starts = out.empty() || out.back() == '\n';
-        if (starts && (text[i] == '.' || text[i] == '\'')) out += "\\&";
-        if (sentence)
-            out += '\n';
-        else if (text[i] == '\\')
-            out += "\\e";
-        else
-            out += text[i];
+    constexpr std::size_t longest = 76;
+    std::string out, line, word;
+    const auto end_line = [&] {
+        if (line.starts_with('.') || line.starts_with('\'')) out += "\\&";
+        out += line + "\n";
+        line.clear();
+    };
+    std::istringstream words(text);
+    while (words >> word) {
+        const bool sentence = line.ends_with('.') && std::isupper(static_cast<unsigned char>(word[0])) != 0;
+        if (!line.empty() && (sentence || line.size() + word.size() > longest)) end_line();
+        line += line.empty() ? "" : " ";
+        for (const char c : word) line += c == '\\' ? std::string("\\e") : std::string(1, c);
     }
+    end_line();
     return out;
 }
 
@@ -74,11 +78,12 @@ std::string item(const Argument& argument) {
         for (const auto& choice : argument.choices) words += (words.empty() ? "" : ", ") + choice;
         text += "; one of " + words;
     }
-    return head + "\n" + prose(text) + (argument.required ? " (must be given)" : "") + "\n";
+    if (argument.required) text += " (must be given)";
+    return head + "\n" + prose(text);
 }
 
 std::string section(const Verb& verb) {
-    std::string out = ".Ss " + verb.name + "\n" + prose(verb.summary) + ".\n";
+    std::string out = ".Ss " + verb.name + "\n" + prose(verb.summary + ".");
     if (!verb.arguments.empty()) {
         out += ".Bl -tag -width Ds\n";
         for (const Argument& argument : verb.arguments) out += item(argument);
@@ -101,9 +106,11 @@ constexpr auto head = R"(.Dt ECHOLOOP 1
 .Sh DESCRIPTION
 .Nm
 is a sonar for a driver to talk to.
-It renders each ping from a 3D scene (glTF), turns the echoes into levels, and answers in the sonar's own protocol on
-pseudo-terminals, serial ports, TCP and UDP.
-What runs is said by a scenario, a YAML file, or by the name of one of the examples that come with the program:
+It renders each ping from a 3D scene (glTF), turns the echoes into levels, and
+answers in the sonar's own protocol on pseudo-terminals, serial ports, TCP and
+UDP.
+What runs is said by a scenario, a YAML file, or by the name of one of the
+examples that come with the program:
 .Nm
 .Cm examples
 lists them.
@@ -121,7 +128,8 @@ Messages have no colours.
 .It Ev LP_NUM_THREADS
 Threads of Mesa's rasteriser for each context; 0 if it is not set.
 .It Ev NOTIFY_SOCKET , WATCHDOG_USEC
-Of a service manager, which is told when the sonars are up, and then that they are alive.
+Of a service manager, which is told when the sonars are up, and then that they
+are alive.
 .El
 .Sh FILES
 .Bl -tag -width Ds
@@ -167,9 +175,6 @@ No permission.
 .It 78
 The scenario is wrong; the message has file, line and column.
 .El
-.Sh SEE ALSO
-.Xr tshark 1 ,
-.Xr systemd.service 5
 )";
 
 }  // namespace
