@@ -84,7 +84,7 @@ struct Setting {
     bool (*fits)(std::string_view value);
 };
 
-constexpr std::array<Setting, 4> settings{{
+constexpr std::array<Setting, 5> settings{{
     {"local_port", Scheme::udp, "local_port is a number from 1 to 65535",
      [](std::string_view v) { return decimal(v, 65535).value_or(0) > 0; }},
     {"baud_check", Scheme::pty, "baud_check is on (a rate that is not the device's makes garbage) or off",
@@ -93,9 +93,10 @@ constexpr std::array<Setting, 4> settings{{
      [](std::string_view v) { return decimal(v, 255).value_or(0) > 0; }},
     {"idle", Scheme::tcp_listen,
      "idle is a number of s up to 65535, after which a driver that says and takes nothing makes way for "
-     "another, "
-     "or off",
+     "another, or off",
      [](std::string_view v) { return v == "off" || decimal(v, 65535); }},
+    {"group", Scheme::pty, "group is the group whose members may open the pseudo-terminal, e.g. dialout",
+     [](std::string_view v) { return !v.empty(); }},
 }};
 
 const Setting& find_setting(std::string_view uri, Scheme scheme, std::string_view key) {
@@ -189,6 +190,11 @@ std::uint16_t Endpoint::local_port() const {
 bool Endpoint::checks_baud() const {
     const auto found = query.find("baud_check");
     return found == query.end() || found->second != "off";
+}
+
+std::string Endpoint::group() const {
+    const auto found = query.find("group");
+    return found == query.end() ? "" : found->second;
 }
 
 std::uint32_t Endpoint::usb_latency() const { return count_of(*this, "usb_latency"); }

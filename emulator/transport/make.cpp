@@ -66,7 +66,7 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
     using Scheme = Endpoint::Scheme;
     switch (e.scheme) {
         case Scheme::pty:
-            return std::make_unique<Pty>(io, e.path);
+            return std::make_unique<Pty>(io, e.path, e.group());
         case Scheme::serial:
             return std::make_unique<SerialPort>(io, e.path, static_cast<int>(line_rate({&e, 1}, rate)));
         case Scheme::tcp_listen:

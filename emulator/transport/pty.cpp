@@ -1,11 +1,13 @@
 #include "emulator/transport/pty.h"
 
 #include <fcntl.h>
+#include <grp.h>
 #include <poll.h>
 #include <spdlog/spdlog.h>
 #include <stdlib.h>
 #include <sys/inotify.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -47,6 +49,19 @@ std::string slave_name(int master) {
     return name.data();
 }
 
+/// To be opened by the members of `group`, as a real serial port is.
+void give_to(const std::string& group, const std::string& slave) {
+    const struct group* const entry = ::getgrnam(group.c_str());
+    if (entry == nullptr)
+        throw StartError(Exit::config, "pseudo-terminal: there is no group " + group +
+                                           "; name one that `getent group` shows, e.g. dialout");
+    if (::chown(slave.c_str(), static_cast<uid_t>(-1), entry->gr_gid) != 0 ||
+        ::chmod(slave.c_str(), S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP) != 0)
+        throw StartError(Exit::no_permission, "pseudo-terminal: it cannot be given to the group " + group +
+                                                  ": " + std::strerror(errno) +
+                                                  "; add this user to the group");
+}
+
 /// Raw, 8 bits, no echo: a driver that sets nothing still gets its bytes unchanged.
 int open_raw_slave(const std::string& path) {
     const int fd = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -82,8 +97,8 @@ Watch open_watch(const std::filesystem::path& slave) {
 
 }  // namespace
 
-Pty::Pty(asio::io_context& io, const std::filesystem::path& link)
-    : io_(io), arrivals_(io), watch_(io), wanted_link_(link) {
+Pty::Pty(asio::io_context& io, const std::filesystem::path& link, std::string group)
+    : io_(io), arrivals_(io), watch_(io), wanted_link_(link), group_(std::move(group)) {
     open();
 }
 
@@ -91,6 +106,7 @@ void Pty::open() {
     master_ = open_master();
     arrivals_.watch(master_);
     slave_path_ = slave_name(master_);
+    if (!group_.empty()) give_to(group_, slave_path_);
     slave_ = open_raw_slave(slave_path_);
     const Watch watch = open_watch(slave_path_);
     watch_.assign(watch.fd);
