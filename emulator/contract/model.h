@@ -12,6 +12,7 @@
 #include "emulator/contract/device.h"
 #include "emulator/contract/endpoint.h"
 #include "emulator/contract/known_driver.h"
+#include "emulator/contract/network.h"
 #include "emulator/contract/profile.h"
 #include "render/effects.h"
 
@@ -40,8 +41,9 @@ struct DeviceConfig {
     std::vector<Endpoint> endpoints;
     Options options;
     Profile profile;
-    Effects effects;            ///< of the scenario; a device does its own time-varied gain
-    double sound_speed = 1500;  ///< m/s, the true one
+    Effects effects;               ///< of the scenario; a device does its own time-varied gain
+    double sound_speed = 1500;     ///< m/s, the true one
+    std::vector<Network> peers{};  ///< that may be sent to; none: the interfaces' own networks
     double unix_start = 0;  ///< s, Unix time at the start of the run, for devices that send wall-clock time
 };
 

@@ -14,9 +14,10 @@ namespace {
 
 constexpr Time another_clock = std::chrono::seconds(1), least_of = std::chrono::milliseconds(500);
 
-std::unique_ptr<Transport> open(asio::io_context& io, const std::string& endpoint) {
+std::unique_ptr<Transport> open(asio::io_context& io, const std::string& endpoint,
+                                std::span<const Network> peers) {
     if (endpoint == standard_input) return std::make_unique<StandardStreams>(io);
-    return open_endpoint(io, endpoint, Browsers::turned_away);
+    return open_endpoint(io, endpoint, Browsers::turned_away, peers);
 }
 
 bool has_open_number(const std::string& endpoint) {
@@ -39,10 +40,10 @@ Time SenderClock::run_time(double sender_seconds, Time arrival) {
     return from_seconds(sender_seconds) + std::min(*ahead_, before_.value_or(*ahead_));
 }
 
-PoseInput::PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* where, StepServer* steps,
-                     ObjectWhereabouts objects)
+PoseInput::PoseInput(Clock& clock, const std::string& endpoint, std::span<const Network> peers,
+                     Whereabouts* where, StepServer* steps, ObjectWhereabouts objects)
     : clock_(clock),
-      transport_(in_step(clock, open(clock.io(), endpoint))),
+      transport_(in_step(clock, open(clock.io(), endpoint, peers))),
       place_(transport_->describe()),
       endpoint_(has_open_number(endpoint) ? place_ : endpoint),
       comes_back_(endpoint != standard_input),

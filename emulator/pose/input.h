@@ -4,10 +4,12 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "emulator/clock/asio.h"
 #include "emulator/clock/clock.h"
+#include "emulator/contract/network.h"
 #include "emulator/pose/lines.h"
 #include "emulator/pose/mavlink_pose.h"
 #include "emulator/pose/step_server.h"
@@ -46,8 +48,8 @@ class PoseInput final : public LineSource {
     /// `endpoint`: as in a scenario, or standard_input. `where` is told the poses; nullptr: nobody asks for
     /// them, and lines that tell some are refused. `steps`: of a stepped run, else nullptr. All outlive this.
     /// Throws StartError if the endpoint cannot be opened.
-    PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* where, StepServer* steps,
-              ObjectWhereabouts objects = {});
+    PoseInput(Clock& clock, const std::string& endpoint, std::span<const Network> peers, Whereabouts* where,
+              StepServer* steps, ObjectWhereabouts objects = {});
 
     void start();
     void close() { transport_->close(); }

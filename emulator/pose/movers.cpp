@@ -33,7 +33,8 @@ void Movers::open_inputs(const Scenario& scenario, Clock& clock, StepServer* ste
         if (object.input.empty()) continue;
         const auto mover = std::ranges::find(scene_->movers(), object.node, &SceneMover::name);
         auto& told = std::get<Told>(sources_[static_cast<std::size_t>(mover - scene_->movers().begin())]);
-        inputs_.push_back(std::make_unique<PoseInput>(clock, object.input, &told.where, steps));
+        inputs_.push_back(
+            std::make_unique<PoseInput>(clock, object.input, scenario.peers, &told.where, steps));
         told.input = inputs_.back().get();
     }
 }

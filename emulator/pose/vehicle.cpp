@@ -14,9 +14,11 @@ Vehicle::Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps, cons
         source_ = Whereabouts(scenario.world_from_body, steps != nullptr);
     auto* const where = std::get_if<Whereabouts>(&source_);
     if (!scenario.pose_input.empty())
-        inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.pose_input, where, steps, objects));
+        inputs_.push_back(
+            std::make_unique<PoseInput>(clock, scenario.pose_input, scenario.peers, where, steps, objects));
     if (!scenario.step_input.empty() && scenario.step_input != scenario.pose_input)
-        inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.step_input, where, steps, objects));
+        inputs_.push_back(
+            std::make_unique<PoseInput>(clock, scenario.step_input, scenario.peers, where, steps, objects));
 }
 
 void Vehicle::name_places(Scenario& scenario) const {

@@ -104,8 +104,12 @@ class Runtime::Impl {
     std::vector<RunningDevice> devices() const {
         std::vector<RunningDevice> running = running_;
         for (std::size_t i = 0; i < running.size(); ++i)
-            for (const auto& transport : sessions_[i]->transports())
+            for (const auto& transport : sessions_[i]->transports()) {
                 running[i].places.push_back(transport->describe());
+                const std::string open_to = transport->open_to();
+                auto& all = running[i].open_to;
+                if (!open_to.empty() && std::ranges::find(all, open_to) == all.end()) all.push_back(open_to);
+            }
         return running;
     }
 
@@ -234,7 +238,7 @@ class Runtime::Impl {
                 std::make_unique<DeviceTruth>(*records.truth, entry.name, entry.body_from_sonar));
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         if (records.remarks) sessions_.back()->remark_pings();
-        running_.push_back({entry.name, entry.model, std::move(open.places), {}});
+        running_.push_back({entry.name, entry.model, std::move(open.places), {}, {}});
     }
 
     /// From the thread that serves the wires: while it is stuck, nothing is said.

@@ -20,7 +20,8 @@ struct RunningDevice {
     std::string name;
     const Model* model = nullptr;
     std::vector<PortPlace> ports;
-    std::vector<std::string> places;  ///< what its transports call themselves
+    std::vector<std::string> places;   ///< what its transports call themselves
+    std::vector<std::string> open_to;  ///< networks of other machines, as Transport::open_to(); none twice
 };
 
 class BackgroundFile;

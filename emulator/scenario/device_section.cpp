@@ -227,6 +227,7 @@ void DeviceReader::read(const Value& value, std::size_t index) {
         read_options(section.get("options"), section.path_of("options"), *device.model, problems_);
     device.config.profile = read_profile(section, *device.model);
     device.config.effects = scenario_.render.effects;
+    device.config.peers = scenario_.peers;
     device.config.sound_speed = sound_speed(scenario_.water);
     if (problems_.count() == before) try_make(device, value.place);
     devices_.push_back(std::move(device));

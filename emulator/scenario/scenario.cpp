@@ -89,6 +89,29 @@ std::string read_control(const Section& top, Problems& problems) {
     return text;
 }
 
+std::vector<Network> read_peers(const Section& top, Problems& problems) {
+    constexpr std::size_t most = 64;
+    const Value* list = top.get("peers");
+    if (list == nullptr) return {};
+    if (!list->is_sequence() || list->items.empty() || list->items.size() > most) {
+        problems.add(list->place, "peers: expected a list of 1 to 64 networks, as in [192.168.2.0/24]");
+        return {};
+    }
+    std::vector<Network> peers;
+    for (std::size_t i = 0; i < list->items.size(); ++i) {
+        const Value& value = list->items[i];
+        const std::string path = "peers." + std::to_string(i);
+        std::string text;
+        if (!Checker(problems).text(value, path, text)) continue;
+        try {
+            peers.push_back(parse_network(text));
+        } catch (const std::invalid_argument& error) {
+            problems.add(value.place, path + ": " + error.what());
+        }
+    }
+    return peers;
+}
+
 RendererOptions read_render(const Section& top, Problems& problems) {
     const Section section(top.get("render"), "render", {"rule", "context", "pixels"}, problems);
     RendererOptions options;
@@ -110,7 +133,7 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     apply_overrides(root, set_arguments, problems);
     const Section top(&root, "",
                       {"scene", "seed", "water", "vehicle", "objects", "animations", "clock", "render",
-                       "effects", "devices", "faults", "control"},
+                       "effects", "peers", "devices", "faults", "control"},
                       problems);
     if (!root.is_map() && root.kind != Value::Kind::null) problems.throw_if_any();
     Scenario scenario;
@@ -129,6 +152,7 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     scenario.render.surface = read_surface(water, problems);
     const double surface = scenario.render.surface.value_or(WaterSurface{}).height;
     scenario.water = read_water(water, scenario.world_from_body.position.z, surface, problems);
+    scenario.peers = read_peers(top, problems);
     scenario.devices = read_devices(top.get("devices"), top.place(), scenario, models, problems);
     scenario.control = read_control(top, problems);
     scenario.faults = read_faults(top.get("faults"), scenario.devices, problems);

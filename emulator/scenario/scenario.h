@@ -62,8 +62,9 @@ struct Scenario {
     std::optional<double> unix_start;  ///< s; Unix time at run time 0. Empty: when the run really begins
     RendererOptions render;  ///< from `render: {rule, context, pixels}`, `effects` and `water.surface`
     std::vector<ScenarioDevice> devices;
-    std::string control;        ///< place that the run is controlled from, "": none
-    std::vector<Fault> faults;  ///< what goes wrong on the wires and in the devices, and when
+    std::vector<Network> peers;  ///< that devices on the network may send to; none: the interfaces' own
+    std::string control;         ///< place that the run is controlled from, "": none
+    std::vector<Fault> faults;   ///< what goes wrong on the wires and in the devices, and when
 };
 
 /// Reads a scenario file after applying `set_arguments` ("devices.micron.options.gain=50", "seed=7") to it.

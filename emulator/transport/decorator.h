@@ -29,6 +29,8 @@ class Decorator : public Transport {
     std::vector<std::string> connected() const override { return line_->connected(); }
     uart::Receiver far_end() const override { return line_->far_end(); }
     double line_rate() const override { return line_->line_rate(); }
+    std::string open_to() const override { return line_->open_to(); }
+    std::uint64_t targets_refused() const override { return line_->targets_refused(); }
     std::uint64_t bytes_in() const override { return line_->bytes_in(); }
     std::uint64_t bytes_out() const override { return line_->bytes_out(); }
     std::uint64_t bytes_lost() const override { return line_->bytes_lost(); }

@@ -45,24 +45,25 @@ std::string steady_name(Clock& clock, const DeviceConfig& config, const Port& po
 
 /// Where the system may choose the port, and the place has a steady name: the same port in every run, if it
 /// is free, so that equal runs have equal recordings.
-std::unique_ptr<Udp> open_datagrams(asio::io_context& io, Address bind, bool shared, Address to,
-                                    const std::string& steady) {
+std::unique_ptr<Udp> open_datagrams(asio::io_context& io, Address bind, bool shared, const Peers& peers,
+                                    Address to, const std::string& steady) {
     constexpr std::uint16_t first = 49152, ports = 16384;  // of the dynamic ones (RFC 6335)
     constexpr std::uint64_t tries = 8;
     if (bind.port == 0 && !steady.empty()) {
         for (std::uint64_t i = 0; i < tries; ++i) {
             const auto port = static_cast<std::uint16_t>(first + random_key(i, steady) % ports);
             try {
-                return std::make_unique<Udp>(io, Address{bind.ip, port}, shared, to);
+                return std::make_unique<Udp>(io, Address{bind.ip, port}, shared, peers, to);
             } catch (const StartError&) {  // somebody has it
             }
         }
     }
-    return std::make_unique<Udp>(io, bind, shared, to);
+    return std::make_unique<Udp>(io, bind, shared, peers, to);
 }
 
 std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, double rate,
-                                       const std::string& steady, Browsers browsers) {
+                                       const std::string& steady, Browsers browsers,
+                                       std::span<const Network> named) {
     using Scheme = Endpoint::Scheme;
     switch (e.scheme) {
         case Scheme::pty:
@@ -70,16 +71,19 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
         case Scheme::serial:
             return std::make_unique<SerialPort>(io, e.path, static_cast<int>(line_rate({&e, 1}, rate)));
         case Scheme::tcp_listen:
-            return std::make_unique<TcpListener>(std::make_shared<TcpDoor>(
-                io, Address{e.ip, e.port},
-                Manners{.speaks_http = browsers == Browsers::served, .idle = e.idle()}));
+            return std::make_unique<TcpListener>(
+                std::make_shared<TcpDoor>(io, Address{e.ip, e.port},
+                                          Manners{.speaks_http = browsers == Browsers::served,
+                                                  .idle = e.idle(),
+                                                  .peers = Peers(e.ip, named)}));
         case Scheme::tcp:
             return std::make_unique<TcpClient>(io, e.host, e.port);
         case Scheme::udp_listen:
-            return open_datagrams(io, {e.ip, e.port}, false, {}, steady);
+            return open_datagrams(io, {e.ip, e.port}, false, Peers(e.ip, named), {}, steady);
         case Scheme::udp: {
             constexpr std::uint32_t loopback = 0x7F000001;
-            return open_datagrams(io, {is_loopback(e.ip) ? loopback : 0, e.local_port()}, false,
+            const std::uint32_t own = is_loopback(e.ip) ? loopback : 0;
+            return open_datagrams(io, {own, e.local_port()}, false, Peers(own, named, {&e.ip, 1}),
                                   {e.ip, e.port}, steady);
         }
     }
@@ -99,11 +103,12 @@ bool has_driver_lines(const Port& port, const Endpoint& endpoint) {
 Opened open_port(asio::io_context& io, const Port& port, const Endpoint& endpoint, const DeviceConfig& config,
                  const std::string& steady) {
     if (!has_driver_lines(port, endpoint))
-        return {open_stream(io, endpoint, own_end(config, endpoint).rate, steady, Browsers::turned_away),
+        return {open_stream(io, endpoint, own_end(config, endpoint).rate, steady, Browsers::turned_away,
+                            config.peers),
                 nullptr};
     constexpr int few_messages = 256 << 10;  // B, which the system doubles
     const Manners manners{port.messages_kept > 0 ? few_messages : 0, port.answers_half_closed,
-                          port.speaks_http, endpoint.idle()};
+                          port.speaks_http, endpoint.idle(), Peers(endpoint.ip, config.peers)};
     return {nullptr, std::make_shared<TcpDoor>(io, Address{endpoint.ip, endpoint.port}, manners)};
 }
 
@@ -142,19 +147,25 @@ std::unique_ptr<Transport> as_it_is(std::unique_ptr<Transport> wire, const Port&
 
 }  // namespace
 
-std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri, Browsers browsers) {
-    return open_stream(io, parse_endpoint(uri), 0, "", browsers);
+std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri, Browsers browsers,
+                                         std::span<const Network> peers) {
+    return open_stream(io, parse_endpoint(uri), 0, "", browsers, peers);
 }
 
 std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
                                                         const DeviceConfig& config, const Around& around) {
     const Around wrap = around ? around : as_it_is;
+    std::vector<std::uint32_t> destinations;  // that the scenario names
+    for (const Endpoint& endpoint : config.endpoints)
+        if (endpoint.scheme == Endpoint::Scheme::udp) destinations.push_back(endpoint.ip);
     std::vector<Opened> opened;  // all of them, before anything learns of one
     std::size_t next_stream = 0;
     for (const Port& port : ports) {
         const std::string steady = steady_name(clock, config, port);
         if (port.kind == Port::Kind::datagram)
-            opened.push_back({open_datagrams(clock.io(), port.bind, port.shared, {}, steady), nullptr});
+            opened.push_back({open_datagrams(clock.io(), port.bind, port.shared,
+                                             Peers(port.bind.ip, config.peers, destinations), {}, steady),
+                              nullptr});
         else
             opened.push_back(open_port(clock.io(), port, config.endpoints.at(next_stream++), config, steady));
     }

@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "emulator/clock/clock.h"
@@ -16,7 +18,9 @@ namespace echoloop {
 enum class Browsers { turned_away, served };
 
 /// A byte pipe to an endpoint of a scenario, not paced. Throws StartError.
-std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri, Browsers browsers);
+/// `peers`: networks that may be sent to and may connect, where it is not on loopback; none: the interface's.
+std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri, Browsers browsers,
+                                         std::span<const Network> peers = {});
 
 /// Puts something around the wire of a port, or hands it back as it is; around each driver's where a port
 /// has several.

@@ -14,7 +14,8 @@ namespace echoloop {
 class TcpListener final : public CountingTransport {
   public:
     /// The only line behind a door of its own. Throws StartError if the address cannot be bound.
-    TcpListener(asio::io_context& io, Address bind) : TcpListener(std::make_shared<TcpDoor>(io, bind)) {}
+    TcpListener(asio::io_context& io, Address bind)
+        : TcpListener(std::make_shared<TcpDoor>(io, bind, Manners{.peers = Peers(bind.ip, {})})) {}
     /// One of several lines behind `door`: each has a driver of its own.
     explicit TcpListener(std::shared_ptr<TcpDoor> door);
     ~TcpListener() override;
@@ -39,6 +40,7 @@ class TcpListener final : public CountingTransport {
     std::string describe() const override { return door_->describe(); }
     Wire wire() const override;
     std::vector<std::string> connected() const override;
+    std::string open_to() const override { return door_->manners().peers.describe(); }
 
   private:
     Task<void> serve(std::shared_ptr<asio::ip::tcp::socket> driver, Address peer);

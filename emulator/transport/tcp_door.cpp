@@ -46,6 +46,12 @@ Task<void> TcpDoor::let_in() {
             co_await breath.async_wait(into(ec));
             continue;
         }
+        const Address from = to_address(socket.remote_endpoint(ec));
+        if (!manners_.peers.holds(from.ip)) {
+            spdlog::warn("{}: {} was turned away, which is in none of the networks {}; name it in `peers`",
+                         describe(), to_text(from), manners_.peers.describe());
+            continue;
+        }
         if (TcpListener* const idle = free_line() == nullptr ? idle_line() : nullptr) {
             spdlog::warn("{}: {} said and took nothing for {:.0f} s, and makes way for another driver",
                          describe(), to_text(idle->wire().remote), idle->idle_time());

@@ -8,6 +8,7 @@
 
 #include "emulator/clock/asio.h"
 #include "emulator/contract/device.h"
+#include "emulator/transport/peers.h"
 
 namespace echoloop {
 
@@ -20,6 +21,7 @@ struct Manners {
     bool speaks_http = false;          ///< else a web browser is hung up on
     /// s that a driver may say and take nothing before another may have its place; none: for ever.
     std::optional<double> idle{};
+    Peers peers{0x7F000001, {}};  ///< who may connect
 };
 
 class TcpDoor {

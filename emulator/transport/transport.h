@@ -76,6 +76,10 @@ class Transport {
     virtual uart::Receiver far_end() const { return {}; }
     /// bit/s at which what is written leaves a serial line; 0: as fast as the other end takes it.
     virtual double line_rate() const { return 0; }
+    /// The networks that may be sent to and may connect, for a person; "" where only this machine can.
+    virtual std::string open_to() const { return {}; }
+    /// Datagrams that were not sent, since their targets are in none of these networks.
+    virtual std::uint64_t targets_refused() const { return 0; }
     virtual std::uint64_t bytes_in() const = 0;
     virtual std::uint64_t bytes_out() const = 0;
     /// Bytes that a driver, though there, did not take: overrun, a full buffer, a refused datagram.

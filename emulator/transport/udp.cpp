@@ -24,8 +24,8 @@ asio::ip::udp::socket bind_socket(asio::io_context& io, Address bind, bool share
 
 }  // namespace
 
-Udp::Udp(asio::io_context& io, Address bind, bool shared, Address reply_to)
-    : socket_(bind_socket(io, bind, shared)), reply_to_(reply_to) {}
+Udp::Udp(asio::io_context& io, Address bind, bool shared, Peers peers, Address reply_to)
+    : socket_(bind_socket(io, bind, shared)), peers_(std::move(peers)), reply_to_(reply_to) {}
 
 void Udp::start(Events events) {
     events_ = std::move(events);
@@ -49,7 +49,13 @@ Task<void> Udp::read_datagrams() {
 Task<void> Udp::write(ByteView bytes, Address to) {
     if (to.port == 0) to = reply_to_;
     if (to.port == 0 || !socket_.is_open()) co_return;
-    if (!may_send_to(to.ip)) co_return count_lost(bytes.size());
+    if (!may_send_to(to.ip)) {
+        if (refused_++ == 0)
+            spdlog::warn("{}: nothing is sent to {}, which is in none of the networks {}; name it in `peers`",
+                         describe(), to_text(to),
+                         peers_.describe().empty() ? "127.0.0.0/8" : peers_.describe());
+        co_return;
+    }
     error_code ec;
     const auto where = to_endpoint<asio::ip::udp::endpoint>(to);
     std::size_t n = socket_.send_to(asio::buffer(bytes.data(), bytes.size()), where, 0, ec);
@@ -64,9 +70,9 @@ Task<void> Udp::write(ByteView bytes, Address to) {
 }
 
 bool Udp::may_send_to(std::uint32_t ip) const {
-    error_code ec;
-    const bool own_loopback = is_loopback(to_address(socket_.local_endpoint(ec)).ip);
-    return !own_loopback || is_loopback(ip) || asio::ip::address_v4(ip).is_multicast();
+    constexpr std::uint32_t all_of_the_network = 0xFFFFFFFF;
+    return peers_.holds(ip) || asio::ip::address_v4(ip).is_multicast() ||
+           (ip == all_of_the_network && !peers_.describe().empty());
 }
 
 void Udp::close() {

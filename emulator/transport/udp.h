@@ -1,7 +1,8 @@
 // Datagrams on one local address. Never connected: a refusal by the other side must not end the emulation.
-// What is bound to loopback sends to loopback only, and to multicast groups, which stay there.
+// It sends to its peers only, to multicast groups, and to all of its network by 255.255.255.255.
 #pragma once
 
+#include "emulator/transport/peers.h"
 #include "emulator/transport/transport.h"
 
 namespace echoloop {
@@ -11,7 +12,7 @@ class Udp final : public CountingTransport {
     /// `shared`: other programs may listen on the same address (discovery). `reply_to`: where write() sends
     /// when it is given no address; until somebody has spoken, `reply_to.port` may be 0 and the bytes are
     /// lost. Throws StartError if the address cannot be bound.
-    Udp(asio::io_context& io, Address bind, bool shared, Address reply_to = {});
+    Udp(asio::io_context& io, Address bind, bool shared, Peers peers, Address reply_to = {});
     ~Udp() override { close(); }
 
     void start(Events events) override;
@@ -19,13 +20,17 @@ class Udp final : public CountingTransport {
     void close() override;
     std::string describe() const override;
     Wire wire() const override;
+    std::string open_to() const override { return peers_.describe(); }
+    std::uint64_t targets_refused() const override { return refused_; }
 
   private:
     Task<void> read_datagrams();
     bool may_send_to(std::uint32_t ip) const;
 
     asio::ip::udp::socket socket_;
+    Peers peers_;
     Address reply_to_;
+    std::uint64_t refused_ = 0;  ///< datagrams
     Events events_;
 };
 

@@ -34,6 +34,11 @@ void print_start(const Runtime& runtime, std::optional<double> duration) {
         line(device.name, device.model->title);
         for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
     }
+    for (const RunningDevice& device : runtime.devices())
+        for (const std::string& networks : device.open_to)
+            line(device.name,
+                 "is open to " + networks +
+                     (scenario.peers.empty() ? ", as its interface is; `peers` names others" : ""));
     if (const std::string token = runtime.control_token(); !token.empty())
         line("control", scenario.control + ", token " + token);
     else if (!scenario.control.empty())

@@ -49,7 +49,7 @@ TEST_F(SocketTest, PortInUseIsAStartErrorWithARemedy) {
     }
     TcpListener listener(io_, {loopback, 0});
     EXPECT_THROW(TcpListener(io_, {loopback, port_of(listener)}), StartError);
-    EXPECT_THROW(Udp(io_, {0x08080808, 4000}, false), StartError) << "not an address of this machine";
+    EXPECT_THROW(Udp(io_, {0x08080808, 4000}, false, Peers(loopback, {})), StartError) << "not an address of this machine";
 }
 
 TEST_F(SocketTest, SharedPortsHearTheLoopbackBroadcast) {

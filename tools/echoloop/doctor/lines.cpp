@@ -94,7 +94,8 @@ Finding serial() {
 
 Finding sockets(asio::io_context& io) {
     try {
-        Udp(io, {0x7F000001, 0}, false);
+        constexpr std::uint32_t loopback = 0x7F000001;
+        Udp(io, {loopback, 0}, false, Peers(loopback, {}));
         return {State::good, "sockets", "loopback works", ""};
     } catch (const StartError& error) {
         return {State::bad, "sockets", error.what(), "bring loopback up: ip link set lo up"};
