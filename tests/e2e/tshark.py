@@ -18,7 +18,8 @@ BY_BYTES_FIRST = ("-o", "tcp.try_heuristic_first:TRUE", "-o", "udp.try_heuristic
 
 
 # From Wireshark 4.4 on, root's scripts are not run.
-UNPRIVILEGED = {"user": "nobody", "group": "nogroup", "extra_groups": []} if os.geteuid() == 0 else {}
+UNPRIVILEGED = {"user": "nobody", "group": "nogroup", "extra_groups": [],
+                "env": {**os.environ, "HOME": "/nonexistent"}} if os.geteuid() == 0 else {}
 
 
 def write_dissector(folder):
