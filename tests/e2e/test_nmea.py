@@ -72,7 +72,7 @@ class Gpsd:
 
     def logged_depths(self):
         """What gpsd has made of the sentences so far. It passes depths on only beside a position in three axes."""
-        return [float(d) for d in re.findall(r"NMEA0183: mode \d, depth (-?\d+\.\d+)", self.log.read_text())]
+        return [float(d) for d in re.findall(r"NMEA0183: (?:[A-Z]+ )?mode \d, depth (-?\d+\.\d+)", self.log.read_text())]
 
     def connect(self):
         def tried():
