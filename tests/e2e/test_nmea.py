@@ -72,7 +72,7 @@ class Gpsd:
 
     def logged_depths(self):
         """What gpsd has made of the sentences so far. It passes depths on only beside a position in three axes."""
-        return [float(d) for d in re.findall(r"NMEA0183: mode \d, depth (-?\d+\.\d+)", self.log.read_text())]
+        return [float(d) for d in re.findall(r"NMEA0183: (?:[A-Z]+ )?mode \d, depth (-?\d+\.\d+)", self.log.read_text())]
 
     def connect(self):
         def tried():
@@ -123,9 +123,9 @@ class WithGpsd(NmeaCase):
         emulator = self.start(f"udp://127.0.0.1:{port}", z=-5)
         gpsd = self.gpsd(emulator, f"udp://127.0.0.1:{port}")
         with gpsd.connect() as reports, reports.makefile() as lines:
-            self.send_position(port)
             depths = []
             while len(depths) < 4:
+                self.send_position(port)  # with each report, as a receiver goes on
                 report = json.loads(lines.readline())
                 self.assertNotEqual(report["class"], "ERROR", report)
                 if "depth" in report:

@@ -56,13 +56,16 @@ class Double:
 
     def _run(self, ready):
         asyncio.set_event_loop(self.loop)
-        self.server = self.loop.run_until_complete(websockets.serve(self._serve, "127.0.0.1", self.port))
+        self.server = self.loop.run_until_complete(self._listen())
         self.port = self.server.sockets[0].getsockname()[1]
         ready.set()
         self.loop.run_forever()
         self.server.close()
         self.loop.run_until_complete(self.server.wait_closed())
         self.loop.close()
+
+    async def _listen(self):
+        return await websockets.serve(self._serve, "127.0.0.1", self.port)
 
     async def _serve(self, client, _path=None):
         try:

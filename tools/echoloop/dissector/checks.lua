@@ -1,16 +1,17 @@
--- Sums that tables cannot say. A sum that does not fit is a fault.
+-- Sums that tables cannot say. A sum that does not fit is a fault. `bit` is Wireshark's own, with signed results; Lua 5.4,
+-- from Wireshark 4.4 on, has no bit32.
 local crc_table = {}
 for i = 0, 255 do
   local c = i
-  for _ = 1, 8 do c = bit32.bxor(bit32.rshift(c, 1), c % 2 == 1 and 0xEDB88320 or 0) end
+  for _ = 1, 8 do c = bit.bxor(bit.rshift(c, 1), c % 2 == 1 and 0xEDB88320 or 0) end
   crc_table[i] = c
 end
 
 -- CRC-32 of IEEE 802.3.
 function sonar.crc32(text)
   local c = 0xFFFFFFFF
-  for i = 1, #text do c = bit32.bxor(crc_table[bit32.band(bit32.bxor(c, text:byte(i)), 0xFF)], bit32.rshift(c, 8)) end
-  return bit32.bnot(c)
+  for i = 1, #text do c = bit.bxor(crc_table[bit.band(bit.bxor(c, text:byte(i)), 0xFF)], bit.rshift(c, 8)) end
+  return bit.bnot(c) % 0x100000000
 end
 
 function sonar.sum(text)

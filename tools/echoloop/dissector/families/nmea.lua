@@ -19,7 +19,7 @@ end
 
 local function sum_of(body)
   local sum = 0
-  for i = 1, #body do sum = bit32.bxor(sum, body:byte(i)) end
+  for i = 1, #body do sum = bit.bxor(sum, body:byte(i)) end
   return sum
 end
 
