@@ -16,7 +16,13 @@ constexpr Time another_clock = std::chrono::seconds(1), least_of = std::chrono::
 
 std::unique_ptr<Transport> open(asio::io_context& io, const std::string& endpoint) {
     if (endpoint == standard_input) return std::make_unique<StandardStreams>(io);
-    return open_endpoint(io, endpoint);
+    return open_endpoint(io, endpoint, Browsers::turned_away);
+}
+
+bool has_open_number(const std::string& endpoint) {
+    if (endpoint == standard_input) return false;
+    const Endpoint parsed = parse_endpoint(endpoint);
+    return parsed.listens() && parsed.port == 0;
 }
 
 }  // namespace
@@ -38,6 +44,7 @@ PoseInput::PoseInput(Clock& clock, const std::string& endpoint, Whereabouts* whe
     : clock_(clock),
       transport_(in_step(clock, open(clock.io(), endpoint))),
       place_(transport_->describe()),
+      endpoint_(has_open_number(endpoint) ? place_ : endpoint),
       comes_back_(endpoint != standard_input),
       datagrams_(transport_->wire().kind == Wire::Kind::udp),
       where_(where),

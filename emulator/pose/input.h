@@ -52,6 +52,8 @@ class PoseInput final : public LineSource {
     void start();
     void close() { transport_->close(); }
     PoseSummary summary() const;
+    /// As it was given, with the number of a port that was left to the system.
+    const std::string& endpoint() const { return endpoint_; }
 
     void take(const PoseText& text) override;
     Task<void> answer(std::string text, Address to, std::uint64_t connection) override;
@@ -68,7 +70,7 @@ class PoseInput final : public LineSource {
 
     Clock& clock_;
     std::unique_ptr<Transport> transport_;
-    std::string place_;
+    std::string place_, endpoint_;
     bool comes_back_;  ///< who is at the other end, or another; standard input ends once
     bool datagrams_;
     Whereabouts* where_;

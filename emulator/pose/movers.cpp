@@ -38,6 +38,12 @@ void Movers::open_inputs(const Scenario& scenario, Clock& clock, StepServer* ste
     }
 }
 
+void Movers::name_places(Scenario& scenario) const {
+    auto input = inputs_.begin();
+    for (ScenarioObject& object : scenario.objects)
+        if (!object.input.empty()) object.input = (*input++)->endpoint();
+}
+
 ObjectWhereabouts Movers::by_lines() {
     ObjectWhereabouts out;
     for (std::size_t i = 0; i < sources_.size(); ++i)

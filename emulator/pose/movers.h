@@ -24,6 +24,8 @@ class Movers {
     /// Those that lines of the vehicle's input may move.
     ObjectWhereabouts by_lines();
 
+    /// As Vehicle's.
+    void name_places(Scenario& scenario) const;
     void start();
     void close();
     /// A stepped run moves on.

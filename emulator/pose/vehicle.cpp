@@ -19,6 +19,11 @@ Vehicle::Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps, cons
         inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.step_input, where, steps, objects));
 }
 
+void Vehicle::name_places(Scenario& scenario) const {
+    if (!scenario.pose_input.empty()) scenario.pose_input = inputs_.front()->endpoint();
+    if (!scenario.step_input.empty()) scenario.step_input = inputs_.back()->endpoint();
+}
+
 void Vehicle::start() {
     for (auto& input : inputs_) input->start();
 }

@@ -17,6 +17,8 @@ class Vehicle {
     /// a stepped run, else nullptr; outlives this. Throws StartError.
     Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps, const ObjectWhereabouts& objects = {});
 
+    /// Writes the numbers of ports that the scenario leaves to the program into its inputs.
+    void name_places(Scenario& scenario) const;
     void start();
     void close();
     /// A stepped run moves on.

@@ -16,7 +16,6 @@
 #include "emulator/run/faulty_session.h"
 #include "emulator/run/warm_up.h"
 #include "emulator/scenario/scene.h"
-#include "emulator/transport/make.h"
 #include "emulator/truth/device_truth.h"
 #include "render/fan/plan_cache.h"
 #include "render/renderer.h"
@@ -61,7 +60,8 @@ SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Mov
 class Runtime::Impl {
   public:
     Impl(const Scenario& scenario, const RunRecords& records, Punctuality punctuality)
-        : scene_(load_scene(with_memory_at_hand(scenario))),
+        : scenario_(with_memory_at_hand(scenario)),
+          scene_(load_scene(scenario)),
           real_time_(claim(punctuality)),
           signals_(io_),
           end_(io_),
@@ -82,13 +82,16 @@ class Runtime::Impl {
             records.recording->follow(
                 [this, start = from_seconds(clock_->unix_start())] { return start + clock_->now(); });
         movers_.open_inputs(scenario, *clock_, steps_.get());
+        movers_.name_places(scenario_);
+        vehicle_.name_places(scenario_);
         if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
         const bool faulty = !scenario.faults.empty() || !scenario.control.empty();
-        for (const ScenarioDevice& device : scenario.devices) add(device, records, faulty);
+        for (ScenarioDevice& device : scenario_.devices) add(device, records, faulty);
         for (const Fault& fault : scenario.faults) faults_.add(fault);
-        if (!scenario.control.empty())
-            control_ = std::make_unique<Control>(*clock_, parse_control_place(scenario.control), faults_,
-                                                 scenario.devices, [this] { return summary(); });
+        if (scenario.control.empty()) return;
+        control_ = std::make_unique<Control>(*clock_, parse_control_place(scenario.control), faults_,
+                                             scenario_.devices, [this] { return summary(); });
+        scenario_.control = control_->describe();
     }
 
     ~Impl() {
@@ -97,6 +100,7 @@ class Runtime::Impl {
         join_device_threads();
     }
 
+    const Scenario& scenario() const { return scenario_; }
     std::vector<RunningDevice> devices() const {
         std::vector<RunningDevice> running = running_;
         for (std::size_t i = 0; i < running.size(); ++i)
@@ -132,7 +136,6 @@ class Runtime::Impl {
         return all;
     }
 
-    std::string control() const { return control_ ? control_->describe() : ""; }
     std::string control_token() const { return control_ ? control_->token() : ""; }
     const std::map<std::string, FaultCounts>& faults() const { return faults_.labels().counts(); }
     std::optional<PoseSummary> poses() const { return vehicle_.summary(); }
@@ -202,7 +205,12 @@ class Runtime::Impl {
         if (water_.device_threads) water_.device_threads->join();
     }
 
-    void add(const ScenarioDevice& entry, const RunRecords& records, bool faulty) {
+    /// Writes the numbers of its ports into `entry`.
+    void add(ScenarioDevice& entry, const RunRecords& records, bool faulty) {
+        const auto around =
+            records.recording != nullptr ? Around(PortRecorder(*records.recording, entry.name)) : Around();
+        OpenPorts open = open_ports(*clock_, entry, around);
+        entry.config.endpoints = std::move(open.endpoints);
         DeviceConfig config = entry.config;
         config.unix_start = clock_->unix_start();
         const auto make = [config, model = entry.model] { return model->make(config); };
@@ -212,11 +220,8 @@ class Runtime::Impl {
                          .emplace_back(std::make_unique<FaultySession>(*clock_, faults_.of(entry.name)))
                          .get();
         auto device = faults != nullptr ? faults->device(make) : make();
-        const auto ports = device->ports();
-        const auto around =
-            records.recording != nullptr ? Around(PortRecorder(*records.recording, entry.name)) : Around();
-        auto transports = make_transports(*clock_, ports, config, around);
-        if (faults != nullptr) transports = faults->lines(std::move(transports), ports, entry);
+        auto transports = std::move(open.transports);
+        if (faults != nullptr) transports = faults->lines(std::move(transports), device->ports(), entry);
         sessions_.push_back(std::make_unique<Session>(
             io_, *clock_, render_threads_, water_, entry.name, std::move(device), std::move(transports),
             [this, body_from_sonar = entry.body_from_sonar](Time time) {
@@ -229,7 +234,7 @@ class Runtime::Impl {
                 std::make_unique<DeviceTruth>(*records.truth, entry.name, entry.body_from_sonar));
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         if (records.remarks) sessions_.back()->remark_pings();
-        running_.push_back({entry.name, entry.model, {}});
+        running_.push_back({entry.name, entry.model, std::move(open.places), {}});
     }
 
     /// From the thread that serves the wires: while it is stuck, nothing is said.
@@ -268,6 +273,7 @@ class Runtime::Impl {
         return header;
     }
 
+    Scenario scenario_;  ///< as Runtime's
     std::shared_ptr<const Scene> scene_;
     const bool real_time_;
     double stolen_ = 0;  ///< s, of the processors, by the host
@@ -295,6 +301,7 @@ class Runtime::Impl {
 Runtime::Runtime(const Scenario& scenario, RunRecords records, Punctuality punctuality)
     : impl_(std::make_unique<Impl>(scenario, records, punctuality)) {}
 Runtime::~Runtime() = default;
+const Scenario& Runtime::scenario() const { return impl_->scenario(); }
 std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
 std::size_t Runtime::triangles() const { return impl_->triangles(); }
 std::string Runtime::renderer() const { return impl_->renderer_description(); }
@@ -303,7 +310,6 @@ std::map<std::string, PoseSummary> Runtime::objects() const { return impl_->obje
 std::optional<StepSummary> Runtime::steps() const { return impl_->steps(); }
 double Runtime::stolen_seconds() const { return impl_->stolen(); }
 std::map<std::string, FaultCounts> Runtime::faults() const { return impl_->faults(); }
-std::string Runtime::control() const { return impl_->control(); }
 std::string Runtime::control_token() const { return impl_->control_token(); }
 void Runtime::run(std::optional<double> duration) { impl_->run(duration); }
 std::vector<SessionSummary> Runtime::summary() const { return impl_->summary(); }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "emulator/faults/labels.h"
+#include "emulator/run/open_ports.h"
 #include "emulator/run/session.h"
 #include "emulator/scenario/scenario.h"
 
@@ -18,6 +19,7 @@ namespace echoloop {
 struct RunningDevice {
     std::string name;
     const Model* model = nullptr;
+    std::vector<PortPlace> ports;
     std::vector<std::string> places;  ///< what its transports call themselves
 };
 
@@ -47,7 +49,9 @@ class Runtime {
                      Punctuality punctuality = Punctuality::ordinary);
     ~Runtime();
 
-    std::vector<RunningDevice> devices() const;
+    /// As it was given, with the numbers of ports that it left to the program.
+    const Scenario& scenario() const;
+    std::vector<RunningDevice> devices() const;  ///< as in scenario()
     std::size_t triangles() const;
     std::string renderer() const;  ///< e.g. "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe"
 
@@ -55,8 +59,6 @@ class Runtime {
     /// the run where the clock is stepped, whose devices are powered up by the first step.
     void run(std::optional<double> duration = {});
     std::vector<SessionSummary> summary() const;
-    /// Where it is controlled from; "": nowhere.
-    std::string control() const;
     /// What a client says there first; "" if nothing is asked for.
     std::string control_token() const;
     /// Of the faults that were made, by device; empty if none could be.

@@ -108,12 +108,6 @@ std::optional<Endpoint> DeviceReader::parse(const std::string& uri, const Claim&
         const auto scheme = scheme_name(parsed.scheme);
         const std::vector<std::string_view> accepted(model.endpoint_schemes.begin(),
                                                      model.endpoint_schemes.end());
-        if (parsed.listens() && parsed.port == 0) {
-            problems_.add(at.place, at.path + ": port 0 would be another one in every run; " +
-                                        "name one that the driver can be told, as in " + std::string(scheme) +
-                                        "://127.0.0.1:9090");
-            return {};
-        }
         if (!first || accepted.empty() || std::ranges::find(accepted, scheme) != accepted.end())
             return parsed;
         problems_.add(at.place, at.path + ": " + model.name + " does not speak over " + in_quotes(scheme) +

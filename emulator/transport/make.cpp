@@ -62,7 +62,7 @@ std::unique_ptr<Udp> open_datagrams(asio::io_context& io, Address bind, bool sha
 }
 
 std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, double rate,
-                                       const std::string& steady) {
+                                       const std::string& steady, Browsers browsers) {
     using Scheme = Endpoint::Scheme;
     switch (e.scheme) {
         case Scheme::pty:
@@ -70,7 +70,9 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
         case Scheme::serial:
             return std::make_unique<SerialPort>(io, e.path, static_cast<int>(line_rate({&e, 1}, rate)));
         case Scheme::tcp_listen:
-            return std::make_unique<TcpListener>(io, Address{e.ip, e.port});
+            return std::make_unique<TcpListener>(std::make_shared<TcpDoor>(
+                io, Address{e.ip, e.port},
+                Manners{.speaks_http = browsers == Browsers::served, .idle = e.idle()}));
         case Scheme::tcp:
             return std::make_unique<TcpClient>(io, e.host, e.port);
         case Scheme::udp_listen:
@@ -84,10 +86,31 @@ std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, 
     throw StartError(Exit::software, "endpoint of an unknown kind");
 }
 
+/// What a port is opened as, before anything lies around it.
+struct Opened {
+    std::unique_ptr<Transport> wire;
+    std::shared_ptr<TcpDoor> door;  ///< instead, where each driver has a line of its own
+};
+
+bool has_driver_lines(const Port& port, const Endpoint& endpoint) {
+    return (port.drivers > 1 || port.messages_kept > 0) && endpoint.scheme == Endpoint::Scheme::tcp_listen;
+}
+
+Opened open_port(asio::io_context& io, const Port& port, const Endpoint& endpoint, const DeviceConfig& config,
+                 const std::string& steady) {
+    if (!has_driver_lines(port, endpoint))
+        return {open_stream(io, endpoint, own_end(config, endpoint).rate, steady, Browsers::turned_away),
+                nullptr};
+    constexpr int few_messages = 256 << 10;  // B, which the system doubles
+    const Manners manners{port.messages_kept > 0 ? few_messages : 0, port.answers_half_closed,
+                          port.speaks_http, endpoint.idle()};
+    return {nullptr, std::make_shared<TcpDoor>(io, Address{endpoint.ip, endpoint.port}, manners)};
+}
+
 /// A stream as slow as a serial line, if it is one.
-std::unique_ptr<Transport> open_wire(Clock& clock, const Endpoint& endpoint, const OwnEnd& own,
-                                     const std::string& steady) {
-    auto line = in_step(clock, open_stream(clock.io(), endpoint, own.rate, steady));
+std::unique_ptr<Transport> paced(Clock& clock, std::unique_ptr<Transport> opened, const Endpoint& endpoint,
+                                 const OwnEnd& own) {
+    auto line = in_step(clock, std::move(opened));
     if (endpoint.usb_latency() > 0)
         line = std::make_unique<UsbAdapter>(clock, std::move(line),
                                             std::chrono::milliseconds(endpoint.usb_latency()));
@@ -97,25 +120,21 @@ std::unique_ptr<Transport> open_wire(Clock& clock, const Endpoint& endpoint, con
     return std::make_unique<Paced>(clock, std::move(line), own.rate, own.other);
 }
 
-std::unique_ptr<Transport> open_line(Clock& clock, const Endpoint& endpoint, const DeviceConfig& config,
-                                     const Port& port, const Around& around) {
+std::unique_ptr<Transport> line_of(Clock& clock, std::unique_ptr<Transport> opened, const Endpoint& endpoint,
+                                   const DeviceConfig& config, const Port& port, const Around& around) {
     const OwnEnd own = own_end(config, endpoint);
-    auto wire = around(open_wire(clock, endpoint, own, steady_name(clock, config, port)), port);
+    auto wire = around(paced(clock, std::move(opened), endpoint, own), port);
     if (own.other != Paced::OtherRate::garbage) return wire;
     return std::make_unique<BaudCheck>(clock, std::move(wire), own.rate, config.name);
 }
 
-std::unique_ptr<Transport> open_driver_lines(Clock& clock, const Endpoint& endpoint, const Port& port,
-                                             const Around& around) {
-    constexpr int few_messages = 256 << 10;  // B, which the system doubles
-    const bool keeps_few = port.messages_kept > 0;
-    const Manners manners{keeps_few ? few_messages : 0, port.answers_half_closed, port.speaks_http};
-    const auto door = std::make_shared<TcpDoor>(clock.io(), Address{endpoint.ip, endpoint.port}, manners);
+std::unique_ptr<Transport> driver_lines(Clock& clock, const std::shared_ptr<TcpDoor>& door, const Port& port,
+                                        const Around& around) {
     std::vector<std::unique_ptr<Transport>> lines;
     for (std::size_t i = 0; i < port.drivers; ++i)
         lines.push_back(around(in_step(clock, std::make_unique<TcpListener>(door)), port));
     const auto slow = port.slow_holds_up ? DriverLines::Slow::holds_up : DriverLines::Slow::loses;
-    if (!keeps_few) return std::make_unique<DriverLines>(clock, std::move(lines), slow);
+    if (port.messages_kept == 0) return std::make_unique<DriverLines>(clock, std::move(lines), slow);
     return std::make_unique<DriverLines>(clock, std::move(lines), slow, port.messages_kept);
 }
 
@@ -123,27 +142,33 @@ std::unique_ptr<Transport> as_it_is(std::unique_ptr<Transport> wire, const Port&
 
 }  // namespace
 
-std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri) {
-    return open_stream(io, parse_endpoint(uri), 0, "");
+std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri, Browsers browsers) {
+    return open_stream(io, parse_endpoint(uri), 0, "", browsers);
 }
 
 std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
                                                         const DeviceConfig& config, const Around& around) {
     const Around wrap = around ? around : as_it_is;
-    std::vector<std::unique_ptr<Transport>> transports;
+    std::vector<Opened> opened;  // all of them, before anything learns of one
     std::size_t next_stream = 0;
     for (const Port& port : ports) {
-        if (port.kind == Port::Kind::datagram) {
-            transports.push_back(wrap(in_step(clock, open_datagrams(clock.io(), port.bind, port.shared, {},
-                                                                    steady_name(clock, config, port))),
-                                      port));
-        } else {
-            const Endpoint& endpoint = config.endpoints.at(next_stream++);
-            const bool own_lines = (port.drivers > 1 || port.messages_kept > 0) &&
-                                   endpoint.scheme == Endpoint::Scheme::tcp_listen;
-            transports.push_back(own_lines ? open_driver_lines(clock, endpoint, port, wrap)
-                                           : open_line(clock, endpoint, config, port, wrap));
+        const std::string steady = steady_name(clock, config, port);
+        if (port.kind == Port::Kind::datagram)
+            opened.push_back({open_datagrams(clock.io(), port.bind, port.shared, {}, steady), nullptr});
+        else
+            opened.push_back(open_port(clock.io(), port, config.endpoints.at(next_stream++), config, steady));
+    }
+    std::vector<std::unique_ptr<Transport>> transports;
+    next_stream = 0;
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+        auto& [wire, door] = opened[i];
+        if (ports[i].kind == Port::Kind::datagram) {
+            transports.push_back(wrap(in_step(clock, std::move(wire)), ports[i]));
+            continue;
         }
+        const Endpoint& endpoint = config.endpoints.at(next_stream++);
+        transports.push_back(door ? driver_lines(clock, door, ports[i], wrap)
+                                  : line_of(clock, std::move(wire), endpoint, config, ports[i], wrap));
     }
     return transports;
 }

@@ -12,8 +12,11 @@
 
 namespace echoloop {
 
+/// Whether a place hangs up on a web browser, or may be a web interface itself, as recorded bytes may be.
+enum class Browsers { turned_away, served };
+
 /// A byte pipe to an endpoint of a scenario, not paced. Throws StartError.
-std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri);
+std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri, Browsers browsers);
 
 /// Puts something around the wire of a port, or hands it back as it is; around each driver's where a port
 /// has several.
@@ -23,7 +26,7 @@ using Around = std::function<std::unique_ptr<Transport>(std::unique_ptr<Transpor
 /// configuration. A model with the option "baud" has a serial line: byte streams over anything but a real
 /// port are as slow as that. A pty whose driver has set another rate carries garbage, unless the device's
 /// "automatic_baud" follows it or the endpoint says not to check. `around` comes between the wire and what a
-/// UART makes of it. Throws StartError.
+/// UART makes of it; nothing is put around anything before all ports are open. Throws StartError.
 std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
                                                         const DeviceConfig& config,
                                                         const Around& around = {});

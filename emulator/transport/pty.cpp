@@ -22,18 +22,23 @@
 namespace echoloop {
 namespace {
 
-[[noreturn]] void fail(const std::string& what, int error) {
-    throw StartError(Exit::unavailable, "pseudo-terminal: " + what + ": " + std::strerror(error));
+[[noreturn]] void fail(const std::string& what, int error, const char* remedy = "") {
+    throw StartError(Exit::unavailable, "pseudo-terminal: " + what + ": " + std::strerror(error) + remedy);
 }
+
+constexpr const char* pty_remedy =
+    "; see that /dev/pts is mounted (mount -t devpts devpts /dev/pts) and that /dev/ptmx is a link to "
+    "pts/ptmx, "
+    "or use a tcp-listen:// or udp-listen:// endpoint";
 
 /// The master side of a new pseudo-terminal, non-blocking.
 int open_master() {
     const int fd = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (fd < 0) fail("cannot be opened (are /dev/ptmx and /dev/pts mounted?)", errno);
+    if (fd < 0) fail("/dev/ptmx cannot be opened", errno, pty_remedy);
     if (::grantpt(fd) != 0 || ::unlockpt(fd) != 0) {
         const int error = errno;
         ::close(fd);
-        fail("cannot be unlocked", error);
+        fail("/dev/ptmx makes none", error, pty_remedy);
     }
     return fd;
 }
@@ -60,7 +65,7 @@ void give_to(const std::string& group, const std::string& slave) {
 /// Raw, 8 bits, no echo: a driver that sets nothing still gets its bytes unchanged.
 int open_raw_slave(const std::string& path) {
     const int fd = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (fd < 0) fail(path + " cannot be opened", errno);
+    if (fd < 0) fail(path + " cannot be opened", errno, pty_remedy);
     termios settings{};
     ::tcgetattr(fd, &settings);
     ::cfmakeraw(&settings);
@@ -293,6 +298,11 @@ Task<void> Pty::write(ByteView bytes, Address) {
         error_code ec;
         co_await timer.async_wait(into(ec));
     }
+}
+
+std::vector<std::string> Pty::connected() const {
+    if (!opened()) return {};
+    return {"on " + (link_ ? link_->path().string() : slave_path_)};
 }
 
 std::string Pty::describe() const {

@@ -46,6 +46,7 @@ class Pty final : public CountingTransport {
     /// True while a driver has the slave open.
     bool opened() const { return openers_ > 0; }
     bool has_driver() const override { return opened(); }
+    std::vector<std::string> connected() const override;
 
   private:
     void open();

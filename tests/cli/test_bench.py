@@ -81,6 +81,15 @@ class Bench(ProgramTest):
         median, _, scaled = map(float, line.split()[-3:])
         self.assertAlmostEqual(scaled, median * 512 * 1000 / (96 * 1014), delta=0.03)  # the median has two digits
 
+    def test_the_way_to_the_wire_as_json(self):
+        told = self.json("bench", "--wire", "--pings", "2", "--cases", "oculus")
+        self.assertEqual(told["pings"], 2)
+        self.assertEqual(len(told["cases"]), 5)
+        for case in told["cases"]:
+            self.assertEqual((case["case"][:6], case["beams"], case["bins"], case["messages"]), ("oculus", 512, 1000, 1))
+            self.assertTrue(0 < case["median_ms"] <= case["p99_ms"], case)
+            self.assertAlmostEqual(case["scaled_ms"], case["median_ms"])
+
     def test_wrong_usage(self):
         self.assertIn("--cases: no name begins with kayak", self.bad(64, "bench", "--wire", "--cases", "kayak"))
         self.assertIn("there is no case 'fsl-simple'; did you mean 'fls-simple'?",

@@ -7,6 +7,7 @@
 #include "emulator/machine/scheduling.h"
 #include "tools/echoloop/bench/report.h"
 #include "tools/echoloop/bench/wire.h"
+#include "tools/echoloop/json_line.h"
 #include "tools/echoloop/json_output.h"
 #include "tools/echoloop/terminal.h"
 #include "tools/echoloop/verb.h"
@@ -61,20 +62,37 @@ std::vector<bench::WireCase> wire_cases_of(const std::string& beginning) {
     return cases;
 }
 
+/// ms for as many values as the largest images have.
+double scaled(const bench::WireFigures& f) {
+    constexpr double image = 512 * 1000;
+    return f.median * image / static_cast<double>(f.beams * f.bins);
+}
+
+void print_wire(const bench::WireFigures& f) {
+    std::printf("%-28s %5zu x %4zu %9zu %10zu %8.2f %8.2f %8.2f\n", f.name.c_str(), f.beams, f.bins,
+                f.messages, f.bytes, f.median, f.p99, scaled(f));
+}
+
+nlohmann::ordered_json wire_json(const bench::WireFigures& f) {
+    return {{"case", f.name},   {"beams", f.beams},      {"bins", f.bins},  {"messages", f.messages},
+            {"bytes", f.bytes}, {"median_ms", f.median}, {"p99_ms", f.p99}, {"scaled_ms", scaled(f)}};
+}
+
 int run_wire(const Arguments& arguments) {
     keep_freed_memory();  // as `echoloop run` does
-    constexpr double image = 512 * 1000;
     const auto pings = settings_of(arguments).pings;
-    std::printf(
-        "ms of processor time from an echogram to its bytes; the last column for 512 x 1000 values\n"
-        "%-28s %12s %9s %10s %8s %8s %8s\n",
-        "", "beams x bins", "messages", "bytes", "median", "p99", "scaled");
+    const bool json = arguments.has("--json");
+    nlohmann::ordered_json figures = nlohmann::ordered_json::array();
+    if (!json)
+        std::printf(
+            "ms of processor time from an echogram to its bytes; the last column for 512 x 1000 values\n"
+            "%-28s %12s %9s %10s %8s %8s %8s\n",
+            "", "beams x bins", "messages", "bytes", "median", "p99", "scaled");
     for (const bench::WireCase& c : wire_cases_of(arguments.text("--cases"))) {
         const bench::WireFigures f = bench::measure_wire(c, pings);
-        std::printf("%-28s %5zu x %4zu %9zu %10zu %8.2f %8.2f %8.2f\n", f.name.c_str(), f.beams, f.bins,
-                    f.messages, f.bytes, f.median, f.p99,
-                    f.median * image / static_cast<double>(f.beams * f.bins));
+        json ? figures.push_back(wire_json(f)) : print_wire(f);
     }
+    if (json) std::printf("%s\n", line_of({{"pings", pings}, {"cases", figures}}).c_str());
     return 0;
 }
 

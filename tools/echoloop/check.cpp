@@ -4,6 +4,7 @@
 #include "emulator/pose/movers.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
+#include "tools/echoloop/driver_port.h"
 #include "tools/echoloop/json_output.h"
 #include "tools/echoloop/time_budget.h"
 
@@ -54,7 +55,10 @@ void print_scene(const Scenario& scenario, const Scene& scene) {
 void print_devices(const Scenario& scenario) {
     for (const auto& device : scenario.devices) {
         std::string endpoints;
-        for (const auto& endpoint : device.config.endpoints) endpoints += "  " + to_string(endpoint);
+        for (const auto& end : device.config.endpoints)
+            endpoints += "  " + (end.listens() && end.port == 0 ? std::string(scheme_name(end.scheme)) +
+                                                                      "://" + address_text(end.host, 0)
+                                                                : to_string(end));
         std::printf("%s%s%s%s\n", padded("device", 12).c_str(), padded(device.name, 16).c_str(),
                     padded(device.model->name, 18).c_str(), endpoints.c_str());
         std::printf("%s%s\n", padded("", 12).c_str(), text_of(time_budget(device)).c_str());

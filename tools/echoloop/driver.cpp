@@ -79,6 +79,23 @@ std::string title_of(const std::string& format) {
     return titles.at(format);
 }
 
+/// The ports of the device if what is left to the program were `number`.
+std::vector<Port> ports_with(DeviceConfig config, const Model& model, std::uint16_t number) {
+    for (Endpoint& end : config.endpoints)
+        if (end.listens() && end.port == 0) end.port = number;
+    return model.make(config)->ports();
+}
+
+/// All of them; true: a datagram port whose number is left to the program.
+std::vector<std::pair<Port, bool>> ports_of(const ScenarioDevice& device) {
+    const auto one = ports_with(device.config, *device.model, 10000);
+    const auto another = ports_with(device.config, *device.model, 20000);
+    std::vector<std::pair<Port, bool>> all;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        all.emplace_back(one[i], one[i].bind.port != another[i].bind.port);
+    return all;
+}
+
 DriverHint no_driver(const ScenarioDevice& device, const std::string& format) {
     return {"", {}, "no driver of " + title_of(format) + " for " + device.model->name + " is known to us"};
 }
@@ -95,13 +112,14 @@ std::string place_line(const WirePlace& place) { return padded(place.what, 32) +
 std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
     std::vector<WirePlace> places;
     const Endpoint& first = device.config.endpoints.at(0);
-    for (const Port& port : device.model->make(device.config)->ports()) {
+    for (const auto& [port, chosen] : ports_of(device)) {
         if (port.kind == Port::Kind::datagram && places.empty() && first.scheme == Endpoint::Scheme::udp) {
             places.push_back({"sends " + port.name + " to", address_text(first.host, first.port)});
         } else if (port.kind == Port::Kind::datagram && port.bind.port == 0) {
             places.push_back({"sends " + port.name + " to", told_host(device, port.name)});
         } else if (port.kind == Port::Kind::datagram) {
-            places.push_back({"listens for " + port.name, text_of(port.bind)});
+            const std::string place = text_of(port.bind), host = place.substr(0, place.rfind(':'));
+            places.push_back({"listens for " + port.name, address_text(host, chosen ? 0 : port.bind.port)});
         } else {
             const Endpoint& end = device.config.endpoints.at(places.size());
             places.push_back({port.name, stream_address(end, chosen_rate(device))});
@@ -117,6 +135,9 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
 
 DriverHint driver_hint(const ScenarioDevice& device, const std::string& format) {
     const Endpoint& end = device.config.endpoints.at(0);
+    if (end.listens() && end.port == 0)
+        return {
+            "", {}, "its port is chosen at the start, and the run says which; name one for lines to paste"};
     const auto port = port_for_driver(device, end);
     const auto words = words_of(device, end, port);
     for (const KnownDriver& driver : device.model->drivers) {

@@ -18,7 +18,8 @@ struct WirePlace {
 /// "commands                  127.0.0.1:65502", in columns.
 std::string place_line(const WirePlace& place);
 
-/// Where a device can be reached and where it sends to.
+/// Where a device can be reached and where it sends to. A listening port whose number is left to the program
+/// (port 0) is said to be chosen at the start.
 std::vector<WirePlace> wire_places(const ScenarioDevice& device);
 
 struct DriverHint {
@@ -27,7 +28,8 @@ struct DriverHint {
     std::string note;
 };
 
-/// `format`: "ros1", "ros2", "moos", "rock", "dune", "sitl".
+/// There is none for a port whose number is not known yet. `format`: "ros1", "ros2", "moos", "rock", "dune",
+/// "sitl".
 DriverHint driver_hint(const ScenarioDevice& device, const std::string& format);
 
 const std::vector<std::string>& driver_formats();

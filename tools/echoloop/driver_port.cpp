@@ -4,7 +4,9 @@ namespace echoloop::cli {
 
 using Scheme = Endpoint::Scheme;
 
-std::string address_text(const std::string& host, int port) { return host + ":" + std::to_string(port); }
+std::string address_text(const std::string& host, int port) {
+    return port == 0 ? host + ", the port is chosen at the start" : host + ":" + std::to_string(port);
+}
 
 int chosen_rate(const ScenarioDevice& device) {
     constexpr int usual_rate = 115200;

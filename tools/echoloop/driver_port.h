@@ -9,7 +9,7 @@
 
 namespace echoloop::cli {
 
-/// "127.0.0.1:9090".
+/// "127.0.0.1:9090"; port 0: "127.0.0.1, the port is chosen at the start".
 std::string address_text(const std::string& host, int port);
 
 /// bit/s of a device's serial line; what it is not paced by may as well be the usual rate.

@@ -18,21 +18,55 @@ Json json_of(const PoseSummary& s) {
             {"jumps", s.jumps},     {"stale_pings", s.stale_pings}};
 }
 
+Json json_of(const PortPlace& port) {
+    const Endpoint& place = port.place;
+    Json json{{"name", port.name}, {"transport", scheme_name(place.scheme)}};
+    if (place.path.empty())
+        json.update({{"host", place.host}, {"port", place.port}});
+    else
+        json["path"] = place.path;
+    return json;
+}
+
+Json json_of(const RunningDevice& device, const std::vector<Endpoint>& ends) {
+    Json endpoints = Json::array(), ports = Json::array();
+    for (const Endpoint& end : ends) endpoints.push_back(to_string(end));
+    for (const PortPlace& port : device.ports) ports.push_back(json_of(port));
+    return {{"name", device.name},
+            {"model", device.model->name},
+            {"endpoints", endpoints},
+            {"ports", ports},
+            {"places", device.places}};
+}
+
+/// Where a simulator and a test say what is to happen.
+void tell_places(Json& started, const Runtime& runtime) {
+    const Scenario& s = runtime.scenario();
+    if (!s.control.empty()) started["control"] = s.control;
+    if (!runtime.control_token().empty()) started["control_token"] = runtime.control_token();
+    if (runtime.poses()) started["poses"] = s.pose_input.empty() ? s.step_input : s.pose_input;
+    if (runtime.steps()) started["steps"] = s.step_input.empty() ? s.pose_input : s.step_input;
+    for (const ScenarioObject& object : s.objects)
+        if (!object.input.empty()) started["objects"][object.node] = object.input;
+}
+
 }  // namespace
 
-std::string run_started_json(const Scenario& scenario, const Runtime& runtime) {
+std::string run_started_json(const Runtime& runtime) {
+    const Scenario& scenario = runtime.scenario();
     Json devices = Json::array();
-    for (const auto& running : runtime.devices())
-        devices.push_back(
-            {{"name", running.name}, {"model", running.model->name}, {"places", running.places}});
+    const auto running = runtime.devices();
+    for (std::size_t i = 0; i < running.size(); ++i)
+        devices.push_back(json_of(running[i], scenario.devices[i].config.endpoints));
     Json started{{"event", "started"},
+                 {"version", ECHOLOOP_VERSION},
+                 {"ready", true},
                  {"scene", scenario.scene.string()},
                  {"triangles", runtime.triangles()},
                  {"renderer", runtime.renderer()},
                  {"clock", clock_text(scenario)},
                  {"devices", devices}};
-    if (!scenario.control.empty()) started["control"] = runtime.control();
-    if (!runtime.control_token().empty()) started["control_token"] = runtime.control_token();
+    tell_places(started, runtime);
     return line_of(started);
 }
 

@@ -19,7 +19,8 @@
 namespace echoloop::cli {
 namespace {
 
-void print_start(const Scenario& scenario, const Runtime& runtime, std::optional<double> duration) {
+void print_start(const Runtime& runtime, std::optional<double> duration) {
+    const Scenario& scenario = runtime.scenario();
     const auto line = [](const std::string& name, const std::string& text) {
         std::printf("%s%s\n", padded(name, 16).c_str(), text.c_str());
     };
@@ -34,9 +35,9 @@ void print_start(const Scenario& scenario, const Runtime& runtime, std::optional
         for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
     }
     if (const std::string token = runtime.control_token(); !token.empty())
-        line("control", runtime.control() + ", token " + token);
+        line("control", scenario.control + ", token " + token);
     else if (!scenario.control.empty())
-        line("control", runtime.control());
+        line("control", scenario.control);
     std::printf("For a driver: %s endpoints %s --format ros1 (or ros2, moos, rock, sitl)\n",
                 program_invocation_name, scenario.file.c_str());
     const bool stepped = scenario.clock == ClockMode::stepped;
@@ -109,10 +110,10 @@ int run_scenario(const Arguments& arguments) {
                         arguments.has("--realtime") ? Punctuality::real_time : Punctuality::ordinary);
         const bool json = arguments.has("--json");
         if (json) {
-            std::printf("%s\n", run_started_json(scenario, runtime).c_str());
+            std::printf("%s\n", run_started_json(runtime).c_str());
             std::fflush(stdout);
         } else {
-            print_start(scenario, runtime, duration);
+            print_start(runtime, duration);
         }
         runtime.run(duration);
         if (recording) recording->finish();

@@ -10,9 +10,9 @@ Address base_address(const Endpoint& endpoint, Endpoint::Scheme scheme, const ch
     if (endpoint.scheme != scheme)
         throw std::invalid_argument(to_string(endpoint) + ": " + what + " must be " +
                                     std::string(scheme_name(scheme)) + "://ADDRESS:BASE_PORT");
-    if (endpoint.port == 0 || endpoint.port > highest_base_port)
+    if (endpoint.port > highest_base_port)
         throw std::invalid_argument(to_string(endpoint) +
-                                    ": the base port must lie within 1..65528, since R2Sonic counts from it");
+                                    ": the base port is 65528 at most, since R2Sonic counts from it");
     return {endpoint.ip, endpoint.port};
 }
 
