@@ -35,9 +35,9 @@ TEST(Endpoint, reads_every_form) {
 }
 
 TEST(Endpoint, prints_what_it_would_read_again) {
-    for (const auto* uri :
-         {"pty:/tmp/a", "serial:///dev/ttyS0", "serial:///dev/ttyS0:9600", "tcp://1.2.3.4:5",
-          "tcp-listen://0.0.0.0:0", "udp-listen://127.0.0.2:65500", "udp://127.0.0.1:1?local_port=2"}) {
+    for (const auto* uri : {"pty:/tmp/a", "pty:/tmp/a?group=dialout", "serial:///dev/ttyS0",
+                            "serial:///dev/ttyS0:9600", "tcp://1.2.3.4:5", "tcp-listen://0.0.0.0:0",
+                            "udp-listen://127.0.0.2:65500", "udp://127.0.0.1:1?local_port=2"}) {
         EXPECT_EQ(to_string(parse_endpoint(uri)), uri);
         EXPECT_EQ(parse_endpoint(to_string(parse_endpoint(uri))), parse_endpoint(uri));
     }
