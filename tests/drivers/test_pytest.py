@@ -83,7 +83,7 @@ def test_the_vehicle_is_put_somewhere(echoloop, stepped):
         if stepped:
             sonar.step(0.1)
         with socket.create_connection(sonar.address, timeout=20) as driver:
-            before = len(sonar.truth())
+            before = len(sonar.truth(count=0))
             ping = bytes(8) + bytes([255, 255, 255, 255]) + bytes(2) + (1223).to_bytes(2, "little") + bytes(4)
             frame = b"BR" + len(ping).to_bytes(2, "little") + (1015).to_bytes(2, "little") + bytes(2) + ping
             driver.sendall(frame + (sum(frame) & 0xFFFF).to_bytes(2, "little"))
@@ -196,7 +196,7 @@ class Pytest(unittest.TestCase):
                          'def test_it(echoloop):\n    echoloop("ping36", endpoints=["udp-listen://127.0.0.1:0"])\n')
         self.check_error("/proc/none: ", 'def test_it(echoloop):\n    echoloop("ping360", settings=["seed=-1"])\n'
                          .replace('settings=["seed=-1"]', 'settings=["scene=/proc/none"]'))
-        text = "import os, signal\ndef test_it(echoloop):\n    s = echoloop('ping360')\n    s._run.process._process.kill()\n"
+        text = "import os, signal\ndef test_it(echoloop):\n    s = echoloop('ping360')\n    p = s._run.process._process\n    p.kill()\n    p.wait()\n"
         self.check_error("ended with status -9 during the test", text)
 
     def test_one_clear_way(self):

@@ -34,6 +34,7 @@ Json json_of(const RunningDevice& device, const std::vector<Endpoint>& ends) {
     for (const PortPlace& port : device.ports) ports.push_back(json_of(port));
     return {{"name", device.name},
             {"model", device.model->name},
+            {"family", device.model->family},
             {"endpoints", endpoints},
             {"ports", ports},
             {"places", device.places}};

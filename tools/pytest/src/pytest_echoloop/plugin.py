@@ -113,7 +113,7 @@ def _attach(report, run, item):
         text.append(f"a copy of it: {kept}")
     for name in run.devices:
         try:
-            messages = Sonar(run, name).messages()
+            messages = Sonar(run, name).messages(count=0)
         except EcholoopError as error:
             text.append(f"{name}: its messages cannot be shown: {error}")
             continue

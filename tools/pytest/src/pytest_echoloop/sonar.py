@@ -171,12 +171,12 @@ class Sonar:
         self._run.now = round(self._run.now + seconds, 9)
         return talk.ask({"now": self._run.now, **pose})
 
-    def truth(self, count=0, timeout=10):
+    def truth(self, count=1, timeout=10):
         """What was really there at each ping so far, as docs/truth.md describes it; waits until there are `count`."""
         return _wait_for(count, timeout, f"pings of {self.name}",
                          lambda: [t for t in self._run.lines("truth.jsonl") if t.get("device") == self.name])
 
-    def messages(self, name=None, count=0, timeout=10):
+    def messages(self, name=None, count=1, timeout=10):
         """The messages on the wire so far, of one name or of all; waits until there are `count`."""
         return _wait_for(count, timeout, f"messages {name or ''} of {self.name}",
                          lambda: [m for m in self._decoded() if name in (None, m.name)])
@@ -186,7 +186,7 @@ class Sonar:
         if not capture.exists():
             return []
         try:
-            decoded = program.ask("inspect", capture)
+            decoded = program.ask("inspect", capture, "--family", self._device["family"])
         except EcholoopError as error:
             if "no message of a known protocol" in str(error):
                 return []
