@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import textwrap
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -17,6 +18,8 @@ from program import PROGRAM, ROOT
 PACKAGE = ROOT / "tools" / "pytest"
 PYTHON = ROOT / "build" / "drivers" / "pytest" / "bin" / "python"
 public_driver.use("pytest", "xdist")
+
+import yaml  # noqa: E402
 
 BROKEN = """
 import os, tty
@@ -177,6 +180,21 @@ class Pytest(unittest.TestCase):
         path.write_text(textwrap.dedent(script))
         path.chmod(0o755)
         return str(path)
+
+    def test_the_workflow_is_one(self):
+        workflow = yaml.safe_load((PACKAGE / "examples" / "workflow.yml").read_text())
+        self.assertEqual(workflow[True], ["push", "pull_request"])  # YAML 1.1 reads `on` as true
+        (job,) = workflow["jobs"].values()
+        for step in job["steps"]:
+            self.assertEqual(len({"run", "uses"} & set(step)), 1, step)
+            self.assertLessEqual(set(step), {"name", "run", "uses", "with", "if"})
+            done = subprocess.run(["bash", "-n", "-c", step.get("run", "")], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+        package = tomllib.loads((PACKAGE / "pyproject.toml").read_text())["project"]
+        text = "".join(step.get("run", "") for step in job["steps"])
+        self.assertIn(f"pytest_echoloop-{package['version']}-py3-none-any.whl", text)
+        self.assertIn("--echoloop-captures captures", text)
+        self.assertEqual(job["steps"][-1]["with"]["path"], "captures")
 
     def test_no_program(self):
         self.check_error("ECHOLOOP=/nowhere/echoloop: this is no program that can be run", echoloop="/nowhere/echoloop")

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <nlohmann/json.hpp>
 
 struct Emulator {
     FILE* out = popen("echo $$; exec " ECHOLOOP " run " SCENARIO " --json", "r");
     pid_t pid = std::stoi(line());
-    nlohmann::json started = nlohmann::json::parse(line());  // comes when all is ready; "" has no parse
+    nlohmann::json started = nlohmann::json::parse(line());  // comes when all is ready
     ~Emulator() { kill(pid, SIGINT), pclose(out); }
 
     std::string line() {
