@@ -84,13 +84,19 @@ struct Setting {
     bool (*fits)(std::string_view value);
 };
 
-constexpr std::array<Setting, 3> settings{{
+constexpr std::array<Setting, 5> settings{{
     {"local_port", Scheme::udp, "local_port is a number from 1 to 65535",
      [](std::string_view v) { return decimal(v, 65535).value_or(0) > 0; }},
     {"baud_check", Scheme::pty, "baud_check is on (a rate that is not the device's makes garbage) or off",
      [](std::string_view v) { return v == "on" || v == "off"; }},
     {"usb_latency", Scheme::pty, "usb_latency is the timer of a USB adapter in ms, from 1 to 255, usually 16",
      [](std::string_view v) { return decimal(v, 255).value_or(0) > 0; }},
+    {"idle", Scheme::tcp_listen,
+     "idle is a number of s up to 65535, after which a driver that says and takes nothing makes way for "
+     "another, or off",
+     [](std::string_view v) { return v == "off" || decimal(v, 65535); }},
+    {"group", Scheme::pty, "group is the group whose members may open the pseudo-terminal, e.g. dialout",
+     [](std::string_view v) { return !v.empty(); }},
 }};
 
 const Setting& find_setting(std::string_view uri, Scheme scheme, std::string_view key) {
@@ -186,7 +192,20 @@ bool Endpoint::checks_baud() const {
     return found == query.end() || found->second != "off";
 }
 
+std::string Endpoint::group() const {
+    const auto found = query.find("group");
+    return found == query.end() ? "" : found->second;
+}
+
 std::uint32_t Endpoint::usb_latency() const { return count_of(*this, "usb_latency"); }
+
+std::optional<double> Endpoint::idle() const {
+    constexpr double usual = 10;
+    const auto found = query.find("idle");
+    if (found == query.end()) return usual;
+    if (found->second == "off") return {};
+    return count_of(*this, "idle");
+}
 
 Endpoint parse_endpoint(std::string_view uri) {
     if (uri.size() > longest_uri) fail(uri, "it is longer than 1024 characters");

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,8 +19,11 @@ inline constexpr std::string_view standard_input = "stdin";
 ///     pty:/tmp/echoloop/micron            a pseudo-terminal with a link of that name
 ///         ?baud_check=off                 the driver may set any rate (on: a wrong one makes garbage)
 ///         ?usb_latency=16                 bytes come as from a USB adapter with that latency timer, ms
+///         ?group=dialout                  the members of that group may open it, not only its user
 ///     serial:///dev/ttyUSB0:115200        a real serial port; without a rate: the device's own
 ///     tcp-listen://127.0.0.1:9090         tcp://127.0.0.1:9090
+///         ?idle=10                        a driver that says and takes nothing for this time, s, makes way
+///                                         for another; off: never
 ///     udp-listen://127.0.0.1:65500        udp://127.0.0.1:65400?local_port=65502
 struct Endpoint {
     enum class Scheme { pty, serial, tcp_listen, tcp, udp_listen, udp };
@@ -38,6 +42,11 @@ struct Endpoint {
     bool checks_baud() const;
     /// pty: latency timer of a USB adapter, ms; 0: none.
     std::uint32_t usb_latency() const;
+    /// tcp-listen: s that a driver may say and take nothing before another may have its place;
+    /// none: for ever.
+    std::optional<double> idle() const;
+    /// pty: the group that may open it, as one may a real serial port; "": the system's own rule.
+    std::string group() const;
     bool on_udp() const { return scheme == Scheme::udp || scheme == Scheme::udp_listen; }
     bool listens() const { return scheme == Scheme::tcp_listen || scheme == Scheme::udp_listen; }
     friend bool operator==(const Endpoint&, const Endpoint&) = default;

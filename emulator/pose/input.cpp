@@ -16,7 +16,7 @@ constexpr Time another_clock = std::chrono::seconds(1), least_of = std::chrono::
 
 std::unique_ptr<Transport> open(asio::io_context& io, const std::string& endpoint) {
     if (endpoint == standard_input) return std::make_unique<StandardStreams>(io);
-    return open_endpoint(io, endpoint);
+    return open_endpoint(io, endpoint, Browsers::turned_away);
 }
 
 bool has_open_number(const std::string& endpoint) {

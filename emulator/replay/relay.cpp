@@ -78,8 +78,9 @@ class Relay::Impl {
         : settings_(std::move(settings)),
           signals_(io_),
           end_(io_),
-          device_(recorded(open_endpoint(io_, settings_.device), recording, settings_.name + " line")),
-          driver_(open_endpoint(io_, settings_.driver)),
+          device_(recorded(open_endpoint(io_, settings_.device, Browsers::served), recording,
+                           settings_.name + " line")),
+          driver_(open_endpoint(io_, settings_.driver, Browsers::served)),
           to_device_(io_, *device_, named_address(settings_.device)),
           to_driver_(io_, *driver_, named_address(settings_.driver)) {
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);

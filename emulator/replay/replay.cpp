@@ -36,7 +36,7 @@ std::unique_ptr<Transport> open_place(Clock& clock, const Place& place) {
     Endpoint endpoint = parse_endpoint(place.endpoint);
     const bool uart = endpoint.scheme == Scheme::serial;
     if (uart && endpoint.baud == 0) endpoint.baud = static_cast<std::uint32_t>(place.baud);
-    auto line = open_endpoint(clock.io(), to_string(endpoint));
+    auto line = open_endpoint(clock.io(), to_string(endpoint), Browsers::served);
     if (uart || place.baud <= 0) return line;
     return std::make_unique<Paced>(clock, std::move(line), place.baud);
 }

@@ -5,10 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -65,6 +67,7 @@ struct Control::Client {
     Socket socket;
     bool trusted;
     std::string waiting;  ///< the beginning of a line
+    std::chrono::steady_clock::time_point lively = std::chrono::steady_clock::now();  ///< when it last asked
 };
 
 /// The two kinds of place behind one face.
@@ -109,7 +112,7 @@ class Control::Listener {
     void listen(asio::io_context& io) {
         std::error_code ignored;
         make_own_folder(fs::path(path_).parent_path(), "the control socket",
-                        "unix:/tmp/echoloop-" + std::to_string(::getuid()) + "/control");
+                        "unix:" + (place_of_ones_own() / "control").string());
         if (is_left_over(io, path_)) fs::remove(path_, ignored);
         error_code ec;
         local_.open();
@@ -156,12 +159,29 @@ void Control::close() {
         if (const auto open = client.lock()) open->socket.close(ignored);
 }
 
+/// Where all places are taken, for one more: the one who has asked nothing for the longest time, and for a
+/// while, leaves.
+void Control::make_room() {
+    constexpr std::chrono::seconds patience(10);
+    std::erase_if(clients_, [](const auto& client) { return client.expired(); });
+    if (clients_.size() < most_clients) return;
+    const auto last_asked = [](const auto& client) {
+        const auto open = client.lock();
+        return open ? open->lively : std::chrono::steady_clock::time_point{};
+    };
+    const auto idle = std::ranges::min_element(clients_, {}, last_asked);
+    if (std::chrono::steady_clock::now() - last_asked(*idle) < patience) return;
+    error_code ignored;
+    if (const auto open = idle->lock()) open->socket.close(ignored);
+    clients_.erase(idle);
+}
+
 Task<void> Control::accept() {
     error_code ec;
     while (listener_->is_open()) {
         Socket socket = co_await listener_->accept(ec);
         if (!listener_->is_open()) co_return;
-        std::erase_if(clients_, [](const auto& client) { return client.expired(); });
+        if (!ec) make_room();
         if (ec) {
             asio::steady_timer breath(clock_.io(), std::chrono::milliseconds(100));
             co_await breath.async_wait(into(ec));
@@ -183,6 +203,7 @@ Task<void> Control::serve(std::shared_ptr<Client> client) {
         const std::size_t n = co_await client->socket.async_read_some(asio::buffer(buffer), into(ec));
         if (ec) co_return;
         client->waiting.append(buffer.data(), n);
+        client->lively = std::chrono::steady_clock::now();
         std::size_t from = 0;
         for (std::size_t end; !ec && (end = client->waiting.find('\n', from)) != std::string::npos;
              from = end + 1) {

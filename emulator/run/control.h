@@ -34,6 +34,7 @@ class Control {
     class Listener;
     struct Client;
 
+    void make_room();
     Task<void> accept();
     Task<void> serve(std::shared_ptr<Client> client);
     std::string admit(Client& client, std::string_view line) const;

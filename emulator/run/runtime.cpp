@@ -7,6 +7,7 @@
 #include "emulator/capture/recorded.h"
 #include "emulator/contract/error.h"
 #include "emulator/machine/scheduling.h"
+#include "emulator/machine/service_manager.h"
 #include "emulator/machine/steal.h"
 #include "emulator/pose/movers.h"
 #include "emulator/pose/step_server.h"
@@ -64,6 +65,7 @@ class Runtime::Impl {
           real_time_(claim(punctuality)),
           signals_(io_),
           end_(io_),
+          watchdog_(io_),
           clock_(make_clock(scenario, io_)),
           stepped_(dynamic_cast<SteppedClock*>(clock_.get())),
           steps_(stepped_ == nullptr ? nullptr : make_step_server()),
@@ -121,6 +123,8 @@ class Runtime::Impl {
         vehicle_.start();
         movers_.start();
         stepped_ == nullptr ? begin(duration) : begin_with_first_step(duration);
+        tell_service_manager("READY=1");
+        if (const auto period = watchdog_period()) say_alive(*period);
         clock_->run();
         stolen_ = echoloop::stolen_seconds() - stolen_;
         join_device_threads();
@@ -233,7 +237,17 @@ class Runtime::Impl {
         running_.push_back({entry.name, entry.model, std::move(open.places), {}});
     }
 
+    /// From the thread that serves the wires: while it is stuck, nothing is said.
+    void say_alive(std::chrono::microseconds period) {
+        tell_service_manager("WATCHDOG=1");
+        watchdog_.expires_after(period);
+        watchdog_.async_wait([this, period](error_code ec) {
+            if (!ec) say_alive(period);
+        });
+    }
+
     void stop() {
+        tell_service_manager("STOPPING=1");
         if (steps_) steps_->close();
         vehicle_.close();
         movers_.close();
@@ -243,6 +257,7 @@ class Runtime::Impl {
         error_code ignored;
         signals_.cancel(ignored);
         end_.cancel(ignored);
+        watchdog_.cancel(ignored);
         io_.stop();
     }
 
@@ -267,7 +282,7 @@ class Runtime::Impl {
     const std::shared_ptr<PlanCache> plans_ = std::make_shared<PlanCache>();
     asio::io_context io_;
     asio::signal_set signals_;
-    asio::steady_timer end_;
+    asio::steady_timer end_, watchdog_;
     std::unique_ptr<Clock> clock_;
     SteppedClock* stepped_;              ///< the clock, if it is one
     std::unique_ptr<StepServer> steps_;  ///< if it is

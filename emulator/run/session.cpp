@@ -311,6 +311,7 @@ SessionSummary Session::summary() const {
         summary.bytes_out += transport->bytes_out();
         summary.bytes_lost += transport->bytes_lost();
         summary.dropped += transport->messages_dropped();
+        for (std::string& one : transport->connected()) summary.connected.push_back(std::move(one));
     }
     return summary;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "emulator/contract/device.h"
 
@@ -24,7 +25,8 @@ struct SessionSummary {
     std::uint64_t dropped = 0;
     std::size_t most_waiting = 0, most_waiting_bytes = 0;  ///< messages in the outbox at once
     std::uint64_t bytes_in = 0, bytes_out = 0;
-    std::uint64_t bytes_lost = 0;  ///< a driver was there and did not take them
+    std::uint64_t bytes_lost = 0;        ///< a driver was there and did not take them
+    std::vector<std::string> connected;  ///< drivers, now: addresses, and links of ptys that are open
 };
 
 /// Calls `visit(name, value, while_running)` with each figure in the order of JSON; times are in s.

@@ -26,6 +26,7 @@ class Decorator : public Transport {
     void settle() override { line_->settle(); }
     std::string describe() const override { return line_->describe(); }
     Wire wire() const override { return line_->wire(); }
+    std::vector<std::string> connected() const override { return line_->connected(); }
     uart::Receiver far_end() const override { return line_->far_end(); }
     double line_rate() const override { return line_->line_rate(); }
     std::uint64_t bytes_in() const override { return line_->bytes_in(); }

@@ -135,6 +135,13 @@ bool DriverLines::has_driver() const {
     return std::ranges::any_of(lines_, [](const auto& line) { return line->driver.port != 0; });
 }
 
+std::vector<std::string> DriverLines::connected() const {
+    std::vector<std::string> all;
+    for (const auto& line : lines_)
+        for (std::string& one : line->wire->connected()) all.push_back(std::move(one));
+    return all;
+}
+
 void DriverLines::close() {
     closed_ = true;
     for (auto& line : lines_) {

@@ -41,6 +41,7 @@ class DriverLines final : public Transport {
     void settle() override;
     std::string describe() const override { return lines_.front()->wire->describe(); }
     Wire wire() const override { return lines_.front()->wire->wire(); }
+    std::vector<std::string> connected() const override;
     std::uint64_t bytes_in() const override;
     std::uint64_t bytes_out() const override;
     std::uint64_t bytes_lost() const override;

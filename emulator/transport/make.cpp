@@ -62,15 +62,17 @@ std::unique_ptr<Udp> open_datagrams(asio::io_context& io, Address bind, bool sha
 }
 
 std::unique_ptr<Transport> open_stream(asio::io_context& io, const Endpoint& e, double rate,
-                                       const std::string& steady) {
+                                       const std::string& steady, Browsers browsers) {
     using Scheme = Endpoint::Scheme;
     switch (e.scheme) {
         case Scheme::pty:
-            return std::make_unique<Pty>(io, e.path);
+            return std::make_unique<Pty>(io, e.path, e.group());
         case Scheme::serial:
             return std::make_unique<SerialPort>(io, e.path, static_cast<int>(line_rate({&e, 1}, rate)));
         case Scheme::tcp_listen:
-            return std::make_unique<TcpListener>(io, Address{e.ip, e.port});
+            return std::make_unique<TcpListener>(std::make_shared<TcpDoor>(
+                io, Address{e.ip, e.port},
+                Manners{.speaks_http = browsers == Browsers::served, .idle = e.idle()}));
         case Scheme::tcp:
             return std::make_unique<TcpClient>(io, e.host, e.port);
         case Scheme::udp_listen:
@@ -97,10 +99,11 @@ bool has_driver_lines(const Port& port, const Endpoint& endpoint) {
 Opened open_port(asio::io_context& io, const Port& port, const Endpoint& endpoint, const DeviceConfig& config,
                  const std::string& steady) {
     if (!has_driver_lines(port, endpoint))
-        return {open_stream(io, endpoint, own_end(config, endpoint).rate, steady), nullptr};
+        return {open_stream(io, endpoint, own_end(config, endpoint).rate, steady, Browsers::turned_away),
+                nullptr};
     constexpr int few_messages = 256 << 10;  // B, which the system doubles
     const Manners manners{port.messages_kept > 0 ? few_messages : 0, port.answers_half_closed,
-                          port.speaks_http};
+                          port.speaks_http, endpoint.idle()};
     return {nullptr, std::make_shared<TcpDoor>(io, Address{endpoint.ip, endpoint.port}, manners)};
 }
 
@@ -139,8 +142,8 @@ std::unique_ptr<Transport> as_it_is(std::unique_ptr<Transport> wire, const Port&
 
 }  // namespace
 
-std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri) {
-    return open_stream(io, parse_endpoint(uri), 0, "");
+std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri, Browsers browsers) {
+    return open_stream(io, parse_endpoint(uri), 0, "", browsers);
 }
 
 std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,

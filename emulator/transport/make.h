@@ -12,8 +12,11 @@
 
 namespace echoloop {
 
+/// Whether a place hangs up on a web browser, or may be a web interface itself, as recorded bytes may be.
+enum class Browsers { turned_away, served };
+
 /// A byte pipe to an endpoint of a scenario, not paced. Throws StartError.
-std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri);
+std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri, Browsers browsers);
 
 /// Puts something around the wire of a port, or hands it back as it is; around each driver's where a port
 /// has several.

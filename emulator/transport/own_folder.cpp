@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdlib>
+
 #include "emulator/contract/error.h"
 
 namespace echoloop {
@@ -22,6 +24,14 @@ bool anybody_may_make(const fs::path& folder) {
 }
 
 }  // namespace
+
+fs::path place_of_ones_own() {
+    const char* const told = std::getenv("XDG_RUNTIME_DIR");
+    const std::string user = std::to_string(::getuid());
+    for (const fs::path& login : {fs::path(told == nullptr ? "" : told), fs::path("/run/user") / user})
+        if (login.is_absolute() && ::access(login.c_str(), W_OK | X_OK) == 0) return login / "echoloop";
+    return "/tmp/echoloop-" + user;
+}
 
 void make_own_folder(const fs::path& folder, const std::string& what, const std::string& instead) {
     if (folder.empty()) return;

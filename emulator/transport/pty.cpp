@@ -1,11 +1,13 @@
 #include "emulator/transport/pty.h"
 
 #include <fcntl.h>
+#include <grp.h>
 #include <poll.h>
 #include <spdlog/spdlog.h>
 #include <stdlib.h>
 #include <sys/inotify.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -20,18 +22,23 @@
 namespace echoloop {
 namespace {
 
-[[noreturn]] void fail(const std::string& what, int error) {
-    throw StartError(Exit::unavailable, "pseudo-terminal: " + what + ": " + std::strerror(error));
+[[noreturn]] void fail(const std::string& what, int error, const char* remedy = "") {
+    throw StartError(Exit::unavailable, "pseudo-terminal: " + what + ": " + std::strerror(error) + remedy);
 }
+
+constexpr const char* pty_remedy =
+    "; see that /dev/pts is mounted (mount -t devpts devpts /dev/pts) and that /dev/ptmx is a link to "
+    "pts/ptmx, "
+    "or use a tcp-listen:// or udp-listen:// endpoint";
 
 /// The master side of a new pseudo-terminal, non-blocking.
 int open_master() {
     const int fd = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (fd < 0) fail("cannot be opened (are /dev/ptmx and /dev/pts mounted?)", errno);
+    if (fd < 0) fail("/dev/ptmx cannot be opened", errno, pty_remedy);
     if (::grantpt(fd) != 0 || ::unlockpt(fd) != 0) {
         const int error = errno;
         ::close(fd);
-        fail("cannot be unlocked", error);
+        fail("/dev/ptmx makes none", error, pty_remedy);
     }
     return fd;
 }
@@ -42,10 +49,23 @@ std::string slave_name(int master) {
     return name.data();
 }
 
+/// To be opened by the members of `group`, as a real serial port is.
+void give_to(const std::string& group, const std::string& slave) {
+    const struct group* const entry = ::getgrnam(group.c_str());
+    if (entry == nullptr)
+        throw StartError(Exit::config, "pseudo-terminal: there is no group " + group +
+                                           "; name one that `getent group` shows, e.g. dialout");
+    if (::chown(slave.c_str(), static_cast<uid_t>(-1), entry->gr_gid) != 0 ||
+        ::chmod(slave.c_str(), S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP) != 0)
+        throw StartError(Exit::no_permission, "pseudo-terminal: it cannot be given to the group " + group +
+                                                  ": " + std::strerror(errno) +
+                                                  "; add this user to the group");
+}
+
 /// Raw, 8 bits, no echo: a driver that sets nothing still gets its bytes unchanged.
 int open_raw_slave(const std::string& path) {
     const int fd = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (fd < 0) fail(path + " cannot be opened", errno);
+    if (fd < 0) fail(path + " cannot be opened", errno, pty_remedy);
     termios settings{};
     ::tcgetattr(fd, &settings);
     ::cfmakeraw(&settings);
@@ -77,8 +97,8 @@ Watch open_watch(const std::filesystem::path& slave) {
 
 }  // namespace
 
-Pty::Pty(asio::io_context& io, const std::filesystem::path& link)
-    : io_(io), arrivals_(io), watch_(io), wanted_link_(link) {
+Pty::Pty(asio::io_context& io, const std::filesystem::path& link, std::string group)
+    : io_(io), arrivals_(io), watch_(io), wanted_link_(link), group_(std::move(group)) {
     open();
 }
 
@@ -86,6 +106,7 @@ void Pty::open() {
     master_ = open_master();
     arrivals_.watch(master_);
     slave_path_ = slave_name(master_);
+    if (!group_.empty()) give_to(group_, slave_path_);
     slave_ = open_raw_slave(slave_path_);
     const Watch watch = open_watch(slave_path_);
     watch_.assign(watch.fd);
@@ -277,6 +298,11 @@ Task<void> Pty::write(ByteView bytes, Address) {
         error_code ec;
         co_await timer.async_wait(into(ec));
     }
+}
+
+std::vector<std::string> Pty::connected() const {
+    if (!opened()) return {};
+    return {"on " + (link_ ? link_->path().string() : slave_path_)};
 }
 
 std::string Pty::describe() const {

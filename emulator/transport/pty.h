@@ -29,7 +29,8 @@ class PtyLink {
 class Pty final : public CountingTransport {
   public:
     /// Throws StartError if the pty or the link cannot be made.
-    Pty(asio::io_context& io, const std::filesystem::path& link);
+    /// `group`: whose members may open it; "": the system's own rule.
+    Pty(asio::io_context& io, const std::filesystem::path& link, std::string group = {});
     ~Pty() override;
 
     void start(Events events) override;
@@ -45,6 +46,7 @@ class Pty final : public CountingTransport {
     /// True while a driver has the slave open.
     bool opened() const { return openers_ > 0; }
     bool has_driver() const override { return opened(); }
+    std::vector<std::string> connected() const override;
 
   private:
     void open();
@@ -72,6 +74,7 @@ class Pty final : public CountingTransport {
     int slave_ = -1;                        ///< kept open, so that the master never reads EIO
     std::string slave_path_;
     std::filesystem::path wanted_link_;  ///< empty: none
+    std::string group_;
     std::optional<PtyLink> link_;
     Events events_;
     int openers_ = 0;

@@ -26,8 +26,7 @@ bool is_stale_pty_link(const fs::path& link, const fs::path& our_slave) {
     return fd < 0 && (errno == EIO || errno == ENXIO || errno == ENOENT);
 }
 
-/// Where another user's /tmp/echoloop is in nobody's way.
-std::string own_place() { return "pty:/tmp/echoloop-" + std::to_string(::getuid()) + "/micron"; }
+std::string other_link() { return "pty:" + (place_of_ones_own() / "micron").string(); }
 
 /// Why a link cannot be made where something is, and what to do.
 std::string taken(const fs::path& link) {
@@ -45,7 +44,7 @@ std::string taken(const fs::path& link) {
 }  // namespace
 
 PtyLink::PtyLink(fs::path link, fs::path slave) : link_(std::move(link)), slave_(std::move(slave)) {
-    make_own_folder(link_.parent_path(), "the pty link", own_place());
+    make_own_folder(link_.parent_path(), "the pty link", other_link());
     std::error_code ec;
     if (is_stale_pty_link(link_, slave_)) fs::remove(link_, ec);
     fs::create_symlink(slave_, link_, ec);
@@ -54,7 +53,7 @@ PtyLink::PtyLink(fs::path link, fs::path slave) : link_(std::move(link)), slave_
     const bool denied = ec == std::errc::permission_denied || ec == std::errc::read_only_file_system;
     throw StartError(denied ? Exit::no_permission : Exit::cannot_create,
                      link_.string() + ": pty link cannot be made: " + ec.message() +
-                         "; name a place that you may write in the endpoint, e.g. " + own_place());
+                         "; name a place that you may write in the endpoint, e.g. " + other_link());
 }
 
 PtyLink::~PtyLink() {

@@ -77,10 +77,23 @@ void TcpListener::take(Tcp::socket driver) {
     driver_ = std::make_shared<Tcp::socket>(std::move(driver));
     watch_far_end(driver_);
     hung_up_ = false;
+    lively_ = std::chrono::steady_clock::now();
     const Address peer = wire().remote;
     events_.reconnected();
     events_.connected(peer);
     asio::co_spawn(door_->io(), serve(driver_, peer), Serving(describe()));
+}
+
+Task<void> TcpListener::let_go() {
+    const auto driver = driver_;
+    hung_up_ = true;
+    if (driver) hang_up_on(*driver);  // its reader meets the end, and cleans up as after one that leaves
+    constexpr std::chrono::milliseconds pause(1);
+    error_code ec;
+    for (int i = 0; i < 1000 && driver && driver == driver_; ++i) {
+        asio::steady_timer timer(door_->io(), pause);
+        co_await timer.async_wait(into(ec));
+    }
 }
 
 Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver, Address peer) {
@@ -91,6 +104,7 @@ Task<void> TcpListener::serve(std::shared_ptr<Tcp::socket> driver, Address peer)
         const std::size_t n = co_await driver->async_read_some(asio::buffer(buffer), into(ec));
         if (ec) break;
         count_in(n);
+        lively_ = std::chrono::steady_clock::now();
         if (!door_->manners().speaks_http && web.is_begun_by(ByteView(buffer).first(n))) {
             spdlog::warn("{}: a web browser was turned away", describe());
             break;
@@ -116,6 +130,7 @@ Task<void> TcpListener::write(ByteView bytes, Address) {
     if (!driver) co_return;
     const std::size_t sent = co_await write_or_lose(*driver, bytes);
     count_out(sent);
+    if (sent > 0 && driver == driver_) lively_ = std::chrono::steady_clock::now();
     if (driver->is_open()) count_lost(bytes.size() - sent);
 }
 
@@ -160,6 +175,11 @@ void TcpListener::close() {
 Wire TcpListener::wire() const {
     if (!driver_) return {Wire::Kind::tcp_server, door_->address(), {}};
     return ends_of(*driver_, Wire::Kind::tcp_server);
+}
+
+std::vector<std::string> TcpListener::connected() const {
+    if (!driver_) return {};
+    return {to_text(wire().remote)};
 }
 
 TcpClient::TcpClient(asio::io_context& io, std::string host, std::uint16_t port)
@@ -253,6 +273,11 @@ void TcpClient::close() {
 }
 
 std::string TcpClient::describe() const { return "tcp://" + host_ + ":" + std::to_string(port_); }
+
+std::vector<std::string> TcpClient::connected() const {
+    if (!connected_) return {};
+    return {to_text(wire().remote)};
+}
 
 Wire TcpClient::wire() const { return ends_of(socket_, Wire::Kind::tcp_client); }
 

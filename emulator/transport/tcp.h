@@ -21,6 +21,10 @@ class TcpListener final : public CountingTransport {
 
     /// From the door: somebody has come; only while nobody is here.
     void take(asio::ip::tcp::socket driver);
+    /// From the door: another is to have the place. It is free afterwards.
+    Task<void> let_go();
+    /// s since the driver last said or took something.
+    double idle_time() const { return to_seconds(std::chrono::steady_clock::now() - lively_); }
 
     void start(Events events) override;
     Task<void> write(ByteView bytes, Address to) override;
@@ -34,6 +38,7 @@ class TcpListener final : public CountingTransport {
     void close() override;
     std::string describe() const override { return door_->describe(); }
     Wire wire() const override;
+    std::vector<std::string> connected() const override;
 
   private:
     Task<void> serve(std::shared_ptr<asio::ip::tcp::socket> driver, Address peer);
@@ -43,7 +48,8 @@ class TcpListener final : public CountingTransport {
     asio::steady_timer last_answer_;                 ///< to one that has closed its direction
     std::shared_ptr<asio::ip::tcp::socket> driver_;  ///< a writer may still hold the one that has gone
     std::vector<std::shared_ptr<asio::ip::tcp::socket>> forgotten_;
-    bool hung_up_ = false;  ///< on this driver
+    std::chrono::steady_clock::time_point lively_{};  ///< when the driver last said or took something
+    bool hung_up_ = false;                            ///< on this driver
     bool closed_ = false;
     Events events_;
 };
@@ -65,6 +71,7 @@ class TcpClient final : public CountingTransport {
     void close() override;
     std::string describe() const override;
     Wire wire() const override;
+    std::vector<std::string> connected() const override;
 
   private:
     Task<void> keep_connected();

@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "emulator/transport/address.h"
@@ -45,6 +46,11 @@ Task<void> TcpDoor::let_in() {
             co_await breath.async_wait(into(ec));
             continue;
         }
+        if (TcpListener* const idle = free_line() == nullptr ? idle_line() : nullptr) {
+            spdlog::warn("{}: {} said and took nothing for {:.0f} s, and makes way for another driver",
+                         describe(), to_text(idle->wire().remote), idle->idle_time());
+            co_await idle->let_go();
+        }
         if (TcpListener* const line = free_line())
             line->take(std::move(socket));
         else if (serves_several())
@@ -59,6 +65,12 @@ TcpListener* TcpDoor::free_line() const {
     for (TcpListener* line : lines_)
         if (!line->has_driver()) return line;
     return nullptr;
+}
+
+TcpListener* TcpDoor::idle_line() const {
+    if (!manners_.idle || lines_.empty()) return nullptr;
+    TcpListener* const line = *std::ranges::max_element(lines_, {}, &TcpListener::idle_time);
+    return line->has_driver() && line->idle_time() >= *manners_.idle ? line : nullptr;
 }
 
 void TcpDoor::shut() {

@@ -2,6 +2,7 @@
 // nothing.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Manners {
     int send_buffer = 0;               ///< B that the system takes for one that does not read; 0: megabytes
     bool answers_half_closed = false;  ///< one that will say nothing more still gets an answer
     bool speaks_http = false;          ///< else a web browser is hung up on
+    /// s that a driver may say and take nothing before another may have its place; none: for ever.
+    std::optional<double> idle{};
 };
 
 class TcpDoor {
@@ -47,6 +50,8 @@ class TcpDoor {
     Task<void> let_in();
     /// nullptr if all are taken.
     TcpListener* free_line() const;
+    /// Of the driver that has been idle for the longest time, and for long enough; nullptr: there is none.
+    TcpListener* idle_line() const;
 
     asio::io_context& io_;
     Manners manners_;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "emulator/clock/asio.h"
 #include "emulator/contract/device.h"
@@ -69,6 +70,8 @@ class Transport {
     /// What a person calls this place, e.g. "pty:/tmp/echoloop/micron -> /dev/pts/3".
     virtual std::string describe() const = 0;
     virtual Wire wire() const { return {}; }
+    /// Who is at the other end, as a person calls them; empty where nobody is, or nobody can know.
+    virtual std::vector<std::string> connected() const { return {}; }
     /// The UART of a driver on a serial line, where its settings can be seen; else its rate is 0.
     virtual uart::Receiver far_end() const { return {}; }
     /// bit/s at which what is written leaves a serial line; 0: as fast as the other end takes it.

@@ -23,7 +23,7 @@ std::unique_ptr<Context> checked() {
     return make();
 }
 
-/// The first that works of those given; else all their complaints.
+/// The first that works of those given; else what to install, and all their complaints.
 std::unique_ptr<Context> first_of(std::initializer_list<Maker> makers) {
     std::string complaints;
     for (const Maker make : makers) try {
@@ -31,7 +31,10 @@ std::unique_ptr<Context> first_of(std::initializer_list<Maker> makers) {
         } catch (const std::runtime_error& error) {
             complaints += (complaints.empty() ? "" : "; or ") + std::string(error.what());
         }
-    throw std::runtime_error("no OpenGL context can be made: " + complaints);
+    throw std::runtime_error(
+        "no OpenGL context can be made; install Mesa: apt-get install libosmesa6 or, where there is none, "
+        "libegl-mesa0 libgl1-mesa-dri (" +
+        complaints + ")");
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace echoloop::gl {
 
-/// On Mesa's surfaceless platform; software unless Mesa finds a GPU. Throws std::runtime_error, naming the
-/// Debian packages, when it cannot be had.
+/// Mesa's software in memory, as OSMesa is; several draw at once on threads of their own. Throws
+/// std::runtime_error, naming the Debian packages, when it cannot be had.
 std::unique_ptr<Context> make_egl_surfaceless_context();
 
 /// On the first EGL device that offers OpenGL 3.3, hardware before Mesa's software device. Throws

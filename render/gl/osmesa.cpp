@@ -3,13 +3,10 @@
 #include <dlfcn.h>
 
 #include <array>
-#include <list>
-#include <mutex>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
-#include "render/gl/library_copy.h"
+#include "render/gl/thread_libraries.h"
 
 #ifdef __has_feature  // clang
 #if __has_feature(address_sanitizer)
@@ -64,55 +61,15 @@ Library resolved(void* handle) {
     return lib;
 }
 
-/// OSMesa draws one picture at a time, whatever the number of its contexts: a single beam would wait for a
-/// fan that another thread draws. So every thread that has contexts beside another's gets a copy of the
-/// library to itself, a dozen megabytes. On one thread copies would not do: they share what is current there.
-/// They are never unloaded: LLVM's threads outlive any context.
-class Libraries {
-  public:
-    static Libraries& all() {
-        static Libraries libraries;
-        return libraries;
-    }
-    /// This thread's, else one that nobody uses, else a new copy; where there are none, the first.
-    const Library& take() {
-        const std::lock_guard lock(mutex_);
-        Instance& instance = instance_for(std::this_thread::get_id());
-        if (instance.contexts++ == 0) instance.owner = std::this_thread::get_id();
-        return instance.library;
-    }
-    void give_back(const Library& library) {
-        const std::lock_guard lock(mutex_);
-        for (Instance& instance : instances_)
-            if (&instance.library == &library) --instance.contexts;
-    }
-
-  private:
-    static constexpr std::size_t most = 8;
-    struct Instance {
-        Library library;
-        std::thread::id owner{};
-        std::size_t contexts = 0;
-    };
-
-    Instance& instance_for(std::thread::id thread) {
-        for (Instance& instance : instances_)
-            if (instance.contexts > 0 && instance.owner == thread) return instance;
-        for (Instance& instance : instances_)
-            if (instance.contexts == 0) return instance;
-        if (instances_.empty()) return instances_.emplace_back(Instance{resolved(first_ = load_osmesa())});
-        void* copy = instances_.size() < most ? load_copy(first_) : nullptr;
-        return copy == nullptr ? instances_.front() : instances_.emplace_back(Instance{resolved(copy)});
-    }
-
-    std::mutex mutex_;
-    void* first_ = nullptr;
-    std::list<Instance> instances_;
-};
+/// A dozen megabytes each.
+std::shared_ptr<const Library> take_osmesa() {
+    static ThreadLibraries<Library> libraries(load_osmesa, resolved, false);
+    return libraries.take();
+}
 
 class OsMesaContext final : public Context {
   public:
-    OsMesaContext() : lib_(Libraries::all().take()) {
+    OsMesaContext() : lib_(take_osmesa()) {
         const std::array attributes{osmesa_format,
                                     osmesa_rgba,
                                     osmesa_depth_bits,
@@ -126,29 +83,27 @@ class OsMesaContext final : public Context {
                                     osmesa_minor,
                                     5,
                                     0};
-        context_ = lib_.create(attributes.data(), nullptr);
-        if (context_ != nullptr) return;
-        Libraries::all().give_back(lib_);
-        throw std::runtime_error(
-            "OSMesa offers no OpenGL 4.5 core context; install libosmesa6 22.3 or newer");
+        context_ = lib_->create(attributes.data(), nullptr);
+        if (context_ == nullptr)
+            throw std::runtime_error(
+                "OSMesa offers no OpenGL 4.5 core context; install libosmesa6 22.3 or newer");
     }
     ~OsMesaContext() override {
-        lib_.make_current(nullptr, nullptr, 0, 0, 0);
-        lib_.destroy(context_);
-        Libraries::all().give_back(lib_);
+        lib_->make_current(nullptr, nullptr, 0, 0, 0);
+        lib_->destroy(context_);
     }
 
     void make_current() override {
         constexpr int side = 4;  // of the unused default framebuffer
-        if (!lib_.make_current(context_, buffer_.data(), gl_unsigned_byte, side, side))
+        if (!lib_->make_current(context_, buffer_.data(), gl_unsigned_byte, side, side))
             throw std::runtime_error("OSMesa cannot bind its context to this thread");
     }
-    Proc proc_address(const char* name) const override { return lib_.proc_address(name); }
+    Proc proc_address(const char* name) const override { return lib_->proc_address(name); }
     std::string_view kind() const override { return "OSMesa"; }
     bool draws_beside_others() const override { return true; }
 
   private:
-    const Library& lib_;
+    std::shared_ptr<const Library> lib_;
     void* context_ = nullptr;
     std::array<unsigned char, 64> buffer_{};
 };

@@ -1,12 +1,12 @@
 #include "render/paths/ray_scene.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "render/paths/embree.h"
 
 namespace echoloop {
 namespace {
@@ -86,7 +86,8 @@ class RayScene::Impl {
     explicit Impl(std::shared_ptr<const Scene> scene)
         // One thread: trees made by several can differ, and with them which of two equal hits is taken.
         : scene_(std::move(scene)), skin_(skin_of(scene_->bounds())), device_(rtcNewDevice("threads=1")) {
-        if (!device_) throw std::runtime_error("paths: Embree cannot start; install libembree3-3");
+        if (!device_)
+            throw std::runtime_error(std::string("paths: Embree cannot start; install ") + embree_package);
         groups_.resize(1 + scene_->movers().size());
         for (std::uint32_t mover = 0; mover < groups_.size(); ++mover) build(mover);
         if (groups_.size() > 1) join();
@@ -112,9 +113,7 @@ class RayScene::Impl {
     std::optional<RayHit> hit(Vec3 origin, Vec3 direction, double end) const {
         RTCRayHit query{embree_ray(origin, direction, skin_, end), {}};
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcIntersect1(tree(), &context, &query);
+        first_hit(tree(), query);
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
         const Group& group = groups_[all_ ? query.hit.instID[0] : 0];
         Vec3 normal{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
@@ -130,9 +129,7 @@ class RayScene::Impl {
         const double length = norm(to - from);
         if (length <= 2 * skin_) return false;
         RTCRay ray = embree_ray(from, 1 / length * (to - from), skin_, length - skin_);
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcOccluded1(tree(), &context, &ray);
+        any_hit(tree(), ray);
         return ray.tfar < 0;
     }
 

@@ -10,28 +10,41 @@
 namespace echoloop {
 namespace {
 
+/// A buffer that was read already, of those that `data` points to; null if there is none of that name.
+const SceneFolder::Bytes* find_buffer(const std::string& path, void* data) {
+    const auto& buffers = *static_cast<const std::vector<SceneFolder::Bytes>*>(data);
+    const std::string name = path.substr(path.rfind('/') + 1);
+    for (std::size_t i = 0; i < buffers.size(); ++i)
+        if (name == buffer_uri(i) && !buffers[i].empty()) return &buffers[i];
+    return nullptr;
+}
+
+/// From 2.9 on tinygltf asks for sizes, too, and opens nothing if it cannot.
+template <typename Callbacks>
+void tell_sizes(Callbacks& fs) {
+    if constexpr (requires { fs.GetFileSizeInBytes; })
+        fs.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string& path, void* data) {
+            const auto* bytes = find_buffer(path, data);
+            if (bytes) *size = bytes->size();
+            return bytes != nullptr;
+        };
+}
+
 /// tinygltf's view of the file system: the buffers that were read already, and nothing else.
 tinygltf::FsCallbacks only_buffers(const SceneDocument& document) {
-    using Buffers = const std::vector<SceneFolder::Bytes>;
-    static constexpr auto find = [](const std::string& path, void* data) -> const SceneFolder::Bytes* {
-        const auto& buffers = *static_cast<Buffers*>(data);
-        const std::string name = path.substr(path.rfind('/') + 1);
-        for (std::size_t i = 0; i < buffers.size(); ++i)
-            if (name == buffer_uri(i) && !buffers[i].empty()) return &buffers[i];
-        return nullptr;
-    };
     tinygltf::FsCallbacks fs{};
-    fs.FileExists = [](const std::string& path, void* data) { return find(path, data) != nullptr; };
+    fs.FileExists = [](const std::string& path, void* data) { return find_buffer(path, data) != nullptr; };
     fs.ExpandFilePath = [](const std::string& path, void*) { return path; };
     fs.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& path,
                           void* data) {
-        const auto* bytes = find(path, data);
+        const auto* bytes = find_buffer(path, data);
         if (bytes) *out = *bytes;
         return bytes != nullptr;
     };
     fs.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
         return false;
     };
+    tell_sizes(fs);
     fs.user_data = const_cast<std::vector<SceneFolder::Bytes>*>(&document.buffers);
     return fs;
 }

@@ -53,6 +53,10 @@ class Render(ProgramTest):
         self.assertEqual(struct.unpack_from(">I", data, 16), (600,))
         self.assertEqual(self.left_over(), ["fan.png"])
 
+    def test_the_first_device_is_drawn_unless_another_is_named(self):
+        report = self.json("render", DEMO, "--out", self.folder / "turn.npy", "--step", "0")
+        self.assertEqual(report["device"], "micron")
+
     def test_array_and_report_agree(self):
         out = self.folder / "fan.npy"
         report = self.json("render", DEMO, *SONAR, "--out", out)
@@ -99,7 +103,6 @@ class Render(ProgramTest):
 
     def test_wrong_usage(self):
         out = self.folder / "x.png"
-        self.assertIn("--device is missing; known are: micron, sonar", self.bad(64, "render", DEMO, "--out", out))
         self.assertIn("did you mean 'micron'?", self.bad(64, "render", DEMO, "--out", out, "--device", "mircon"))
         self.assertIn(".png, .csv or .npy", self.bad(64, "render", TANK, "--out", self.folder / "x.jpg"))
         self.assertIn("--step: expected a number, 0 to 199", self.bad(64, "render", TANK, "--out", out, "--step", "200"))

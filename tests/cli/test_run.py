@@ -1,6 +1,7 @@
 """echoloop run: start-up lines, clean ends, and starts that fail whole."""
 import json
 import os
+import pathlib
 import re
 import resource
 import signal
@@ -170,9 +171,13 @@ class Run(ProgramTest):
             self.assertIn("use a pty: endpoint", text)
 
     def test_a_folder_without_permission_ends_with_73(self):
-        text = self.bad(73, "run", TANK, "--duration", "0", *self.micron("pty:/proc/no/micron"))
-        self.assertIn("/proc/no", text)
-        self.assertIn(f"e.g. pty:/tmp/echoloop-{os.getuid()}/micron", text)  # nobody else's
+        for login, instead in ((self.folder, f"{self.folder}/echoloop"), ("relative", ""), ("/no/such", "")):
+            text = self.bad(73, "run", TANK, "--duration", "0", *self.micron("pty:/proc/no/micron"), XDG_RUNTIME_DIR=str(login))
+            self.assertIn("/proc/no", text)
+            if not instead:  # nobody else's
+                home = pathlib.Path(f"/run/user/{os.getuid()}")
+                instead = home / "echoloop" if home.is_dir() else f"/tmp/echoloop-{os.getuid()}"
+            self.assertIn(f"e.g. pty:{instead}/micron", text)
 
     def test_nothing_is_half_started(self):
         link = self.folder / "first"

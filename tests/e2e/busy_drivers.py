@@ -1,6 +1,8 @@
 """Drivers of the twelve sonars of config/busy.yaml, each in a thread of its own: they ask as real ones do, count what
 comes, and look no further into it than a driver must to know that nothing is missing."""
 
+import json
+import re
 import socket
 import struct
 import threading
@@ -58,19 +60,19 @@ class R2Sonic(Driver):
     def __init__(self, name, image):
         super().__init__(name)
         self.image, self.sockets = image, []
-        self.gui = free_port(8)
+        self.gui, self.head = free_port(8), free_port(8)
+
+    def endpoints(self):
+        return [f"udp-listen://127.0.0.1:{self.head}", f"udp://127.0.0.1:{self.gui}"]
+
+    def begin(self, folder):
         for offset in (0, 2, 3):
             s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
             s.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
             s.bind(("127.0.0.1", self.gui + offset))
             s.settimeout(10)
             self.sockets.append(s)
-        self.head = free_port(8)
-        self.held = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)  # until the sonar takes it
-        self.held.bind(("127.0.0.1", self.head))
-
-    def endpoints(self):
-        return [f"udp-listen://127.0.0.1:{self.head}", f"udp://127.0.0.1:{self.gui}"]
+        super().begin(folder)
 
     def work(self):
         if self.image:
@@ -202,6 +204,15 @@ class Imagenex(Driver):
         while True:
             host.ask(self.command)
             self.got += 1
+
+
+def with_endpoints(text, drivers):
+    """config/busy.yaml with the drivers' own ports and lines, so that it can run beside other programs."""
+    for driver in drivers:
+        pattern = rf"(name: {driver.name}\n.*\n.*\n.*endpoints: )\[.*\]"
+        text, found = re.subn(pattern, lambda m: m.group(1) + json.dumps(driver.endpoints()), text)
+        assert found == 1, f"{driver.name} in config/busy.yaml"
+    return text.replace("scenes/", "{scenes}/")
 
 
 def fleet():

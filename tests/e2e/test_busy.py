@@ -3,35 +3,22 @@
 Whether pings come late is printed and not judged: that depends on the machine.
 """
 
-import json
 import re
 import time
 import unittest
 
 from program import ROOT, Emulator
 
-from busy_drivers import fleet
+from busy_drivers import fleet, with_endpoints
 
 # Pings and late ones, of each sonar, then of all.
 COUNTS = re.compile(r"^\w[\w ]* (\d+) pings, (\d+|none) late", re.MULTILINE)
-
-
-def with_endpoints(text, drivers):
-    """config/busy.yaml with the drivers' own ports and lines, so that it can run beside other programs."""
-    for driver in drivers:
-        pattern = rf"(name: {driver.name}\n.*\n.*\n.*endpoints: )\[.*\]"
-        text, found = re.subn(pattern, lambda m: m.group(1) + json.dumps(driver.endpoints()), text)
-        assert found == 1, f"{driver.name} in config/busy.yaml"
-    return text.replace("scenes/", "{scenes}/")
 
 
 class TwelveSonars(unittest.TestCase):
     def test_every_driver_is_served(self):
         drivers, seconds = fleet(), 12
         scenario = with_endpoints((ROOT / "config" / "busy.yaml").read_text(), drivers)
-        for driver in drivers:
-            if hasattr(driver, "held"):
-                driver.held.close()
         with Emulator(scenario) as emulator:
             for driver in drivers:
                 driver.begin(emulator.folder)

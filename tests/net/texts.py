@@ -97,7 +97,7 @@ def wrong_commands(shell):
         "check config/tank.yaml --set devices.micron.model=tritech-micro", "check config/tank.yaml --set devices.micron.endpoints=[]",
         "check config/tank.yaml --set devices.micron.endpoints=[tcp://1:2]", "check config/demo.yaml --set devices.sonar.endpoints=[pty:/a]",
         "check config/tank.yaml --set devices.micron.endpoints=[udp-listen://127.0.0.1:1]", "check config/tank.yaml --json --set sede=1",
-        "check config/tank.yaml --set devices.micron.endpoints=[pty:/tmp/x?usb=3]", "render config/demo.yaml --out x.png",
+        "check config/tank.yaml --set devices.micron.endpoints=[pty:/tmp/x?usb=3]",
         "render config/demo.yaml --device nobody --out x.png", "render config/tank.yaml --out x.gif", "render config/tank.yaml",
         "render config/tank.yaml --out x.npy --range -3", "render config/tank.yaml --out x.npy --step 5000", "inspect none.pcap",
         "inspect bad.glb", "inspect --tables nothing", "inspect - --family nothing", "convert bad.glb x.852", "convert none x.txt",

@@ -17,6 +17,7 @@
 #include "render/gl/egl.h"
 #include "tests/render/meshes.h"
 #include "tests/render/shots.h"
+#include "tests/render/software_contexts.h"
 
 namespace echoloop {
 namespace {
@@ -54,6 +55,7 @@ class EglContext : public testing::TestWithParam<std::pair<const char*, const ch
 
 // On a machine with a GPU the device context is that GPU's, and its pixels need not be Mesa's.
 TEST_P(EglContext, OfTheSameMesaDrawsTheBytesOfOsMesa) {
+    if (const std::string why = test::missing_context("osmesa"); !why.empty()) GTEST_SKIP() << why;
     const Result osmesa = render_with("osmesa"), egl = render_with(GetParam().first);
     ASSERT_EQ(osmesa.problem, "");
     ASSERT_EQ(egl.problem, "");
@@ -76,7 +78,7 @@ TEST(GlContext, WithoutAGpuItSaysWhatToDo) {
         const auto context = gl::make_gpu_context();
         GTEST_SKIP() << "here is a GPU";
     } catch (const std::runtime_error& error) {
-        for (const char* word : {"no GPU", "osmesa", "apt-get install libegl1"})
+        for (const char* word : {"no GPU", "egl-surfaceless", "apt-get install libegl1"})
             EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
     }
 }
@@ -87,12 +89,12 @@ TEST(GlContext, AutoFindsOne) {
     EXPECT_FALSE(result.values.empty());
 }
 
-/// How many instances of libOSMesa this process has loaded.
-std::size_t instances_of_osmesa() {
+/// How many instances of a library this process has loaded.
+std::size_t instances_of(const char* library) {
     std::ifstream maps("/proc/self/maps");
     std::set<std::string> files;
     for (std::string line; std::getline(maps, line);)
-        if (line.find("libOSMesa") != std::string::npos) {
+        if (line.find(library) != std::string::npos) {
             std::istringstream words(line);
             std::string addresses, rights, offset, device, inode;
             words >> addresses >> rights >> offset >> device >> inode;
@@ -101,38 +103,52 @@ std::size_t instances_of_osmesa() {
     return files.size();
 }
 
+using test::SoftwareContext;
+
 // One instance draws one picture at a time; on one thread several would share what is current.
-TEST(GlContext, OfOsMesaHasALibraryOfItsOwnOnEachThread) {
-    const auto context = gl::make_context("osmesa"), another = gl::make_context("osmesa");
+TEST_P(SoftwareContext, HasALibraryOfItsOwnOnEachThread) {
+    const char* const library = std::string_view(GetParam()) == "osmesa" ? "libOSMesa" : "libEGL_mesa";
+    const auto context = gl::make_context(GetParam()), another = gl::make_context(GetParam());
+    EXPECT_TRUE(context->draws_beside_others());
     std::size_t most = 0;
     for (int i = 0; i < 3; ++i) {
         std::latch both(2);
         const auto hold = [&] {
-            const auto own = gl::make_context("osmesa");
+            const auto own = gl::make_context(GetParam());
             both.arrive_and_wait();
         };
         std::thread first(hold), second(hold);
         first.join();
         second.join();
         if (i > 0) {
-            EXPECT_EQ(instances_of_osmesa(), most) << "those of threads that ended serve again";
+            EXPECT_EQ(instances_of(library), most) << "those of threads that ended serve again";
         }
-        most = instances_of_osmesa();
+        most = instances_of(library);
         EXPECT_GE(most, 3U);
     }
 }
 
-TEST(GlContext, OfOsMesaDrawsTheSameOnThreadsAtOnce) {
-    const Result alone = render_with("osmesa");
+TEST_P(SoftwareContext, DrawsTheSameOnThreadsAtOnce) {
+    const Result alone = render_with(GetParam());
     std::array<Result, 3> results;
     std::vector<std::thread> threads;
-    for (Result& result : results) threads.emplace_back([&] { result = render_with("osmesa"); });
+    for (Result& result : results) threads.emplace_back([&] { result = render_with(GetParam()); });
     for (auto& thread : threads) thread.join();
+    EXPECT_FALSE(alone.values.empty());
     for (const Result& result : results) {
         EXPECT_EQ(result.problem, "");
         EXPECT_TRUE(result.values == alone.values);
     }
 }
+
+TEST_P(SoftwareContext, BelongsToTheThreadOfItsRenderer) {
+    RendererOptions options = test::boxes();
+    options.context = GetParam();
+    Renderer renderer(test::scene_of({test::wall_at(10, 5, -5, 5)}), {}, options);
+    std::thread([&] { EXPECT_THROW(renderer.render(test::scanning(), {}), std::logic_error); }).join();
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, SoftwareContext, test::software_contexts, test::context_test_name);
 
 TEST(GlContext, UnknownNamesListTheKnownOnes) {
     try {

@@ -8,30 +8,32 @@
 #include "render/fan/plan.h"
 #include "tests/render/meshes.h"
 #include "tests/render/shots.h"
+#include "tests/render/software_contexts.h"
 #include "tools/echoloop/bench/scenes.h"
 
 namespace echoloop {
 namespace {
 
-std::unique_ptr<gl::Context> make_context() { return gl::make_context("osmesa"); }
-
-std::vector<Pixel> draw(std::size_t threads, const std::shared_ptr<const Scene>& scene, const Shot& shot,
-                        const Pose& pose, gl::DrawProfile* profile = nullptr) {
-    const FanPlan plan = plan_fan(geometry_of(shot, Effects{}), {});
-    gl::DrawingCrew crew(make_context, scene, threads);
-    std::vector<Pixel> pixels;
-    for (int ping = 0; ping < 2; ++ping)
-        crew.draw(plan, {pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, 50, 0, {0.2, -0.3}},
-                  pixels);
-    if (profile != nullptr) *profile = crew.profile();
-    return pixels;
-}
+class DrawingCrew : public test::SoftwareContext {
+  protected:
+    static std::vector<Pixel> draw(std::size_t threads, const std::shared_ptr<const Scene>& scene,
+                                   const Shot& shot, const Pose& pose, gl::DrawProfile* profile = nullptr) {
+        const FanPlan plan = plan_fan(geometry_of(shot, Effects{}), {});
+        gl::DrawingCrew crew([] { return gl::make_context(GetParam()); }, scene, threads);
+        std::vector<Pixel> pixels;
+        for (int ping = 0; ping < 2; ++ping)
+            crew.draw(plan, {pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, 50, 0, {0.2, -0.3}},
+                      pixels);
+        if (profile != nullptr) *profile = crew.profile();
+        return pixels;
+    }
+};
 
 bool same(const std::vector<Pixel>& a, const std::vector<Pixel>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Pixel)) == 0;
 }
 
-TEST(DrawingCrew, DrawsThePictureOfOneThreadWithAnyNumber) {
+TEST_P(DrawingCrew, DrawsThePictureOfOneThreadWithAnyNumber) {
     const auto scene = Scene::from_meshes(bench::scene_meshes("big100k"));
     gl::DrawProfile one, three;
     const auto alone = draw(1, scene, test::forward_looking(), {}, &one);
@@ -45,11 +47,13 @@ TEST(DrawingCrew, DrawsThePictureOfOneThreadWithAnyNumber) {
     EXPECT_EQ(one.pixels, three.pixels);
 }
 
-TEST(DrawingCrew, DrawsASmallPictureAlone) {
+TEST_P(DrawingCrew, DrawsASmallPictureAlone) {
     const auto scene = test::scene_of({test::floor_at(-5, 60)});
     const Shot beam = test::fan(3, 35, 1, 500, 50);
     EXPECT_TRUE(same(draw(2, scene, beam, {}), draw(1, scene, beam, {})));
 }
+
+INSTANTIATE_TEST_SUITE_P(Each, DrawingCrew, test::software_contexts, test::context_test_name);
 
 }  // namespace
 }  // namespace echoloop

@@ -3,7 +3,6 @@
 
 #include <cstring>
 #include <limits>
-#include <thread>
 
 #include "tests/render/meshes.h"
 #include "tests/render/shots.h"
@@ -145,14 +144,6 @@ TEST(BadOptions, AreRefused) {
     EXPECT_THROW(Renderer(scene, {}, {.columns_per_beam = 0}), std::invalid_argument);
     EXPECT_THROW(Renderer(scene, {}, {.pixel_density = 1e9}), std::invalid_argument);
     EXPECT_THROW(Renderer(scene, {}, {.context = "glx"}), std::invalid_argument);
-}
-
-TEST(Context, BelongsToItsThread) {
-    RendererOptions options = test::boxes();
-    options.context = "osmesa";
-    Renderer renderer(test::scene_of({test::wall_at(10, 5, -5, 5)}), {}, options);
-    std::thread([&] { EXPECT_THROW(renderer.render(test::scanning(), {}), std::logic_error); }).join();
-    EXPECT_NE(renderer.context_description().find("OSMesa"), std::string::npos);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 
 PURE = r"render/(echogram|effects|pose|simd)\.h"
 STANDARD = r"[a-z0-9_]+"  # <vector>; any other library has a slash or a suffix
-GRAPHICS = r"(GL|EGL|glm|embree\d?)/.*|tiny_gltf\.h"
+GRAPHICS = r"(GL|EGL|glvnd|glm|embree\d?)/.*|tiny_gltf\.h"
 NETWORK = r"boost/.*|libserialport\.h|pcap.*"
 USER_INTERFACE = r"CLI/.*|yaml-cpp/.*|cairo\.h"
 SYSTEM = r"(sys/)?(dlfcn|fcntl|link|mman|resource|sched|sendfile|stat|unistd)\.h"
@@ -72,9 +72,9 @@ RULES = [
     Rule(r"render/(echogram|effects|pose|simd)\.h", r"render/pose\.h", STANDARD),
     Rule(r"render/(?!renderer|shot_check)[a-z_]+\.(h|cpp)", RENDER_ROOT, f"{STANDARD}|{SYSTEM}"),
     render_room("scene", libraries=rf"{SYSTEM}|(glm|nlohmann)/.*|tiny_gltf\.h"),
-    render_room("gl", "scene", rf"{SYSTEM}|(GL|EGL)/.*"),
+    render_room("gl", "scene", rf"{SYSTEM}|(GL|EGL|glvnd)/.*"),
     render_room("acoustics", "scene"),
-    render_room("paths", "acoustics|scene", r"embree3/.*"),
+    render_room("paths", "acoustics|scene", r"embree[34]/.*"),
     render_room("fan", "paths|acoustics|scene"),
     render_room("grid", "fan|paths|acoustics|scene"),
     Rule(r"render/(renderer|shot_check)\.(h|cpp)", r"render/.*", STANDARD),

@@ -14,7 +14,9 @@ FAKES = {
     "apt-get": 'echo "apt-get $*" >>"$STATE/log"\n'
                'case "$*" in *install*) n=$(cat "$STATE/failures"); echo $((n - 1)) >"$STATE/failures"\n'
                '[ "$n" -le 0 ] ;; esac',
-    "apt-cache": '[ ! -e "$STATE/stale" ]',
+    # Apt knows everything but what stands in the file "unknown"; nothing at all if its lists are missing.
+    "apt-cache": '[ ! -e "$STATE/stale" ] || exit 100\n'
+                 'for name; do grep -qx -- "$name" "$STATE/unknown" || echo "Package: $name"; done',
     "sudo": 'echo "sudo $*" >>"$STATE/log"; [ ! -e "$STATE/no_sudo" ] || exit 1\n'
             'while [ "${1#-}" != "$1" ]; do shift; done; exec "$@"',
     "id": 'cat "$STATE/uid"',
@@ -35,7 +37,9 @@ class Script(unittest.TestCase):
             (self.bin / name).write_text(f"#!{shutil.which('bash')}\n{text}\n")
             (self.bin / name).chmod(0o755)
         self.put("missing", "libcairo2-dev\nlibgtest-dev\n")
+        self.put("unknown")
         self.put("failures", "0")
+        self.put("os-release", 'VERSION_ID="13"\nVERSION="13 (trixie)"\nID=debian\n')
         self.put("uid", "0")
         self.put("log", "")
 
@@ -44,7 +48,8 @@ class Script(unittest.TestCase):
 
     def run_script(self, *command):
         result = subprocess.run([ROOT / "tools" / command[0], *command[1:]], capture_output=True, text=True,
-                                stdin=subprocess.DEVNULL, cwd="/", env={"PATH": str(self.bin), "STATE": str(self.state)})
+                                stdin=subprocess.DEVNULL, cwd="/", env={
+            "PATH": str(self.bin), "STATE": str(self.state), "OS_RELEASE": str(self.state / "os-release")})
         self.output = result.stdout + result.stderr
         self.log = (self.state / "log").read_text().splitlines()
         return result.returncode
@@ -75,7 +80,7 @@ class Install(Script):
         self.assertEqual(self.installs(), ["libcairo2-dev libgtest-dev"])
 
     def test_adds_what_fuzzing_needs(self):
-        self.put("missing", "libcairo2-dev\nlibgtest-dev\nclang-16\n")
+        self.put("missing", "libcairo2-dev\nlibgtest-dev\nclang-16\nclang-19\n")
         self.assertEqual(self.run_script("install", "fuzz"), 0, self.output)
         self.assertEqual(self.installs(), ["libcairo2-dev libgtest-dev clang-16"])
 
@@ -119,8 +124,37 @@ class Install(Script):
     def test_elsewhere_than_on_debian_lists_the_packages(self):
         (self.bin / "dpkg-query").unlink()
         self.assertEqual(self.run_script("install", "build"), 69)
-        self.assertIn("libosmesa6-dev", self.output)
+        self.assertIn("libembree-dev", self.output)
         self.assertIn("cmake --preset release", self.output)
+
+    def test_of_alternatives_one_is_enough_and_the_first_that_the_release_has_is_installed(self):
+        self.put("missing", "clang-16\n")
+        self.assertEqual(self.run_script("install", "fuzz"), 0, self.output)
+        self.assertEqual(self.log, [])
+        self.put("missing", "clang-16\nclang-19\n")
+        self.put("unknown", "clang-16\n")
+        self.assertEqual(self.run_script("install", "fuzz"), 0, self.output)
+        self.assertEqual(self.installs(), ["clang-19"])
+
+    def test_what_the_release_lacks_is_left_out_and_named_where_only_a_helper_needs_it(self):
+        self.put("missing", "libignition-transport-dev\nshellcheck\n")
+        self.put("unknown", "libignition-transport-dev\n")
+        self.assertEqual(self.run_script("install", "test"), 0, self.output)
+        self.assertEqual((self.installs(), self.updates()), (["shellcheck"], []))
+        self.assertRegex(self.output, "Left out.* no libignition-transport-dev: echoloop-pose-gz")
+        self.put("missing", "libignition-transport-dev\n")
+        self.put("log")
+        self.assertEqual(self.run_script("install", "test"), 0, self.output)
+        self.assertEqual(self.log, [])
+
+    def test_another_release_gets_the_list_of_what_is_missing(self):
+        self.put("os-release", 'NAME="Ubuntu"\nVERSION_ID="22.04"\nID=ubuntu\nID_LIKE=debian\n')
+        self.assertEqual(self.run_script("install", "build"), 69)
+        self.assertEqual(self.log, [])
+        for words in ("this is the system ubuntu-22.04", "Debian 13", "libcairo2-dev", "cmake --preset release"):
+            self.assertIn(words, self.output)
+        self.put("missing", "libosmesa6\n")
+        self.assertEqual(self.run_script("install", "build"), 0, self.output)
 
     def test_wants_to_know_what_for(self):
         for arguments in ((), ("all",)):

@@ -97,9 +97,9 @@ Verb check_verb() {
     return {"check",
             "check whether a scenario would run, and show what is in it",
             {scenario_argument(), set_argument(), json_argument()},
-            "  echoloop check config/demo.yaml\n"
-            "  echoloop check config/demo.yaml --set water.temperature=4\n"
-            "  echoloop check config/demo.yaml --json | jq .scene.triangles",
+            "  echoloop check demo\n"
+            "  echoloop check demo --set water.temperature=4\n"
+            "  echoloop check demo --json | jq .scene.triangles",
             run_check};
 }
 

@@ -18,8 +18,8 @@ constexpr auto purpose =
 
 constexpr auto first_steps =
     "Examples:\n"
-    "  echoloop run config/demo.yaml              start the emulator, until Ctrl-C\n"
-    "  echoloop endpoints config/demo.yaml        what to write into your driver's configuration\n"
+    "  echoloop run demo                          start the emulator with an example, until Ctrl-C\n"
+    "  echoloop endpoints demo                    what to write into your driver's configuration\n"
     "  echoloop VERB --help                       arguments and examples of a verb";
 
 using Given = std::map<std::string, std::vector<std::string>, std::less<>>;
@@ -44,7 +44,7 @@ CLI::Option* add(CLI::App& app, const Argument& argument, Given& given) {
 CLI::App* add(CLI::App& app, const Verb& verb, Given& given) {
     CLI::App* sub = app.add_subcommand(verb.name, verb.summary);
     for (const auto& argument : verb.arguments) add(*sub, argument, given);
-    sub->group("Verbs");
+    sub->group(verb.hidden ? "" : "Verbs");
     sub->footer("Examples:\n" + verb.examples);
     return sub;
 }

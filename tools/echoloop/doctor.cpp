@@ -44,7 +44,7 @@ Verb doctor_verb() {
             "look for what will cause trouble on this machine",
             {file, set_argument(), json_argument()},
             "  echoloop doctor\n"
-            "  echoloop doctor config/demo.yaml",
+            "  echoloop doctor demo",
             run_doctor};
 }
 

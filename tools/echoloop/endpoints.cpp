@@ -48,9 +48,9 @@ Verb endpoints_verb() {
               "lines to paste into the configuration of this framework's drivers", driver_formats()},
              set_argument(),
              json_argument()},
-            "  echoloop endpoints config/demo.yaml\n"
-            "  echoloop endpoints config/demo.yaml --format ros1\n"
-            "  echoloop endpoints config/demo.yaml --format rock --json",
+            "  echoloop endpoints demo\n"
+            "  echoloop endpoints demo --format ros1\n"
+            "  echoloop endpoints demo --format rock --json",
             run_endpoints};
 }
 

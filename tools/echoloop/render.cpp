@@ -20,14 +20,13 @@ namespace echoloop::cli {
 namespace {
 
 const ScenarioDevice& device_of(const Scenario& scenario, const Arguments& arguments) {
-    if (!arguments.has("--device") && scenario.devices.size() == 1) return scenario.devices.front();
+    if (!arguments.has("--device")) return scenario.devices.front();
     const auto name = arguments.text("--device");
     std::vector<std::string_view> known;
     for (const auto& device : scenario.devices) {
         if (device.name == name) return device;
         known.push_back(device.name);
     }
-    if (name.empty()) throw StartError(Exit::usage, "--device is missing" + scenario::suggestion("", known));
     throw StartError(Exit::usage, "the scenario has no device " + scenario::in_quotes(name) +
                                       scenario::suggestion(name, known));
 }
@@ -170,31 +169,29 @@ int run_render(const Arguments& arguments) {
 
 Verb render_verb() {
     using Kind = Argument::Kind;
-    return {
-        "render",
-        "draw what a device hears, without running the emulator",
-        {scenario_argument(),
-         {Kind::value, "--device", "NAME", "device of the scenario; may be left out if there is only one"},
-         {Kind::value, "--out", "OUT", "OUT.png: picture; OUT.csv, OUT.npy: beams x bins", {}, true},
-         {Kind::value, "--step", "N", "scanning head: only this step of the turn"},
-         {Kind::value, "--at", "SECONDS",
-          "time of the run at which trajectories and animations are evaluated"},
-         {Kind::value, "--range", "METRES", "range, instead of the device's own"},
-         {Kind::value,
-          "--rule",
-          "RULE",
-          "how rendered samples become echoes",
-          {"radiometric", "cerqueira2016"}},
-         {Kind::flag, "--channels", "", "write the image's intensity, range and bearing instead (.npy)"},
-         {Kind::value, "--width", "PIXELS", "width of the picture, 400 to 4000"},
-         {Kind::value, "--span", "DB", "dynamic range of the picture"},
-         set_argument(),
-         json_argument()},
-        "  echoloop render config/demo.yaml --device micron --out turn.png\n"
-        "  echoloop render config/demo.yaml --device sonar --out fan.npy --range 30\n"
-        "  echoloop render config/demo.yaml --device sonar --rule cerqueira2016 --channels --out "
-        "channels.npy",
-        run_render};
+    return {"render",
+            "draw what a device hears, without running the emulator",
+            {scenario_argument(),
+             {Kind::value, "--device", "NAME", "device of the scenario; default: its first"},
+             {Kind::value, "--out", "OUT", "OUT.png: picture; OUT.csv, OUT.npy: beams x bins", {}, true},
+             {Kind::value, "--step", "N", "scanning head: only this step of the turn"},
+             {Kind::value, "--at", "SECONDS",
+              "time of the run at which trajectories and animations are evaluated"},
+             {Kind::value, "--range", "METRES", "range, instead of the device's own"},
+             {Kind::value,
+              "--rule",
+              "RULE",
+              "how rendered samples become echoes",
+              {"radiometric", "cerqueira2016"}},
+             {Kind::flag, "--channels", "", "write the image's intensity, range and bearing instead (.npy)"},
+             {Kind::value, "--width", "PIXELS", "width of the picture, 400 to 4000"},
+             {Kind::value, "--span", "DB", "dynamic range of the picture"},
+             set_argument(),
+             json_argument()},
+            "  echoloop render demo --out turn.png\n"
+            "  echoloop render demo --device sonar --out fan.npy --range 30\n"
+            "  echoloop render demo --device sonar --rule cerqueira2016 --channels --out channels.npy",
+            run_render};
 }
 
 }  // namespace echoloop::cli

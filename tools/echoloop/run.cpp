@@ -177,11 +177,11 @@ Verb run_verb() {
           "permission to"},
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
-        "  echoloop run config/demo.yaml\n"
-        "  echoloop run config/tank.yaml --duration 60 --record dive.pcapng\n"
-        "  echoloop run config/tank.yaml --truth dive.jsonl\n"
-        "  echoloop run config/faults.yaml --labels faults.jsonl --control unix:/tmp/echoloop/control\n"
-        "  echoloop run config/demo.yaml --set devices.micron.endpoints='[\"tcp-listen://127.0.0.1:9090\"]'",
+        "  echoloop run demo\n"
+        "  echoloop run tank --duration 60 --record dive.pcapng\n"
+        "  echoloop run tank --truth dive.jsonl\n"
+        "  echoloop run faults --labels faults.jsonl --control unix:/tmp/echoloop/control\n"
+        "  echoloop run demo --set devices.micron.endpoints='[\"tcp-listen://127.0.0.1:9090\"]'",
         run_scenario};
 }
 

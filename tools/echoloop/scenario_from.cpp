@@ -2,11 +2,13 @@
 #include "emulator/pose/trajectory_file.h"
 #include "emulator/scenario/scene.h"
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/example_files.h"
 
 namespace echoloop::cli {
 
 Scenario scenario_from(const Arguments& arguments) {
-    Scenario scenario = load_scenario(arguments.text("FILE"), arguments.all("--set"), models());
+    Scenario scenario =
+        load_scenario(file_or_example(arguments.text("FILE")), arguments.all("--set"), models());
     if (!scenario.trajectory.empty())
         scenario.world_from_body = read_trajectory(scenario.trajectory).at({})->pose;
     return scenario;

@@ -9,15 +9,16 @@
 namespace echoloop::cli {
 
 std::span<const Verb> verbs() {
-    static const std::vector<Verb> table{run_verb(),   check_verb(),     list_verb(),    endpoints_verb(),
-                                         fault_verb(), render_verb(),    inspect_verb(), convert_verb(),
-                                         diff_verb(),  dissector_verb(), record_verb(),  replay_verb(),
-                                         bench_verb(), validate_verb(),  doctor_verb()};
+    static const std::vector<Verb> table{
+        run_verb(),    check_verb(),   examples_verb(), list_verb(),   endpoints_verb(), fault_verb(),
+        render_verb(), inspect_verb(), convert_verb(),  diff_verb(),   dissector_verb(), record_verb(),
+        replay_verb(), bench_verb(),   validate_verb(), doctor_verb(), manual_verb()};
     return table;
 }
 
 Argument scenario_argument() {
-    return {Argument::Kind::positional, "FILE", "", "scenario file (YAML)", {}, true};
+    return {
+        Argument::Kind::positional, "FILE", "", "scenario file (YAML), or the name of an example", {}, true};
 }
 
 Argument set_argument() {

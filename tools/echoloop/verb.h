@@ -49,6 +49,7 @@ struct Verb {
     std::vector<Argument> arguments;
     std::string examples;
     int (*run)(const Arguments&);  ///< returns the exit status; throws StartError
+    bool hidden = false;           ///< not shown in the help: for the makers of packages
 };
 
 /// All verbs in the order of the help.
@@ -61,9 +62,11 @@ Verb diff_verb();
 Verb dissector_verb();
 Verb doctor_verb();
 Verb endpoints_verb();
+Verb examples_verb();
 Verb fault_verb();
 Verb inspect_verb();
 Verb list_verb();
+Verb manual_verb();
 Verb render_verb();
 Verb record_verb();
 Verb replay_verb();

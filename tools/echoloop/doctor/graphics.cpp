@@ -32,14 +32,16 @@ Finding gpu() {
 }  // namespace
 
 Findings look_at_graphics() {
-    const std::string osmesa = fault_of("osmesa"), any = fault_of("auto");
+    const std::string osmesa = fault_of("osmesa"), mesa = osmesa.empty() ? "" : fault_of("egl-surfaceless");
     Findings found;
     if (osmesa.empty())
         found.push_back({State::good, "OpenGL", "OSMesa draws in memory", ""});
-    else if (any.empty())
-        found.push_back({State::weak, "OpenGL", osmesa, "another context is used instead"});
+    else if (mesa.empty())
+        found.push_back({State::good, "OpenGL", "Mesa draws in memory, by EGL", ""});
+    else if (const std::string any = fault_of("auto"); any.empty())
+        found.push_back({State::weak, "OpenGL", "no Mesa draws in memory (" + mesa + ")", "the GPU draws"});
     else
-        found.push_back({State::bad, "OpenGL", any, "apt-get install libosmesa6"});
+        found.push_back({State::bad, "OpenGL", any, "without it nothing is rendered"});
     found.push_back(gpu());
     return found;
 }

@@ -13,6 +13,7 @@
 #include <boost/asio/write.hpp>
 
 #include "emulator/contract/error.h"
+#include "emulator/transport/own_folder.h"
 #include "emulator/transport/pty.h"
 #include "emulator/transport/serial.h"
 #include "emulator/transport/udp.h"
@@ -64,7 +65,7 @@ Finding pseudo_terminals(asio::io_context& io) {
                 "too; a less busy machine is more punctual"};
     } catch (const std::exception& error) {
         return {State::bad, "pseudo-terminals", error.what(),
-                "mount /dev/pts, or use tcp-listen:// endpoints"};
+                "without them use tcp-listen:// or udp-listen:// endpoints"};
     }
 }
 
@@ -75,9 +76,8 @@ Finding links() {
         return {State::good, "links", std::string(usual_links) + " will be made", ""};
     if (::access(usual_links, W_OK) == 0)
         return {State::good, "links", std::string(usual_links) + " can be written", ""};
-    return {
-        State::weak, "links", std::string(usual_links) + " belongs to another user",
-        "name another folder in the endpoints, e.g. pty:/run/user/" + std::to_string(::getuid()) + "/micron"};
+    return {State::weak, "links", std::string(usual_links) + " belongs to another user",
+            "name another folder in the endpoints, e.g. pty:" + (place_of_ones_own() / "micron").string()};
 }
 
 Finding serial() {

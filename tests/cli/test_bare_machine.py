@@ -1,0 +1,85 @@
+"""Machines that lack something: Mesa or a part of it, pseudo-terminals, a /tmp that can be written. What is missing is
+hidden from the program alone, in a folder of libraries before the system's or in a mount namespace of its own."""
+import json
+import os
+import subprocess
+import unittest
+
+from program import DEMO, PROGRAM, TANK, ProgramTest
+
+OSMESA, MESA_EGL, ANY_EGL = ("libOSMesa.so.8", "libOSMesa.so"), ("libEGL_mesa.so.0",), ("libEGL.so.1",)
+
+
+class WithoutMesa(ProgramTest):
+    def without(self, *libraries):
+        """The environment of a program that finds broken files in place of these libraries."""
+        folder = self.folder / "broken"
+        folder.mkdir(exist_ok=True)
+        for name in sum(libraries, ()):
+            (folder / name).write_bytes(b"")
+        return {"LD_LIBRARY_PATH": str(folder)}
+
+    def test_egl_alone_draws_the_same_picture(self):
+        usual, alone = self.folder / "usual.npy", self.folder / "alone.npy"
+        picture = ("render", DEMO, "--device", "sonar", "--out")
+        self.good(*picture, usual)
+        self.good(*picture, alone, **self.without(OSMESA))
+        self.assertEqual(usual.read_bytes(), alone.read_bytes())
+
+    def test_a_run_says_what_draws(self):
+        text = self.good("run", TANK, "--duration", "0.2", "--set", f"devices.micron.endpoints=['pty:{self.folder}/micron']",
+                         **self.without(OSMESA))
+        self.assertIn("EGL surfaceless", text)
+
+    def test_the_doctor_is_content_with_either(self):
+        for missing in ((OSMESA,), (MESA_EGL, ANY_EGL)):
+            found = {f["name"]: f for f in self.json("doctor", **self.without(*missing))["findings"]}
+            self.assertEqual(found["OpenGL"]["state"], "good", found["OpenGL"])
+            for name in sum(missing, ()):
+                (self.folder / "broken" / name).unlink()
+
+    def test_without_any_one_sentence_names_the_packages(self):
+        bare = self.without(OSMESA, MESA_EGL, ANY_EGL)
+        micron = ("--set", f"devices.micron.endpoints=['pty:{self.folder}/micron']")
+        for arguments in (("render", DEMO, "--device", "sonar", "--out", self.folder / "x.png"),
+                          ("run", TANK, "--duration", "0.2", *micron), ("doctor",)):
+            text = self.bad(69, *arguments, **bare)
+            self.assertEqual(text.count("\n"), 1, text)
+            self.assertIn("install Mesa: apt-get install libosmesa6 or, where there is none, libegl-mesa0 libgl1-mesa-dri", text)
+        self.assertEqual([f.name for f in self.folder.iterdir()], ["broken"])
+
+
+@unittest.skipIf(os.getuid() != 0, "only root can mount something for a program alone")
+class WithoutFiles(ProgramTest):
+    def run_after(self, mounts, *arguments):
+        command = f'{mounts} && exec "$@"'
+        return subprocess.run(["unshare", "--mount", "sh", "-c", command, "sh", PROGRAM, *arguments],
+                              capture_output=True, text=True, timeout=60, check=False)
+
+    def assert_refused(self, done, status, *words):
+        self.assertEqual(done.returncode, status, done.stderr)
+        self.assertRegex(done.stderr, r"\Aecholoop: error: [^\n]*\n\Z")
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_without_pseudo_terminals_a_run_says_what_else_to_use(self):
+        line = f"devices.micron.endpoints=['pty:{self.folder}/micron']"
+        (self.folder / "file").touch()
+        for no_ptmx in (f"mount --bind {self.folder}/file /dev/ptmx", "mount -t tmpfs none /dev"):
+            done = self.run_after(no_ptmx, "run", TANK, "--duration", "0.2", "--set", line)
+            self.assert_refused(done, 69, "/dev/ptmx", "mount -t devpts", "tcp-listen://")
+        self.assertFalse((self.folder / "micron").is_symlink())
+
+    def test_a_tmp_that_cannot_be_written_is_named_with_another_place(self):
+        read_only = "mount --bind /tmp /tmp && mount -o remount,bind,ro /tmp"
+        done = self.run_after(read_only, "run", TANK, "--duration", "0.2")
+        self.assert_refused(done, 77, "/tmp/echoloop", "Read-only file system", "e.g. pty:/")
+        done = self.run_after(read_only, "run", TANK, "--duration", "0.2", "--json", "--set",
+                              "devices.micron.endpoints=['pty:/run/echoloop-test/micron']")
+        os.rmdir("/run/echoloop-test")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        json.loads(done.stdout.splitlines()[-1])
+
+
+if __name__ == "__main__":
+    unittest.main()
