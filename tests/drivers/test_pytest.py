@@ -11,6 +11,7 @@ import textwrap
 import tomllib
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import public_driver
 from program import PROGRAM, ROOT
@@ -198,6 +199,8 @@ class Pytest(unittest.TestCase):
 
     def test_no_program(self):
         self.check_error("ECHOLOOP=/nowhere/echoloop: this is no program that can be run", echoloop="/nowhere/echoloop")
+        with mock.patch.dict(os.environ, PATH=str(self.home)):
+            self.check_error("the program echoloop is not in PATH; install it, or set ECHOLOOP", echoloop="")
 
     def test_a_program_that_is_too_old(self):
         old = self.program(f"""\
