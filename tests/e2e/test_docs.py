@@ -68,6 +68,19 @@ class Documentation(unittest.TestCase):
         for fault, (_, parameters) in zip(known, rows):
             self.assertEqual(re.findall(r"`(\w+)`", parameters), [p["name"] for p in fault["parameters"]], fault["name"])
 
+    def test_the_example_of_a_drivers_test_is_the_one_that_is_tested(self):
+        text = (ROOT / "docs" / "testing-drivers.md").read_text()
+        for kind, file in (("cpp", "ping1d_test.cpp"), ("yaml", "ping1d.yaml")):
+            (shown,) = re.findall(rf"```{kind}\n(.*?)```", text, re.S)
+            tested = (ROOT / "tests" / "drivers" / "cpp" / file).read_text()
+            self.assertEqual(shown, tested)
+            self.assertLessEqual(len(tested.splitlines()), 40)
+
+    def test_links_of_the_documentation_lead_somewhere(self):
+        for page in (*(ROOT / "docs").glob("*.md"), ROOT / "tools" / "pytest" / "README.md"):
+            for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text()):
+                self.assertTrue((page.parent / link).exists(), f"{page.name} links to {link}")
+
     def test_every_scenario_of_config_is_good(self):
         for file in (ROOT / "config").glob("*.yaml"):
             with self.subTest(file.name):

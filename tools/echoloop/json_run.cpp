@@ -32,8 +32,13 @@ Json json_of(const RunningDevice& device, const std::vector<Endpoint>& ends) {
     Json endpoints = Json::array(), ports = Json::array();
     for (const Endpoint& end : ends) endpoints.push_back(to_string(end));
     for (const PortPlace& port : device.ports) ports.push_back(json_of(port));
-    return {{"name", device.name}, {"model", device.model->name}, {"endpoints", endpoints},
-            {"ports", ports},      {"places", device.places},     {"open_to", device.open_to}};
+    return {{"name", device.name},
+            {"model", device.model->name},
+            {"family", device.model->family},
+            {"endpoints", endpoints},
+            {"ports", ports},
+            {"places", device.places},
+            {"open_to", device.open_to}};
 }
 
 /// Where a simulator and a test say what is to happen.
