@@ -53,12 +53,13 @@ ECHOLOOP_INLINE Direction direction(std::uint32_t word) {
     c = c * z - 1.388731625493765e-3F;
     c = c * z + 4.166664568298827e-2F;
     c = c * z * z - 0.5F * z + 1.0F;
-    // Turned by the quadrant that the two highest bits say.
-    const std::uint32_t quadrant = word >> 30, odd = 0U - (quadrant & 1U);
+    // Turned by the quadrant that the two highest bits say. As masks: of single bits g++ 14 makes truth
+    // values, and then no vectors.
+    constexpr std::uint32_t sign = 0x80000000U;
+    const auto odd = static_cast<std::uint32_t>(static_cast<std::int32_t>(word << 1) >> 31);
     const auto cb = std::bit_cast<std::uint32_t>(c), sb = std::bit_cast<std::uint32_t>(s);
     const std::uint32_t x = (cb & ~odd) | (sb & odd), y = (sb & ~odd) | (cb & odd);
-    return {std::bit_cast<float>(x ^ (((quadrant + 1) >> 1 & 1U) << 31)),
-            std::bit_cast<float>(y ^ ((quadrant >> 1) << 31))};
+    return {std::bit_cast<float>(x ^ ((word + (sign >> 1)) & sign)), std::bit_cast<float>(y ^ (word & sign))};
 }
 
 }  // namespace echoloop::vector_math

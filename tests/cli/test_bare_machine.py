@@ -32,7 +32,8 @@ class WithoutMesa(ProgramTest):
         self.assertIn("EGL surfaceless", text)
 
     def test_the_doctor_is_content_with_either(self):
-        for missing in ((OSMESA,), (MESA_EGL, ANY_EGL)):
+        usual = {f["name"]: f for f in self.json("doctor")["findings"]}["OpenGL"]["text"]
+        for missing in ((OSMESA,), (MESA_EGL, ANY_EGL) if "OSMesa" in usual else ()):
             found = {f["name"]: f for f in self.json("doctor", **self.without(*missing))["findings"]}
             self.assertEqual(found["OpenGL"]["state"], "good", found["OpenGL"])
             for name in sum(missing, ()):
@@ -51,6 +52,12 @@ class WithoutMesa(ProgramTest):
 
 @unittest.skipIf(os.getuid() != 0, "only root can mount something for a program alone")
 class WithoutFiles(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        tried = subprocess.run(["unshare", "--mount", "true"], capture_output=True, text=True, check=False)
+        if tried.returncode != 0 and os.environ.get("CI") != "true":
+            self.skipTest(f"no mount namespace can be made, as in a chroot: {tried.stderr.strip()}")
+
     def run_after(self, mounts, *arguments):
         command = f'{mounts} && exec "$@"'
         return subprocess.run(["unshare", "--mount", "sh", "-c", command, "sh", PROGRAM, *arguments],
