@@ -91,13 +91,18 @@ class Run:
 
 
 def _wait_for(count, timeout, what, get):
-    """The program's files lie up to a second behind."""
+    """The program's files lie up to a second behind, and one that is just being written may not be read."""
     end = time.monotonic() + timeout
-    while len(found := get()) < count:
+    while True:
+        try:
+            found, why = get(), None
+        except EcholoopError as error:
+            found, why = [], error
+        if why is None and len(found) >= count:
+            return found
         if time.monotonic() > end:
-            raise EcholoopError(f"{len(found)} {what} after {timeout} s, where {count} were expected")
+            raise why or EcholoopError(f"{len(found)} {what} after {timeout} s, where {count} were expected")
         time.sleep(0.05)
-    return found
 
 
 class Sonar:
@@ -199,6 +204,8 @@ class Sonar:
             if not line.startswith(f"{self.name} "):
                 return None
             sent = line.endswith(", sent")
+        elif "from" not in m:
+            return None  # the beginning of a capture that is just being written
         else:
             own = {f"{p['host']}:{p['port']}" for p in self._device["ports"] if "host" in p}
             if m["from"] not in own and m["to"] not in own:
