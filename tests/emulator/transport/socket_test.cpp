@@ -12,7 +12,7 @@ namespace echoloop::test {
 namespace {
 
 TEST_F(SocketTest, UdpAnswersWhoeverSpokeAndSurvivesRefusals) {
-    Udp device(io_, {loopback, 0}, false);
+    Udp device(io_, {loopback, 0}, false, Peers(loopback, {}));
     start(device);
     asio::ip::udp::socket driver(io_, {asio::ip::address_v4(loopback), 0});
     const asio::ip::udp::endpoint there(asio::ip::address_v4(loopback), port_of(device));
@@ -29,19 +29,19 @@ TEST_F(SocketTest, UdpAnswersWhoeverSpokeAndSurvivesRefusals) {
 }
 
 TEST_F(SocketTest, UdpOnLoopbackSendsToLoopbackOnly) {
-    Udp device(io_, {loopback, 0}, false);
+    Udp device(io_, {loopback, 0}, false, Peers(loopback, {}));
     start(device);
     write(device, {1, 2, 3}, {0x08080808, 53});
     EXPECT_EQ(device.bytes_out(), 0U);
-    EXPECT_EQ(device.bytes_lost(), 3U);
+    EXPECT_EQ(device.targets_refused(), 1U);
     write(device, {1, 2}, {0x7FFFFFFF, 4000});
     EXPECT_EQ(device.bytes_out(), 2U);
 }
 
 TEST_F(SocketTest, PortInUseIsAStartErrorWithARemedy) {
-    Udp first(io_, {loopback, 0}, false);
+    Udp first(io_, {loopback, 0}, false, Peers(loopback, {}));
     try {
-        Udp second(io_, {loopback, port_of(first)}, false);
+        Udp second(io_, {loopback, port_of(first)}, false, Peers(loopback, {}));
         FAIL();
     } catch (const StartError& error) {
         EXPECT_EQ(error.exit(), Exit::unavailable);
@@ -49,13 +49,14 @@ TEST_F(SocketTest, PortInUseIsAStartErrorWithARemedy) {
     }
     TcpListener listener(io_, {loopback, 0});
     EXPECT_THROW(TcpListener(io_, {loopback, port_of(listener)}), StartError);
-    EXPECT_THROW(Udp(io_, {0x08080808, 4000}, false, Peers(loopback, {})), StartError) << "not an address of this machine";
+    EXPECT_THROW(Udp(io_, {0x08080808, 4000}, false, Peers(loopback, {})), StartError)
+        << "not an address of this machine";
 }
 
 TEST_F(SocketTest, SharedPortsHearTheLoopbackBroadcast) {
-    Udp one(io_, {0x7FFFFFFF, 0}, true);
+    Udp one(io_, {0x7FFFFFFF, 0}, true, Peers(loopback, {}));
     const std::uint16_t port = port_of(one);
-    Udp two(io_, {0x7FFFFFFF, port}, true);
+    Udp two(io_, {0x7FFFFFFF, port}, true, Peers(loopback, {}));
     start(one);
     start(two);
     asio::ip::udp::socket host(io_, {asio::ip::address_v4(loopback), 0});
