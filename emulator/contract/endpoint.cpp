@@ -1,9 +1,10 @@
 #include "emulator/contract/endpoint.h"
 
 #include <array>
-#include <charconv>
 #include <optional>
 #include <stdexcept>
+
+#include "emulator/contract/network.h"
 
 namespace echoloop {
 namespace {
@@ -37,34 +38,6 @@ std::string quoted(std::string_view text) {
 
 [[noreturn]] void fail(std::string_view uri, const std::string& why) {
     throw std::invalid_argument("endpoint " + quoted(uri) + ": " + why);
-}
-
-std::optional<std::uint32_t> decimal(std::string_view text, std::uint32_t maximum) {
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text.empty() || error != std::errc{} || end != text.data() + text.size() || value > maximum)
-        return {};
-    return value;
-}
-
-std::optional<std::uint32_t> parse_ipv4(std::string_view text) {
-    std::uint32_t ip = 0;
-    for (int octet = 0; octet < 4; ++octet) {
-        const auto dot = octet < 3 ? text.find('.') : text.size();
-        if (dot == std::string_view::npos || dot > 3) return {};
-        const auto value = decimal(text.substr(0, dot), 255);
-        if (!value) return {};
-        ip = ip << 8 | *value;
-        text.remove_prefix(octet < 3 ? dot + 1 : dot);
-    }
-    return ip;
-}
-
-std::string ipv4_text(std::uint32_t ip) {
-    std::string text;
-    for (int shift = 24; shift >= 0; shift -= 8)
-        text += std::to_string(ip >> shift & 0xFF) + (shift > 0 ? "." : "");
-    return text;
 }
 
 const SchemeForm& find_form(std::string_view uri) {

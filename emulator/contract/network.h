@@ -1,11 +1,18 @@
-// A network of IPv4 addresses, as a scenario names it. Parses and prints.
+// Addresses of IPv4, in host byte order, and networks of them, as a scenario names them. Parses and prints.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace echoloop {
+
+/// A whole number in decimal digits alone, up to `maximum`.
+std::optional<std::uint32_t> decimal(std::string_view text, std::uint32_t maximum);
+/// "127.0.0.1"; empty if it is no address.
+std::optional<std::uint32_t> parse_ipv4(std::string_view text);
+std::string ipv4_text(std::uint32_t ip);
 
 struct Network {
     std::uint32_t ip = 0;  ///< host byte order; what lies behind the prefix is 0
