@@ -25,7 +25,7 @@ std::vector<DocumentChannel> read_channels(const JsonView& root, const DocumentC
         for (const JsonView& channel : animation.elements_of("channels", scene_limits::elements)) {
             const JsonView target = channel.need("target");
             const auto node = target.find("node");
-            const std::string& path = target.need("path").text();
+            const std::string path = target.need("path").text();
             const bool moves = path == "translation" || path == "rotation";
             if (!moves && node) ++left_out;
             if (!moves || !node) continue;  // without a node an extension knows what it means

@@ -7,6 +7,9 @@ the modem-line requests (uart_shim.c). Run under umockdev-wrapper; UART_SHIM nam
 import os
 import re
 import select
+import signal
+import subprocess
+import sys
 import time
 import tty
 import unittest
@@ -65,7 +68,20 @@ class OverSerialPort(unittest.TestCase):
         cls.testbed = UMockdev.Testbed.new()
         cls.testbed.add_from_string(UART)
         os.environ["UMOCKDEV_DIR"] = cls.testbed.get_root_dir()  # set by the library behind Python's back
+        cls.skip_where_the_libraries_do_not_fit()
         os.environ["LD_PRELOAD"] = os.environ["UART_SHIM"] + ":" + os.environ.get("LD_PRELOAD", "")
+
+    @staticmethod
+    def skip_where_the_libraries_do_not_fit():
+        """On Debian 13 libserialport 0.1.2 alone, without echoloop, crashes over a node of umockdev 0.19."""
+        look_up = ("import ctypes; port = ctypes.c_void_p(); "
+                   "ctypes.CDLL('libserialport.so.0').sp_get_port_by_name(b'/dev/ttyEL0', ctypes.byref(port))")
+        if subprocess.run([sys.executable, "-c", look_up]).returncode != -signal.SIGSEGV:
+            return
+        reason = "libserialport itself crashes over this release's umockdev"
+        if os.environ.get("CI") == "true":
+            raise AssertionError(reason)
+        raise unittest.SkipTest(reason)
 
     def test_lines_come_over_a_uart(self):
         other_end = self.testbed.get_dev_fd("/dev/ttyEL0")
