@@ -12,7 +12,8 @@
 namespace echoloop {
 namespace {
 
-/// "=== name" begins a case, "+++ argument" is a --set argument, ">>> text" an expected problem; else YAML.
+/// "=== name" begins a case, "+++ argument" is a --set argument, ">>> text" an expected problem, of which
+/// "..." at the end is any text (yaml-cpp 0.8 says more than 0.7); else YAML.
 struct Fault {
     std::string name;
     std::string yaml;
@@ -42,6 +43,11 @@ std::vector<Fault> read_faults() {
     return faults;
 }
 
+testing::Matcher<std::string> reads(const std::string& expected) {
+    if (!expected.ends_with("...")) return testing::Eq(expected);
+    return testing::StartsWith(expected.substr(0, expected.size() - 3));
+}
+
 class ScenarioFaults : public testing::TestWithParam<Fault> {};
 
 TEST_P(ScenarioFaults, are_reported_with_place_and_remedy) {
@@ -53,7 +59,9 @@ TEST_P(ScenarioFaults, are_reported_with_place_and_remedy) {
     } catch (const ScenarioError& error) {
         for (const auto& problem : error.problems()) seen.push_back(problem.text());
     }
-    EXPECT_THAT(seen, testing::ElementsAreArray(fault.expected));
+    std::vector<testing::Matcher<std::string>> expected;
+    for (const std::string& text : fault.expected) expected.push_back(reads(text));
+    EXPECT_THAT(seen, testing::ElementsAreArray(expected));
     EXPECT_FALSE(fault.expected.empty());
 }
 
