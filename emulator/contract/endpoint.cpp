@@ -173,7 +173,7 @@ std::string Endpoint::group() const {
 std::uint32_t Endpoint::usb_latency() const { return count_of(*this, "usb_latency"); }
 
 std::optional<double> Endpoint::idle() const {
-    constexpr double usual = 10;
+    constexpr double usual = 10;  // own choice: no maker says what its sonar does
     const auto found = query.find("idle");
     if (found == query.end()) return usual;
     if (found->second == "off") return {};

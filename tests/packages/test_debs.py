@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The Debian packages: lintian has no errors, and what they depend on is said."""
+"""The Debian packages: lintian finds nothing, and what they depend on is said."""
 import pathlib
 import subprocess
 import tempfile
@@ -25,10 +25,10 @@ class Packages(unittest.TestCase):
     def the_program(self):
         return next(deb for deb in self.debs if self.field(deb, "Package") == "echoloop")
 
-    def test_lintian_has_no_errors(self):
+    def test_lintian_finds_nothing(self):
         need("lintian")
-        done = subprocess.run(["lintian", "--allow-root", "--fail-on", "error", *self.debs], capture_output=True, text=True,
-                              check=False)
+        done = subprocess.run(["lintian", "--allow-root", "--fail-on", "error,warning", *self.debs], capture_output=True,
+                              text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_what_is_loaded_at_run_time_is_a_dependency_too(self):

@@ -5,7 +5,7 @@ import subprocess
 import tempfile
 import unittest
 
-from tools import BUILD
+from tools import BUILD, need
 
 
 class Install(unittest.TestCase):
@@ -55,6 +55,14 @@ class Install(unittest.TestCase):
             self.assertTrue((share / path).is_file(), path)
         self.assertTrue((self.prefix / "lib/systemd/system/echoloop@.service").is_file())
         self.assertEqual(len(list(self.prefix.glob("lib/*/wireshark/plugins/echoloop.lua"))), 1)
+
+    def test_mandoc_finds_nothing_in_the_manual_pages(self):
+        need("mandoc")
+        pages = sorted((self.prefix / "share/man/man1").iterdir())
+        self.assertEqual([page.name for page in pages], ["echoloop-pose-rosbridge.1.gz", "echoloop.1.gz"])
+        for page in pages:
+            done = subprocess.run(["mandoc", "-T", "lint", page], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout + done.stderr), (0, ""), page.name)
 
 
 if __name__ == "__main__":
