@@ -69,12 +69,13 @@ def summary(words, lowest=None, highest=None):
 
 
 def classes(ours, theirs):
-    """How to put words into classes that serve both: each by itself up to 256 different ones, else 40 of equal width on
-    log2(1 + |word|) with its sign, since what has so many is linear and spans decades."""
-    if len(set(ours) | set(theirs)) <= 256:
+    """How to put words into classes that serve both: each by itself where they fit 8 bits, else 40 of equal width on
+    log2(1 + |word|) with its sign, since wider ones are linear and span decades."""
+    lowest, highest = min(min(ours), min(theirs)), max(max(ours), max(theirs))
+    if highest - lowest < 256:
         return lambda word: word
     scale = lambda word: math.copysign(math.log2(1 + abs(word)), word)
-    low, high = scale(min(min(ours), min(theirs))), scale(max(max(ours), max(theirs)))
+    low, high = scale(lowest), scale(highest)
     return lambda word: min(BINS - 1, int((scale(word) - low) / (high - low) * BINS))
 
 
