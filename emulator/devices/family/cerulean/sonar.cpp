@@ -7,7 +7,7 @@ Sonar::Sonar(const Identity& identity, std::vector<Endpoint> endpoints)
       endpoints_(std::move(endpoints)),
       ports_(make_ports(endpoints_, identity_)),
       pieces_(pieces(endpoints_, identity_)),
-      link_(ports_.size(), identity_.source, true) {}
+      link_(identity_.source, true) {}
 
 Actions Sonar::received(const Received& data, Time now) {
     if (data.port >= pieces_.size()) {
