@@ -8,6 +8,7 @@
 #include "emulator/scenario/value.h"
 #include "tools/capture/open.h"
 #include "tools/capture/ports.h"
+#include "tools/capture/steady.h"
 #include "tools/capture/stream_windows.h"
 #include "tools/echoloop/common.h"
 
@@ -153,6 +154,7 @@ void read_events(capture::CaptureReader& capture, const SideSettings& settings, 
     side.is_cut = loader.full();
     messages.finish();
     side.fault = capture.counts().fault;
+    side.step = capture::step_text(capture.counts());
 }
 
 std::string Direction::text() const {

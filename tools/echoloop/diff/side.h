@@ -51,6 +51,7 @@ struct Side {
     bool has_times = true;
     bool is_cut = false;  ///< it holds more than is compared
     std::string fault;    ///< why reading ended early
+    std::string step;     ///< that its clock was set back, and where
 };
 
 struct SideSettings {
