@@ -39,8 +39,9 @@ struct Settings {
     double processing_time = 10e-3;  ///< s from the last echo to the packets
     double sound_speed = 1500;       ///< m/s, that the probe measures
     double unix_start = 0;           ///< s
-    bool tvg = true;                 ///< the effect of that name
-    bool pulse = true;               ///< the effect of that name
+    Sensors sensors;
+    bool tvg = true;    ///< the effect of that name
+    bool pulse = true;  ///< the effect of that name
     Acoustics acoustics;
 };
 

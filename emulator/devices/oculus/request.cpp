@@ -47,11 +47,12 @@ double range_of(const Request& r, const Settings& s) {
     return std::clamp(wanted, s.acoustics.shortest_range, longest);
 }
 
-double sound_speed_of(const Request& r, const Settings& s) {
+double sound_speed_of(const Request& r, const Settings& s, Time now) {
     constexpr double slowest = 1300, fastest = 1700;  // m/s
     const double wanted = r.fire().sound_speed;
     const double salinity = std::clamp(r.fire().salinity, 0.0, 45.0);
-    return std::clamp(wanted != 0 ? wanted : sound_speed(s.temperature, salinity), slowest, fastest);
+    return std::clamp(wanted != 0 ? wanted : sound_speed(water_temperature(s, now), salinity), slowest,
+                      fastest);
 }
 
 double gain_of(const Request& r, const Settings& s) {
@@ -90,10 +91,17 @@ const ModeFigures& figures_of(const Request& request, const Acoustics& acoustics
     return request.high() ? acoustics.high : acoustics.low;
 }
 
-Plan make_plan(const Request& r, const Settings& s) {
+/// The converter's steps are an own choice; the three pings of a recording have one sound speed.
+double water_temperature(const Settings& s, Time now) {
+    Stray sensor = stray::water_temperature;
+    sensor.step = 0.0625;
+    return s.sensors.read("water", s.temperature, sensor, now);
+}
+
+Plan make_plan(const Request& r, const Settings& s, Time now) {
     const ModeFigures& mode = figures_of(r, s.acoustics);
     Plan plan;
-    plan.sound_speed = sound_speed_of(r, s);
+    plan.sound_speed = sound_speed_of(r, s, now);
     plan.range = range_of(r, s);
     plan_rows(plan, mode, s.acoustics.rows);
     plan.beams = r.has(flag::beams_512) ? s.acoustics.beams : 256;

@@ -63,6 +63,7 @@ struct Settings {
     bool tvg = true;                   ///< the effect of that name
     bool pulse = true;                 ///< the effect of that name: echoes are as long as the pulse
     double unix_start = 0;             ///< s
+    Sensors sensors;
 };
 
 void describe(Settings& settings, OptionList& options, FigureList& figures);
