@@ -96,6 +96,14 @@ std::vector<std::pair<Port, bool>> ports_of(const ScenarioDevice& device) {
     return all;
 }
 
+/// Whether it only sends what goes to a place that is told further down.
+bool is_source(const ScenarioDevice& device, const Port& port) {
+    return port.bind.port != 0 && std::ranges::any_of(device.model->sends, [&](const Destination& sent) {
+               return sent.what == port.name && sent.words.empty() &&
+                      sent.endpoint < device.config.endpoints.size();
+           });
+}
+
 DriverHint no_driver(const ScenarioDevice& device, const std::string& format) {
     return {"", {}, "no driver of " + title_of(format) + " for " + device.model->name + " is known to us"};
 }
@@ -113,6 +121,7 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
     std::vector<WirePlace> places;
     const Endpoint& first = device.config.endpoints.at(0);
     for (const auto& [port, chosen] : ports_of(device)) {
+        if (is_source(device, port)) continue;
         if (port.kind == Port::Kind::datagram && places.empty() && first.scheme == Endpoint::Scheme::udp) {
             places.push_back({"sends " + port.name + " to", address_text(first.host, first.port)});
         } else if (port.kind == Port::Kind::datagram && port.bind.port == 0) {

@@ -25,7 +25,7 @@ r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings);
 /// That of packets whose samples are the bins of the echogram: its sample rate is theirs.
 r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings, const Echogram& echogram);
 
-r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
+r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings, const Echogram& echogram,
                         const std::vector<multibeam::Detection>& detections,
                         const std::vector<multibeam::TimeGate>& gates, const r2sonic::G0& gate);
 

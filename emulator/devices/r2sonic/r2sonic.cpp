@@ -153,7 +153,8 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
     seabed_ = {multibeam::median_depth(detections, angles, c), multibeam::median_slope(detections, angles)};
     const r2sonic::G0 gate{static_cast<float>(axis_gate.min), static_cast<float>(axis_gate.max),
                            static_cast<float>(set.depth ? 0 - set.depth->slope : 0)};  // never -0
-    send(head_commands, make_bth0(ping_, settings_, detections, gates, gate), Product::bathymetry);
+    send(Network::source(Product::bathymetry), make_bth0(ping_, settings_, echogram, detections, gates, gate),
+         Product::bathymetry);
     send_products(echogram, detections, gates, now);
     if (follows_bottom(controls_)) follow_bottom(detections);
     plan_next_ping(now);
@@ -182,7 +183,8 @@ void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibea
     const std::size_t first = actions_.send.size();
     const auto add = [&](std::vector<Bytes> datagrams, Product product) {
         for (Bytes& bytes : datagrams)
-            actions_.send.push_back({head_commands, std::move(bytes), network_.destination(product), now});
+            actions_.send.push_back(
+                {Network::source(product), std::move(bytes), network_.destination(product), now});
     };
     add(image_datagrams(ping_, settings_, echogram), Product::image);
     add(snippet_datagrams(ping_, settings_, echogram, detections), Product::snippets);
