@@ -66,12 +66,17 @@ double network_speed(const Request& r, const Settings& s) {
     return limit == 0 || limit == 0xFF ? s.link_speed : std::min<double>(limit, s.link_speed);
 }
 
+/// `hertz` as a whole fraction of a clock.
+double divided(double clock, double hertz) { return clock / std::max(1.0, std::round(clock / hertz)); }
+
 /// Rows as fine as the samples, or of as many samples as keep their number in bounds.
 void plan_rows(Plan& plan, const ModeFigures& mode, std::size_t most) {
-    const double finest = plan.sound_speed / 2 / mode.sample_rate;
+    constexpr double clock = 75e6;  // Hz; three real pings have rows of 286 of its cycles
+    const double rate = divided(clock, mode.sample_rate);
+    const double finest = plan.sound_speed / 2 / rate;
     const double samples =
         std::max(1.0, std::ceil(std::floor(plan.range / finest) / static_cast<double>(most)));
-    plan.row_time = samples / mode.sample_rate;
+    plan.row_time = samples / rate;
     plan.rows = std::max<std::size_t>(1, static_cast<std::size_t>(plan.range / (finest * samples)));
 }
 
@@ -125,7 +130,8 @@ Shot make_shot(const Request& r, const Plan& plan, const Settings& s, std::uint3
     shot.fan_height = mode.fan_height;
     shot.bins = plan.rows;
     shot.bin_interval = plan.row_time;
-    shot.frequency = mode.frequency;
+    constexpr double clock = 281.25e6;  // Hz; three real pings have its 134th part
+    shot.frequency = divided(clock, mode.frequency);
     shot.pulse_length = a.pulse_length;
     shot.bandwidth = mode.bandwidth;
     shot.source_level = mode.source_level;
