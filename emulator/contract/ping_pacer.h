@@ -43,8 +43,8 @@ class PingPacer {
     /// True if a ping goes out now; end() must follow.
     bool begin(Time now) {
         if (under_way_ || now < next_) return false;
+        late_ = began_ ? lateness() : Time{};
         began_ = next_;  // as planned, so that late wake-ups do not add up
-        late_ = lateness();
         ++pings_;
         next_ = Time::max();
         under_way_ = true;
