@@ -79,7 +79,10 @@ class PingViewer(unittest.TestCase):
             self.assertLess(found, wall(degrees) + 2 * step, degrees)
         host.line_break()
         host.silence()
-        self.assertIsNone(host.hear(0.5), "a break ends the scan")
+        self.assertEqual(len(host.pings(5, 10)), 5, "no line carries an empty datagram to the head")
+        host.say(wire.frame(wire.MOTOR_OFF))
+        host.silence()
+        self.assertIsNone(host.hear(0.5))
 
     def test_gain_is_seen_in_the_samples(self):
         host = self.run_host()

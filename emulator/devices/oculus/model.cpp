@@ -75,7 +75,12 @@ Model row(const std::string& name, const std::string& title) {
     m.default_shot = default_shot;
     m.family = "oculus";
     m.requests = requests;
-    m.drivers = {{"ros2",
+    m.drivers = {{"ros1",
+                  "ENSTA Bretagne oculus_ros",
+                  {"rosrun oculus_sonar oculus_sonar_node"},
+                  "it takes the first sonar whose status it hears on UDP 52102, so emulate one; APL's "
+                  "oculus_sonar_driver does, too, and wants option gain_word f32"},
+                 {"ros2",
                   "ENSTA Bretagne oculus_ros2",
                   {"ros2 launch oculus_ros2 default.launch.py"},
                   "it takes the first sonar whose status it hears on UDP 52102, so emulate one"}};

@@ -19,7 +19,7 @@ constexpr Time boot_loader_time = std::chrono::seconds(5);
 Ping1d::Ping1d(const Settings& settings, std::vector<Port> ports)
     : settings_(settings),
       ports_(std::move(ports)),
-      link_(ports_.size(), settings.device_id, settings.marks_are_breaks) {}
+      link_(settings.device_id, settings.marks_are_breaks) {}
 
 void Ping1d::power_up(Time now) {
     state_ = settings_.power_up;

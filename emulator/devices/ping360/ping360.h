@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 
 #include "emulator/devices/family/ping/link.h"
@@ -54,6 +55,7 @@ class Ping360 final : public Device {
     void reply(const ping::Message& message, const Peer& peer, Time now);
     void refuse(ping::Id id, std::string_view text, const Peer& peer, Time now);
     void stop();
+    void end_jobs(const std::function<bool(const Peer&)>& is_on_that_line, Time now);
     void begin(Time earliest);
     void next_job(Time now);
     void transmit(Time now);

@@ -31,7 +31,7 @@ Surveyor240::Surveyor240(const Settings& settings, const std::vector<Endpoint>& 
       endpoints_(endpoints),
       ports_(cerulean_device::make_ports(endpoints, settings.identity)),
       pieces_(cerulean_device::pieces(endpoints, settings.identity)),
-      link_(endpoints.size(), settings.identity.source, true),
+      link_(settings.identity.source, true),
       hosts_(endpoints.size()),
       free_from_(endpoints.size()),
       parameters_(default_parameters()) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "tests/emulator/devices/ping360_bench.h"
 
 namespace echoloop::test {
@@ -96,6 +98,44 @@ TEST(Ping360Hosts, NoiseAndDamageCostNoLaterRequest) {
     EXPECT_TRUE(bench.sent().empty());
     bench.say(frame(5));
     EXPECT_THAT(ids(bench.sent()), ElementsAre(5));
+}
+
+TEST(Ping360Hosts, NoiseOfOneCostsNoOtherItsPing) {
+    const std::vector<std::string> ends{"pty:/tmp/a", "udp-listen://127.0.0.1:1234"};
+    const Address host{0x7F000001, 50000}, other{0x7F000001, 50001};
+    const std::vector<std::pair<const char*, std::function<void(Bench&)>>> noises{
+        {"an empty datagram of its own", [&](Bench& b) { b.say(Bytes{}, 1, host); }},
+        {"an empty datagram", [&](Bench& b) { b.say(Bytes{}, 1, other); }},
+        {"a mark", [&](Bench& b) { b.say("55", 1, other); }},
+        {"marks on the pty", [&](Bench& b) { b.say(marks10, 0); }},
+        {"half a frame", [&](Bench& b) { b.say("42520e00290a", 1, other); }},
+        {"a program opens and closes the pty", [](Bench& b) { b.device().reconnected(0); }}};
+    for (const auto& [name, noise] : noises)
+        for (const Bytes& command : {transducer(10), auto_transmit(10, 12, 1)}) {
+            Bench bench(make_device("ping360", ends));
+            bench.say(ByteView(command).first(9), 1, host);
+            noise(bench);
+            bench.say(ByteView(command).subspan(9), 1, host);
+            noise(bench);
+            bench.run_to(62ms);  // the ping is in the water
+            noise(bench);
+            bench.run_to(200ms);
+            const auto sent = bench.sent();
+            ASSERT_FALSE(sent.empty()) << name;
+            EXPECT_EQ(sent[0].to, host) << name;
+            EXPECT_EQ(angles(sent)[0], 10) << name;
+        }
+}
+
+TEST(Ping360Hosts, ACommandThatIsNeverAnsweredIsCounted) {
+    Bench bench(make_device("ping360", {"pty:/tmp/a", "udp-listen://127.0.0.1:1234"}));
+    bench.say(transducer(10), 0);
+    for (int i = 0; i < 17; ++i) bench.say(transducer(20), 1, {0x7F000001, 50000});
+    EXPECT_EQ(bench.device().counters().rejected, 1u) << "16 wait";
+    bench.device().reconnected(0);
+    EXPECT_EQ(bench.device().counters().rejected, 2u);
+    bench.run_to(3s);
+    EXPECT_EQ(angles(bench.sent()), std::vector<int>(16, 20)) << "the others wait on";
 }
 
 TEST(Ping360Hosts, PingViewerScansByItselfAfterAnEmptyDatagram) {

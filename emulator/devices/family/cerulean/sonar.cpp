@@ -8,7 +8,7 @@ Sonar::Sonar(const Identity& identity, const Sensors& sensors, std::vector<Endpo
       endpoints_(std::move(endpoints)),
       ports_(make_ports(endpoints_, identity_)),
       pieces_(pieces(endpoints_, identity_)),
-      link_(ports_.size(), identity_.source, true) {}
+      link_(identity_.source, true) {}
 
 Actions Sonar::received(const Received& data, Time now) {
     now_ = now;

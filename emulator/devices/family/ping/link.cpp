@@ -24,27 +24,17 @@ std::array<std::uint8_t, 3> read_version(const std::string& text, const std::str
 
 }  // namespace
 
-Link::Link(std::size_t ports, std::uint8_t id, bool marks_are_breaks)
-    : framers_(ports, ping::Framer(ping::Framer::Waiting::impatient)),
-      id_(id),
-      marks_are_breaks_(marks_are_breaks) {}
+Link::Link(std::uint8_t id, bool marks_are_breaks)
+    : hosts_(ping::Framer(ping::Framer::Waiting::impatient)), id_(id), marks_are_breaks_(marks_are_breaks) {}
 
 Heard Link::receive(const Received& data) {
     Heard heard;
-    ping::Framer& framer = framers_.at(data.port);
-    const bool marked =
+    ping::Framer& framer = hosts_.of({data.port, data.from});
+    heard.line_break =
         marks_are_breaks_ && framer.pending_bytes() == 0 && !data.bytes.empty() && data.bytes.front() == mark;
-    heard.line_break = data.bytes.empty() || marked;
-    if (heard.line_break) framer.clear();
     framer.feed(data.bytes);
     while (auto frame = framer.next()) heard.frames.push_back(*std::move(frame));
     return heard;
-}
-
-std::uint64_t Link::skipped_bytes() const {
-    std::uint64_t skipped = 0;
-    for (const ping::Framer& framer : framers_) skipped += framer.skipped_bytes();
-    return skipped;
 }
 
 std::vector<Send> in_pieces(wire::Bytes frame, const Peer& to, std::size_t piece) {
