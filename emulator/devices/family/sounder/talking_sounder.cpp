@@ -71,7 +71,7 @@ Actions TalkingSounder::heard(const Echogram& echogram, Time now) {
     if (const auto bottom = find_bottom(echogram, sounding_.bottom))
         depth = bin_time(echogram.shot, static_cast<double>(bottom->bin)) * sounding_.sound_speed / 2;
     std::size_t bytes = 0;
-    for (const std::string& line : words_(depth)) {
+    for (const std::string& line : words_(depth, now)) {
         bytes += line.size();
         actions_.send.push_back({0, Bytes(line.begin(), line.end()), wiring_.host, {}});
     }

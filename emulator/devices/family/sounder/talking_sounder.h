@@ -24,8 +24,9 @@ Wiring read_wiring(const std::vector<Endpoint>& endpoints, const std::string& mo
 
 class TalkingSounder : public Device {
   public:
-    /// The lines of one ping, in order; the depth in m below the transducer, or nothing without a bottom.
-    using Words = std::function<std::vector<std::string>(std::optional<double> depth)>;
+    /// The lines of one ping heard at `now`, in order; the depth in m below the transducer, or nothing
+    /// without a bottom.
+    using Words = std::function<std::vector<std::string>(std::optional<double> depth, Time now)>;
 
     TalkingSounder(const Sounding& sounding, Wiring wiring, Words words, bool free_running = true);
 
@@ -54,7 +55,7 @@ class TalkingSounder : public Device {
     Words words_;
     Shot shot_;          ///< of the last ping
     bool free_running_;  ///< from the start
-    PingPacer pacer_;
+    PingPacer pacer_{sounding_.sensors, jitter::processor};
     Actions actions_;  ///< of the call at hand
 };
 
