@@ -110,7 +110,7 @@ class Discovery(unittest.TestCase):
             found = wire.discover("127.255.255.255")
             self.assertIn(address, [ip for _, ip in found])
             with Host(address, 12345) as host:
-                self.assertEqual(host.ask(wire.PROTOCOL_VERSION).payload, bytes([1, 0, 0, 0]))
+                self.assertEqual(host.ask(wire.PROTOCOL_VERSION).payload, bytes([1, 1, 0, 0]))
 
     def test_finds_nothing_where_nobody_would_get_through(self):
         port = free_port()
