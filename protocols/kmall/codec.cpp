@@ -139,7 +139,9 @@ bool read(Steps& steps, Parameters& p) {
 }
 
 bool read(Steps& steps, SoundProfile& p) {
-    return steps.take_sized(p.info) && steps.take_all(p.points, p.info.points, known_size<SoundProfilePoint>);
+    return steps.take_sized(p.info) &&
+           steps.take_all(p.points, p.info.points, known_size<SoundProfilePoint>) &&
+           (steps.left() != known_size<SoundProfilePoint> || steps.take(p.unused.emplace()));
 }
 
 template <class M>
@@ -188,22 +190,36 @@ bool is_command(ByteView bytes) {
            std::equal(command_word.begin(), command_word.end(), bytes.begin());
 }
 
+/// "$MVS01,00000,": any talker, a format's number.
+bool is_sound_text(ByteView bytes) {
+    constexpr std::string_view form = "$??S##,00000,";
+    return bytes.size() >= form.size() &&
+           std::equal(form.begin(), form.end(), bytes.begin(), [](char wanted, std::uint8_t c) {
+               return wanted == '?'   ? c >= 'A' && c <= 'Z'
+                      : wanted == '#' ? c >= '0' && c <= '9'
+                                      : c == wanted;
+           });
+}
+
+bool is_text(ByteView bytes) { return is_command(bytes) || is_sound_text(bytes); }
+
 }  // namespace
 
 bool recognise(ByteView bytes) {
     const auto is_capital = [](std::uint8_t c) { return c >= 'A' && c <= 'Z'; };
-    return is_command(bytes) || (bytes.size() >= header_size + tail_size && bytes[4] == '#' &&
-                                 std::all_of(bytes.begin() + 5, bytes.begin() + 8, is_capital));
+    return is_text(bytes) || (bytes.size() >= header_size + tail_size && bytes[4] == '#' &&
+                              std::all_of(bytes.begin() + 5, bytes.begin() + 8, is_capital));
 }
 
 std::size_t datagram_size(ByteView bytes) {
-    if (is_command(bytes) || !recognise(bytes)) return bytes.size();
+    if (is_text(bytes) || !recognise(bytes)) return bytes.size();
     const std::size_t size = wire::load<ByteOrder::little, std::uint32_t>(bytes.data());
     return size >= header_size + tail_size && size < bytes.size() ? size : bytes.size();
 }
 
 Result<Datagram> parse(ByteView datagram) {
     if (is_command(datagram)) return read_command(datagram);
+    if (is_sound_text(datagram)) return Datagram(SoundText{{datagram.begin(), datagram.end()}});
     if (datagram.size() < header_size + tail_size) return Error{"KMALL", "header", 0, Reason::truncated};
     Steps steps(datagram.first(datagram.size() - tail_size));
     Header header;
@@ -226,6 +242,8 @@ std::string_view name_of(const Datagram& datagram) {
     if (std::holds_alternative<Mwc>(datagram)) return "MWC";
     if (std::holds_alternative<Command>(datagram)) return "KSSIS";
     if (std::holds_alternative<SoundProfile>(datagram)) return "SVP";
+    if (const auto* sound = std::get_if<SoundText>(&datagram))
+        return std::string_view(sound->text).substr(3, 3);
     if (const auto* parameters = std::get_if<Parameters>(&datagram))
         return parameters->header.type == wire::Text<4>("#IIP") ? "IIP" : "IOP";
     return std::get<Part>(datagram).header.type == wire::Text<4>("#MRZ") ? "MRZ part" : "MWC part";

@@ -103,6 +103,7 @@ void add(Walk& walk, const Parameters& p) {
 void add(Walk& walk, const SoundProfile& p) {
     walk.add("info", p.info, p.info.size);
     walk.add_all("points", p.points, *wire::fixed_size<SoundProfilePoint>());
+    if (p.unused) walk.add("unused", *p.unused);
 }
 
 void add(Walk& walk, const Part& part) { walk.add_numbers("bytes", part.bytes, 1, ""); }
@@ -125,6 +126,11 @@ void add_fields(inspect::Message& out, const Command& command) {
     add_field("arguments", command.arguments);
 }
 
+void add_fields(inspect::Message& out, const SoundText& sound) {
+    Walk walk(out);
+    walk.add_text("text", sound.text);
+}
+
 inspect::Message decode_one(wire::ByteView bytes, std::size_t offset) {
     inspect::Message out{.offset = offset, .size = bytes.size()};
     const auto datagram = parse(bytes);
@@ -141,11 +147,14 @@ inspect::Message decode_one(wire::ByteView bytes, std::size_t offset) {
 
 std::vector<inspect::Message> decode(wire::ByteView bytes) {
     std::vector<inspect::Message> messages;
+    wire::Bytes held;
     std::size_t at = 0;
     do {
         const wire::ByteView rest = bytes.subspan(at);
         const std::size_t size = datagram_size(rest);
-        messages.push_back(decode_one(rest.first(size), at));
+        const bool joined = join(held, rest.first(size));
+        messages.push_back(decode_one(joined ? held : rest.first(size), at));
+        messages.back().size = size;  // of the last part
         at += size;
     } while (at < bytes.size());
     return messages;

@@ -1,6 +1,7 @@
 // KMALL's datagrams, and the text commands of its controller, as plain structs. No wire code.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace echoloop::kmall {
 
-inline constexpr std::size_t largest_datagram = 64000;  ///< B; above it a datagram is divided on the wire
+inline constexpr std::size_t largest_datagram = 65000;  ///< B; above it a datagram is divided on the wire
 
 /// Bathymetry of one fan. Sizes and counts are written as the vectors are.
 struct Mrz {
@@ -73,6 +74,7 @@ struct SoundProfile {
     Header header;
     SoundProfileInfo info;
     std::vector<SoundProfilePoint> points;
+    std::optional<SoundProfilePoint> unused;  ///< one more that `points` does not count, as real systems send
 
     friend bool operator==(const SoundProfile&, const SoundProfile&) = default;
 };
@@ -86,6 +88,13 @@ struct Command {
     friend bool operator==(const Command&, const Command&) = default;
 };
 
-using Datagram = std::variant<Mrz, Mwc, Part, Parameters, SoundProfile, Command>;
+/// A sound speed profile for the sounder, "$MVS01,00000,...": sound_text.h reads what it says.
+struct SoundText {
+    std::string text;
+
+    friend bool operator==(const SoundText&, const SoundText&) = default;
+};
+
+using Datagram = std::variant<Mrz, Mwc, Part, Parameters, SoundProfile, Command, SoundText>;
 
 }  // namespace echoloop::kmall
