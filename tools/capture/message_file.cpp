@@ -56,11 +56,12 @@ void MessageFile::keep(const inspect::Message& message, ByteView bytes) {
     if (interval_ > 0) {
         time_ = interval_ * static_cast<double>(counts_.packets);
     } else if (const auto time = message_time(message)) {
-        time_ = std::max(time_, *time);
+        time_ = *time;
     }
     ++counts_.packets;
     const ByteView said = said_of(message, bytes);
-    waiting_.push_back({time_, "", true, StreamPiece{line_, true, {}, {}, Bytes(said.begin(), said.end())}});
+    waiting_.push_back({time_, "", true, StreamPiece{line_, true, {}, {}, Bytes(said.begin(), said.end())}, 0,
+                        "", message.name});
 }
 
 }  // namespace echoloop::capture

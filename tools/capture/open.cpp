@@ -6,6 +6,7 @@
 #include "tools/capture/message_file.h"
 #include "tools/capture/ping_viewer_log.h"
 #include "tools/capture/serial_log.h"
+#include "tools/capture/steady.h"
 
 namespace echoloop::capture {
 
@@ -13,7 +14,9 @@ bool is_log(Input& input) {
     return input.is_capture() || PingViewerLog::recognises(input) || SerialLog::recognises(input);
 }
 
-std::unique_ptr<CaptureReader> open_capture(Input& input, const OpenSettings& settings) {
+namespace {
+
+std::unique_ptr<CaptureReader> open_file(Input& input, const OpenSettings& settings) {
     if (input.is_capture()) return open_packets(input);
     if (PingViewerLog::recognises(input)) return std::make_unique<PingViewerLog>(input);
     if (SerialLog::recognises(input)) return std::make_unique<SerialLog>(input);
@@ -27,6 +30,12 @@ std::unique_ptr<CaptureReader> open_capture(Input& input, const OpenSettings& se
                      scenario::in_quotes(input.name()) +
                          " is no capture that can be read: neither pcap nor pcapng, nor a log of Ping "
                          "Viewer, nor lines like '12.345 < 40 30', nor messages of a known sonar");
+}
+
+}  // namespace
+
+std::unique_ptr<CaptureReader> open_capture(Input& input, const OpenSettings& settings) {
+    return std::make_unique<Steady>(open_file(input, settings));
 }
 
 CaptureCounts read_capture(Input& input, const CaptureEvents& events) {

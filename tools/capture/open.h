@@ -12,7 +12,7 @@ struct OpenSettings {
 };
 
 /// pcap, pcapng, a log of Ping Viewer, a serial log as text, or messages back to back. `input` outlives it.
-/// Throws StartError (data) if it is none of them.
+/// Times never go back (steady.h). Throws StartError (data) if it is none of them.
 std::unique_ptr<CaptureReader> open_capture(Input& input, const OpenSettings& settings = {});
 
 /// True for files that hold times and directions, not only a device's messages.

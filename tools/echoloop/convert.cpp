@@ -13,6 +13,7 @@
 #include "protocols/imagenex/framer.h"
 #include "protocols/imagenex/shot_writer.h"
 #include "tools/capture/open.h"
+#include "tools/capture/steady.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/output_file.h"
 #include "tools/echoloop/terminal.h"
@@ -85,6 +86,7 @@ std::size_t convert_capture(Input& input, const std::string& wanted, Line& line)
                         line.add(way, time, piece.bytes, piece.gap);
                     }});
     if (!counts.fault.empty()) print_warning("the capture ends early: " + counts.fault);
+    if (counts.steps_back > 0) print_warning(capture::step_text(counts));
     std::string all;
     for (const auto& [name, unused] : names) all += (all.empty() ? "" : ", ") + scenario::in_quotes(name);
     if (wanted.empty() && names.size() > 1)

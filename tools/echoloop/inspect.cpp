@@ -7,6 +7,7 @@
 #include "protocols/inspect.h"
 #include "tools/capture/messages.h"
 #include "tools/capture/open.h"
+#include "tools/capture/steady.h"
 #include "tools/capture/stream_windows.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/json_inspect.h"
@@ -162,6 +163,7 @@ void inspect_capture(Input& input, const inspect::Family* family, Output& output
     output.summary().skipped_packets = counts.skipped;
     output.summary().incomplete = counts.incomplete;
     if (!counts.fault.empty()) print_warning("the capture ends early: " + counts.fault);
+    if (counts.steps_back > 0) print_warning(capture::step_text(counts));
 }
 
 /// A file that holds one datagram and nothing else.

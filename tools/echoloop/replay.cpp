@@ -31,7 +31,7 @@ void require_times(const Arguments& arguments, const Survey& survey) {
     const bool untimed =
         arguments.has("--stepped") || arguments.has("--answer") || arguments.has("--interval");
     const auto& only = survey.ports.front();
-    if (untimed || survey.ports.size() > 1 || only.end > only.begin) return;
+    if (untimed || survey.ports.size() > 1 || only.end > only.begin || survey.counts.steps_back > 0) return;
     if (only.first.pieces + only.second.pieces < 3) return;
     throw StartError(
         Exit::usage,

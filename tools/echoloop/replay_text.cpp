@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "tools/capture/steady.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/terminal.h"
 
@@ -36,6 +37,7 @@ void warn_of_what_is_not_played(const capture::Survey& survey) {
     if (counts.skipped > 0) print_warning(counted(counts.skipped, "packet") + " not understood, not played");
     if (counts.incomplete > 0)
         print_warning(counted(counts.incomplete, "datagram") + " of which fragments are missing, not played");
+    if (counts.steps_back > 0) print_warning(capture::step_text(counts));
     if (survey.cut > 0)
         print_warning(counted(survey.cut, "datagram") + " cut short by the capture, not played");
     if (survey.more_ports > 0)

@@ -37,6 +37,7 @@ Actions Ping1d::started(Time now) {
 }
 
 Actions Ping1d::received(const Received& data, Time now) {
+    now_ = now;
     if (restarting_) return take_actions();
     for (const ping::Frame& frame : link_.receive(data).frames) obey(frame, {data.port, data.from}, now);
     return take_actions();
@@ -177,6 +178,16 @@ bool Ping1d::acknowledge(bool good, Id id, std::string_view text, const Peer& pe
     return good;
 }
 
+std::uint16_t Ping1d::read(std::string_view name, std::uint16_t truth, const Stray& stray) const {
+    constexpr double most = 65535;
+    return static_cast<std::uint16_t>(
+        std::lround(std::clamp(settings_.sensors.read(name, truth, stray, now_), 0.0, most)));
+}
+
+std::uint16_t Ping1d::voltage() const {
+    return read("supply", settings_.voltage, settings_.voltage * stray::supply);
+}
+
 std::optional<ping::Message> Ping1d::message(Id id) const {
     const auto& [major, minor, patch] = settings_.firmware;
     const auto& p = settings_.protocol;
@@ -191,7 +202,7 @@ std::optional<ping::Message> Ping1d::message(Id id) const {
         case Id::device_id:
             return ping::DeviceId{link_.id()};
         case Id::voltage5:
-            return ping::Voltage5{settings_.voltage};
+            return ping::Voltage5{voltage()};
         case Id::speed_of_sound:
             return ping::SpeedOfSound{state_.speed_of_sound};
         case Id::range:
@@ -205,8 +216,7 @@ std::optional<ping::Message> Ping1d::message(Id id) const {
         case Id::transmit_duration:
             return ping::TransmitDuration{state_.transmit_duration()};
         case Id::general_info:
-            return ping::GeneralInfo{major,           minor,       settings_.voltage,
-                                     state_.interval, state_.gain, state_.automatic};
+            return ping::GeneralInfo{major, minor, voltage(), state_.interval, state_.gain, state_.automatic};
         case Id::distance_simple:
             return ping::DistanceSimple{last_.distance, static_cast<std::uint8_t>(last_.confidence)};
         case Id::distance:
@@ -214,9 +224,11 @@ std::optional<ping::Message> Ping1d::message(Id id) const {
                                   last_.ping_number, last_.scan_start, last_.scan_length,
                                   last_.gain_setting};
         case Id::processor_temperature:
-            return ping::ProcessorTemperature{settings_.processor_temperature};
+            return ping::ProcessorTemperature{
+                read("processor", settings_.processor_temperature, 100 * stray::board_temperature)};
         case Id::pcb_temperature:
-            return ping::PcbTemperature{settings_.pcb_temperature};
+            return ping::PcbTemperature{
+                read("board", settings_.pcb_temperature, 100 * stray::board_temperature)};
         case Id::ping_enable:
             return ping::PingEnable{state_.enabled};
         case Id::profile:

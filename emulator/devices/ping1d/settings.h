@@ -60,6 +60,7 @@ struct Settings {
     SerialRate line;
     std::uint16_t voltage = 5000;                                        ///< mV
     std::uint16_t processor_temperature = 4000, pcb_temperature = 3500;  ///< 0.01 degC
+    Sensors sensors;
     Acoustics acoustics;
 };
 

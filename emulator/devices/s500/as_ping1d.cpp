@@ -32,8 +32,7 @@ std::optional<ping::Message> S500::ping1d_message(ping::Id id) const {
                                   profile_.ping_number,       profile_.start_mm,         profile_.length_mm,
                                   profile_.gain_index};
         case ping::Id::processor_temperature:
-        case ping::Id::pcb_temperature:
-            return ping::ProcessorTemperature{static_cast<std::uint16_t>(settings_.processor_temperature)};
+            return ping::ProcessorTemperature{static_cast<std::uint16_t>(processor_temperature())};
         case ping::Id::ping_enable:
             return ping::PingEnable{enabled_};
         default:

@@ -22,7 +22,7 @@ std::uint8_t percent(double value) { return static_cast<std::uint8_t>(value); }
 }  // namespace
 
 S500::S500(const Settings& settings, std::vector<Endpoint> endpoints)
-    : Sonar(settings.identity, std::move(endpoints)), settings_(settings) {
+    : Sonar(settings.identity, settings.sensors, std::move(endpoints)), settings_(settings) {
     state_.params.gain_index = -1;
 }
 
@@ -77,7 +77,7 @@ std::optional<Message> S500::message(ping::Id id) const {
             return wire_message::Altitude{distance_.ping_distance_mm, distance_.ping_confidence};
         case Id::processor_temperature:
             if (!settings_.long_temperature) return std::nullopt;
-            return wire_message::ProcessorTemperature{settings_.processor_temperature};
+            return wire_message::ProcessorTemperature{processor_temperature()};
         case Id::distance2:
             return distance_;
         case Id::profile6:
@@ -85,6 +85,12 @@ std::optional<Message> S500::message(ping::Id id) const {
         default:
             return std::nullopt;
     }
+}
+
+std::uint32_t S500::processor_temperature() const {
+    const Stray stray = 100 * stray::board_temperature;
+    return static_cast<std::uint32_t>(
+        std::max(std::lround(read("processor", settings_.processor_temperature, stray)), 0L));
 }
 
 bool S500::send_own(ping::Id id, const Peer& peer) {

@@ -23,6 +23,7 @@ class S500 final : public cerulean_device::Sonar {
     /// A message that a Ping1D knows, too; false if it is not one of those that this sonar obeys.
     bool obey_as_ping1d(const ping::Frame& frame, const Peer& peer, Time now);
     std::optional<ping::Message> ping1d_message(ping::Id id) const;
+    std::uint32_t processor_temperature() const;  ///< 0.01 degC
     /// What a Ping1D's host sets; why not, if it is refused.
     std::optional<std::string_view> take(const ping::Ping1dSetDeviceId&, const Peer& peer, Time now);
     std::optional<std::string_view> take(const ping::SetRange&, const Peer& peer, Time now);

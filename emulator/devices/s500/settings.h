@@ -36,6 +36,7 @@ struct Settings {
     double processing_time = 2e-3;               ///< s between the end of a ping and its report
     std::uint32_t processor_temperature = 4000;  ///< 0.01 degC
     bool long_temperature = false;               ///< 4 bytes of it, as documented
+    Sensors sensors;
     Acoustics acoustics;
 };
 

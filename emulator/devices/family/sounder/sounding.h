@@ -29,6 +29,7 @@ struct Sounding {
     double baud = 4800;             ///< bit/s; 0: not paced
     Acoustics acoustics{};
     BottomRule bottom{};
+    Sensors sensors{};
 
     /// How long it listens after each pulse, in s: out to the end of its range.
     double window() const { return 2 * range / sound_speed; }

@@ -100,7 +100,7 @@ Actions TalkingSounder::heard(const Echogram& echogram, Time now) {
         found = bin_time(echogram.shot, static_cast<double>(bottom->bin)) * sounding_.sound_speed / 2;
     if (const auto reading = tracker_.follow(found, to_seconds(now))) depth = reading->distance;
     std::size_t bytes = 0;
-    for (const std::string& line : words_(depth)) {
+    for (const std::string& line : words_(depth, now)) {
         bytes += line.size();
         for (std::size_t port = 0; port < wiring_.size(); ++port)
             actions_.send.push_back({port, Bytes(line.begin(), line.end()), wiring_[port].host, {}});

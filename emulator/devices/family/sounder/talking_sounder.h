@@ -27,8 +27,9 @@ std::vector<Wiring> read_wiring(const std::vector<Endpoint>& endpoints, const st
 
 class TalkingSounder : public Device {
   public:
-    /// The lines of one ping, in order; the depth in m below the transducer, or nothing without a bottom.
-    using Words = std::function<std::vector<std::string>(std::optional<double> depth)>;
+    /// The lines of one ping heard at `now`, in order; the depth in m below the transducer, or nothing
+    /// without a bottom.
+    using Words = std::function<std::vector<std::string>(std::optional<double> depth, Time now)>;
 
     TalkingSounder(const Sounding& sounding, std::vector<Wiring> wiring, Words words,
                    bool free_running = true);
@@ -58,7 +59,7 @@ class TalkingSounder : public Device {
     Words words_;
     Shot shot_;          ///< of the last ping
     bool free_running_;  ///< from the start
-    PingPacer pacer_;
+    PingPacer pacer_{sounding_.sensors, jitter::processor};
     Tracker tracker_;
     Actions actions_;  ///< of the call at hand
 };
