@@ -6,6 +6,7 @@
 
 #include "emulator/capture/recorded.h"
 #include "emulator/contract/error.h"
+#include "emulator/contract/random_key.h"
 #include "emulator/machine/scheduling.h"
 #include "emulator/machine/service_manager.h"
 #include "emulator/machine/steal.h"
@@ -217,6 +218,7 @@ class Runtime::Impl {
         entry.config.endpoints = std::move(open.endpoints);
         DeviceConfig config = entry.config;
         config.unix_start = clock_->unix_start();
+        config.random_key = random_key(water_.seed, entry.name);
         const auto make = [config, model = entry.model] { return model->make(config); };
         FaultySession* faults = nullptr;
         if (faulty)

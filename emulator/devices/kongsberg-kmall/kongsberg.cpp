@@ -120,7 +120,8 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     const Shot& shot = echogram.shot;
     const multibeam::TimeGate window{0, static_cast<double>(shot.bins) * shot.bin_interval};
     const std::vector<multibeam::TimeGate> gates(echogram.beams(), window);
-    const Settings& s = ping_settings_;
+    Settings s = ping_settings_;
+    s.sound_speed = s.sensors.read("sound speed", s.sound_speed, stray::sound_speed, now);
     const auto detections =
         multibeam::detect(echogram, gates, {.margin = s.detection_margin, .echoes_last = s.echoes_last});
     const kmall::Mrz bathymetry = make_mrz(ping_, s, echogram, detections);

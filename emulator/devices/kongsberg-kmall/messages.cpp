@@ -49,15 +49,18 @@ PingInfo transmission(const PingRecord& ping, const Settings& s) {
 }
 
 /// The head is the vessel's reference point.
-void add_pose(PingInfo& p, const Pose& pose, const Surface& surface, const Settings& s) {
+void add_pose(PingInfo& p, const Pose& pose, const Surface& surface, Time time, const Settings& s) {
+    const auto read = s.sensors.at(time);
     const double heading = rad_to_deg(surface.heading);
-    const Degrees moved = degrees_of(pose.position.x, pose.position.y, s);
-    p.heading = f(heading < 0 ? heading + 360 : heading);
-    p.transducer_depth = f(-pose.position.z);
-    p.water_level = f(pose.position.z);
+    const Degrees moved = degrees_of(read("east", pose.position.x, stray::position),
+                                     read("north", pose.position.y, stray::position), s);
+    p.heading =
+        f(s.sensors.read_bearing("compass", heading < 0 ? heading + 360 : heading, stray::heading, time));
+    p.transducer_depth = read("depth", -pose.position.z, stray::depth);
+    p.water_level = 0 - p.transducer_depth;
     p.latitude = s.latitude + moved.latitude;
     p.longitude = s.longitude + moved.longitude;
-    p.height = f(pose.position.z);
+    p.height = read("height", pose.position.z, stray::position);
 }
 
 TxSector sector(const Settings& s) {
@@ -191,7 +194,7 @@ Mrz make_mrz(const PingRecord& ping, const Settings& settings, const Echogram& e
     m.header = make_header(ping, settings, "#MRZ", settings.version);
     m.body = make_body(ping);
     m.ping = transmission(ping, settings);
-    add_pose(m.ping, pose, surface, settings);
+    add_pose(m.ping, pose, surface, from_seconds(ping.time - settings.unix_start), settings);
     m.sectors = {sector(settings)};
     m.rx.water_column_rate = f(1 / (bins_per_sample * echogram.shot.bin_interval));
     m.rx.seabed_image_rate = f(1 / echogram.shot.bin_interval);

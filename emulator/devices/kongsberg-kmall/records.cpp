@@ -28,12 +28,14 @@ std::string line(std::string_view name, const std::string& value) {
     return std::string(name) + ": " + value + '\n';
 }
 
-/// A reader that finds no processing unit takes the whole text for broken. The names are a real one's, the
-/// values ours.
+/// A reader that finds no processing unit takes the whole text for broken. Names, type and versions are those
+/// of real ones (an EM 2040P with CPU 5.4.0); the serial numbers are as long as theirs, and ours.
 std::string processing_unit(const Settings& s) {
-    return "PU_0,\nSN=" + std::to_string(s.sounder) +
-           ",\nIP=127.0.0.1:0xff000000,\nUDP=1997,\nTYPE=ECHOLOOP,\n" +
-           "VERSIONS:,\nCPU:1.0,\nVERSIONS-END,\nSERIALno:\nTX:1,\nRX:1,\nSERIALno-END,\n";
+    const std::string head = std::to_string(2000 + s.system_id);
+    return "PU_0,\nSN=10" + std::to_string(100 + s.system_id) +
+           ",\nIP=127.0.0.1:0xff000000,\nUDP=1997,\nTYPE=CON_TECH_PP_B12_SMP_CPU,\n" +
+           "VERSIONS:,\nCPU:5.4.0 2022-05-06,\nVXW:6.9 SMP Aug 10 2022,\nVERSIONS-END,\nSERIALno:\nTX:" +
+           head + ",\nRX:" + head + ",\nSERIALno-END,\n";
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ struct Settings {
     bool tvg = true, echoes_last = true;
     double sound_speed = 1500;  ///< m/s, of the sounder's own sensor: the true one
     double unix_start = 0;      ///< s
+    Sensors sensors;
 
     /// Another frequency: beams widen, and the array gathers less noise from around, below the one before.
     void tune(double hertz);

@@ -105,14 +105,14 @@ bool Oculus::pinging() const {
 
 void Oculus::plan_next_ping(Time now) {
     if (!pinging()) return pacer_.pause();
-    const Time period = from_seconds(make_plan(*request_, settings_).period);
+    const Time period = from_seconds(make_plan(*request_, settings_, now).period);
     pacer_.start(now, period);
     pacer_.hold(network_free_ - period);  // results of a host that was slow before go first
 }
 
 void Oculus::transmit(Time now) {
     ping_client_ = client_;
-    ping_ = {*request_, make_plan(*request_, settings_), ping_.number + 1, now};
+    ping_ = {*request_, make_plan(*request_, settings_, now), ping_.number + 1, now};
     actions_.ping = Ping{make_shot(ping_.request, ping_.plan, settings_, ping_.number),
                          now + from_seconds(ping_.plan.due)};
 }
@@ -145,7 +145,7 @@ void Oculus::tick(Time now) {
 Actions Oculus::woken(Time now) {
     if (now >= next_status_) {
         next_status_ = now + from_seconds(settings_.status_period);
-        Bytes status = make_status(settings_, wiring_.own.ip, client_.ip, depth_);
+        Bytes status = make_status(settings_, wiring_.own.ip, client_.ip, depth_, now);
         actions_.send.push_back({status_port, std::move(status), wiring_.status, {}});
     }
     if (now >= next_silence_) hang_up();

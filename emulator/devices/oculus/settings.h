@@ -68,6 +68,7 @@ struct Settings {
     bool garbage_sensors = false;
     double processing_time = 8e-3;  ///< s from the last echo to the message
     bool tvg = true;                ///< the effect of that name
+    Sensors sensors;
     Acoustics acoustics;
 };
 

@@ -21,7 +21,7 @@ std::uint8_t percent(double value) { return static_cast<std::uint8_t>(value); }
 }  // namespace
 
 S500::S500(const Settings& settings, std::vector<Endpoint> endpoints)
-    : Sonar(settings.identity, std::move(endpoints)), settings_(settings) {
+    : Sonar(settings.identity, settings.sensors, std::move(endpoints)), settings_(settings) {
     state_.params.gain_index = -1;
 }
 
@@ -69,7 +69,10 @@ std::optional<Message> S500::message(ping::Id id) const {
         case Id::altitude:
             return wire_message::Altitude{distance_.ping_distance_mm, distance_.ping_confidence};
         case Id::processor_temperature:
-            return wire_message::ProcessorTemperature{settings_.processor_temperature};
+            return wire_message::ProcessorTemperature{static_cast<std::uint32_t>(
+                std::max(std::lround(read("processor", settings_.processor_temperature,
+                                          100 * stray::board_temperature)),
+                         0L))};
         case Id::distance2:
             return distance_;
         case Id::profile6:

@@ -35,6 +35,7 @@ struct Settings {
     bool accept_anything = false;
     double processing_time = 2e-3;               ///< s between the end of a ping and its report
     std::uint32_t processor_temperature = 4000;  ///< 0.01 degC
+    Sensors sensors;
     Acoustics acoustics;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -46,13 +47,15 @@ std::string release_text(const Settings& s) {
 
 std::string about(const State&, const Settings& s) {
     const std::string release = release_text(s);
-    return Json{{"chipid", "0x12345678"},
+    char chip_id[16];
+    std::snprintf(chip_id, sizeof chip_id, "0x%08x", s.chip_id);
+    return Json{{"chipid", chip_id},
                 {"hardware_revision", 6},
                 {"is_ready", true},
                 {"product_id", 21045},
                 {"product_name", "Sonar 3D-15"},
                 {"variant", ""},
-                {"version", release + " (echoloop)"},
+                {"version", release + " (v" + release + "-0-g4c1d9e7)"},  // as git describes a build
                 {"version_short", release}}
         .dump();
 }
@@ -68,7 +71,7 @@ std::string status(const State&, const Settings&) {
         .dump();
 }
 
-std::string temperature(const State&, const Settings& s) { return number_text(s.temperature); }
+std::string temperature(const State& s, const Settings&) { return number_text(s.temperature); }
 
 std::string get_enabled(const State& s, const Settings&) { return Json(s.enabled).dump(); }
 bool set_enabled(const Json& json, State& s, const Settings&) {

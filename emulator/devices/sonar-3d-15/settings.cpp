@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "emulator/contract/random_key.h"
+
 namespace echoloop::sonar_3d_15 {
 namespace {
 
@@ -96,6 +98,7 @@ Settings read_settings(const DeviceConfig& config) {
     check(s.start, s.acoustics);
     s.tvg = config.effects.has(Effect::tvg);
     s.unix_start = config.unix_start;
+    s.chip_id = static_cast<std::uint32_t>(split_mix(config.random_key));
     return s;
 }
 

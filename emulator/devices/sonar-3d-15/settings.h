@@ -49,6 +49,7 @@ struct State {
     UdpMode udp = UdpMode::multicast;
     std::string unicast_ip;
     std::uint16_t unicast_port = 0;
+    double temperature = 0;  ///< degC, as its own sensor reads
 };
 
 struct Settings {
@@ -66,6 +67,8 @@ struct Settings {
     double processing_time = 5e-3;  ///< s from the last echo to the image, at least
     bool tvg = true;                ///< the effect of that name
     double unix_start = 0;          ///< s
+    std::uint32_t chip_id = 0;      ///< another one for each unit
+    Sensors sensors;
     Acoustics acoustics;
 
     const ModeFigures& mode(bool high) const { return high ? acoustics.high : acoustics.low; }

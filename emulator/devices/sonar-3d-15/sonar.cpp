@@ -89,6 +89,8 @@ void Sonar::obey(const http::Request& request, Address from, Time now) {
         ++counters_.rejected;
         return respond(http::response(403), from);
     }
+    state_.temperature =
+        settings_.sensors.read("inside", settings_.temperature, stray::board_temperature, now);
     const State before = state_;
     const Answer reply = answer(request, state_, settings_);
     ++(reply.status < 300 ? counters_.messages : counters_.rejected);
@@ -122,8 +124,12 @@ void Sonar::begin_image(Time now) {
     ++shots_;
     shooting_ = Shooting{make_plan(state_, speed_, settings_), now};
     ping_under_way_ = true;
+    // The intervals between the six images of a recording differ by 1.0 ms.
+    constexpr Jitter jitter{10us, 60};
+    const Time late = settings_.sensors.lateness(jitter, shots_),
+               next_late = settings_.sensors.lateness(jitter, shots_ + 1);
     actions_.ping = Ping{make_shot(shooting_->plan, view_, settings_, shots_),
-                         now + from_seconds(shooting_->plan.period)};
+                         now - late + from_seconds(shooting_->plan.period) + next_late};
 }
 
 Actions Sonar::heard(const Echogram& echogram, Time now) {
@@ -149,6 +155,7 @@ void Sonar::send_image(const Echogram& echogram) {
         distances[view_.pixel_of(beam)] = static_cast<std::uint32_t>(std::clamp(counts, 1L, 65535L));
         strengths[view_.pixel_of(beam)] = pixel->strength;
     }
+    distances = smoothed(std::move(distances));
     const Plan& plan = shooting_->plan;
     const ModeFigures& mode = settings_.mode(plan.high);
     const auto fill = [&](auto& message) {

@@ -19,7 +19,7 @@ using ping_device::Peer;
 
 class Sonar : public Device {
   public:
-    Sonar(const Identity& identity, std::vector<Endpoint> endpoints);
+    Sonar(const Identity& identity, const Sensors& sensors, std::vector<Endpoint> endpoints);
 
     std::vector<Port> ports() const override { return ports_; }
     Actions started(Time) override { return take_actions(); }
@@ -64,6 +64,13 @@ class Sonar : public Device {
     std::uint64_t pings() const { return pings_; }  ///< that went out
     /// ms from power-up to the last ping.
     std::uint32_t pinged_at() const;
+    /// What its sensor of that name reads at this moment.
+    double read(std::string_view name, double truth, const Stray& stray) const {
+        return sensors_.read(name, truth, stray, now_);
+    }
+    double read_compass(double truth) const {
+        return sensors_.read_bearing("compass", truth, stray::compass, now_);
+    }
 
   private:
     void discover(const Received& data);
@@ -71,12 +78,14 @@ class Sonar : public Device {
     Actions take_actions();
 
     Identity identity_;
+    Sensors sensors_;
     std::vector<Endpoint> endpoints_;
     std::vector<Port> ports_;
     std::vector<std::size_t> pieces_;  ///< largest datagram per port; 0: a stream
     ping_device::Link link_;
     Peer listener_;  ///< who asked for the pings
-    PingPacer pacer_;
+    PingPacer pacer_{sensors_, jitter::processor};
+    Time now_{};  ///< of the call at hand
     std::uint64_t pings_ = 0;
     Time pinged_at_{};
     Actions actions_;  ///< of the call at hand
