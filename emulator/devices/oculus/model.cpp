@@ -54,7 +54,8 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     request.wish.fire.flags = oculus::flag::range_in_metres | oculus::flag::beams_512;
     request.wish.fire.range = range > 0 ? range : default_range;
     request.wish.fire.sound_speed = config.sound_speed;
-    return make_shot(request, make_plan(request, settings), settings, static_cast<std::uint32_t>(step + 1));
+    return make_shot(request, make_plan(request, settings, Time{}), settings,
+                     static_cast<std::uint32_t>(step + 1));
 }
 
 std::vector<Bytes> requests(const DeviceConfig&, bool) {

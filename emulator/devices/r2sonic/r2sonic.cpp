@@ -125,6 +125,7 @@ void R2Sonic::transmit(Time now) {
     if (settings_.mode_sets > 0)
         ping_.controls = with_set(ping_.controls, ping_.number % settings_.mode_sets);
     ping_.time = unix_time(now);
+    ping_.since_start = now;
     ping_.attitude = attitude_;
     ++ping_.number;
     ping_.beams = beam_angles(ping_.controls, attitude_.roll, bottom_normal(seabed_, attitude_.roll));
@@ -207,8 +208,8 @@ void R2Sonic::send_presence(Time now) {
 
 void R2Sonic::send_status(Time now) {
     next_status_ = now + status_period;
-    const Health health{unix_time(now),  attitude_, datagrams_received_,
-                        datagrams_sent_, head_on_,  settings_.sync_in > 0};
+    const Health health{unix_time(now),       now, attitude_, datagrams_received_, datagrams_sent_, head_on_,
+                        settings_.sync_in > 0};
     if (head_on_ && controls_.status != 0)
         send(head_commands, head_status(settings_, health), Product::status);
     if (network_.has_sim() && sim_status_ != 0)
