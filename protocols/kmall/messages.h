@@ -8,6 +8,7 @@
 
 #include "protocols/kmall/info_parts.h"
 #include "protocols/kmall/parts.h"
+#include "protocols/kmall/sensor_parts.h"
 #include "protocols/kmall/water_parts.h"
 #include "protocols/wire/bytes.h"
 
@@ -65,6 +66,7 @@ struct Parameters {
     Header header;
     ParametersInfo info;
     std::string text;
+    wire::Bytes surplus{};  ///< a zero that makes the length even
 
     friend bool operator==(const Parameters&, const Parameters&) = default;
 };
@@ -74,9 +76,68 @@ struct SoundProfile {
     Header header;
     SoundProfileInfo info;
     std::vector<SoundProfilePoint> points;
-    std::optional<SoundProfilePoint> unused;  ///< one more that `points` does not count, as real systems send
+    wire::Bytes surplus{};  ///< behind them: real systems have one more point, which means nothing
 
     friend bool operator==(const SoundProfile&, const SoundProfile&) = default;
+};
+
+/// #SPO, #CPO, #SPE, #SPD, #SCL, #SDE, #SHI, #SSM: what one sensor says at once.
+struct Sensor {
+    Header header;
+    SensorInfo info;
+    std::variant<Position, PositionError, Datum, Clock, DepthSensor0, DepthSensor, Height, SoundSpeedManager>
+        values;
+    std::string text;  ///< the sensor's own sentence, and a zero where that makes the length even
+
+    friend bool operator==(const Sensor&, const Sensor&) = default;
+};
+
+/// #SHA.
+struct Headings {
+    Header header;
+    SensorInfo info;
+    HeadingsInfo about;
+    std::vector<HeadingSample> samples;
+    std::vector<std::string> texts;  ///< one each
+
+    friend bool operator==(const Headings&, const Headings&) = default;
+};
+
+/// #SVT.
+struct SoundSpeeds {
+    Header header;
+    SoundSpeedInfo info;
+    std::vector<SoundSpeedSample> samples;
+
+    friend bool operator==(const SoundSpeeds&, const SoundSpeeds&) = default;
+};
+
+/// #SKM.
+struct Motion {
+    Header header;
+    MotionInfo info;
+    std::vector<MotionSample> samples;
+
+    friend bool operator==(const Motion&, const Motion&) = default;
+};
+
+/// #CHE.
+struct PingHeave {
+    Header header;
+    Body body;
+    Heave heave;
+
+    friend bool operator==(const PingHeave&, const PingHeave&) = default;
+};
+
+/// #FCF.
+struct CalibrationFile {
+    Header header;
+    Partition partition{1, 1};
+    FileInfo info;
+    wire::Bytes bytes;
+
+    friend bool operator==(const CalibrationFile&, const CalibrationFile&) = default;
 };
 
 /// Text "$KSSIS,number,sounder,..." of a controller or its host.
@@ -95,6 +156,7 @@ struct SoundText {
     friend bool operator==(const SoundText&, const SoundText&) = default;
 };
 
-using Datagram = std::variant<Mrz, Mwc, Part, Parameters, SoundProfile, Command, SoundText>;
+using Datagram = std::variant<Mrz, Mwc, Part, Parameters, SoundProfile, Sensor, Headings, SoundSpeeds, Motion,
+                              PingHeave, CalibrationFile, Command, SoundText>;
 
 }  // namespace echoloop::kmall

@@ -25,6 +25,11 @@ class Pieces {
         wire::store<ByteOrder::little>(value, out.data() + out.size() - sizeof value);
     }
 
+    template <class Range>
+    void add_bytes(const Range& bytes) {
+        out.insert(out.end(), bytes.begin(), bytes.end());
+    }
+
     Bytes out;
 };
 
@@ -79,18 +84,58 @@ void write(Pieces& pieces, Mwc m) {
 void write(Pieces& pieces, Parameters p) {
     p.info.size = static_cast<std::uint16_t>(known_size<ParametersInfo> + p.text.size());
     pieces.add(p.info, known_size<ParametersInfo>);
-    pieces.out.insert(pieces.out.end(), p.text.begin(), p.text.end());
+    pieces.add_bytes(p.text);
+    pieces.add_bytes(p.surplus);
 }
 
 void write(Pieces& pieces, SoundProfile p) {
     p.info.points = static_cast<std::uint16_t>(p.points.size());
     add_sized(pieces, p.info);
     for (const SoundProfilePoint& point : p.points) pieces.add(point, known_size<SoundProfilePoint>);
-    if (p.unused) pieces.add(*p.unused, known_size<SoundProfilePoint>);
+    pieces.add_bytes(p.surplus);
 }
 
-void write(Pieces& pieces, const Part& part) {
-    pieces.out.insert(pieces.out.end(), part.bytes.begin(), part.bytes.end());
+void write(Pieces& pieces, const Part& part) { pieces.add_bytes(part.bytes); }
+
+void write(Pieces& pieces, const Sensor& sensor) {
+    add_sized(pieces, sensor.info);
+    std::visit([&pieces]<class T>(const T& values) { pieces.add(values, known_size<T>); }, sensor.values);
+    pieces.add_bytes(sensor.text);
+}
+
+void write(Pieces& pieces, Headings h) {
+    const std::size_t text = h.texts.empty() ? 0 : h.texts.front().size();
+    h.about.samples = static_cast<std::uint16_t>(h.samples.size());
+    h.about.bytes_per_sample = static_cast<std::uint16_t>(known_size<HeadingSample> + text);
+    add_sized(pieces, h.info);
+    add_sized(pieces, h.about);
+    for (std::size_t i = 0; i < h.samples.size(); ++i) {
+        pieces.add(h.samples[i], known_size<HeadingSample>);
+        std::string sentence = i < h.texts.size() ? h.texts[i] : "";
+        sentence.resize(text);
+        pieces.add_bytes(sentence);
+    }
+}
+
+template <class M>
+void write_samples(Pieces& pieces, M m) {
+    m.info.samples = static_cast<std::uint16_t>(m.samples.size());
+    const std::size_t known = known_size<typename decltype(m.samples)::value_type>;
+    m.info.bytes_per_sample = or_known(m.info.bytes_per_sample, known);
+    add_sized(pieces, m.info);
+    for (const auto& sample : m.samples) pieces.add(sample, m.info.bytes_per_sample);
+}
+void write(Pieces& pieces, const SoundSpeeds& m) { write_samples(pieces, m); }
+void write(Pieces& pieces, const Motion& m) { write_samples(pieces, m); }
+
+void write(Pieces& pieces, const PingHeave& m) {
+    add_sized(pieces, m.body);
+    pieces.add(m.heave, known_size<Heave>);
+}
+
+void write(Pieces& pieces, const CalibrationFile& m) {
+    add_sized(pieces, m.info);
+    pieces.add_bytes(m.bytes);
 }
 
 template <class M>

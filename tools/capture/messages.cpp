@@ -23,7 +23,8 @@ void MessageSorter::add(const CaptureEvent& event) {
         add(origin, *piece);
     } else {
         const auto& datagram = std::get<Datagram>(event.content);
-        origin.way = {"", false, datagram.from, datagram.to};
+        origin.way = {datagram.from.port == 0 ? event.interface : "",
+                      datagram.from.port == 0 && event.sent.value_or(false), datagram.from, datagram.to};
         add(origin, datagram);
     }
 }

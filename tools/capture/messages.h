@@ -13,8 +13,8 @@ namespace echoloop::capture {
 
 /// One direction of a serial line, of a connection, or of datagrams.
 struct Way {
-    std::string line{};  ///< name of a serial line's interface
-    bool sent = false;   ///< serial: by the capturing side
+    std::string line{};  ///< name of a serial line's interface, or of the device in a maker's recording
+    bool sent = false;   ///< by the capturing side, if there are no addresses
     Address from{}, to{};
     bool is_serial() const { return from.port == 0 && to.port == 0; }
     friend auto operator<=>(const Way&, const Way&) = default;

@@ -87,7 +87,7 @@ kmall::SoundProfile even_profile(const Settings& s) {
     profile.info.format = "S00";
     profile.info.latitude = profile.info.longitude = unavailable;
     profile.points = {{0, speed, 0, 0, 0}, {deepest, speed, 0, 0, 0}};
-    if (s.unused_point) profile.unused.emplace();
+    if (s.unused_point) profile.surplus.resize(20);
     return profile;
 }
 
