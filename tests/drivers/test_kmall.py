@@ -27,6 +27,7 @@ SCENARIO = """
 scene: "{scenes}/flat.glb"
 seed: 5
 water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
+effects: {sensor_noise: off, ping_jitter: off}
 vehicle: {pose: {position: [0, 0, -12], rpy_deg: [0, 0, 0]}}
 devices:
   - name: multibeam

@@ -15,6 +15,7 @@ SCENARIO = """
 scene: "{scenes}/flat.glb"
 seed: 3
 water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
+effects: {sensor_noise: off, ping_jitter: off}
 vehicle: {pose: {position: [0, 0, -12], rpy_deg: [%s]}}
 devices:
   - name: multibeam

@@ -68,7 +68,7 @@ TEST(Reson7k, IntensitiesAreAmplitudesOf7018AtThePointsWithTheirGains) {
 /// 7611 and 7612, as a calibration sends them.
 TEST(Reson7k, RecordsOfLossesSetTheTimeVariedGainOfTheNextPing) {
     Reson sonar;
-    sonar.echo_power = 1e12F;
+    sonar.echo_power = 5e8F;
     sonar.answer(control(1051, {3, 7000, 7503, 7018}));
     const auto amplitude = [&](double absorption, double spreading) {
         sonar.say(record_of_float(7611, f32(absorption)));
