@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
-#include <random>
 #include <string>
 
 #include "protocols/inspect.h"
@@ -18,7 +17,21 @@
 
 namespace echoloop::fuzz {
 
-using Random = std::mt19937;
+/// SplitMix64 (Steele, Lea, Flood 2014): as good for any seed, and there is a new one for every input.
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+    std::uint32_t operator()() {
+        std::uint64_t z = state_ += 0x9E3779B97F4A7C15;
+        z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9;
+        z = (z ^ z >> 27) * 0x94D049BB133111EB;
+        return static_cast<std::uint32_t>((z ^ z >> 31) >> 32);
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
 using wire::ByteOrder;
 using wire::Bytes;
 using wire::ByteView;
