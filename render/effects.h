@@ -24,6 +24,8 @@ enum class Effect : unsigned char {
     tvg,
     saturation,
     quantisation,
+    sensor_noise,
+    ping_jitter,
 };
 
 struct EffectRow {
@@ -32,7 +34,7 @@ struct EffectRow {
     std::string_view help;  ///< what is different when it is off
 };
 
-inline constexpr std::array<EffectRow, 13> effect_rows{{
+inline constexpr std::array<EffectRow, 15> effect_rows{{
     {Effect::spreading, "spreading", "two-way spherical spreading, 40 log R; off: none"},
     {Effect::absorption, "absorption", "Francois & Garrison; off: none"},
     {Effect::beam_pattern, "beam_pattern", "beams of the aperture's shape; off: boxes of the nominal widths"},
@@ -49,6 +51,9 @@ inline constexpr std::array<EffectRow, 13> effect_rows{{
     {Effect::saturation, "saturation", "the receiver's input clips; off: never"},
     {Effect::quantisation, "quantisation",
      "steps of the receiver's converter; off: only those of the wire's format"},
+    {Effect::sensor_noise, "sensor_noise",
+     "temperatures, voltages, pressures and compasses drift and scatter; off: as they are set"},
+    {Effect::ping_jitter, "ping_jitter", "the sonar's timer is uneven; off: the same interval each time"},
 }};
 
 /// A set of effects; all are on to begin with.

@@ -18,12 +18,13 @@ struct Destination {
 /// A public driver, and what is written into its configuration or into a shell. In its lines stand for
 ///     {name}              the device's name in the scenario
 ///     {port} {rate}       the serial port that the driver opens, and its bit/s; {kbaud}: in kbit/s
-///     {host} {number}     address and port of the device's first endpoint; {host 2}: address of its second
-///     {images}            the port that a Destination of this name has
-///     {sitl}              the line as ArduPilot's SITL calls it; where SITL cannot reach it, there is no
-///     driver
+///     {host} {number}     address and port of the device's first endpoint; {host 2} {number 2}: of its
+///     second {images}            the port that a Destination of this name has {sitl}              the line
+///     as ArduPilot's SITL calls it
+/// A driver does not fit where a word stands for nothing: an endpoint that is not there, or that SITL cannot
+/// reach.
 struct KnownDriver {
-    std::string format;  ///< "ros1", "ros2", "moos", "rock", "dune", "sitl"
+    std::string format;  ///< "ros1", "ros2", "moos", "rock", "dune", "sitl", "python"
     std::string name;    ///< of the project
     std::vector<std::string> lines;
     std::string note{};

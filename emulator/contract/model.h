@@ -45,6 +45,7 @@ struct DeviceConfig {
     double sound_speed = 1500;     ///< m/s, the true one
     std::vector<Network> peers{};  ///< that may be sent to; none: the interfaces' own networks
     double unix_start = 0;  ///< s, Unix time at the start of the run, for devices that send wall-clock time
+    std::uint64_t random_key = 0;  ///< of seed and device, for its sensors
 };
 
 struct Model {

@@ -8,11 +8,16 @@
 #include <span>
 
 #include "emulator/contract/device.h"
+#include "emulator/contract/sensors.h"
 
 namespace echoloop {
 
 class PingPacer {
   public:
+    PingPacer() = default;
+    /// Pings come as late as the unit's timer has it. The pings behind keep their places.
+    PingPacer(const Sensors& timer, const Jitter& jitter) : timer_(timer), jitter_(jitter) {}
+
     /// Pings from now on, behind the one under way, and `interval` behind the last one. Also where the
     /// interval has changed.
     void start(Time now, Time interval) {
@@ -30,7 +35,7 @@ class PingPacer {
         under_way_ = false;
     }
     /// As new: no ping was ever sent.
-    void reset() { *this = {}; }
+    void reset() { *this = PingPacer(timer_, jitter_); }
     /// The next ping, if one is planned, waits until then at least.
     void hold(Time until) {
         if (next_ != Time::max()) next_ = std::max(next_, until);
@@ -38,7 +43,9 @@ class PingPacer {
     /// True if a ping goes out now; end() must follow.
     bool begin(Time now) {
         if (under_way_ || now < next_) return false;
+        late_ = began_ ? lateness() : Time{};
         began_ = next_;  // as planned, so that late wake-ups do not add up
+        ++pings_;
         next_ = Time::max();
         under_way_ = true;
         return true;
@@ -60,7 +67,15 @@ class PingPacer {
     std::optional<Time> began() const { return began_; }
 
   private:
-    Time after_last(Time interval) const { return began_ ? std::max(*began_ + interval, ended_) : Time{}; }
+    Time lateness() const { return timer_.lateness(jitter_, pings_); }
+    Time after_last(Time interval) const {
+        return began_ ? std::max(*began_ - late_ + interval, ended_) + lateness() : Time{};
+    }
+
+    Sensors timer_;
+    Jitter jitter_;
+    std::uint64_t pings_ = 0;  ///< begun
+    Time late_{};              ///< of the last one
 
     bool wanted_ = false, under_way_ = false;
     Time next_ = Time::max(), ended_{};

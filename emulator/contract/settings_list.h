@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "emulator/contract/model.h"
+#include "emulator/contract/sensors.h"
 
 namespace echoloop {
 
@@ -129,13 +130,16 @@ void list_settings(Model& model, const More&... more) {
     model.figures = figures.take_rows();
 }
 
-/// Settings that describe() has filled from complete options and a complete profile.
+/// Settings that describe() has filled from complete options and a complete profile. A member `sensors`
+/// becomes those of this unit.
 template <class Settings, class... More>
 Settings fill_settings(const DeviceConfig& config, const More&... more) {
     Settings settings;
     OptionList options(config.options);
     FigureList figures(config.profile);
     describe(settings, options, figures, more...);
+    if constexpr (requires { settings.sensors; })
+        settings.sensors = Sensors(config.random_key, config.effects);
     return settings;
 }
 

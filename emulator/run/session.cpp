@@ -50,6 +50,10 @@ void Session::start() {
         transports_[port]->start(
             {.received =
                  [this, port](ByteView bytes, Address from) {
+                     if (bytes.empty()) {
+                         ++summary_.empty_datagrams;
+                         return;
+                     }
                      if (!hearing_) return apply_now(device_->received({port, bytes, from}, clock_.now()));
                      act([this, port, kept = Bytes(bytes.begin(), bytes.end()), from] {
                          return device_->received({port, kept, from}, clock_.now());

@@ -25,6 +25,7 @@ struct SessionSummary {
     std::uint64_t dropped = 0;
     std::size_t most_waiting = 0, most_waiting_bytes = 0;  ///< messages in the outbox at once
     std::uint64_t bytes_in = 0, bytes_out = 0;
+    std::uint64_t empty_datagrams = 0;   ///< came in and mean nothing: no serial line carries them
     std::uint64_t bytes_lost = 0;        ///< a driver was there and did not take them
     std::uint64_t targets_refused = 0;   ///< datagrams not sent, since their targets are none of the peers
     std::vector<std::string> connected;  ///< drivers, now: addresses, and links of ptys that are open
@@ -49,6 +50,7 @@ void for_each_figure(const SessionSummary& s, const Visit& visit) {
     visit("dropped", s.dropped, true);
     visit("bytes_in", s.bytes_in, true);
     visit("bytes_out", s.bytes_out, true);
+    visit("empty_datagrams", s.empty_datagrams, true);
     visit("bytes_lost", s.bytes_lost, false);
     visit("targets_refused", s.targets_refused, true);
 }

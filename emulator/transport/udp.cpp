@@ -41,8 +41,8 @@ Task<void> Udp::read_datagrams() {
         if (ec == asio::error::operation_aborted || !socket_.is_open()) co_return;
         if (ec) continue;  // an unreachable peer of an earlier datagram
         count_in(n);
-        reply_to_ = to_address(from);
-        events_.received(ByteView(buffer).first(n), reply_to_);
+        if (n > 0) reply_to_ = to_address(from);
+        events_.received(ByteView(buffer).first(n), to_address(from));
     }
 }
 

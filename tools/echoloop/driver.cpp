@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 
 #include "emulator/contract/endpoint.h"
 #include "tools/echoloop/common.h"
@@ -35,9 +36,13 @@ Words words_of(const ScenarioDevice& device, const Endpoint& end, const SerialPo
                 {"{rate}", std::to_string(port.rate)},
                 {"{kbaud}", std::to_string(port.rate / 1000)},
                 {"{host}", end.host},
-                {"{number}", std::to_string(end.port)},
-                {"{sitl}", sitl_line(end, port)}};
-    if (device.config.endpoints.size() > 1) words.emplace_back("{host 2}", device.config.endpoints[1].host);
+                {"{number}", std::to_string(end.port)}};
+    if (const auto line = sitl_line(end, port); !line.empty()) words.emplace_back("{sitl}", line);
+    for (std::size_t i = 1; i < device.config.endpoints.size(); ++i) {
+        const std::string which = " " + std::to_string(i + 1) + "}";
+        words.emplace_back("{host" + which, device.config.endpoints[i].host);
+        words.emplace_back("{number" + which, std::to_string(device.config.endpoints[i].port));
+    }
     for (const auto& [what, endpoint, offset, _] : device.model->sends)
         if (endpoint < device.config.endpoints.size())
             words.emplace_back("{" + what + "}",
@@ -61,6 +66,19 @@ bool uses(const KnownDriver& driver, std::string_view word) {
                                [&](const auto& line) { return line.find(word) != std::string::npos; });
 }
 
+/// Whether each word of its lines stands for something here. Braces that hold no word, as in "{", are text.
+bool complete(const KnownDriver& driver, const Words& words) {
+    static const std::regex word("\\{[a-z0-9 ]+\\}");
+    const auto known = [&](const std::string& found) {
+        return std::ranges::any_of(words, [&](const auto& w) { return w.first == found; });
+    };
+    return std::ranges::all_of(driver.lines, [&](const std::string& line) {
+        for (std::sregex_iterator at(line.begin(), line.end(), word), end; at != end; ++at)
+            if (!known(at->str())) return false;
+        return true;
+    });
+}
+
 DriverHint hint_of(const KnownDriver& driver, const Endpoint& end, const SerialPort& port,
                    const Words& words) {
     DriverHint hint{driver.name, {}, driver.note};
@@ -73,9 +91,9 @@ DriverHint hint_of(const KnownDriver& driver, const Endpoint& end, const SerialP
 }
 
 std::string title_of(const std::string& format) {
-    static const std::map<std::string, std::string> titles{{"ros1", "ROS 1"}, {"ros2", "ROS 2"},
-                                                           {"moos", "MOOS"},  {"rock", "Rock"},
-                                                           {"dune", "DUNE"},  {"sitl", "ArduPilot"}};
+    static const std::map<std::string, std::string> titles{
+        {"ros1", "ROS 1"}, {"ros2", "ROS 2"},     {"moos", "MOOS"},    {"rock", "Rock"},
+        {"dune", "DUNE"},  {"sitl", "ArduPilot"}, {"python", "Python"}};
     return titles.at(format);
 }
 
@@ -96,6 +114,14 @@ std::vector<std::pair<Port, bool>> ports_of(const ScenarioDevice& device) {
     return all;
 }
 
+/// Whether it only sends what goes to a place that is told further down.
+bool is_source(const ScenarioDevice& device, const Port& port) {
+    return port.bind.port != 0 && std::ranges::any_of(device.model->sends, [&](const Destination& sent) {
+               return sent.what == port.name && sent.words.empty() &&
+                      sent.endpoint < device.config.endpoints.size();
+           });
+}
+
 DriverHint no_driver(const ScenarioDevice& device, const std::string& format) {
     return {"", {}, "no driver of " + title_of(format) + " for " + device.model->name + " is known to us"};
 }
@@ -103,7 +129,7 @@ DriverHint no_driver(const ScenarioDevice& device, const std::string& format) {
 }  // namespace
 
 const std::vector<std::string>& driver_formats() {
-    static const std::vector<std::string> formats{"ros1", "ros2", "moos", "rock", "dune", "sitl"};
+    static const std::vector<std::string> formats{"ros1", "ros2", "moos", "rock", "dune", "sitl", "python"};
     return formats;
 }
 
@@ -113,6 +139,7 @@ std::vector<WirePlace> wire_places(const ScenarioDevice& device) {
     std::vector<WirePlace> places;
     const Endpoint& first = device.config.endpoints.at(0);
     for (const auto& [port, chosen] : ports_of(device)) {
+        if (is_source(device, port)) continue;
         if (port.kind == Port::Kind::datagram && places.empty() && first.scheme == Endpoint::Scheme::udp) {
             places.push_back({"sends " + port.name + " to", address_text(first.host, first.port)});
         } else if (port.kind == Port::Kind::datagram && port.bind.port == 0) {
@@ -142,8 +169,8 @@ DriverHint driver_hint(const ScenarioDevice& device, const std::string& format) 
     const auto words = words_of(device, end, port);
     for (const KnownDriver& driver : device.model->drivers) {
         const bool fits = driver.scheme.empty() || driver.scheme == scheme_name(end.scheme);
-        const bool reachable = !uses(driver, "{sitl}") || !sitl_line(end, port).empty();
-        if (driver.format == format && fits && reachable) return hint_of(driver, end, port, words);
+        if (driver.format == format && fits && complete(driver, words))
+            return hint_of(driver, end, port, words);
     }
     return no_driver(device, format);
 }

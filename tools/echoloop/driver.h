@@ -29,7 +29,7 @@ struct DriverHint {
 };
 
 /// There is none for a port whose number is not known yet. `format`: "ros1", "ros2", "moos", "rock", "dune",
-/// "sitl".
+/// "sitl", "python".
 DriverHint driver_hint(const ScenarioDevice& device, const std::string& format);
 
 const std::vector<std::string>& driver_formats();

@@ -23,7 +23,7 @@ using capture::Survey;
 constexpr double bits_per_byte = 10;  // 8N1
 
 capture::OpenSettings open_settings(const Arguments& arguments) {
-    return {arguments.number("--interval", 0, 1e-6, 1e6)};
+    return {.interval = arguments.number("--interval", 0, 1e-6, 1e6), .as_sent = true};
 }
 
 /// Many messages at one and the same time are a file without times.
@@ -31,7 +31,7 @@ void require_times(const Arguments& arguments, const Survey& survey) {
     const bool untimed =
         arguments.has("--stepped") || arguments.has("--answer") || arguments.has("--interval");
     const auto& only = survey.ports.front();
-    if (untimed || survey.ports.size() > 1 || only.end > only.begin) return;
+    if (untimed || survey.ports.size() > 1 || only.end > only.begin || survey.counts.steps_back > 0) return;
     if (only.first.pieces + only.second.pieces < 3) return;
     throw StartError(
         Exit::usage,
@@ -190,7 +190,8 @@ Verb replay_verb() {
         {{Kind::positional,
           "CAPTURE",
           "",
-          "pcap, pcapng, .bin of Ping Viewer, a serial log as text, .852, .81A, .svlog, .sonar, ...",
+          "pcap, pcapng, .kmall, .s7k, .aris, .oculus, .xtf, .bin, .svlog, .sonar, .852, .81A, a serial log "
+          "as text, ...; .gz of all",
           {},
           true},
          {Kind::optional, "ENDPOINT", "",

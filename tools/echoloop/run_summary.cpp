@@ -65,6 +65,8 @@ void print_summary(const std::vector<SessionSummary>& sessions) {
                     counted(s.bytes_out, "byte").c_str(), counted(s.most_waiting, "message").c_str(),
                     not_taken(s.bytes_lost, "byte", "lost").c_str(),
                     not_taken(s.dropped, "message", "dropped").c_str());
+        if (s.empty_datagrams > 0)
+            std::printf("  ignored: %s\n", counted(s.empty_datagrams, "empty datagram").c_str());
         if (s.targets_refused > 0)
             std::printf("  not sent: %s to addresses that are none of the peers\n",
                         counted(s.targets_refused, "datagram").c_str());

@@ -237,7 +237,7 @@ void Aris::send_frame(const Echogram& echogram, Time now) {
     parts_.hand_over(now, actions_.send);
 }
 
-void Aris::send_beacon() {
+void Aris::send_beacon(Time now) {
     aris::Availability beacon;
     beacon.serial = settings_.serial;
     beacon.system_type = settings_.variant.system_type;
@@ -245,7 +245,8 @@ void Aris::send_beacon() {
     beacon.state = connected_ ? aris::connection_state::busy : aris::connection_state::available;
     beacon.capabilities = {{"KA"}};
     beacon.link = settings_.ethernet;
-    beacon.cpu_temperature = static_cast<float>(settings_.temperature);
+    beacon.cpu_temperature = static_cast<float>(
+        settings_.sensors.read("CPU", settings_.temperature, stray::board_temperature, now));
     if (settings_.voyager) beacon.variants = {{"VG"}};
     actions_.send.push_back({beacon_port, aris::encode(beacon), wiring_.beacon, {}});
 }
@@ -253,7 +254,7 @@ void Aris::send_beacon() {
 Actions Aris::woken(Time now) {
     if (now >= next_beacon_) {
         next_beacon_ = now + from_seconds(settings_.beacon_period);
-        send_beacon();
+        send_beacon(now);
     }
     if (now >= next_silence_) {
         forget_controller();

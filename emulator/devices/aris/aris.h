@@ -54,7 +54,7 @@ class Aris final : public Device {
     /// s from the transmission of a frame that is heard at `due` to the next, if nobody sets anything.
     double interval(Time now, Time due) const;
     void send_frame(const Echogram& echogram, Time now);
-    void send_beacon();
+    void send_beacon(Time now);
     Actions take_actions();
 
     Settings settings_;
@@ -68,7 +68,8 @@ class Aris final : public Device {
     std::int64_t clock_offset_;  ///< us, Unix time at power-up by the sonar's own clock
     FrameRecord frame_;          ///< the frame under way, or the last one; its number is 0 before the first
     std::uint64_t pings_ = 0;    ///< goes on across controllers, unlike numbers of frames
-    PingPacer pacer_;            ///< of frames
+    /// Of frames, whose intervals in recordings differ by up to 0.6 ms.
+    PingPacer pacer_{settings_.sensors, {std::chrono::microseconds(1), 600}};
     PartQueue parts_;
     Time next_beacon_ = Time::max();
     std::uint32_t peer_ = 0;           ///< IPv4 address of the controller

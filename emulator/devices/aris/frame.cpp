@@ -40,13 +40,16 @@ void copy_control(const FrameRecord& from, aris::FrameHeader& to) {
     to.focus_moving = to.focus != to.focus_position;
 }
 
-void put_attitude(const Quat& world_from_sonar, aris::FrameHeader& to) {
+void put_attitude(const Quat& world_from_sonar, const Sensors& sensors, Time time, aris::FrameHeader& to) {
     const Attitude attitude = attitude_of(world_from_sonar);
+    const auto read = sensors.at(time);
     const Vec3& g = attitude.acceleration;
-    to.compass_heading = static_cast<float>(attitude.heading);
-    to.compass_pitch = static_cast<float>(attitude.pitch);
-    to.compass_roll = static_cast<float>(attitude.roll);
-    to.acceleration = {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)};
+    to.compass_heading =
+        static_cast<float>(sensors.read_bearing("compass", attitude.heading, stray::compass, time));
+    to.compass_pitch = read("pitch", attitude.pitch, stray::tilt);
+    to.compass_roll = read("roll", attitude.roll, stray::tilt);
+    to.acceleration = {read("x", g.x, stray::acceleration), read("y", g.y, stray::acceleration),
+                       read("z", g.z, stray::acceleration)};
 }
 
 std::size_t room(const Settings& settings, bool first) {
@@ -57,25 +60,31 @@ std::size_t room(const Settings& settings, bool first) {
 
 aris::FrameHeader make_header(const FrameRecord& frame, const Settings& settings,
                               const Pose& world_from_sonar) {
-    const double depth = -world_from_sonar.position.z;
+    const Sensors& sensors = settings.sensors;
+    const double depth = sensors.read("pressure", -world_from_sonar.position.z, stray::depth, frame.time);
+    const double water = sensors.read("water", settings.temperature, stray::water_temperature, frame.time);
+    const auto board = [&](std::string_view name) {
+        const double read = sensors.read(name, settings.temperature, stray::board_temperature, frame.time);
+        return static_cast<std::uint32_t>(std::lround(std::max(0.0, read)));
+    };
     aris::FrameHeader header;
     copy_settings(frame.acoustics, header);
     copy_control(frame, header);
-    put_attitude(world_from_sonar.orientation, header);
-    const double c = sound_speed(settings.temperature, frame.salinity, depth);
+    put_attitude(world_from_sonar.orientation, sensors, frame.time, header);
+    const double c = sound_speed(water, frame.salinity, depth);
     header.index = frame.number;
     header.timestamp = header.sonar_time = header.go_time = frame.clock;
     header.window_start = static_cast<float>(c / 2 * 1e-6 * frame.acoustics.start_delay);
     header.window_length =
         static_cast<float>(c / 2 * 1e-6 * frame.acoustics.sample_period * frame.acoustics.samples);
-    header.temperature1 = header.temperature2 =
-        static_cast<std::uint32_t>(std::lround(std::max(0.0, settings.temperature)));
-    header.water_temperature = static_cast<float>(settings.temperature);
+    header.temperature1 = board("board 1");
+    header.temperature2 = board("board 2");
+    header.water_temperature = static_cast<float>(water);
     header.sound_speed = static_cast<float>(c);
     header.system_type = settings.variant.system_type;
     header.serial = settings.serial;
     header.reordered = settings.reordered;
-    header.pressure = static_cast<float>(pressure_at(depth, frame.salinity, settings.temperature));
+    header.pressure = static_cast<float>(pressure_at(depth, frame.salinity, water));
     header.uptime = static_cast<std::uint32_t>(to_seconds(frame.time));
     header.version_build = version_build;
     header.version_major = version_major;

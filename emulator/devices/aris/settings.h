@@ -52,6 +52,7 @@ struct Settings {
     double processing_time = 2e-3;  ///< s from the last sample to the first part
     bool tvg = true;                ///< the effect of that name
     double unix_start = 0;          ///< s
+    Sensors sensors;
     Acoustics acoustics;
 };
 

@@ -66,6 +66,11 @@ Model model() {
     list_settings<Settings>(m);
     m.make = make;
     m.default_shot = default_shot;
+    m.drivers = {{"dune",
+                  "LSTS DUNE",
+                  {"[Sensors.Imagenex881A]", "Enabled                                 = Hardware",
+                   "Entity Label                            = {name}",
+                   "Serial Port - Device                    = {port}"}}};
     return m;
 }
 

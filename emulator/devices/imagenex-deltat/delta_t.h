@@ -38,7 +38,7 @@ class DeltaT final : public Device {
     Wiring wiring_;
     Controls controls_;
     PingRecord record_;  ///< of the ping under way
-    PingPacer pacer_;
+    PingPacer pacer_{settings_.sensors, jitter::processor};
     Echogram mean_;            ///< of the pings averaged so far
     unsigned averaged_ = 0;    ///< pings in it
     double down_bearing_ = 0;  ///< rad, at the ping before

@@ -45,6 +45,12 @@ Model model() {
     m.make = make;
     m.default_shot = default_shot;
     m.family = "deltat";
+    m.drivers = {
+        {"ros1",
+         "rolker imagenex_deltat",
+         {"rosrun imagenex_deltat deltat.py _frame_id:={name}"},
+         "it listens on UDP 4040 of every address and sends what it hears on to 192.168.12.8: keep it "
+         "in a network of its own"}};
     return m;
 }
 

@@ -49,11 +49,14 @@ void put_settings(Profile83P& p, const PingRecord& ping, const Settings& setting
     p.centre_ping_offset = rounded<std::uint16_t>(1e4 * ping.period * (c.averaging - 1) / 2);
 }
 
-void put_attitude(Profile83P& p, const Pose& pose, const Settings& settings) {
+void put_attitude(Profile83P& p, const Pose& pose, Time time, const Settings& settings) {
     const auto attitude = settings.orientation ? attitude_of(pose) : std::nullopt;
     if (!attitude) return;
-    const double pitch = rad_to_deg(attitude->pitch), roll = rad_to_deg(attitude->roll);
-    const double heading = rad_to_deg(attitude->heading);
+    const Sensors& sensors = settings.sensors;
+    const double pitch = sensors.read("pitch", rad_to_deg(attitude->pitch), stray::tilt, time);
+    const double roll = sensors.read("roll", rad_to_deg(attitude->roll), stray::tilt, time);
+    const double heading =
+        sensors.read_bearing("compass", rad_to_deg(attitude->heading), stray::compass, time);
     p.pitch = valid_tenths(pitch + 90);
     p.roll = valid_tenths(roll + 90);
     p.heading = valid_tenths(std::fmod(std::round(10 * heading), 3600) / 10);
@@ -100,7 +103,7 @@ Profile83P make_profile(const Echogram& echogram, const PingRecord& ping, const 
     Profile83P p;
     put_time(p, ping.time, settings.upper_month);
     put_settings(p, ping, settings);
-    put_attitude(p, echogram.world_from_sonar, settings);
+    put_attitude(p, echogram.world_from_sonar, from_seconds(ping.time - settings.unix_start), settings);
     const auto detections = bottom(echogram, ping.controls, settings);
     std::vector<double> ranges;
     for (const auto& found : detections) ranges.push_back(range_of(found, echogram.shot, ping.controls));

@@ -52,6 +52,13 @@ Model model() {
     m.default_shot = default_shot;
     m.family = "kmall";
     m.sends = {{"datagrams", 1}, {"texts", 2}};
+    m.drivers = {{"ros1",
+                  "kongsberg_em_driver",
+                  {"kmall_connection:", "  udp_address: \"{host 2}\"", "  udp_rx_port: {number 2}",
+                   "  udp_tx_port: 6021", "kctrl_connection:", "  udp_address: \"{host}\"",
+                   "  udp_rx_port: {number 3}", "  udp_tx_port: {number}", "sounder_name: EM2040_40"},
+                  "goes into launch/kongsberg_2040.yaml; start it with roslaunch kongsberg_em_driver "
+                  "kongsberg_2040.launch"}};
     return m;
 }
 

@@ -26,6 +26,11 @@ Model model() {
     m.make = make;
     m.default_shot = default_shot;
     m.family = "altimeter";
+    m.drivers = {{"rock",
+                  "Rock sonar_tritech",
+                  {"port: '{port}'         # properties of the oroGen task sonar_tritech::Echosounder",
+                   "baudrate: {rate}"},
+                  "it reads millimetres: options format mm and baud 115200"}};
     return m;
 }
 

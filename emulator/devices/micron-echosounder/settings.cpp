@@ -36,6 +36,7 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
 Settings read_settings(const DeviceConfig& config) {
     Settings s = fill_settings<Settings>(config);
     s.sounding.baud = line_rate(config.endpoints, s.sounding.baud);
+    s.sounding.sensors = Sensors(config.random_key, config.effects);
     return s;
 }
 

@@ -3,8 +3,12 @@
 namespace echoloop::nmea_echosounder {
 namespace {
 
-std::string sentence(const Settings& settings, const std::string& formatter, nmea::Depth depth) {
-    if (formatter == "MTW") return nmea::mtw(settings.temperature, settings.style);
+std::string sentence(const Settings& settings, const std::string& formatter, nmea::Depth depth, Time now) {
+    if (formatter == "MTW") {
+        const double water =
+            settings.sounding.sensors.read("water", settings.temperature, stray::water_temperature, now);
+        return nmea::mtw(water, settings.style);
+    }
     if (formatter == "DPT") {
         const auto range = settings.range_in_dpt ? std::optional(settings.sounding.range) : std::nullopt;
         return nmea::dpt(depth, settings.offset, range, settings.style);
@@ -16,11 +20,11 @@ std::string sentence(const Settings& settings, const std::string& formatter, nme
 
 }  // namespace
 
-std::vector<std::string> sentences(const Settings& settings, nmea::Depth depth) {
+std::vector<std::string> sentences(const Settings& settings, nmea::Depth depth, Time now) {
     std::vector<std::string> all;
     for (const std::string& formatter : settings.sentences)
         if (depth || !settings.silent_without_bottom || formatter == "MTW")
-            all.push_back(sentence(settings, formatter, depth));
+            all.push_back(sentence(settings, formatter, depth, now));
     return all;
 }
 

@@ -6,7 +6,7 @@
 namespace echoloop::nmea_echosounder {
 
 /// The sentences of one ping, in order.
-std::vector<std::string> sentences(const Settings& settings, nmea::Depth depth);
+std::vector<std::string> sentences(const Settings& settings, nmea::Depth depth, Time now);
 
 /// The row of the table of models.
 Model model();

@@ -71,6 +71,7 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
 Settings read_settings(const DeviceConfig& config) {
     Settings s = fill_settings<Settings>(config);
     s.sounding.baud = line_rate(config.endpoints, s.sounding.baud);
+    s.sounding.sensors = Sensors(config.random_key, config.effects);
     check_talker(s.style.talker);
     check_sentences(s.sentences, s.offset);
     return s;

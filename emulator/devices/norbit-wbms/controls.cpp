@@ -157,11 +157,16 @@ Reply answer_row(const Row& row, const norbit::Command& command, Controls& contr
 }
 
 /// Commands that set no number of their own; empty if it is none of them.
-std::string answer_other(const norbit::Command& command, Controls& controls, const Settings& settings) {
+std::string answer_other(const norbit::Command& command, Controls& controls, const Settings& settings,
+                         Time now) {
     const auto say = [&](const std::string& word, std::string_view comment = {}) {
         return norbit::write_answer({command.name, {word}}, comment);
     };
-    if (command.name == "temperature") return say(norbit::write_number(settings.temperature), "in celsius");
+    if (command.name == "temperature") {
+        const double read =
+            settings.sensors.read("board", settings.temperature, stray::board_temperature, now);
+        return say(norbit::write_number(read), "in celsius");
+    }
     if (command.name == "revision") return say(settings.revision);
     if (command.name == "serial") return say(settings.serial);
     if (command.name == "partno") return say(settings.part_number);
@@ -188,9 +193,9 @@ Controls initial_controls(const Settings& settings) {
     return controls;
 }
 
-Reply obey(const norbit::Command& command, Controls& controls, const Settings& settings) {
+Reply obey(const norbit::Command& command, Controls& controls, const Settings& settings, Time now) {
     if (const Row* row = find_row(command, controls)) return answer_row(*row, command, controls);
-    std::string text = answer_other(command, controls, settings);
+    std::string text = answer_other(command, controls, settings, now);
     if (!text.empty()) return {std::move(text), true};
     return {norbit::write_answer({"error", {}}, "unknown command"), false};
 }

@@ -48,6 +48,6 @@ struct Reply {
     bool understood = false;
 };
 /// Obeys one command and answers it. What is out of bounds sets nothing; the answer has the values in force.
-Reply obey(const norbit::Command& command, Controls& controls, const Settings& settings);
+Reply obey(const norbit::Command& command, Controls& controls, const Settings& settings, Time now);
 
 }  // namespace echoloop::norbit_device

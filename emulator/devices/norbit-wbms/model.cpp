@@ -49,6 +49,12 @@ Model model() {
     m.make = make;
     m.default_shot = default_shot;
     m.family = "norbit";
+    m.drivers = {{"ros1",
+                  "uri-ocean-robotics norbit",
+                  {"rosparam load $(rospack find norbit)/config/norbit.yaml norbit_node",
+                   "rosrun norbit norbit_node _ip:={host} _cmd_port:={number} _bathy_port:={number 2} "
+                   "_water_column_port:={number 3} _sensor_frame:={name}"},
+                  "its startup_settings in that file switch the sonar on"}};
     return m;
 }
 

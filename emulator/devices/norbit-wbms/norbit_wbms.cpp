@@ -64,7 +64,7 @@ Actions NorbitWbms::received(const Received& data, Time now) {
 void NorbitWbms::obey_line(const std::string& line, Address from, Time now) {
     if (line.find_first_not_of(" \t") == std::string::npos) return;
     const auto command = norbit::read_command(line).value_or(norbit::Command{});
-    const Reply reply = obey(command, controls_, settings_);
+    const Reply reply = obey(command, controls_, settings_, now);
     ++(reply.understood ? counters_.messages : counters_.rejected);
     send(command_port, Bytes(reply.text.begin(), reply.text.end()), from);
     actions_.send.back().hang_up = command.name == "exit";
@@ -87,7 +87,8 @@ double NorbitWbms::time_stamp(Time time) const {
 }
 
 void NorbitWbms::transmit(Time now) {
-    ping_ = {controls_, make_plan(controls_, settings_, digital_gain_), ping_.number + 1, time_stamp(now)};
+    ping_ = {controls_, make_plan(controls_, settings_, digital_gain_), ping_.number + 1, time_stamp(now),
+             now};
     actions_.ping = Ping{make_shot(ping_.controls, ping_.plan, settings_, ping_.number),
                          now + from_seconds(ping_.plan.due)};
 }

@@ -54,7 +54,7 @@ class NorbitWbms final : public Device {
     std::set<Address> viewers_;  ///< hosts on the water column
     PingRecord ping_;            ///< the ping under way, or the last one
     double digital_gain_ = 0;    ///< dB, of the next ping
-    PingPacer pacer_;
+    PingPacer pacer_{settings_.sensors, jitter::gate_array};
     std::optional<Time> last_image_;  ///< when its ping was due, at the rate of water columns
     Actions actions_;
     DeviceCounters counters_;

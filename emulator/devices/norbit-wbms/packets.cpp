@@ -82,7 +82,8 @@ Bytes bathymetry_packet(const PingRecord& ping, const Settings& s, const Echogra
     b.gate_tilt = f(deg_to_rad(c.gate_tilt));
     if (s.newer_fields) {
         b.multi_pings = b.multi_ping = 1;
-        b.raw_sound_speed = f(s.sound_speed);
+        b.raw_sound_speed =
+            f(s.sensors.read("sound speed", s.sound_speed, stray::sound_speed, ping.since_start));
     }
     b.points = make_points(ping, s, echogram);
     return norbit::encode(b, s.version);

@@ -11,6 +11,7 @@ struct PingRecord {
     Plan plan;
     std::uint32_t number = 0;  ///< since power-up
     double transmitted = 0;    ///< s, by the sonar's time source
+    Time since_start{};        ///< the same on the run's clock
 };
 
 /// `sent`: s, by the sonar's time source.

@@ -35,12 +35,13 @@ struct Settings {
     bool power = false;          ///< pings from the start
     double command_pause = 0.1;  ///< s after which a command without a line's end is one
     double temperature = 25;     ///< degC
-    std::string revision = "10.3.6", serial = "1001", part_number = "12004";
+    std::string revision = "10.3.6", serial = "700218", part_number = "12004";
     double processing_time = 10e-3;  ///< s from the last echo to the packets
     double sound_speed = 1500;       ///< m/s, that the probe measures
     double unix_start = 0;           ///< s
-    bool tvg = true;                 ///< the effect of that name
-    bool pulse = true;               ///< the effect of that name
+    Sensors sensors;
+    bool tvg = true;    ///< the effect of that name
+    bool pulse = true;  ///< the effect of that name
     Acoustics acoustics;
 };
 

@@ -19,12 +19,14 @@ double pressure_at(double depth) {
 struct Attitude {
     double heading, pitch, roll;
 };
-Attitude attitude_of(const Quat& world_from_sonar) {
+Attitude attitude_of(const Quat& world_from_sonar, const Sensors& sensors, Time time) {
     const Vec3 ahead = rotate(world_from_sonar, {1, 0, 0}), port = rotate(world_from_sonar, {0, 1, 0});
     const Vec3 up = rotate(world_from_sonar, {0, 0, 1});
-    const double heading = rad_to_deg(std::atan2(ahead.x, ahead.y));
-    return {heading < 0 ? heading + 360 : heading, rad_to_deg(std::asin(std::clamp(ahead.z, -1.0, 1.0))),
-            rad_to_deg(std::atan2(port.z, up.z))};
+    const double heading = rad_to_deg(std::atan2(ahead.x, ahead.y)),
+                 pitch = rad_to_deg(std::asin(std::clamp(ahead.z, -1.0, 1.0))),
+                 roll = rad_to_deg(std::atan2(port.z, up.z));
+    return {sensors.read_bearing("compass", heading < 0 ? heading + 360 : heading, stray::compass, time),
+            sensors.read("pitch", pitch, stray::tilt, time), sensors.read("roll", roll, stray::tilt, time)};
 }
 
 /// The request as it came, but for what real units change.
@@ -37,13 +39,20 @@ oculus::Fire echo_of(const PingRecord& ping, const Settings& settings) {
     return echo;
 }
 
+/// bar, at `depth` m.
+double read_pressure(const Settings& settings, double depth, Time time) {
+    return pressure_at(settings.sensors.read("pressure", depth, stray::depth, time));
+}
+
 /// What both versions have.
 template <class Result>
 void fill(Result& result, const PingRecord& ping, const Settings& settings, const Echogram& echogram) {
     result.ping_id = ping.number;
     result.frequency = echogram.shot.frequency;
-    result.temperature = settings.garbage_sensors ? 1e-76 : settings.temperature;
-    result.pressure = settings.garbage_sensors ? -1e194 : pressure_at(-echogram.world_from_sonar.position.z);
+    result.temperature = settings.garbage_sensors ? 1e-76 : water_temperature(settings, ping.time);
+    result.pressure = settings.garbage_sensors
+                          ? -1e194
+                          : read_pressure(settings, -echogram.world_from_sonar.position.z, ping.time);
     result.sound_speed = ping.plan.sound_speed;
     result.data_size = ping.plan.data_size;
     result.range_resolution = ping.plan.resolution();
@@ -75,7 +84,7 @@ Bytes make_result(const PingRecord& ping, const Settings& settings, const Echogr
     result.fire = ping.request.wish;
     result.fire.fire = echo_of(ping, settings);
     result.start_time = to_seconds(ping.time);
-    const Attitude attitude = attitude_of(echogram.world_from_sonar.orientation);
+    const Attitude attitude = attitude_of(echogram.world_from_sonar.orientation, settings.sensors, ping.time);
     result.heading = attitude.heading;
     result.pitch = attitude.pitch;
     result.roll = attitude.roll;
@@ -83,7 +92,7 @@ Bytes make_result(const PingRecord& ping, const Settings& settings, const Echogr
     return with_image(result, ping, settings, echogram);
 }
 
-Bytes make_status(const Settings& settings, std::uint32_t own, std::uint32_t client, double depth) {
+Bytes make_status(const Settings& settings, std::uint32_t own, std::uint32_t client, double depth, Time now) {
     constexpr std::uint16_t everybody = 0xFFFF;
     constexpr std::uint32_t version = 0x00000101, date = 0x20200101;  // own choice: 1.1.0
     oculus::Status status;
@@ -101,8 +110,11 @@ Bytes make_status(const Settings& settings, std::uint32_t own, std::uint32_t cli
                   0x55,
                   static_cast<std::uint8_t>(settings.device_id >> 8),
                   static_cast<std::uint8_t>(settings.device_id & 0xFF)};
-    status.temperatures.fill(settings.temperature);
-    status.pressure = pressure_at(depth);
+    char place = '1';
+    for (double& one : status.temperatures)
+        one = settings.sensors.read(std::string("board ") + place++, settings.temperature,
+                                    stray::board_temperature, now);
+    status.pressure = read_pressure(settings, depth, now);
     return oculus::encode(status, settings.device_id, everybody, static_cast<oculus::Id>(settings.status_id));
 }
 

@@ -17,7 +17,7 @@ struct PingRecord {
 Bytes make_result(const PingRecord& ping, const Settings& settings, const Echogram& echogram);
 
 /// `own` is where the sonar listens, `client` who is connected (0: nobody); `depth` in m.
-Bytes make_status(const Settings& settings, std::uint32_t own, std::uint32_t client, double depth);
+Bytes make_status(const Settings& settings, std::uint32_t own, std::uint32_t client, double depth, Time now);
 
 Bytes make_dummy(const Settings& settings);
 

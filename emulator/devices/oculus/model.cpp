@@ -54,7 +54,8 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     request.wish.fire.flags = oculus::flag::range_in_metres | oculus::flag::beams_512;
     request.wish.fire.range = range > 0 ? range : default_range;
     request.wish.fire.sound_speed = config.sound_speed;
-    return make_shot(request, make_plan(request, settings), settings, static_cast<std::uint32_t>(step + 1));
+    return make_shot(request, make_plan(request, settings, Time{}), settings,
+                     static_cast<std::uint32_t>(step + 1));
 }
 
 std::vector<Bytes> requests(const DeviceConfig&, bool) {
@@ -74,7 +75,12 @@ Model row(const std::string& name, const std::string& title) {
     m.default_shot = default_shot;
     m.family = "oculus";
     m.requests = requests;
-    m.drivers = {{"ros2",
+    m.drivers = {{"ros1",
+                  "ENSTA Bretagne oculus_ros",
+                  {"rosrun oculus_sonar oculus_sonar_node"},
+                  "it takes the first sonar whose status it hears on UDP 52102, so emulate one; APL's "
+                  "oculus_sonar_driver does, too, and wants option gain_word f32"},
+                 {"ros2",
                   "ENSTA Bretagne oculus_ros2",
                   {"ros2 launch oculus_ros2 default.launch.py"},
                   "it takes the first sonar whose status it hears on UDP 52102, so emulate one"}};

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 enum PortIndex : std::size_t { data_port, status_port };
 
 constexpr Time dummy_period = 1s;
-constexpr std::uint32_t over_temperature = 1U << 15;
+constexpr std::uint32_t over_temperature = 1U << 15, state = 7, main_program = 3;
 
 }  // namespace
 
@@ -100,19 +100,21 @@ void Oculus::hang_up() {
 }
 
 bool Oculus::pinging() const {
-    return request_ && !request_->standby() && (settings_.status_bits & over_temperature) == 0;
+    const std::uint32_t bits = settings_.status_bits;
+    const bool runs = (bits & state) == main_program && (bits & over_temperature) == 0;
+    return runs && request_ && !request_->standby();
 }
 
 void Oculus::plan_next_ping(Time now) {
     if (!pinging()) return pacer_.pause();
-    const Time period = from_seconds(make_plan(*request_, settings_).period);
+    const Time period = from_seconds(make_plan(*request_, settings_, now).period);
     pacer_.start(now, period);
     pacer_.hold(network_free_ - period);  // results of a host that was slow before go first
 }
 
 void Oculus::transmit(Time now) {
     ping_client_ = client_;
-    ping_ = {*request_, make_plan(*request_, settings_), ping_.number + 1, now};
+    ping_ = {*request_, make_plan(*request_, settings_, now), ping_.number + 1, now};
     actions_.ping = Ping{make_shot(ping_.request, ping_.plan, settings_, ping_.number),
                          now + from_seconds(ping_.plan.due)};
 }
@@ -145,7 +147,7 @@ void Oculus::tick(Time now) {
 Actions Oculus::woken(Time now) {
     if (now >= next_status_) {
         next_status_ = now + from_seconds(settings_.status_period);
-        Bytes status = make_status(settings_, wiring_.own.ip, client_.ip, depth_);
+        Bytes status = make_status(settings_, wiring_.own.ip, client_.ip, depth_, now);
         actions_.send.push_back({status_port, std::move(status), wiring_.status, {}});
     }
     if (now >= next_silence_) hang_up();

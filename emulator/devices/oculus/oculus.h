@@ -49,7 +49,8 @@ class Oculus final : public Device {
     std::optional<Request> request_;  ///< of the connected host; none: standby
     PingRecord ping_;                 ///< the ping under way, or the last one
     Address ping_client_;             ///< whom it is for
-    PingPacer pacer_;
+    /// Steps of 33 ns, as between the three pings of a recording.
+    PingPacer pacer_{settings_.sensors, {Time(33), 1}};
     Address client_;                   ///< who is connected; port 0: nobody
     bool hung_up_ = false;             ///< on a fire
     double depth_ = 0;                 ///< m, at the last ping

@@ -47,11 +47,12 @@ double range_of(const Request& r, const Settings& s) {
     return std::clamp(wanted, s.acoustics.shortest_range, longest);
 }
 
-double sound_speed_of(const Request& r, const Settings& s) {
+double sound_speed_of(const Request& r, const Settings& s, Time now) {
     constexpr double slowest = 1300, fastest = 1700;  // m/s
     const double wanted = r.fire().sound_speed;
     const double salinity = std::clamp(r.fire().salinity, 0.0, 45.0);
-    return std::clamp(wanted != 0 ? wanted : sound_speed(s.temperature, salinity), slowest, fastest);
+    return std::clamp(wanted != 0 ? wanted : sound_speed(water_temperature(s, now), salinity), slowest,
+                      fastest);
 }
 
 double gain_of(const Request& r, const Settings& s) {
@@ -65,12 +66,17 @@ double network_speed(const Request& r, const Settings& s) {
     return limit == 0 || limit == 0xFF ? s.link_speed : std::min<double>(limit, s.link_speed);
 }
 
+/// `hertz` as a whole fraction of a clock.
+double divided(double clock, double hertz) { return clock / std::max(1.0, std::round(clock / hertz)); }
+
 /// Rows as fine as the samples, or of as many samples as keep their number in bounds.
 void plan_rows(Plan& plan, const ModeFigures& mode, std::size_t most) {
-    const double finest = plan.sound_speed / 2 / mode.sample_rate;
+    constexpr double clock = 75e6;  // Hz; three real pings have rows of 286 of its cycles
+    const double rate = divided(clock, mode.sample_rate);
+    const double finest = plan.sound_speed / 2 / rate;
     const double samples =
         std::max(1.0, std::ceil(std::floor(plan.range / finest) / static_cast<double>(most)));
-    plan.row_time = samples / mode.sample_rate;
+    plan.row_time = samples / rate;
     plan.rows = std::max<std::size_t>(1, static_cast<std::size_t>(plan.range / (finest * samples)));
 }
 
@@ -90,10 +96,17 @@ const ModeFigures& figures_of(const Request& request, const Acoustics& acoustics
     return request.high() ? acoustics.high : acoustics.low;
 }
 
-Plan make_plan(const Request& r, const Settings& s) {
+/// The converter's steps are an own choice; the three pings of a recording have one sound speed.
+double water_temperature(const Settings& s, Time now) {
+    Stray sensor = stray::water_temperature;
+    sensor.step = 0.0625;
+    return s.sensors.read("water", s.temperature, sensor, now);
+}
+
+Plan make_plan(const Request& r, const Settings& s, Time now) {
     const ModeFigures& mode = figures_of(r, s.acoustics);
     Plan plan;
-    plan.sound_speed = sound_speed_of(r, s);
+    plan.sound_speed = sound_speed_of(r, s, now);
     plan.range = range_of(r, s);
     plan_rows(plan, mode, s.acoustics.rows);
     plan.beams = r.has(flag::beams_512) ? s.acoustics.beams : 256;
@@ -117,7 +130,8 @@ Shot make_shot(const Request& r, const Plan& plan, const Settings& s, std::uint3
     shot.fan_height = mode.fan_height;
     shot.bins = plan.rows;
     shot.bin_interval = plan.row_time;
-    shot.frequency = mode.frequency;
+    constexpr double clock = 281.25e6;  // Hz; three real pings have its 134th part
+    shot.frequency = divided(clock, mode.frequency);
     shot.pulse_length = a.pulse_length;
     shot.bandwidth = mode.bandwidth;
     shot.source_level = mode.source_level;

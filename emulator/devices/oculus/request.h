@@ -43,7 +43,9 @@ struct Plan {
     double resolution() const { return sound_speed / 2 * row_time; }  ///< m per row
     std::size_t sample_bytes() const { return static_cast<std::size_t>(data_size) + 1; }
 };
-Plan make_plan(const Request& request, const Settings& settings);
+/// degC, as its own sensor reads.
+double water_temperature(const Settings& settings, Time now);
+Plan make_plan(const Request& request, const Settings& settings, Time now);
 
 /// `plan` is the request's.
 Shot make_shot(const Request& request, const Plan& plan, const Settings& settings, std::uint32_t ping);

@@ -1,3 +1,4 @@
+#include "emulator/devices/family/ping/known_drivers.h"
 #include "emulator/devices/omniscan450/omniscan450.h"
 
 namespace echoloop::omniscan450 {
@@ -34,6 +35,8 @@ Model model() {
     m.make = make;
     m.default_shot = default_shot;
     m.family = "cerulean";
+    m.drivers =
+        ping_device::brping_drivers("0.2.3", "Omniscan450", {"print(sonar.readDeviceInformation())"}, true);
     return m;
 }
 

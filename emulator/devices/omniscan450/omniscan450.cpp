@@ -10,7 +10,7 @@ namespace echoloop::omniscan450 {
 using cerulean::Id;
 
 Omniscan450::Omniscan450(const Settings& settings, std::vector<Endpoint> endpoints)
-    : Sonar(settings.identity, std::move(endpoints)), settings_(settings) {
+    : Sonar(settings.identity, settings.sensors, std::move(endpoints)), settings_(settings) {
     state_.params = typical_params();
 }
 
@@ -71,7 +71,8 @@ OsMonoProfile Omniscan450::profile(const Echogram& echogram) const {
         echogram.rule == EchoRule::cerqueira2016 ? 0 : settings_.acoustics.full_scales.at(pinged_.gain);
     const auto heard = cerulean_device::smoothed(echogram.beam(0), filter_bins(pinged_, settings_));
     auto results = cerulean_device::to_results(heard, full_scale);
-    const double heading = cerulean_device::compass(rotate(echogram.world_from_sonar.orientation, {1, 0, 0}));
+    const double heading =
+        read_compass(cerulean_device::compass(rotate(echogram.world_from_sonar.orientation, {1, 0, 0})));
     OsMonoProfile p;
     p.ping_number = static_cast<std::uint32_t>(pings() - 1);
     p.start_mm = pinged_.params.start_mm;

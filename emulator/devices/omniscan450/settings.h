@@ -36,6 +36,7 @@ struct Settings {
     std::uint8_t channel = 0;
     double mount_bearing = 0;       ///< deg clockwise, of the transducer against the vehicle
     double processing_time = 2e-3;  ///< s between the end of a ping and its profile
+    Sensors sensors;
     Acoustics acoustics;
 };
 

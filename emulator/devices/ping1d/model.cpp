@@ -1,3 +1,4 @@
+#include "emulator/devices/family/ping/known_drivers.h"
 #include "emulator/devices/ping1d/ping1d.h"
 #include "protocols/ping/codec.h"
 
@@ -39,7 +40,15 @@ Model model() {
     m.default_shot = default_shot;
     m.family = "ping";
     m.requests = requests;
-    m.drivers = {range_finder_in_sitl("23")};
+    m.drivers = ping_device::brping_drivers("0.1.5", "Ping1D", {"print(sonar.get_distance())"}, false);
+    m.drivers.push_back(range_finder_in_sitl("23"));
+    m.drivers.push_back({"ros1",
+                         "robbal46 ping1d_ros",
+                         {"rosrun ping1d_ros ping1d_node.py _serial_port:={port} _baud_rate:={rate}"}});
+    m.drivers.push_back({"ros2",
+                         "tasada038 ping_sonar_ros",
+                         {"ros2 run ping_sonar_ros ping1d_node --ros-args -p port:={port}"},
+                         "it opens the port at 115200 bit/s"});
     return m;
 }
 

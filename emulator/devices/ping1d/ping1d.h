@@ -6,6 +6,8 @@
 
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/family/ping/link.h"
+#include "emulator/devices/family/sounder/tracker.h"
+#include "emulator/devices/ping1d/bottom.h"
 #include "emulator/devices/ping1d/settings.h"
 
 namespace echoloop::ping1d {
@@ -48,8 +50,13 @@ class Ping1d final : public Device {
     /// The message of a get id, nothing if there is none.
     std::optional<ping::Message> message(ping::Id id) const;
     bool send_message(ping::Id id, const Peer& peer);
+    /// What a sensor reads at this moment; `stray` in units of the word.
+    std::uint16_t read(std::string_view name, std::uint16_t truth, const Stray& stray) const;
+    std::uint16_t voltage() const;  ///< mV
     void reply(const ping::Message& message, const Peer& peer);
     void transmit(Time now);
+    /// What it says of the bottom that this ping has found.
+    Bottom tracked(const Bottom& found, Time now);
     Actions take_actions();
 
     Settings settings_;
@@ -57,9 +64,11 @@ class Ping1d final : public Device {
     ping_device::Link link_;
     State state_, pinged_;  ///< as set, and as it was when the last ping went out
     ping::Profile last_;    ///< of the last ping heard
+    echosounder::Tracker tracker_;
     std::map<ping::Id, Peer> streams_;
     std::uint32_t ping_ = 0;
-    PingPacer pacer_;
+    PingPacer pacer_{settings_.sensors, jitter::processor};
+    Time now_{};               ///< of the call at hand
     bool restarting_ = false;  ///< in the boot loader until the next ping
     Actions actions_;          ///< of the call at hand
     DeviceCounters counters_;

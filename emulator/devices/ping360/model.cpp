@@ -1,3 +1,4 @@
+#include "emulator/devices/family/ping/known_drivers.h"
 #include "emulator/devices/ping360/ping360.h"
 #include "protocols/ping/codec.h"
 
@@ -32,15 +33,20 @@ std::vector<Bytes> requests(const DeviceConfig&, bool turns) {
 std::vector<KnownDriver> drivers() {
     const std::string node = "ros2 run ping360_sonar ping360_node --ros-args -p fallback_emulated:=false -p ";
     const std::string ros2 = "CentraleNantesRobotics ping360_sonar (branch ros2)";
-    return {{"ros1",
-             "CentraleNantesRobotics ping360_sonar (branch melodic)",
-             {"rosrun ping360_sonar ping360_node _device:={port} _baudrate:={rate} _frame:={name}"}},
-            {"ros2",
-             ros2,
-             {node + "connection_type:=udp -p udp_address:={host} -p udp_port:={number}"},
-             "",
-             "udp-listen"},
-            {"ros2", ros2, {node + "device:={port} -p baudrate:={rate}"}}};
+    std::vector<KnownDriver> rows{
+        {"ros1",
+         "CentraleNantesRobotics ping360_sonar (branch melodic)",
+         {"rosrun ping360_sonar ping360_node _device:={port} _baudrate:={rate}"}},
+        {"ros2",
+         ros2,
+         {node + "connection_type:=udp -p udp_address:={host} -p udp_port:={number}"},
+         "",
+         "udp-listen"},
+        {"ros2", ros2, {node + "device:={port} -p baudrate:={rate}"}}};
+    const auto python =
+        ping_device::brping_drivers("0.2.3", "Ping360", {"print(sonar.transmitAngle(0))"}, false);
+    rows.insert(rows.end(), python.begin(), python.end());
+    return rows;
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ ping::AutoDeviceData automatic(ping::DeviceData d, const ping::AutoTransmit& sca
 Ping360::Ping360(const Settings& settings, std::vector<Port> lines)
     : settings_(settings),
       ports_(std::move(lines)),
-      link_(ports_.size(), 2, settings.marks_are_breaks),
+      link_(2, settings.marks_are_breaks),
       discovery_(settings.announced),
       last_(boot_settings()),
       last_scan_(boot_scan()) {
@@ -64,9 +64,10 @@ Actions Ping360::received(const Received& data, Time now) {
         hear_discovery(data, now);
         return take_actions();
     }
+    const Peer peer{data.port, data.from};
     const auto heard = link_.receive(data);
-    if (heard.line_break) stop();
-    for (const ping::Frame& frame : heard.frames) obey(frame, {data.port, data.from}, now);
+    if (heard.line_break) end_jobs([&](const Peer& of) { return of == peer; }, now);
+    for (const ping::Frame& frame : heard.frames) obey(frame, peer, now);
     return take_actions();
 }
 
@@ -78,7 +79,7 @@ Actions Ping360::woken(Time now) {
 /// Hosts that have no other way to a line break close the port and open it again.
 void Ping360::reconnected(std::size_t port) {
     link_.reset(port);
-    stop();
+    end_jobs([&](const Peer& of) { return of.port == port; }, last_move_);
 }
 
 void Ping360::line_rate(std::size_t port, double rate) { settings_.line.follow(port, rate); }
@@ -106,7 +107,10 @@ void Ping360::on(const ping::Transducer& command, const Peer& peer, Time now) {
             command.transmit != 0};
     if (scan_) stop();
     if (job_) {
-        if (waiting_.size() < most_waiting) waiting_.push_back(std::move(job));
+        if (waiting_.size() < most_waiting)
+            waiting_.push_back(std::move(job));
+        else
+            ++counters_.rejected;
         return;
     }
     job_ = std::move(job);
@@ -114,6 +118,7 @@ void Ping360::on(const ping::Transducer& command, const Peer& peer, Time now) {
 }
 
 void Ping360::on(const ping::AutoTransmit& command, const Peer& peer, Time now) {
+    if (!settings_.scans_by_itself()) return refuse(Id::auto_transmit, unknown_command, peer, now);
     if (const auto wrong = out_of_range(command); wrong && !settings_.accept_anything) {
         refuse(Id::auto_transmit, *wrong, peer, now);
         return;
@@ -162,13 +167,26 @@ void Ping360::refuse(Id id, std::string_view text, const Peer& peer, Time now) {
     reply(ping_device::nack(id, text), peer, now);
 }
 
-/// Drops everything at hand; the echo of a ping in the water is stale from now on.
+/// Drops everything at hand; the echo of a ping in the water is stale from now on. Commands that are never
+/// answered for that count as refused.
 void Ping360::stop() {
+    counters_.rejected += waiting_.size() + (job_ && !scan_ ? 1 : 0);
     job_.reset();
     scan_.reset();
     waiting_.clear();
     under_way_ = false;
     transmit_at_ = Time::max();
+}
+
+/// A line break, which is the business of those only who share the line with it.
+void Ping360::end_jobs(const std::function<bool(const Peer&)>& is_on_that_line, Time now) {
+    counters_.rejected += std::erase_if(waiting_, [&](const Job& job) { return is_on_that_line(job.peer); });
+    if (!job_ || !is_on_that_line(job_->peer)) return;
+    if (!scan_) ++counters_.rejected;
+    scan_.reset();
+    under_way_ = false;
+    transmit_at_ = Time::max();
+    next_job(now);
 }
 
 /// The job at hand turns the head as soon as the line is free, and no earlier than `earliest`.
@@ -199,11 +217,12 @@ void Ping360::transmit(Time now) {
     }
     Shot shot = shot_from(job_->settings, angle_, settings_);
     shot.ping = ++ping_;
-    const double window = static_cast<double>(shot.bins) * shot.bin_interval;
-    const int step = scan_ ? job_->automatic->num_steps : 1;
-    shot.interval = window + settings_.turn_time * step / circle;  // if the host asks in time
+    const double processing = settings_.by_ethernet.at(job_->peer.port) ? settings_.ethernet_time : 0;
+    const double time = static_cast<double>(shot.bins) * shot.bin_interval + processing;
+    const int step = scan_ ? scan_->step() : 1;
+    shot.interval = time + settings_.turn_time * step / circle;  // if the host asks in time
     under_way_ = true;
-    actions_.ping = Ping{std::move(shot), now + from_seconds(window)};
+    actions_.ping = Ping{std::move(shot), now + from_seconds(time)};
 }
 
 Actions Ping360::heard(const Echogram& echogram, Time now) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
+#include <string_view>
 
 #include "emulator/devices/family/ping/link.h"
 #include "emulator/devices/ping360/discovery.h"
@@ -12,6 +14,8 @@
 namespace echoloop::ping360 {
 
 using ping_device::Peer;
+
+inline constexpr std::string_view unknown_command = "command not recognised";
 
 /// A ping as automatic scans tell it.
 ping::AutoDeviceData automatic(ping::DeviceData data, const ping::AutoTransmit& scan);
@@ -54,6 +58,7 @@ class Ping360 final : public Device {
     void reply(const ping::Message& message, const Peer& peer, Time now);
     void refuse(ping::Id id, std::string_view text, const Peer& peer, Time now);
     void stop();
+    void end_jobs(const std::function<bool(const Peer&)>& is_on_that_line, Time now);
     void begin(Time earliest);
     void next_job(Time now);
     void transmit(Time now);

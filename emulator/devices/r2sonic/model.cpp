@@ -43,6 +43,18 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     return make_shot(settings.start, settings, beam_angles(settings.start, 0, 0), 0, number);
 }
 
+/// Its parameters as its newest version declares them; older ones write ports/bathy and know no sim_ip.
+KnownDriver ros2sonic(const std::string& sim) {
+    return {
+        "ros2",
+        "USF-COMIT ros2sonic",
+        {"ros2 run r2sonic r2sonic_node --ros-args -p interface_ip:={host 2} -p ports.bathy:={bathymetry} "
+         "-p ports.acoustic_image:={images} -p sonar_ip:={host} -p sim_ip:=" +
+         sim},
+        "each second it sends its settings to UDP 65502 of head and SIM, so give the head the base port "
+        "65500, and it looks for sonars by a broadcast in 10.0.0.0/8"};
+}
+
 template <std::size_t Index>
 Model model() {
     const Variant& variant = variants()[Index];
@@ -59,12 +71,7 @@ Model model() {
     m.family = "r2sonic";
     m.sends = {{"bathymetry", 1, 0}, {"TruePix", 1, 1},      {"status", 1, 2},
                {"images", 1, 3},     {"water column", 1, 5}, {"snippets", 1, 6}};
-    m.drivers = {
-        {"ros2",
-         "USF-COMIT ros2sonic",
-         {"ros2 run r2sonic r2sonic_node --ros-args -p interface_ip:={host 2} -p ports/bathy:={bathymetry} "
-          "-p ports/acoustic_image:={images} -p sonar_ip:={host}"},
-         "it only listens: settings come from the scenario, or from a program that sends CMD0"}};
+    m.drivers = {ros2sonic("{host 3}"), ros2sonic("{host}")};
     return m;
 }
 

@@ -12,6 +12,10 @@ Address with_offset(Address base, std::uint16_t offset) {
     return {base.ip, static_cast<std::uint16_t>(base.port + offset)};
 }
 
+/// As the model's row says where they go.
+constexpr const char* product_names[products]{"bathymetry", "TruePix",      "status",
+                                              "images",     "water column", "snippets"};
+
 /// Above the host's base port.
 std::uint16_t offset_of(Product product) {
     switch (product) {
@@ -42,16 +46,30 @@ Network::Network(const Wiring& wiring, const Settings& settings)
       answer_sender_(settings.discovery == Discovery::sender),
       configured_hosts_(settings.configured_hosts) {}
 
+std::size_t Network::source(Product product) {
+    if (product == Product::status) return head_commands;
+    const auto place = static_cast<std::size_t>(product);
+    return first_product + place - (product > Product::status ? 1 : 0);
+}
+
+/// Whoever asks for discovery is answered from the address of the part that answers, so each part listens at
+/// its own; a broadcast arrives at one more.
 std::vector<Port> Network::ports() const {
     constexpr auto datagram = Port::Kind::datagram;
-    const bool local = is_loopback(wiring_.head.ip);
-    const Address hears{local ? wiring_.head.ip : 0, r2sonic::discovery_port};
-    std::vector<Port> ports{{"commands", datagram, with_offset(wiring_.head, commands), false},
-                            {"discovery", datagram, hears, true}};
+    std::vector<Port> ports;
+    const auto discovery = [&](const char* name, std::uint32_t ip) {
+        ports.push_back({name, datagram, {ip, r2sonic::discovery_port}, true});
+    };
+    ports.push_back({"commands", datagram, with_offset(wiring_.head, commands), false});
+    discovery("discovery", wiring_.head.ip);
+    for (std::size_t i = 0; i < products; ++i)
+        if (const auto product = static_cast<Product>(i); product != Product::status)
+            ports.push_back(
+                {product_names[i], datagram, with_offset(wiring_.head, offset_of(product)), false});
     if (wiring_.sim) ports.push_back({"SIM commands", datagram, with_offset(*wiring_.sim, commands), false});
-    if (local)
-        ports.push_back(
-            {"discovery broadcast", datagram, {loopback_broadcast, r2sonic::discovery_port}, true});
+    if (has_own_sim_address()) discovery("SIM discovery", wiring_.sim->ip);
+    if (wiring_.head.ip != 0)
+        discovery("discovery broadcast", is_loopback(wiring_.head.ip) ? loopback_broadcast : 0);
     return ports;
 }
 
@@ -67,12 +85,13 @@ std::vector<Send> Network::answers(const r2sonic::R2dd& request, Address from, b
     if (!answer_) return {};
     const Address to = answer_sender_ ? from : Address{request.gui_ip, request.gui_port};
     if (is_loopback(wiring_.head.ip) && !is_loopback(to.ip)) return {};
-    const auto answer = [&](const r2sonic::R2di& packet) {
-        return Send{discovery_port, r2sonic::serialise(packet), to, {}};
+    const auto answer = [&](std::size_t port, const r2sonic::R2di& packet) {
+        return Send{port, r2sonic::serialise(packet), to, {}};
     };
+    const std::size_t sim_port = has_own_sim_address() ? sim_discovery : head_discovery;
     std::vector<Send> out;
-    if (head_on) out.push_back(answer({serial_, "15000001", model_, {}}));
-    if (wiring_.sim) out.push_back(answer({sim_serial_, "15000003", "SIM", {}}));
+    if (head_on) out.push_back(answer(head_discovery, {serial_, "15000001", model_, {}}));
+    if (wiring_.sim) out.push_back(answer(sim_port, {sim_serial_, "15000003", "SIM", {}}));
     return out;
 }
 

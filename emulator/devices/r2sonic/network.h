@@ -21,11 +21,19 @@ struct Wiring {
 /// R2Sonic counts up to 7 ports from a base port.
 inline constexpr std::uint16_t highest_base_port = 65535 - 7;
 
-/// Places of the device's ports in ports().
-enum PortIndex : std::size_t { head_commands, discovery_port, sim_commands };
-
-/// What a datagram holds decides where it goes.
+/// What a datagram holds decides where it leaves and where it goes.
 enum class Product { bathymetry, truepix, status, image, water_column, snippets };
+inline constexpr std::size_t products = 6;
+
+/// Places of the device's ports in ports(). Commands arrive where status leaves; the other products have
+/// ports of their own. Behind those of the SIM, if there is one, is that of broadcasts.
+enum PortIndex : std::size_t {
+    head_commands,
+    head_discovery,
+    first_product,
+    sim_commands = first_product + products - 1,
+    sim_discovery
+};
 
 class Network {
   public:
@@ -33,6 +41,8 @@ class Network {
 
     std::vector<Port> ports() const;
     Address destination(Product product) const;
+    /// The port that it leaves from: as far above the head's base as its destination is above the host's.
+    static std::size_t source(Product product);
     /// Answers to R2DD: of the head if it is on, and of the SIM if there is one.
     std::vector<Send> answers(const r2sonic::R2dd& request, Address from, bool head_on) const;
     /// Takes over what concerns the head, if it is on, or the SIM. False if it asks for what cannot be:
@@ -45,6 +55,7 @@ class Network {
     std::uint32_t sim_config() const { return sim_config_; }
 
   private:
+    bool has_own_sim_address() const { return wiring_.sim && wiring_.sim->ip != wiring_.head.ip; }
     bool may_send_to(Address host) const;
     bool is_allowed(const r2sonic::R2dc& config, bool for_sim) const;
     Wiring wiring_;

@@ -16,6 +16,7 @@ struct PingRecord {
     std::uint32_t number = 0;  ///< since power-up
     double time = 0;           ///< s, Unix
     double period = 0;         ///< s since the ping before
+    Time since_start{};        ///< on the run's clock
     Attitude attitude;         ///< as the head knew it
     Beams beams;
 };
@@ -24,7 +25,7 @@ r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings);
 /// That of packets whose samples are the bins of the echogram: its sample rate is theirs.
 r2sonic::H0 make_h0(const PingRecord& ping, const Settings& settings, const Echogram& echogram);
 
-r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings,
+r2sonic::Bth0 make_bth0(const PingRecord& ping, const Settings& settings, const Echogram& echogram,
                         const std::vector<multibeam::Detection>& detections,
                         const std::vector<multibeam::TimeGate>& gates, const r2sonic::G0& gate);
 
@@ -56,6 +57,7 @@ std::vector<Bytes> truepix_datagrams(const PingRecord& ping, const Settings& set
 /// What a status tells of the moment.
 struct Health {
     double unix_time = 0;
+    Time since_start{};
     Attitude attitude;
     std::uint32_t received = 0, sent = 0;  ///< datagrams
     bool head_on = true;

@@ -85,6 +85,11 @@ double working_sound_speed(const Controls& controls, const Settings& settings) {
     return controls.use_sound_speed ? controls.sound_speed : settings.sound_speed;
 }
 
+double shown_sound_speed(const Controls& controls, const Settings& settings, Time now) {
+    if (controls.use_sound_speed) return controls.sound_speed;
+    return settings.sensors.read("sound speed", settings.sound_speed, stray::sound_speed, now);
+}
+
 double range_time(const Controls& controls, const Settings& settings) {
     return 2 * controls.range / working_sound_speed(controls, settings);
 }

@@ -24,6 +24,8 @@ Attitude attitude_of(const Pose& world_from_sonar);
 std::size_t beam_count(const Controls& controls);
 /// Sound speed that the head works with: commanded, or of its own sensor.
 double working_sound_speed(const Controls& controls, const Settings& settings);
+/// The same as the head tells it: its sensor scatters.
+double shown_sound_speed(const Controls& controls, const Settings& settings, Time now);
 /// Range setting as two-way time, s.
 double range_time(const Controls& controls, const Settings& settings);
 /// Time from one ping to the next, s: range time + 10 ms (as real heads run freely), or the limited rate.

@@ -125,6 +125,7 @@ void R2Sonic::transmit(Time now) {
     if (settings_.mode_sets > 0)
         ping_.controls = with_set(ping_.controls, ping_.number % settings_.mode_sets);
     ping_.time = unix_time(now);
+    ping_.since_start = now;
     ping_.attitude = attitude_;
     ++ping_.number;
     ping_.beams = beam_angles(ping_.controls, attitude_.roll, bottom_normal(seabed_, attitude_.roll));
@@ -152,7 +153,8 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
     seabed_ = {multibeam::median_depth(detections, angles, c), multibeam::median_slope(detections, angles)};
     const r2sonic::G0 gate{static_cast<float>(axis_gate.min), static_cast<float>(axis_gate.max),
                            static_cast<float>(set.depth ? 0 - set.depth->slope : 0)};  // never -0
-    send(head_commands, make_bth0(ping_, settings_, detections, gates, gate), Product::bathymetry);
+    send(Network::source(Product::bathymetry), make_bth0(ping_, settings_, echogram, detections, gates, gate),
+         Product::bathymetry);
     send_products(echogram, detections, gates, now);
     if (follows_bottom(controls_)) follow_bottom(detections);
     plan_next_ping(now);
@@ -181,7 +183,8 @@ void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibea
     const std::size_t first = actions_.send.size();
     const auto add = [&](std::vector<Bytes> datagrams, Product product) {
         for (Bytes& bytes : datagrams)
-            actions_.send.push_back({head_commands, std::move(bytes), network_.destination(product), now});
+            actions_.send.push_back(
+                {Network::source(product), std::move(bytes), network_.destination(product), now});
     };
     add(image_datagrams(ping_, settings_, echogram), Product::image);
     add(snippet_datagrams(ping_, settings_, echogram, detections), Product::snippets);
@@ -205,8 +208,8 @@ void R2Sonic::send_presence(Time now) {
 
 void R2Sonic::send_status(Time now) {
     next_status_ = now + status_period;
-    const Health health{unix_time(now),  attitude_, datagrams_received_,
-                        datagrams_sent_, head_on_,  settings_.sync_in > 0};
+    const Health health{unix_time(now),       now, attitude_, datagrams_received_, datagrams_sent_, head_on_,
+                        settings_.sync_in > 0};
     if (head_on_ && controls_.status != 0)
         send(head_commands, head_status(settings_, health), Product::status);
     if (network_.has_sim() && sim_status_ != 0)

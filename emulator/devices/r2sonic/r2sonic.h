@@ -52,7 +52,8 @@ class R2Sonic final : public Device {
     std::uint32_t sync_edge_;               ///< SYI0: 0 off, 1 rising, 2 falling
     std::uint32_t sim_status_ = 2;          ///< STM0 of the SIM
     PingRecord ping_;                       ///< the ping under way, or the last one
-    PingPacer pacer_;
+    /// Within 20 pings of a recording the starts are uneven by 130 ns.
+    PingPacer pacer_{settings_.sensors, {Time(10), 13}};
     bool ping_asked_ = false;  ///< PNG0 came
     Time transmitted_{};       ///< when ping_ was
     Attitude attitude_;        ///< of the last ping

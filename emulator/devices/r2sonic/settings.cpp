@@ -91,7 +91,7 @@ void describe(Acoustics& a, FigureList& f) {
     f.number(a.image_reference, "image_reference", "dB re 1 uPa", 0, 300,
              "level after gain that reads 255 at 0 dB brightness");
     f.number(a.magnitude_reference, "magnitude_reference", "dB re 1 uPa", 0, 300,
-             "level after gain that reads 65535 in WCD0, SNI0 and TPX0");
+             "level after gain that reads 65535 in I1, WCD0, SNI0 and TPX0");
     f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(a.horizontal, a.vertical, a.receiver);
 }

@@ -47,6 +47,7 @@ struct Settings {
     Discovery discovery = Discovery::sender;
     double sound_speed = 1500;  ///< m/s, at the head's own sensor: the true one
     double unix_start = 0;      ///< s
+    Sensors sensors;
 };
 
 void describe(Settings& settings, OptionList& options, FigureList& figures, const Variant& variant);

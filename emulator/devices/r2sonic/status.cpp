@@ -20,50 +20,65 @@ const char* const firmware = "19-Dec-2011-17:19:29";  // the manual's example
 constexpr std::uint32_t options = option_bits::truepix_snippets | option_bits::forward_looking |
                                   option_bits::water_column | option_bits::ultra_high_resolution;
 
+/// Motion and sound speed, which head and SIM hear from the same sensors. Angles in rad.
+template <class To>
+void put_motion(const Settings& settings, const Health& health, To& to) {
+    const auto read = settings.sensors.at(health.since_start);
+    to.roll = read("roll", health.attitude.roll, deg_to_rad(1) * stray::motion);
+    to.pitch = read("pitch", health.attitude.pitch, deg_to_rad(1) * stray::motion);
+    to.heave = read("heave", 0, stray::depth);
+    to.sound_speed = read("sound speed", settings.sound_speed, stray::sound_speed);
+}
+
 }  // namespace
 
 Sth0 head_status(const Settings& settings, const Health& health) {
     const auto [seconds, fraction] = gps_time(health.unix_time);
+    const auto read = settings.sensors.at(health.since_start);
     SenA sensors;
     sensors.gps_seconds = seconds;
     sensors.gps_fraction = fraction;
-    sensors.roll = static_cast<float>(health.attitude.roll);
-    sensors.pitch = static_cast<float>(health.attitude.pitch);
-    sensors.sound_speed = static_cast<float>(settings.sound_speed);
-    sensors.depth = sensors.depth_uncalibrated = static_cast<float>(health.attitude.depth);
-    sensors.fpga_temperature = 35;
+    put_motion(settings, health, sensors);
+    sensors.depth = sensors.depth_uncalibrated = read("depth", health.attitude.depth, stray::depth);
+    sensors.fpga_temperature = read("FPGA", 35, stray::board_temperature);
     Sth0 status;
     status.sections = {
-        Ser3{settings.serial}, Prt3{"15000001"},
-        Mdl3{settings.model},  Fwv6{firmware},
-        Fwt6{firmware},        Prj9{settings.serial, "15000002", settings.model},
-        Opt1{options},         sensors,
-        Adc3{48, 0.8F, 60},    Eth6{1000, health.received, health.sent, 0, {0, 0, 0x02, 0, 0, 0, 0, 0x01}},
-        Tim2{0.0001F, 0}};
+        Ser3{settings.serial},
+        Prt3{"15000001"},
+        Mdl3{settings.model},
+        Fwv6{firmware},
+        Fwt6{firmware},
+        Prj9{settings.serial, "15000002", settings.model},
+        Opt1{options},
+        sensors,
+        Adc3{read("head supply", 48, 48 * stray::supply), read("head current", 0.8, 0.8 * stray::current),
+             read("transmitter supply", 60, 60 * stray::supply)},
+        Eth6{1000, health.received, health.sent, 0, {0, 0, 0x02, 0, 0, 0, 0, 0x01}},
+        Tim2{read("round trip", 1e-4, {.drift = 1e-6, .noise = 3e-6}), 0}};
     return status;
 }
 
 Sts0 sim_status(const Settings& settings, const Health& health) {
     const auto [seconds, fraction] = gps_time(health.unix_time);
+    const auto read = settings.sensors.at(health.since_start);
     Sen7 sensors;
     sensors.gps_seconds = seconds;
     sensors.gps_fraction = fraction;
-    sensors.roll = static_cast<float>(health.attitude.roll);
-    sensors.pitch = static_cast<float>(health.attitude.pitch);
-    sensors.sound_speed = static_cast<float>(settings.sound_speed);
+    put_motion(settings, health, sensors);
     constexpr std::uint32_t good = 3, off = 0;
     const std::uint32_t lamps =
         good | good << 2 | good << 6 | good << 16 | (health.sync_pulses ? good : off) << 18 |
         (health.head_on ? good : off) << 22;  // gps, motion, svp, pps, sync in, head on
     Sts0 status;
-    status.sections = {Ser3{settings.sim_serial},
-                       Prt3{"15000003"},
-                       Mdl3{"SIM"},
-                       Fwv6{firmware},
-                       sensors,
-                       Adc2{48, 0.5F},
-                       Eth6{1000, health.received, health.sent, 0, {0, 0, 0x02, 0, 0, 0, 0, 0x02}},
-                       Led1{lamps}};
+    status.sections = {
+        Ser3{settings.sim_serial},
+        Prt3{"15000003"},
+        Mdl3{"SIM"},
+        Fwv6{firmware},
+        sensors,
+        Adc2{read("SIM supply", 48, 48 * stray::supply), read("SIM current", 0.5, 0.5 * stray::current)},
+        Eth6{1000, health.received, health.sent, 0, {0, 0, 0x02, 0, 0, 0, 0, 0x02}},
+        Led1{lamps}};
     return status;
 }
 

@@ -50,7 +50,7 @@ class Reson7k final : public Device {
     std::map<Address, reson7k::Framer> framers_;  ///< of the hosts on TCP
     Subscribers subscribers_;
     PingRecord ping_;  ///< the ping under way, or the last one
-    PingPacer pacer_;
+    PingPacer pacer_{settings_.sensors, jitter::gate_array};
     Time transmitted_{};      ///< when ping_ was
     Time datagrams_until_{};  ///< when the datagrams of the last ping are out
     std::uint16_t transmission_ = 0;

@@ -51,7 +51,7 @@ struct Acoustics {
 
 struct Settings {
     std::uint32_t device = 7125;
-    std::uint64_t serial = 1001;
+    std::uint64_t serial = 2812017;
     std::size_t beams = 256;
     double swath = deg_to_rad(140);  ///< rad, from the first to the last beam
     Controls start;
@@ -63,6 +63,7 @@ struct Settings {
     bool tvg = true;                   ///< the effect of that name
     bool pulse = true;                 ///< the effect of that name: echoes are as long as the pulse
     double unix_start = 0;             ///< s
+    Sensors sensors;
 };
 
 void describe(Settings& settings, OptionList& options, FigureList& figures);

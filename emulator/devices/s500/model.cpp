@@ -1,3 +1,4 @@
+#include "emulator/devices/family/ping/known_drivers.h"
 #include "emulator/devices/s500/s500.h"
 
 namespace echoloop::s500 {
@@ -33,6 +34,7 @@ Model model() {
     m.make = make;
     m.default_shot = default_shot;
     m.family = "cerulean";
+    m.drivers = ping_device::brping_drivers("0.2.3", "S500", {"print(sonar.get_range())"}, true);
     return m;
 }
 

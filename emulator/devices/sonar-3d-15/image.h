@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "emulator/devices/sonar-3d-15/view.h"
 
@@ -32,6 +33,10 @@ struct Pixel {
 /// The strongest echo of a beam; nothing if it does not stand out of the noise or reads no strength.
 std::optional<Pixel> strongest(const Echogram& echogram, std::size_t beam, const Plan& plan,
                                const Settings& settings);
+
+/// The range image with its distances as a real sonar has them: each the median of those around it, so that
+/// neighbours are often equal. 0 is no distance and stays so.
+std::vector<std::uint32_t> smoothed(std::vector<std::uint32_t> distances);
 
 /// m/s, of water near the surface: Mackenzie 1981. `temperature` in degC, `salinity` in ppt.
 double automatic_speed(double temperature, double salinity);

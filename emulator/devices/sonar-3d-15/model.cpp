@@ -54,6 +54,15 @@ Model model() {
     m.make = make;
     m.default_shot = default_shot;
     m.family = "sonar3d";
+    m.drivers = {{"ros2",
+                  "Water Linked Sonar-3D-15-ROS-driver",
+                  {"ros2 run sonar3d sonar_publisher --ros-args -p IP:={host}"},
+                  "it asks on port 80 and reads RIP1 only: endpoints [\"tcp-listen://ADDRESS:80\"], option "
+                  "packets RIP1"},
+                 {"python",
+                  "wlsonar (PyPI)",
+                  {"import wlsonar", "sonar = wlsonar.Sonar3D(\"{host}\", port={number})",
+                   "print(sonar.get_status())"}}};
     return m;
 }
 

@@ -1,3 +1,4 @@
+#include "emulator/devices/family/ping/known_drivers.h"
 #include "emulator/devices/surveyor240/surveyor240.h"
 
 namespace echoloop::surveyor240 {
@@ -30,6 +31,8 @@ Model model() {
     m.make = make;
     m.default_shot = default_shot;
     m.family = "cerulean";
+    m.drivers =
+        ping_device::brping_drivers("0.2.3", "Surveyor240", {"print(sonar.readDeviceInformation())"}, true);
     return m;
 }
 

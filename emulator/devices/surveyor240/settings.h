@@ -33,6 +33,7 @@ struct Settings {
     bool pressure_sensor = false;
     double processing_time = 5e-3;  ///< s from the last range step to the points
     bool pulse = true;              ///< the effect of that name: echoes are as long as the pulse
+    Sensors sensors;
     Acoustics acoustics;
 };
 

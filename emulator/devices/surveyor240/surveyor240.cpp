@@ -31,7 +31,7 @@ Surveyor240::Surveyor240(const Settings& settings, const std::vector<Endpoint>& 
       endpoints_(endpoints),
       ports_(cerulean_device::make_ports(endpoints, settings.identity)),
       pieces_(cerulean_device::pieces(endpoints, settings.identity)),
-      link_(endpoints.size(), settings.identity.source, true),
+      link_(settings.identity.source, true),
       hosts_(endpoints.size()),
       free_from_(endpoints.size()),
       parameters_(default_parameters()) {
@@ -202,8 +202,8 @@ Actions Surveyor240::heard(const Echogram& echogram, Time now) {
 
 void Surveyor240::send_points(const Echogram& echogram) {
     const auto points = find_points(echogram, settings_);
-    const PingRecord record{
-        plan_, ping_, milliseconds(transmitted_), utc(transmitted_), up_vector(pose_, settings_), water()};
+    const PingRecord record{plan_,  ping_, milliseconds(transmitted_), utc(transmitted_), up(transmitted_),
+                            water()};
     atof_ = atof_message(record, points);
     yz_ = yz_message(record, points);
     if (plan_.atof) tell(atof_);
@@ -219,14 +219,25 @@ void Surveyor240::take_pose(const Echogram& echogram, Time at) {
     pose_at_ = at;
 }
 
+std::array<float, 3> Surveyor240::up(Time at) const {
+    const auto read = settings_.sensors.at(at);
+    const auto [x, y, z] = up_vector(pose_, settings_);
+    return {read("x", x, stray::acceleration), read("y", y, stray::acceleration),
+            read("z", z, stray::acceleration)};
+}
+
 wire_messages::AttitudeReport Surveyor240::attitude() const {
     const Time at = pose_at_.value_or(Time{});
-    return {up_vector(pose_, settings_), {}, utc(at), milliseconds(at)};
+    return {up(at), {}, utc(at), milliseconds(at)};
 }
 
 wire_messages::WaterStats Surveyor240::water() const {
-    return {static_cast<float>(settings_.temperature),
-            settings_.pressure_sensor ? static_cast<float>(water_pressure(pose_)) : no_sensor};
+    const auto read = settings_.sensors.at(now_);
+    constexpr double per_metre = 0.1;  // bar
+    return {settings_.temperature > no_sensor ? read("water", settings_.temperature, stray::water_temperature)
+                                              : no_sensor,
+            settings_.pressure_sensor ? read("pressure", water_pressure(pose_), per_metre * stray::depth)
+                                      : no_sensor};
 }
 
 std::uint64_t Surveyor240::utc(Time time) const {

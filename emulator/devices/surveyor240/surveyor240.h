@@ -51,6 +51,8 @@ class Surveyor240 final : public Device {
     void tell(const cerulean::surveyor::Message& message);
 
     void take_pose(const Echogram& echogram, Time at);
+    /// The up vector as its accelerometers have it.
+    std::array<float, 3> up(Time at) const;
     cerulean::surveyor::AttitudeReport attitude() const;
     cerulean::surveyor::WaterStats water() const;
     /// ms since 1970; 0 as long as no host has told.
@@ -75,7 +77,7 @@ class Surveyor240 final : public Device {
     std::optional<Time> looking_;                   ///< when the look began that is under way
     std::optional<std::uint64_t> utc_at_power_up_;  ///< ms since 1970
     std::uint32_t ping_ = 0;
-    PingPacer pacer_;
+    PingPacer pacer_{settings_.sensors, jitter::processor};
     Time transmitted_{};  ///< when the last ping went out
     Time next_attitude_ = Time::max(), next_utc_request_ = Time::max();
     Time next_water_ = Time::max();

@@ -68,6 +68,10 @@ Model model() {
     m.default_shot = default_shot;
     m.family = "seanet";
     m.requests = requests;
+    const std::string property = "      # property of the oroGen task sonar_tritech::Profiling";
+    m.drivers = {
+        {"rock", "Rock sonar_tritech", {"io_port: 'tcp://{host}:{number}'" + property}, "", "tcp-listen"},
+        {"rock", "Rock sonar_tritech", {"io_port: 'serial://{port}:115200'" + property}}};
     return m;
 }
 

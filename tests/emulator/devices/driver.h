@@ -50,13 +50,15 @@ inline Echogram echo_of(const Shot& shot, std::size_t bin, float power) {
     return echogram;
 }
 
-/// A model's device with its own profile and default options, some of them changed.
+/// A model's device with its own profile and default options, some of them changed. Its sensors and its timer
+/// are exact; variation_test.cpp has them as they are in life.
 inline DeviceConfig make_config(const Model& row, const Options& changes = {}) {
     DeviceConfig config;
     config.name = "under test";
     config.endpoints = parse_endpoints(row.default_endpoints);
     config.options = default_options(row);
     config.profile = own_profile(row);
+    config.effects.set(Effect::sensor_noise, false).set(Effect::ping_jitter, false);
     for (const auto& [name, value] : changes) config.options.at(name) = value;
     return config;
 }

@@ -108,7 +108,7 @@ TEST(MicronBoot, VersionIsAnswered) {
     ASSERT_EQ(sent.size(), 1u);
     EXPECT_EQ(sent[0].bytes.size(), 25u);
     EXPECT_EQ(sent[0].bytes[10], 1);
-    EXPECT_EQ(u16(sent[0].bytes, 15), 1234);
+    EXPECT_EQ(u16(sent[0].bytes, 15), 21086);
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+
 #include "tests/emulator/devices/micron_bench.h"
 
 namespace echoloop::test {
@@ -48,9 +51,32 @@ TEST(MicronLine, ReplyEchoesTheCommandAndCarriesTheLevels) {
     EXPECT_EQ(u16(line, 42), 200);
     // R = 120.5 * 104 * 640 ns * 1500 / 2 = 6.015 m; 130 + 30 log R + 0.4 R + 80 * 84/210 - 163 = 24.78 dB of
     // 80
-    EXPECT_EQ(line[44 + 120], std::lround(255 * 24.784 / 80));
+    EXPECT_EQ(line[44 + 120], 255 * 49 / 160) << "in half decibels";
     EXPECT_EQ(line[44 + 119], 0);
     EXPECT_EQ(line.back(), 0x0A);
+}
+
+/// In four recordings of two heads all values are floor(255 k / 160), and the first two bins are 0.
+TEST(MicronLine, LevelsComeInHalfDecibelsBehindTwoSilentBins) {
+    for (const std::string model : {"tritech-micron", "tritech-seaking"}) {
+        Bench bench = scanning(continuous, {}, model);
+        bench.say(send_data);
+        Echogram ramp = echo_of(bench.ping->shot, 0, 0);
+        for (std::size_t bin = 0; bin < ramp.values.size(); ++bin)
+            ramp.values[bin] = std::pow(10.0F, 0.6F * 0.1F * static_cast<float>(bin) + 9);
+        bench.hear(ramp);
+        const Bytes line = lines(bench.sent()).at(0);
+        std::set<int> allowed, seen;
+        for (int k = 0; k <= 160; ++k) allowed.insert(255 * k / 160);
+        for (std::size_t bin = 0; bin < 200; ++bin) {
+            seen.insert(line[44 + bin]);
+            EXPECT_TRUE(allowed.contains(line[44 + bin])) << int{line[44 + bin]};
+        }
+        EXPECT_EQ(line[44] + line[45], 0);
+        EXPECT_GT(line[46], 0);
+        EXPECT_EQ(*seen.rbegin(), 255);
+        EXPECT_GT(seen.size(), 80U);
+    }
 }
 
 TEST(MicronLine, TwoLinesPerRequestAndNoMore) {

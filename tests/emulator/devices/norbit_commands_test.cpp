@@ -147,7 +147,7 @@ TEST(NorbitWbms, ANoisyHostIsServedAgainWithinOneRequest) {
         host.words.push_back(to_hex(bytes_of(word)));
     host.request = to_hex(bytes_of("serial"));
     host.is_answer = [](const Send& s) {
-        return s.port == commands && std::string(s.bytes.begin(), s.bytes.end()) == "serial 1001\r\n";
+        return s.port == commands && std::string(s.bytes.begin(), s.bytes.end()) == "serial 700218\r\n";
     };
     host.quiet = 101ms;
     host.patience = 500ms;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "tests/emulator/devices/ping360_bench.h"
 
 namespace echoloop::test {
@@ -98,6 +100,44 @@ TEST(Ping360Hosts, NoiseAndDamageCostNoLaterRequest) {
     EXPECT_THAT(ids(bench.sent()), ElementsAre(5));
 }
 
+TEST(Ping360Hosts, NoiseOfOneCostsNoOtherItsPing) {
+    const std::vector<std::string> ends{"pty:/tmp/a", "udp-listen://127.0.0.1:1234"};
+    const Address host{0x7F000001, 50000}, other{0x7F000001, 50001};
+    const std::vector<std::pair<const char*, std::function<void(Bench&)>>> noises{
+        {"an empty datagram of its own", [&](Bench& b) { b.say(Bytes{}, 1, host); }},
+        {"an empty datagram", [&](Bench& b) { b.say(Bytes{}, 1, other); }},
+        {"a mark", [&](Bench& b) { b.say("55", 1, other); }},
+        {"marks on the pty", [&](Bench& b) { b.say(marks10, 0); }},
+        {"half a frame", [&](Bench& b) { b.say("42520e00290a", 1, other); }},
+        {"a program opens and closes the pty", [](Bench& b) { b.device().reconnected(0); }}};
+    for (const auto& [name, noise] : noises)
+        for (const Bytes& command : {transducer(10), auto_transmit(10, 12, 1)}) {
+            Bench bench(make_device("ping360", ends));
+            bench.say(ByteView(command).first(9), 1, host);
+            noise(bench);
+            bench.say(ByteView(command).subspan(9), 1, host);
+            noise(bench);
+            bench.run_to(62ms);  // the ping is in the water
+            noise(bench);
+            bench.run_to(200ms);
+            const auto sent = bench.sent();
+            ASSERT_FALSE(sent.empty()) << name;
+            EXPECT_EQ(sent[0].to, host) << name;
+            EXPECT_EQ(angles(sent)[0], 10) << name;
+        }
+}
+
+TEST(Ping360Hosts, ACommandThatIsNeverAnsweredIsCounted) {
+    Bench bench(make_device("ping360", {"pty:/tmp/a", "udp-listen://127.0.0.1:1234"}));
+    bench.say(transducer(10), 0);
+    for (int i = 0; i < 17; ++i) bench.say(transducer(20), 1, {0x7F000001, 50000});
+    EXPECT_EQ(bench.device().counters().rejected, 1u) << "16 wait";
+    bench.device().reconnected(0);
+    EXPECT_EQ(bench.device().counters().rejected, 2u);
+    bench.run_to(3s);
+    EXPECT_EQ(angles(bench.sent()), std::vector<int>(16, 20)) << "the others wait on";
+}
+
 TEST(Ping360Hosts, PingViewerScansByItselfAfterAnEmptyDatagram) {
     Bench bench(make_device("ping360", {"udp-listen://127.0.0.1:1234"}));
     const Address viewer{0x7F000001, 50000};
@@ -108,8 +148,8 @@ TEST(Ping360Hosts, PingViewerScansByItselfAfterAnEmptyDatagram) {
     bench.say(auto_transmit(0, 399, 1), 0, viewer);
     bench.run_to(1s);
     auto sent = bench.sent();
-    // 6 ms of motor and 2.64 ms of 2R/c
-    EXPECT_NEAR(static_cast<double>(sent.size()), 800 / 8.64, 1.5);
+    // 6 ms of motor, 2.64 ms of 2R/c, 18 ms inside an Ethernet unit
+    EXPECT_NEAR(static_cast<double>(sent.size()), 800 / 26.64, 1.5);
     for (const Send& s : sent) EXPECT_EQ(s.to.port, 50000);
     bench.say(Bytes{}, 0, viewer);
     bench.say(auto_transmit(0, 399, 2), 0, viewer);  // another setting
@@ -119,6 +159,28 @@ TEST(Ping360Hosts, PingViewerScansByItselfAfterAnEmptyDatagram) {
     EXPECT_EQ(angles(sent)[0], 0);
     EXPECT_EQ(angles(sent)[1], 2) << "no frame of the scan before";
     for (const Send& s : sent) EXPECT_EQ(s.bytes.at(8 + 14), 2) << "steps";
+}
+
+/// s that a host takes which asks for the next ping when it has the last one.
+double scan_time(const std::string& endpoint, int pings, int step, const Options& options = {}) {
+    Bench bench(make_device("ping360", {endpoint}, options));
+    for (int i = 1; i <= pings; ++i) {
+        bench.say(transducer(i * step % 400), 0, {0x7F000001, 50000});
+        while (bench.sent().empty())
+            bench.run_to(std::min(bench.wake, bench.ping ? bench.ping->due : Time::max()));
+    }
+    return to_seconds(bench.now);
+}
+
+TEST(Ping360Hosts, AScanOfAnEthernetUnitTakesAsLongAsInTheField) {
+    const std::string ethernet = "udp-listen://127.0.0.1:12345";
+    // Two public measurements with 1200 samples of 88 ticks; hosts take up to 2 ms a ping themselves.
+    EXPECT_NEAR(scan_time(ethernet, 40, 10), 3.29, 0.08);
+    EXPECT_GT(scan_time(ethernet, 400, 1), 10.6);
+    EXPECT_LT(scan_time(ethernet, 400, 1), 11.8);
+    EXPECT_NEAR(scan_time(ethernet, 40, 10, {{"ethernet_time", 0.0}}), 40 * (0.06 + 0.00264), 1e-3);
+    EXPECT_NEAR(scan_time("pty:/tmp/a", 40, 10), 40 * (0.06 + 0.00264), 1e-3)
+        << "a serial line is its own link";
 }
 
 TEST(Ping360Hosts, TheAnswerToATransducerComesWithinTheHostsTimeOut) {

@@ -51,7 +51,7 @@ TEST(R2SonicDiscovery, AnswersTheSender) {
     Bench bench = head({{"trigger", std::string("command")}}, with_sim);
     bench.run_to(1ms);
     bench.sent();
-    bench.say(discovery_request(), 2, {0x7F000001, 41000});
+    bench.say(discovery_request(), 1, {0x7F000001, 41000});
     const auto sent = named(bench.sent(), "R2DI");
     ASSERT_EQ(sent.size(), 2u);
     EXPECT_EQ(sent[0].to, (Address{0x7F000001, 41000}));
@@ -154,10 +154,60 @@ TEST(R2SonicAddresses, BasePortsWithTooFewPortsAboveThemAreRefused) {
     EXPECT_EQ(u32(sent[0].bytes, 16), 99u);
 }
 
+TEST(R2SonicDiscovery, EachPartAnswersFromItsOwnAddress) {
+    const std::string any = "udp://127.0.0.1:65400";
+    Bench bench = head({{"trigger", std::string("command")}},
+                       {"udp-listen://127.0.0.2:65500", any, "udp-listen://127.0.0.3:65300"});
+    const auto ports = bench.device().ports();
+    ASSERT_EQ(ports.size(), 10u);
+    bench.run_to(1ms);
+    bench.sent();
+    for (const std::size_t asked : {1, 8, 9}) {  // the head's, the SIM's, where broadcasts arrive
+        bench.say(discovery_request(), asked, {0x7F000001, 41000});
+        const auto sent = named(bench.sent(), "R2DI");
+        ASSERT_EQ(sent.size(), 2u);
+        EXPECT_EQ(ports[sent[0].port].bind, (Address{0x7F000002, 53810}));
+        EXPECT_EQ(ports[sent[1].port].bind, (Address{0x7F000003, 53810}));
+    }
+    EXPECT_EQ(ports[9].bind, (Address{0x7FFFFFFF, 53810}));
+    const auto remote =
+        head({}, {"udp-listen://10.0.0.86:65500", any, "udp-listen://10.0.0.99:65500"}).device().ports();
+    EXPECT_EQ(remote[1].bind, (Address{0x0A000056, 53810}));
+    EXPECT_EQ(remote[8].bind, (Address{0x0A000063, 53810}));
+    EXPECT_EQ(remote[9].bind, (Address{0, 53810}));
+}
+
+// As a recording of a Sonic 2022 has them.
+TEST(R2SonicAddresses, EachProductLeavesFromItsOwnPort) {
+    Bench bench = head({{"range", 4.0},
+                        {"image_height", std::int64_t{100}},
+                        {"water_column", std::string("magnitude")},
+                        {"snippets", true},
+                        {"truepix", std::string("magnitude")}});
+    bench.echo_bin = 100, bench.echo_power = 1e14F;
+    bench.run_to(1300ms);
+    const auto ports = bench.device().ports();
+    const auto sent = bench.sent();
+    for (const auto& [packet, offset] : {std::pair{"BTH0", 0},
+                                         {"TPX0", 1},
+                                         {"STH0", 2},
+                                         {"R2DS", 2},
+                                         {"AID0", 3},
+                                         {"WCD0", 5},
+                                         {"SNI0", 6}}) {
+        const auto found = named(sent, packet);
+        ASSERT_FALSE(found.empty()) << packet;
+        EXPECT_EQ(ports[found[0].port].bind,
+                  (Address{0x7F000001, static_cast<std::uint16_t>(65500 + offset)}))
+            << packet;
+        EXPECT_EQ(found[0].to.port, 65400 + offset) << packet;
+    }
+}
+
 TEST(R2SonicAddresses, AHeadThatIsSwitchedOffNeitherAnswersNorIsConfigured) {
     Bench bench = head({{"trigger", std::string("command")}}, with_sim);
     bench.run_to(1ms);
-    bench.say(command("SPO0", std::uint32_t{0}), 2);
+    bench.say(command("SPO0", std::uint32_t{0}), sim_port);
     bench.sent();
     bench.say(discovery_request(), 1, {0x7F000001, 41000});
     const auto found = named(bench.sent(), "R2DI");
@@ -165,7 +215,7 @@ TEST(R2SonicAddresses, AHeadThatIsSwitchedOffNeitherAnswersNorIsConfigured) {
     EXPECT_EQ(name(found[0].bytes, 4, 6), "100117") << "the SIM";
     bench.say(configuration({}), 1);
     bench.say(configuration({.serial = "100117", .head = {}}), 1);
-    bench.say(command("SPO0", std::uint32_t{1}), 2);
+    bench.say(command("SPO0", std::uint32_t{1}), sim_port);
     bench.run_to(bench.now + 1300ms);
     const auto brief = named(bench.sent(), "R2DS");
     ASSERT_EQ(brief.size(), 2u);

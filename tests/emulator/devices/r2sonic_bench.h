@@ -56,6 +56,9 @@ inline Echogram hanging(const Shot& shot, double roll, double pitch) {
     return e;
 }
 
+/// Where a SIM hears commands: behind the head's ports, which are commands, discovery and five of products.
+inline constexpr std::size_t sim_port = 7;
+
 inline Bench head(const Options& changes = {}, std::vector<std::string> endpoints = {}) {
     return Bench(make_device("r2sonic-2024", std::move(endpoints), changes));
 }

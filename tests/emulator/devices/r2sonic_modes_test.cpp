@@ -13,7 +13,6 @@ namespace {
 
 const std::vector<std::string> with_sim{"udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400",
                                         "udp-listen://127.0.0.1:65300"};
-constexpr std::size_t sim_port = 2;
 
 struct Row {
     const char* model;

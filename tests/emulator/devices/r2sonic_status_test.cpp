@@ -114,7 +114,7 @@ TEST(R2SonicStatus, LampsOfTheSimTellOfSyncPulsesAndOfTheHeadsPower) {
         const std::uint32_t sensors = good << gps | good << motion | good << sound_speed | good << pps;
         const std::uint32_t synced = pulses ? good << sync : 0;
         EXPECT_EQ(lamps(), sensors | synced | good << power);
-        bench.say(command("SPO0", std::uint32_t{0}), 2);
+        bench.say(command("SPO0", std::uint32_t{0}), sim_port);
         EXPECT_EQ(lamps(), sensors | synced) << "the head is off";
     }
 }

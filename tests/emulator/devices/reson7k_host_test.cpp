@@ -174,7 +174,7 @@ TEST(Reson7k, ItsConfigurationTellsAHostWhomToSubscribeTo) {
     EXPECT_TRUE(behind("min=\"").starts_with("0\""));
     // Where readers of logs look for the serial number: 60 characters.
     const std::string description(record.bytes.begin() + 64 + 16, record.bytes.begin() + 64 + 76);
-    EXPECT_TRUE(description.starts_with(std::string("SN1001\0001\0000\0003\0003\000", 15)));
+    EXPECT_TRUE(description.starts_with(std::string("SN2812017\0001\0000\0003\0003\000", 15)));
     EXPECT_EQ(sonar.answer(control(1051, {2, 7027, 7011}, 20)), 0U);
     EXPECT_EQ(sonar.next(7027).get<std::uint32_t>(14), 256U);
     EXPECT_EQ(sonar.next(7011).get<std::uint16_t>(14), 1U) << "byte of a pixel";

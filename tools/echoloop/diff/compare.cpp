@@ -63,6 +63,7 @@ TypeReport compare_type(const std::string& name, const std::vector<Message>& a, 
         }
     }
     out.fields = fields.reports();
+    for (FieldReport& field : out.fields) field.spreads = spreads_of(field.name, a, b);
     return out;
 }
 
@@ -86,8 +87,10 @@ struct Speaker {
         const auto found = direction->types.find(type);
         return found == direction->types.end() ? none : found->second;
     }
-    void add_times(const std::string& type, Statistics& gap, Statistics& answer) const {
-        if (direction == nullptr || !has_times) return;
+    void add_times(const std::string& type, Spread& gap, Spread& own_gap, Spread& answer) const {
+        if (direction == nullptr) return;
+        own_gap = own_gaps(messages(type));
+        if (!has_times) return;
         gap = gaps(messages(type));
         if (answers != nullptr) answer = answer_delays(*direction, *answers, type);
     }
@@ -112,8 +115,8 @@ DirectionReport compare_match(const Match& match, const Side& a, const Side& b, 
     out.undecoded_b = match.second != nullptr ? match.second->undecoded_bytes : 0;
     for (const std::string& name : types_of(match)) {
         TypeReport type = compare_type(name, one.messages(name), other.messages(name), rules);
-        one.add_times(name, type.gap_a, type.answer_a);
-        other.add_times(name, type.gap_b, type.answer_b);
+        one.add_times(name, type.gap_a, type.own_gap_a, type.answer_a);
+        other.add_times(name, type.gap_b, type.own_gap_b, type.answer_b);
         out.types.push_back(std::move(type));
     }
     return out;
@@ -123,7 +126,7 @@ void warn(const Side& side, std::vector<std::string>& warnings) {
     if (side.is_cut)
         warnings.push_back(side.file + ": only its first " + std::to_string(side.messages) +
                            " messages are compared; --port picks a device");
-    if (!side.fault.empty()) warnings.push_back(side.file + ": the capture ends early: " + side.fault);
+    for (const auto& trouble : side.troubles) warnings.push_back(side.file + ": " + trouble);
 }
 
 }  // namespace
@@ -136,6 +139,11 @@ Report compare(const Side& a, const Side& b, const Rules& rules) {
     for (const std::string& name : rules.unused())
         out.warnings.push_back("no field is called " + name + "; --json lists them all");
     return out;
+}
+
+bool FieldReport::is_constant_once() const {
+    const Spread &a = spreads.a, &b = spreads.b;
+    return a.count > 1 && b.count > 1 && (a.distinct == 1) != (b.distinct == 1);
 }
 
 bool TypeReport::differs() const {

@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "tools/echoloop/diff/align.h"
+#include "tools/echoloop/diff/spread.h"
 
 namespace echoloop::diff {
 namespace {
 
 using Numbers = std::vector<double>;
-
-std::string number_text(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
-}
 
 std::string text_of(const Value& value) {
     constexpr std::size_t shown = 6, most_text = 80;
@@ -27,23 +21,36 @@ std::string text_of(const Value& value) {
     return numbers.size() > shown ? out + " ..." : out;
 }
 
-/// Not a number is the same as not a number.
-double distance(double a, double b) {
+/// Neighbours among the floating-point numbers of so many bytes. Whole numbers are never taken for such.
+bool are_neighbours(double a, double b, std::size_t width) {
+    if (std::trunc(a) == a && std::trunc(b) == b) return false;
+    if (width == sizeof(float)) {
+        const auto first = static_cast<float>(a), second = static_cast<float>(b);
+        return std::nextafter(first, second) == second;
+    }
+    return width == sizeof(double) && std::nextafter(a, b) == b;
+}
+
+/// Not a number is the same as not a number. `width`: B of a floating-point number whose last bit does not
+/// count; 0: it does.
+double distance(double a, double b, std::size_t width) {
     if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
     const double size = std::abs(a - b);
-    return std::isnan(size) ? HUGE_VAL : size;
+    if (std::isnan(size)) return HUGE_VAL;
+    return are_neighbours(a, b, width) ? 0 : size;
 }
 
 /// Greatest distance of the numbers; infinite if there is not the same number of them, or if a text differs.
-double distance(const Value& a, const Value& b) {
+double distance(const Value& a, const Value& b, std::size_t width) {
     if (a.index() != b.index()) return HUGE_VAL;
-    if (const auto* number = std::get_if<double>(&a)) return distance(*number, std::get<double>(b));
+    if (const auto* number = std::get_if<double>(&a)) return distance(*number, std::get<double>(b), width);
     if (const auto* text = std::get_if<std::string>(&a))
         return *text == std::get<std::string>(b) ? 0 : HUGE_VAL;
     const auto &first = std::get<Numbers>(a), &second = std::get<Numbers>(b);
     if (first.size() != second.size()) return HUGE_VAL;
     double most = 0;
-    for (std::size_t i = 0; i < first.size(); ++i) most = std::max(most, distance(first[i], second[i]));
+    for (std::size_t i = 0; i < first.size(); ++i)
+        most = std::max(most, distance(first[i], second[i], width));
     return most;
 }
 
@@ -57,13 +64,6 @@ void add_squares(const Value& value, double& squares, std::size_t& count) {
 
 double rms(double squares, std::size_t count) {
     return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count));
-}
-
-const NamedValue* find(const Message& message, const std::string& name, std::size_t hint) {
-    if (hint < message.fields.size() && message.fields[hint].name == name) return &message.fields[hint];
-    const auto found = std::find_if(message.fields.begin(), message.fields.end(),
-                                    [&](const NamedValue& one) { return one.name == name; });
-    return found == message.fields.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -82,14 +82,14 @@ FieldComparison::Sums& FieldComparison::sums_of(const NamedValue& field) {
 void FieldComparison::add(const Message& a, const Message& b) {
     for (std::size_t i = 0; i < a.fields.size(); ++i) {
         const NamedValue& field = a.fields[i];
-        const NamedValue* other = find(b, field.name, i);
+        const NamedValue* other = b.find(field.name, i);
         if (other != nullptr)
             compare(sums_of(field), field, *other, a, b);
         else
             absent(field, a, b, true);
     }
     for (std::size_t i = 0; i < b.fields.size(); ++i)
-        if (find(a, b.fields[i].name, i) == nullptr) absent(b.fields[i], a, b, false);
+        if (a.find(b.fields[i].name, i) == nullptr) absent(b.fields[i], a, b, false);
 }
 
 void FieldComparison::absent(const NamedValue& field, const Message& a, const Message& b, bool in_a) {
@@ -109,7 +109,7 @@ void FieldComparison::compare(Sums& sums, const NamedValue& a, const NamedValue&
     const bool exact = sums.rule.has_limit && sums.rule.limit == 0;
     const bool samples =
         a.value.index() == b.value.index() && (is_samples(a.value) || is_samples(b.value)) && !exact;
-    const double far = distance(a.value, b.value);
+    const double far = distance(a.value, b.value, exact ? 0 : a.width);
     if (samples) {
         report.samples = true;
         add_squares(a.value, sums.squares_a, sums.numbers_a);

@@ -20,9 +20,20 @@ Json json(const std::vector<Place>& places) {
     return out;
 }
 
-Json json(const Statistics& s) {
+Json json(const Spread& s) {
     if (s.count == 0) return nullptr;
-    return {{"count", s.count}, {"median", s.median}, {"p95", s.p95}};
+    Json out{{"count", s.count}, {"distinct", s.distinct}};
+    if (s.is_text && s.distinct == 1) out["constant"] = s.text;
+    if (s.is_text) return out;
+    if (s.distinct == 1) out["constant"] = s.least;
+    out.update({{"min", s.least},
+                {"p05", s.p05},
+                {"median", s.median},
+                {"p95", s.p95},
+                {"max", s.most},
+                {"mean", s.mean},
+                {"deviation", s.deviation}});
+    return out;
 }
 
 const char* name_of(Verdict verdict) {
@@ -47,6 +58,8 @@ Json json(const FieldReport& field) {
              {"different", field.different}};
     if (field.different > 0 && field.largest > 0) out["largest"] = field.largest;
     if (field.samples) out.update({{"rms_a", field.rms_a}, {"rms_b", field.rms_b}});
+    out.update({{"a", json(field.spreads.a)}, {"b", json(field.spreads.b)}});
+    if (field.spreads.distance >= 0) out["distance"] = field.spreads.distance;
     if (field.first) {
         Json a = json(field.first->a), b = json(field.first->b);
         a["value"] = field.first->value_a;
@@ -67,6 +80,7 @@ Json json(const TypeReport& type) {
             {"only_b", json(type.only_b)},
             {"fields", fields},
             {"gap", {{"a", json(type.gap_a)}, {"b", json(type.gap_b)}}},
+            {"own_gap", {{"a", json(type.own_gap_a)}, {"b", json(type.own_gap_b)}}},
             {"answer", {{"a", json(type.answer_a)}, {"b", json(type.answer_b)}}}};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tools/echoloop/diff/side.h"
+#include "tools/echoloop/diff/spread.h"
 
 namespace echoloop::diff {
 
@@ -26,11 +27,10 @@ struct FieldReport {
     double rms_a = 0, rms_b = 0;        ///< of samples
     bool samples = false;
     bool absent = false;  ///< somewhere one of both has not got it at all
-};
+    Spreads spreads{};    ///< over all messages, with a partner or without
 
-struct Statistics {
-    std::size_t count = 0;
-    double median = 0, p95 = 0;  ///< s
+    /// Both sides have it more than once, and it varies in one of them only.
+    bool is_constant_once() const;
 };
 
 struct TypeReport {
@@ -38,8 +38,10 @@ struct TypeReport {
     std::size_t a = 0, b = 0, pairs = 0;
     std::vector<Place> only_a{}, only_b{};
     std::vector<FieldReport> fields{};
-    Statistics gap_a{}, gap_b{};        ///< between messages of this type
-    Statistics answer_a{}, answer_b{};  ///< from this message to the next of the other side
+    // s
+    Spread gap_a{}, gap_b{};          ///< between messages of this type
+    Spread own_gap_a{}, own_gap_b{};  ///< the same by the times in the messages
+    Spread answer_a{}, answer_b{};    ///< from this message to the next of the other side
     bool differs() const;
 };
 

@@ -6,6 +6,7 @@
 #include "emulator/contract/error.h"
 #include "emulator/scenario/problems.h"
 #include "emulator/scenario/value.h"
+#include "tools/capture/message_time.h"
 #include "tools/capture/open.h"
 #include "tools/capture/ports.h"
 #include "tools/capture/stream_windows.h"
@@ -33,11 +34,14 @@ Value value_of(const inspect::Field& field) {
 void add_field(std::vector<NamedValue>& fields, const inspect::Field& field) {
     const std::string list = folded(field.name);
     if (list.empty() || (!field.number && field.numbers.empty())) {
-        fields.push_back({field.name, field.unit, value_of(field)});
+        const std::size_t width = field.size / std::max<std::size_t>(1, field.numbers.size());
+        fields.push_back({field.name, field.unit, value_of(field), width});
         return;
     }
     auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == list; });
-    if (found == fields.end()) found = fields.insert(fields.end(), {list, field.unit, std::vector<double>()});
+    if (found == fields.end())
+        found = fields.insert(fields.end(), {list, field.unit, std::vector<double>(),
+                                             field.size / std::max<std::size_t>(1, field.numbers.size())});
     auto& numbers = *std::get_if<std::vector<double>>(&found->value);
     if (field.number) numbers.push_back(*field.number);
     numbers.insert(numbers.end(), field.numbers.begin(), field.numbers.end());
@@ -90,7 +94,7 @@ class Loader {
         const std::string name = message.name + (message.reason.empty() ? "" : " (broken)");
         // Seconds since 1970 have no finer resolution in a double.
         const double time = std::round((origin.time - *start_) * 1e6) / 1e6;
-        Message out{{origin.packet, time, ++side_.messages}, {}};
+        Message out{{origin.packet, time, ++side_.messages}, {}, capture::message_time(message)};
         for (const inspect::Field& field : message.fields) add_field(out.fields, field);
         used_ += memory_of(out) + sizeof(double) + name.size();
         direction.spoken.emplace_back(out.place.time, name);
@@ -152,7 +156,13 @@ void read_events(capture::CaptureReader& capture, const SideSettings& settings, 
     while (const auto event = loader.full() ? std::nullopt : capture.next()) messages.add(*event);
     side.is_cut = loader.full();
     messages.finish();
-    side.fault = capture.counts().fault;
+    side.troubles = capture::troubles(capture.counts());
+}
+
+const NamedValue* Message::find(const std::string& name, std::size_t hint) const {
+    if (hint < fields.size() && fields[hint].name == name) return &fields[hint];
+    const auto found = std::ranges::find(fields, name, &NamedValue::name);
+    return found == fields.end() ? nullptr : &*found;
 }
 
 std::string Direction::text() const {
@@ -181,17 +191,19 @@ Side read_side(const std::string& file, const SideSettings& settings) {
     Side side;
     side.file = file;
     capture::Input input(file);
-    if (capture::is_log(input))
-        read_events(*capture::open_capture(input), settings, side);
-    else
+    if (const auto log = capture::open_if_log(input)) {
+        read_events(*log, settings, side);
+    } else {
         read_bytes(input, settings, side);
+        if (!input.fault().empty()) side.troubles.push_back("the file ends early: " + input.fault());
+    }
     if (side.messages > 0) return side;
     const std::string where = settings.port.empty()
                                   ? ""
                                   : " at " + scenario::in_quotes(settings.port) + " (`echoloop replay " +
                                         file + " --list` shows its ports)";
     throw StartError(Exit::data, scenario::in_quotes(file) + ": no message of a known protocol" + where +
-                                     (side.fault.empty() ? "" : " (" + side.fault + ")") +
+                                     (side.troubles.empty() ? "" : " (" + side.troubles.front() + ")") +
                                      "; --family names the protocol to try");
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -18,6 +19,7 @@ struct NamedValue {
     std::string name;
     std::string unit;
     Value value;
+    std::size_t width = 0;  ///< B of one number
 };
 
 struct Place {
@@ -29,6 +31,10 @@ struct Place {
 struct Message {
     Place place;
     std::vector<NamedValue> fields;
+    std::optional<double> own_time{};  ///< s, as the message itself says
+
+    /// `hint`: where it may be. nullptr if there is none.
+    const NamedValue* find(const std::string& name, std::size_t hint) const;
 };
 
 /// What one side of a line, a connection or a pair of addresses says.
@@ -49,8 +55,8 @@ struct Side {
     std::size_t messages = 0;
     std::size_t undecoded_bytes = 0;
     bool has_times = true;
-    bool is_cut = false;  ///< it holds more than is compared
-    std::string fault;    ///< why reading ended early
+    bool is_cut = false;                ///< it holds more than is compared
+    std::vector<std::string> troubles;  ///< while it was read
 };
 
 struct SideSettings {

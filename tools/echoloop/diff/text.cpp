@@ -18,7 +18,15 @@ using scenario::printable;
 std::string place(const Place& p) {
     std::string text = "message " + std::to_string(p.message);
     if (p.packet == 0) return text;
-    return text + ", packet " + std::to_string(p.packet) + ", t=" + plain(p.time, 6) + " s";
+    return text + ", packet " + std::to_string(p.packet) +
+           ", t=" + (std::abs(p.time) < 1e9 ? plain(p.time, 6) : number_text(p.time)) + " s";
+}
+
+/// For differences, whose last digits say nothing.
+std::string rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
 }
 
 std::string samples_text(const FieldReport& field) {
@@ -38,25 +46,42 @@ void print_first(const FieldReport& field) {
                 place(first.b).c_str());
 }
 
+/// "A constant 25; B 79 values, 12.1 to 13.4, median 12.8; distance 0.93", "both constant 25"
+std::string spreads_text(const Spread& a, const Spread& b, double distance) {
+    const std::string in_a = printable(text_of(a)), in_b = printable(text_of(b));
+    if (in_a == in_b && distance <= 0) return "both " + in_a;
+    char text[32] = "";
+    if (distance >= 0) std::snprintf(text, sizeof text, "; distance %.2f", distance);
+    return "A " + in_a + "; B " + in_b + text;
+}
+
+std::string spreads_text(const FieldReport& field) {
+    return spreads_text(field.spreads.a, field.spreads.b, field.spreads.distance);
+}
+
 void print_field(const FieldReport& field, bool everything) {
     const std::string name = "      " + padded(field.name, 28);
+    const bool spread = field.verdict == Verdict::different || field.verdict == Verdict::alike ||
+                        everything || field.is_constant_once();
     switch (field.verdict) {
         case Verdict::different:
             std::printf("%sDIFFERENT in %zu of %zu%s%s\n", name.c_str(), field.different, field.compared,
                         field.samples ? ": " : "", field.samples ? samples_text(field).c_str() : "");
-            if (field.largest > 0) std::printf("        at most by %s\n", plain(field.largest, 9).c_str());
-            if (field.first) print_first(field);
             break;
         case Verdict::alike:
             std::printf("%salike: %s\n", name.c_str(), samples_text(field).c_str());
             break;
         case Verdict::equal:
-            if (everything) std::printf("%sequal\n", name.c_str());
+            if (spread) std::printf("%sequal\n", name.c_str());
             break;
         case Verdict::not_compared:
-            if (everything) std::printf("%snot compared\n", name.c_str());
+            if (spread) std::printf("%snot compared\n", name.c_str());
             break;
     }
+    if (spread) std::printf("        %s\n", spreads_text(field).c_str());
+    if (field.verdict != Verdict::different) return;
+    if (field.largest > 0) std::printf("        at most by %s\n", rounded(field.largest).c_str());
+    if (field.first) print_first(field);
 }
 
 void print_places(const char* title, const std::vector<Place>& places) {
@@ -66,13 +91,19 @@ void print_places(const char* title, const std::vector<Place>& places) {
     if (places.size() > shown) std::printf("      %s: %zu more\n", title, places.size() - shown);
 }
 
-void print_times(const char* what, const Statistics& a, const Statistics& b) {
+/// "40 values, 24.1 to 26.3, median 25, 95 % up to 25.9, deviation 0.4", of times in ms.
+std::string times_text(const Spread& s) {
+    if (s.count == 0) return "none";
+    const auto ms = [](double seconds) { return rounded(1000 * seconds); };
+    if (s.distinct == 1) return "constant " + ms(s.least);
+    return std::to_string(s.distinct) + " values, " + ms(s.least) + " to " + ms(s.most) + ", median " +
+           ms(s.median) + ", 95 % up to " + ms(s.p95) + ", deviation " + ms(s.deviation);
+}
+
+void print_times(const char* what, const Spread& a, const Spread& b) {
     if (a.count == 0 && b.count == 0) return;
-    const auto text = [](const Statistics& s) {
-        return s.count == 0 ? std::string("none")
-                            : plain(1000 * s.median, 3) + " (95 %: " + plain(1000 * s.p95, 3) + ")";
-    };
-    std::printf("      %s: median ms %s in A, %s in B\n", what, text(a).c_str(), text(b).c_str());
+    std::printf("      %s, ms:\n        A %s\n        B %s\n", what, times_text(a).c_str(),
+                times_text(b).c_str());
 }
 
 std::size_t count(const TypeReport& type, Verdict verdict) {
@@ -89,6 +120,7 @@ void print_type(const TypeReport& type, bool everything) {
     print_places("only in B", type.only_b);
     for (const FieldReport& field : type.fields) print_field(field, everything);
     print_times("from one to the next", type.gap_a, type.gap_b);
+    print_times("from one to the next by their own clock", type.own_gap_a, type.own_gap_b);
     print_times("until the other side speaks", type.answer_a, type.answer_b);
 }
 
@@ -124,6 +156,19 @@ void print_summary(const Report& report) {
         }
 }
 
+void print_constants(const Report& report) {
+    bool first = true;
+    for (const DirectionReport& direction : report.directions)
+        for (const TypeReport& type : direction.types)
+            for (const FieldReport& field : type.fields) {
+                if (!field.is_constant_once()) continue;
+                if (first) std::printf("constant on one side only:\n");
+                first = false;
+                std::printf("  %s %s.%s: %s\n", direction.family.c_str(), printable(type.name).c_str(),
+                            field.name.c_str(), spreads_text(field).c_str());
+            }
+}
+
 }  // namespace
 
 void print(const Report& report, bool everything) {
@@ -133,6 +178,7 @@ void print(const Report& report, bool everything) {
     for (const DirectionReport& direction : report.directions) print_direction(direction, everything);
     std::printf("%s\n", report.differs() ? "different:" : "equal, but for what differs by nature");
     print_summary(report);
+    print_constants(report);
 }
 
 }  // namespace echoloop::diff

@@ -5,10 +5,12 @@
 
 namespace echoloop::diff {
 
-/// Between each message and the next.
-Statistics gaps(const std::vector<Message>& messages);
+/// s between each message and the next, as captured.
+Spread gaps(const std::vector<Message>& messages);
+/// s between each message and the next, by the times that they hold; of none if one holds none.
+Spread own_gaps(const std::vector<Message>& messages);
 
-/// From each message of type `name` to the first that the other side says before the next one of this side.
-Statistics answer_delays(const Direction& asking, const Direction& answering, const std::string& name);
+/// s from each message of type `name` to the first that the other side says before the next one of this side.
+Spread answer_delays(const Direction& asking, const Direction& answering, const std::string& name);
 
 }  // namespace echoloop::diff

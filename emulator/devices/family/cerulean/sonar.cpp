@@ -2,14 +2,16 @@
 
 namespace echoloop::cerulean_device {
 
-Sonar::Sonar(const Identity& identity, std::vector<Endpoint> endpoints)
+Sonar::Sonar(const Identity& identity, const Sensors& sensors, std::vector<Endpoint> endpoints)
     : identity_(identity),
+      sensors_(sensors),
       endpoints_(std::move(endpoints)),
       ports_(make_ports(endpoints_, identity_)),
       pieces_(pieces(endpoints_, identity_)),
-      link_(ports_.size(), identity_.source, true) {}
+      link_(identity_.source, true) {}
 
 Actions Sonar::received(const Received& data, Time now) {
+    now_ = now;
     if (data.port >= pieces_.size()) {
         discover(data);
         return take_actions();
@@ -19,6 +21,7 @@ Actions Sonar::received(const Received& data, Time now) {
 }
 
 Actions Sonar::heard(const Echogram& echogram, Time now) {
+    now_ = now;
     if (echogram.shot.ping != pings_ || !pacer_.under_way()) return take_actions();
     ++counters_.pings;
     report(echogram);

@@ -19,7 +19,7 @@ using ping_device::Peer;
 
 class Sonar : public Device {
   public:
-    Sonar(const Identity& identity, std::vector<Endpoint> endpoints);
+    Sonar(const Identity& identity, const Sensors& sensors, std::vector<Endpoint> endpoints);
 
     std::vector<Port> ports() const override { return ports_; }
     Actions started(Time) override { return take_actions(); }
@@ -56,6 +56,11 @@ class Sonar : public Device {
     template <class Message>
     void reply(const Message& message, const Peer& peer);
 
+    void understood() { ++counters_.messages; }
+    void not_understood() { ++counters_.rejected; }
+    std::uint8_t source() const { return link_.id(); }
+    void set_source(std::uint8_t id) { link_.set_id(id); }
+
     /// Pings for this host from now on.
     void start_pings(const Peer& listener, Time now);
     void stop_pings() { pacer_.stop(); }
@@ -64,6 +69,13 @@ class Sonar : public Device {
     std::uint64_t pings() const { return pings_; }  ///< that went out
     /// ms from power-up to the last ping.
     std::uint32_t pinged_at() const;
+    /// What its sensor of that name reads at this moment.
+    double read(std::string_view name, double truth, const Stray& stray) const {
+        return sensors_.read(name, truth, stray, now_);
+    }
+    double read_compass(double truth) const {
+        return sensors_.read_bearing("compass", truth, stray::compass, now_);
+    }
 
   private:
     void discover(const Received& data);
@@ -71,12 +83,14 @@ class Sonar : public Device {
     Actions take_actions();
 
     Identity identity_;
+    Sensors sensors_;
     std::vector<Endpoint> endpoints_;
     std::vector<Port> ports_;
     std::vector<std::size_t> pieces_;  ///< largest datagram per port; 0: a stream
     ping_device::Link link_;
     Peer listener_;  ///< who asked for the pings
-    PingPacer pacer_;
+    PingPacer pacer_{sensors_, jitter::processor};
+    Time now_{};  ///< of the call at hand
     std::uint64_t pings_ = 0;
     Time pinged_at_{};
     Actions actions_;  ///< of the call at hand

@@ -113,7 +113,10 @@ std::vector<double> amplitudes(const Echogram& echogram, const SwitchCommand& co
     const Acoustics& a = settings.acoustics;
     const bool of_paper = echogram.rule == EchoRule::cerqueira2016;
     const bool rings = !of_paper && echogram.shot.source_level > 0;
-    const echosounder::RingDown ring{a.ring_down_level, a.ring_down_decay};
+    const auto ring = [&](std::size_t bin) {
+        return echosounder::ring_down_power(a.ring_down, echogram.shot, bin) +
+               echosounder::ring_down_power(a.second_ring, echogram.shot, bin);
+    };
     const auto beam = echogram.beam(0);
     std::vector<double> out(beam.size());
     for (std::size_t bin = 0; bin < beam.size(); ++bin) {
@@ -122,8 +125,7 @@ std::vector<double> amplitudes(const Echogram& echogram, const SwitchCommand& co
             continue;
         }
         const double r = sound_speed / 2 * (static_cast<double>(bin) + 0.5) * echogram.shot.bin_interval;
-        const double power =
-            beam[bin] + (rings ? echosounder::ring_down_power(ring, echogram.shot, bin) : 0.0);
+        const double power = beam[bin] + (rings ? ring(bin) : 0.0);
         out[bin] =
             std::sqrt(power) * std::pow(10.0, (gain_db(r, command, settings) - a.full_scale_level) / 20);
     }

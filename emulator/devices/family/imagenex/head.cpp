@@ -17,13 +17,18 @@ std::vector<Port> Head::ports() const { return {{"line", Port::Kind::stream, {},
 Actions Head::started(Time) { return take_actions(); }
 
 Actions Head::received(const Received& data, Time now) {
-    ear_.feed(data.bytes);
-    while (const auto frame = ear_.next()) {
+    const Peer host{data.port, data.from};
+    imagenex::Framer& ear = hosts_.of(host);
+    ear.feed(data.bytes);
+    while (const auto frame = ear.next()) {
         const auto command = imagenex::parse_switch_command(*frame);
+        const Peer before = std::exchange(host_, host);
         if (command && is_for_us(*command))
             obey(*command, now);
         else if (obey_other(*frame, now))
             ++counters_.messages;
+        else
+            host_ = before;
     }
     return take_actions();
 }
@@ -34,8 +39,8 @@ Actions Head::woken(Time now) {
 }
 
 /// Another host is at the other end: it gets no reply to what its predecessor asked.
-void Head::reconnected(std::size_t) {
-    ear_.clear();
+void Head::reconnected(std::size_t port) {
+    hosts_.clear(port);
     current_.reset();
     waiting_.reset();
     under_way_ = false;
@@ -44,7 +49,7 @@ void Head::reconnected(std::size_t) {
 
 DeviceCounters Head::counters() const {
     DeviceCounters counters = counters_;
-    counters.skipped_bytes = ear_.skipped_bytes();
+    counters.skipped_bytes = hosts_.skipped_bytes();
     return counters;
 }
 
@@ -129,7 +134,7 @@ void Head::end_of_reply(std::size_t bytes, Time now) {
 
 void Head::send(wire::Bytes bytes, Time when, std::uint8_t reply_baud) {
     const double rate = settings_.line_rate > 0 ? asked_rate(reply_baud, settings_) : 0;
-    actions_.send.push_back({0, std::move(bytes), {}, when, false, rate});
+    actions_.send.push_back({0, std::move(bytes), host_.address, when, false, rate});
 }
 
 Actions Head::take_actions() {

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "emulator/contract/host_lines.h"
 #include "emulator/devices/family/imagenex/echo.h"
 #include "emulator/devices/family/imagenex/settings.h"
 #include "protocols/imagenex/framer.h"
@@ -56,7 +57,8 @@ class Head : public Device {
     Actions take_actions();
 
     Settings settings_;
-    imagenex::Framer ear_{imagenex::Framer::Takes::commands};
+    HostLines<imagenex::Framer> hosts_{imagenex::Framer(imagenex::Framer::Takes::commands)};
+    Peer host_;                                       ///< whose command was taken last: the head answers it
     std::optional<imagenex::SwitchCommand> current_;  ///< being served
     std::optional<imagenex::SwitchCommand> waiting_;  ///< came meanwhile; only the newest is kept
     Time transmit_at_ = Time::max();

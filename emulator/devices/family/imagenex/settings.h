@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "emulator/contract/settings_list.h"
+#include "emulator/devices/family/sounder/ring_down.h"
 
 namespace echoloop::imagenex_head {
 
@@ -23,9 +24,9 @@ struct Acoustics {
     Receiver receiver;
     double full_scale_level = 0;  ///< dB re 1 uPa at the end of the scale, gains at 0 dB
     double nearest_range = 0;     ///< m, nearer echoes are no profile
-    double ring_down_level = 0;   ///< dB re 1 uPa
-    double ring_down_decay = 0;   ///< dB per s
-    bool tvg = true;              ///< the effect
+    /// Its own pulse: while it is sent, and once more when the receiver opens. They decay alike.
+    echosounder::RingDown ring_down, second_ring;
+    bool tvg = true;  ///< the effect
 };
 
 enum class ShotTiming { table, none, fixed };

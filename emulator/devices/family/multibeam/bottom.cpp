@@ -233,6 +233,7 @@ Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, 
     detection.begin = std::max(0.0, time_of(static_cast<double>(run.from)));
     detection.end = time_of(static_cast<double>(run.to));
     detection.power = extent.peak;
+    detection.mean = static_cast<float>(stretches.mean(peak));
     detection.excess = level_db(static_cast<float>(stretches.mean(peak) / least));
     detection.method = crossing ? Method::phase : Method::magnitude;
     return detection;

@@ -43,6 +43,7 @@ struct Detection {
     double time = 0;            ///< two-way, s; 0: no bottom
     double begin = 0, end = 0;  ///< two-way, s; between them the echo is within 10 dB of its peak
     float power = 0;            ///< uPa^2 at the peak
+    float mean = 0;             ///< uPa^2, over the stretch around it that is as long as the footprint
     float excess = 0;           ///< dB of the footprint's mean above the least that counts as a bottom
     Method method = Method::none;
     bool in_line = false;  ///< with its neighbours, to 2 % of its time

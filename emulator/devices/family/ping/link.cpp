@@ -11,7 +11,8 @@ namespace {
 constexpr std::uint8_t mark = 0x55;
 constexpr std::size_t most_endpoints = 4;
 
-/// "3.3.8" as three numbers of 0..255; std::invalid_argument naming `option` otherwise.
+}  // namespace
+
 std::array<std::uint8_t, 3> read_version(const std::string& text, const std::string& option) {
     unsigned a = 256, b = 256, c = 256;
     char more = 0;
@@ -22,29 +23,24 @@ std::array<std::uint8_t, 3> read_version(const std::string& text, const std::str
     return {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c)};
 }
 
-}  // namespace
-
-Link::Link(std::size_t ports, std::uint8_t id, bool marks_are_breaks)
-    : framers_(ports, ping::Framer(ping::Framer::Waiting::impatient)),
-      id_(id),
-      marks_are_breaks_(marks_are_breaks) {}
+Link::Link(std::uint8_t id, bool marks_are_breaks)
+    : hosts_(ping::Framer(ping::Framer::Waiting::impatient)), id_(id), marks_are_breaks_(marks_are_breaks) {}
 
 Heard Link::receive(const Received& data) {
     Heard heard;
-    ping::Framer& framer = framers_.at(data.port);
-    const bool marked =
+    ping::Framer& framer = hosts_.of({data.port, data.from});
+    heard.line_break =
         marks_are_breaks_ && framer.pending_bytes() == 0 && !data.bytes.empty() && data.bytes.front() == mark;
-    heard.line_break = data.bytes.empty() || marked;
-    if (heard.line_break) framer.clear();
     framer.feed(data.bytes);
     while (auto frame = framer.next()) heard.frames.push_back(*std::move(frame));
     return heard;
 }
 
-std::uint64_t Link::skipped_bytes() const {
-    std::uint64_t skipped = 0;
-    for (const ping::Framer& framer : framers_) skipped += framer.skipped_bytes();
-    return skipped;
+Send Link::reply_without_content(ping::Id id, const Peer& to) const {
+    ping::Frame frame = ping::short_request(id);
+    frame.header.source = id_;
+    frame.checksum = ping::checksum(ping::encode(frame));
+    return {to.port, ping::encode(frame), to.address, {}};
 }
 
 std::vector<Send> in_pieces(wire::Bytes frame, const Peer& to, std::size_t piece) {

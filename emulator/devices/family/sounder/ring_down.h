@@ -5,11 +5,13 @@
 
 namespace echoloop::echosounder {
 
-/// The receiver hears the pulse at `level` while it is sent; afterwards the transducer rings on and dies
-/// away.
+/// The receiver hears the pulse at `level` from `start` on while it is sent, and for `hold` at least;
+/// afterwards the transducer rings on and dies away.
 struct RingDown {
     double level = 0;  ///< dB re 1 uPa, as if it had come from the water
     double decay = 0;  ///< dB per s
+    double start = 0;  ///< s
+    double hold = 0;   ///< s
 };
 
 /// Mean power in uPa^2 that the ring-down has in a bin.

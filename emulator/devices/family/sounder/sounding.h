@@ -25,9 +25,11 @@ struct Sounding {
     double range = 100;             ///< m, by its own sound speed
     double sound_speed = 1500;      ///< m/s, by which it turns times into depths
     double processing_time = 0.02;  ///< s
+    double tracking_lag = 0;        ///< s, of tracker.h
     double baud = 4800;             ///< bit/s; 0: not paced
     Acoustics acoustics{};
     BottomRule bottom{};
+    Sensors sensors{};
 
     /// How long it listens after each pulse, in s: out to the end of its range.
     double window() const { return 2 * range / sound_speed; }

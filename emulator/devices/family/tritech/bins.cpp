@@ -6,9 +6,12 @@
 namespace echoloop::tritech {
 namespace {
 
-std::uint8_t to_count(double fraction) {
-    if (!(fraction > 0)) return 0;
-    return static_cast<std::uint8_t>(std::min(255.0, std::round(255 * fraction)));
+/// Half-decibel steps: all values of real heads are floor(255 k / 160), k = 0 to 160 (four recordings of
+/// two).
+std::uint8_t to_count(double db) {
+    constexpr double steps = 2 * full_scale_db;
+    if (!(db > 0)) return 0;
+    return static_cast<std::uint8_t>(255 * std::min(steps, std::floor(2 * db)) / steps);
 }
 
 }  // namespace
@@ -25,8 +28,9 @@ std::vector<std::uint8_t> levels_8bit(const Echogram& echogram, const Acoustics&
                                       const Tuning& tuning, std::uint8_t gain) {
     const double gain_db = full_scale_db * std::min<int>(gain, 210) / 210.0;
     std::vector<std::uint8_t> levels(echogram.beam(0).size());
-    for (std::size_t bin = 0; bin < levels.size(); ++bin)
-        levels[bin] = to_count(shown_db(echogram, bin, acoustics, tuning, gain_db) / full_scale_db);
+    constexpr std::size_t silent = 2;  // of the same recordings
+    for (std::size_t bin = silent; bin < levels.size(); ++bin)
+        levels[bin] = to_count(shown_db(echogram, bin, acoustics, tuning, gain_db));
     return levels;
 }
 

@@ -16,7 +16,8 @@ inline constexpr double full_scale_db = 80;
 double shown_db(const Echogram& echogram, std::size_t bin, const Acoustics& acoustics, const Tuning& tuning,
                 double gain_db);
 
-/// 0..255 on the scale of 0..80 dB, one per bin of the echogram's only beam. `gain` is 0..210 for 0..80 dB.
+/// 0..255 on the scale of 0..80 dB in steps of half a decibel, one per bin of the echogram's only beam; the
+/// first two are 0. `gain` is 0..210 for 0..80 dB.
 std::vector<std::uint8_t> levels_8bit(const Echogram& echogram, const Acoustics& acoustics,
                                       const Tuning& tuning, std::uint8_t gain);
 

@@ -9,7 +9,7 @@ namespace echoloop::tritech {
 
 Head::Head(const HeadSettings& settings)
     : settings_(settings),
-      framer_(settings.frame_lengths),
+      hosts_(seanet::Framer(settings.frame_lengths)),
       boot_(settings.boot),
       requests_(settings.replies, settings.queue_requests) {}
 
@@ -21,8 +21,10 @@ Actions Head::started(Time now) {
 }
 
 Actions Head::received(const Received& data, Time now) {
-    framer_.feed(data.bytes);
-    while (const auto frame = framer_.next()) obey(*frame, now);
+    const Peer host{data.port, data.from};
+    seanet::Framer& framer = hosts_.of(host);
+    framer.feed(data.bytes);
+    while (const auto frame = framer.next()) obey(*frame, host, now);
     return take_actions();
 }
 
@@ -32,20 +34,23 @@ Actions Head::woken(Time now) {
     return take_actions();
 }
 
-void Head::reconnected(std::size_t) { framer_.clear(); }
+void Head::reconnected(std::size_t port) { hosts_.clear(port); }
 
 DeviceCounters Head::counters() const {
     DeviceCounters counters = counters_;
-    counters.skipped_bytes = framer_.skipped_bytes();
+    counters.skipped_bytes = hosts_.skipped_bytes();
     return counters;
 }
 
 /// Whatever a head does not understand it drops without a word.
-void Head::obey(const seanet::Frame& frame, Time now) {
+void Head::obey(const seanet::Frame& frame, const Peer& host, Time now) {
     const bool for_us = frame.header.rx_node == settings_.node || frame.header.rx_node == seanet::nodes::host;
     const auto message = seanet::parse(frame);
+    const Peer before = host_;
+    host_ = host;
     const bool understood = for_us && message && seanet::from_host(*message) &&
                             (answer(*message, now) || configure(*message, now));
+    if (!understood) host_ = before;
     ++(understood ? counters_.messages : counters_.rejected);
 }
 
@@ -162,7 +167,7 @@ void Head::finish_side_work(Time now, std::size_t bytes) {
 
 void Head::reply(const seanet::Message& message) {
     actions_.send.push_back(
-        {0, seanet::encode(message, {settings_.node, settings_.head_data_remaining}), {}, {}});
+        {0, seanet::encode(message, {settings_.node, settings_.head_data_remaining}), host_.address, {}});
 }
 
 Actions Head::take_actions() {

@@ -2,6 +2,7 @@
 // the serial line. Knows neither what a ping looks like nor what a reply carries.
 #pragma once
 
+#include "emulator/contract/host_lines.h"
 #include "emulator/devices/family/tritech/boot.h"
 #include "emulator/devices/family/tritech/head_options.h"
 #include "emulator/devices/family/tritech/requests.h"
@@ -54,7 +55,7 @@ class Head : public Device {
     DeviceCounters counters_;
 
   private:
-    void obey(const seanet::Frame& frame, Time now);
+    void obey(const seanet::Frame& frame, const Peer& host, Time now);
     bool answer(const seanet::Message& message, Time now);
     void send_user_block();
     void reboot(Time now);
@@ -66,7 +67,8 @@ class Head : public Device {
     void begin_due(Time now);
 
     HeadSettings settings_;
-    seanet::Framer framer_;
+    HostLines<seanet::Framer> hosts_;
+    Peer host_;  ///< whose message was understood last: the head talks to it
     Boot boot_;
     Requests requests_;
     bool has_parameters_ = false;

@@ -38,10 +38,11 @@ void describe_start(HeadSettings& s, OptionList& o) {
 void describe_version(seanet::VersionData& v, OptionList& o) {
     v.info_bits = 1;  // board type sonar
     v.software_version = 2;
-    v.serial_number = 1234;
+    v.serial_number = 21086;
     o.whole(v.software_version, "software_version", "", 0, 255,
             "first byte of mtVersionData; some hosts read it as a code of the frequency", "free choice");
-    o.whole(v.serial_number, "serial_number", "", 0, 65535, "in mtVersionData", "free choice");
+    o.whole(v.serial_number, "serial_number", "", 0, 65535, "in mtVersionData",
+            "free choice: five digits, as many as the word has room for");
     o.whole(v.program_length, "program_length", "B", 0, 4294967295.0, "in mtVersionData", "free choice");
     o.whole(v.checksum, "program_checksum", "", 0, 65535, "in mtVersionData", "free choice");
 }

@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "emulator/contract/model.h"
+#include "emulator/devices/family/tritech/imaging_settings.h"
 
 namespace echoloop::tritech {
 
 /// See Model::requests and Model::drivers.
 std::vector<Bytes> imaging_requests(const DeviceConfig& config, bool turns);
-std::vector<KnownDriver> imaging_drivers();
+std::vector<KnownDriver> imaging_drivers(Family family);
 
 }  // namespace echoloop::tritech

@@ -26,7 +26,7 @@ inline Model imaging_model(const std::string& name, const std::string& link, Fam
     m.profile = built_in_profile(m.name);
     m.family = "seanet";
     m.requests = imaging_requests;
-    m.drivers = imaging_drivers();
+    m.drivers = imaging_drivers(family);
     return m;
 }
 
