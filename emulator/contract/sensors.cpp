@@ -34,6 +34,7 @@ double slow(std::uint64_t key, Time now) {
 double Sensors::read(std::string_view name, double truth, const Stray& stray, Time now) const {
     if (!noisy_) return truth;
     const std::uint64_t key = random_key(key_, name);
+    if (stray.every > 0) now = from_seconds(stray.every * std::floor(to_seconds(now) / stray.every));
     const double reading =
         truth + stray.drift * slow(key, now) +
         stray.noise * normal(split_mix(~key ^ split_mix(static_cast<std::uint64_t>(now.count()))));
