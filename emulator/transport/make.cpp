@@ -133,11 +133,13 @@ std::unique_ptr<Transport> line_of(Clock& clock, std::unique_ptr<Transport> open
     return std::make_unique<BaudCheck>(clock, std::move(wire), own.rate, config.name);
 }
 
-std::unique_ptr<Transport> driver_lines(Clock& clock, const std::shared_ptr<TcpDoor>& door, const Port& port,
-                                        const Around& around) {
+std::unique_ptr<Transport> driver_lines(Clock& clock, const std::shared_ptr<TcpDoor>& door,
+                                        const Endpoint& endpoint, const DeviceConfig& config,
+                                        const Port& port, const Around& around) {
+    const OwnEnd own = own_end(config, endpoint);
     std::vector<std::unique_ptr<Transport>> lines;
     for (std::size_t i = 0; i < port.drivers; ++i)
-        lines.push_back(around(in_step(clock, std::make_unique<TcpListener>(door)), port));
+        lines.push_back(around(paced(clock, std::make_unique<TcpListener>(door), endpoint, own), port));
     const auto slow = port.slow_holds_up ? DriverLines::Slow::holds_up : DriverLines::Slow::loses;
     if (port.messages_kept == 0) return std::make_unique<DriverLines>(clock, std::move(lines), slow);
     return std::make_unique<DriverLines>(clock, std::move(lines), slow, port.messages_kept);
@@ -178,7 +180,7 @@ std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std:
             continue;
         }
         const Endpoint& endpoint = config.endpoints.at(next_stream++);
-        transports.push_back(door ? driver_lines(clock, door, ports[i], wrap)
+        transports.push_back(door ? driver_lines(clock, door, endpoint, config, ports[i], wrap)
                                   : line_of(clock, std::move(wire), endpoint, config, ports[i], wrap));
     }
     return transports;

@@ -90,6 +90,7 @@ class Host:
     def __init__(self, ip, port):
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.there = (ip, port)
+        self.stale = lambda message: False
 
     def __enter__(self):
         return self
@@ -116,11 +117,14 @@ class Host:
         self.say(b"")
 
     def scan(self, settings, start=0, stop=399, step=1, delay=0):
-        """The strategy of Ping Viewer above firmware 3.3.0: a break, 200 ms, auto_transmit."""
+        """The strategy of Ping Viewer above firmware 3.3.0: an empty datagram, 200 ms, auto_transmit. What the sonar said
+        before it heard that is dropped."""
         self.line_break()
-        self.silence()
+        self.pings(1 << 20, 0.2)
         head = struct.pack("<BBHHHH", 1, *settings)
-        self.say(frame(AUTO_TRANSMIT, head + struct.pack("<HHBB", start, stop, step, delay)))
+        sector = struct.pack("<HHB", start, stop, step)
+        self.say(frame(AUTO_TRANSMIT, head + sector + bytes([delay])))
+        self.stale = lambda message: message.id == AUTO_DEVICE_DATA and message.payload[10:15] != sector
 
     def silence(self, seconds=0.2):
         """Frames that are still on their way, until there are none for so long."""
@@ -133,7 +137,8 @@ class Host:
         """So many pings; fewer if the time is over before."""
         found, end = [], time.monotonic() + seconds
         while len(found) < count and (left := end - time.monotonic()) > 0:
-            if message := self.hear(left):
+            message = self.hear(left)
+            if message and not self.stale(message):
                 found.append(ping_of(message))
         return found
 

@@ -32,7 +32,7 @@ std::string reading(const Settings& settings, std::optional<double> depth) {
     return settings.format ? altimeter::write_line({*settings.format, metres}) : padbt(metres);
 }
 
-Echosounder::Echosounder(const Settings& settings, echosounder::Wiring wiring)
+Echosounder::Echosounder(const Settings& settings, std::vector<echosounder::Wiring> wiring)
     : TalkingSounder(
           settings.sounding, std::move(wiring),
           [settings](std::optional<double> depth, Time) { return lines(settings, depth); },

@@ -12,7 +12,7 @@ std::string reading(const Settings& settings, std::optional<double> depth);
 
 class Echosounder final : public echosounder::TalkingSounder {
   public:
-    Echosounder(const Settings& settings, echosounder::Wiring wiring);
+    Echosounder(const Settings& settings, std::vector<echosounder::Wiring> wiring);
 
     /// 'Z': it stops pinging by itself and says one reading. 'F': it pings by itself.
     Actions received(const Received& data, Time now) override;

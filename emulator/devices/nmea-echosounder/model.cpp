@@ -4,11 +4,14 @@
 namespace echoloop::nmea_echosounder {
 namespace {
 
+constexpr std::size_t most_endpoints = 8;
+
 std::unique_ptr<Device> make(const DeviceConfig& config) {
     const Settings settings = read_settings(config);
     const auto words = [settings](nmea::Depth depth, Time now) { return sentences(settings, depth, now); };
     return std::make_unique<echosounder::TalkingSounder>(
-        settings.sounding, echosounder::read_wiring(config.endpoints, "nmea-echosounder"), words);
+        settings.sounding, echosounder::read_wiring(config.endpoints, "nmea-echosounder", most_endpoints),
+        words);
 }
 
 Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "emulator/devices/ping1d/bottom.h"
-
 namespace echoloop::ping1d {
 namespace {
 
@@ -19,12 +17,14 @@ constexpr Time boot_loader_time = std::chrono::seconds(5);
 Ping1d::Ping1d(const Settings& settings, std::vector<Port> ports)
     : settings_(settings),
       ports_(std::move(ports)),
-      link_(settings.device_id, settings.marks_are_breaks) {}
+      link_(settings.device_id, settings.marks_are_breaks),
+      tracker_(settings.tracking_lag) {}
 
 void Ping1d::power_up(Time now) {
     state_ = settings_.power_up;
     last_ = {};
     streams_.clear();
+    tracker_ = echosounder::Tracker(settings_.tracking_lag);
     if (settings_.stream_at_start) streams_[Id::profile] = {};
     restarting_ = false;
     pacer_.reset();
@@ -117,8 +117,9 @@ void Ping1d::on(const ping::SetRange& command, const Peer& peer) {
 void Ping1d::on(const ping::SetSpeedOfSound& command, const Peer& peer) {
     constexpr std::uint32_t lowest = 100000, highest = 10000000;  // mm/s
     const bool good = command.speed_of_sound >= lowest && command.speed_of_sound <= highest;
-    if (acknowledge(good, Id::set_speed_of_sound, "Speed of sound out of range", peer))
-        state_.speed_of_sound = command.speed_of_sound;
+    if (!acknowledge(good, Id::set_speed_of_sound, "Speed of sound out of range", peer)) return;
+    state_.speed_of_sound = command.speed_of_sound;
+    tracker_ = echosounder::Tracker(settings_.tracking_lag);  // what it has was told in other metres
 }
 
 void Ping1d::on(const ping::SetModeAuto& command, const Peer& peer) {
@@ -242,7 +243,10 @@ std::optional<ping::Message> Ping1d::message(Id id) const {
 /// False if there is no such message.
 bool Ping1d::send_message(Id id, const Peer& peer) {
     const auto found = message(id);
-    if (found) reply(*found, peer);
+    if (found && is_old(settings_) && (id == Id::voltage5 || id == Id::processor_temperature))
+        actions_.send.push_back(link_.reply_without_content(id, peer));
+    else if (found)
+        reply(*found, peer);
     return found.has_value();
 }
 
@@ -254,17 +258,30 @@ void Ping1d::transmit(Time now) {
     pinged_ = state_;
     Shot shot = shot_from(state_, settings_);
     shot.ping = ++ping_;
-    const double window = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
+    const double window =
+        shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval + settings_.processing_time;
     shot.interval = std::max(window, state_.interval * 1e-3);
     actions_.ping = Ping{std::move(shot), now + from_seconds(window)};
+}
+
+Bottom Ping1d::tracked(const Bottom& found, Time now) {
+    std::optional<double> metres;
+    if (found.confidence > 0) metres = 1e-3 * found.distance;
+    const auto reading = tracker_.follow(metres, to_seconds(now));
+    if (!reading) return found;
+    // What the last good ping was worth fades while nothing agrees with it.
+    const int worth = found.confidence > 0 ? found.confidence : 100;
+    return {static_cast<std::uint32_t>(std::lround(1e3 * reading->distance)),
+            static_cast<std::uint8_t>(std::lround(worth * reading->trust))};
 }
 
 Actions Ping1d::heard(const Echogram& echogram, Time now) {
     if (!pacer_.under_way() || echogram.shot.ping != ping_) return take_actions();
     ++counters_.pings;
     const Bottom bottom = find_bottom(echogram, pinged_, settings_);
-    last_ = {bottom.distance,
-             bottom.confidence,
+    const Bottom told = tracked(bottom, now);
+    last_ = {told.distance,
+             told.confidence,
              pinged_.transmit_duration(),
              ping_,
              pinged_.start,

@@ -6,6 +6,8 @@
 
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/family/ping/link.h"
+#include "emulator/devices/family/sounder/tracker.h"
+#include "emulator/devices/ping1d/bottom.h"
 #include "emulator/devices/ping1d/settings.h"
 
 namespace echoloop::ping1d {
@@ -53,6 +55,8 @@ class Ping1d final : public Device {
     std::uint16_t voltage() const;  ///< mV
     void reply(const ping::Message& message, const Peer& peer);
     void transmit(Time now);
+    /// What it says of the bottom that this ping has found.
+    Bottom tracked(const Bottom& found, Time now);
     Actions take_actions();
 
     Settings settings_;
@@ -60,6 +64,7 @@ class Ping1d final : public Device {
     ping_device::Link link_;
     State state_, pinged_;  ///< as set, and as it was when the last ping went out
     ping::Profile last_;    ///< of the last ping heard
+    echosounder::Tracker tracker_;
     std::map<ping::Id, Peer> streams_;
     std::uint32_t ping_ = 0;
     PingPacer pacer_{settings_.sensors, jitter::processor};

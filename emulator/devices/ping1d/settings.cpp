@@ -12,7 +12,9 @@ const char* const spec = "Ping specification notes";
 
 void describe_identity(Settings& s, OptionList& o) {
     ping_device::version(s.firmware, o, "firmware",
-                         "version; one host's test needs major 3 and minor 27 or more", spec);
+                         "version; one host's test needs major 3 and minor 27 or more. Before 3.27, but for "
+                         "0.0.0, voltage and processor temperature are without content",
+                         spec);
     ping_device::version(s.protocol, o, "protocol_version",
                          "version of the message set; one host's test stops on 1.1.0", spec);
     o.whole(s.device_id, "device_id", "", 0, 254, "at power-up, as source of every frame", spec);
@@ -36,6 +38,13 @@ void describe_power_up(State& s, OptionList& o) {
 void describe_answers(Settings& s, OptionList& o) {
     o.flag(s.stream_at_start, "stream_at_start", "send profiles from power-up, as the open firmware does",
            spec);
+    o.number(
+        s.tracking_lag, "tracking_lag", "s", 0, 10,
+        "time constant by which the distance follows the bottom; after a jump it waits twice as long. 0: "
+        "every ping speaks for itself",
+        "up to 0.8 s until a real one has followed were reported; the law is our own choice");
+    o.number(s.processing_time, "processing_time", "s", 0, 1, "from the end of the range to the message",
+             "not published");
     o.choice(s.nack_requested_id, "nacked_id", {"request", "requested"},
              "id in the nack of a general_request: 6, or the id that was asked for", spec);
     o.flag(s.ack_continuous, "ack_continuous", "acknowledge continuous_start and continuous_stop", spec);
@@ -71,6 +80,11 @@ void describe_profile(Acoustics& a, FigureList& f) {
 }
 
 }  // namespace
+
+bool is_old(const Settings& s) {
+    const std::array<std::uint8_t, 3> open{0, 0, 0}, first{3, 27, 0};
+    return s.firmware != open && s.firmware < first;
+}
 
 std::uint16_t State::transmit_duration() const {
     const double range = start + static_cast<double>(length), speed = speed_of_sound;

@@ -54,7 +54,9 @@ struct Settings {
     bool always_profile = false;  ///< stream 1300 whatever was asked for
     bool stream_at_start = false;
     bool marks_are_breaks = true;
-    double baud = 0;  ///< bit/s, of ptys and TCP; 0: not paced
+    double tracking_lag = 0.3;   ///< s; 0: every ping speaks for itself
+    double processing_time = 0;  ///< s from the end of the range to the message
+    double baud = 0;             ///< bit/s, of ptys and TCP; 0: not paced
     SerialRate line;
     std::uint16_t voltage = 5000;                                        ///< mV
     std::uint16_t processor_temperature = 4000, pcb_temperature = 3500;  ///< 0.01 degC
@@ -65,6 +67,8 @@ struct Settings {
 inline constexpr std::uint32_t shortest_length = 1000, longest_length = 100000;  ///< mm
 inline constexpr std::uint16_t shortest_pulse = 20, longest_pulse = 1000;        ///< us
 
+/// Versions whose 1202 and 1213 have no content: before 3.27, but for the open firmware, which is 0.0.0.
+bool is_old(const Settings& settings);
 /// From complete options and a complete profile. std::invalid_argument if a version is none.
 Settings read_settings(const DeviceConfig& config);
 void describe(Settings& settings, OptionList& options, FigureList& figures);

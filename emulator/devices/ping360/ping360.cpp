@@ -118,6 +118,7 @@ void Ping360::on(const ping::Transducer& command, const Peer& peer, Time now) {
 }
 
 void Ping360::on(const ping::AutoTransmit& command, const Peer& peer, Time now) {
+    if (!settings_.scans_by_itself()) return refuse(Id::auto_transmit, unknown_command, peer, now);
     if (const auto wrong = out_of_range(command); wrong && !settings_.accept_anything) {
         refuse(Id::auto_transmit, *wrong, peer, now);
         return;
@@ -216,11 +217,12 @@ void Ping360::transmit(Time now) {
     }
     Shot shot = shot_from(job_->settings, angle_, settings_);
     shot.ping = ++ping_;
-    const double window = static_cast<double>(shot.bins) * shot.bin_interval;
-    const int step = scan_ ? job_->automatic->num_steps : 1;
-    shot.interval = window + settings_.turn_time * step / circle;  // if the host asks in time
+    const double processing = settings_.by_ethernet.at(job_->peer.port) ? settings_.ethernet_time : 0;
+    const double time = static_cast<double>(shot.bins) * shot.bin_interval + processing;
+    const int step = scan_ ? scan_->step() : 1;
+    shot.interval = time + settings_.turn_time * step / circle;  // if the host asks in time
     under_way_ = true;
-    actions_.ping = Ping{std::move(shot), now + from_seconds(window)};
+    actions_.ping = Ping{std::move(shot), now + from_seconds(time)};
 }
 
 Actions Ping360::heard(const Echogram& echogram, Time now) {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "emulator/devices/family/ping/link.h"
 #include "emulator/devices/ping360/discovery.h"
@@ -13,6 +14,8 @@
 namespace echoloop::ping360 {
 
 using ping_device::Peer;
+
+inline constexpr std::string_view unknown_command = "command not recognised";
 
 /// A ping as automatic scans tell it.
 ping::AutoDeviceData automatic(ping::DeviceData data, const ping::AutoTransmit& scan);

@@ -26,7 +26,7 @@ std::optional<std::string_view> out_of_range(const ping::Transducer& c) {
 std::optional<std::string_view> out_of_range(const ping::AutoTransmit& c) {
     if (c.start_angle > 400) return "start angle out of range";
     if (c.stop_angle > 400) return "stop angle out of range";
-    if (c.num_steps < 1 || c.num_steps > 10) return "number of steps out of range";
+    if (c.num_steps == 0) return "number of steps out of range";
     if (c.delay > 100) return "delay out of range";
     return common_ranges(c);
 }

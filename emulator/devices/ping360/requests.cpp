@@ -2,13 +2,8 @@
 #include "emulator/devices/ping360/ping360.h"
 
 namespace echoloop::ping360 {
-namespace {
 
 using ping::Id;
-
-constexpr std::string_view unknown_command = "command not recognised";
-
-}  // namespace
 
 void Ping360::obey(const ping::Frame& frame, const Peer& peer, Time now) {
     const Id id = frame.header.id;
@@ -53,7 +48,7 @@ bool Ping360::send_message(Id id, const Peer& peer, Time now) {
         reply(ping::ProtocolVersion{p[0], p[1], p[2], 0}, peer, now);
     } else if (id == Id::device_data) {
         reply(last_on_request(), peer, now);
-    } else if (id == Id::auto_device_data) {
+    } else if (id == Id::auto_device_data && settings_.scans_by_itself()) {
         reply(automatic(last_on_request(), last_scan_), peer, now);
     } else {
         return false;

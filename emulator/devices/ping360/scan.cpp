@@ -1,14 +1,17 @@
 #include "emulator/devices/ping360/scan.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 
 namespace echoloop::ping360 {
 
 Scan::Scan(const ping::AutoTransmit& command, bool twice)
-    : start_(command.start_angle % circle),
-      span_((command.stop_angle % circle - start_ + circle) % circle),
-      step_(std::max<int>(1, command.num_steps)),
-      full_(span_ == circle - 1 || command.stop_angle - command.start_angle == circle),
+    : sense_(static_cast<std::int8_t>(command.num_steps) < 0 ? -1 : 1),
+      start_(command.start_angle % circle),
+      span_((sense_ * (command.stop_angle % circle - start_) + circle) % circle),
+      step_(std::max(1, std::abs(static_cast<std::int8_t>(command.num_steps)))),
+      full_(span_ == circle - 1 || std::abs(command.stop_angle - command.start_angle) >= circle - 1),
       twice_(twice) {}
 
 void Scan::advance() {
@@ -17,6 +20,10 @@ void Scan::advance() {
         return;
     }
     const bool at_end = offset_ == (way_ > 0 ? span_ : 0);
+    if (at_end && span_ > circle / 2) {
+        offset_ = 0;
+        return;
+    }
     if (at_end) {
         way_ = -way_;
         if (twice_) return;

@@ -15,9 +15,16 @@ const char* const spec = "Ping specification notes";
 
 void describe_identity(Settings& s, OptionList& o) {
     ping_device::version(s.firmware, o, "firmware",
-                         "version; hosts scan by auto_transmit above 3.3.0, else ping by ping", spec);
-    ping_device::version(s.protocol, o, "protocol_version",
-                         "version of the message set; one host's test stops on 1.1.0", spec);
+                         "version; automatic scans (2602, 2301) are there above 3.3.0, and refused before",
+                         spec);
+    std::string message_set = "auto";
+    o.text(message_set, "protocol_version",
+           "version of the message set; auto: 1.1.0, which brought automatic scans, where the firmware has "
+           "them, "
+           "else 1.0.0. One host's test stops on 1.1.0",
+           "history of the message definitions");
+    s.protocol = {1, static_cast<std::uint8_t>(s.scans_by_itself()), 0};
+    if (message_set != "auto") s.protocol = ping_device::read_version(message_set, "protocol_version");
     o.whole(s.device_type, "device_type", "", 1, 255, "in device_information", spec);
     o.whole(s.device_revision, "device_revision", "", 1, 255, "in device_information", spec);
     o.text(s.discovery, "discovery",
@@ -50,6 +57,10 @@ void describe_head(Settings& s, OptionList& o) {
     o.number(s.turn_time, "turn_time", "s", 0.01, 60, "time of a full turn of 400 gradians", spec);
     o.number(s.idle_off, "idle_off", "s", 0, 1e6, "idle time after which the next move homes first; 0: never",
              spec);
+    o.number(
+        s.ethernet_time, "ethernet_time", "s", 0, 1,
+        "from the end of the range to the reply on UDP endpoints: processing and the link inside the head",
+        "scans of Ethernet units in the field: 16 to 20 ms; data sheet, 9 s a turn at 2 m: 14 ms");
     o.flag(s.ring_down, "ring_down", "the transmitter's own sound in the first samples",
            "shape of two public recordings");
 }
@@ -112,6 +123,7 @@ Settings read_settings(const DeviceConfig& config) {
     Acoustics& a = s.acoustics;
     s.announced = announced(s.discovery, config.endpoints);
     s.line.bits_per_second = line_rate(config.endpoints, s.baud);
+    for (const Endpoint& e : config.endpoints) s.by_ethernet.push_back(e.on_udp());
     if (!config.effects.has(Effect::tvg)) a.tvg_spreading = a.tvg_absorption = 0;
     if (!s.ring_down) a.ring_down = {};
     return s;

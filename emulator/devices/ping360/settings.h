@@ -37,7 +37,7 @@ struct Acoustics {
 /// Emulator options; README.md of this folder explains each.
 struct Settings {
     std::uint8_t device_type = 2, device_revision = 1;
-    std::array<std::uint8_t, 3> firmware{3, 3, 8}, protocol{1, 0, 0};
+    std::array<std::uint8_t, 3> firmware{3, 3, 8}, protocol{1, 1, 0};
     bool echo_400 = false;
     int forward_angle = 200;  ///< gradians
     bool clockwise = true;
@@ -47,15 +47,20 @@ struct Settings {
     bool accept_common_id = false;
     bool nack_requested_id = false;
     bool ack_set_id = true;
-    double turn_time = 2.4;  ///< s for 400 gradians
-    double idle_off = 30;    ///< s; 0: never
-    double baud = 0;         ///< bit/s, of ptys and TCP; 0: not paced
+    double turn_time = 2.4;           ///< s for 400 gradians
+    double idle_off = 30;             ///< s; 0: never
+    double ethernet_time = 0.018;     ///< s from the end of the range to the reply by UDP
+    std::vector<bool> by_ethernet{};  ///< of each endpoint: whether that time counts there
+    double baud = 0;                  ///< bit/s, of ptys and TCP; 0: not paced
     SerialRate line;
     bool marks_are_breaks = true;
     std::string discovery = "auto";
     std::uint32_t announced = 0;  ///< IPv4 address of `discovery`; 0: not discoverable
     bool ring_down = true;
     Acoustics acoustics;
+
+    /// Whether this firmware knows auto_transmit (2602) and auto_device_data (2301): above 3.3.0.
+    bool scans_by_itself() const { return firmware > std::array<std::uint8_t, 3>{3, 3, 0}; }
 };
 
 /// From complete options and a complete profile. std::invalid_argument if a version or an address is none.

@@ -103,6 +103,23 @@ TEST(NmeaEchosounder, OffsetLeadsToTheSurfaceOrToTheKeel) {
                 ElementsAre("$IIDPT,30.0,-1.5*5A\r\n", "$IIDBK,93.5,f,28.5,M,15.6,F*3C\r\n"));
 }
 
+TEST(NmeaEchosounder, ServesSeveralPlacesAtOnce) {
+    Bench bench =
+        sounder({{"sentences", std::string("DPT")}},
+                {"serial:///dev/ttyUSB0:4800", "udp://127.0.0.1:10110", "tcp-listen://127.0.0.1:10111"});
+    const auto ports = bench.device().ports();
+    ASSERT_EQ(ports.size(), 3u);
+    EXPECT_GT(ports[2].drivers, 1u) << "several programs may connect";
+    bench.run_to(160ms);
+    const auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(sent[i].port, i);
+        EXPECT_EQ(sent[i].bytes, sent[0].bytes);
+    }
+    EXPECT_EQ(sent[1].to, (Address{0x7F000001, 10110}));
+}
+
 TEST(NmeaEchosounder, SendsEachSentenceAsADatagramToItsHost) {
     Bench bench = sounder({}, {"udp://10.0.1.102:10110?local_port=10111"});
     const auto ports = bench.device().ports();
@@ -142,7 +159,7 @@ TEST(NmeaEchosounder, SaysWhatDoesNotFit) {
     EXPECT_THAT(refused({{"sentences", std::string("DBS")}, {"offset", -1.0}}), HasSubstr("water line"));
     EXPECT_THAT(refused({{"sentences", std::string("DBK")}, {"offset", 1.0}}), HasSubstr("keel"));
     EXPECT_THAT(refused({}, {"udp-listen://127.0.0.1:10110"}), HasSubstr("udp://ADDRESS:PORT"));
-    EXPECT_THAT(refused({}, {"pty:/tmp/a", "pty:/tmp/b"}), HasSubstr("exactly one"));
+    EXPECT_THAT(refused({}, std::vector<std::string>(9, "pty:/tmp/a")), HasSubstr("one to 8"));
 }
 
 TEST(NmeaEchosounder, HasAConicalBeam) {

@@ -124,7 +124,7 @@ TEST(Ping1d, APingCoversTheRangeByTheHostsSpeedOfSound) {
 }
 
 TEST(Ping1d, DistanceAndConfidenceComeFromTheEcho) {
-    Bench bench = ping1d();
+    Bench bench = ping1d({{"tracking_lag", 0.0}});
     bench.say(manual);
     bench.echo_bin = 100;
     bench.echo_power = 1e15F;
@@ -143,6 +143,53 @@ TEST(Ping1d, DistanceAndConfidenceComeFromTheEcho) {
     bench.echo_power = 0;
     bench.run_to(700ms);
     EXPECT_EQ(answer(bench, frame(1211))[12], 0) << "no echo";
+}
+
+TEST(Ping1d, TheReadingFollowsAStepLate) {
+    Bench bench = ping1d();
+    bench.say(manual);
+    bench.say(ten_metres);
+    bench.echo_power = 1e15F;
+    bench.echo_bin = 100;
+    bench.run_to(1s);
+    EXPECT_EQ(u32(answer(bench, frame(1211)), 8), 5025);
+    bench.echo_bin = 110;  // 0.5 m deeper
+    const auto at = [&](Time time) {
+        bench.run_to(1s + time);
+        return 1e-3 * static_cast<double>(u32(answer(bench, frame(1211)), 8)) - 5.025;
+    };
+    // One ping after another, 100 ms apart: 1 - exp(-t / 0.3 s) of the step.
+    EXPECT_NEAR(at(300ms), 0.5 * 0.632, 0.5 * 0.12);
+    EXPECT_NEAR(at(800ms), 0.5 * 0.93, 0.5 * 0.04) << "0.8 s were reported";
+    EXPECT_NEAR(at(3s), 0.5, 1e-3);
+}
+
+TEST(Ping1d, AfterAJumpTheReadingWaitsAndItsConfidenceFades) {
+    Bench bench = ping1d();
+    bench.say(manual);
+    bench.say(ten_metres);
+    bench.echo_power = 1e15F;
+    bench.echo_bin = 50;
+    bench.run_to(1s);
+    bench.echo_bin = 150;  // 5 m deeper
+    bench.run_to(1300ms);
+    const Bytes waiting = answer(bench, frame(1211));
+    EXPECT_EQ(u32(waiting, 8), 2525);
+    EXPECT_NEAR(waiting[12], 50, 20);
+    bench.run_to(1800ms);
+    const Bytes there = answer(bench, frame(1211));
+    EXPECT_EQ(u32(there, 8), 7525);
+    EXPECT_EQ(there[12], 100);
+    bench.echo_power = 0;
+    bench.run_to(3s);
+    EXPECT_EQ(answer(bench, frame(1211))[12], 0) << "no bottom any more";
+}
+
+TEST(Ping1d, AnOldOneHasNoContentInVoltageAndTemperature) {
+    Bench bench = ping1d({{"firmware", std::string("3.20.0")}});
+    EXPECT_EQ(to_hex(answer(bench, frame(1202))), "42520000b20401004b01");
+    EXPECT_EQ(to_hex(answer(bench, frame(6, "bd04"))), "42520000bd0401005601");
+    EXPECT_EQ(answer(bench, frame(1214)).size(), 12u);
 }
 
 TEST(Ping1d, InAutomaticModeTheRangeFollowsTheBottom) {
@@ -221,8 +268,10 @@ TEST(Ping1d, TheProfileBeginsWithTheRingDownWhichIsNoBottom) {
 }
 
 TEST(Ping1d, TheRingDownLastsAsMuchLongerAsThePulse) {
-    Bench bench = ping1d({{"mode_auto", false}, {"scan_length", std::int64_t{100000}}});  // 533 us: 0.4 m
-    bench.echo_bin = 1;                                                                   // 0.5 to 1 m
+    Bench bench = ping1d({{"mode_auto", false},
+                          {"scan_length", std::int64_t{100000}},
+                          {"tracking_lag", 0.0}});  // 533 us: 0.4 m
+    bench.echo_bin = 1;                             // 0.5 to 1 m
     bench.echo_power = 1e15F;
     bench.run_to(300ms);
     EXPECT_EQ(answer(bench, frame(1211))[12], 0) << "0.5 m are in the ring-down";

@@ -148,8 +148,8 @@ TEST(Ping360Hosts, PingViewerScansByItselfAfterAnEmptyDatagram) {
     bench.say(auto_transmit(0, 399, 1), 0, viewer);
     bench.run_to(1s);
     auto sent = bench.sent();
-    // 6 ms of motor and 2.64 ms of 2R/c
-    EXPECT_NEAR(static_cast<double>(sent.size()), 800 / 8.64, 1.5);
+    // 6 ms of motor, 2.64 ms of 2R/c, 18 ms inside an Ethernet unit
+    EXPECT_NEAR(static_cast<double>(sent.size()), 800 / 26.64, 1.5);
     for (const Send& s : sent) EXPECT_EQ(s.to.port, 50000);
     bench.say(Bytes{}, 0, viewer);
     bench.say(auto_transmit(0, 399, 2), 0, viewer);  // another setting
@@ -159,6 +159,28 @@ TEST(Ping360Hosts, PingViewerScansByItselfAfterAnEmptyDatagram) {
     EXPECT_EQ(angles(sent)[0], 0);
     EXPECT_EQ(angles(sent)[1], 2) << "no frame of the scan before";
     for (const Send& s : sent) EXPECT_EQ(s.bytes.at(8 + 14), 2) << "steps";
+}
+
+/// s that a host takes which asks for the next ping when it has the last one.
+double scan_time(const std::string& endpoint, int pings, int step, const Options& options = {}) {
+    Bench bench(make_device("ping360", {endpoint}, options));
+    for (int i = 1; i <= pings; ++i) {
+        bench.say(transducer(i * step % 400), 0, {0x7F000001, 50000});
+        while (bench.sent().empty())
+            bench.run_to(std::min(bench.wake, bench.ping ? bench.ping->due : Time::max()));
+    }
+    return to_seconds(bench.now);
+}
+
+TEST(Ping360Hosts, AScanOfAnEthernetUnitTakesAsLongAsInTheField) {
+    const std::string ethernet = "udp-listen://127.0.0.1:12345";
+    // Two public measurements with 1200 samples of 88 ticks; hosts take up to 2 ms a ping themselves.
+    EXPECT_NEAR(scan_time(ethernet, 40, 10), 3.29, 0.08);
+    EXPECT_GT(scan_time(ethernet, 400, 1), 10.6);
+    EXPECT_LT(scan_time(ethernet, 400, 1), 11.8);
+    EXPECT_NEAR(scan_time(ethernet, 40, 10, {{"ethernet_time", 0.0}}), 40 * (0.06 + 0.00264), 1e-3);
+    EXPECT_NEAR(scan_time("pty:/tmp/a", 40, 10), 40 * (0.06 + 0.00264), 1e-3)
+        << "a serial line is its own link";
 }
 
 TEST(Ping360Hosts, TheAnswerToATransducerComesWithinTheHostsTimeOut) {

@@ -22,8 +22,8 @@ TEST(Ping360, AnswersRequestsOfBothKindsAsDevice2) {
     const auto sent = bench.sent();
     ASSERT_EQ(sent.size(), 2u);
     EXPECT_EQ(to_hex(sent[0].bytes),
-              "42520400050002000100000"
-              "0a000");
+              "42520400050002000101000"
+              "0a100");
     EXPECT_EQ(to_hex(sent[1].bytes),
               "425206000400020002010303"
               "0800b100");
@@ -161,7 +161,7 @@ TEST(Ping360, ValuesOutsideTheRangesAreRefusedUnlessTheOptionTakesThem) {
     }
     Bench bench = ping360();
     bench.say(transducer(401));
-    bench.say(auto_transmit(0, 399, 11));
+    bench.say(auto_transmit(0, 399, 0));
     bench.say(auto_transmit(0, 399, 1, 101));
     EXPECT_THAT(ids(bench.sent()), ElementsAre(2, 2, 2));
 }
@@ -196,6 +196,52 @@ TEST(Ping360Auto, ASectorIsSweptToAndFroThroughZero) {
     found = angles(twice.sent());
     found.resize(7);
     EXPECT_THAT(found, ElementsAre(10, 15, 20, 20, 15, 10, 10));
+}
+
+std::vector<int> first_angles(std::size_t count, int start, int stop, int step) {
+    Bench bench = ping360();
+    bench.say(auto_transmit(start, stop, step));
+    bench.run_to(30s);
+    auto found = angles(bench.sent());
+    found.resize(count);
+    return found;
+}
+
+TEST(Ping360Auto, AWideSectorIsSweptOneWay) {
+    // As a scan in the field: 0, 10 .. 300, 0.
+    const auto wide = first_angles(33, 0, 300, 10);
+    EXPECT_EQ(wide[29], 290);
+    EXPECT_EQ(wide[30], 300);
+    EXPECT_EQ(wide[31], 0);
+    EXPECT_EQ(wide[32], 10);
+    EXPECT_THAT(first_angles(5, 350, 50, 50), ElementsAre(350, 0, 50, 0, 350)) << "90 deg: to and fro";
+}
+
+TEST(Ping360Auto, StepsBeyondTheDocumentedOnesAreTaken) {
+    EXPECT_THAT(first_angles(4, 0, 5, 10), ElementsAre(0, 5, 0, 5)) << "a step beyond the stop";
+    EXPECT_THAT(first_angles(4, 0, 399, 100), ElementsAre(0, 100, 200, 300));
+    EXPECT_THAT(first_angles(5, 0, 399, 246), ElementsAre(0, 390, 380, 370, 360)) << "-10";
+    EXPECT_THAT(first_angles(5, 20, 0, 246), ElementsAre(20, 10, 0, 10, 20));
+    EXPECT_THAT(first_angles(3, 0, 399, 128), ElementsAre(0, 272, 144)) << "-128";
+}
+
+TEST(Ping360Firmware, ServesWhatItsVersionKnows) {
+    Bench old = ping360({{"firmware", std::string("3.1.0")}});
+    old.say(auto_transmit(0, 399, 1));
+    old.say(frame(6, "fd08"));  // 2301
+    old.say(frame(5));
+    old.say(transducer(0));
+    old.run_to(1s);
+    const auto sent = old.sent();
+    ASSERT_THAT(ids(sent), ElementsAre(2, 2, 5, 2300));
+    EXPECT_EQ(u16(sent[0].bytes, 8), 2602);
+    EXPECT_EQ(to_hex(ByteView(sent[2].bytes).subspan(8, 3)), "010000");
+    Bench last = ping360({{"firmware", std::string("3.3.0")}});
+    last.say(auto_transmit(0, 399, 1));
+    EXPECT_THAT(ids(last.sent()), ElementsAre(2));
+    Bench named = ping360({{"protocol_version", std::string("1.0.0")}});
+    named.say(frame(5));
+    EXPECT_EQ(to_hex(ByteView(named.sent().at(0).bytes).subspan(8, 3)), "010000");
 }
 
 TEST(Ping360Auto, EndsOnEverythingThatEndsIt) {

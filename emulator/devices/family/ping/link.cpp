@@ -11,7 +11,8 @@ namespace {
 constexpr std::uint8_t mark = 0x55;
 constexpr std::size_t most_endpoints = 4;
 
-/// "3.3.8" as three numbers of 0..255; std::invalid_argument naming `option` otherwise.
+}  // namespace
+
 std::array<std::uint8_t, 3> read_version(const std::string& text, const std::string& option) {
     unsigned a = 256, b = 256, c = 256;
     char more = 0;
@@ -21,8 +22,6 @@ std::array<std::uint8_t, 3> read_version(const std::string& text, const std::str
                                     "' is no version; write three numbers of 0 to 255 like 3.3.8");
     return {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c)};
 }
-
-}  // namespace
 
 Link::Link(std::uint8_t id, bool marks_are_breaks)
     : hosts_(ping::Framer(ping::Framer::Waiting::impatient)), id_(id), marks_are_breaks_(marks_are_breaks) {}
@@ -35,6 +34,13 @@ Heard Link::receive(const Received& data) {
     framer.feed(data.bytes);
     while (auto frame = framer.next()) heard.frames.push_back(*std::move(frame));
     return heard;
+}
+
+Send Link::reply_without_content(ping::Id id, const Peer& to) const {
+    ping::Frame frame = ping::short_request(id);
+    frame.header.source = id_;
+    frame.checksum = ping::checksum(ping::encode(frame));
+    return {to.port, ping::encode(frame), to.address, {}};
 }
 
 std::vector<Send> in_pieces(wire::Bytes frame, const Peer& to, std::size_t piece) {

@@ -40,6 +40,8 @@ class Link {
     Send reply(const Message& message, const Peer& to) const {
         return {to.port, encode(message, id_), to.address, {}};
     }
+    /// A frame of this id without a payload.
+    Send reply_without_content(ping::Id id, const Peer& to) const;
     /// As above for what may not fit one datagram: each message begins one, longer ones go on in further
     /// datagrams of at most `piece` bytes. On a byte stream, `piece` 0, it stays whole.
     template <class Message>
@@ -60,6 +62,8 @@ class Link {
 /// rate.
 std::vector<Port> link_ports(const std::vector<Endpoint>& endpoints, double baud);
 
+/// "3.3.8" as three numbers of 0..255; std::invalid_argument naming `option` otherwise.
+std::array<std::uint8_t, 3> read_version(const std::string& text, const std::string& option);
 ping::Nack nack(ping::Id refused, std::string_view text);
 /// Lists an option that is a version: three numbers of 0 to 255, like 3.3.8. std::invalid_argument otherwise.
 void version(std::array<std::uint8_t, 3>& member, OptionList& options, std::string_view name,

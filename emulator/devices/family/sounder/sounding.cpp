@@ -17,6 +17,11 @@ void describe(Sounding& s, OptionList& o, FigureList& f) {
              "that it assumes to turn times into depths; the water has its own", "usual setting of sounders");
     o.number(s.processing_time, "processing_time", "s", 0, 1, "from the end of listening to the first byte",
              "own estimate");
+    o.number(
+        s.tracking_lag, "tracking_lag", "s", 0, 10,
+        "time constant by which readings follow the bottom; after a jump they wait twice as long. 0: every "
+        "ping speaks for itself",
+        "none is published");
     Acoustics& a = s.acoustics;
     f.number(a.frequency, "frequency", "Hz", 10e3, 2e6, "of the tone");
     f.number(a.pulse_length, "pulse_length", "s", 10e-6, 10e-3, "of every pulse");

@@ -25,6 +25,7 @@ struct Sounding {
     double range = 100;             ///< m, by its own sound speed
     double sound_speed = 1500;      ///< m/s, by which it turns times into depths
     double processing_time = 0.02;  ///< s
+    double tracking_lag = 0;        ///< s, of tracker.h
     double baud = 4800;             ///< bit/s; 0: not paced
     Acoustics acoustics{};
     BottomRule bottom{};

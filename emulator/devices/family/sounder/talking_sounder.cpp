@@ -8,27 +8,55 @@
 
 namespace echoloop::echosounder {
 
-Wiring read_wiring(const std::vector<Endpoint>& endpoints, const std::string& model) {
-    if (endpoints.size() != 1)
-        throw std::invalid_argument("a " + model + " has one port: give exactly one endpoint");
-    const Endpoint& e = endpoints[0];
+namespace {
+
+Wiring wiring_of(const Endpoint& e, const std::string& number, std::size_t most) {
+    constexpr std::uint32_t loopback = 0x7F000001;
+    constexpr std::size_t programs = 8;
     if (e.scheme == Endpoint::Scheme::udp_listen)
         throw std::invalid_argument(to_string(e) +
                                     ": an echosounder speaks first; name the host that is to hear it, "
                                     "udp://ADDRESS:PORT");
-    if (e.scheme != Endpoint::Scheme::udp) return {{"line", Port::Kind::stream, {}, false}, {}};
-    constexpr std::uint32_t loopback = 0x7F000001;
-    const Address from{is_loopback(e.ip) ? loopback : 0, e.local_port()};
-    return {{"datagrams", Port::Kind::datagram, from, false}, {e.ip, e.port}};
+    const Address host = e.scheme == Endpoint::Scheme::udp ? Address{e.ip, e.port} : Address{};
+    if (host.port != 0 && number.empty()) {
+        const Address from{is_loopback(e.ip) ? loopback : 0, e.local_port()};
+        return {{"datagrams", Port::Kind::datagram, from, false}, host};
+    }
+    Port line{"line" + number, Port::Kind::stream, {}, false};
+    if (most > 1 && e.scheme == Endpoint::Scheme::tcp_listen) line.drivers = programs;
+    return {std::move(line), host};
 }
 
-TalkingSounder::TalkingSounder(const Sounding& sounding, Wiring wiring, Words words, bool free_running)
+}  // namespace
+
+std::vector<Wiring> read_wiring(const std::vector<Endpoint>& endpoints, const std::string& model,
+                                std::size_t most) {
+    if (endpoints.empty() || endpoints.size() > most)
+        throw std::invalid_argument(most == 1 ? "a " + model + " has one port: give exactly one endpoint"
+                                              : "a " + model + " serves one to " + std::to_string(most) +
+                                                    " endpoints");
+    std::vector<Wiring> all;
+    for (const Endpoint& e : endpoints)
+        all.push_back(wiring_of(e, endpoints.size() == 1 ? "" : ' ' + std::to_string(all.size() + 1), most));
+    return all;
+}
+
+TalkingSounder::TalkingSounder(const Sounding& sounding, std::vector<Wiring> wiring, Words words,
+                               bool free_running)
     : sounding_(sounding),
       wiring_(std::move(wiring)),
       words_(std::move(words)),
       shot_(shot_from(sounding_)),
-      free_running_(free_running) {
-    if (wiring_.port.kind == Port::Kind::datagram) sounding_.baud = 0;
+      free_running_(free_running),
+      tracker_(sounding_.tracking_lag) {
+    const auto is_datagram = [](const Wiring& one) { return one.host.port != 0; };
+    if (std::ranges::all_of(wiring_, is_datagram)) sounding_.baud = 0;
+}
+
+std::vector<Port> TalkingSounder::ports() const {
+    std::vector<Port> all;
+    for (const Wiring& one : wiring_) all.push_back(one.port);
+    return all;
 }
 
 Actions TalkingSounder::started(Time now) {
@@ -67,13 +95,15 @@ Actions TalkingSounder::woken(Time now) {
 Actions TalkingSounder::heard(const Echogram& echogram, Time now) {
     if (!pacer_.under_way() || echogram.shot.ping != shot_.ping) return {};
     ++counters_.pings;
-    std::optional<double> depth;
+    std::optional<double> found, depth;
     if (const auto bottom = find_bottom(echogram, sounding_.bottom))
-        depth = bin_time(echogram.shot, static_cast<double>(bottom->bin)) * sounding_.sound_speed / 2;
+        found = bin_time(echogram.shot, static_cast<double>(bottom->bin)) * sounding_.sound_speed / 2;
+    if (const auto reading = tracker_.follow(found, to_seconds(now))) depth = reading->distance;
     std::size_t bytes = 0;
     for (const std::string& line : words_(depth, now)) {
         bytes += line.size();
-        actions_.send.push_back({0, Bytes(line.begin(), line.end()), wiring_.host, {}});
+        for (std::size_t port = 0; port < wiring_.size(); ++port)
+            actions_.send.push_back({port, Bytes(line.begin(), line.end()), wiring_[port].host, {}});
     }
     // A slow line holds the next ping back, so that lines never queue up and grow old.
     const Time held = from_seconds(sounding_.line_time(bytes) - sounding_.window());

@@ -9,6 +9,7 @@
 
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/family/sounder/sounding.h"
+#include "emulator/devices/family/sounder/tracker.h"
 
 namespace echoloop::echosounder {
 
@@ -18,9 +19,11 @@ struct Wiring {
     Address host;  ///< of datagrams
 };
 
-/// Exactly one endpoint of any kind but udp-listen, since nobody would speak first. std::invalid_argument
-/// that names `model` otherwise.
-Wiring read_wiring(const std::vector<Endpoint>& endpoints, const std::string& model);
+/// One to `most` endpoints of any kind but udp-listen, since nobody would speak first. Up to eight programs
+/// may connect to one that listens, if `most` is more than one. std::invalid_argument that names `model`
+/// otherwise.
+std::vector<Wiring> read_wiring(const std::vector<Endpoint>& endpoints, const std::string& model,
+                                std::size_t most = 1);
 
 class TalkingSounder : public Device {
   public:
@@ -28,9 +31,10 @@ class TalkingSounder : public Device {
     /// without a bottom.
     using Words = std::function<std::vector<std::string>(std::optional<double> depth, Time now)>;
 
-    TalkingSounder(const Sounding& sounding, Wiring wiring, Words words, bool free_running = true);
+    TalkingSounder(const Sounding& sounding, std::vector<Wiring> wiring, Words words,
+                   bool free_running = true);
 
-    std::vector<Port> ports() const override { return {wiring_.port}; }
+    std::vector<Port> ports() const override;
     Actions started(Time now) override;
     /// It listens to nobody: what comes is counted.
     Actions received(const Received& data, Time now) override;
@@ -51,11 +55,12 @@ class TalkingSounder : public Device {
     void ping_if_due(Time now);
 
     Sounding sounding_;
-    Wiring wiring_;
+    std::vector<Wiring> wiring_;
     Words words_;
     Shot shot_;          ///< of the last ping
     bool free_running_;  ///< from the start
     PingPacer pacer_{sounding_.sensors, jitter::processor};
+    Tracker tracker_;
     Actions actions_;  ///< of the call at hand
 };
 
