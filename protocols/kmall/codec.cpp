@@ -1,6 +1,7 @@
 #include "protocols/kmall/codec.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "protocols/kmall/sizes.h"
@@ -79,8 +80,11 @@ class Steps {
         at_ += size;
         return true;
     }
+    void take_rest(Bytes& out) {
+        out.assign(bytes_.begin() + static_cast<std::ptrdiff_t>(at_), bytes_.end());
+        at_ = bytes_.size();
+    }
     std::size_t left() const { return bytes_.size() - at_; }
-    ByteView rest() const { return bytes_.subspan(at_); }
     bool fail(std::string_view what, Reason reason) {
         error = {"KMALL", what, at_, reason};
         return false;
@@ -127,19 +131,68 @@ bool read(Steps& steps, Mwc& m) {
 }
 
 bool read(Steps& steps, Part& part) {
-    const ByteView rest = steps.rest();
-    part.bytes.assign(rest.begin(), rest.end());
+    steps.take_rest(part.bytes);
     return true;
 }
 
 bool read(Steps& steps, Parameters& p) {
     if (!steps.take(p.info)) return false;
     if (p.info.size < known_size<ParametersInfo>) return steps.fail("ParametersInfo", Reason::wrong_size);
-    return steps.take_text(p.text, p.info.size - known_size<ParametersInfo>);
+    if (!steps.take_text(p.text, p.info.size - known_size<ParametersInfo>)) return false;
+    if (steps.left() == 1) steps.take_rest(p.surplus);
+    return true;
 }
 
 bool read(Steps& steps, SoundProfile& p) {
-    return steps.take_sized(p.info) && steps.take_all(p.points, p.info.points, known_size<SoundProfilePoint>);
+    if (!steps.take_sized(p.info) || !steps.take_all(p.points, p.info.points, known_size<SoundProfilePoint>))
+        return false;
+    if (steps.left() == known_size<SoundProfilePoint>) steps.take_rest(p.surplus);
+    return true;
+}
+
+template <class Values>
+bool read_values(Steps& steps, Sensor& sensor) {
+    return steps.take_sized(sensor.info) && steps.take(sensor.values.emplace<Values>()) &&
+           steps.take_text(sensor.text, steps.left());
+}
+
+bool read(Steps& steps, Sensor& sensor) {
+    const auto type = sensor.header.type.view();
+    if (type == "#SPO" || type == "#CPO") return read_values<Position>(steps, sensor);
+    if (type == "#SPE") return read_values<PositionError>(steps, sensor);
+    if (type == "#SPD") return read_values<Datum>(steps, sensor);
+    if (type == "#SCL") return read_values<Clock>(steps, sensor);
+    if (type == "#SHI") return read_values<Height>(steps, sensor);
+    if (type == "#SSM") return read_values<SoundSpeedManager>(steps, sensor);
+    return sensor.header.version == 0 ? read_values<DepthSensor0>(steps, sensor)
+                                      : read_values<DepthSensor>(steps, sensor);
+}
+
+bool read(Steps& steps, Headings& h) {
+    if (!steps.take_sized(h.info) || !steps.take_sized(h.about)) return false;
+    const std::size_t known = known_size<HeadingSample>, size = h.about.bytes_per_sample;
+    if (h.about.samples > 0 && size < known) return steps.fail("HeadingSample", Reason::wrong_size);
+    if (h.about.samples * size > steps.left()) return steps.fail("HeadingSample", Reason::truncated);
+    h.samples.resize(h.about.samples);
+    h.texts.resize(h.about.samples);
+    for (std::size_t i = 0; i < h.samples.size(); ++i)
+        if (!steps.take(h.samples[i]) || !steps.take_text(h.texts[i], size - known)) return false;
+    return true;
+}
+
+template <class M>
+bool read_samples(Steps& steps, M& m) {
+    return steps.take_sized(m.info) && steps.take_all(m.samples, m.info.samples, m.info.bytes_per_sample);
+}
+bool read(Steps& steps, SoundSpeeds& m) { return read_samples(steps, m); }
+bool read(Steps& steps, Motion& m) { return read_samples(steps, m); }
+
+bool read(Steps& steps, PingHeave& m) { return steps.take_sized(m.body) && steps.take(m.heave); }
+
+bool read(Steps& steps, CalibrationFile& m) {
+    if (!steps.take_sized(m.info)) return false;
+    steps.take_rest(m.bytes);
+    return true;
 }
 
 template <class M>
@@ -151,6 +204,12 @@ Result<Datagram> read_as(Steps& steps, const Header& header, Partition partition
     if constexpr (!std::is_same_v<M, Part>)
         if (steps.left() != 0) return Error{"KMALL", "", 0, Reason::trailing_bytes};
     return Datagram(std::move(message));
+}
+
+bool is_sensor(std::string_view type) {
+    constexpr std::array<std::string_view, 8> types{"#SPO", "#CPO", "#SPE", "#SPD",
+                                                    "#SCL", "#SDE", "#SHI", "#SSM"};
+    return std::ranges::find(types, type) != types.end();
 }
 
 /// Texts end where they end, or with a line's end or with padding.
@@ -188,22 +247,36 @@ bool is_command(ByteView bytes) {
            std::equal(command_word.begin(), command_word.end(), bytes.begin());
 }
 
+/// "$MVS01,00000,": any talker, a format's number.
+bool is_sound_text(ByteView bytes) {
+    constexpr std::string_view form = "$??S##,00000,";
+    return bytes.size() >= form.size() &&
+           std::equal(form.begin(), form.end(), bytes.begin(), [](char wanted, std::uint8_t c) {
+               return wanted == '?'   ? c >= 'A' && c <= 'Z'
+                      : wanted == '#' ? c >= '0' && c <= '9'
+                                      : c == wanted;
+           });
+}
+
+bool is_text(ByteView bytes) { return is_command(bytes) || is_sound_text(bytes); }
+
 }  // namespace
 
 bool recognise(ByteView bytes) {
     const auto is_capital = [](std::uint8_t c) { return c >= 'A' && c <= 'Z'; };
-    return is_command(bytes) || (bytes.size() >= header_size + tail_size && bytes[4] == '#' &&
-                                 std::all_of(bytes.begin() + 5, bytes.begin() + 8, is_capital));
+    return is_text(bytes) || (bytes.size() >= header_size + tail_size && bytes[4] == '#' &&
+                              std::all_of(bytes.begin() + 5, bytes.begin() + 8, is_capital));
 }
 
 std::size_t datagram_size(ByteView bytes) {
-    if (is_command(bytes) || !recognise(bytes)) return bytes.size();
+    if (is_text(bytes) || !recognise(bytes)) return bytes.size();
     const std::size_t size = wire::load<ByteOrder::little, std::uint32_t>(bytes.data());
     return size >= header_size + tail_size && size < bytes.size() ? size : bytes.size();
 }
 
 Result<Datagram> parse(ByteView datagram) {
     if (is_command(datagram)) return read_command(datagram);
+    if (is_sound_text(datagram)) return Datagram(SoundText{{datagram.begin(), datagram.end()}});
     if (datagram.size() < header_size + tail_size) return Error{"KMALL", "header", 0, Reason::truncated};
     Steps steps(datagram.first(datagram.size() - tail_size));
     Header header;
@@ -215,20 +288,34 @@ Result<Datagram> parse(ByteView datagram) {
     const auto type = header.type.view();
     if (type == "#IIP" || type == "#IOP") return read_as<Parameters>(steps, header);
     if (type == "#SVP") return read_as<SoundProfile>(steps, header);
-    if (type != "#MRZ" && type != "#MWC") return Error{"KMALL", "type", 4, Reason::unknown_message};
+    if (type == "#SHA") return read_as<Headings>(steps, header);
+    if (type == "#SVT") return read_as<SoundSpeeds>(steps, header);
+    if (type == "#SKM") return read_as<Motion>(steps, header);
+    if (type == "#CHE") return read_as<PingHeave>(steps, header);
+    if (is_sensor(type)) return read_as<Sensor>(steps, header);
+    if (type != "#MRZ" && type != "#MWC" && type != "#FCF")
+        return Error{"KMALL", "type", 4, Reason::unknown_message};
     if (!steps.take(partition)) return steps.error;
+    if (type == "#FCF") return read_as<CalibrationFile>(steps, header, partition);
     if (partition.parts > 1) return read_as<Part>(steps, header, partition);
     return type == "#MRZ" ? read_as<Mrz>(steps, header, partition) : read_as<Mwc>(steps, header, partition);
 }
 
 std::string_view name_of(const Datagram& datagram) {
-    if (std::holds_alternative<Mrz>(datagram)) return "MRZ";
-    if (std::holds_alternative<Mwc>(datagram)) return "MWC";
     if (std::holds_alternative<Command>(datagram)) return "KSSIS";
-    if (std::holds_alternative<SoundProfile>(datagram)) return "SVP";
-    if (const auto* parameters = std::get_if<Parameters>(&datagram))
-        return parameters->header.type == wire::Text<4>("#IIP") ? "IIP" : "IOP";
-    return std::get<Part>(datagram).header.type == wire::Text<4>("#MRZ") ? "MRZ part" : "MWC part";
+    if (const auto* sound = std::get_if<SoundText>(&datagram))
+        return std::string_view(sound->text).substr(3, 3);
+    if (const auto* part = std::get_if<Part>(&datagram))
+        return part->header.type == wire::Text<4>("#MRZ") ? "MRZ part" : "MWC part";
+    return std::visit(
+        [](const auto& one) -> std::string_view {
+            if constexpr (requires { one.header; }) {
+                const std::string_view type = one.header.type.view();
+                return type.substr(std::min<std::size_t>(1, type.size()));
+            }
+            return {};
+        },
+        datagram);
 }
 
 }  // namespace echoloop::kmall

@@ -1,6 +1,7 @@
 #include "protocols/kmall/inspect.h"
 
 #include "protocols/kmall/info_layouts.h"
+#include "protocols/kmall/sensor_layouts.h"
 #include "protocols/kmall/water_layouts.h"
 #include "protocols/wire/visit.h"
 
@@ -63,6 +64,8 @@ class Walk {
             [&](const auto& v) {
                 if constexpr (std::is_arithmetic_v<std::decay_t<decltype(v)>>)
                     numbers.push_back(static_cast<double>(v));
+                if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::vector<double>>)
+                    numbers.insert(numbers.end(), v.begin(), v.end());
             },
             value);
     }
@@ -98,11 +101,45 @@ void add(Walk& walk, const Mwc& m) {
 void add(Walk& walk, const Parameters& p) {
     walk.add("info", p.info);
     walk.add_text("text", p.text);
+    if (!p.surplus.empty()) walk.add_numbers("surplus", p.surplus, 1, "");
 }
 
 void add(Walk& walk, const SoundProfile& p) {
     walk.add("info", p.info, p.info.size);
     walk.add_all("points", p.points, *wire::fixed_size<SoundProfilePoint>());
+    if (!p.surplus.empty()) walk.add_numbers("surplus", p.surplus, 1, "");
+}
+
+void add(Walk& walk, const Sensor& sensor) {
+    walk.add("info", sensor.info, sensor.info.size);
+    std::visit([&walk](const auto& values) { walk.add("values", values); }, sensor.values);
+    walk.add_text("text", sensor.text);
+}
+
+void add(Walk& walk, const Headings& h) {
+    walk.add("info", h.info, h.info.size);
+    walk.add("about", h.about, h.about.size);
+    walk.add_all("samples", h.samples, h.about.bytes_per_sample);
+}
+
+void add(Walk& walk, const SoundSpeeds& m) {
+    walk.add("info", m.info, m.info.size);
+    walk.add_all("samples", m.samples, m.info.bytes_per_sample);
+}
+
+void add(Walk& walk, const Motion& m) {
+    walk.add("info", m.info, m.info.size);
+    walk.add_all("samples", m.samples, m.info.bytes_per_sample);
+}
+
+void add(Walk& walk, const PingHeave& m) {
+    walk.add("body", m.body, m.body.size);
+    walk.add("heave", m.heave);
+}
+
+void add(Walk& walk, const CalibrationFile& m) {
+    walk.add("info", m.info, m.info.size);
+    walk.add_numbers("bytes", m.bytes, 1, "");
 }
 
 void add(Walk& walk, const Part& part) { walk.add_numbers("bytes", part.bytes, 1, ""); }
@@ -125,6 +162,11 @@ void add_fields(inspect::Message& out, const Command& command) {
     add_field("arguments", command.arguments);
 }
 
+void add_fields(inspect::Message& out, const SoundText& sound) {
+    Walk walk(out);
+    walk.add_text("text", sound.text);
+}
+
 inspect::Message decode_one(wire::ByteView bytes, std::size_t offset) {
     inspect::Message out{.offset = offset, .size = bytes.size()};
     const auto datagram = parse(bytes);
@@ -141,11 +183,14 @@ inspect::Message decode_one(wire::ByteView bytes, std::size_t offset) {
 
 std::vector<inspect::Message> decode(wire::ByteView bytes) {
     std::vector<inspect::Message> messages;
+    wire::Bytes held;
     std::size_t at = 0;
     do {
         const wire::ByteView rest = bytes.subspan(at);
         const std::size_t size = datagram_size(rest);
-        messages.push_back(decode_one(rest.first(size), at));
+        const bool joined = join(held, rest.first(size));
+        messages.push_back(decode_one(joined ? held : rest.first(size), at));
+        messages.back().size = size;  // of the last part
         at += size;
     } while (at < bytes.size());
     return messages;
@@ -153,11 +198,38 @@ std::vector<inspect::Message> decode(wire::ByteView bytes) {
 
 std::vector<wire::Table> tables() {
     using wire::table_of;
-    return {table_of<Header>(),         table_of<Partition>(),        table_of<Body>(),
-            table_of<PingInfo>(),       table_of<TxSector>(),         table_of<RxInfo>(),
-            table_of<DetectionClass>(), table_of<Sounding>(),         table_of<WaterTx>(),
-            table_of<WaterSector>(),    table_of<WaterRx>(),          table_of<WaterBeamInfo>(),
-            table_of<ParametersInfo>(), table_of<SoundProfileInfo>(), table_of<SoundProfilePoint>()};
+    return {table_of<Header>(),
+            table_of<Partition>(),
+            table_of<Body>(),
+            table_of<PingInfo>(),
+            table_of<TxSector>(),
+            table_of<RxInfo>(),
+            table_of<DetectionClass>(),
+            table_of<Sounding>(),
+            table_of<WaterTx>(),
+            table_of<WaterSector>(),
+            table_of<WaterRx>(),
+            table_of<WaterBeamInfo>(),
+            table_of<ParametersInfo>(),
+            table_of<SoundProfileInfo>(),
+            table_of<SoundProfilePoint>(),
+            table_of<SensorInfo>(),
+            table_of<Position>(),
+            table_of<PositionError>(),
+            table_of<Datum>(),
+            table_of<Clock>(),
+            table_of<DepthSensor0>(),
+            table_of<DepthSensor>(),
+            table_of<Height>(),
+            table_of<SoundSpeedManager>(),
+            table_of<HeadingsInfo>(),
+            table_of<HeadingSample>(),
+            table_of<SoundSpeedInfo>(),
+            table_of<SoundSpeedSample>(),
+            table_of<MotionInfo>(),
+            table_of<MotionSample>(),
+            table_of<Heave>(),
+            table_of<FileInfo>()};
 }
 
 wire::Bytes rewritten(wire::ByteView bytes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "protocols/kmall/info_layouts.h"
+#include "protocols/kmall/sensor_layouts.h"
 #include "protocols/kmall/water_layouts.h"
 
 namespace echoloop::kmall {

@@ -43,7 +43,7 @@ std::vector<wire::Table> tables() {
             table_of<WaterColumn>(),    table_of<RemoteControl>(),  table_of<Acknowledge>(),
             table_of<NotAcknowledge>(), table_of<RemoteSettings>(), table_of<RemoteExtras>(),
             table_of<AbsorptionLoss>(), table_of<SpreadingLoss>(),  table_of<FileHeader>(),
-            table_of<FileDevice>()};
+            table_of<FileDevice>(),     table_of<FileCatalogue>(),  table_of<CatalogueEntry>()};
 }
 
 wire::Bytes rewritten(wire::ByteView bytes) {

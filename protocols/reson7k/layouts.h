@@ -288,4 +288,21 @@ constexpr auto wire_layout(Tag<FileHeader>) {
         rest(&F::optional, {}, "optional", "", "nothing, or u32 size and u64 offset of the catalog"));
 }
 
+constexpr auto wire_layout(Tag<CatalogueEntry>) {
+    using E = CatalogueEntry;
+    return make_layout<E>({"CatalogueEntry", "of FileCatalogue: one record of the file"},
+                          field(&E::size, "size", "B", ""), field(&E::offset, "offset", "B", "in the file"),
+                          field(&E::record_type, "record_type", "", ""), field(&E::device, "device", "", ""),
+                          field(&E::enumerator, "enumerator", "", ""), field(&E::time, "time", "", ""),
+                          field(&E::records, "records", "", ""), field(&E::reserved, "reserved", "", ""));
+}
+constexpr auto wire_layout(Tag<FileCatalogue>) {
+    using F = FileCatalogue;
+    return make_layout<F>({"FileCatalogue", "7300, the last record of a file"},
+                          field(&F::header_size, "header_size", "B", "of what stands before the entries, 14"),
+                          field(&F::version, "version", "", ""), count(&F::count, "entries", "count", "", ""),
+                          field(&F::reserved, "reserved", "", ""),
+                          counted(&F::entries, "entries", "entries", "", ""));
+}
+
 }  // namespace echoloop::reson7k

@@ -237,9 +237,30 @@ struct FileHeader {  ///< 7200
     friend bool operator==(const FileHeader&, const FileHeader&) = default;
 };
 
+struct CatalogueEntry {
+    std::uint32_t size = 0;  ///< B
+    std::uint64_t offset = 0;
+    std::uint16_t record_type = 0;
+    std::uint16_t device = 0;
+    std::uint16_t enumerator = 0;
+    Time7k time;
+    std::uint32_t records = 0;
+    std::array<std::uint16_t, 8> reserved{};
+    friend bool operator==(const CatalogueEntry&, const CatalogueEntry&) = default;
+};
+struct FileCatalogue {  ///< 7300
+    static constexpr std::uint32_t type = 7300;
+    std::uint32_t header_size = 14;
+    std::uint16_t version = 1;
+    std::uint32_t count = 0;
+    std::uint32_t reserved = 0;
+    std::vector<CatalogueEntry> entries;
+    friend bool operator==(const FileCatalogue&, const FileCatalogue&) = default;
+};
+
 using Message = std::variant<SonarSettings, Configuration, BeamGeometry, Image, Beamformed, RawDetections,
                              WaterColumn, RemoteControl, Acknowledge, NotAcknowledge, RemoteSettings,
-                             AbsorptionLoss, SpreadingLoss, FileHeader>;
+                             AbsorptionLoss, SpreadingLoss, FileHeader, FileCatalogue>;
 
 /// A whole record as it came: frame, content, and checksum aside.
 struct Record {

@@ -20,7 +20,7 @@ void read_all(const std::string& name) {
     const auto found = capture::survey(*file);
     for (const auto& port : found.ports) {
         capture::Input again(name);
-        const auto reader = capture::open_capture(again, {0.1});
+        const auto reader = capture::open_capture(again, {.interval = 0.1, .as_sent = true});
         capture::family_of_port(*reader, {{port.key, port.first_is_device()}});
         break;
     }

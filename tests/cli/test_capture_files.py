@@ -1,5 +1,6 @@
 """inspect reads what replay plays: logs of Ping Viewer, serial logs as text, makers' files. All but the recordings of
 real sonars are made here, byte by byte from their descriptions."""
+import json
 import struct
 import unittest
 
@@ -12,10 +13,14 @@ def text(characters):
     return struct.pack(">I", 2 * len(characters)) + characters.encode("utf-16-be")
 
 
-def ping_viewer_log(records, version=1, device=2):
-    head = text("PingViewer sensor log file") + struct.pack(">I", version)
-    head += b"".join(map(text, ("a1b2c3", "2026-11-21", "v2.6", "linux", "6.1"))) + struct.pack(">ii", 1, device)
-    return head + b"".join(text(time) + struct.pack(">I", len(data)) + data for time, data in records)
+def text8(characters):
+    return struct.pack(">I", len(characters)) + characters.encode()
+
+
+def ping_viewer_log(records, version=1, device=2, encode=text):
+    head = encode("PingViewer sensor log file") + struct.pack(">I", version)
+    head += b"".join(map(encode, ("a1b2c3", "2026-11-21", "v2.6", "linux", "6.1"))) + struct.pack(">ii", 1, device)
+    return head + b"".join(encode(time) + struct.pack(">I", len(data)) + data for time, data in records)
 
 
 def ping_frame(number, payload, source=2):
@@ -46,18 +51,36 @@ class PingViewer(CaptureFiles):
         self.assertEqual([round(m["time"], 3) for m in found], [0, 0.25, 3599])
         self.assertEqual({m["line"] for m in found}, {"Ping360, sent"})
 
-    def test_what_is_cut_or_wrong_is_named_with_its_place(self):
-        whole = ping_viewer_log(self.RECORDS)
-        for data, reason in (
-            (whole[:-5], "the last record is cut short"),
-            (ping_viewer_log(self.RECORDS[:1]) + text("yesterday") + struct.pack(">I", 0), "a time that is none"),
-            (ping_viewer_log(self.RECORDS[:1]) + text("00:00:02.0") + struct.pack(">I", 0xFFFFFFF0), "impossible size"),
-            (ping_viewer_log(self.RECORDS[:1]) + struct.pack(">I", 0x7FFFFFFF), "a record without its time"),
-        ):
-            done = run("inspect", self.file(data))
-            self.assertEqual(done.returncode, 0, reason)
-            self.assertRegex(done.stderr.decode(), rf"ends early: byte \d+: .*{reason}")
+    def test_a_log_that_is_re_encoded_as_utf_8(self):
+        """As the script ping_sensor_binary_log.py of Ping Viewer writes it: each text as a length and UTF-8."""
+        found = self.messages(ping_viewer_log(self.RECORDS, encode=text8))
+        self.assertEqual([round(m["time"], 3) for m in found], [0, 0.25, 3599])
+        self.assertEqual({m["line"] for m in found}, {"Ping360, sent"})
+
+    def test_a_log_that_ends_early(self):
+        done = run("inspect", self.file(ping_viewer_log(self.RECORDS)[:-5]))
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr.decode(), r"ends early: the last 55 bytes, from byte \d+ on, are no whole record")
         self.assertIn("version 1 can", self.bad(65, "inspect", self.file(ping_viewer_log([], version=2))))
+
+    def test_damage_in_the_middle_costs_what_is_damaged(self):
+        records = [(f"00:00:{i:02d}.000", device_data(i)) for i in range(40)]
+        for encode in (text, text8):
+            whole = ping_viewer_log(records, encode=encode)
+            begin, size = len(ping_viewer_log(records[:20], encode=encode)), len(ping_viewer_log(records[:1], encode=encode))
+            size -= len(ping_viewer_log([], encode=encode))
+            for name, damaged, lost in (
+                    ("a length", whole[:begin + size - 32] + b"\x7F" + whole[begin + size - 31:], {20}),
+                    ("a time", whole[:begin + 5] + b"?" + whole[begin + 6:], {20}),
+                    ("cut out", whole[:begin + 3] + whole[begin + size + 9:], {20, 21}),
+                    ("noise", whole[:begin] + bytes(range(7, 250)) + whole[begin:], set()),
+                    ("a frame that is too long", ping_viewer_log(
+                        records[:20] + [("00:00:20.000", bytes(3000))] + records[20:], encode=encode), set())):
+                with self.subTest(name, encode=encode.__name__):
+                    done = run("inspect", self.file(damaged), "--json")
+                    angles = [f["value"] for m in json.loads(done.stdout)["messages"] for f in m["fields"] if f["name"] == "angle"]
+                    self.assertEqual(angles, [i for i in range(40) if i not in lost])
+                    self.assertRegex(done.stderr.decode(), rf"\d+ bytes of the file are no whole record, the first at byte {begin};")
 
 
 class SerialLogs(CaptureFiles):

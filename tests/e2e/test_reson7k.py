@@ -150,7 +150,7 @@ class Files(ResonCase):
         file.write_bytes(wire.file_of(log))
         shown = subprocess.run([PROGRAM, "inspect", file, "--json"], capture_output=True, text=True, timeout=60)
         names = [message["name"] for message in json.loads(shown.stdout)["messages"]]
-        self.assertEqual(names[:2] + names[-1:], ["FileHeader", "Configuration", "record 7300"])
+        self.assertEqual(names[:2] + names[-1:], ["FileHeader", "Configuration", "FileCatalogue"])
         self.assertEqual(len(names), len(log) + 2)
 
 

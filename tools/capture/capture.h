@@ -15,12 +15,14 @@ namespace echoloop::capture {
 
 struct CaptureCounts {
     std::uint64_t packets = 0;
-    std::uint64_t skipped = 0;     ///< no UDP or TCP over IPv4, no serial line, or broken
-    std::size_t incomplete = 0;    ///< datagrams of which fragments are missing
-    std::string fault;             ///< why reading ended before the end of the file; empty: it did not
-    std::uint64_t steps_back = 0;  ///< times that the clock of the file was set back
-    double first_step = 0;         ///< s
-    std::string step_place{};      ///< "packet 11"
+    std::uint64_t skipped = 0;        ///< no UDP or TCP over IPv4, no serial line, or broken
+    std::size_t incomplete = 0;       ///< datagrams of which fragments are missing
+    std::string fault;                ///< why reading ended before the end of the file; empty: it did not
+    std::uint64_t damaged_bytes = 0;  ///< passed over, up to the next good record
+    std::uint64_t first_damage = 0;   ///< B, where in the file
+    std::uint64_t steps_back = 0;     ///< times that the clock of the file was set back
+    double first_step = 0;            ///< s
+    std::string step_place{};         ///< "packet 11"
 };
 
 /// Bytes that come next on a serial line or in one direction of a TCP connection.

@@ -7,6 +7,7 @@
 
 #include "emulator/contract/error.h"
 #include "emulator/scenario/file.h"
+#include "tools/capture/inflate.h"
 
 namespace echoloop::capture {
 namespace {
@@ -50,6 +51,20 @@ Input::Input(const std::string& name) : name_(name) {
         if (file_ == nullptr)
             throw StartError(Exit::no_input, scenario::in_quotes(name) + ": " + std::strerror(errno));
     }
+    open_compressed();
+}
+
+void Input::open_compressed() {
+    constexpr std::size_t marks = 6;
+    const Bytes& start = peek(marks);
+    if (const std::string other = other_compression(start); !other.empty())
+        throw StartError(Exit::data, scenario::in_quotes(name_) + " is compressed by " + other +
+                                         "; unpack it first (gzip is read as it is)");
+    if (!is_gzip(start)) return;
+    std::FILE* const stream = gunzipped(std::move(head_), file_, *fault_);
+    if (stream == nullptr) throw StartError(Exit::unavailable, "cannot open a stream: out of memory");
+    file_ = stream;
+    head_.clear();
 }
 
 Input::~Input() {

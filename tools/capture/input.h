@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdio>
+#include <memory>
 #include <string>
 
 #include "emulator/contract/device.h"
@@ -10,8 +11,8 @@ namespace echoloop::capture {
 
 class Input {
   public:
-    /// "-" is standard input. Throws StartError (no_input, no_permission) unless it is that or a regular
-    /// file.
+    /// "-" is standard input; what gzip compressed is read as if it were not. Throws StartError (no_input,
+    /// no_permission) unless it is that or a regular file, and (data) if it is compressed by something else.
     explicit Input(const std::string& name);
     ~Input();
     Input(const Input&) = delete;
@@ -25,8 +26,13 @@ class Input {
     /// Gives the stream away, from the first byte on; for libpcap, which closes it.
     std::FILE* release();
     const std::string& name() const { return name_; }
+    /// Why a compressed file ends early; "": it does not.
+    const std::string& fault() const { return *fault_; }
 
   private:
+    void open_compressed();
+
+    std::unique_ptr<std::string> fault_ = std::make_unique<std::string>();
     std::string name_;
     std::FILE* file_ = nullptr;
     Bytes head_;  ///< bytes that were read ahead

@@ -1,7 +1,9 @@
 #include "tools/capture/message_file.h"
 
 #include <algorithm>
+#include <array>
 
+#include "protocols/reson7k/codec.h"
 #include "tools/capture/message_time.h"
 
 namespace echoloop::capture {
@@ -20,17 +22,33 @@ ByteView said_of(const inspect::Message& message, ByteView bytes) {
 }
 
 /// What the program wrote that made the file, and no device said.
-bool is_remark(const inspect::Message& message) { return message.name == "JsonWrapper"; }
+bool is_remark(const inspect::Message& message) {
+    constexpr std::array names{"JsonWrapper", "FileHeader", "FileCatalogue"};
+    return std::ranges::any_of(names, [&](const char* name) { return message.name == name; });
+}
+
+/// Files hold 7k records bare; on the network they come in packets.
+Bytes in_packets(ByteView record) {
+    constexpr std::uint32_t centre = 7000;
+    Bytes out;
+    if (!reson7k::plausible_record_frame(record)) return {record.begin(), record.end()};
+    for (const auto& packet : reson7k::packets_of(record, 0, centre))
+        out.insert(out.end(), packet.begin(), packet.end());
+    return out;
+}
 
 }  // namespace
 
 const inspect::Family* MessageFile::recognise(Input& input) {
+    // Sync words that are surer than the first family that finds something in the bytes behind them.
+    const Bytes start = input.peek(reson7k::record_frame_size);
+    if (reson7k::plausible_record_frame(start)) return inspect::find_family("reson7k");
     const auto* family = inspect::guess_family(input.peek(bytes_at_once));
     return family != nullptr && family->framing == inspect::Framing::stream ? family : nullptr;
 }
 
-MessageFile::MessageFile(Input& input, const inspect::Family& family, double interval)
-    : input_(input), line_(family.name), interval_(interval), decoder_(&family) {}
+MessageFile::MessageFile(Input& input, const inspect::Family& family, const OpenSettings& settings)
+    : input_(input), line_(family.name), settings_(settings), decoder_(&family) {}
 
 std::optional<CaptureEvent> MessageFile::next() {
     const auto each = [this](const inspect::Family*, const inspect::Message& message, ByteView bytes) {
@@ -53,15 +71,16 @@ void MessageFile::keep(const inspect::Message& message, ByteView bytes) {
         ++counts_.skipped;
         return;
     }
-    if (interval_ > 0) {
-        time_ = interval_ * static_cast<double>(counts_.packets);
+    if (settings_.interval > 0) {
+        time_ = settings_.interval * static_cast<double>(counts_.packets);
     } else if (const auto time = message_time(message)) {
         time_ = *time;
     }
     ++counts_.packets;
     const ByteView said = said_of(message, bytes);
-    waiting_.push_back({time_, "", true, StreamPiece{line_, true, {}, {}, Bytes(said.begin(), said.end())}, 0,
-                        "", message.name});
+    Bytes out = settings_.as_sent && line_ == "reson7k" ? in_packets(said) : Bytes(said.begin(), said.end());
+    waiting_.push_back(
+        {time_, "", true, StreamPiece{line_, true, {}, {}, std::move(out)}, 0, "", message.name});
 }
 
 }  // namespace echoloop::capture

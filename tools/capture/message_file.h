@@ -5,7 +5,7 @@
 #include <deque>
 
 #include "protocols/stream_decoder.h"
-#include "tools/capture/capture.h"
+#include "tools/capture/open.h"
 
 namespace echoloop::capture {
 
@@ -14,9 +14,9 @@ class MessageFile final : public CaptureReader {
     /// The family that the file's first bytes belong to; nullptr if none.
     static const inspect::Family* recognise(Input& input);
 
-    /// `interval`: s between messages; 0: by the times that the messages hold. One without a time follows at
-    /// once.
-    MessageFile(Input& input, const inspect::Family& family, double interval);
+    /// By the times that the messages hold, unless the settings give an interval. One without a time follows
+    /// at once.
+    MessageFile(Input& input, const inspect::Family& family, const OpenSettings& settings);
 
     std::optional<CaptureEvent> next() override;
     CaptureCounts counts() const override { return counts_; }
@@ -26,7 +26,7 @@ class MessageFile final : public CaptureReader {
 
     Input& input_;
     std::string line_;
-    double interval_;
+    OpenSettings settings_;
     inspect::StreamDecoder decoder_;
     std::deque<CaptureEvent> waiting_;
     double time_ = 0;

@@ -13,8 +13,8 @@ namespace echoloop::capture {
 
 /// One direction of a serial line, of a connection, or of datagrams.
 struct Way {
-    std::string line{};  ///< name of a serial line's interface
-    bool sent = false;   ///< serial: by the capturing side
+    std::string line{};  ///< name of a serial line's interface, or of the device in a maker's recording
+    bool sent = false;   ///< by the capturing side, if there are no addresses
     Address from{}, to{};
     bool is_serial() const { return from.port == 0 && to.port == 0; }
     friend auto operator<=>(const Way&, const Way&) = default;
@@ -47,6 +47,7 @@ class MessageSorter {
 
     void add(const MessageOrigin& origin, const StreamPiece& piece);
     void add(const MessageOrigin& origin, const Datagram& datagram);
+    Bytes whole_of(const inspect::Family& family, const Way& way, const Bytes& datagram);
     void continue_with(Streams& streams, const MessageOrigin& origin, ByteView bytes);
     void end(Streams& streams, const Way& way);
     inspect::StreamDecoder::Each giver(const MessageOrigin& origin) const;
@@ -54,6 +55,7 @@ class MessageSorter {
     const inspect::Family* family_;
     Each each_;
     Streams streams_, datagrams_;
+    std::map<Way, Bytes> joining_;  ///< parts of divided datagrams
 };
 
 }  // namespace echoloop::capture

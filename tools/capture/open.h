@@ -1,30 +1,27 @@
 // Any file of captured traffic, whoever wrote it: the one place that knows all their readers.
 #pragma once
 
-#include <functional>
+#include <string>
+#include <vector>
 
 #include "tools/capture/capture.h"
 
 namespace echoloop::capture {
 
 struct OpenSettings {
-    double interval = 0;  ///< s between messages of a file that holds no times; 0: by its times
+    double interval = 0;   ///< s between messages of a file that holds no times; 0: by its times
+    bool as_sent = false;  ///< messages are cut into the parts and packets that the device sends; what only
+                           ///< files hold is left out
 };
 
-/// pcap, pcapng, a log of Ping Viewer, a serial log as text, or messages back to back. `input` outlives it.
+/// pcap, pcapng, a maker's recording, a serial log as text, or messages back to back. `input` outlives it.
 /// Times never go back (steady.h). Throws StartError (data) if it is none of them.
 std::unique_ptr<CaptureReader> open_capture(Input& input, const OpenSettings& settings = {});
 
-/// True for files that hold times and directions, not only a device's messages.
-bool is_log(Input& input);
+/// The same for files that hold more than a device's messages back to back; nullptr for those.
+std::unique_ptr<CaptureReader> open_if_log(Input& input);
 
-/// What to do with events; times in s since 1970.
-struct CaptureEvents {
-    std::function<void(double, const Datagram&)> datagram;
-    std::function<void(double, const StreamPiece&)> stream;
-};
-
-/// Reads all of it. Throws StartError (data) if it is none that can be read.
-CaptureCounts read_capture(Input& input, const CaptureEvents& events);
+/// What went wrong while it was read, one sentence each; empty if nothing did.
+std::vector<std::string> troubles(const CaptureCounts& counts);
 
 }  // namespace echoloop::capture

@@ -10,7 +10,9 @@ namespace echoloop::capture {
 
 class Steady final : public CaptureReader {
   public:
-    explicit Steady(std::unique_ptr<CaptureReader> reader) : reader_(std::move(reader)) {}
+    /// `input`: what the reader reads, and outlives this.
+    Steady(std::unique_ptr<CaptureReader> reader, const Input& input)
+        : reader_(std::move(reader)), input_(input) {}
 
     std::optional<CaptureEvent> next() override;
     CaptureCounts counts() const override;
@@ -20,9 +22,13 @@ class Steady final : public CaptureReader {
     void note_step(const CaptureEvent& event, double step);
 
     std::unique_ptr<CaptureReader> reader_;
+    const Input& input_;
     struct Clock {
-        double last = 0;          ///< s, with what was added
-        std::uint64_t steps = 0;  ///< counted until then
+        double lag = 0;                ///< s, that it was behind the others when it came first
+        double last = 0;               ///< s, with lag and what was added
+        std::uint64_t steps = 0;       ///< counted until then
+        std::optional<double> late{};  ///< time of the first of those in a row that were late
+        int late_ones = 0;
     };
     /// Of each interface or sort of message; what comes by one of them may be written later than by another.
     std::map<std::pair<std::string, std::string>, Clock> clocks_;

@@ -13,7 +13,6 @@
 #include "protocols/imagenex/framer.h"
 #include "protocols/imagenex/shot_writer.h"
 #include "tools/capture/open.h"
-#include "tools/capture/steady.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/output_file.h"
 #include "tools/echoloop/terminal.h"
@@ -22,7 +21,6 @@
 namespace echoloop::cli {
 namespace {
 
-using capture::Datagram;
 using capture::Input;
 using capture::StreamPiece;
 using imagenex::ShotFormat;
@@ -73,20 +71,19 @@ std::string name_of_line(const StreamPiece& piece) {
     return text_of(std::min(piece.from, piece.to)) + " - " + text_of(std::max(piece.from, piece.to));
 }
 
-std::size_t convert_capture(Input& input, const std::string& wanted, Line& line) {
+std::size_t convert_capture(capture::CaptureReader& capture, const std::string& wanted, Line& line) {
     std::map<std::string, bool> names;
-    const auto counts = capture::read_capture(
-        input, {.datagram = [](double, const Datagram&) {},
-                .stream =
-                    [&](double time, const StreamPiece& piece) {
-                        const std::string name = name_of_line(piece);
-                        names[name] = true;
-                        if (!wanted.empty() && name != wanted) return;
-                        const bool way = piece.from.port == 0 ? piece.sent : piece.from < piece.to;
-                        line.add(way, time, piece.bytes, piece.gap);
-                    }});
-    if (!counts.fault.empty()) print_warning("the capture ends early: " + counts.fault);
-    if (counts.steps_back > 0) print_warning(capture::step_text(counts));
+    while (const auto event = capture.next()) {
+        const auto* piece = std::get_if<StreamPiece>(&event->content);
+        if (piece == nullptr) continue;
+        const std::string name = name_of_line(*piece);
+        names[name] = true;
+        if (!wanted.empty() && name != wanted) continue;
+        const bool way = piece->from.port == 0 ? piece->sent : piece->from < piece->to;
+        line.add(way, event->time, piece->bytes, piece->gap);
+    }
+    const auto counts = capture.counts();
+    for (const auto& trouble : capture::troubles(counts)) print_warning(trouble);
     std::string all;
     for (const auto& [name, unused] : names) all += (all.empty() ? "" : ", ") + scenario::in_quotes(name);
     if (wanted.empty() && names.size() > 1)
@@ -111,8 +108,8 @@ std::size_t convert(Input& input, const std::string& line, ShotFormat format,
                     const std::filesystem::path& file) {
     std::ofstream out(file, std::ios::binary);
     Line shots(format, out);
-    const auto count =
-        capture::is_log(input) ? convert_capture(input, line, shots) : convert_bytes(input, shots);
+    const auto log = capture::open_if_log(input);
+    const auto count = log ? convert_capture(*log, line, shots) : convert_bytes(input, shots);
     if (count == 0)
         throw StartError(Exit::data, scenario::in_quotes(input.name()) + ": no reply of an Imagenex head");
     if (!out.flush()) throw std::runtime_error("cannot write all of it");

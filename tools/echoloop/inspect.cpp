@@ -7,7 +7,6 @@
 #include "protocols/inspect.h"
 #include "tools/capture/messages.h"
 #include "tools/capture/open.h"
-#include "tools/capture/steady.h"
 #include "tools/capture/stream_windows.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/json_inspect.h"
@@ -144,26 +143,25 @@ InspectOrigin origin_of(const capture::MessageOrigin& from, double start) {
     return origin;
 }
 
-void inspect_capture(Input& input, const inspect::Family* family, Output& output) {
-    const auto file = capture::open_capture(input);
+void inspect_capture(Input& input, capture::CaptureReader& file, const inspect::Family* family,
+                     Output& output) {
     std::optional<double> start;
     capture::MessageSorter messages(
         family, [&](const auto& from, const auto& message) { output.add(origin_of(from, *start), message); });
-    while (const auto event = file->next()) {
+    while (const auto event = file.next()) {
         if (!start) start = event->time;
         messages.add(*event);
         if (!event->comment.empty()) output.add({event->packet, event->time - *start, event->comment});
     }
     messages.finish();
-    const auto counts = file->counts();
+    const auto counts = file.counts();
     if (counts.packets == 0 && !counts.fault.empty())
         throw StartError(Exit::data, scenario::in_quotes(input.name()) +
                                          " is no capture that can be read: " + counts.fault);
     output.summary().packets = counts.packets;
     output.summary().skipped_packets = counts.skipped;
     output.summary().incomplete = counts.incomplete;
-    if (!counts.fault.empty()) print_warning("the capture ends early: " + counts.fault);
-    if (counts.steps_back > 0) print_warning(capture::step_text(counts));
+    for (const auto& trouble : capture::troubles(counts)) print_warning(trouble);
 }
 
 /// A file that holds one datagram and nothing else.
@@ -200,7 +198,12 @@ int run_inspect(const Arguments& arguments) {
         throw StartError(Exit::usage, "CAPTURE is missing: name a file, or '-' for standard input");
     Input input(arguments.text("CAPTURE"));
     Output output(arguments);
-    capture::is_log(input) ? inspect_capture(input, family, output) : inspect_bytes(input, family, output);
+    if (const auto log = capture::open_if_log(input)) {
+        inspect_capture(input, *log, family, output);
+    } else {
+        inspect_bytes(input, family, output);
+        if (!input.fault().empty()) print_warning("the file ends early: " + input.fault());
+    }
     output.finish();
     if (!output.summary().messages.empty()) return 0;
     throw StartError(Exit::data, scenario::in_quotes(arguments.text("CAPTURE")) +
@@ -214,7 +217,7 @@ Verb inspect_verb() {
     return {"inspect",
             "print the messages in a capture or in a file of bytes",
             {{Kind::optional, "CAPTURE", "",
-              "pcap, pcapng, a log of Ping Viewer, a serial log as text, or raw bytes; '-': standard input"},
+              "pcap, pcapng, a maker's recording, a serial log as text, or raw bytes; '-': standard input"},
              {Kind::value, "--family", "NAME", "protocol family, e.g. seanet; default: guessed"},
              {Kind::value, "--tables", "NAME", "print the message tables of a family as Markdown instead"},
              {Kind::flag, "--summary", "", "print the summary only"},

@@ -39,6 +39,7 @@ std::string ports_json(const capture::Survey& survey) {
                     {"skipped_packets", survey.counts.skipped},
                     {"missing_fragments", survey.counts.incomplete},
                     {"cut_datagrams", survey.cut},
+                    {"damaged_bytes", survey.counts.damaged_bytes},
                     {"clock_steps_back", survey.counts.steps_back},
                     {"fault", survey.counts.fault}});
 }

@@ -23,7 +23,7 @@ using capture::Survey;
 constexpr double bits_per_byte = 10;  // 8N1
 
 capture::OpenSettings open_settings(const Arguments& arguments) {
-    return {arguments.number("--interval", 0, 1e-6, 1e6)};
+    return {.interval = arguments.number("--interval", 0, 1e-6, 1e6), .as_sent = true};
 }
 
 /// Many messages at one and the same time are a file without times.
@@ -190,7 +190,8 @@ Verb replay_verb() {
         {{Kind::positional,
           "CAPTURE",
           "",
-          "pcap, pcapng, .bin of Ping Viewer, a serial log as text, .852, .81A, .svlog, .sonar, ...",
+          "pcap, pcapng, .kmall, .s7k, .aris, .oculus, .xtf, .bin, .svlog, .sonar, .852, .81A, a serial log "
+          "as text, ...; .gz of all",
           {},
           true},
          {Kind::optional, "ENDPOINT", "",

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "tools/capture/steady.h"
+#include "tools/capture/open.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/terminal.h"
 
@@ -33,11 +33,10 @@ void print_requests(const replay::PlayerCounts& counts) {
 
 void warn_of_what_is_not_played(const capture::Survey& survey) {
     const auto& counts = survey.counts;
-    if (!counts.fault.empty()) print_warning("the capture ends early: " + counts.fault);
+    for (const auto& trouble : capture::troubles(counts)) print_warning(trouble);
     if (counts.skipped > 0) print_warning(counted(counts.skipped, "packet") + " not understood, not played");
     if (counts.incomplete > 0)
         print_warning(counted(counts.incomplete, "datagram") + " of which fragments are missing, not played");
-    if (counts.steps_back > 0) print_warning(capture::step_text(counts));
     if (survey.cut > 0)
         print_warning(counted(survey.cut, "datagram") + " cut short by the capture, not played");
     if (survey.more_ports > 0)

@@ -126,8 +126,7 @@ void warn(const Side& side, std::vector<std::string>& warnings) {
     if (side.is_cut)
         warnings.push_back(side.file + ": only its first " + std::to_string(side.messages) +
                            " messages are compared; --port picks a device");
-    if (!side.step.empty()) warnings.push_back(side.file + ": " + side.step);
-    if (!side.fault.empty()) warnings.push_back(side.file + ": the capture ends early: " + side.fault);
+    for (const auto& trouble : side.troubles) warnings.push_back(side.file + ": " + trouble);
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ Verb diff_verb() {
             {{Kind::positional,
               "A",
               "",
-              "pcap, pcapng, a log of Ping Viewer, a serial log, or raw bytes",
+              "pcap, pcapng, a maker's recording, a serial log, or raw bytes",
               {},
               true},
              {Kind::positional,

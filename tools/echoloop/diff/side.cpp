@@ -9,7 +9,6 @@
 #include "tools/capture/message_time.h"
 #include "tools/capture/open.h"
 #include "tools/capture/ports.h"
-#include "tools/capture/steady.h"
 #include "tools/capture/stream_windows.h"
 #include "tools/echoloop/common.h"
 
@@ -157,8 +156,7 @@ void read_events(capture::CaptureReader& capture, const SideSettings& settings, 
     while (const auto event = loader.full() ? std::nullopt : capture.next()) messages.add(*event);
     side.is_cut = loader.full();
     messages.finish();
-    side.fault = capture.counts().fault;
-    side.step = capture::step_text(capture.counts());
+    side.troubles = capture::troubles(capture.counts());
 }
 
 const NamedValue* Message::find(const std::string& name, std::size_t hint) const {
@@ -193,17 +191,19 @@ Side read_side(const std::string& file, const SideSettings& settings) {
     Side side;
     side.file = file;
     capture::Input input(file);
-    if (capture::is_log(input))
-        read_events(*capture::open_capture(input), settings, side);
-    else
+    if (const auto log = capture::open_if_log(input)) {
+        read_events(*log, settings, side);
+    } else {
         read_bytes(input, settings, side);
+        if (!input.fault().empty()) side.troubles.push_back("the file ends early: " + input.fault());
+    }
     if (side.messages > 0) return side;
     const std::string where = settings.port.empty()
                                   ? ""
                                   : " at " + scenario::in_quotes(settings.port) + " (`echoloop replay " +
                                         file + " --list` shows its ports)";
     throw StartError(Exit::data, scenario::in_quotes(file) + ": no message of a known protocol" + where +
-                                     (side.fault.empty() ? "" : " (" + side.fault + ")") +
+                                     (side.troubles.empty() ? "" : " (" + side.troubles.front() + ")") +
                                      "; --family names the protocol to try");
 }
 

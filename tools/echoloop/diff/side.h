@@ -55,9 +55,8 @@ struct Side {
     std::size_t messages = 0;
     std::size_t undecoded_bytes = 0;
     bool has_times = true;
-    bool is_cut = false;  ///< it holds more than is compared
-    std::string fault;    ///< why reading ended early
-    std::string step;     ///< that its clock was set back, and where
+    bool is_cut = false;                ///< it holds more than is compared
+    std::vector<std::string> troubles;  ///< while it was read
 };
 
 struct SideSettings {

@@ -1,4 +1,5 @@
--- Datagrams {size, "#MRZ", ..., size} of structs that say their own size; "$KSSIS," is a controller's text.
+-- Datagrams {size, "#MRZ", ..., size} of structs that say their own size; "$KSSIS," is a controller's text, "$MVS01,00000,"
+-- one with a profile of the speed of sound.
 local family = sonar.families.kmall
 family.datagram = true
 family.mark = "[%z\1-\255]"
@@ -15,14 +16,17 @@ local amplitude_field = ProtoField.bytes("sonar.kmall.amplitude", "amplitude", b
 local phase_field = ProtoField.bytes("sonar.kmall.phase", "phase", base.NONE, "of the samples of a beam")
 local parameters_field = sonar.text_field("sonar.kmall.text", "text", "installation or runtime parameters")
 local part_field = ProtoField.bytes("sonar.kmall.part", "part", base.NONE, "of a divided datagram")
-for _, field in ipairs({image_field, amplitude_field, phase_field, part_field, parameters_field}) do
+local surplus_field = ProtoField.bytes("sonar.kmall.surplus", "surplus", base.NONE, "padding, or a point that means nothing")
+local file_field = ProtoField.bytes("sonar.kmall.file", "file", base.NONE, "of #FCF")
+for _, field in ipairs({image_field, amplitude_field, phase_field, part_field, parameters_field, surplus_field, file_field}) do
   table.insert(family.fields, field)
 end
 
 local function is_command(text, at) return text:sub(at + 1, at + #command) == command end
+local function is_sound(text, at) return text:match("^%$%u%uS%d%d,00000,", at + 1) ~= nil end
 
 function family.frame(text, at)
-  if is_command(text, at) then return #text - at end
+  if is_command(text, at) or is_sound(text, at) then return #text - at end
   local size = sonar.le(text, at, 4)
   if not size or #text - at < header + tail or not text:match("^#%u%u%u", at + 5) then return 0 end
   return size >= header + tail and size <= #text - at and size or 0
@@ -125,13 +129,65 @@ end
 local function show_profile(r, tree)
   local at = r.at
   return show_sized(r, tree, "SoundProfileInfo") and
-         show_all(r, tree, "SoundProfilePoint", number(r, at, "SoundProfileInfo", "points"), 20)
+         show_all(r, tree, "SoundProfilePoint", number(r, at, "SoundProfileInfo", "points"), 20) and
+         (r.stop - r.at ~= 20 or show_struct(r, tree, "SoundProfilePoint", 20))  -- one that is not counted
+end
+
+-- B of a struct without lists.
+local function known_size(name)
+  local size = 0
+  for _, row in ipairs(T[name].rows) do size = size + sonar.size_of(row) * (row.elements or 1) end
+  return size
+end
+
+local function show_text(r, tree, text)
+  if r.stop > r.at then
+    tree:add(parameters_field, r.tvb(r.at, r.stop - r.at), sonar.printable(text:sub(r.at + 1, r.stop)))
+  end
+  r.at = r.stop
+  return true
+end
+
+-- What one sensor says at once, and its own sentence.
+local function sensor(name)
+  return function(r, tree, text)
+    return show_sized(r, tree, "SensorInfo") and show_struct(r, tree, name, known_size(name)) and show_text(r, tree, text)
+  end
+end
+
+local function show_depth(r, tree, text)
+  local version = text:byte(r.at - header + 9)
+  return sensor(version == 0 and "DepthSensor0" or "DepthSensor")(r, tree, text)
+end
+
+-- A struct that says how many samples of which size follow; what a sample has beyond the known is passed over.
+local function samples(info, sample)
+  return function(r, tree)
+    local at = r.at
+    return show_sized(r, tree, info) and
+           show_all(r, tree, sample, number(r, at, info, "samples"), number(r, at, info, "bytes_per_sample"))
+  end
+end
+
+local function show_headings(r, tree)
+  return show_sized(r, tree, "SensorInfo") and samples("HeadingsInfo", "HeadingSample")(r, tree)
+end
+
+local function show_heave(r, tree)
+  return show_sized(r, tree, "Body") and show_struct(r, tree, "Heave", known_size("Heave"))
 end
 
 -- Of datagrams that have no partition.
-local infos = {["#IIP"] = show_parameters, ["#IOP"] = show_parameters, ["#SVP"] = show_profile}
+local infos = {
+  ["#IIP"] = show_parameters, ["#IOP"] = show_parameters, ["#SVP"] = show_profile, ["#SPO"] = sensor("Position"),
+  ["#CPO"] = sensor("Position"), ["#SPE"] = sensor("PositionError"), ["#SPD"] = sensor("Datum"), ["#SCL"] = sensor("Clock"),
+  ["#SDE"] = show_depth, ["#SHI"] = sensor("Height"), ["#SSM"] = sensor("SoundSpeedManager"), ["#SHA"] = show_headings,
+  ["#SVT"] = samples("SoundSpeedInfo", "SoundSpeedSample"), ["#SKM"] = samples("MotionInfo", "MotionSample"),
+  ["#CHE"] = show_heave,
+}
 
 local function show_body(r, tree, kind, parts)
+  if kind == "#FCF" then return show_sized(r, tree, "FileInfo") and show_bytes(r, tree, file_field, r.stop - r.at) end
   if parts > 1 then return show_bytes(r, tree, part_field, r.stop - r.at) end
   if kind == "#MRZ" then return show_mrz(r, tree) end
   if kind == "#MWC" then return show_mwc(r, tree) end
@@ -152,11 +208,16 @@ function family.display(tree, tvb, at, size, text)
   if is_command(text, at) then
     return show_command(tree, tvb(at, size), text:sub(at + 1, at + size))
   end
+  if is_sound(text, at) then
+    tree:add(parameters_field, tvb(at, size), sonar.printable(text:sub(at + 1, at + size)))
+    return text:sub(at + 4, at + 6)
+  end
   local kind = text:sub(at + 5, at + 8)
   local r = sonar.reader(family, tvb, at, at + size - tail)
   show_struct(r, tree, "Header", header)
   if infos[kind] then
     infos[kind](r, tree, text)
+    if r.stop > r.at then show_bytes(r, tree, surplus_field, r.stop - r.at) end
     sonar.check(tree, "size at the end", sonar.le(text, at + size - tail, tail), size)
     return kind
   end
@@ -168,4 +229,4 @@ function family.display(tree, tvb, at, size, text)
   return parts > 1 and kind .. " part" or kind
 end
 
-function family.sign(text) return is_command(text, 0) or (family.frame(text, 0) or 0) > 0 end
+function family.sign(text) return is_command(text, 0) or is_sound(text, 0) or (family.frame(text, 0) or 0) > 0 end
