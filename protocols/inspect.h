@@ -60,7 +60,10 @@ struct Family {
     std::vector<wire::Table> (*tables)();
     /// The one message that the bytes are, parsed and written back; empty if they are none.
     wire::Bytes (*rewritten)(wire::ByteView bytes);
-    FindChecksums checksums = nullptr;                  ///< nullptr: its messages have none
+    FindChecksums checksums = nullptr;  ///< nullptr: its messages have none
+    /// Datagrams that come in parts: adds one to those of its kind in `held`; true if `held` is the whole
+    /// now. nullptr: there are none.
+    bool (*join)(wire::Bytes& held, wire::ByteView datagram) = nullptr;
     std::size_t longest_frame = std::size_t{66} << 10;  ///< B; of most families lengths are 16-bit
 };
 

@@ -11,6 +11,32 @@ namespace {
 
 constexpr std::size_t most_copies = 1000;  // of one message, by however many faults
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Where numbers with decimals begin, and where their points are.
+std::vector<std::pair<std::size_t, std::size_t>> decimals(const std::string& text) {
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (std::size_t point = 1; point + 1 < text.size(); ++point) {
+        if (text[point] != '.' || !is_digit(text[point - 1]) || !is_digit(text[point + 1])) continue;
+        std::size_t begin = point;
+        while (begin > 0 && is_digit(text[begin - 1])) --begin;
+        if (begin > 0 && (text[begin - 1] == '-' || text[begin - 1] == '+')) --begin;
+        found.emplace_back(begin, point);
+    }
+    return found;
+}
+
+/// That of NMEA 0183, if the line has one.
+void renew_checksum(std::string& line) {
+    const std::size_t star = line.rfind('*');
+    if (!line.starts_with('$') || star == std::string::npos || star + 2 >= line.size()) return;
+    unsigned sum = 0;
+    for (std::size_t i = 1; i < star; ++i) sum ^= static_cast<unsigned char>(line[i]);
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    line[star + 1] = digits[sum >> 4 & 15];
+    line[star + 2] = digits[sum & 15];
+}
+
 }  // namespace
 
 bool Pieces::happens(const AskedFault& asked, const Dice& dice) {
@@ -67,6 +93,8 @@ std::vector<Piece> Pieces::copies(Piece piece, Time now) {
 }
 
 void Pieces::damage(Piece& piece, std::uint64_t copy, Time now) {
+    faults_.each(FaultKind::bad_numbers, place_, now,
+                 [&](const AskedFault& asked) { spoil_number(piece, asked, copy); });
     faults_.each(FaultKind::baud_mismatch, place_, now,
                  [&](const AskedFault& asked) { garble(piece, asked); });
     faults_.each(FaultKind::wrong_checksum, place_, now,
@@ -75,6 +103,23 @@ void Pieces::damage(Piece& piece, std::uint64_t copy, Time now) {
                  [&](const AskedFault& asked) { cut(piece, asked, copy); });
     faults_.each(FaultKind::bit_flips, place_, now,
                  [&](const AskedFault& asked) { flip(piece, asked, copy); });
+}
+
+void Pieces::spoil_number(Piece& piece, const AskedFault& asked, std::uint64_t copy) {
+    const Dice dice = asked.dice.of(message_).of(copy);
+    if (!happens(asked, dice)) return;
+    std::string text(piece.bytes.begin(), piece.bytes.end());
+    const auto numbers = decimals(text);
+    if (numbers.empty()) return;
+    const auto [begin, point] = numbers[dice.below(numbers.size(), 1)];
+    text.insert(point + 1, "-");
+    if (text[begin] != '-') text.insert(begin, "-");
+    renew_checksum(text);
+    FaultEvent made = event(asked);
+    made.offset = begin;
+    made.length = point + 2 - begin;
+    piece.bytes.assign(text.begin(), text.end());
+    piece.events.push_back(std::move(made));
 }
 
 void Pieces::garble(Piece& piece, const AskedFault& asked) {

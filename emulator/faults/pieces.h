@@ -71,6 +71,7 @@ class Pieces {
     void spoil_checksums(Piece& piece, const AskedFault& asked, std::uint64_t copy);
     void cut(Piece& piece, const AskedFault& asked, std::uint64_t copy);
     void flip(Piece& piece, const AskedFault& asked, std::uint64_t copy);
+    void spoil_number(Piece& piece, const AskedFault& asked, std::uint64_t copy);
     void merge(Piece piece, Time now);
     void end_merging(Time now);
     void reorder(Piece piece, Time now);

@@ -10,6 +10,7 @@
 #include "emulator/machine/scheduling.h"
 #include "emulator/machine/service_manager.h"
 #include "emulator/machine/steal.h"
+#include "emulator/pose/mount.h"
 #include "emulator/pose/movers.h"
 #include "emulator/pose/step_server.h"
 #include "emulator/pose/vehicle.h"
@@ -127,6 +128,7 @@ class Runtime::Impl {
         clock_->begin();
         vehicle_.start();
         movers_.start();
+        for (auto& mount : mounts_) mount->start();
         stepped_ == nullptr ? begin(duration) : begin_with_first_step(duration);
         tell_service_manager("READY=1");
         if (const auto period = watchdog_period()) say_alive(*period);
@@ -144,7 +146,13 @@ class Runtime::Impl {
     std::string control_token() const { return control_ ? control_->token() : ""; }
     const std::map<std::string, FaultCounts>& faults() const { return faults_.labels().counts(); }
     std::optional<PoseSummary> poses() const { return vehicle_.summary(); }
-    std::map<std::string, PoseSummary> objects() const { return movers_.summary(); }
+    std::map<std::string, PoseSummary> objects() const {
+        auto all = movers_.summary();
+        for (std::size_t i = 0; i < mounts_.size(); ++i)
+            if (const auto one = mounts_[i]->summary())
+                all.emplace("mount of " + scenario_.devices[i].name, *one);
+        return all;
+    }
     std::optional<StepSummary> steps() const {
         return steps_ ? std::optional(steps_->summary()) : std::nullopt;
     }
@@ -177,6 +185,7 @@ class Runtime::Impl {
         stepped_->on_step([this, powered = false](Time to) mutable {
             vehicle_.step(clock_->now(), to);
             movers_.step(clock_->now(), to);
+            for (auto& mount : mounts_) mount->step(clock_->now(), to);
             if (std::exchange(powered, true)) return;
             power_up();
         });
@@ -225,19 +234,21 @@ class Runtime::Impl {
             faults = faulty_sessions_
                          .emplace_back(std::make_unique<FaultySession>(*clock_, faults_.of(entry.name)))
                          .get();
+        const Mount* const mount =
+            mounts_.emplace_back(std::make_unique<Mount>(scenario_, entry, *clock_, steps_.get())).get();
         auto device = faults != nullptr ? faults->device(make) : make();
         auto transports = std::move(open.transports);
         if (faults != nullptr) transports = faults->lines(std::move(transports), device->ports(), entry);
         sessions_.push_back(std::make_unique<Session>(
             io_, *clock_, render_threads_, water_, entry.name, std::move(device), std::move(transports),
-            [this, body_from_sonar = entry.body_from_sonar](Time time) {
-                Situation situation(vehicle_.world_from_body(time) * body_from_sonar);
+            [this, mount](Time time) {
+                Situation situation(vehicle_.world_from_body(time) * mount->body_from_sonar(time));
                 situation.movers = movers_.at(time);
                 return situation;
             }));
         if (records.truth != nullptr)
-            sessions_.back()->tell(
-                std::make_unique<DeviceTruth>(*records.truth, entry.name, entry.body_from_sonar));
+            sessions_.back()->tell(std::make_unique<DeviceTruth>(
+                *records.truth, entry.name, [mount](Time time) { return mount->body_from_sonar(time); }));
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         if (records.remarks) sessions_.back()->remark_pings();
         running_.push_back({entry.name, entry.model, std::move(open.places), {}, {}});
@@ -257,6 +268,7 @@ class Runtime::Impl {
         if (steps_) steps_->close();
         vehicle_.close();
         movers_.close();
+        for (auto& mount : mounts_) mount->close();
         if (control_) control_->close();
         for (auto& session : faulty_sessions_) session->close();
         for (auto& session : sessions_) session->close();
@@ -294,6 +306,7 @@ class Runtime::Impl {
     std::unique_ptr<StepServer> steps_;  ///< if it is
     Movers movers_;
     Vehicle vehicle_;
+    std::vector<std::unique_ptr<Mount>> mounts_;  ///< as sessions_
     SharedWater water_;
     Faults faults_;
     std::vector<std::unique_ptr<FaultySession>> faulty_sessions_;  ///< as sessions_, or none

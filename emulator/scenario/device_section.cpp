@@ -5,6 +5,7 @@
 
 #include "emulator/contract/endpoint.h"
 #include "emulator/scenario/file.h"
+#include "emulator/scenario/mount_section.h"
 #include "emulator/scenario/profile_section.h"
 
 namespace echoloop::scenario {
@@ -217,7 +218,10 @@ void DeviceReader::read(const Value& value, std::size_t index) {
     ScenarioDevice device;
     device.name = read_name(section, index);
     device.model = read_model(section);
-    device.body_from_sonar = read_pose(section.get("mount"), section.path_of("mount"), problems_);
+    read_mount(section.get("mount"), section.path_of("mount"), scenario_, device, problems_);
+    if (!device.mount_input.empty() && device.mount_input != standard_input)
+        claim({parse_endpoint(device.mount_input), section.get("mount")->find("input")->place,
+               section.path_of("mount") + ".input"});
     device.line = value.place.line;
     device.column = value.place.column;
     if (device.model == nullptr) return;
@@ -236,7 +240,10 @@ void DeviceReader::read(const Value& value, std::size_t index) {
 }  // namespace
 
 Pose read_pose(const Value* value, const std::string& path, Problems& problems) {
-    const Section section(value, path, {"position", "rpy_deg"}, problems);
+    return pose_of(Section(value, path, {"position", "rpy_deg"}, problems));
+}
+
+Pose pose_of(const Section& section) {
     const Vec3 position = section.triple("position", {-1e6, 1e6, "m"});
     const Vec3 rpy = section.triple("rpy_deg", {-360, 360, "deg"});
     return {position, from_rpy(deg_to_rad(rpy.x), deg_to_rad(rpy.y), deg_to_rad(rpy.z))};

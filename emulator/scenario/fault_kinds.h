@@ -18,6 +18,7 @@ enum class FaultKind {
     wrong_checksum,
     truncation,
     bit_flips,
+    bad_numbers,
     merge,
     reordering,
     split,

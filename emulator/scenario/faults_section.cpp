@@ -168,6 +168,7 @@ void FaultReader::check_needs() {
     };
     bool good = true;
     if (row_->kind == FaultKind::wrong_checksum) good = model.has_checksums;
+    if (row_->kind == FaultKind::bad_numbers) good = model.family == "nmea" || model.family == "altimeter";
     if (row_->kind == FaultKind::stuck_motor) good = model.turn_steps > 1;
     if (row_->kind == FaultKind::half_open || row_->kind == FaultKind::reset) good = has_scheme("tcp");
     if (row_->kind == FaultKind::baud_mismatch)

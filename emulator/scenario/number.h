@@ -1,5 +1,5 @@
-// Numbers as scenarios and --set write them: decimal, the point as separator in every locale. Knows no
-// bounds.
+// Numbers as scenarios and --set write them: decimal, whole ones also hexadecimal, the point as separator in
+// every locale. Knows no bounds.
 #pragma once
 
 #include <charconv>
@@ -21,6 +21,15 @@ std::optional<Number> parse_as(std::string_view text) {
     if (error == std::errc::result_out_of_range && std::numeric_limits<Number>::has_infinity)
         return std::numeric_limits<Number>::infinity();
     return error == std::errc{} ? std::optional(value) : std::nullopt;
+}
+
+/// A whole number, also hexadecimal as YAML writes it: 0x8003.
+inline std::optional<std::int64_t> parse_whole(std::string_view text) {
+    if (!text.starts_with("0x")) return parse_as<std::int64_t>(text);
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data() + 2, text.data() + text.size(), value, 16);
+    const bool whole = error == std::errc{} && end == text.data() + text.size() && text[2] != '-';
+    return whole ? std::optional(value) : std::nullopt;
 }
 
 /// Accepts "inf" and "nan", YAML's spelling of them, and numbers beyond all bounds (as infinity), so that the

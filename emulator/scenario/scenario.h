@@ -18,12 +18,23 @@
 
 namespace echoloop {
 
+/// A mount that turns to and fro about an axis of its own, as a sine: angle x sin(2 pi t / period).
+struct MountSwing {
+    enum class Axis { roll, pitch, yaw };
+    Axis axis = Axis::pitch;
+    double angle = 0;   ///< rad, to either side; 0: it does not
+    double period = 1;  ///< s
+};
+
 struct ScenarioDevice {
     std::string name;
     const Model* model = nullptr;
-    Pose body_from_sonar;  ///< where the sonar is mounted
-    DeviceConfig config;   ///< options and endpoints complete; what the file leaves out has its default
-    int line = 0;          ///< where the device begins in the file; 0: from --set
+    Pose body_from_sonar;                    ///< where the sonar is mounted, or is before it moves
+    MountSwing mount_swing;                  ///< at most one of this and the next two moves it
+    std::filesystem::path mount_trajectory;  ///< of body_from_sonar; as Scenario::scene; empty: none
+    std::string mount_input;                 ///< endpoint that body_from_sonar comes from; "": none
+    DeviceConfig config;  ///< options and endpoints complete; what the file leaves out has its default
+    int line = 0;         ///< where the device begins in the file; 0: from --set
     int column = 0;
 };
 

@@ -62,11 +62,11 @@ bool Checker::number(const Value& value, const std::string& path, const Range& r
 }
 
 bool Checker::whole(const Value& value, const std::string& path, const Range& range, std::int64_t& result) {
-    double as_number = 0;
-    const auto parsed =
-        value.is_scalar() && !value.quoted ? parse_as<std::int64_t>(value.text) : std::nullopt;
+    const auto parsed = value.is_scalar() && !value.quoted ? parse_whole(value.text) : std::nullopt;
     if (!parsed) return expected(value, path, "a whole number, " + text_of(range));
-    if (!number(value, path, range, as_number)) return false;
+    const auto as_number = static_cast<double>(*parsed);
+    if (as_number < range.minimum || as_number > range.maximum)
+        return fail(value, path, plain(as_number) + " is out of range; allowed is " + text_of(range));
     result = *parsed;
     return true;
 }

@@ -11,7 +11,7 @@ void DeviceTruth::heard(const Transmission& transmission, const Situation& situa
     truth.unix_time = unix_time;
     truth.movers = situation.movers;
     truth.faults = std::move(faults);
-    truth.world_from_body = transmission.world_from_sonar * sonar_from_body_;
+    truth.world_from_body = transmission.world_from_sonar * inverse(body_from_sonar_(transmission.time));
     truth.echo.shot = echogram.shot;
     truth.echo.world_from_sonar = echogram.world_from_sonar;
     truth.echo.sound_speed = echogram.sound_speed;

@@ -1,6 +1,10 @@
 // What one device's pings add to the ground truth. Changes no ping.
 #pragma once
 
+#include <functional>
+#include <string>
+#include <utility>
+
 #include "emulator/contract/transmission.h"
 #include "emulator/truth/truth.h"
 #include "render/situation.h"
@@ -9,8 +13,13 @@ namespace echoloop {
 
 class DeviceTruth {
   public:
+    /// Where the sonar is on its vehicle.
+    using MountedAt = std::function<Pose(Time)>;
+
+    DeviceTruth(TruthFile& file, std::string device, MountedAt body_from_sonar)
+        : file_(file), device_(std::move(device)), body_from_sonar_(std::move(body_from_sonar)) {}
     DeviceTruth(TruthFile& file, std::string device, const Pose& body_from_sonar)
-        : file_(file), device_(std::move(device)), sonar_from_body_(inverse(body_from_sonar)) {}
+        : DeviceTruth(file, std::move(device), [body_from_sonar](Time) { return body_from_sonar; }) {}
 
     /// Takes the echogram's objects. `unix_time`: s since 1970 when the ping began. `faults`: those that are
     /// on.
@@ -20,7 +29,7 @@ class DeviceTruth {
   private:
     TruthFile& file_;
     std::string device_;
-    Pose sonar_from_body_;
+    MountedAt body_from_sonar_;
 };
 
 }  // namespace echoloop

@@ -247,22 +247,36 @@ bool is_command(ByteView bytes) {
            std::equal(command_word.begin(), command_word.end(), bytes.begin());
 }
 
+/// "$MVS01,00000,": any talker, a format's number.
+bool is_sound_text(ByteView bytes) {
+    constexpr std::string_view form = "$??S##,00000,";
+    return bytes.size() >= form.size() &&
+           std::equal(form.begin(), form.end(), bytes.begin(), [](char wanted, std::uint8_t c) {
+               return wanted == '?'   ? c >= 'A' && c <= 'Z'
+                      : wanted == '#' ? c >= '0' && c <= '9'
+                                      : c == wanted;
+           });
+}
+
+bool is_text(ByteView bytes) { return is_command(bytes) || is_sound_text(bytes); }
+
 }  // namespace
 
 bool recognise(ByteView bytes) {
     const auto is_capital = [](std::uint8_t c) { return c >= 'A' && c <= 'Z'; };
-    return is_command(bytes) || (bytes.size() >= header_size + tail_size && bytes[4] == '#' &&
-                                 std::all_of(bytes.begin() + 5, bytes.begin() + 8, is_capital));
+    return is_text(bytes) || (bytes.size() >= header_size + tail_size && bytes[4] == '#' &&
+                              std::all_of(bytes.begin() + 5, bytes.begin() + 8, is_capital));
 }
 
 std::size_t datagram_size(ByteView bytes) {
-    if (is_command(bytes) || !recognise(bytes)) return bytes.size();
+    if (is_text(bytes) || !recognise(bytes)) return bytes.size();
     const std::size_t size = wire::load<ByteOrder::little, std::uint32_t>(bytes.data());
     return size >= header_size + tail_size && size < bytes.size() ? size : bytes.size();
 }
 
 Result<Datagram> parse(ByteView datagram) {
     if (is_command(datagram)) return read_command(datagram);
+    if (is_sound_text(datagram)) return Datagram(SoundText{{datagram.begin(), datagram.end()}});
     if (datagram.size() < header_size + tail_size) return Error{"KMALL", "header", 0, Reason::truncated};
     Steps steps(datagram.first(datagram.size() - tail_size));
     Header header;
@@ -289,6 +303,8 @@ Result<Datagram> parse(ByteView datagram) {
 
 std::string_view name_of(const Datagram& datagram) {
     if (std::holds_alternative<Command>(datagram)) return "KSSIS";
+    if (const auto* sound = std::get_if<SoundText>(&datagram))
+        return std::string_view(sound->text).substr(3, 3);
     if (const auto* part = std::get_if<Part>(&datagram))
         return part->header.type == wire::Text<4>("#MRZ") ? "MRZ part" : "MWC part";
     return std::visit(

@@ -19,11 +19,16 @@ wire::Result<Datagram> parse(wire::ByteView datagram);
 /// where they hold 0.
 wire::Bytes serialise(const Datagram& datagram);
 
-/// A datagram of more than `largest_datagram` bytes in parts, each with header and partition of its own.
-/// Where the bytes behind the partition are cut is our own choice.
-std::vector<wire::Bytes> divided(wire::Bytes datagram);
+/// A datagram of more than `most` bytes in parts, each with header and partition of its own. The bytes behind
+/// the partition are cut at an even place; where is our own choice.
+std::vector<wire::Bytes> divided(wire::Bytes datagram, std::size_t most = largest_datagram);
 
-/// "MRZ", "MWC part", "IIP", "KSSIS".
+/// Adds a part of a divided datagram to those before it in `held`, which holds none at first. True if it was
+/// the last: then `held` is the whole datagram, as it stands in a file. A first part begins anew; one that
+/// does not follow on the one before is lost with those. What is no part leaves `held` as it is.
+bool join(wire::Bytes& held, wire::ByteView part);
+
+/// "MRZ", "MWC part", "IIP", "KSSIS", "S01"; lives as long as the datagram.
 std::string_view name_of(const Datagram& datagram);
 
 }  // namespace echoloop::kmall

@@ -162,6 +162,11 @@ void add_fields(inspect::Message& out, const Command& command) {
     add_field("arguments", command.arguments);
 }
 
+void add_fields(inspect::Message& out, const SoundText& sound) {
+    Walk walk(out);
+    walk.add_text("text", sound.text);
+}
+
 inspect::Message decode_one(wire::ByteView bytes, std::size_t offset) {
     inspect::Message out{.offset = offset, .size = bytes.size()};
     const auto datagram = parse(bytes);
@@ -178,11 +183,14 @@ inspect::Message decode_one(wire::ByteView bytes, std::size_t offset) {
 
 std::vector<inspect::Message> decode(wire::ByteView bytes) {
     std::vector<inspect::Message> messages;
+    wire::Bytes held;
     std::size_t at = 0;
     do {
         const wire::ByteView rest = bytes.subspan(at);
         const std::size_t size = datagram_size(rest);
-        messages.push_back(decode_one(rest.first(size), at));
+        const bool joined = join(held, rest.first(size));
+        messages.push_back(decode_one(joined ? held : rest.first(size), at));
+        messages.back().size = size;  // of the last part
         at += size;
     } while (at < bytes.size());
     return messages;

@@ -1,6 +1,7 @@
 // KMALL's datagrams, and the text commands of its controller, as plain structs. No wire code.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,7 +14,7 @@
 
 namespace echoloop::kmall {
 
-inline constexpr std::size_t largest_datagram = 64000;  ///< B; above it a datagram is divided on the wire
+inline constexpr std::size_t largest_datagram = 65000;  ///< B; above it a datagram is divided on the wire
 
 /// Bathymetry of one fan. Sizes and counts are written as the vectors are.
 struct Mrz {
@@ -148,7 +149,14 @@ struct Command {
     friend bool operator==(const Command&, const Command&) = default;
 };
 
+/// A sound speed profile for the sounder, "$MVS01,00000,...": sound_text.h reads what it says.
+struct SoundText {
+    std::string text;
+
+    friend bool operator==(const SoundText&, const SoundText&) = default;
+};
+
 using Datagram = std::variant<Mrz, Mwc, Part, Parameters, SoundProfile, Sensor, Headings, SoundSpeeds, Motion,
-                              PingHeave, CalibrationFile, Command>;
+                              PingHeave, CalibrationFile, Command, SoundText>;
 
 }  // namespace echoloop::kmall

@@ -156,21 +156,22 @@ Bytes bytes_of(const Command& command) {
     return {text.begin(), text.end()};
 }
 
+Bytes bytes_of(const SoundText& sound) { return {sound.text.begin(), sound.text.end()}; }
+
 }  // namespace
 
 Bytes serialise(const Datagram& datagram) {
     return std::visit([](const auto& one) { return bytes_of(one); }, datagram);
 }
 
-std::vector<Bytes> divided(Bytes datagram) {
-    constexpr std::size_t around = header_size + known_size<Partition> + tail_size;
-    constexpr std::size_t most = largest_datagram - around;
-    const bool divisible = datagram.size() > largest_datagram && datagram[5] == 'M';  // #MRZ, #MWC
+std::vector<Bytes> divided(Bytes datagram, std::size_t largest) {
+    constexpr std::size_t before = header_size + known_size<Partition>, around = before + tail_size;
+    const bool divisible = datagram.size() > largest && datagram[5] == 'M';  // #MRZ, #MWC
     if (!divisible) return {std::move(datagram)};
+    const std::size_t most = (largest - around) / 2 * 2;
     Part part;
     part.header = *wire::parse<Header>(ByteView(datagram).first(header_size));
-    const ByteView all =
-        ByteView(datagram).subspan(header_size + known_size<Partition>, datagram.size() - around);
+    const ByteView all = ByteView(datagram).subspan(before, datagram.size() - around);
     part.partition.parts = static_cast<std::uint16_t>((all.size() + most - 1) / most);
     std::vector<Bytes> parts;
     for (std::size_t at = 0; at < all.size(); at += most) {
@@ -180,6 +181,37 @@ std::vector<Bytes> divided(Bytes datagram) {
         parts.push_back(bytes_of(part));
     }
     return parts;
+}
+
+bool join(Bytes& held, ByteView bytes) {
+    constexpr std::size_t most = std::size_t{8} << 20;  // B; beyond any datagram of 1024 beams that is sent
+    constexpr std::size_t before = header_size + known_size<Partition>, part_at = header_size + 2;
+    const auto number = [](ByteView of, std::size_t at) {
+        return wire::load<ByteOrder::little, std::uint16_t>(of.data() + at);
+    };
+    if (bytes.size() < before || bytes[4] != '#' || number(bytes, header_size) < 2) return false;
+    const auto datagram = parse(bytes);
+    const auto* part = datagram ? std::get_if<Part>(&*datagram) : nullptr;
+    if (part == nullptr) return false;
+    if (part->partition.part == 1) {
+        held.assign(bytes.begin(), bytes.end() - tail_size);
+    } else {
+        // All but the size is the same in all headers; `held` counts its parts in its own partition.
+        const bool follows = held.size() >= before && number(held, part_at) + 1 == part->partition.part &&
+                             std::equal(held.begin() + 4, held.begin() + part_at, bytes.begin() + 4);
+        if (!follows || held.size() + part->bytes.size() > most) held.clear();
+        if (held.empty()) return false;
+        held.insert(held.end(), part->bytes.begin(), part->bytes.end());
+        wire::store<ByteOrder::little>(part->partition.part, held.data() + part_at);
+    }
+    if (part->partition.part != part->partition.parts) return false;
+    for (const std::size_t at : {header_size, part_at})
+        wire::store<ByteOrder::little>(std::uint16_t{1}, held.data() + at);
+    const auto size = static_cast<std::uint32_t>(held.size() + tail_size);
+    wire::store<ByteOrder::little>(size, held.data());
+    held.resize(size);
+    wire::store<ByteOrder::little>(size, held.data() + size - tail_size);
+    return true;
 }
 
 }  // namespace echoloop::kmall

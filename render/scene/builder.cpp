@@ -221,6 +221,9 @@ std::shared_ptr<const Scene> SceneBuilder::finish() {
         scene_fault("meshes", "there is no triangle in the scene",
                     "export meshes, not only empties, points or lines");
     end_nodes();
+    const auto trim = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
+    trim(scene_->vertices_, scene_->indices_, scene_->coarse_vertices_, scene_->coarse_indices_,
+         scene_->nodes_);
     scene_->bounds_ = scene_->still_bounds_;
     for (const SceneMover& mover : scene_->movers_)
         enclose(scene_->bounds_, placed(mover.bounds, mover.rest));

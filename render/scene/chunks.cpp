@@ -22,7 +22,27 @@ std::vector<Point> centroids(std::span<const Vec3> positions, std::span<const st
     return out;
 }
 
-std::size_t longest_axis(Triangles triangles, const std::vector<Point>& centres) {
+/// m, the longest side of each triangle's box.
+std::vector<float> extents(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
+    std::vector<float> out(indices.size() / 3);
+    for (std::size_t t = 0; t < out.size(); ++t) {
+        const Vec3 &a = positions[indices[3 * t]], &b = positions[indices[3 * t + 1]],
+                   &c = positions[indices[3 * t + 2]];
+        const auto side = [](double u, double v, double w) {
+            return std::max({u, v, w}) - std::min({u, v, w});
+        };
+        out[t] =
+            static_cast<float>(std::max({side(a.x, b.x, c.x), side(a.y, b.y, c.y), side(a.z, b.z, c.z)}));
+    }
+    return out;
+}
+
+struct Axis {
+    std::size_t index = 0;
+    double length = 0;  ///< m
+};
+
+Axis longest_axis(Triangles triangles, const std::vector<Point>& centres) {
     constexpr double far = std::numeric_limits<double>::infinity();
     Point low{far, far, far}, high{-far, -far, -far};
     for (const std::uint32_t t : triangles)
@@ -33,12 +53,13 @@ std::size_t longest_axis(Triangles triangles, const std::vector<Point>& centres)
     std::size_t longest = 0;
     for (std::size_t axis = 1; axis < 3; ++axis)
         if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
-    return longest;
+    return {longest, high[longest] - low[longest]};
 }
 
 class TreeMaker {
   public:
-    TreeMaker(ChunkTree& tree, const std::vector<Point>& centres) : tree_(tree), centres_(centres) {}
+    TreeMaker(ChunkTree& tree, const std::vector<Point>& centres, const std::vector<float>& extents)
+        : tree_(tree), centres_(centres), extents_(extents) {}
 
     void add_node(std::size_t first, std::size_t count) {
         const std::size_t node = tree_.nodes.size();
@@ -53,6 +74,12 @@ class TreeMaker {
 
   private:
     void add_children(std::size_t first, std::size_t count) {
+        const std::size_t large = large_ones(first, count);
+        if (large > 0) {
+            add_node(first, large);
+            add_node(first + large, count - large);
+            return;
+        }
         const std::size_t half = split(first, count);
         for (const auto& [begin, size] : {std::pair{first, half}, {first + half, count - half}}) {
             const std::size_t quarter = split(begin, size);
@@ -61,10 +88,23 @@ class TreeMaker {
         }
     }
 
+    /// Moves the few triangles that are as large as half of the node or larger to the front and returns how
+    /// many there are: a wall among the small triangles of a seabed would make every chunk that has a part of
+    /// it as large as the wall.
+    std::size_t large_ones(std::size_t first, std::size_t count) {
+        const Triangles triangles = Triangles(tree_.triangles).subspan(first, count);
+        const double limit = longest_axis(triangles, centres_).length / 2;
+        const auto is_large = [&](std::uint32_t t) { return extents_[t] >= limit; };
+        const auto large = static_cast<std::size_t>(std::ranges::count_if(triangles, is_large));
+        if (large == 0 || large > count / 8) return 0;
+        std::ranges::stable_partition(triangles, is_large);
+        return large;
+    }
+
     /// Moves the lower half along the longest axis to the front and returns its size.
     std::size_t split(std::size_t first, std::size_t count) {
         const Triangles triangles = Triangles(tree_.triangles).subspan(first, count);
-        const std::size_t axis = longest_axis(triangles, centres_), half = count / 2;
+        const std::size_t axis = longest_axis(triangles, centres_).index, half = count / 2;
         std::nth_element(
             triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(half), triangles.end(),
             [&](std::uint32_t a, std::uint32_t b) {
@@ -75,16 +115,18 @@ class TreeMaker {
 
     ChunkTree& tree_;
     const std::vector<Point>& centres_;
+    const std::vector<float>& extents_;
 };
 
 }  // namespace
 
 ChunkTree cut_into_chunks(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
     const auto centres = centroids(positions, indices);
+    const auto sizes = extents(positions, indices);
     ChunkTree tree;
     tree.triangles.resize(centres.size());
     std::iota(tree.triangles.begin(), tree.triangles.end(), 0U);
-    TreeMaker(tree, centres).add_node(0, centres.size());
+    TreeMaker(tree, centres, sizes).add_node(0, centres.size());
     return tree;
 }
 

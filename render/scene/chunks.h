@@ -20,13 +20,13 @@ struct ChunkNode {
 
 struct ChunkTree {
     std::vector<std::uint32_t> triangles;  ///< every triangle number once; ascending within a chunk
-    std::vector<ChunkNode> nodes;          ///< parents before their four children; the root first
+    std::vector<ChunkNode> nodes;          ///< parents before their children; the root first
 
     bool is_chunk(std::size_t node) const { return nodes[node].next == node + 1; }
 };
 
-/// Chunks have at most chunk_triangles triangles; those of a larger mesh hold a quarter as many or more.
-/// Triangle t has the corners positions[indices[3 t + 0..2]].
+/// Chunks have at most chunk_triangles triangles; those of a larger mesh hold a quarter as many or more, but
+/// for those of its few largest triangles. Triangle t has the corners positions[indices[3 t + 0..2]].
 ChunkTree cut_into_chunks(std::span<const Vec3> positions, std::span<const std::uint32_t> indices);
 
 }  // namespace echoloop

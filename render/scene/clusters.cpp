@@ -78,18 +78,15 @@ std::uint32_t Clusters::shade_in(std::uint32_t place, std::uint32_t side) {
 }
 
 std::array<std::uint32_t, 3> Clusters::corners_of(const Mesh& mesh, const std::uint32_t* corners,
-                                                  const Vec3* borders, Numbering<Cell>& cells) {
+                                                  const Vec3* borders,
+                                                  std::span<const std::uint32_t> cell_of) {
     std::array<std::uint32_t, 3> out{};
     const Vec3 doubled = doubled_area(mesh, corners);
     const double length = norm(doubled), area = length / 6;  // a third for each corner
     const Vec3 face = (1 / length) * doubled;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 p = mesh.positions[corners[k]], from_middle = p - middle_;
-        const auto tick = [&](double v) {
-            return static_cast<std::int32_t>(std::floor((v + grid_origin) / cell_));
-        };
-        const std::uint32_t index = cells({tick(p.x), tick(p.y), tick(p.z)});
-        if (index == places_.size()) places_.emplace_back();
+        const Vec3 from_middle = mesh.positions[corners[k]] - middle_;
+        const std::uint32_t index = cell_of[corners[k]];
         MergedPlace& place = places_[index].merged;
         place.planes.add_plane(face, dot(face, from_middle), area);
         const Vec3 across = cross(borders[corners[k]], face);
@@ -113,13 +110,28 @@ void Clusters::add_triangle(const MergedTriangle& triangle) {
     if (place(0) != place(1) && place(1) != place(2) && place(2) != place(0)) triangles_.push_back(triangle);
 }
 
+/// Of each vertex in use the number of its cell, in the order of the indices; as many places as cells.
+std::vector<std::uint32_t> Clusters::number_cells(const Mesh& mesh, std::span<const std::uint32_t> indices) {
+    constexpr std::uint32_t none = ~0U;
+    std::vector<std::uint32_t> out(mesh.positions.size(), none);
+    Numbering<Cell> cells(indices.size() / 20);
+    const auto tick = [&](double v) {
+        return static_cast<std::int32_t>(std::floor((v + grid_origin) / cell_));
+    };
+    for (const std::uint32_t corner : indices)
+        if (const Vec3& p = mesh.positions[corner]; out[corner] == none)
+            out[corner] = cells({tick(p.x), tick(p.y), tick(p.z)});
+    places_.resize(cells.keys().size());
+    return out;
+}
+
 Clusters::Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, int exponent,
                    std::vector<std::uint32_t>* place_of_corner)
     : cell_(std::ldexp(1.0, exponent)), middle_(middle_of(mesh)) {
     const auto borders = border_chords(mesh, indices);
-    Numbering<Cell> cells(indices.size() / 20);
+    const auto cell_of = number_cells(mesh, indices);
     for (std::size_t i = 0; i < indices.size(); i += 3) {
-        const auto corners = corners_of(mesh, &indices[i], borders.data(), cells);
+        const auto corners = corners_of(mesh, &indices[i], borders.data(), cell_of);
         add_triangle({static_cast<std::uint32_t>(i / 3), corners});
         if (place_of_corner != nullptr)
             for (const std::uint32_t corner : corners) place_of_corner->push_back(place_of(corner));

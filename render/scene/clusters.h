@@ -87,7 +87,8 @@ class Clusters {
 
     std::uint32_t shade_in(std::uint32_t place, std::uint32_t side);
     std::array<std::uint32_t, 3> corners_of(const Mesh& mesh, const std::uint32_t* corners,
-                                            const Vec3* borders, Numbering<Cell>& cells);
+                                            const Vec3* borders, std::span<const std::uint32_t> cell_of);
+    std::vector<std::uint32_t> number_cells(const Mesh& mesh, std::span<const std::uint32_t> indices);
     /// Unless it has none left.
     void add_triangle(const MergedTriangle& triangle);
     void settle();

@@ -1,5 +1,7 @@
 #include "render/scene/scene.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 
 #include "render/scene/builder.h"
@@ -28,8 +30,10 @@ SceneError::SceneError(std::string file, std::string place, std::string reason, 
 
 std::shared_ptr<const Scene> Scene::load(const std::filesystem::path& file, const SceneOptions& options) try {
     const SceneFolder folder(file);
-    return read_scene(folder.read_scene(scene_limits::json_bytes + scene_limits::buffer_bytes), folder,
-                      options);
+    auto scene =
+        read_scene(folder.read_scene(scene_limits::json_bytes + scene_limits::buffer_bytes), folder, options);
+    ::malloc_trim(0);  // reading takes several times the memory of what is read
+    return scene;
 } catch (const SceneFault& fault) {
     throw SceneError(file.string(), fault.place, fault.reason, fault.remedy);
 } catch (const std::bad_alloc&) {

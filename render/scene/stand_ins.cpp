@@ -14,17 +14,36 @@
 namespace echoloop {
 namespace {
 
-/// A mesh of more triangles is made coarser by a grid first, which is quicker, down to so many places.
-constexpr std::size_t most_contracted = 300'000;
-constexpr double places_of_grid = 150'000;
+/// A mesh of more triangles is made coarser by a grid first, which is quicker, down to at most so many
+/// places.
+constexpr std::size_t most_contracted = 300'000, most_places = 300'000;
 
-/// m, of the cells that merge vertices first: but for large meshes only those at one place.
+/// m, of the cells that merge vertices first: for large meshes the smallest in which few enough places are
+/// left, else those that hold one position only. A cell holds the corners of many triangles that are smaller
+/// than it; a larger triangle has half a corner of its own, so walls of few triangles make no seabed coarser.
 int first_exponent(const Mesh& mesh, std::span<const std::uint32_t> indices) {
-    constexpr int smallest = -12;  // a scene's extent in these fits an int
+    constexpr int smallest = -12, largest = 20;  // a scene's extent in the smallest fits an int
     if (indices.size() / 3 <= most_contracted) return smallest;
-    double area = 0;
-    for (std::size_t i = 0; i < indices.size(); i += 3) area += norm(doubled_area(mesh, &indices[i])) / 2;
-    return std::max(smallest, static_cast<int>(std::lround(0.5 * std::log2(area / places_of_grid))));
+    struct Triangles {
+        double area = 0, count = 0;
+    };
+    std::array<Triangles, largest - smallest + 1> by_size;  // those that a cell is just too small for
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        const double area = norm(doubled_area(mesh, &indices[i])) / 2;
+        const int exponent = static_cast<int>(std::ceil(0.5 * std::log2(2 * area)));
+        Triangles& same =
+            by_size[static_cast<std::size_t>(std::clamp(exponent, smallest, largest) - smallest)];
+        same.area += area;
+        same.count += 1;
+    }
+    Triangles smaller, larger{0, static_cast<double>(indices.size() / 3)};
+    for (int exponent = smallest; exponent < largest; ++exponent) {
+        const Triangles& these = by_size[static_cast<std::size_t>(exponent - smallest)];
+        smaller.area += these.area;
+        larger.count -= these.count;
+        if (std::ldexp(smaller.area, -2 * exponent) + larger.count / 2 <= most_places) return exponent;
+    }
+    return largest;
 }
 
 /// Of a node with so many of the mesh's triangles, how many its stand-ins may have: the coarser and the

@@ -5,7 +5,7 @@ import unittest
 
 from program import PROGRAM, ROOT, ProgramTest
 
-NAMES = ["fls-simple", "fls-big100k", "fls-big2m", "scanning-simple", "scanning-big100k", "scanning-big2m",
+NAMES = ["fls-simple", "fls-big100k", "fls-big2m", "fls-one2m", "scanning-simple", "scanning-big100k", "scanning-big2m",
          "imaging512-big100k", "scanning1200-big100k", "sidescan-big100k"]
 SPLIT = {"cull", "draw", "read_back", "bins", "paths", "acoustics"}
 
@@ -19,7 +19,7 @@ class Bench(ProgramTest):
     def test_every_case_is_rendered_with_both_rules(self):
         report = self.json("bench", "--pings", "2")
         self.assertEqual([c["case"] for c in report["cases"]], NAMES * 2)
-        self.assertEqual([c["rule"] for c in report["cases"]], ["radiometric"] * 9 + ["cerqueira2016"] * 9)
+        self.assertEqual([c["rule"] for c in report["cases"]], ["radiometric"] * 10 + ["cerqueira2016"] * 10)
         for case in report["cases"]:
             for times in (case["wall_ms"], case["cpu_ms"]):
                 self.assertTrue(0 < times["minimum"] <= times["median"] <= times["p99"], case)
@@ -32,6 +32,9 @@ class Bench(ProgramTest):
         self.assertEqual(shapes["sidescan-big100k"], (2, 2000))
         self.assertEqual(shapes["fls-simple"], (256, 500))
         self.assertEqual(len(report["limits"]), 4)
+        drawn = {c["case"]: c["triangles"] for c in report["cases"] if c["rule"] == "radiometric"}
+        # A file with everything in one mesh costs little more than the same in two.
+        self.assertLess(drawn["fls-one2m"], 1.3 * drawn["fls-big2m"])
 
     def test_what_was_drawn_is_counted(self):
         (case, _) = self.json("bench", "--pings", "1", "--cases", "fls-simple")["cases"]
@@ -77,7 +80,7 @@ class Bench(ProgramTest):
         for line in lines:
             self.assertRegex(line, r"^oculus .* 512 x 1000 +1 +\d+ +[0-9.]+ +[0-9.]+ +[0-9.]+$")
         # 300 pings: this one stops where its host says nothing for long.
-        (line,) = self.good("bench", "--wire", "--pings", "300", "--cases", "aris").splitlines()[2:]
+        (line,) = self.good("bench", "--wire", "--pings", "300", "--cases", "aris 1800").splitlines()[2:]
         median, _, scaled = map(float, line.split()[-3:])
         self.assertAlmostEqual(scaled, median * 512 * 1000 / (96 * 1014), delta=0.03)  # the median has two digits
 

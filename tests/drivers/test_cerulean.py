@@ -35,16 +35,17 @@ devices:
     model: omniscan450
     mount: {rpy_deg: [0, 0, 90]}
     endpoints: ["tcp-listen://127.0.0.1:%d", "udp-listen://127.0.0.1:%d"]
-    options: {mount_bearing: -90}
+    options: {mount_bearing: -90, speed_of_sound_id: "1002"}
   - name: stern
     model: omniscan450
     mount: {rpy_deg: [0, 0, 180]}
     endpoints: ["tcp-listen://127.0.0.1:%d"]
-    options: {channel_number: 1, mount_bearing: 180}
+    options: {channel_number: 1, mount_bearing: 180, speed_of_sound_id: "1002"}
   - name: s500
     model: s500
     mount: {rpy_deg: [0, 90, 0]}
     endpoints: ["tcp-listen://127.0.0.1:%d", "udp-listen://127.0.0.1:%d"]
+    options: {temperature_bytes: "4"}  # the package knows nothing else
 """
 # Edges to a bin need a beam with edges, steady levels and direct echoes only; noise, pulse and gain stay on.
 SHARP = "effects: {beam_pattern: off, side_lobes: off, speckle: off, multipath: off, second_time_around: off}\n"
@@ -241,7 +242,7 @@ class Sounder(Cerulean):
         sonar = self.connect(S500(), "udp", self.udp + 1)
         sonar.control_set_ping_params(length_mm=0, msec_per_ping=50, report_id=DEPTH, chirp=1)
         profile = self.settled(sonar, DEPTH, lambda p: p.length_mm in (3000, 4000) and p.end_ping_hz > p.start_ping_hz)
-        self.assertGreaterEqual(profile.num_results, 4000)
+        self.assertGreaterEqual(profile.num_results, 1000)
         self.check_wall(sonar, profile, TO_FLOOR, SOUND_SPEED / 2 / (profile.end_ping_hz - profile.start_ping_hz))
         sonar.control_set_ping_params(report_id=0)
 

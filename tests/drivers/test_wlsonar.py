@@ -1,5 +1,6 @@
 """The maker's own Python package sets the Sonar 3D-15 by HTTP, and finds the tank's walls and floor in its images."""
 
+import datetime
 import json
 import math
 import socket
@@ -73,6 +74,36 @@ class Wlsonar(unittest.TestCase):
             wrong += abs(r - truth) > 0.04 + spread
         self.assertGreater(seen, 1500)
         self.assertLess(wrong / seen, most)
+
+    def test_time_of_release_1_7_1(self):
+        sonar = self.start("release: 1.7.1, ntp: unreachable")
+        status = sonar.get_time_status()
+        self.assertEqual((status.system_time.year, status.ntp_synced, status.ntp_seconds_since_last_sync), (2025, False, None))
+        told = datetime.datetime(2026, 8, 17, 10, 0, tzinfo=datetime.timezone.utc)
+        sonar.set_time_manual(told)
+        self.assertLess(abs((sonar.get_time_status().system_time - told).total_seconds()), 30)
+        self.assertEqual(sonar.get_time_ntp().to_json(), {"ntp_address": "auto"})
+        self.assertFalse(sonar.force_sync_ntp(0.2).success)
+        synchronised = self.start("release: 1.7.1")
+        self.assertTrue(synchronised.force_sync_ntp(1).success)
+        with self.assertRaises(Exception) as refused:
+            synchronised.set_time_manual(told)
+        self.assertIn("already synchronized", str(refused.exception))
+        with self.assertRaises(Exception):
+            synchronised.get_output_imu_batch_enabled()  # needs 1.8.0
+
+    def test_imu_of_release_1_8_0(self):
+        sonar = self.start("release: 1.8.0")
+        sock = self.unicast(sonar)
+        self.assertFalse(sonar.get_output_imu_batch_enabled())
+        sonar.set_output_imu_batch_enabled(True)
+        batches = [rip.unpackb(sock.recv(65507)) for _ in range(3)]
+        for batch, following in zip(batches, batches[1:]):
+            self.assertIsInstance(batch, rip.ImuBatch)
+            self.assertEqual(following.batch_sequence_id, batch.batch_sequence_id + 1)
+            self.assertEqual(len(batch.timestamp), batch.samples)
+            self.assertEqual((len(batch.specific_force), len(batch.rate_of_turn)), (3 * batch.samples, 3 * batch.samples))
+            self.assertAlmostEqual(batch.specific_force[2], -9.81, places=2)
 
     def test_walls_and_floor_are_where_they_are(self):
         sonar = self.start("acoustics: true, speed_of_sound: 1500", multipath="off")

@@ -195,6 +195,30 @@ class WithPynmea2(NmeaCase):
         self.assertEqual(found, {"MTW"})
 
 
+class SeveralPlaces(NmeaCase):
+    def test_autopilot_logger_and_two_plotters_hear_the_same(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as logger:
+            logger.bind(("127.0.0.1", 0))
+            logger.settimeout(30)
+            port = free_port()
+            places = ("pty:{folder}/autopilot", f"udp://127.0.0.1:{logger.getsockname()[1]}", f"tcp-listen://127.0.0.1:{port}")
+            emulator = self.start('", "'.join(places))
+            plotters = [socket.create_connection(("127.0.0.1", port), 30) for _ in range(2)]
+            for plotter in plotters:
+                self.addCleanup(plotter.close)
+            autopilot = byte_line.open_line(str(emulator.folder / "autopilot"), 38400)
+            self.addCleanup(autopilot.close)
+            said, end = b"", time.monotonic() + 20
+            while said.count(b"\n") < 6 and time.monotonic() < end:
+                said += autopilot.read(0.5)
+            shown = [plotter.makefile("rb").readline() for plotter in plotters]
+            logged = [logger.recv(4096) for _ in range(8)]
+            for line in [*shown, *said.splitlines(keepends=True)[1:5]]:
+                self.assertEqual(line[-2:], b"\r\n")
+                self.assertIn(line[:6], {one[:6] for one in logged}, "the same kinds of sentences")
+                self.assertEqual(line, sentence(line[1:-5].decode()), "whole")
+
+
 class Inspected(NmeaCase):
     """`echoloop inspect` on what a line and a socket carried."""
 

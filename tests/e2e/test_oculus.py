@@ -182,10 +182,11 @@ class Tank(OculusCase):
 
 class Timing(OculusCase):
     def period(self, host, pings=8, **settings):
-        """Seconds per ping, by the sonar's own clock in the results; one that a busy machine delays does not count."""
+        """Seconds per ping, by the sonar's own clock in the results; one that a busy machine delays does not count. Each time
+        another range: the rate in the echo is useless, as a real one's.
+        """
         host.fire(version=2, flags=wire.METRES | wire.SIMPLE, **settings)
-        asked = (settings["rate"], settings["range"])
-        same = lambda ping: (ping.settings["rate"], ping.settings["range"]) == asked
+        same = lambda ping: ping.settings["range"] == settings["range"]
         host.ping(20, same)
         begin, first = time.monotonic(), host.ping(20, same)
         seen = [first] + [host.ping(20, same) for _ in range(pings)]
@@ -196,7 +197,7 @@ class Timing(OculusCase):
     def test_rate_and_range_set_the_period(self):
         host = self.start("flat", [0, 0, -12])
         self.assertAlmostEqual(self.period(host, **SEA, range=5.0, rate=wire.RATES[10]), 0.1, delta=0.01)
-        self.assertAlmostEqual(self.period(host, **SEA, range=5.0, rate=wire.RATES[5]), 0.2, delta=0.02)
+        self.assertAlmostEqual(self.period(host, **SEA, range=6.0, rate=wire.RATES[5]), 0.2, delta=0.02)
         self.assertAlmostEqual(self.period(host, **SEA, range=120.0, rate=wire.RATES[40]), 240 / C, delta=0.02)
         self.assertEqual(host.faults, [])
 

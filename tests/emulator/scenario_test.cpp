@@ -68,6 +68,49 @@ TEST(Scenario, poses_are_metres_and_degrees_in_ENU) {
     EXPECT_NEAR(top.z, 0.1 - 1, 1e-12);
 }
 
+std::string with_mount(const std::string& mount, const std::string& more = "") {
+    return "scene: s.glb\n" + more + "devices: [{name: micron, model: tritech-micron, mount: {" + mount +
+           "}}]\n";
+}
+
+TEST(Scenario, a_mount_may_move) {
+    const auto device =
+        parse(with_mount("rpy_deg: [0, 10, 0], swing: {axis: yaw, angle_deg: 30, period: 4}")).devices[0];
+    EXPECT_EQ(device.mount_swing.axis, MountSwing::Axis::yaw);
+    EXPECT_NEAR(device.mount_swing.angle, deg_to_rad(30), 1e-12);
+    EXPECT_EQ(device.mount_swing.period, 4);
+    EXPECT_EQ(parse(with_mount("input: 'udp-listen://127.0.0.1:9600'")).devices[0].mount_input,
+              "udp-listen://127.0.0.1:9600");
+    const auto refused = [](const std::string& text) {
+        try {
+            parse(text);
+        } catch (const ScenarioError& error) {
+            return std::string(error.what());
+        }
+        return std::string("nothing");
+    };
+    EXPECT_THAT(refused(with_mount("swing: {}, input: stdin")),
+                HasSubstr("devices.micron.mount.input: the mount moves in two ways"));
+    EXPECT_THAT(refused(with_mount("swing: {axis: up}")), HasSubstr("roll"));
+    EXPECT_THAT(refused(with_mount("position: [0, 0, 0], trajectory: none.csv")), HasSubstr("none.csv"));
+    EXPECT_THAT(refused(with_mount("input: 'udp-listen://127.0.0.1:9500'",
+                                   "vehicle: {input: 'udp-listen://127.0.0.1:9500'}\n")),
+                HasSubstr("127.0.0.1:9500"));
+}
+
+TEST(Scenario, whole_numbers_may_be_hexadecimal) {
+    const auto bins = [&](const std::string& text) {
+        const auto scenario =
+            parse("scene: s.glb\ndevices: [{name: p, model: tritech-micron, options: {bins: " + text + "}}]\n");
+        return std::get<std::int64_t>(scenario.devices[0].config.options.at("bins"));
+    };
+    EXPECT_EQ(bins("0x1f4"), 500);
+    EXPECT_EQ(bins("0x5DC"), 1500);
+    EXPECT_EQ(bins("500"), 500);
+    for (const char* wrong : {"0x", "0x-1", "0xG", "0x1FFFFFFFF", "8003h", "'0x10'"})
+        EXPECT_THROW(bins(wrong), ScenarioError) << wrong;
+}
+
 TEST(Scenario, fills_endpoints_that_are_left_out_from_the_models_defaults) {
     EXPECT_THAT(
         parse(complete).devices[1].config.endpoints,

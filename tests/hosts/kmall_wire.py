@@ -55,9 +55,9 @@ def parameters(datagram):
 
 
 def sound_profile(datagram):
-    """[(depth, sound speed)] of #SVP."""
+    """[(depth, sound speed)] of #SVP. Real systems send one point more than they count."""
     size, points = struct.unpack_from("<HH", datagram, 20)
-    if 20 + size + 20 * points + 4 != len(datagram):
+    if len(datagram) - (20 + size + 20 * points + 4) not in (0, 20):
         raise Fault(f"{points} points in {len(datagram)} bytes")
     return [struct.unpack_from("<ff", datagram, 20 + size + 20 * n) for n in range(points)]
 

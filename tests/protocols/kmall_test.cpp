@@ -127,6 +127,66 @@ TEST(Kmall, ABigDatagramIsDividedAndItsPartsMakeItAgain) {
     EXPECT_EQ(divided(golden("mwc")), std::vector<wire::Bytes>(1, golden("mwc")));
 }
 
+TEST(Kmall, JoinTakesPartsInOrderOnlyAndOnlyOfOneDatagram) {
+    Mwc m;
+    m.header.type = "#MWC";
+    WaterBeam beam;
+    beam.amplitude.assign(1000, 7);
+    m.beams.assign(150, beam);
+    const wire::Bytes whole = serialise(m);
+    const auto parts = divided(whole);
+    wire::Bytes held;
+    EXPECT_FALSE(join(held, parts[0]));
+    EXPECT_FALSE(join(held, golden("mwc"))) << "a whole one between them";
+    EXPECT_FALSE(join(held, parts[1]));
+    EXPECT_TRUE(join(held, parts[2]));
+    wire::Bytes expected = whole;
+    expected[20] = expected[22] = 1;
+    EXPECT_EQ(to_hex(held), to_hex(expected));
+    held.clear();
+    for (const std::size_t order : {0, 2, 1, 2}) EXPECT_FALSE(join(held, parts[order])) << "one is missing";
+    wire::Bytes other = parts[1];
+    other[12] ^= 1;  // another time
+    held.clear();
+    EXPECT_FALSE(join(held, parts[0]));
+    EXPECT_FALSE(join(held, other));
+    EXPECT_FALSE(join(held, parts[2]));
+    wire::Bytes file;
+    for (const auto& part : parts) file.insert(file.end(), part.begin(), part.end());
+    const auto messages = decode(file);
+    ASSERT_EQ(messages.size(), 3U);
+    EXPECT_EQ(messages[1].name, "MWC part");
+    EXPECT_EQ(messages[2].name, "MWC");
+    EXPECT_EQ(messages[0].size + messages[1].size + messages[2].size, file.size());
+}
+
+TEST(Kmall, DividedIsCutAtEvenPlacesAndNoLongerThanAsked) {
+    Mrz m;
+    m.header.type = "#MRZ";
+    m.soundings.resize(512);
+    const wire::Bytes whole = serialise(m);
+    for (const std::size_t most : {1000U, 1001U, 65000U}) {
+        wire::Bytes held;
+        const auto parts = divided(whole, most);
+        EXPECT_EQ(parts.size(), (whole.size() - 28 + most / 2 * 2 - 29) / ((most - 28) / 2 * 2)) << most;
+        for (const auto& part : parts) EXPECT_LE(part.size(), most);
+        for (const auto& part : parts)
+            EXPECT_EQ(join(held, part), &part == &parts.back() && parts.size() > 1);
+        EXPECT_EQ(parts[0].size() % 2, 0U);
+    }
+}
+
+// 22 of 22 datagrams of two real systems.
+TEST(Kmall, AProfileMayHaveOnePointMoreThanItCounts) {
+    wire::Bytes bytes = golden("svp");
+    bytes.insert(bytes.end() - 4, 20, 0xA5);
+    bytes.at(0) = bytes.at(bytes.size() - 4) = static_cast<std::uint8_t>(bytes.size());
+    const auto profile = parse(bytes);
+    ASSERT_TRUE(profile) << profile.error().what();
+    EXPECT_EQ(std::get<SoundProfile>(*profile).points.size(), 2U);
+    EXPECT_EQ(to_hex(serialise(*profile)), to_hex(bytes));
+}
+
 TEST(Kmall, AFileIsDatagramsBackToBack) {
     wire::Bytes file = golden("mrz_v2");
     for (const char* name : {"mwc", "mrz_v0"}) {

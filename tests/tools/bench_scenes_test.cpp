@@ -73,7 +73,7 @@ TEST(BenchScenes, AreThoseOfTheScript) {
 
 TEST(BenchScenes, HaveTheSizesThatAreToldOfThem) {
     const std::pair<const char*, std::size_t> sizes[] = {
-        {"simple", 1158}, {"big100k", 101508}, {"big2m", 2001156}};
+        {"simple", 1158}, {"big100k", 101508}, {"big2m", 2001156}, {"one2m", 2001156}};
     ASSERT_EQ(bench::scene_rows().size(), std::size(sizes));
     for (const auto& [name, triangles] : sizes) {
         std::size_t count = 0;

@@ -1,6 +1,7 @@
 #include "tools/capture/messages.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace echoloop::capture {
 namespace {
@@ -43,10 +44,21 @@ void MessageSorter::add(const MessageOrigin& origin, const Datagram& datagram) {
         return giver(origin)(family, {.offset = 0, .size = datagram.payload.size(), .reason = reason}, {});
     }
     const bool alone = family != nullptr && family->framing == inspect::Framing::datagram;
-    const auto messages = family == nullptr ? std::vector<Message>{} : family->decode(datagram.payload);
+    const auto payload =
+        family == nullptr ? datagram.payload : whole_of(*family, origin.way, datagram.payload);
+    const auto messages = family == nullptr ? std::vector<Message>{} : family->decode(payload);
     if (!alone && !is_whole(messages)) return continue_with(datagrams_, origin, datagram.payload);
     if (!alone) end(datagrams_, origin.way);
     for (const auto& message : messages) giver(origin)(family, message, {});
+}
+
+/// The last part of a divided datagram stands for the whole.
+Bytes MessageSorter::whole_of(const inspect::Family& family, const Way& way, const Bytes& datagram) {
+    constexpr std::size_t most = 16;  // ways of up to 8 MiB
+    if (family.join == nullptr) return datagram;
+    if (!joining_.contains(way) && joining_.size() >= most) joining_.clear();
+    Bytes& held = joining_[way];
+    return family.join(held, datagram) ? std::exchange(held, {}) : datagram;
 }
 
 void MessageSorter::finish() {

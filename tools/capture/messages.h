@@ -47,6 +47,7 @@ class MessageSorter {
 
     void add(const MessageOrigin& origin, const StreamPiece& piece);
     void add(const MessageOrigin& origin, const Datagram& datagram);
+    Bytes whole_of(const inspect::Family& family, const Way& way, const Bytes& datagram);
     void continue_with(Streams& streams, const MessageOrigin& origin, ByteView bytes);
     void end(Streams& streams, const Way& way);
     inspect::StreamDecoder::Each giver(const MessageOrigin& origin) const;
@@ -54,6 +55,7 @@ class MessageSorter {
     const inspect::Family* family_;
     Each each_;
     Streams streams_, datagrams_;
+    std::map<Way, Bytes> joining_;  ///< parts of divided datagrams
 };
 
 }  // namespace echoloop::capture

@@ -1,10 +1,12 @@
 // echoloop fault: asks a running emulator for a fault, by its control socket, and shows what it answers.
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +17,7 @@
 #include "emulator/scenario/number.h"
 #include "emulator/scenario/value.h"
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/fault_answer.h"
 #include "tools/echoloop/json_line.h"
 
 namespace echoloop::cli {
@@ -70,13 +73,19 @@ int connect_to(const ControlPlace& place) {
     return ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 ? fd : -1;
 }
 
-/// Reads no further than the end of the line. "" if the run has gone.
+/// Reads no further than the end of the line. "" if the run has gone, or says nothing for `patience`.
 std::string ask(int fd, const Json& request) {
     constexpr std::size_t longest = std::size_t{64} << 20;
+    constexpr std::chrono::seconds patience(10);  // a run answers in milliseconds
     const std::string line = line_of(request) + "\n";
     if (::send(fd, line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size())) return {};
+    const auto end = std::chrono::steady_clock::now() + patience;
     std::string answer;
     for (char buffer[4096]; answer.size() < longest;) {
+        const auto left =
+            std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+        pollfd ready{fd, POLLIN, 0};
+        if (left.count() <= 0 || ::poll(&ready, 1, static_cast<int>(left.count())) <= 0) return {};
         const ssize_t n = ::read(fd, buffer, sizeof buffer);
         if (n <= 0) return {};
         const std::string_view part(buffer, static_cast<std::size_t>(n));
@@ -84,36 +93,6 @@ std::string ask(int fd, const Json& request) {
         if (part.find('\n') != part.npos) return answer;
     }
     return {};
-}
-
-void print_fault(const Json& fault) {
-    std::printf("%4d  ", fault.value("id", 0));
-    for (const auto& [key, value] : fault.items())
-        if (key != "id")
-            std::printf("%s%s ", key == "device" || key == "kind" ? "" : (key + "=").c_str(),
-                        value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
-    std::printf("\n");
-}
-
-void print_device(const Json& device) {
-    std::printf("%s", padded(device.value("name", ""), 16).c_str());
-    for (const auto& [key, value] : device.items())
-        if (key != "name" && key != "faults") std::printf("%s %s  ", value.dump().c_str(), key.c_str());
-    std::printf("\n");
-    for (const auto& [kind, made] : device.at("faults").items())
-        std::printf("%s%s %s\n", padded("", 16).c_str(), made.dump().c_str(), kind.c_str());
-}
-
-void print_answer(const Json& answer) {
-    if (answer.contains("id"))
-        std::printf("fault %d; `clear %d` ends it\n", answer.value("id", 0), answer.value("id", 0));
-    if (answer.contains("cleared"))
-        std::printf("%s cleared\n", counted(answer.value("cleared", std::uint64_t{0}), "fault").c_str());
-    if (answer.contains("faults") && answer.at("faults").empty()) std::printf("no faults\n");
-    if (answer.contains("faults"))
-        for (const Json& fault : answer.at("faults")) print_fault(fault);
-    if (answer.contains("devices"))
-        for (const Json& device : answer.at("devices")) print_device(device);
 }
 
 ControlPlace place_from(const Arguments& arguments) {
@@ -138,11 +117,6 @@ std::string token_for(const ControlPlace& place, const Arguments& arguments) {
     return token;
 }
 
-bool is_welcome(const Json& answer) {
-    const auto ok = answer.is_object() ? answer.find("ok") : answer.end();
-    return ok != answer.end() && *ok == true;
-}
-
 int run_fault(const Arguments& arguments) {
     const Json request = request_of(arguments.all("WORDS"));
     const ControlPlace place = place_from(arguments);
@@ -153,21 +127,11 @@ int run_fault(const Arguments& arguments) {
                                                 ": cannot be reached: " + std::strerror(errno) +
                                                 "; is echoloop run --control with this place running?");
     std::string line = token.empty() ? "" : ask(fd, {{"token", token}});
-    Json answer = Json::parse(line, nullptr, false);
-    if (token.empty() || is_welcome(answer)) {
-        line = ask(fd, request);
-        answer = Json::parse(line, nullptr, false);
-    }
+    if (token.empty() || is_welcome(line)) line = ask(fd, request);
     ::close(fd);
-    if (!answer.is_object()) throw StartError(Exit::io, "the run ended without an answer");
-    if (arguments.has("--json")) std::printf("%s\n", line.c_str());
-    try {
-        if (!answer.value("ok", false)) throw StartError(Exit::data, answer.value("error", "refused"));
-        if (!arguments.has("--json")) print_answer(answer);
-    } catch (const Json::exception&) {
-        throw StartError(Exit::io,
-                         "the answer is not from a run; is SOCKET the place given to its --control?");
-    }
+    if (arguments.has("--json") && is_answer(line)) std::printf("%s\n", line.c_str());
+    const std::string text = text_of_answer(line);
+    if (!arguments.has("--json")) std::printf("%s", text.c_str());
     return 0;
 }
 

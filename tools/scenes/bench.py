@@ -7,7 +7,7 @@ import math
 from .glb import Node
 from .mesh import Mesh, unit
 
-CELLS = {"simple": (1, 0.0), "big100k": (224, 0.25), "big2m": (1000, 0.25)}  # per side, height of the waves in m
+CELLS = {"simple": (1, 0.0), "big100k": (224, 0.25), "big2m": (1000, 0.25), "one2m": (1000, 0.25)}  # per side, height of the waves in m
 HALF, FLOOR = 60.0, -6.0
 
 # centre, size, yaw
@@ -49,4 +49,11 @@ def nodes(name):
     objects.sphere((19, 3.0, -4.8), 1.2)
     for centre, size in WALLS:
         objects.box(centre, size)
-    return [Node("seabed", [("sand", seabed(*CELLS[name]))]), Node("objects", [("sand", objects)])]
+    bed = seabed(*CELLS[name])
+    if name == "one2m":  # as one mesh, as scanners and CAD programs export
+        first = len(bed.positions)
+        bed.positions += objects.positions
+        bed.normals += objects.normals
+        bed.triangles += [tuple(first + corner for corner in triangle) for triangle in objects.triangles]
+        return [Node("seabed", [("sand", bed)])]
+    return [Node("seabed", [("sand", bed)]), Node("objects", [("sand", objects)])]

@@ -28,7 +28,7 @@ bool is_named(const std::string& name, const Settings& settings) {
 }  // namespace
 
 Kongsberg::Kongsberg(const Settings& settings, const Wiring& wiring)
-    : settings_(settings), wiring_(wiring), started_(settings.pinging) {}
+    : settings_(settings), wiring_(wiring), started_(settings.pinging), profile_(even_profile(settings)) {}
 
 std::vector<Port> Kongsberg::ports() const {
     return {{"commands", Port::Kind::datagram, wiring_.own, false}};
@@ -43,11 +43,29 @@ Actions Kongsberg::started(Time now) {
 Actions Kongsberg::received(const Received& data, Time now) {
     const auto datagram = kmall::parse(data.bytes);
     const auto* command = datagram ? std::get_if<kmall::Command>(&*datagram) : nullptr;
-    if (command == nullptr)
+    const auto* sound = datagram ? std::get_if<kmall::SoundText>(&*datagram) : nullptr;
+    if (sound != nullptr)
+        obey(*sound, now);
+    else if (command == nullptr)
         ++counters_.rejected;
     else if (is_named(command->sounder, settings_))
         obey(*command, now);
     return take_actions();
+}
+
+/// S00 to S02 are used at once, and a new #SVP says so; S10 to S22 wait for an operator, who is not here.
+void Kongsberg::obey(const kmall::SoundText& text, Time now) {
+    using Later = Settings::LaterProfiles;
+    const auto reading = kmall::read_sound_text(text);
+    const bool later = reading && reading->format[1] != '0';
+    if (!reading || (later && settings_.later_profiles == Later::refused)) {
+        ++counters_.rejected;
+        return;
+    }
+    ++counters_.messages;
+    if (later && settings_.later_profiles == Later::stored) return;
+    profile_ = profile_of(*reading, settings_);
+    send_profile(now);
 }
 
 /// Other numbers, and texts to other sounders, are passed over.
@@ -80,7 +98,14 @@ void Kongsberg::send_records(Time now) {
     const kmall::Header header = make_header(at, settings_, "", 0);
     send(make_installation(header, settings_, water_level_), now);
     send(make_runtime(header, settings_), now);
-    send(make_sound_profile(header, settings_), now);
+    send_profile(now);
+}
+
+void Kongsberg::send_profile(Time now) {
+    const PingRecord at{.number = 0, .time = unix_time(now), .period = 0};
+    kmall::SoundProfile profile = profile_;
+    profile.header = make_header(at, settings_, "#SVP", 1);
+    send(profile, now);
 }
 
 void Kongsberg::tell(const kmall::Command& text) {
@@ -136,7 +161,7 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
 /// The parts of a big datagram are spread over time, but never beyond the next ping.
 void Kongsberg::send(const kmall::Datagram& datagram, Time now) {
     const std::size_t before = actions_.send.size();
-    for (Bytes& part : kmall::divided(kmall::serialise(datagram)))
+    for (Bytes& part : kmall::divided(kmall::serialise(datagram), settings_.largest_part))
         actions_.send.push_back({0, std::move(part), wiring_.host, {}});
     spread(std::span(actions_.send).subspan(before), now, from_seconds(settings_.datagram_gap),
            now + from_seconds(0.8 * ping_period(settings_)));

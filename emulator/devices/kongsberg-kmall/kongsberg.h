@@ -30,10 +30,12 @@ class Kongsberg final : public Device {
 
   private:
     void obey(const kmall::Command& command, Time now);
+    void obey(const kmall::SoundText& text, Time now);
     /// NAME=VALUE, NAME=VALUE, ...
     void set_values(std::string_view assignments);
     /// What a file begins with.
     void send_records(Time now);
+    void send_profile(Time now);
     void tell(const kmall::Command& text);
     void tell_standing(Time now);
     Standing standing() const { return {started_, wiring_.own, wiring_.host, depth_}; }
@@ -48,6 +50,7 @@ class Kongsberg final : public Device {
     PingRecord ping_;  ///< the ping under way, or the last one
     std::uint64_t pings_begun_ = 0;
     bool started_ = false;           ///< its host has chosen it
+    kmall::SoundProfile profile_;    ///< of #SVP
     double water_level_ = 0;         ///< m below the head, at the last ping
     std::optional<double> depth_{};  ///< m, of the bottom below the head; empty: the last ping found none
     Time next_texts_ = Time::max();

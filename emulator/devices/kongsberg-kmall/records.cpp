@@ -11,6 +11,8 @@ namespace echoloop::kongsberg_kmall {
 namespace {
 
 constexpr double unavailable = 200;  // deg, of latitude and longitude
+constexpr double no_salinity = -99;  // of #SVP, where it is not known
+constexpr float deepest = 12000;     // m, where every real profile ends
 
 std::string number_text(const char* format, double value) {
     char text[64];
@@ -36,6 +38,14 @@ std::string processing_unit(const Settings& s) {
            ",\nIP=127.0.0.1:0xff000000,\nUDP=1997,\nTYPE=CON_TECH_PP_B12_SMP_CPU,\n" +
            "VERSIONS:,\nCPU:5.4.0 2022-05-06,\nVXW:6.9 SMP Aug 10 2022,\nVERSIONS-END,\nSERIALno:\nTX:" +
            head + ",\nRX:" + head + ",\nSERIALno-END,\n";
+}
+
+/// Medwin, JASA 58 (1975) 1318, m/s, for a text that has temperature and salinity only: 0 to 35 C, 0 to 45
+/// g/kg, to 1000 m. Which formula the maker takes is not public.
+double sound_speed_of(double temperature, double salinity, double depth) {
+    const double t = temperature;
+    return 1449.2 + 4.6 * t - 0.055 * t * t + 0.00029 * t * t * t + (1.34 - 0.01 * t) * (salinity - 35) +
+           0.016 * depth;
 }
 
 }  // namespace
@@ -71,15 +81,35 @@ kmall::Parameters make_runtime(kmall::Header header, const Settings& s) {
     return {header, {}, padded(text)};
 }
 
-kmall::SoundProfile make_sound_profile(kmall::Header header, const Settings& s) {
-    constexpr float deepest = 12000;
-    header.type = "#SVP";
-    header.version = 1;
+kmall::SoundProfile even_profile(const Settings& s) {
     const auto speed = static_cast<float>(s.sound_speed);
-    kmall::SoundProfileInfo info;
-    info.format = "S00";
-    info.latitude = info.longitude = unavailable;
-    return {header, info, {{0, speed, 0, 0, 0}, {deepest, speed, 0, 0, 0}}};
+    kmall::SoundProfile profile;
+    profile.info.format = "S00";
+    profile.info.latitude = profile.info.longitude = unavailable;
+    profile.points = {{0, speed, 0, 0, 0}, {deepest, speed, 0, 0, 0}};
+    if (s.unused_point) profile.surplus.resize(20);
+    return profile;
+}
+
+kmall::SoundProfile profile_of(const kmall::SoundReading& reading, const Settings& s) {
+    const auto f = [](double value) { return static_cast<float>(value); };
+    kmall::SoundProfile profile = even_profile(s);
+    profile.info.format = reading.format.back() == '0' ? "S00" : "S01";
+    profile.info.seconds = reading.seconds;
+    profile.info.latitude = reading.latitude.value_or(unavailable);
+    profile.info.longitude = reading.longitude.value_or(unavailable);
+    profile.points.clear();
+    for (const kmall::SoundSample& sample : reading.samples) {
+        const double temperature = sample.temperature.value_or(0);
+        const double salinity = sample.salinity.value_or(no_salinity);
+        const double speed = sample.speed.value_or(sound_speed_of(temperature, salinity, sample.depth));
+        profile.points.push_back({f(sample.depth), f(speed), 0, f(temperature), f(salinity)});
+    }
+    if (profile.points.back().depth < deepest) {
+        profile.points.push_back(profile.points.back());
+        profile.points.back().depth = deepest;
+    }
+    return profile;
 }
 
 }  // namespace echoloop::kongsberg_kmall

@@ -30,7 +30,22 @@ void describe_words(Settings& s, OptionList& o) {
     double absorption = 70;
     o.number(absorption, "absorption", "dB/km", 0, 300, "that the sounder assumes in its gain", own);
     s.absorption = absorption / 1000;
-    o.words(s.version, "mrz_version", {{"2", 2}, {"0", 0}}, "of #MRZ: 152 or 144 bytes of ping info", notes);
+    o.words(s.version, "mrz_version", {{"3", 3}, {"2", 2}, {"1", 1}, {"0", 0}},
+            "of #MRZ: 152 bytes of ping info, version 0 has 144",
+            "3 in 81 of 81 datagrams of two real systems");
+    o.flag(s.seabed_image, "seabed_image", "#MRZ has samples of the bottom around each sounding",
+           "datagrams of two real systems");
+    o.whole(s.extra_detections, "extra_detections", "", 0, 512,
+            "soundings of what is strongest beside the bottom, at most; 0: none",
+            "76 to 117 in a real system that has them on, which is its operator's choice");
+    o.whole(s.largest_part, "largest_part", "B", 1000, 65507, "a longer #MRZ or #MWC goes out in parts",
+            "specification notes: above 64 kB; where it is cut is our own choice");
+    o.flag(s.unused_point, "unused_point", "20 bytes of zeros behind the points that #SVP counts",
+           "22 of 22 real datagrams");
+    o.choice(
+        s.later_profiles, "later_profiles", {"stored", "used", "refused"},
+        "what becomes of the texts S10 to S12, which wait for the operator's consent; S00 to S02 are used",
+        "inferred from public senders");
     o.whole(s.sounder, "sounder", "", 1, 65535,
             "number of the echo sounder; commands must name it: EM2040_40, EM2040 or 2040", notes);
     o.whole(s.system_id, "system_id", "", 0, 255,
@@ -54,7 +69,7 @@ void describe_profile(Settings& s, FigureList& f) {
     f.degrees(s.transmit_beam_width, "transmit_beam_width", 0.05, 20,
               "-3 dB full width along track, one way");
     f.number(s.water_column_reference, "water_column_reference", "dB re 1 uPa", 0, 300,
-             "level after gain that reads 0 dB in #MWC");
+             "level after gain and its offset that reads 0 dB in #MWC");
     f.number(s.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(s.horizontal, s.vertical, s.receiver);
 }

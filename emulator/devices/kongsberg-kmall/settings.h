@@ -25,7 +25,12 @@ struct Settings {
     std::size_t soundings = 400;
     bool values_as_xml = false;
     double absorption = 0;     ///< dB/m, that the sounder reckons with
-    std::uint8_t version = 2;  ///< of #MRZ
+    std::uint8_t version = 3;  ///< of #MRZ
+    bool seabed_image = true;
+    std::size_t extra_detections = 0;
+    std::size_t largest_part = 65000;  ///< B
+    bool unused_point = true;          ///< behind those of #SVP
+    enum class LaterProfiles { stored, used, refused } later_profiles = LaterProfiles::stored;
     std::uint16_t sounder = 2040;
     std::uint8_t system_id = 40;
     double latitude = 0, longitude = 0;  ///< deg, of the scene's origin

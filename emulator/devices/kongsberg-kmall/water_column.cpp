@@ -8,16 +8,18 @@
 namespace echoloop::kongsberg_kmall {
 namespace {
 
-constexpr double spreading = 30;         // X of the gain, own choice
-constexpr std::uint8_t mwc_version = 2;  // has the fine range of the bottom
+constexpr double spreading = 30;           // X of the gain, in all real ones
+constexpr std::int8_t constant_gain = 30;  // dB, the same
+constexpr std::size_t silent_samples = 6;  // that read the least; 4 to 10 in real ones
+constexpr std::uint8_t mwc_version = 2;    // has the fine range of the bottom
 
 /// Gain and reference of every sample, in the wire's half decibels.
 std::vector<float> offsets(const Settings& settings, const Echogram& echogram, std::size_t samples) {
     std::vector<float> all(samples);
     for (std::size_t i = 0; i < samples; ++i) {
         const double middle = (static_cast<double>(i) + 0.5) * bins_per_sample * echogram.shot.bin_interval;
-        const double db =
-            gain(settings, spreading, settings.sound_speed / 2 * middle) - settings.water_column_reference;
+        const double db = gain(settings, spreading, settings.sound_speed / 2 * middle) +
+                          (settings.tvg ? constant_gain : 0) - settings.water_column_reference;
         all[i] = static_cast<float>(2 * db);
     }
     return all;
@@ -47,6 +49,7 @@ std::vector<std::int8_t> amplitudes(std::span<const float> beam, const std::vect
         const float cut = std::min(std::max(level, -128.0F), 127.0F);
         out[i] = static_cast<std::int8_t>(static_cast<std::int32_t>(cut + std::copysign(0.5F, cut)));
     }
+    std::fill_n(out.begin(), std::min(silent_samples, out.size()), std::int8_t{-128});
     return out;
 }
 
@@ -63,6 +66,7 @@ kmall::Mwc make_mwc(const PingRecord& ping, const Settings& settings, const Echo
     m.body = make_body(ping);
     m.sectors = {{0, f(settings.frequency), f(rad_to_deg(settings.transmit_beam_width)), 0, 0}};
     m.rx.tvg = settings.tvg ? static_cast<std::uint8_t>(spreading) : std::uint8_t{0};
+    m.rx.tvg_offset = settings.tvg ? constant_gain : std::int8_t{0};
     m.rx.sample_rate = f(1 / sample);
     m.rx.sound_speed = f(settings.sound_speed);
     for (std::size_t n = 0; n < detections.size(); ++n) {

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 enum PortIndex : std::size_t { data_port, status_port };
 
 constexpr Time dummy_period = 1s;
-constexpr std::uint32_t over_temperature = 1U << 15;
+constexpr std::uint32_t over_temperature = 1U << 15, state = 7, main_program = 3;
 
 }  // namespace
 
@@ -100,7 +100,9 @@ void Oculus::hang_up() {
 }
 
 bool Oculus::pinging() const {
-    return request_ && !request_->standby() && (settings_.status_bits & over_temperature) == 0;
+    const std::uint32_t bits = settings_.status_bits;
+    const bool runs = (bits & state) == main_program && (bits & over_temperature) == 0;
+    return runs && request_ && !request_->standby();
 }
 
 void Oculus::plan_next_ping(Time now) {

@@ -37,7 +37,9 @@ void describe_status(Settings& s, OptionList& o) {
     o.whole(s.status_id, "status_message_id", "", 0, 65535, "of the status, which readers do not check",
             spec);
     o.whole(s.status_bits, "status_bits", "", 0, 0xFFFFFFFF,
-            "in the status: bits 0-2 state, 3 is normal; bit 15 stops the pings", spec);
+            "in the status: bits 0-2 state, 3 is normal, any other stops the pings, as bit 15 does; also as "
+            "0x8003",
+            spec);
     o.number(s.silence_limit, "silence_limit", "s", 0, 3600,
              "a host that is silent for this long is disconnected; 0: never. One driver reports 1 s", spec);
     o.choice(s.hang_up_on_fire, "hang_up_on_fire", {"never", "first", "always"},
@@ -62,7 +64,7 @@ void describe_answers(Settings& s, OptionList& o) {
     o.choice(s.echo_used_sound_speed, "sound_speed_echo", {"requested", "used"}, "in the echoed settings",
              spec);
     o.choice(s.useless_rate_echo, "rate_echo", {"requested", "useless"},
-             "in the echoed settings; a real unit has 195 there", spec);
+             "in the echoed settings; useless: 195, as in a real recording", spec);
     o.choice(s.starboard_negative, "negative_bearing", {"port", "starboard"}, "the side of negative bearings",
              spec);
     o.number(s.processing_time, "processing_time", "s", 0, 1, "from the last echo to the message",

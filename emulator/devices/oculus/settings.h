@@ -63,7 +63,7 @@ struct Settings {
     bool float_gain_words = false;
     bool scaled_gain_echo = true;  ///< 0 to 100 % is 40 to 100 % in mode 2
     bool echo_used_sound_speed = false;
-    bool useless_rate_echo = false;
+    bool useless_rate_echo = true;
     bool starboard_negative = false;
     bool garbage_sensors = false;
     double processing_time = 8e-3;  ///< s from the last echo to the message

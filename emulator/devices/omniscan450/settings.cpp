@@ -16,9 +16,10 @@ constexpr float typical_pulse = 0.002F, typical_filter = 0.0015F;
 
 void describe_options(Settings& s, OptionList& o) {
     describe(s.identity, o);
-    std::string speed_of_sound_id = "both";
-    o.choice(speed_of_sound_id, "speed_of_sound_id", {"both", "1002", "116"},
-             "message that sets the speed of sound", spec);
+    std::string speed_of_sound_id = "116";
+    o.choice(speed_of_sound_id, "speed_of_sound_id", {"116", "1002", "both"},
+             "message that sets the speed of sound; another is refused with a nack",
+             "units in the field refuse 1002, which an older host sends");
     s.takes_1002 = speed_of_sound_id != "116";
     s.takes_116 = speed_of_sound_id != "1002";
     o.choice(s.accept_anything, "invalid_settings", {"nack", "accept"},

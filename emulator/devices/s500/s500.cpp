@@ -5,6 +5,7 @@
 
 #include "emulator/devices/family/cerulean/levels.h"
 #include "emulator/devices/family/sounder/auto_range.h"
+#include "protocols/ping/codec.h"
 
 namespace echoloop::s500 {
 namespace {
@@ -26,6 +27,15 @@ S500::S500(const Settings& settings, std::vector<Endpoint> endpoints)
 }
 
 void S500::obey(const ping::Frame& frame, const Peer& peer, Time now) {
+    if (obey_as_ping1d(frame, peer, now)) return;
+    const auto unknown = [](const auto& parsed) {
+        return !parsed && parsed.error().reason == wire::Reason::unknown_message;
+    };
+    if (unknown(ping::parse(frame)) && unknown(wire_message::Codec::parse(frame))) {
+        const std::string text = "Unknown message id " + std::to_string(static_cast<int>(frame.header.id));
+        not_understood();
+        return reply(ping::Message(ping::AsciiText{{text.begin(), text.end()}}), peer);
+    }
     obey_with<Message>(frame, peer, [&](const auto& m) {
         constexpr bool known = requires { on(m, peer, now); };
         if constexpr (known) on(m, peer, now);
@@ -33,15 +43,12 @@ void S500::obey(const ping::Frame& frame, const Peer& peer, Time now) {
     });
 }
 
-void S500::on(const cerulean::SetSpeedOfSound& command, const Peer& peer, Time) {
-    set_speed_of_sound(command.speed_of_sound, Id::set_speed_of_sound, peer, state_.speed_of_sound);
-}
-
 void S500::on(const SetPingParams& command, const Peer& peer, Time now) {
     if (const auto wrong = out_of_range(command); wrong && !settings_.accept_anything)
         return refuse(static_cast<ping::Id>(Id::s500_ping_params), *wrong, peer);
     acknowledge(Id::s500_ping_params, peer);
-    if (command.report_id == 0) return stop_pings();
+    enabled_ = command.report_id != 0;
+    if (!enabled_) return stop_pings();
     const bool was_automatic = state_.params.length_mm == 0 && pings() > 0;
     state_.params = limited(command);
     if (state_.params.length_mm != 0)
@@ -69,10 +76,8 @@ std::optional<Message> S500::message(ping::Id id) const {
         case Id::altitude:
             return wire_message::Altitude{distance_.ping_distance_mm, distance_.ping_confidence};
         case Id::processor_temperature:
-            return wire_message::ProcessorTemperature{static_cast<std::uint32_t>(
-                std::max(std::lround(read("processor", settings_.processor_temperature,
-                                          100 * stray::board_temperature)),
-                         0L))};
+            if (!settings_.long_temperature) return std::nullopt;
+            return wire_message::ProcessorTemperature{processor_temperature()};
         case Id::distance2:
             return distance_;
         case Id::profile6:
@@ -82,8 +87,18 @@ std::optional<Message> S500::message(ping::Id id) const {
     }
 }
 
+std::uint32_t S500::processor_temperature() const {
+    const Stray stray = 100 * stray::board_temperature;
+    return static_cast<std::uint32_t>(
+        std::max(std::lround(read("processor", settings_.processor_temperature, stray)), 0L));
+}
+
 bool S500::send_own(ping::Id id, const Peer& peer) {
-    const auto found = message(id);
+    if (const auto found = message(id)) {
+        reply(*found, peer);
+        return true;
+    }
+    const auto found = ping1d_message(id);
     if (found) reply(*found, peer);
     return found.has_value();
 }
@@ -99,7 +114,8 @@ Shot S500::next_shot() {
 void S500::report(const Echogram& echogram) {
     keep(echogram);
     follow(echogram);
-    send_message(static_cast<ping::Id>(pinged_.params.report_id), listener());
+    if (pinged_.params.report_id != 0)
+        send_message(static_cast<ping::Id>(pinged_.params.report_id), listener());
 }
 
 /// The reports of this ping.

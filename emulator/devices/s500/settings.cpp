@@ -11,9 +11,10 @@ namespace echoloop::s500 {
 namespace {
 
 const char* const spec = "Ping specification notes";
-constexpr int highest_gain = 13;
 constexpr std::uint32_t longest_length = 500000;  // mm
 constexpr std::size_t most_results = 6000;
+/// A profile of at most 4076 bytes, for the buffers of 4096 that hosts in the field have.
+constexpr std::size_t most_automatic_results = 2000;
 
 void describe_options(Settings& s, OptionList& o) {
     describe(s.identity, o);
@@ -24,6 +25,9 @@ void describe_options(Settings& s, OptionList& o) {
              "from the end of the range to the report and the next ping", "as the omniscan450");
     o.whole(s.processor_temperature, "processor_temperature", "0.01 degC", 0, 65535, "reported on request",
             spec);
+    o.choice(s.long_temperature, "temperature_bytes", {"2", "4"},
+             "of 1213: as units in the field send it, or as the maker's definition has it",
+             "an owner's public report");
 }
 
 void describe_profile(Acoustics& a, FigureList& f) {
@@ -82,10 +86,14 @@ Settings read_settings(const DeviceConfig& config) {
     return s;
 }
 
+bool is_range(const SetPingParams& p) {
+    return p.length_mm <= longest_length && p.start_mm <= longest_length;
+}
+
 std::optional<std::string_view> out_of_range(const SetPingParams& p) {
     if (p.report_id == 0) return std::nullopt;
     if (!is_report(p.report_id)) return "report id out of range";
-    if (p.length_mm > longest_length || p.start_mm > longest_length) return "range out of range";
+    if (!is_range(p)) return "range out of range";
     if (p.gain_index < -1 || p.gain_index > highest_gain) return "gain index out of range";
     if (p.msec_per_ping < -1) return "ping interval out of range";
     return std::nullopt;
@@ -111,7 +119,8 @@ Resolution resolution(const State& state, const Settings& settings) {
     if (state.params.chirp == 0) return {};
     const double samples =
         std::max(1.0, 2.0 * state.length / state.speed_of_sound * settings.acoustics.sample_rate);
-    const double least = std::ceil(samples / most_results);
+    const bool automatic = state.params.decimation == 0;
+    const double least = std::ceil(samples / (automatic ? most_automatic_results : most_results));
     const double decimation = std::clamp(std::max(least, 1.0 * state.params.decimation), 1.0, 255.0);
     const double results = std::clamp(std::floor(samples / decimation), 1.0, 1.0 * most_results);
     return {no_trap(static_cast<std::size_t>(results)), static_cast<std::uint8_t>(decimation)};

@@ -35,6 +35,7 @@ struct Settings {
     bool accept_anything = false;
     double processing_time = 2e-3;               ///< s between the end of a ping and its report
     std::uint32_t processor_temperature = 4000;  ///< 0.01 degC
+    bool long_temperature = false;               ///< 4 bytes of it, as documented
     Sensors sensors;
     Acoustics acoustics;
 };
@@ -56,6 +57,9 @@ struct State {
 
 inline constexpr std::uint32_t shortest_automatic = 1000, longest_automatic = 150000;  ///< mm, range
 
+inline constexpr int highest_gain = 13;  ///< index
+/// Whether its start and length can be pinged.
+bool is_range(const SetPingParams& params);
 /// Why these parameters are refused; nothing if they are good. What stops the pings is always good.
 std::optional<std::string_view> out_of_range(const SetPingParams& params);
 /// What can be pinged of parameters that are out of range.

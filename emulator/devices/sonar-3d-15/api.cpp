@@ -8,13 +8,14 @@
 #include <stdexcept>
 
 #include "emulator/contract/endpoint.h"
+#include "emulator/devices/sonar-3d-15/clock_text.h"
 
 namespace echoloop::sonar_3d_15 {
 namespace {
 
 constexpr std::string_view root = "/api/v1/integration";
 constexpr std::string_view sign = "/api/v1/about";  // by which the maker's own BlueOS extension finds it
-constexpr std::array<int, 3> always{0, 0, 0}, with_modes{1, 7, 0};
+constexpr std::array<int, 3> always{0, 0, 0};
 constexpr double slowest = 1000, fastest = 2000;  // m/s, by hand
 
 using Json = nlohmann::ordered_json;
@@ -157,6 +158,57 @@ bool set_udp(const Json& json, State& s, const Settings&) {
     return true;
 }
 
+Json time_status(const State& s, const Settings& settings) {
+    constexpr double between_syncs = 64;  // s, of NTP's shortest polls
+    Json json{{"system_time", rfc3339(s.unix_now + s.clock_error)},
+              {"ntp_synced", settings.ntp_reached},
+              {"ntp_synced_to", ""},
+              {"ntp_seconds_since_last_sync", nullptr}};
+    if (!settings.ntp_reached) return json;
+    json["ntp_synced_to"] = s.ntp_address == "auto" ? "pool.ntp.org" : s.ntp_address;
+    json["ntp_seconds_since_last_sync"] = static_cast<int>(std::fmod(s.unix_now, between_syncs));
+    return json;
+}
+std::string get_time_status(const State& s, const Settings& settings) {
+    return time_status(s, settings).dump();
+}
+
+std::string get_ntp(const State& s, const Settings&) { return Json{{"ntp_address", s.ntp_address}}.dump(); }
+bool set_ntp(const Json& json, State& s, const Settings&) {
+    const auto address = value_of<std::string>(json, "ntp_address");
+    if (!address || !is_host(*address)) return false;
+    s.ntp_address = *address;
+    return true;
+}
+
+Answer set_time(const Json& json, State& s, const Settings& settings) {
+    const auto text = value_of<std::string>(json, "now");
+    const auto time = text ? read_rfc3339(*text) : std::nullopt;
+    if (!time) return {400};
+    if (settings.ntp_reached) return {409};
+    s.clock_error = *time - s.unix_now;
+    return {204};
+}
+
+/// Without a server it waits in vain for as long as it was told to.
+Answer force_sync(const Json& json, const State& s, const Settings& settings) {
+    constexpr double longest = 60;  // s
+    const auto timeout = value_of<double>(json, "timeout_seconds");
+    if (!timeout || !(*timeout >= 0) || *timeout > longest) return {400};
+    const bool good = settings.ntp_reached;
+    const Json body{{"success", good},
+                    {"message", good ? "Synchronized" : "No NTP sync within the timeout"},
+                    {"status", time_status(s, settings)}};
+    return {200, body.dump(), good ? 0 : *timeout};
+}
+
+std::string get_imu(const State& s, const Settings&) { return Json(s.imu).dump(); }
+bool set_imu(const Json& json, State& s, const Settings&) {
+    const auto value = value_of<bool>(json);
+    if (value) s.imu = *value;
+    return value.has_value();
+}
+
 struct Path {
     std::string_view path;
     std::array<int, 3> since;  ///< release
@@ -174,6 +226,22 @@ constexpr std::array paths{
     Path{"/acoustics/mode", with_modes, get_mode, set_mode},
     Path{"/acoustics/salinity", with_modes, get_salinity, set_salinity},
     Path{"/udp", always, get_udp, set_udp},
+    Path{"/time/status", with_time, get_time_status, nullptr},
+    Path{"/time/ntp", with_time, get_ntp, set_ntp},
+    Path{"/output/imu-batch/enabled", with_imu, get_imu, set_imu},
+};
+
+/// Those that only do something.
+struct Deed {
+    std::string_view path;
+    std::array<int, 3> since;  ///< release
+    Answer (*does)(const Json&, State&, const Settings&);
+};
+
+constexpr std::array deeds{
+    Deed{"/time/manual", with_time, set_time},
+    Deed{"/time/ntp/force-sync", with_time,
+         [](const Json& json, State& s, const Settings& settings) { return force_sync(json, s, settings); }},
 };
 
 /// What a host has to say is a bare value or an object of them.
@@ -188,6 +256,14 @@ Answer answer(const http::Request& request, State& state, const Settings& settin
     const std::string_view target = std::string_view(request.target).substr(0, request.target.find('?'));
     if (!target.starts_with(root) && target != sign) return {404};
     const std::string_view asked = target == sign ? "/about" : target.substr(root.size());
+    const auto* deed = std::find_if(deeds.begin(), deeds.end(), [&](const Deed& d) {
+        return d.path == asked && d.since <= settings.release;
+    });
+    if (deed != deeds.end()) {
+        if (request.method != "POST") return {405};
+        const auto json = Json::parse(request.body, nullptr, false);
+        return is_flat(json) ? deed->does(json, state, settings) : Answer{400};
+    }
     const auto* path = std::find_if(paths.begin(), paths.end(), [&](const Path& p) {
         return p.path == asked && p.since <= settings.release;
     });

@@ -9,6 +9,7 @@ namespace echoloop::sonar_3d_15 {
 struct Answer {
     int status = 404;
     std::string body{};  ///< JSON; empty: none
+    double after = 0;    ///< s, for which it keeps the host waiting
 };
 
 /// Changes `state` only if the answer is 204.

@@ -26,8 +26,17 @@ void describe_start(State& s, OptionList& o) {
 
 void describe_answers(Settings& s, OptionList& o) {
     using sonar3d::Version;
-    o.words(s.release, "release", {{"1.7.0", {1, 7, 0}}, {"1.6.0", {1, 6, 0}}, {"1.5.1", {1, 5, 1}}},
-            "of the firmware; status, mode and salinity came with 1.7.0", spec);
+    o.words(s.release, "release",
+            {{"1.8.0", with_imu},
+             {"1.7.1", with_time},
+             {"1.7.0", with_modes},
+             {"1.6.0", {1, 6, 0}},
+             {"1.5.1", {1, 5, 1}}},
+            "of the firmware; status, mode and salinity came with 1.7.0, time with 1.7.1, the IMU with 1.8.0",
+            "maker's Python client");
+    o.words(s.ntp_reached, "ntp", {{"synchronised", true}, {"unreachable", false}},
+            "from release 1.7.1 on: the clock is right, or begins in the past until a host sets it", maker);
+    o.flag(s.start.imu, "imu", "sends ImuBatch from the start; from release 1.8.0 on", own);
     o.words(s.version, "packets", {{"RIP2", Version::rip2}, {"RIP1", Version::rip1}},
             "RIP1 is not compressed; older firmware sends it", spec);
     o.choice(s.package, "package", {"waterlinked.sonar.protocol", "waterlinked.rip1"},

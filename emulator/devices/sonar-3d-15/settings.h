@@ -49,8 +49,14 @@ struct State {
     UdpMode udp = UdpMode::multicast;
     std::string unicast_ip;
     std::uint16_t unicast_port = 0;
+    std::string ntp_address = "auto";  ///< from release 1.7.1 on
+    double clock_error = 0;            ///< s, of the sonar's clock against the run's; set by hand or unset
+    double unix_now = 0;               ///< s, of the run, when a request comes
+    bool imu = false;                  ///< ImuBatch is sent; from release 1.8.0 on
     double temperature = 0;  ///< degC, as its own sensor reads
 };
+
+inline constexpr std::array<int, 3> with_modes{1, 7, 0}, with_time{1, 7, 1}, with_imu{1, 8, 0};  ///< releases
 
 struct Settings {
     State start;
@@ -65,6 +71,7 @@ struct Settings {
     double water_temperature = 10;  ///< degC, for the automatic speed of sound
     double speed_delay = 0;         ///< s until a new speed of sound is used
     double processing_time = 5e-3;  ///< s from the last echo to the image, at least
+    bool ntp_reached = true;        ///< from release 1.7.1 on: it has a time server
     bool tvg = true;                ///< the effect of that name
     double unix_start = 0;          ///< s
     std::uint32_t chip_id = 0;      ///< another one for each unit

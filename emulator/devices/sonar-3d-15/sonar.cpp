@@ -20,6 +20,9 @@ constexpr Time request_patience = 5s;
 constexpr float pixel_scale = 50.0F / 65536;        // m
 constexpr double salt_water = 35, fresh_water = 0;  // ppt
 constexpr std::uint32_t frequency_of_real_ones = 5;
+constexpr Time imu_period = 10ms;
+constexpr int imu_samples = 10;            // of a batch
+constexpr double first_time = 1735689600;  // 2025-01-01, of a clock that nobody has set
 
 sonar3d::Timestamp unix_time(double unix_start, Time at) {
     const auto start = static_cast<std::int64_t>(std::floor(unix_start));
@@ -36,6 +39,8 @@ Sonar::Sonar(const Settings& settings, const Wiring& wiring)
     : settings_(settings), wiring_(wiring), state_(settings.start), speed_(speed_of(settings.start)) {
     view_is_high_ = state_.high;
     view_ = make_view(settings_.mode(state_.high), settings_.first_row_up);
+    if (settings_.release >= with_time && !settings_.ntp_reached)
+        state_.clock_error = first_time - settings_.unix_start;
     if (wiring_.unicast_ip.empty()) return;
     state_.udp = UdpMode::unicast;
     state_.unicast_ip = wiring_.unicast_ip;
@@ -52,6 +57,7 @@ std::vector<Port> Sonar::ports() const {
 
 Actions Sonar::started(Time now) {
     restart(now);
+    plan_imu(now);
     return take_actions();
 }
 
@@ -92,9 +98,11 @@ void Sonar::obey(const http::Request& request, Address from, Time now) {
     state_.temperature =
         settings_.sensors.read("inside", settings_.temperature, stray::board_temperature, now);
     const State before = state_;
+    state_.unix_now = settings_.unix_start + to_seconds(now);
     const Answer reply = answer(request, state_, settings_);
     ++(reply.status < 300 ? counters_.messages : counters_.rejected);
-    respond(http::response(reply.status, reply.body), from);
+    respond(http::response(reply.status, reply.body), from, now + from_seconds(reply.after));
+    if (state_.imu != before.imu) plan_imu(now);
     if (speed_of(state_) != speed_of(before)) speed_change_ = now + from_seconds(settings_.speed_delay);
     const bool other_image = state_.enabled != before.enabled || state_.high != before.high ||
                              state_.range_min != before.range_min || state_.range_max != before.range_max;
@@ -135,6 +143,7 @@ void Sonar::begin_image(Time now) {
 Actions Sonar::heard(const Echogram& echogram, Time now) {
     if (!ping_under_way_ || echogram.shot.ping != shots_) return take_actions();
     ping_under_way_ = false;
+    imu_.turned(echogram.world_from_sonar.orientation, now);
     if (shooting_ && echogram.beams() == width * height && echogram.shot.bins == shooting_->plan.bins)
         send_image(echogram);
     restart(now);
@@ -159,7 +168,7 @@ void Sonar::send_image(const Echogram& echogram) {
     const Plan& plan = shooting_->plan;
     const ModeFigures& mode = settings_.mode(plan.high);
     const auto fill = [&](auto& message) {
-        message.header = {unix_time(settings_.unix_start, shooting_->start), number};
+        message.header = {time_of(shooting_->start), number};
         message.speed_of_sound = static_cast<float>(plan.speed);
         message.range = static_cast<float>(plan.range_max);
         message.frequency = settings_.frequency_in_hertz ? static_cast<std::uint32_t>(mode.frequency)
@@ -199,7 +208,30 @@ std::optional<Address> Sonar::destination() const {
     return Address{to.ip, to.port};
 }
 
+sonar3d::Timestamp Sonar::time_of(Time at) const {
+    return unix_time(settings_.unix_start + state_.clock_error, at);
+}
+
+void Sonar::plan_imu(Time now) {
+    const bool sends = state_.imu && settings_.release >= with_imu;
+    next_batch_ = sends ? now + imu_samples * imu_period : Time::max();
+}
+
+void Sonar::send_imu_batch(Time now) {
+    next_batch_ += imu_samples * imu_period;
+    if (next_batch_ <= now) next_batch_ = now + imu_period;
+    const std::uint32_t number = batches_++;
+    const auto to = destination();
+    if (!to) return;
+    std::vector<ImuSample> samples;
+    for (int i = imu_samples - 1; i >= 0; --i) samples.push_back(imu_.sample(time_of(now - i * imu_period)));
+    const std::string url = "type.googleapis.com/" + settings_.package + ".ImuBatch";
+    const sonar3d::OtherMessage batch{imu_batch(number, samples)};
+    actions_.send.push_back({image_port, sonar3d::serialise({settings_.version, url, batch}), *to, {}});
+}
+
 Actions Sonar::woken(Time now) {
+    if (now >= next_batch_) send_imu_batch(now);
     for (auto& [host, client] : clients_) {
         if (now < client.deadline) continue;
         const bool begun = client.reader.pending_bytes() > 0;
@@ -211,12 +243,12 @@ Actions Sonar::woken(Time now) {
 }
 
 /// Each answer says that it is the last one on its connection.
-void Sonar::respond(Bytes response, Address to) {
-    actions_.send.push_back({http_port, std::move(response), to, {}, true});
+void Sonar::respond(Bytes response, Address to, Time when) {
+    actions_.send.push_back({http_port, std::move(response), to, when, true});
 }
 
 Actions Sonar::take_actions() {
-    Time wake = Time::max();
+    Time wake = next_batch_;
     for (const auto& [host, client] : clients_) wake = std::min(wake, client.deadline);
     actions_.wake = wake;
     return std::exchange(actions_, {});

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "emulator/devices/sonar-3d-15/image.h"
+#include "emulator/devices/sonar-3d-15/imu.h"
 #include "protocols/http/request.h"
 
 namespace echoloop::sonar_3d_15 {
@@ -48,7 +49,10 @@ class Sonar final : public Device {
     void send_packet(sonar3d::Message message, Address to);
     std::optional<Address> destination() const;
     double speed_of(const State& state) const;
-    void respond(Bytes response, Address to);
+    void respond(Bytes response, Address to, Time when = {});
+    sonar3d::Timestamp time_of(Time at) const;
+    void plan_imu(Time now);
+    void send_imu_batch(Time now);
     Actions take_actions();
 
     Settings settings_;
@@ -64,6 +68,9 @@ class Sonar final : public Device {
     bool ping_under_way_ = false;
     std::uint64_t shots_ = 0;  ///< transmitted
     std::uint32_t images_ = 0;
+    Imu imu_;
+    Time next_batch_ = Time::max();
+    std::uint32_t batches_ = 0;
     Actions actions_;
     DeviceCounters counters_;
 };

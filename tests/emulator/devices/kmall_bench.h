@@ -36,7 +36,14 @@ inline std::vector<Send> of_type(const std::vector<Send>& sent, const std::strin
     return found;
 }
 
-/// Version 2 with one sector: header 20, partition 4, body 12, ping info 152, sector 48, rx info 32.
+/// Version 3 (as 2) with one sector: header 20, partition 4, body 12, ping info 152, sector 48, rx info 32.
 inline constexpr std::size_t ping = 36, rx = ping + 152 + 48, first = rx + 32;
+
+/// Of all soundings of an #MRZ, which begin at `soundings`.
+inline std::size_t image_samples(const Bytes& b, std::size_t soundings = first, std::size_t count = 400) {
+    std::size_t sum = 0;
+    for (std::size_t n = 0; n < count; ++n) sum += u16(b, soundings + n * 120 + 118);
+    return sum;
+}
 
 }  // namespace echoloop::test

@@ -266,7 +266,7 @@ TEST(Kmall, TheRecordsOfAFilesBeginningAreSentAgain) {
     EXPECT_EQ(f32(svp, 48 + 4), 1500);
     EXPECT_EQ(f32(svp, 68), 12000);
     EXPECT_EQ(f32(svp, 68 + 4), 1500);
-    EXPECT_EQ(svp.size(), 20U + 28 + 2 * 20 + 4);
+    EXPECT_EQ(svp.size(), 20U + 28 + 2 * 20 + 20 + 4) << "one point is not counted";
 }
 
 }  // namespace

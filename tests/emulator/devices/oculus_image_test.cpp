@@ -171,7 +171,8 @@ TEST(OculusOptions, ChangeWhatTheSpecificationLeavesOpen) {
     EXPECT_EQ(seen({{"data_16_bit", S("clear")}}, {.flags = 0x0B}).sample_bytes(), 1U);
     EXPECT_EQ(at<double>(seen({{"gain_echo", S("plain")}}, {.mode = 2}).bytes, 29), 50);
     EXPECT_NEAR(at<double>(seen({{"sound_speed_echo", S("used")}}, {.sound_speed = 0}).bytes, 37), 1490, 5);
-    EXPECT_EQ(seen({{"rate_echo", S("useless")}}, {}).bytes[17], 195);
+    EXPECT_EQ(seen({{"rate_echo", S("requested")}}, {.rate = 2}).bytes[17], 2);
+    EXPECT_EQ(seen({}, {.rate = 2}).bytes[17], 195) << "as a real unit's recording has it";
     EXPECT_EQ(at<double>(seen({{"sensors", S("garbage")}}, {}).bytes, 77), -1e194);
     EXPECT_TRUE(seen({{"result_version", S("v2")}}, {}).v2) << "to a fire of version 1";
     EXPECT_FALSE(seen({{"result_version", S("v1")}}, {}, true).v2);

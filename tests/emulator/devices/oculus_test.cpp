@@ -92,8 +92,16 @@ TEST(OculusStandby, IsForcedByOverTemperature) {
     EXPECT_EQ(count(sends, is_dummy), 4U);
 }
 
+TEST(OculusStandby, IsForcedByEveryStateButTheMainProgram) {
+    for (const std::int64_t state : {0, 1, 2}) {
+        OculusBench bench({{"status_bits", state}});
+        bench.say(fire({}));
+        EXPECT_EQ(count(bench.sent_within(3500ms), is_result), 0U) << state;
+    }
+}
+
 TEST(OculusResult, OfVersion1EchoesTheFireAndStandsWhereItShould) {
-    OculusBench bench;
+    OculusBench bench({{"rate_echo", std::string("requested")}});
     const Bytes request =
         fire({.mode = 1, .flags = 0x0D, .range = 12.34, .gain = 61.5, .sound_speed = 1480.25});
     const Seen first = bench.next_after(request);
@@ -115,7 +123,7 @@ TEST(OculusResult, OfVersion1EchoesTheFireAndStandsWhereItShould) {
 }
 
 TEST(OculusResult, OfVersion2HasItsOwnPlacesAndAnAttitude) {
-    OculusBench bench;
+    OculusBench bench({{"rate_echo", std::string("requested")}});
     const Bytes request = fire({.flags = 0x4D, .range = 5}, true);
     bench.say(request);
     bench.run_to(bench.now);
@@ -179,7 +187,7 @@ TEST(OculusTiming, ANewFireTakesEffectWithTheNextPing) {
 }
 
 TEST(OculusFire, OfHeaderVersion1IsObeyedAsOneOf0) {
-    OculusBench bench;
+    OculusBench bench({{"rate_echo", std::string("requested")}});
     Bytes request = fire({.flags = 0x0D, .range = 6.5});
     request.at(8) = 1;
     const Seen seen = bench.next_after(request);

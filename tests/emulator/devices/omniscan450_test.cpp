@@ -144,7 +144,7 @@ TEST(Omniscan450, ResultsAreDecibelsOfFullScale) {
 
 TEST(Omniscan450, ASilentPingHasAProfileWithoutNonsense) {
     const Bytes p = profile_of({}, 9999, 0);
-    EXPECT_EQ(f32(p, max_db), f32(p, min_db));
+    EXPECT_GT(f32(p, max_db) - f32(p, min_db), 1) << "hosts divide by it";
     EXPECT_EQ(u16(p, results), 0);
 }
 
@@ -165,9 +165,11 @@ TEST(Omniscan450, GainIsTheHostsOrFollowsTheEcho) {
     EXPECT_EQ(u16(profiles.back(), gain), 7);
 }
 
+const Options lenient{{"speed_of_sound_id", std::string("both")}};
+
 TEST(Omniscan450, SoundSpeedComesUnderTwoIdsAndChangesTheNextPing) {
     for (const int id : {1002, 116}) {
-        Bench bench = omniscan();
+        Bench bench = omniscan(id == 116 ? Options{} : lenient);
         bench.say(frame(id, le(1200000, 4)));
         bench.say(frame(OmniscanParams{.length = 12000}));
         bench.run_to(bench.now);
@@ -175,9 +177,9 @@ TEST(Omniscan450, SoundSpeedComesUnderTwoIdsAndChangesTheNextPing) {
         bench.run_to(50ms);
         EXPECT_EQ(u16(messages(bench.sent(), profile_id).at(0), sound), 12000);
     }
-    Bench only = omniscan({{"speed_of_sound_id", std::string("116")}});
+    Bench only = omniscan();
     only.say(frame(1002, le(1500000, 4)));
-    EXPECT_EQ(u16(only.sent().at(0).bytes, 4), nack);
+    EXPECT_EQ(u16(only.sent().at(0).bytes, 4), nack) << "as units in the field";
 }
 
 TEST(Omniscan450, ASoundSpeedInMetresIsRefusedAndHarmless) {
@@ -263,7 +265,8 @@ TEST(Omniscan450, TellsWhereItLooks) {
 }
 
 TEST(Omniscan450, AcknowledgesOnRequest) {
-    Bench quiet = omniscan(), talking = omniscan({{"acknowledge", true}});
+    Bench quiet = omniscan(lenient);
+    Bench talking = omniscan({{"acknowledge", true}, {"speed_of_sound_id", std::string("both")}});
     for (Bench* bench : {&quiet, &talking})
         for (const Bytes& word :
              {frame(116, le(1480000, 4)), frame(1002, le(1480000, 4)), frame(OmniscanParams{})})

@@ -147,19 +147,22 @@ TEST(S500, AChirpIsFinerWithinSixThousandResults) {
     };
     // 7.5 m are 10 ms, or 10000 samples of 1 MHz.
     const Shot automatic = shot_of({.length = 7500, .chirp = 1});
-    EXPECT_EQ(automatic.bins, 5000U);
+    EXPECT_EQ(automatic.bins, 2000U);
     EXPECT_DOUBLE_EQ(automatic.bandwidth, 100e3);
-    EXPECT_NEAR(automatic.bin_interval, 2e-6, 1e-12);
+    EXPECT_NEAR(automatic.bin_interval, 5e-6, 1e-12);
     EXPECT_EQ(shot_of({.length = 7500, .chirp = 1, .decimation = 10}).bins, 1000U);
-    EXPECT_EQ(shot_of({.length = 3750, .chirp = 1}).bins, 5000U) << "every sample fits";
+    EXPECT_EQ(shot_of({.length = 3750, .chirp = 1, .decimation = 1}).bins, 5000U) << "every sample fits";
+    EXPECT_EQ(shot_of({.length = 1200, .chirp = 1}).bins, 1600U) << "every sample";
+    for (const int length : {1500, 7500, 20000, 150000})
+        EXPECT_LT(10 + 66 + 2 * shot_of({.length = length, .chirp = 1}).bins, 4096U) << "hosts' buffers";
     EXPECT_LE(shot_of({.length = 500000, .chirp = 1}).bins, 6000U);
     EXPECT_EQ(shot_of({.length = 7500}).bandwidth, 0);
     Bench bench = s500();
     bench.say(frame(S500Params{.length = 7500, .chirp = 1}));
     bench.run_to(50ms);
     const Bytes p = messages(bench.sent(), profile_id).at(0);
-    EXPECT_EQ(p.size(), 10U + 66U + 10000U);
-    EXPECT_EQ(p[decimation], 2);
+    EXPECT_EQ(p.size(), 10U + 66U + 4000U);
+    EXPECT_EQ(p[decimation], 5);
     EXPECT_EQ(u32(p, first_hertz), 450000U);
     EXPECT_EQ(u32(p, last_hertz), 550000U);
 }
@@ -167,7 +170,7 @@ TEST(S500, AChirpIsFinerWithinSixThousandResults) {
 TEST(S500, NoProfileFillsAReadOf4096BytesExactly) {
     for (const int mm : {1507, 1508, 1509, 3043, 3044, 3045}) {  // 2010 and 4058 samples of 1 MHz
         Bench bench = s500();
-        bench.say(frame(S500Params{.length = mm, .chirp = 1}));
+        bench.say(frame(S500Params{.length = mm, .chirp = 1, .decimation = 1}));
         bench.run_to(bench.now);
         EXPECT_NE((10 + 66 + 2 * bench.ping->shot.bins) % 4096, 0U) << mm;
     }
@@ -222,13 +225,57 @@ TEST(S500, AnswersEveryGetInBothWaysOfAsking) {
     EXPECT_EQ(answer(1206), "0000");
     EXPECT_EQ(answer(1207), "06000000");
     EXPECT_EQ(answer(1211), "0000000000");
-    EXPECT_EQ(answer(1213), "a00f0000") << "four bytes, unlike a Ping1D's";
+    EXPECT_EQ(answer(1213), "a00f") << "as an owner saw it";
     EXPECT_EQ(answer(1223).size(), 32U);
     EXPECT_EQ(answer(1308).size(), 132U);
     bench.say(frame(S500Params{.start = 500, .length = 7500, .gain = 9, .msec = 250}));
     EXPECT_EQ(answer(1204), "f40100004c1d0000");
     EXPECT_EQ(answer(1206), "fa00");
     EXPECT_EQ(answer(1207), "09000000");
+}
+
+TEST(S500, AHostOfAPing1dConnects) {
+    Bench bench = s500();
+    place_bottom(bench, 3.0, 10.0);
+    bench.say("42520000ba0400005201");  // general_info, as a public host asks first
+    auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 1U);
+    // firmware 1.0, 5000 mV, 0 ms, gain 6, automatic
+    EXPECT_EQ(to_hex(ByteView(sent[0].bytes).subspan(8, 10)), "01000000881300000601");
+    for (const auto& [id, value] :
+         {std::pair{1000, "0a"}, {1002, "a0081600"}, {1003, "00"}, {1004, "6400"}, {1006, "01"}}) {
+        bench.say(frame(id, value));
+        sent = bench.sent();
+        ASSERT_EQ(sent.size(), 1U) << id;
+        EXPECT_EQ(u16(sent[0].bytes, 4), 1) << "ack";
+        EXPECT_EQ(u16(sent[0].bytes, 8), id);
+    }
+    bench.run_to(1s);
+    EXPECT_TRUE(bench.sent().empty()) << "nobody asked for reports";
+    EXPECT_NEAR(static_cast<double>(bench.shots.size()), 10, 1);
+    bench.say(frame(1212));
+    const Bytes distance = bench.sent().at(0).bytes;
+    EXPECT_EQ(distance[6], 10) << "the id that was set";
+    EXPECT_NEAR(u32(distance, 8), 3000, 15);
+    EXPECT_EQ(u16(distance, 12), 100);
+    bench.say(frame(1006, "00"));
+    bench.sent();
+    const auto pings = bench.shots.size();
+    bench.run_to(3s);
+    EXPECT_LE(bench.shots.size(), pings + 1);
+    bench.say(frame(1003, "02"));
+    EXPECT_EQ(u16(bench.sent().at(0).bytes, 4), nack);
+}
+
+TEST(S500, AnUnknownIdIsAnsweredInWords) {
+    Bench bench = s500();
+    bench.say(frame(4321));
+    auto sent = bench.sent();
+    ASSERT_EQ(sent.size(), 1U);
+    EXPECT_EQ(u16(sent[0].bytes, 4), 3);
+    EXPECT_EQ(std::string(sent[0].bytes.begin() + 8, sent[0].bytes.end() - 2), "Unknown message id 4321");
+    bench.say(sent[0].bytes);
+    EXPECT_TRUE(bench.sent().empty()) << "words are never answered";
 }
 
 TEST(S500, RefusesWhatIsOutOfRange) {
@@ -258,7 +305,7 @@ TEST(S500, ASlowLineSlowsThePingsDownInsteadOfQueueing) {
 
 TEST(S500, OnUdpALongProfileGoesOnInTheNextDatagram) {
     Bench bench = s500();
-    bench.say(frame(S500Params{.length = 7500, .chirp = 1}), udp, host);
+    bench.say(frame(S500Params{.length = 7500, .chirp = 1, .decimation = 2}), udp, host);
     bench.sent();
     bench.run_to(20ms);
     const auto sent = bench.sent();

@@ -87,6 +87,76 @@ TEST(Sonar3d15, OlderReleasesHaveNoModes) {
     EXPECT_EQ(sonar.status(get_text("/udp")), 200);
 }
 
+Options release(const std::string& number, const std::string& ntp = "synchronised") {
+    return {{"release", number}, {"ntp", ntp}};
+}
+
+TEST(Sonar3d15, EachReleaseServesWhatItBrought) {
+    const std::vector<std::pair<std::string, int>> last_to_miss{
+        {"/time/status", 170}, {"/time/ntp", 170}, {"/output/imu-batch/enabled", 171}};
+    for (const auto& [number, order] : {std::pair{"1.7.0", 170}, {"1.7.1", 171}, {"1.8.0", 180}}) {
+        SonarBench sonar(release(number));
+        for (const auto& [path, missing] : last_to_miss)
+            EXPECT_EQ(sonar.status(get_text(path)), order > missing ? 200 : 404) << number << path;
+        EXPECT_EQ(sonar.post("/time/ntp/force-sync", R"({"timeout_seconds": 1})"), order > 170 ? 200 : 404);
+    }
+}
+
+TEST(Sonar3d15, ASynchronisedClockCannotBeSet) {
+    SonarBench sonar(release("1.7.1"));
+    EXPECT_TRUE(
+        sonar.get("/time/status")
+            .starts_with(R"({"system_time":"2025-06-15T15:06:40.250000Z","ntp_synced":true,"ntp_synced_to)"));
+    EXPECT_EQ(sonar.post("/time/manual", R"({"now":"2026-08-17T10:00:00Z"})"), 409);
+    EXPECT_EQ(sonar.post("/time/ntp", R"({"ntp_address":"10.0.0.1"})"), 204);
+    EXPECT_EQ(sonar.get("/time/ntp"), R"({"ntp_address":"10.0.0.1"})");
+    EXPECT_NE(sonar.get("/time/status").find(R"("ntp_synced_to":"10.0.0.1")"), std::string::npos);
+    for (const char* wrong : {R"({"ntp_address":""})", R"({"ntp_address":"a b"})", R"({"ntp":"auto"})", "7"})
+        EXPECT_EQ(sonar.post("/time/ntp", wrong), 400) << wrong;
+}
+
+TEST(Sonar3d15, AClockWithoutAServerIsWrongUntilAHostSetsIt) {
+    Options options = release("1.7.1", "unreachable");
+    options.insert(pinging.begin(), pinging.end());
+    SonarBench sonar(options);
+    EXPECT_NE(
+        sonar.get("/time/status").find(R"("system_time":"2025-01-01T00:00:00.000000Z","ntp_synced":false)"),
+        std::string::npos);
+    EXPECT_NEAR(SeenImage(sonar.packets_until(250ms).at(0).bytes).seconds(), 1735689600, 0.1);
+    for (const char* wrong : {R"({"now":"2026-13-01T00:00:00Z"})", R"({"now":"yesterday"})", R"({"now":7})",
+                              R"({"now":"2026-08-17T10:00:00"})", R"({"now":"2026-02-29T10:00:00Z"})"})
+        EXPECT_EQ(sonar.post("/time/manual", wrong), 400) << wrong;
+    EXPECT_EQ(sonar.post("/time/manual", R"({"now":"2026-08-17T12:00:00.500+02:00"})"), 204);
+    EXPECT_NE(sonar.get("/time/status").find("2026-08-17T10:00:00.5"), std::string::npos);
+    sonar.packets_until(450ms);
+    EXPECT_NEAR(SeenImage(sonar.packets_until(650ms).at(0).bytes).seconds(), 1786960800.5, 1);
+    sonar.bench->say(text_bytes(post_text("/time/ntp/force-sync", R"({"timeout_seconds": 2.5})")));
+    const auto sent = sonar.bench->sent();
+    EXPECT_EQ(sent.at(0).not_before, sonar.bench->now + 2500ms) << "it waits in vain";
+    EXPECT_NE(std::string(sent[0].bytes.begin(), sent[0].bytes.end()).find(R"("success":false)"),
+              std::string::npos);
+}
+
+TEST(Sonar3d15, SendsBatchesOfItsImuWhenAskedTo) {
+    SonarBench sonar(release("1.8.0"), {"tcp-listen://127.0.0.1:80", "udp://127.0.0.1:4747"});
+    EXPECT_TRUE(sonar.packets_until(1s).empty());
+    EXPECT_EQ(sonar.post("/output/imu-batch/enabled", "true"), 204);
+    const auto packets = sonar.packets_until(2s);
+    ASSERT_EQ(packets.size(), 10U) << "10 samples of 10 ms each";
+    const SeenImage batch(packets[3].bytes);
+    EXPECT_EQ(batch.type_url, "type.googleapis.com/waterlinked.sonar.protocol.ImuBatch");
+    EXPECT_EQ(batch.message.numbers.at(1), 3U);
+    EXPECT_EQ(batch.message.numbers.at(2), 10U);
+    const Bytes force = batch.message.blocks.at(4);
+    ASSERT_EQ(force.size(), 10U * 3 * 4);
+    float down = 0;
+    std::memcpy(&down, force.data() + 8, 4);
+    EXPECT_NEAR(down, -9.81, 1e-3) << "z points down, what holds it points up";
+    EXPECT_EQ(batch.message.blocks.at(5).size(), 120U);
+    EXPECT_EQ(sonar.post("/output/imu-batch/enabled", "false"), 204);
+    EXPECT_TRUE(sonar.packets_until(3s).empty());
+}
+
 TEST(Sonar3d15, ARequestThatNeverEndsIsGivenUpAndANewConnectionStartsClean) {
     SonarBench sonar;
     EXPECT_EQ(sonar.ask("POST " + integration + "/udp HTTP/1.1\r\nContent-Length: 500\r\n\r\n{"), "");

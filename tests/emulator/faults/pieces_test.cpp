@@ -199,6 +199,22 @@ TEST_F(PiecesTest, AWrongChecksumIsAllThatIsWrong) {
     EXPECT_GE(changed[1], two.size() - 2);
 }
 
+TEST_F(PiecesTest, ABadNumberHasASignBeforeItsDecimals) {
+    ask("bad_numbers", {{"rate", 1.0}});
+    const auto spoiled = [&](const std::string& line) {
+        add(Bytes(line.begin(), line.end()));
+        const Bytes bytes = all({}).at(0).bytes;
+        return std::string(bytes.begin(), bytes.end());
+    };
+    // Checksums by another program.
+    EXPECT_EQ(spoiled("$SDDPT,1.4,*7C\r\n"), "$SDDPT,-1.-4,*7C\r\n");
+    EXPECT_EQ(spoiled("$SDDPT,-1.4,*51\r\n"), "$SDDPT,-1.-4,*7C\r\n");
+    EXPECT_EQ(spoiled("-0.52m\r\n"), "-0.-52m\r\n");
+    EXPECT_EQ(spoiled("$SDDPT,,*57\r\n"), "$SDDPT,,*57\r\n") << "no number";
+    const std::string one = spoiled("$SDDBT,98.42,f,30.00,M,16.40,F*01\r\n");
+    EXPECT_EQ(std::ranges::count(one, '-'), 2) << one;
+}
+
 TEST_F(PiecesTest, AnotherBaudRateArrivesAsAUartMakesIt) {
     ask("baud_mismatch", {{"baud", 57600.0}});
     add({0x00, 0xFF});

@@ -144,8 +144,8 @@ const std::map<std::string, double> too_coarse{
     {"aris-1200", 2.5},           {"aris-1800", 0.1},         {"kongsberg-kmall", 5.4},
     {"micron-echosounder", 37.5}, {"nmea-echosounder", 35.7}, {"norbit-wbms", 16.6},
     {"oculus-m1200d", 2.5},       {"oculus-m3000d", 2.5},     {"oculus-m750d", 1.8},
-    {"omniscan450", 25.4},        {"reson-7k", 18.4},         {"s500", 27.9},
-    {"sonar-3d-15", 19.6},        {"surveyor240", 13.5},      {"tritech-profiler", 50.6}};
+    {"reson-7k", 18.4},           {"sonar-3d-15", 19.6},      {"surveyor240", 13.5},
+    {"tritech-profiler", 50.6}};
 
 /// Steps louder than the noise leave water without echoes at exact zeros, which no real receiver shows.
 TEST_P(Physics, StepsOfTheConverterLieBelowTheNoise) {

@@ -99,6 +99,7 @@ std::vector<Case> all_cases() {
     return {forward_looking_case("simple", Target{2, 4, authors("18-22")}),
             forward_looking_case("big100k", Target{4, 8, authors("26-50")}),
             forward_looking_case("big2m", Target{8, 16, twice}),
+            forward_looking_case("one2m", Target{8, 16, twice}),
             scanning_case("simple", Target{0.2, 0.4, authors("1.8-3")}),
             scanning_case("big100k", Target{0.4, 0.8, authors("3.9-5.7")}),
             scanning_case("big2m", Target{0.8, 1.6, twice}),

@@ -8,7 +8,8 @@
 namespace echoloop::bench {
 namespace {
 
-constexpr std::array<SceneRow, 3> rows{{{"simple", 1, 0}, {"big100k", 224, 0.25}, {"big2m", 1000, 0.25}}};
+constexpr std::array<SceneRow, 4> rows{
+    {{"simple", 1, 0}, {"big100k", 224, 0.25}, {"big2m", 1000, 0.25}, {"one2m", 1000, 0.25, true}}};
 constexpr double half = 60, depth = 6;
 
 struct Box {
@@ -111,13 +112,29 @@ Mesh objects() {
     return mesh;
 }
 
+/// As one mesh, as scanners and CAD programs export.
+void join(std::vector<Mesh>& meshes) {
+    Mesh& all = meshes.front();
+    for (std::size_t i = 1; i < meshes.size(); ++i) {
+        const auto first = static_cast<std::uint32_t>(all.positions.size());
+        all.positions.insert(all.positions.end(), meshes[i].positions.begin(), meshes[i].positions.end());
+        all.normals.insert(all.normals.end(), meshes[i].normals.begin(), meshes[i].normals.end());
+        for (const std::uint32_t corner : meshes[i].indices) all.indices.push_back(first + corner);
+    }
+    meshes.resize(1);
+}
+
 }  // namespace
 
 std::span<const SceneRow> scene_rows() { return rows; }
 
 std::vector<Mesh> scene_meshes(std::string_view name) {
     for (const SceneRow& row : rows)
-        if (row.name == name) return {seabed(row), objects()};
+        if (row.name == name) {
+            std::vector<Mesh> meshes{seabed(row), objects()};
+            if (row.one_mesh) join(meshes);
+            return meshes;
+        }
     throw std::invalid_argument("bench: there is no scene " + std::string(name));
 }
 

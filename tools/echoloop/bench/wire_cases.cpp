@@ -75,6 +75,16 @@ WireCase kmall(std::string name, Options options, double range = 6.56) {
     return {"kmall " + std::move(name), "kongsberg-kmall", std::move(options), {}};
 }
 
+/// The example of the specification notes in one of the model's ping modes.
+WireCase aris(const std::string& number, std::uint8_t mode) {
+    Bytes settings =
+        hex("0000002508032a2108071500007041"
+            "18f60720ec0f2884523008380b40034801500158016500009041");
+    constexpr std::size_t mode_at = 29;
+    settings.at(mode_at) = mode;
+    return {"aris " + number, "aris-" + number, {}, {{0, hex("0000000808011a0408fcb803")}, {0, settings}}};
+}
+
 }  // namespace
 
 std::vector<WireCase> wire_cases() {
@@ -110,12 +120,20 @@ std::vector<WireCase> wire_cases() {
             kmall("bathymetry", {}),
             kmall("water column", {{"water_column", true}}),
             kmall("water column, 1000 samples", {{"water_column", true}}, 26.2),
-            {"aris 1800",
-             "aris-1800",
+            aris("1200", 1),
+            aris("1800", 3),
+            aris("3000", 6),
+            {"omniscan",
+             "omniscan450",
              {},
-             {{0, hex("0000000808011a0408fcb803")},
-              {0, hex("0000002508032a2108071500007041"
-                      "18f60720ec0f2884523008380b40034801500158016500009041")}}},
+             {{0, hex("425224009508000000000000983a00000000000000000000"
+                      "000000006f12033ba69bc43affff5802010000007e07")}}},
+            {"s500", "s500", {}, {{0, hex("42521400f7030000000000004c1d0000ffff640000001c05000000008e04")}}},
+            {"surveyor",
+             "surveyor240",
+             {},
+             {{0, hex("42522400cf0b000000000000102700000080bb44ffff6400"
+                      "000000010000000180a90300900100000000c03f6808")}}},
             {"delta t", "imagenex-deltat", {}, {}},
             {"sonar 3d", "sonar-3d-15", {{"acoustics", true}}, {}}};
 }

@@ -29,7 +29,7 @@ Results to_results(std::span<const float> powers, double full_scale) {
     });
     const double low = levels.empty() ? top : *std::min_element(levels.begin(), levels.end());
     Results results;
-    results.max_db = static_cast<float>(top);
+    results.max_db = static_cast<float>(top > low ? top : low + widest_span);  // hosts divide by the span
     results.min_db = static_cast<float>(low);
     results.values.resize(levels.size());
     const double scale = top > low ? steps / (top - low) : 0;

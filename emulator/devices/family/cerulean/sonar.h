@@ -56,6 +56,11 @@ class Sonar : public Device {
     template <class Message>
     void reply(const Message& message, const Peer& peer);
 
+    void understood() { ++counters_.messages; }
+    void not_understood() { ++counters_.rejected; }
+    std::uint8_t source() const { return link_.id(); }
+    void set_source(std::uint8_t id) { link_.set_id(id); }
+
     /// Pings for this host from now on.
     void start_pings(const Peer& listener, Time now);
     void stop_pings() { pacer_.stop(); }

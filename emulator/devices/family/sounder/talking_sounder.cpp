@@ -17,13 +17,14 @@ Wiring wiring_of(const Endpoint& e, const std::string& number, std::size_t most)
         throw std::invalid_argument(to_string(e) +
                                     ": an echosounder speaks first; name the host that is to hear it, "
                                     "udp://ADDRESS:PORT");
-    if (e.scheme == Endpoint::Scheme::udp) {
+    const Address host = e.scheme == Endpoint::Scheme::udp ? Address{e.ip, e.port} : Address{};
+    if (host.port != 0 && number.empty()) {
         const Address from{is_loopback(e.ip) ? loopback : 0, e.local_port()};
-        return {{"datagrams" + number, Port::Kind::datagram, from, false}, {e.ip, e.port}};
+        return {{"datagrams", Port::Kind::datagram, from, false}, host};
     }
     Port line{"line" + number, Port::Kind::stream, {}, false};
     if (most > 1 && e.scheme == Endpoint::Scheme::tcp_listen) line.drivers = programs;
-    return {std::move(line), {}};
+    return {std::move(line), host};
 }
 
 }  // namespace
@@ -48,7 +49,7 @@ TalkingSounder::TalkingSounder(const Sounding& sounding, std::vector<Wiring> wir
       shot_(shot_from(sounding_)),
       free_running_(free_running),
       tracker_(sounding_.tracking_lag) {
-    const auto is_datagram = [](const Wiring& one) { return one.port.kind == Port::Kind::datagram; };
+    const auto is_datagram = [](const Wiring& one) { return one.host.port != 0; };
     if (std::ranges::all_of(wiring_, is_datagram)) sounding_.baud = 0;
 }
 

@@ -13,6 +13,7 @@ std::vector<Bytes> imaging_requests(const DeviceConfig&, bool turns) {
     p.hd_type = 0x11;
     p.range_scale = 50;
     p.ad_span = 81;
+    p.initial_gain1 = p.initial_gain2 = 105;  // 50 %, as Rock's driver has it
     p.motor_time = 25;
     p.step_size = turns ? 16 : 0;
     p.ad_interval = 52;

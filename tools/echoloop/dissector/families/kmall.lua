@@ -1,4 +1,5 @@
--- Datagrams {size, "#MRZ", ..., size} of structs that say their own size; "$KSSIS," is a controller's text.
+-- Datagrams {size, "#MRZ", ..., size} of structs that say their own size; "$KSSIS," is a controller's text, "$MVS01,00000,"
+-- one with a profile of the speed of sound.
 local family = sonar.families.kmall
 family.datagram = true
 family.mark = "[%z\1-\255]"
@@ -22,9 +23,10 @@ for _, field in ipairs({image_field, amplitude_field, phase_field, part_field, p
 end
 
 local function is_command(text, at) return text:sub(at + 1, at + #command) == command end
+local function is_sound(text, at) return text:match("^%$%u%uS%d%d,00000,", at + 1) ~= nil end
 
 function family.frame(text, at)
-  if is_command(text, at) then return #text - at end
+  if is_command(text, at) or is_sound(text, at) then return #text - at end
   local size = sonar.le(text, at, 4)
   if not size or #text - at < header + tail or not text:match("^#%u%u%u", at + 5) then return 0 end
   return size >= header + tail and size <= #text - at and size or 0
@@ -127,7 +129,8 @@ end
 local function show_profile(r, tree)
   local at = r.at
   return show_sized(r, tree, "SoundProfileInfo") and
-         show_all(r, tree, "SoundProfilePoint", number(r, at, "SoundProfileInfo", "points"), 20)
+         show_all(r, tree, "SoundProfilePoint", number(r, at, "SoundProfileInfo", "points"), 20) and
+         (r.stop - r.at ~= 20 or show_struct(r, tree, "SoundProfilePoint", 20))  -- one that is not counted
 end
 
 -- B of a struct without lists.
@@ -205,6 +208,10 @@ function family.display(tree, tvb, at, size, text)
   if is_command(text, at) then
     return show_command(tree, tvb(at, size), text:sub(at + 1, at + size))
   end
+  if is_sound(text, at) then
+    tree:add(parameters_field, tvb(at, size), sonar.printable(text:sub(at + 1, at + size)))
+    return text:sub(at + 4, at + 6)
+  end
   local kind = text:sub(at + 5, at + 8)
   local r = sonar.reader(family, tvb, at, at + size - tail)
   show_struct(r, tree, "Header", header)
@@ -222,4 +229,4 @@ function family.display(tree, tvb, at, size, text)
   return parts > 1 and kind .. " part" or kind
 end
 
-function family.sign(text) return is_command(text, 0) or (family.frame(text, 0) or 0) > 0 end
+function family.sign(text) return is_command(text, 0) or is_sound(text, 0) or (family.frame(text, 0) or 0) > 0 end

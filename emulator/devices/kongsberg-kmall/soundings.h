@@ -1,0 +1,37 @@
+// The soundings of #MRZ: what each beam has found, and where that lies. Pure functions.
+#pragma once
+
+#include <span>
+
+#include "emulator/devices/family/multibeam/bottom.h"
+#include "emulator/devices/kongsberg-kmall/ping.h"
+#include "protocols/kmall/messages.h"
+
+namespace echoloop::kongsberg_kmall {
+
+inline float f(double value) { return static_cast<float>(value); }
+inline bool is_valid(const kmall::Sounding& sounding) { return sounding.type == 0; }
+
+/// Metres to starboard to degrees of longitude, and so on; on a sphere whose minutes are 1852 m (own choice).
+struct Degrees {
+    double latitude = 0, longitude = 0;
+};
+Degrees degrees_of(double east, double north, const Settings& settings);
+
+/// What is known of every beam: one that found nothing. `direction`: where it looks, in the surface's frame.
+kmall::Sounding beam(const Settings& settings, std::size_t index, double bearing, Vec3 direction);
+/// A bottom at it.
+void add_bottom(kmall::Sounding& sounding, const multibeam::Detection& detection, double sample_rate);
+/// Where it lies, m from the head. `contrast`: peak over mean of the echo, which its quality follows.
+void add_place(kmall::Sounding& sounding, Vec3 place, const Surface& surface, const Settings& settings,
+               double contrast);
+/// Soundings without a bottom get a place, too, as in the files of real heads: where the bottom of the others
+/// goes on. Not those that look along the surface or up.
+void place_rejected(kmall::Mrz& mrz, std::span<const Vec3> directions, const Surface& surface,
+                    const Settings& settings);
+
+/// The strongest samples that are no bottom, as many as the settings say, behind the soundings of the bottom.
+void add_extra_detections(kmall::Mrz& mrz, const Settings& settings, const Echogram& echogram,
+                          std::span<const multibeam::Detection> detections);
+
+}  // namespace echoloop::kongsberg_kmall

@@ -1,0 +1,159 @@
+// What an #MRZ tells beside the places of its soundings, against figures of an EM 2040P's and an EM 2042's
+// datagrams; sound speed texts, and parts.
+#include <cmath>
+#include <set>
+
+#include "protocols/kmall/codec.h"
+#include "tests/emulator/devices/kmall_bench.h"
+
+namespace echoloop::test {
+namespace {
+
+/// The first #MRZ of a floor 8 m below with speckle, and what followed.
+std::vector<Send> over_floor(const Options& changes = {}, const std::vector<std::string>& texts = {}) {
+    Bench bench = sounder(changes);
+    bench.run_to(0ns);
+    Echogram echo = bottom_echo(bench.ping->shot, flat(8), {});
+    echo.world_from_sonar = {{0, 0, -12}, from_rpy(0, deg_to_rad(90), 0)};
+    bench.hear(echo);
+    for (const auto& said : texts) bench.say(text(said));
+    return bench.sent();
+}
+
+struct Column {
+    double least, most;
+    std::size_t distinct;
+};
+Column column(const Bytes& b, std::size_t offset) {
+    std::set<float> values;
+    for (std::size_t n = 0; n < 400; ++n)
+        if (b[first + n * 120 + 3] == 0) values.insert(f32(b, first + n * 120 + offset));
+    return {*values.begin(), *values.rbegin(), values.size()};
+}
+
+TEST(KmallContents, QualitiesAndUncertaintiesVaryAsRealOnesDo) {
+    const Bytes b = over_floor().at(0).bytes;
+    const Column quality = column(b, 16);
+    EXPECT_GT(quality.distinct, 100U);
+    EXPECT_GE(quality.least, 0.04);
+    EXPECT_LE(quality.most, 0.46);
+    for (std::size_t n = 0; n < 400; ++n) {
+        const std::size_t s = first + n * 120;
+        if (b[s + 3] != 0) continue;
+        const double q = f32(b, s + 16) / 100, range = f32(b, s + 80) * 750,
+                     angle = deg_to_rad(f32(b, s + 40));
+        EXPECT_NEAR(f32(b, s + 20), q * range * std::cos(angle), 1e-5) << "exact in the 2040P";
+        EXPECT_NEAR(f32(b, s + 24), std::hypot(q * range * std::sin(angle), 0.078), 1e-5);
+        EXPECT_EQ(b[s + 6], b[s + 4] == 2 ? 98 : 88) << "rejection info 2";
+        EXPECT_EQ(b[s + 9], 12) << "confidence";
+    }
+}
+
+TEST(KmallContents, ReflectivitiesDifferAndHaveTheirMeans) {
+    const Bytes b = over_floor().at(0).bytes;
+    EXPECT_GT(column(b, 48).distinct, 100U);
+    for (std::size_t n = 0; n < 400; ++n) {
+        const std::size_t s = first + n * 120;
+        if (b[s + 3] != 0) continue;
+        const double apart = f32(b, s + 52) - f32(b, s + 48);
+        EXPECT_GE(apart, 13.7);
+        EXPECT_LE(apart, 34.1) << "34 dB at the nadir of an EM 2040P";
+        EXPECT_GE(f32(b, s + 56), -210) << "sensitivity";
+        EXPECT_LE(f32(b, s + 56), -184);
+    }
+    EXPECT_NE(f32(b, rx + 16), 0) << "BS normal";
+    EXPECT_NE(f32(b, rx + 20), 0) << "BS oblique";
+    EXPECT_EQ(f32(b, rx + 8), f32(b, rx + 12)) << "rates of water column and seabed image";
+    const std::size_t sector = ping + 152;
+    EXPECT_NEAR(f32(b, sector + 16), 8, 0.1) << "focus range";
+}
+
+TEST(KmallContents, TheSeabedImageLiesAroundEachSoundingWithItsReflectivity) {
+    const Bytes b = over_floor().at(0).bytes;
+    const double rate = f32(b, rx + 12);
+    std::size_t at = first + 400 * 120;
+    for (std::size_t n = 0; n < 400; ++n) {
+        const std::size_t s = first + n * 120, count = u16(b, s + 118);
+        if (b[s + 3] == 0) {
+            ASSERT_GE(count, 3U);
+            ASSERT_LE(count, 37U);
+            EXPECT_NEAR(u16(b, s + 114) + u16(b, s + 116), f32(b, s + 80) * rate + 0.2e-3 * rate, 1.6) << n;
+            double sum = 0;
+            for (std::size_t i = 0; i < count; ++i)
+                sum += std::pow(10, test::at<std::int16_t>(b, at + 2 * i) / 100.0);
+            EXPECT_NEAR(10 * std::log10(sum / static_cast<double>(count)), f32(b, s + 48), 0.2) << n;
+        }
+        at += 2 * count;
+    }
+    EXPECT_EQ(at + 4, b.size());
+    const Bytes bare = over_floor({{"seabed_image", false}}).at(0).bytes;
+    EXPECT_EQ(bare.size(), first + 400 * 120 + 4);
+}
+
+TEST(KmallContents, ExtraDetectionsStandBehindTheBottom) {
+    const Bytes b = over_floor({{"extra_detections", std::int64_t{90}}}).at(0).bytes;
+    const std::size_t extra = u16(b, rx + 26);
+    EXPECT_EQ(u16(b, rx + 2), 400);
+    ASSERT_GT(extra, 0U);
+    EXPECT_LE(extra, 90U);
+    EXPECT_EQ(u16(b, rx + 28), 1) << "classes";
+    EXPECT_EQ(u16(b, rx + 32), extra);
+    for (std::size_t n = 400; n < 400 + extra; ++n) {
+        const std::size_t s = first + 4 + n * 120;
+        EXPECT_EQ(u16(b, s), n);
+        EXPECT_TRUE(b[s + 3] == 1 || b[s + 3] == 2);
+        EXPECT_EQ(b[s + 8], 100) << "class";
+        EXPECT_TRUE(u16(b, s + 118) == 9 && u16(b, s + 116) == 5) << "samples, centre";
+    }
+}
+
+TEST(KmallContents, ALongOneIsSplit) {
+    const auto sent = of_type(over_floor({{"largest_part", std::int64_t{20000}}}), "#MRZ");
+    ASSERT_GE(sent.size(), 3U);
+    Bytes whole;
+    for (std::size_t i = 0; i < sent.size(); ++i) {
+        EXPECT_EQ(u16(sent[i].bytes, 20), sent.size());
+        EXPECT_EQ(u16(sent[i].bytes, 22), i + 1);
+        EXPECT_EQ(kmall::join(whole, sent[i].bytes), i + 1 == sent.size());
+    }
+    EXPECT_TRUE(kmall::parse(whole));
+}
+
+const std::string profile =
+    "$MVS01,00000,0003,221320,14,11,2023,0.00,1500.0,10.00,35.00,\r\n10.00,1498.0,9.50,35.00,\r\n"
+    "12000.00,1700.0,2.00,34.70,\r\n5924.00,N,1030.00,E,0.0,,Source: echoloop,*57\\\r\n";
+
+TEST(KmallSound, ATextBecomesTheProfile) {
+    for (const bool unused : {true, false}) {
+        const auto sent =
+            of_type(over_floor({{"unused_point", unused}}, {profile, "$KSSIS,454,2040"}), "#SVP");
+        ASSERT_EQ(sent.size(), 2U) << "at once, and whenever it is asked for";
+        const Bytes& b = sent[0].bytes;
+        EXPECT_EQ(b.size(), 48 + 3 * 20 + (unused ? 20 : 0) + 4U) << "one point more in 22 of 22 real ones";
+        EXPECT_EQ(u16(b, 22), 3);
+        EXPECT_EQ(at<std::uint32_t>(b, 28), 1700000000U);
+        EXPECT_NEAR(at<double>(b, 32), 59.4, 1e-9);
+        EXPECT_NEAR(at<double>(b, 40), 10.5, 1e-9);
+        EXPECT_EQ(f32(b, 68), 10);
+        EXPECT_EQ(f32(b, 72), 1498);
+        EXPECT_EQ(f32(b, 80), 9.5F);
+        EXPECT_EQ(f32(b, 84), 35);
+    }
+}
+
+TEST(KmallSound, LaterAndWrongTextsDoNot) {
+    std::string later = profile;
+    later.replace(4, 2, "12");
+    later.replace(later.rfind('*') + 1, 2, "55");
+    EXPECT_TRUE(of_type(over_floor({}, {later}), "#SVP").empty()) << "waits for the operator";
+    EXPECT_EQ(of_type(over_floor({{"later_profiles", std::string("used")}}, {later}), "#SVP").size(), 1U);
+    std::string wrong = profile;
+    wrong.replace(wrong.rfind('*') + 1, 2, "58");
+    EXPECT_TRUE(of_type(over_floor({}, {wrong}), "#SVP").empty());
+    Bench bench = sounder();
+    bench.say(text(wrong));
+    EXPECT_EQ(bench.device().counters().rejected, 1U);
+}
+
+}  // namespace
+}  // namespace echoloop::test

@@ -1,0 +1,246 @@
+// No model uses less than a third of its words' dynamic range, or sits pinned at an end, in its own demo
+// scene: a default reference that was never held against anything shows here. Words are all arrays of whole
+// numbers of 8 or 16 bits in a model's messages that change when the water gets louder; which messages there
+// are, the scenarios in config/ and the cases of `echoloop bench --wire` say.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "emulator/contract/random_key.h"
+#include "emulator/scenario/scene.h"
+#include "protocols/inspect.h"
+#include "render/renderer.h"
+#include "tests/emulator/devices/driver.h"
+#include "tools/echoloop/bench/wire.h"
+
+namespace echoloop::test {
+namespace {
+
+using bench::WireCase;
+
+/// One kind of words of a model, all pings together.
+struct Words {
+    std::vector<double> values;
+    std::size_t bytes = 1;  ///< of a word
+    std::size_t changed = 0;
+
+    double lowest() const { return is_signed() ? -std::ldexp(1, static_cast<int>(8 * bytes) - 1) : 0; }
+    double highest() const { return lowest() + std::ldexp(1, static_cast<int>(8 * bytes)) - 1; }
+    bool is_signed() const { return *std::ranges::min_element(values) < 0; }
+    double part(double value) const {
+        return static_cast<double>(std::ranges::count(values, value)) / static_cast<double>(values.size());
+    }
+    /// Of what the scale could hold: eight bits and words with a sign by their values, wide ones in dB above
+    /// one step.
+    double used() const {
+        const auto [low, high] = std::ranges::minmax(values);
+        if (bytes == 1 || is_signed()) return (high - low) / (highest() - lowest());
+        return std::log(std::max(high, 1.0)) / std::log(highest());
+    }
+};
+using Report = std::map<std::string, Words>;  ///< by message and field
+
+/// Not where a step of 16 bits is some dB: no echo could use a third of their thousands.
+bool is_word(const inspect::Field& field) {
+    constexpr std::size_t least = 32;
+    const bool wide_db = field.unit.ends_with("dB") && field.size == 2 * field.numbers.size();
+    return !wide_db && field.numbers.size() >= least && std::ranges::all_of(field.numbers, [](double n) {
+        return n == std::floor(n) && std::abs(n) < 65536;
+    });
+}
+
+std::vector<inspect::Field> word_fields(const inspect::Family& family, const std::vector<Send>& sent) {
+    std::vector<inspect::Field> found;
+    Bytes held;
+    std::map<std::size_t, Bytes> streams;  // by port
+    const std::vector<inspect::Field> no_fields;
+    const auto add = [&](ByteView bytes) {
+        for (const auto& message : family.decode(bytes))
+            for (inspect::Field field : message.name.ends_with(" part") ? no_fields : message.fields)
+                if (is_word(field)) {
+                    field.name = message.name + "." + field.name;
+                    const std::size_t from = field.name.find('['), to = field.name.find(']');
+                    if (to != field.name.npos) field.name.erase(from, to - from + 1);  // of each beam
+                    found.push_back(std::move(field));
+                }
+    };
+    const auto is_whole = [&](ByteView bytes) {
+        return std::ranges::none_of(family.decode(bytes), [](const auto& m) { return m.name.empty(); });
+    };
+    for (const Send& send : sent) {
+        if (family.join != nullptr && family.join(held, send.bytes)) {
+            add(held);
+        } else if (family.framing == inspect::Framing::datagram || is_whole(send.bytes)) {
+            add(send.bytes);
+        } else {
+            Bytes& stream = streams[send.port];
+            stream.insert(stream.end(), send.bytes.begin(), send.bytes.end());
+        }
+    }
+    for (const auto& [port, bytes] : streams) add(bytes);
+    return found;
+}
+
+/// A device in its scene, driven by what its model or the bench says to it. `gain`: dB on all that it hears.
+class InScene {
+  public:
+    InScene(const Scenario& scenario, const ScenarioDevice& device, Renderer& renderer, const WireCase* words,
+            double gain)
+        : scenario_(scenario),
+          device_(device),
+          renderer_(renderer),
+          words_(words),
+          factor_(static_cast<float>(std::pow(10, gain / 10))),
+          bench_(made(device, words)) {
+        const auto ports = bench_.device().ports();
+        for (std::size_t port = 0; port < ports.size(); ++port)
+            if (ports[port].kind == Port::Kind::stream) bench_.connect(port, {0x7F000001, 50000});
+    }
+
+    /// What it sends of so many pings. False if it does not ping.
+    bool run(int pings, std::vector<Send>& sent) {
+        for (int done = 0; done < pings; ++done) {
+            if (!await_ping()) return false;
+            const Shot keyed = [&] {
+                Shot shot = bench_.ping->shot;
+                shot.random_key = random_key(scenario_.seed, device_.name);
+                return shot;
+            }();
+            Echogram echogram = renderer_.render(keyed, scenario_.world_from_body * device_.body_from_sonar);
+            for (float& value : echogram.values) value *= factor_;
+            echogram.noise_power *= factor_;
+            bench_.hear(echogram);
+        }
+        bench_.run_to(bench_.now + std::chrono::milliseconds(30));
+        sent = bench_.sent();
+        return true;
+    }
+
+  private:
+    static std::unique_ptr<Device> made(const ScenarioDevice& device, const WireCase* words) {
+        DeviceConfig config = device.config;
+        if (words != nullptr)
+            for (const auto& [name, value] : words->options)
+                if (name != "range") config.options.at(name) = value;  // the scene's own
+        return device.model->make(config);
+    }
+    void ask() {
+        if (words_ != nullptr)
+            for (const auto& word : words_->words) bench_.say(word.bytes, word.port, {0x7F000001, 50000});
+        if (words_ == nullptr && device_.model->requests != nullptr)
+            for (const Bytes& request : device_.model->requests(device_.config, false))
+                if (!request.empty()) bench_.say(request, 0, {0x7F000001, 50000});
+    }
+    bool await_ping() {
+        constexpr int most = 5000, until_asked = 100;
+        for (int woken = 0; !bench_.ping && woken < most; ++woken) {
+            if (woken % until_asked == 0) ask();
+            if (bench_.ping) break;
+            if (bench_.wake == Time::max()) return false;
+            bench_.run_to(std::max(bench_.now, bench_.wake));
+        }
+        return bench_.ping.has_value();
+    }
+
+    const Scenario& scenario_;
+    const ScenarioDevice& device_;
+    Renderer& renderer_;
+    const WireCase* words_;
+    float factor_;
+    Bench bench_;
+};
+
+/// Words of the same field that are not the same.
+std::size_t differences(const inspect::Field& a, const inspect::Field& b) {
+    if (a.name != b.name || a.numbers.size() != b.numbers.size()) return 0;
+    std::size_t count = 0;
+    for (std::size_t n = 0; n < a.numbers.size(); ++n) count += a.numbers[n] != b.numbers[n];
+    return count;
+}
+
+/// Adds the words of one run; those are words that change in quieter or louder water.
+void listen(const Scenario& scenario, const ScenarioDevice& device, Renderer& renderer, const WireCase* words,
+            Report& report) {
+    const auto& family = *inspect::find_family(device.model->family);
+    std::vector<Send> sent;
+    const int pings = device.model->turn_steps > 1 ? 8 : 2;
+    const std::string who = device.model->name + (words != nullptr ? " (" + words->name + ")" : "");
+    ASSERT_TRUE(InScene(scenario, device, renderer, words, 0).run(pings, sent))
+        << who
+        << " does not ping; give its model `requests`, or a case in tools/echoloop/bench/wire_cases.cpp";
+    const auto fields = word_fields(family, sent);
+    std::vector<std::size_t> changed(fields.size());
+    for (const double gain : {-40.0, 40.0}) {
+        InScene(scenario, device, renderer, words, gain).run(pings, sent);
+        const auto other = word_fields(family, sent);
+        for (std::size_t i = 0; i < std::min(fields.size(), other.size()); ++i)
+            changed[i] = std::max(changed[i], differences(fields[i], other[i]));
+    }
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto& numbers = fields[i].numbers;
+        Words& known = report[who + " " + fields[i].name];
+        known.values.insert(known.values.end(), numbers.begin(), numbers.end());
+        const bool wide = fields[i].size == 2 * numbers.size() || *std::ranges::max_element(numbers) > 255;
+        known.bytes = std::max<std::size_t>(known.bytes, wide ? 2 : 1);
+        known.changed += changed[i];
+    }
+}
+
+class Levels : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(Levels, UseAThirdOfTheScaleAndAreNotPinnedInTheDemo) {
+    const Scenario scenario = load_scenario(GetParam(), {}, models());
+    const auto scene = load_scene(scenario);
+    Renderer renderer(scene, scenario.water, scenario.render);
+    static const auto cases = bench::wire_cases();
+    Report report;
+    for (const ScenarioDevice& device : scenario.devices) {
+        std::size_t known = 0;
+        for (const WireCase& one : cases)
+            if (one.model == device.model->name &&
+                (device.model->requests == nullptr || !one.words.empty())) {
+                listen(scenario, device, renderer, &one, report);
+                ++known;
+            }
+        if (known == 0) listen(scenario, device, renderer, nullptr, report);
+    }
+    for (const auto& [name, words] : report) {
+        if (words.changed * 20 < words.values.size()) continue;  // no words of levels
+        const double low = words.part(words.lowest()), high = words.part(words.highest());
+        std::printf("%-72s %8zu words, used %3.0f %%, lowest %5.1f %%, highest %5.2f %%\n", name.c_str(),
+                    words.values.size(), 100 * words.used(), 100 * low, 100 * high);
+        EXPECT_GE(words.used(), 1.0 / 3) << name;
+        EXPECT_LE(low, 0.9) << name << ": pinned below";
+        EXPECT_LE(high, 0.1) << name << ": pinned above";
+    }
+}
+
+/// A scene of many sonars is no demo of each: some look where there is little for them.
+std::vector<std::filesystem::path> scenarios() {
+    constexpr std::size_t many = 5;
+    std::vector<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(ECHOLOOP_SOURCE_DIR "/config"))
+        if (entry.path().extension() == ".yaml" &&
+            load_scenario(entry.path(), {}, models()).devices.size() < many)
+            found.push_back(entry.path());
+    std::ranges::sort(found);
+    return found;
+}
+INSTANTIATE_TEST_SUITE_P(Demo, Levels, testing::ValuesIn(scenarios()), [](const auto& row) {
+    std::string name = row.param.stem().string();
+    std::ranges::replace(name, '-', '_');
+    return name;
+});
+
+TEST(Levels, EveryModelHasADemo) {
+    std::string all;
+    for (const auto& path : scenarios())
+        for (const ScenarioDevice& device : load_scenario(path, {}, models()).devices)
+            all += device.model->name + "\n";
+    for (const Model& model : models()) EXPECT_NE(all.find(model.name + "\n"), all.npos) << model.name;
+}
+
+}  // namespace
+}  // namespace echoloop::test
