@@ -39,6 +39,8 @@ class Mutator {
         std::vector<const inspect::Message*> named;
         for (const auto& message : messages)
             if (!message.name.empty()) named.push_back(&message);
+        if (named.empty() && !bytes.empty() && random_() % 4 != 0)
+            return plain(plain_, bytes, most);  // e.g. texts
         if (named.empty() || random_() % 8 == 0) {
             const std::size_t at = messages.empty() ? 0 : messages[below(random_, messages.size())].offset;
             const Bytes made = MadeMessage(family_, random_).any();
@@ -152,7 +154,7 @@ inline Bytes mutated_records(ByteView input, std::size_t most, unsigned seed, co
     constexpr std::size_t longest = 255;
     Random random(seed);
     const auto* family = inspect::find_family(shape.family);
-    if (random() % 3 == 0 || input.size() < shape.before || family == nullptr)
+    if (random() % 2 == 0 || input.size() < shape.before || family == nullptr)
         return plain(mutate, input, most);
     std::vector<std::size_t> starts;
     for (std::size_t at = shape.before; at + heading < input.size(); at += heading + 1 + input[at + heading])

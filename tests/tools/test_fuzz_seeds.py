@@ -70,7 +70,9 @@ class Seeds(unittest.TestCase):
         for link in ("ethernet", "vlan", "raw", "sll", "sll2", "null"):
             for kind in ("big", "little", "pcapng"):
                 self.check_inspected(f"link-{link}-{kind}", "STH0")
-        self.check_inspected("ping-viewer", "Nack")
+        for name, wanted in (("ping-viewer", "Nack"), ("makers-oculus", "Result"), ("makers-aris", "FramePart"), ("makers-xtf", "BTH0"),
+                             ("makers-kmall", "#SVP"), ("makers-gzip", "#IIP")):
+            self.check_inspected(name, wanted)
 
     def check_inspected(self, name, wanted):
         result = subprocess.run([PROGRAM, "inspect", self.folder / "capture_file" / name], capture_output=True, text=True)

@@ -1,6 +1,12 @@
 """Messages as captured traffic holds them: IP packets behind each kind of link, pcap and pcapng files as others and echoloop's
 recorder write them, text logs of serial lines, logs of Ping Viewer."""
+import gzip
+import pathlib
 import struct
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "cli"))
+import makers_files as makers  # noqa: E402
 
 HOST, DEVICE = bytes((127, 0, 0, 1)), bytes((127, 0, 0, 2))
 
@@ -93,6 +99,12 @@ def captures(messages):
         yield f"link-{name}-big", pcap(link, packets, ">", 0xA1B23C4D)
         yield f"link-{name}-little", pcap(link, packets)
         yield f"link-{name}-pcapng", pcapng(link, packets, ">")
+    image, bathymetry = messages["oculus-result_v1"], messages["r2sonic-bth0_equi_angle"]
+    yield "makers-oculus", makers.oculus([(10, 1700000000.5, image, compressed) for compressed in (0, 1, 0)] + [(3, 1, b"x", 1)])
+    yield "makers-aris", makers.aris([makers.aris_frame(n, 1700000000000000 + n, samples=20) for n in range(2)], samples=20)
+    yield "makers-xtf", makers.xtf([makers.attitude(), makers.xtf_ping(65, bathymetry), makers.xtf_ping(68, bathymetry, 16)])
+    yield "makers-kmall", makers.installation() + makers.profile() + messages["kmall-mwc"] + b"lost" + makers.profile()
+    yield "makers-gzip", gzip.compress(makers.profile() + makers.installation(), mtime=0)
     yield "ping-viewer", ping_viewer_log([message for name, message in messages.items() if name.startswith("ping-")])
 
 

@@ -63,6 +63,14 @@ def framed_inputs(messages):
             yield "replay", name, bytes([number]) + b"".join(bytes([time, len(message)]) + message for time in (2, 3, 4, 5))
 
 
+def text_commands():
+    """What the Norbit obeys, by its names, each as a device is told it 160 ms after its start."""
+    source = (ROOT / "emulator" / "devices" / "norbit-wbms").glob("*.cpp")
+    for name in sorted({name for path in source for name in re.findall(r'\{"([a-z_]+)",', path.read_text())}):
+        line = f"{name} 1 2\r\n".encode()
+        yield "devices", f"norbit-{name}", b"\x00\x00\x71" + b"".join(bytes([0, 16, len(text)]) + text for text in (b"set_power 1\r\n", line))
+
+
 def inputs():
     """(folder, name, bytes) of all."""
     messages, recorded = golden(), recordings()
@@ -79,6 +87,7 @@ def inputs():
         yield "replay_source", name, b"\x22" + data
     yield from (("packet", name, data) for name, data in packet_inputs(messages))
     yield from framed_inputs(messages)
+    yield from text_commands()
     yield from (("scene", name, data) for name, data in scenes())
     yield from (("scenario", path.stem, path.read_bytes()) for path in sorted((ROOT / "config").glob("*.yaml")))
     yield from ((folder, name, text.encode("latin-1")) for folder, name, text in lines())

@@ -51,6 +51,7 @@ def words_of_sources(patterns):
 def dictionaries(messages):
     """{"dictionary": words} for readers of bytes, {"TARGET.dict": words} for readers of text."""
     begins = [message[:size] for message in messages.values() for size in (2, 4, 8, 16)]
-    yield "dictionary", [*begins, *words_of_tables()]
-    for name, patterns in SOURCES.items():
-        yield f"{name}.dict", list(words_of_sources(patterns))
+    of_messages = [*begins, *words_of_tables()]
+    yield "dictionary", of_messages
+    for name, patterns in SOURCES.items():  # devices hear messages of several families beside their texts
+        yield f"{name}.dict", [*words_of_sources(patterns), *(of_messages if name.startswith("devices-") else [])]
