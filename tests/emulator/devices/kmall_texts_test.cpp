@@ -248,7 +248,7 @@ TEST(Kmall, TheRecordsOfAFilesBeginningAreSentAgain) {
     const auto text_in = [](const Bytes& b) { return std::string(b.begin() + 26, b.end() - 4); };
     EXPECT_EQ(type(sent[0]), "#IIP");
     EXPECT_EQ(u16(sent[0].bytes, 20), sent[0].bytes.size() - 24);
-    EXPECT_TRUE(text_in(sent[0].bytes).starts_with("OSCV:Empty,EMXV:EM2040,\nPU_0,\nSN=2040,\nIP="));
+    EXPECT_TRUE(text_in(sent[0].bytes).starts_with("OSCV:Empty,EMXV:EM2040,\nPU_0,\nSN=10140,\nIP="));
     EXPECT_NE(text_in(sent[0].bytes).find("\nSERIALno-END,\nSYSTEM:EM 2040 - Single Tx single Rx,TRAI_TX1:"),
               std::string::npos);
     EXPECT_NE(text_in(sent[0].bytes).find(",TRAI_RX1:N=1;X=0.000;Y=0.000;Z=0.000;R=0.000;P=0.000;H=0.000,"),
