@@ -37,7 +37,9 @@ bool RecordFinder::is_beginning(wire::ByteView bytes) const {
 
 std::size_t RecordFinder::beginning_within(wire::ByteView pending) const {
     const std::size_t end = std::min(pending.size(), searched);
-    for (std::size_t at = 1; at < end; ++at)
+    // The record within the first packet is no beginning of its own: its bytes go on in the next packets.
+    const bool in_packets = plausible_network_frame(pending, longest_).has_value();
+    for (std::size_t at = in_packets ? network_frame_size + 1 : 1; at < end; ++at)
         if (pending[at] == first_byte && is_beginning(pending.subspan(at))) return at;
     return 0;
 }

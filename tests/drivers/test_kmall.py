@@ -104,6 +104,19 @@ class TheMachineThatGoesPing(unittest.TestCase):
         depth = bottom / rate * column.rx_info.get_sound_velocity_m_per_sec() / 2 * np.cos(np.radians(angle))
         self.assertLess(np.abs(depth / 8 - 1).max(), 0.01)
 
+    def test_the_seabed_image_and_what_varies_are_read(self):
+        ping = self.range_and_depth()
+        self.assertEqual(ping.get_datagram_version(), 3)
+        counts = np.asarray(ping.soundings.get_si_num_samples_tensor()).astype(int)
+        image = np.asarray(ping.get_seabed_image_samples_db())
+        self.assertEqual(len(image), counts.sum())
+        level = np.asarray(ping.soundings.get_reflectivity_1_db_tensor())
+        first = np.concatenate([[0], np.cumsum(counts)[:-1]])
+        mean = 10 * np.log10(np.add.reduceat(10 ** (image / 10), first) / counts)
+        self.assertLess(np.abs(mean - level).max(), 0.2, "samples of a sounding have its reflectivity")
+        for tensor in ("quality_factor", "detection_uncertainty_ver_m", "detection_uncertainty_hor_m", "reflectivity_2_db"):
+            self.assertGreater(len(set(np.asarray(getattr(ping.soundings, f"get_{tensor}_tensor")()))), 100, tensor)
+
     def test_a_file_of_what_came_has_the_pings_where_the_datagrams_are(self):
         self.say("$KSSIS,454,EM2040_40")
         with tempfile.TemporaryDirectory() as folder:
@@ -132,7 +145,7 @@ class TheMachineThatGoesPing(unittest.TestCase):
         self.assertEqual(installation.get_available_transducer_keys(), ["TRAI_TX1", "TRAI_RX1"])
         self.assertEqual(installation.get_active_position_system_number(), 1)
         self.assertAlmostEqual(installation.get_water_line_vertical_location_in_meters(), -12, delta=1e-3)
-        self.assertEqual(installation.get_pu_serial_number(), 2040)
+        self.assertEqual(installation.get_pu_serial_number(), 10140)
         runtime = public.IOpRuntime.from_binary(self.next("#IOP")).get_runtime_txt_decoded()
         self.assertEqual(runtime["Sector coverage|Max angle Port"], "45.0")
         self.assertEqual(runtime["Sector coverage|Beam spacing"], "Equidistance")

@@ -127,6 +127,27 @@ class Commands(KmallCase):
                 self.socket.recv(65536)
 
 
+PROFILE = ("$MVS01,00000,0003,221320,14,11,2023,0.00,1500.0,10.00,35.00,\r\n10.00,1498.0,9.50,35.00,\r\n"
+           "12000.00,1700.0,2.00,34.70,\r\n5924.00,N,1030.00,E,0.0,,Source: a public sender,*%02x\\\r\n")
+
+
+class SoundSpeed(KmallCase):
+    def test_a_profile_that_is_sent_is_the_one_that_is_told(self):
+        self.start()
+        checksum = 0
+        for byte in PROFILE[1 : PROFILE.index("*")].encode():
+            checksum ^= byte
+        self.say(PROFILE % checksum)
+        self.say("$KSSIS,454,EM2040_40")  # what a sender asks for next
+        for _ in range(2):
+            while True:
+                self.socket.settimeout(20)
+                datagram = self.socket.recv(65536)
+                if datagram[4:8] == b"#SVP":
+                    break
+            self.assertEqual(wire.sound_profile(datagram), [(0, 1500), (10, 1498), (12000, 1700)])
+
+
 class Controller(unittest.TestCase):
     """A host that talks to the controller as a known driver does: from the port where it hears."""
 

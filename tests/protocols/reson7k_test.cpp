@@ -138,6 +138,20 @@ TEST(Reson7kFramer, PacketsOfOneRecordMustBelongTogether) {
     EXPECT_EQ(records_of(joined({packets[0], range})).size(), 1U) << "the host went away in between";
 }
 
+TEST(Reson7kFramer, PacketsMayComeInPieces) {
+    const wire::Bytes stream = joined(three_packets());
+    for (const std::size_t size : {1U, 50U, 150U, 1000U}) {
+        Framer framer;
+        int found = 0;
+        for (std::size_t at = 0; at < stream.size(); at += size) {
+            framer.feed(wire::ByteView(stream).subspan(at, std::min(size, stream.size() - at)));
+            while (framer.next()) ++found;
+        }
+        EXPECT_EQ(found, 1) << size;
+        EXPECT_EQ(framer.skipped_bytes(), 0U) << size;
+    }
+}
+
 TEST(Reson7kFramer, ALyingSizeIsNoise) {
     for (const std::size_t at : {4U, 12U, 16U, 20U, 36U + 8U}) {  // packets, sizes, sequence; record size
         wire::Bytes lie = golden("range");
