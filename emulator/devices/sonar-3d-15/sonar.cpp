@@ -161,7 +161,7 @@ void Sonar::send_image(const Echogram& echogram) {
         const auto pixel = strongest(echogram, beam, shooting_->plan, settings_);
         if (!pixel) continue;
         // Own choice: with it, flat walls have as many equal neighbours as a recording.
-        constexpr Stray echo{.noise = 0.03};
+        constexpr Stray echo{.noise = 0.05};
         const Time own{static_cast<Time::rep>(beam)};
         const double told = settings_.sensors.read("range", pixel->distance, echo, shooting_->start + own);
         const long counts = std::lround(told / static_cast<double>(pixel_scale));
