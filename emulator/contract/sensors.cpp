@@ -34,9 +34,11 @@ double slow(std::uint64_t key, Time now) {
 double Sensors::read(std::string_view name, double truth, const Stray& stray, Time now) const {
     if (!noisy_) return truth;
     const std::uint64_t key = random_key(key_, name);
-    const double reading =
-        truth + stray.drift * slow(key, now) +
-        stray.noise * normal(split_mix(~key ^ split_mix(static_cast<std::uint64_t>(now.count()))));
+    if (stray.every > 0) now = from_seconds(stray.every * std::floor(to_seconds(now) / stray.every));
+    double reading = truth;
+    if (stray.drift > 0) reading += stray.drift * slow(key, now);
+    if (stray.noise > 0)
+        reading += stray.noise * normal(split_mix(~key ^ split_mix(static_cast<std::uint64_t>(now.count()))));
     return stray.step > 0 ? stray.step * std::round(reading / stray.step) : reading;
 }
 

@@ -17,15 +17,18 @@ struct Stray {
     double drift = 0;  ///< standard deviation of what changes within minutes
     double noise = 0;  ///< standard deviation from one reading to the next
     double step = 0;   ///< of the converter; 0: none
+    double every =
+        0;  ///< s from one reading to the next, which is told again until then; 0: always a new one
 };
 constexpr Stray operator*(double unit, const Stray& s) {
-    return {unit * s.drift, unit * s.noise, unit * s.step};
+    return {unit * s.drift, unit * s.noise, unit * s.step, s.every};
 }
 
 /// Magnitudes. Own choices, if nothing else is said, of what sensors of the kind do in a vehicle at rest.
 namespace stray {
-/// degC. A projector in the sea drifted by 0.1 K within 48 s (923 pings of a Sonic 2026).
-inline constexpr Stray water_temperature{.drift = 0.05, .noise = 0.005};
+/// degC. The projector of a Sonic 2026 reads 291.76 to 291.79 K within a second, 291.7 to 291.8 K within 48
+/// s.
+inline constexpr Stray water_temperature{.drift = 0.03, .noise = 0.012};
 /// degC, within the housing, at a converter of 1/16 degC, as common digital thermometers have.
 inline constexpr Stray board_temperature{.drift = 0.6, .noise = 0.05, .step = 0.0625};
 /// Share of a supply's voltage.
@@ -44,8 +47,9 @@ inline constexpr Stray motion{.drift = 0.01, .noise = 0.005};
 inline constexpr Stray position{.drift = 0.01, .noise = 0.005};
 /// g, of each axis.
 inline constexpr Stray acceleration{.drift = 0.001, .noise = 0.002};
-/// m/s, of a sound-speed probe at the head.
-inline constexpr Stray sound_speed{.drift = 0.08, .noise = 0.015, .step = 0.001};
+/// m/s, of a sound-speed probe at the head: 1514.962, 1515.073, 1515.038 m/s, each for 9 pings of a Sonic
+/// 2026.
+inline constexpr Stray sound_speed{.drift = 0.05, .noise = 0.05, .step = 0.001, .every = 0.47};
 }  // namespace stray
 
 /// By how much pings come late: 0, 1, .. `most` whole steps, each as likely.
@@ -80,6 +84,8 @@ class Sensors {
             return static_cast<float>(read(name, truth, stray, now));
         };
     }
+    /// What swings in a way of its own: `value` with the effect, 0 without.
+    double swing(double value) const { return noisy_ ? value : 0; }
     /// The lateness of a ping, by its number.
     Time lateness(const Jitter& jitter, std::uint64_t ping) const;
 

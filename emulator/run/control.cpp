@@ -13,9 +13,9 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "emulator/run/answers.h"
+#include "emulator/run/token.h"
 #include "emulator/transport/address.h"
 #include "emulator/transport/own_folder.h"
 
@@ -223,8 +223,7 @@ Task<void> Control::serve(std::shared_ptr<Client> client) {
 
 /// The first line of a client by TCP.
 std::string Control::admit(Client& client, std::string_view line) const {
-    const auto said = nlohmann::json::parse(line, nullptr, false);
-    client.trusted = said.is_object() && said.contains("token") && said["token"] == token_;
+    client.trusted = tells_token(line, token_);
     if (client.trusted) return answers::welcome();
     return answers::refusal(
         "token: by TCP the first line must be {\"token\": \"...\"} with the token that the run printed at "

@@ -56,14 +56,6 @@ std::vector<FaultRow> rows_of_bytes() {
          bytes,
          "single bits are inverted, at most one in a byte",
          {chance(1e-4, "bits")}},
-        {Kind::bad_numbers,
-         "bad_numbers",
-         bytes,
-         "a number in a line of text has a sign before its decimals too, -1.-4, and the checksum fits, as "
-         "faulty "
-         "firmware writes it",
-         {chance(0.01, "messages")},
-         "lines of text"},
         {Kind::merge,
          "merge",
          bytes,
@@ -144,6 +136,14 @@ std::vector<FaultRow> rows_of_lines_and_devices() {
          {},
          "a motor"},
         {Kind::frozen_image, "frozen_image", Where::device, "every ping hears the same echoes again"},
+        {Kind::bad_numbers,
+         "bad_numbers",
+         Where::bytes,
+         "a number in a line of text has a sign before its decimals too, -1.-4, and the checksum fits, as "
+         "faulty "
+         "firmware writes it",
+         {chance(0.01, "messages")},
+         "lines of text"},
     };
 }
 

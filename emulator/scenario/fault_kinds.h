@@ -11,6 +11,7 @@
 
 namespace echoloop {
 
+/// A kind's place is part of what its random numbers are made from: new ones come last.
 enum class FaultKind {
     loss,
     silence,
@@ -18,7 +19,6 @@ enum class FaultKind {
     wrong_checksum,
     truncation,
     bit_flips,
-    bad_numbers,
     merge,
     reordering,
     split,
@@ -32,9 +32,10 @@ enum class FaultKind {
     reset,
     reboot,
     stuck_motor,
-    frozen_image
+    frozen_image,
+    bad_numbers
 };
-inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::frozen_image) + 1;
+inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::bad_numbers) + 1;
 
 struct FaultRow {
     enum class Where {

@@ -135,6 +135,11 @@ class Inspect(ProgramTest):
     def test_text_of_a_capture_cannot_steer_the_terminal(self):
         payload = b"CMD0" + b"\x1b[2J" + struct.pack(">f", 1.0) + b"RNG0" + struct.pack(">f", 1.0)
         self.assertNotIn(b"\x1b", run("inspect", self.file(pcap([ethernet(ipv4(udp(payload)))]))).stdout)
+        named = captures.Pcapng().interface(captures.RTAC_SERIAL, b"micron \x1b[2J line")
+        named.packet(0, captures.rtac(REBOOT, 1), 10**9, comment=b"\x1b[2J")
+        for arguments in ((), ("--summary",)):
+            result = run("inspect", self.file(named.data), *arguments)
+            self.assertNotIn(b"\x1b", result.stdout + result.stderr, arguments)
 
     def test_hostile_captures_do_no_harm(self):
         generator = random.Random(1)

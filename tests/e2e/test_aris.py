@@ -141,12 +141,12 @@ class Tank(ArisCase):
     def test_its_own_sensors_tell_depth_attitude_and_focus(self):
         host = self.start("tank", [1, 0, -2], tilt=20)
         frame = host.next_with(host.acoustics(**EXAMPLES[0]))
-        self.assertAlmostEqual(frame.depth, 2, delta=0.01)
+        self.assertAlmostEqual(frame.depth, 2, delta=0.06)
         h = frame.header
-        self.assertAlmostEqual(h["heading"], 90, delta=0.01)  # the x axis is east
-        self.assertAlmostEqual(h["pitch"], -20, delta=0.01)
-        self.assertAlmostEqual(h["accel_x"], -math.sin(math.radians(20)), delta=0.001)
-        self.assertAlmostEqual(h["accel_z"], -math.cos(math.radians(20)), delta=0.001)
+        self.assertAlmostEqual(h["heading"], 90, delta=2)  # the x axis is east
+        self.assertAlmostEqual(h["pitch"], -20, delta=0.3)
+        self.assertAlmostEqual(h["accel_x"], -math.sin(math.radians(20)), delta=0.01)
+        self.assertAlmostEqual(h["accel_z"], -math.cos(math.radians(20)), delta=0.01)
         self.assertGreater(h["app_version"], 0)
         # start() focuses on 5 m; the lens is there within two seconds, and moves away for another range.
         near = host.frame(3, lambda frame: not frame.header["focus_moving"]).header

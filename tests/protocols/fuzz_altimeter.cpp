@@ -6,6 +6,9 @@
 
 #include "protocols/altimeter/inspect.h"
 #include "protocols/altimeter/line.h"
+#include "tests/protocols/mutator.h"
+
+ECHOLOOP_MUTATOR({.family = "altimeter", .before = 1})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace echoloop::altimeter;

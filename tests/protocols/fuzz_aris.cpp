@@ -5,6 +5,7 @@
 
 #include "protocols/aris/framer.h"
 #include "protocols/aris/inspect.h"
+#include "tests/protocols/mutator.h"
 
 using namespace echoloop::aris;
 
@@ -27,6 +28,8 @@ void check_datagram(echoloop::wire::ByteView bytes) {
 }
 
 }  // namespace
+
+ECHOLOOP_MUTATOR({.family = "aris", .before = 1})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;

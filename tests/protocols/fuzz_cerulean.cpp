@@ -8,6 +8,7 @@
 #include "protocols/cerulean/s500_codec.h"
 #include "protocols/ping/codec.h"
 #include "protocols/ping/framer.h"
+#include "tests/protocols/mutator.h"
 
 namespace {
 
@@ -28,6 +29,8 @@ void check(const echoloop::ping::Frame& frame) {
 }
 
 }  // namespace
+
+ECHOLOOP_MUTATOR({.family = "cerulean"})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < 2) return 0;

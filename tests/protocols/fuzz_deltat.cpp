@@ -4,6 +4,9 @@
 
 #include "protocols/imagenex/delta_t_codec.h"
 #include "protocols/imagenex/delta_t_inspect.h"
+#include "tests/protocols/mutator.h"
+
+ECHOLOOP_MUTATOR({.family = "deltat"})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace echoloop::imagenex;

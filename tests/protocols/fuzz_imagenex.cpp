@@ -6,6 +6,9 @@
 #include "protocols/imagenex/framer.h"
 #include "protocols/imagenex/inspect.h"
 #include "protocols/imagenex/shot_writer.h"
+#include "tests/protocols/mutator.h"
+
+ECHOLOOP_MUTATOR({.family = "imagenex", .before = 1})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace echoloop::imagenex;

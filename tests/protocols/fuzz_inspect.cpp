@@ -3,6 +3,9 @@
 #include <cstdlib>
 
 #include "protocols/inspect.h"
+#include "tests/protocols/mutator.h"
+
+ECHOLOOP_MUTATOR({})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace echoloop::inspect;

@@ -4,6 +4,9 @@
 
 #include "protocols/kmall/codec.h"
 #include "protocols/kmall/inspect.h"
+#include "tests/protocols/mutator.h"
+
+ECHOLOOP_MUTATOR({.family = "kmall"})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace echoloop::kmall;

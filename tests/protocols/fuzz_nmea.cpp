@@ -6,6 +6,9 @@
 #include "protocols/nmea/framer.h"
 #include "protocols/nmea/inspect.h"
 #include "protocols/nmea/sentence.h"
+#include "tests/protocols/mutator.h"
+
+ECHOLOOP_MUTATOR({.family = "nmea", .before = 1})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace echoloop::nmea;

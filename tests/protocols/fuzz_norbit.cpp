@@ -7,6 +7,7 @@
 #include "protocols/norbit/command.h"
 #include "protocols/norbit/framer.h"
 #include "protocols/norbit/inspect.h"
+#include "tests/protocols/mutator.h"
 
 using namespace echoloop::norbit;
 
@@ -33,6 +34,8 @@ void check(const std::string& line) {
 }
 
 }  // namespace
+
+ECHOLOOP_MUTATOR({.family = "norbit", .before = 1})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;

@@ -5,6 +5,7 @@
 #include "protocols/oculus/codec.h"
 #include "protocols/oculus/framer.h"
 #include "protocols/oculus/inspect.h"
+#include "tests/protocols/mutator.h"
 
 using namespace echoloop::oculus;
 
@@ -29,6 +30,8 @@ void check(const Frame& frame) {
 }
 
 }  // namespace
+
+ECHOLOOP_MUTATOR({.family = "oculus", .before = 1})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;

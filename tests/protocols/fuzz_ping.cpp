@@ -5,6 +5,9 @@
 #include "protocols/ping/codec.h"
 #include "protocols/ping/framer.h"
 #include "protocols/ping/inspect.h"
+#include "tests/protocols/mutator.h"
+
+ECHOLOOP_MUTATOR({.family = "ping", .before = 1})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace echoloop::ping;

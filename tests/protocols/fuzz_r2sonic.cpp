@@ -6,6 +6,7 @@
 #include "protocols/r2sonic/beams.h"
 #include "protocols/r2sonic/codec.h"
 #include "protocols/r2sonic/known_sections.h"
+#include "tests/protocols/mutator.h"
 
 namespace {
 
@@ -17,6 +18,8 @@ void check_bathymetry(const echoloop::r2sonic::Bth0& packet) {
 }
 
 }  // namespace
+
+ECHOLOOP_MUTATOR({.family = "r2sonic"})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace echoloop::r2sonic;

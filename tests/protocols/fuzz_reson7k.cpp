@@ -6,6 +6,7 @@
 #include "protocols/reson7k/codec.h"
 #include "protocols/reson7k/framer.h"
 #include "protocols/reson7k/inspect.h"
+#include "tests/protocols/mutator.h"
 
 using namespace echoloop::reson7k;
 
@@ -20,6 +21,8 @@ void check(const Record& record) {
 }
 
 }  // namespace
+
+ECHOLOOP_MUTATOR({.family = "reson7k", .before = 1})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;

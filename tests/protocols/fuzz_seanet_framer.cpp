@@ -4,6 +4,9 @@
 
 #include "protocols/seanet/codec.h"
 #include "protocols/seanet/framer.h"
+#include "tests/protocols/mutator.h"
+
+ECHOLOOP_MUTATOR({.family = "seanet", .before = 1})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace echoloop::seanet;

@@ -7,6 +7,7 @@
 #include "protocols/cerulean/surveyor_codec.h"
 #include "protocols/ping/codec.h"
 #include "protocols/ping/framer.h"
+#include "tests/protocols/mutator.h"
 
 namespace {
 
@@ -21,6 +22,8 @@ void check(const echoloop::ping::Frame& frame) {
 }
 
 }  // namespace
+
+ECHOLOOP_MUTATOR({.family = "cerulean"})
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < 2) return 0;

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """tools/install, tools/demo and tools/fuzz, run with made-up system commands: what they install, and how they refuse."""
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -176,10 +177,19 @@ class Demo(Script):
 
 class Fuzz(Script):
     def test_refuses_a_wrong_argument_before_it_installs_anything(self):
-        for arguments in (("--forever",), ("1m",)):
+        for arguments in (("--forever",), ("1m",), ("--table", "1m")):
             self.assertEqual(self.run_script("fuzz", *arguments), 64, arguments)
             self.assertIn("tools/fuzz [SECONDS] [NAME...]", self.output)
         self.assertEqual(self.log, [])
+
+    def test_its_compiler_gets_no_switch_that_only_gcc_knows(self):
+        found = 0
+        for path in (ROOT / "CMakeLists.txt", *ROOT.glob("*/**/CMakeLists.txt")):
+            for line in path.read_text().splitlines():
+                if re.search(r"-ftree-|-Wno-subobject-linkage", line) and "build" not in path.parts:
+                    self.assertIn("CXX_COMPILER_ID:GNU", line, path)
+                    found += 1
+        self.assertGreater(found, 1)
 
     def test_explains_itself(self):
         self.assertEqual(self.run_script("fuzz", "--help"), 0)

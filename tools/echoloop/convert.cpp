@@ -1,5 +1,5 @@
-// echoloop convert: the shots of an Imagenex head out of a capture into the maker's file, .852 or .81A. Reads
-// and writes piece by piece; speaks to no device.
+// echoloop convert: what a device said in a capture as the maker's own kind of file, or any messages as a
+// table. Reads and writes piece by piece; speaks to no device.
 #include <sys/stat.h>
 
 #include <cctype>
@@ -14,6 +14,7 @@
 #include "protocols/imagenex/shot_writer.h"
 #include "tools/capture/open.h"
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/convert/from_capture.h"
 #include "tools/echoloop/output_file.h"
 #include "tools/echoloop/terminal.h"
 #include "tools/echoloop/verb.h"
@@ -25,13 +26,16 @@ using capture::Input;
 using capture::StreamPiece;
 using imagenex::ShotFormat;
 
-ShotFormat format_of(const std::filesystem::path& file) {
+std::string ending_of(const std::filesystem::path& file) {
     std::string ending = file.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    if (ending == ".852") return ShotFormat::shot_852;
-    if (ending == ".81A") return ShotFormat::shot_81a;
-    throw StartError(Exit::usage, "OUT: " + scenario::in_quotes(file.string()) +
-                                      " names no known kind of file; end it in .852 or .81A");
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
+}
+
+std::optional<ShotFormat> shot_format_of(const std::filesystem::path& file) {
+    if (ending_of(file) == ".852") return ShotFormat::shot_852;
+    if (ending_of(file) == ".81a") return ShotFormat::shot_81a;
+    return {};
 }
 
 /// What both ends of one line say, as shots of a file.
@@ -104,8 +108,8 @@ std::size_t convert_bytes(Input& input, Line& line) {
     return line.shots();
 }
 
-std::size_t convert(Input& input, const std::string& line, ShotFormat format,
-                    const std::filesystem::path& file) {
+std::size_t write_shots(Input& input, const std::string& line, ShotFormat format,
+                        const std::filesystem::path& file) {
     std::ofstream out(file, std::ios::binary);
     Line shots(format, out);
     const auto log = capture::open_if_log(input);
@@ -116,17 +120,42 @@ std::size_t convert(Input& input, const std::string& line, ShotFormat format,
     return count;
 }
 
+/// Says what was written of a recording or a table.
+std::string write_other(const Arguments& arguments, const std::filesystem::path& out,
+                        const std::filesystem::path& file) {
+    const convert::Source source{arguments.text("CAPTURE"), arguments.text("--line"),
+                                 arguments.text("--message")};
+    const auto* format = convert::format_of(out);
+    const auto written = format != nullptr ? convert::write_recording(source, *format, file)
+                                           : convert::write_table(source, file);
+    for (const auto& trouble : written.troubles) print_warning(trouble);
+    if (written.lost > 0)
+        print_warning(counted(written.lost, "message") + " of which parts are missing, not written");
+    return counted(written.count, format == nullptr ? "row" : "message");
+}
+
+void require_known_kind(const std::filesystem::path& out) {
+    if (shot_format_of(out) || convert::format_of(out) != nullptr || ending_of(out) == ".csv") return;
+    throw StartError(Exit::usage, "OUT: " + scenario::in_quotes(out.string()) +
+                                      " names no known kind of file; end it in .852, .81A, " +
+                                      convert::endings() + " or .csv");
+}
+
 int run_convert(const Arguments& arguments) {
     const std::filesystem::path out = arguments.text("OUT");
-    const ShotFormat format = format_of(out);
+    require_known_kind(out);
     require_creatable(out);
-    Input input(arguments.text("CAPTURE"));
-    std::size_t shots = 0;
+    std::string done;
     std::optional<StartError> refused;  // its reason and status; write_whole knows those of files only
     try {
         write_whole(out, [&](const std::filesystem::path& file) {
             try {
-                shots = convert(input, arguments.text("--line"), format, file);
+                if (const auto format = shot_format_of(out)) {
+                    Input input(arguments.text("CAPTURE"));
+                    done = counted(write_shots(input, arguments.text("--line"), *format, file), "shot");
+                } else {
+                    done = write_other(arguments, out, file);
+                }
             } catch (const StartError& error) {
                 refused = error;
                 throw;
@@ -136,7 +165,7 @@ int run_convert(const Arguments& arguments) {
         if (refused) throw *refused;
         throw;
     }
-    std::printf("%s\n", counted(shots, "shot").c_str());
+    std::printf("%s\n", done.c_str());
     return 0;
 }
 
@@ -144,20 +173,29 @@ int run_convert(const Arguments& arguments) {
 
 Verb convert_verb() {
     using Kind = Argument::Kind;
-    return {
-        "convert",
-        "convert a capture to the sonar maker's own file format",
-        {{Kind::positional,
-          "CAPTURE",
-          "",
-          "pcap or pcapng with serial lines or TCP, a serial log as text, or raw bytes of both directions",
-          {},
-          true},
-         {Kind::positional, "OUT", "", "file to write: .852 or .81A (Imagenex)", {}, true},
-         {Kind::value, "--line", "NAME", "the line to convert, if the capture holds several"}},
-        "  echoloop run config/imagenex-852.yaml --record dive.pcapng\n"
-        "  echoloop convert dive.pcapng dive.852",
-        run_convert};
+    return {"convert",
+            "convert a capture to the sonar maker's own file format",
+            {{Kind::positional,
+              "CAPTURE",
+              "",
+              "pcap, pcapng, a maker's recording, a serial log as text, or raw bytes",
+              {},
+              true},
+             {Kind::positional,
+              "OUT",
+              "",
+              "file to write: .852 or .81A (Imagenex), .kmall, .s7k, .svlog (Cerulean), .bin (Ping Viewer), "
+              ".aris, .csv",
+              {},
+              true},
+             {Kind::value, "--line", "NAME",
+              "the line to convert, if the capture holds several: its name, an address or a port number"},
+             {Kind::value, "--message", "NAME", "of .csv: only this kind of message, e.g. DeviceData"}},
+            "  echoloop run config/imagenex-852.yaml --record dive.pcapng\n"
+            "  echoloop convert dive.pcapng dive.852\n"
+            "  echoloop convert survey.pcap survey.kmall\n"
+            "  echoloop convert dive.pcapng angles.csv --message DeviceData",
+            run_convert};
 }
 
 }  // namespace echoloop::cli

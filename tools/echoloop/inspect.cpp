@@ -19,19 +19,24 @@ using capture::Input;
 
 constexpr std::size_t largest_datagram = 65535;
 
-/// Where a message comes from, as people and as JSON see it.
+/// Bytes of the capture that would steer a terminal are replaced.
+std::string harmless(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '.';
+    return text;
+}
+
+/// Where a message comes from, as people see it.
 std::string origin_text(const InspectOrigin& origin) {
     if (!origin.from && origin.line.empty()) return {};
-    const auto who = origin.from ? text_of(*origin.from) + " -> " + text_of(*origin.to) : origin.line;
+    const auto who =
+        origin.from ? text_of(*origin.from) + " -> " + text_of(*origin.to) : harmless(origin.line);
     return "  t=" + plain(origin.time, 6) + " s  " + who;
 }
 
-/// "16 (ReBoot)", "31.948 m", "29176 x 0.01 K". Bytes of the capture that would steer a terminal are
-/// replaced.
+/// "16 (ReBoot)", "31.948 m", "29176 x 0.01 K".
 std::string field_text(const inspect::Field& field) {
-    std::string text = field.text;
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '.';
+    const std::string text = harmless(field.text);
     if (field.unit.empty()) return text;
     const bool factor = field.unit.front() >= '0' && field.unit.front() <= '9';
     return text + (factor ? " x " : " ") + field.unit;

@@ -155,6 +155,8 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
                            static_cast<float>(set.depth ? 0 - set.depth->slope : 0)};  // never -0
     send(Network::source(Product::bathymetry), make_bth0(ping_, settings_, echogram, detections, gates, gate),
          Product::bathymetry);
+    actions_.send.back().not_before =
+        now + from_seconds(std::max(0.0, settings_.bathymetry_time - settings_.processing_time));
     send_products(echogram, detections, gates, now);
     if (follows_bottom(controls_)) follow_bottom(detections);
     plan_next_ping(now);

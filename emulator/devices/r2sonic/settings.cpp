@@ -76,8 +76,11 @@ void describe_wire(Settings& s, OptionList& o) {
             "manual; the command that starts it is not public");
     o.number(s.sync_in, "sync_in", "Hz", 0, 60, "pulses at the SIM's sync input, for TRG0 = 1; 0: none",
              "own choice");
-    o.number(s.processing_time, "processing_time", "s", 0, 1, "from the last sample to the first datagram",
+    o.number(s.processing_time, "processing_time", "s", 0, 1,
+             "from the last sample to the first datagram of the products, and to the next ping",
              "own choice");
+    o.number(s.bathymetry_time, "bathymetry_time", "s", 0, 1,
+             "from the last sample to BTH0, not before the products", "a recorded 2022: 10.8 to 11.5 ms");
 }
 
 void describe(Acoustics& a, FigureList& f) {

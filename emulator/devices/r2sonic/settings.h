@@ -33,10 +33,11 @@ struct Settings {
     wire::Text<12> serial, sim_serial;
     Controls start;  ///< the controls at power-up
     Acoustics acoustics;
-    bool tvg = true;                ///< the effect of that name
-    bool pulse = true;              ///< the effect of that name: echoes are as long as the pulse
-    double datagram_gap = 0.3e-3;   ///< s between the datagrams of one ping
-    double processing_time = 2e-3;  ///< s from the last sample to the first datagram
+    bool tvg = true;                 ///< the effect of that name
+    bool pulse = true;               ///< the effect of that name: echoes are as long as the pulse
+    double datagram_gap = 0.3e-3;    ///< s between the datagrams of one ping
+    double processing_time = 2e-3;   ///< s from the last sample to the first datagram but BTH0
+    double bathymetry_time = 11e-3;  ///< s from the last sample to BTH0
     TestBits test_bits = TestBits::tests;
     bool verbose_gates = false;       ///< BTH0 has a G1
     bool bins_first = false;          ///< AID0's data is bin-major

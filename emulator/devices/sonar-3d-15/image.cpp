@@ -96,31 +96,20 @@ std::optional<Pixel> strongest(const Echogram& echogram, std::size_t beam, const
     return Pixel{distance, static_cast<std::uint8_t>(std::lround(std::min(strength, 255.0)))};
 }
 
-/// Of six real images 0.50, 0.47 and 0.34 of the neighbours in a row, in a column and diagonally are equal,
-/// and runs of 1, 2, 3, 4 in a row are 50, 31, 14, 4 %. Independent noise has 0.45, 0.45, 0.34 and 58, 26,
-/// 11, 4 % after a median of 3 x 3 pixels three times. That it is this filter is an inference.
+/// In place, from the first pixel on, as independent noise then has 51, 31, 12 and 4 % of runs of 1, 2, 3 and
+/// 4 equal neighbours in a row: 50, 31, 14 and 4 % in six real images. That it is this filter is an
+/// inference.
 std::vector<std::uint32_t> smoothed(std::vector<std::uint32_t> distances) {
-    constexpr int passes = 3;
-    constexpr auto w = static_cast<std::ptrdiff_t>(width), h = static_cast<std::ptrdiff_t>(height);
-    std::vector<std::uint32_t> before;
-    for (int pass = 0; pass < passes; ++pass) {
-        before = distances;
-        for (std::ptrdiff_t row = 0; row < h; ++row)
-            for (std::ptrdiff_t column = 0; column < w; ++column) {
-                std::uint32_t& pixel = distances[static_cast<std::size_t>(row * w + column)];
-                if (pixel == 0) continue;
-                std::array<std::uint32_t, 9> around{};
-                std::size_t count = 0;
-                for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(row - 1, 0); y <= std::min(row + 1, h - 1);
-                     ++y)
-                    for (std::ptrdiff_t x = std::max<std::ptrdiff_t>(column - 1, 0);
-                         x <= std::min(column + 1, w - 1); ++x)
-                        if (const auto one = before[static_cast<std::size_t>(y * w + x)]; one != 0)
-                            around[count++] = one;
-                const auto middle = around.begin() + static_cast<std::ptrdiff_t>((count - 1) / 2);
-                std::nth_element(around.begin(), middle, around.begin() + static_cast<std::ptrdiff_t>(count));
-                pixel = *middle;
-            }
+    for (std::size_t at = 0; at < distances.size(); ++at) {
+        if (distances[at] == 0) continue;
+        const std::size_t column = at % width;
+        std::array<std::uint32_t, 5> cross{distances[at], at >= width ? distances[at - width] : 0,
+                                           at + width < distances.size() ? distances[at + width] : 0,
+                                           column > 0 ? distances[at - 1] : 0,
+                                           column + 1 < width ? distances[at + 1] : 0};
+        std::sort(cross.begin(), cross.end());
+        const auto first = std::upper_bound(cross.begin(), cross.end(), 0U);  // 0 is no distance
+        distances[at] = *(first + (cross.end() - first - 1) / 2);
     }
     return distances;
 }

@@ -34,8 +34,8 @@ struct Pixel {
 std::optional<Pixel> strongest(const Echogram& echogram, std::size_t beam, const Plan& plan,
                                const Settings& settings);
 
-/// The range image with its distances as a real sonar has them: each the median of those around it, so that
-/// neighbours are often equal. 0 is no distance and stays so.
+/// The range image with its distances as a real sonar has them: each the median of itself and its four
+/// neighbours, so that neighbours are often equal. 0 is no distance and stays so.
 std::vector<std::uint32_t> smoothed(std::vector<std::uint32_t> distances);
 
 /// m/s, of water near the surface: Mackenzie 1981. `temperature` in degC, `salinity` in ppt.

@@ -53,7 +53,7 @@ struct State {
     double clock_error = 0;            ///< s, of the sonar's clock against the run's; set by hand or unset
     double unix_now = 0;               ///< s, of the run, when a request comes
     bool imu = false;                  ///< ImuBatch is sent; from release 1.8.0 on
-    double temperature = 0;  ///< degC, as its own sensor reads
+    double temperature = 0;            ///< degC, as its own sensor reads
 };
 
 inline constexpr std::array<int, 3> with_modes{1, 7, 0}, with_time{1, 7, 1}, with_imu{1, 8, 0};  ///< releases

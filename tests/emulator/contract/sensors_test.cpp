@@ -70,6 +70,14 @@ TEST(Sensors, ReadInStepsOfTheirConverter) {
     }
 }
 
+TEST(Sensors, SayAReadingUntilTheNextOne) {
+    const Sensors unit(7, {});
+    std::set<double> read;
+    for (int i = 0; i < 200; ++i)
+        read.insert(unit.read("a", 10, {.drift = 1, .noise = 1, .every = 0.5}, i * 10ms));
+    EXPECT_EQ(read.size(), 4U);
+}
+
 TEST(Sensors, BearingsStayOnTheCircle) {
     const Sensors unit(7, {});
     std::set<bool> sides;

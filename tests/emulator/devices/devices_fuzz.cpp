@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "tests/emulator/devices/driver.h"
+#include "tests/protocols/mutator.h"
 
 using namespace echoloop;
 
@@ -130,6 +131,16 @@ class ShortBench {
 };
 
 }  // namespace
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
+                                               unsigned seed) {
+    static const Model* const only = wanted_model();
+    const Model& model = only != nullptr ? *only : models()[size == 0 ? 0 : data[0] % models().size()];
+    const fuzz::Shape shape{model.family, 3};
+    const Bytes out = fuzz::mutated_records({data, size}, most, seed, shape, 2, LLVMFuzzerMutate);
+    std::copy_n(out.begin(), std::min(out.size(), most), data);
+    return std::min(out.size(), most);
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const Model* const only = wanted_model();

@@ -63,7 +63,7 @@ TEST(MicronLine, LevelsComeInHalfDecibelsBehindTwoSilentBins) {
         bench.say(send_data);
         Echogram ramp = echo_of(bench.ping->shot, 0, 0);
         for (std::size_t bin = 0; bin < ramp.values.size(); ++bin)
-            ramp.values[bin] = std::pow(10.0F, 0.6F * 0.1F * static_cast<float>(bin) + 9);
+            ramp.values[bin] = std::pow(10.0F, 0.6F * 0.1F * static_cast<float>(bin) + 14.5F);
         bench.hear(ramp);
         const Bytes line = lines(bench.sent()).at(0);
         std::set<int> allowed, seen;

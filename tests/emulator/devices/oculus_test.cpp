@@ -109,7 +109,7 @@ TEST(OculusResult, OfVersion1EchoesTheFireAndStandsWhereItShould) {
     EXPECT_EQ(at<std::uint32_t>(first.bytes, 10) + 16, first.bytes.size());
     EXPECT_EQ(to_hex(ByteView(first.bytes).subspan(16, 37)), to_hex(ByteView(request).subspan(16)));
     EXPECT_EQ(first.sound_speed(), 1480.25);
-    EXPECT_EQ(at<double>(first.bytes, 61), 1.2e6);
+    EXPECT_EQ(at<double>(first.bytes, 61), 281.25e6 / 234);
     EXPECT_EQ(at<double>(first.bytes, 69), 10);
     EXPECT_EQ(at<std::uint32_t>(first.bytes, 57), 0U) << "status";
     EXPECT_EQ(first.beams(), 256U);

@@ -212,7 +212,7 @@ TEST(R2SonicImage, DatagramsAreSmallPacedAndCoverTheImage) {
     bench.echo_bin = 1000;
     bench.echo_power = 1e16F;
     bench.run_to(900ms);
-    const auto sent = named(bench.sent(), "AID0");
+    const auto all = bench.sent(), sent = named(all, "AID0");
     ASSERT_GT(sent.size(), 2u);
     EXPECT_EQ(sent[0].to, (Address{gui.ip, static_cast<std::uint16_t>(gui.port + 3)}));
     EXPECT_EQ(name(sent[0].bytes, 12, 2), "H0");
@@ -236,6 +236,12 @@ TEST(R2SonicImage, DatagramsAreSmallPacedAndCoverTheImage) {
         }
     }
     EXPECT_EQ(next, total);
+    const auto bathymetry = named(all, "BTH0");
+    ASSERT_EQ(bathymetry.size(), 1u);
+    const double after =
+        to_seconds(bathymetry[0].not_before - sent[0].not_before) + 2e-3;  // s behind the range
+    EXPECT_GT(after, 10.8e-3) << "as a recorded 2022 does";
+    EXPECT_LT(after, 11.5e-3);
     // bin 1000 of the samples in the image: range as a reader computes it
     const double per_bin = static_cast<double>(u32(sent[1].bytes, 12 + 12)) / total;
     const auto image_bin = static_cast<std::uint32_t>(1000.5 / per_bin);

@@ -10,12 +10,12 @@
 namespace echoloop::sonar_3d_15 {
 namespace {
 
-/// Independent noise; every third pixel or so has no echo.
+/// Independent noise; every 16th pixel or so has no echo.
 std::vector<std::uint32_t> noise() {
     std::vector<std::uint32_t> image(width * height);
     for (std::size_t i = 0; i < image.size(); ++i)
         image[i] =
-            split_mix(i + 99999) % 3 == 0 ? 0 : 10000 + static_cast<std::uint32_t>(split_mix(i) % 5000);
+            split_mix(i + 99999) % 16 == 0 ? 0 : 10000 + static_cast<std::uint32_t>(split_mix(i) % 5000);
     return image;
 }
 

@@ -118,8 +118,8 @@ TEST(Sonar3d15, RangeChangesTheNextShotAndComesBackAsPosted) {
     EXPECT_EQ(sonar.post("/acoustics/range", R"({"min": 2.0, "max": 3.0})"), 204);
     EXPECT_EQ(sonar.get("/acoustics/range"), R"({"min":2.0,"max":3.0})");
     sonar.bench->echo_bin = 25;
-    EXPECT_TRUE(sonar.packets_until(399ms).empty()) << "the image under way is dropped";
-    const auto packets = sonar.packets_until(400ms);
+    EXPECT_TRUE(sonar.packets_until(333ms).empty()) << "the image under way is dropped";
+    const auto packets = sonar.packets_until(334ms);
     ASSERT_EQ(packets.size(), 2U);
     const Shot& shot = sonar.bench->shots.back();
     EXPECT_NEAR(shot.first_bin_time, 2 * 2.0 / 1500, 1e-9);

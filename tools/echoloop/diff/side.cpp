@@ -66,13 +66,6 @@ bool continues(const Way& one, const Way& other) {
            (one.to == other.to && one.from.ip == other.from.ip);
 }
 
-bool fits(const Way& way, const std::string& port) {
-    if (port.empty()) return true;
-    capture::PortKey key{capture::PortKind::serial, way.line, {}, {}};
-    if (!way.is_serial()) key = {capture::PortKind::udp, "", way.from, way.to};
-    return capture::PortFilter(port).fits(key);
-}
-
 class Loader {
   public:
     Loader(Side& side, const SideSettings& settings) : side_(side), settings_(settings) {}
@@ -95,7 +88,7 @@ class Loader {
         // Seconds since 1970 have no finer resolution in a double.
         const double time = std::round((origin.time - *start_) * 1e6) / 1e6;
         Message out{{origin.packet, time, ++side_.messages}, {}, capture::message_time(message)};
-        for (const inspect::Field& field : message.fields) add_field(out.fields, field);
+        out.fields = named_values(message);
         used_ += memory_of(out) + sizeof(double) + name.size();
         direction.spoken.emplace_back(out.place.time, name);
         direction.types[name].push_back(std::move(out));
@@ -148,6 +141,19 @@ void read_bytes(capture::Input& input, const SideSettings& settings, Side& side)
 }
 
 }  // namespace
+
+std::vector<NamedValue> named_values(const inspect::Message& message) {
+    std::vector<NamedValue> fields;
+    for (const inspect::Field& field : message.fields) add_field(fields, field);
+    return fields;
+}
+
+bool fits(const Way& way, const std::string& port) {
+    if (port.empty()) return true;
+    capture::PortKey key{capture::PortKind::serial, way.line, {}, {}};
+    if (!way.is_serial()) key = {capture::PortKind::udp, "", way.from, way.to};
+    return capture::PortFilter(port).fits(key);
+}
 
 void read_events(capture::CaptureReader& capture, const SideSettings& settings, Side& side) {
     Loader loader(side, settings);

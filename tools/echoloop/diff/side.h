@@ -68,6 +68,12 @@ struct SideSettings {
 /// Adds what the capture holds.
 void read_events(capture::CaptureReader& capture, const SideSettings& settings, Side& side);
 
+/// The fields of a message; those of the elements of a list as one array.
+std::vector<NamedValue> named_values(const inspect::Message& message);
+
+/// `port`: as in SideSettings.
+bool fits(const capture::Way& way, const std::string& port);
+
 /// A capture or a file of bytes. Throws StartError if it cannot be read or holds no known message.
 Side read_side(const std::string& file, const SideSettings& settings);
 

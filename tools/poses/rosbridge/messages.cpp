@@ -111,7 +111,7 @@ RosbridgeHeard read_rosbridge(std::string_view bytes) {
     try {
         if (!said.is_object()) throw Refusal{"it is no JSON object"};
         const auto op = text(said, "op");
-        if (op == "status") throw Refusal{"rosbridge says: " + line_of(said.value("msg", Json()))};
+        if (op == "status") throw Refusal{"rosbridge says: " + line_of(text(said, "msg"))};
         if (op != "publish") return {};
         heard.topic = text(said, "topic");
         read_message(member(said, "msg"), heard);

@@ -57,6 +57,14 @@ std::vector<std::uint8_t> packed(const std::vector<double>& points, const Format
     return data;
 }
 
+/// The share of a point's middle sample in its power; the others have the same each. With `two_looks` the
+/// noise has the variance of the mean of two: s^2 + (1 - s)^2 / (n - 1) = 1 / 2.
+double middle_share(std::size_t samples, bool two_looks) {
+    if (!two_looks || samples < 3) return 1.0 / static_cast<double>(samples);
+    const double k = 1.0 / static_cast<double>(samples - 1);
+    return (k + std::sqrt(k * k - (1 + k) * (k - 0.5))) / (1 + k);
+}
+
 }  // namespace
 
 Format format_of(const SwitchCommand& command, const Settings& settings) {
@@ -136,12 +144,16 @@ std::vector<std::uint8_t> echo_data(const std::vector<double>& samples, const Fo
                                     const Settings& settings) {
     if (format.points == 0) return {};
     const std::size_t per_point = std::max<std::size_t>(samples.size() / format.points, 1);
+    const double middle = middle_share(per_point, settings.two_looks);
+    const double others = per_point > 1 ? (1 - middle) / static_cast<double>(per_point - 1) : 0;
     std::vector<double> points(format.points, 0.0);
     for (std::size_t i = 0; i < points.size() && (i + 1) * per_point <= samples.size(); ++i) {
         double power = 0;
-        for (std::size_t k = 0; k < per_point; ++k)
-            power += samples[i * per_point + k] * samples[i * per_point + k];
-        points[i] = std::sqrt(power / static_cast<double>(per_point));
+        for (std::size_t k = 0; k < per_point; ++k) {
+            const double sample = samples[i * per_point + k];
+            power += (k == per_point / 2 ? middle : others) * sample * sample;
+        }
+        points[i] = std::sqrt(power);
     }
     auto data = packed(points, format, settings);
     if (!settings.keep_fc)

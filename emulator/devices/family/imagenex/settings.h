@@ -44,6 +44,7 @@ struct Settings {
     bool obey_baud = false;
     double line_rate = usual_baud;  ///< bit/s at which the reply leaves on its own; 0: at once
     double profile_threshold = 0;   ///< of the scale, 0 to 1
+    bool two_looks = false;  ///< the noise of a point has two independent values; else one for each sample
     Acoustics acoustics{};
 };
 
