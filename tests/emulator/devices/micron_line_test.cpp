@@ -75,7 +75,7 @@ TEST(MicronLine, LevelsComeInHalfDecibelsBehindTwoSilentBins) {
         EXPECT_EQ(line[44] + line[45], 0);
         EXPECT_GT(line[46], 0);
         EXPECT_EQ(*seen.rbegin(), 255);
-        EXPECT_GT(seen.size(), 80U);
+        EXPECT_GT(seen.size(), 70U);
     }
 }
 
