@@ -2,49 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <numeric>
-
-#include "tests/emulator/devices/driver.h"
+#include "tests/emulator/devices/ping1d_bench.h"
 
 namespace echoloop::test {
 namespace {
 
 using namespace std::chrono_literals;
 using testing::ElementsAre;
-
-int u16(const Bytes& bytes, std::size_t at) { return bytes.at(at) | bytes.at(at + 1) << 8; }
-long u32(const Bytes& bytes, std::size_t at) { return u16(bytes, at) + 65536L * u16(bytes, at + 2); }
-
-/// Payload in hex to a frame from host 0 to device 1, as one autopilot sends them.
-Bytes frame(int id, const std::string& payload = "") {
-    Bytes bytes{'B', 'R', 0, 0, static_cast<std::uint8_t>(id), static_cast<std::uint8_t>(id >> 8), 0, 1};
-    const Bytes content = from_hex(payload);
-    bytes[2] = static_cast<std::uint8_t>(content.size());
-    bytes.insert(bytes.end(), content.begin(), content.end());
-    const int sum = std::accumulate(bytes.begin(), bytes.end(), 0);
-    bytes.push_back(static_cast<std::uint8_t>(sum));
-    bytes.push_back(static_cast<std::uint8_t>(sum >> 8));
-    return bytes;
-}
-
-const Bytes manual = frame(1003, "00");
-const Bytes ten_metres = frame(1001, "0000000010270000");
-
-Bench ping1d(const Options& changes = {}) { return Bench(make_device("ping1d", {}, changes)); }
-
-Bytes answer(Bench& bench, const Bytes& question) {
-    bench.sent();
-    bench.say(question);
-    const auto sent = bench.sent();
-    EXPECT_EQ(sent.size(), 1u);
-    return sent.empty() ? Bytes(64) : sent[0].bytes;
-}
-
-std::vector<int> ids(const std::vector<Send>& sent) {
-    std::vector<int> found;
-    for (const Send& s : sent) found.push_back(u16(s.bytes, 4));
-    return found;
-}
 
 TEST(Ping1d, EveryGetMessageComesByBothKindsOfRequest) {
     const std::map<int, std::size_t> payloads{{4, 6},    {5, 4},     {1200, 6},   {1201, 1},  {1202, 2},
@@ -145,53 +109,6 @@ TEST(Ping1d, DistanceAndConfidenceComeFromTheEcho) {
     EXPECT_EQ(answer(bench, frame(1211))[12], 0) << "no echo";
 }
 
-TEST(Ping1d, TheReadingFollowsAStepLate) {
-    Bench bench = ping1d();
-    bench.say(manual);
-    bench.say(ten_metres);
-    bench.echo_power = 1e15F;
-    bench.echo_bin = 100;
-    bench.run_to(1s);
-    EXPECT_EQ(u32(answer(bench, frame(1211)), 8), 5025);
-    bench.echo_bin = 110;  // 0.5 m deeper
-    const auto at = [&](Time time) {
-        bench.run_to(1s + time);
-        return 1e-3 * static_cast<double>(u32(answer(bench, frame(1211)), 8)) - 5.025;
-    };
-    // One ping after another, 100 ms apart: 1 - exp(-t / 0.3 s) of the step.
-    EXPECT_NEAR(at(300ms), 0.5 * 0.632, 0.5 * 0.12);
-    EXPECT_NEAR(at(800ms), 0.5 * 0.93, 0.5 * 0.04) << "0.8 s were reported";
-    EXPECT_NEAR(at(3s), 0.5, 1e-3);
-}
-
-TEST(Ping1d, AfterAJumpTheReadingWaitsAndItsConfidenceFades) {
-    Bench bench = ping1d();
-    bench.say(manual);
-    bench.say(ten_metres);
-    bench.echo_power = 1e15F;
-    bench.echo_bin = 50;
-    bench.run_to(1s);
-    bench.echo_bin = 150;  // 5 m deeper
-    bench.run_to(1300ms);
-    const Bytes waiting = answer(bench, frame(1211));
-    EXPECT_EQ(u32(waiting, 8), 2525);
-    EXPECT_NEAR(waiting[12], 50, 20);
-    bench.run_to(1800ms);
-    const Bytes there = answer(bench, frame(1211));
-    EXPECT_EQ(u32(there, 8), 7525);
-    EXPECT_EQ(there[12], 100);
-    bench.echo_power = 0;
-    bench.run_to(3s);
-    EXPECT_EQ(answer(bench, frame(1211))[12], 0) << "no bottom any more";
-}
-
-TEST(Ping1d, AnOldOneHasNoContentInVoltageAndTemperature) {
-    Bench bench = ping1d({{"firmware", std::string("3.20.0")}});
-    EXPECT_EQ(to_hex(answer(bench, frame(1202))), "42520000b20401004b01");
-    EXPECT_EQ(to_hex(answer(bench, frame(6, "bd04"))), "42520000bd0401005601");
-    EXPECT_EQ(answer(bench, frame(1214)).size(), 12u);
-}
-
 TEST(Ping1d, InAutomaticModeTheRangeFollowsTheBottom) {
     Bench bench = ping1d();
     bench.run_to(1s);
@@ -278,31 +195,6 @@ TEST(Ping1d, TheRingDownLastsAsMuchLongerAsThePulse) {
     bench.echo_bin = 2;
     bench.run_to(600ms);
     EXPECT_EQ(answer(bench, frame(1211))[12], 100);
-}
-
-TEST(Ping1d, IsAtPowerUpWhatItsOptionsSay) {
-    Bench bench = ping1d({{"firmware", std::string("0.0.0")},
-                          {"device_id", std::int64_t{0}},
-                          {"device_type", std::int64_t{9}},
-                          {"device_revision", std::int64_t{19}},
-                          {"mode_auto", false},
-                          {"scan_length", std::int64_t{1000}},
-                          {"gain", std::int64_t{6}},
-                          {"ping_interval", std::int64_t{1000}},
-                          {"speed_of_sound", 342.0},
-                          {"stream_at_start", true},
-                          {"ack_continuous", false},
-                          {"streamed", std::string("profile")}});
-    bench.run_to(5500ms);
-    const auto stream = bench.sent();
-    EXPECT_EQ(ids(stream), std::vector<int>(6, 1300)) << "profiles once a second";
-    EXPECT_EQ(stream[0].bytes[6], 0);
-    EXPECT_EQ(to_hex(answer(bench, frame(4))).substr(16, 12), "091300000000");
-    EXPECT_EQ(to_hex(answer(bench, frame(1200))).substr(16, 12), "090100000000");
-    EXPECT_EQ(u32(answer(bench, frame(1203)), 8), 342000);
-    EXPECT_EQ(to_hex(answer(bench, frame(1210))).substr(16, 20), "000000008813e8030600");
-    bench.say(frame(1401, "1405"));
-    EXPECT_TRUE(bench.sent().empty());
 }
 
 TEST(Ping1d, EveryHostsWayToBeginEndsWithAnAnswer) {
