@@ -86,4 +86,10 @@ void keep_freed_memory() {
 #endif
 }
 
+void return_freed_memory() {
+#ifdef M_TRIM_THRESHOLD
+    ::malloc_trim(0);
+#endif
+}
+
 }  // namespace echoloop

@@ -31,6 +31,12 @@ const Scenario& with_memory_at_hand(const Scenario& scenario) {
     return scenario;
 }
 
+std::shared_ptr<const Scene> loaded(const Scenario& scenario) {
+    auto scene = load_scene(scenario);
+    return_freed_memory();
+    return scene;
+}
+
 /// The threads that are made behind it inherit it.
 bool claim(Punctuality punctuality) {
     const bool real_time = punctuality == Punctuality::real_time;
@@ -63,7 +69,7 @@ class Runtime::Impl {
   public:
     Impl(const Scenario& scenario, const RunRecords& records, Punctuality punctuality)
         : scenario_(with_memory_at_hand(scenario)),
-          scene_(load_scene(scenario)),
+          scene_(loaded(scenario)),
           real_time_(claim(punctuality)),
           signals_(io_),
           end_(io_),

@@ -1,7 +1,5 @@
 #include "render/scene/scene.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 
 #include "render/scene/builder.h"
@@ -30,10 +28,8 @@ SceneError::SceneError(std::string file, std::string place, std::string reason, 
 
 std::shared_ptr<const Scene> Scene::load(const std::filesystem::path& file, const SceneOptions& options) try {
     const SceneFolder folder(file);
-    auto scene =
-        read_scene(folder.read_scene(scene_limits::json_bytes + scene_limits::buffer_bytes), folder, options);
-    ::malloc_trim(0);  // reading takes several times the memory of what is read
-    return scene;
+    return read_scene(folder.read_scene(scene_limits::json_bytes + scene_limits::buffer_bytes), folder,
+                      options);
 } catch (const SceneFault& fault) {
     throw SceneError(file.string(), fault.place, fault.reason, fault.remedy);
 } catch (const std::bad_alloc&) {

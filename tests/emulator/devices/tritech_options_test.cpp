@@ -247,11 +247,11 @@ TEST(SeanetOptions, BytesOfTheReply) {
     EXPECT_EQ(reply(with("head_data_byte9", word("low-byte")))[9], 245 - 6 - 5);
     EXPECT_EQ(u16(reply({{"hd_ctrl_set", std::int64_t{0x14}}, {"hd_ctrl_clear", std::int64_t{0x80}}}), 18),
               0x2317);
-    // ADSpan 81, ADLow 8: 79 counts are (79 - 8) * 15 / 81 = 13; on the other scale 81 * 17 and 8 * 17: 0
-    EXPECT_EQ(reply({}, four_bit)[44 + 60], 0xD0);
-    EXPECT_EQ(reply(with("nibble_order", word("low-first")), four_bit)[44 + 60], 0x0D);
+    // ADSpan 81, ADLow 8: 78 counts are (78 - 8) * 15 / 81 = 12; on the other scale 81 * 17 and 8 * 17: 0
+    EXPECT_EQ(reply({}, four_bit)[44 + 60], 0xC0);
+    EXPECT_EQ(reply(with("nibble_order", word("low-first")), four_bit)[44 + 60], 0x0C);
     EXPECT_EQ(reply(with("ad_span_scale", word("15")), four_bit)[44 + 60], 0x00);
-    const std::string of_15 = changed(changed(four_bit, 41, "0f"), 42, "00");  // span 15, low 0: 79 / 17
+    const std::string of_15 = changed(changed(four_bit, 41, "0f"), 42, "00");  // span 15, low 0: 78 / 17
     EXPECT_EQ(reply(with("ad_span_scale", word("15")), of_15)[44 + 60], 0x40);
     EXPECT_EQ(reply({}, changed(four_bit, 41, "00"))[44 + 60], 0xF0) << "ADSpan 0 does not divide by zero";
 }

@@ -141,10 +141,9 @@ TEST_P(Physics, FloorHasTheLevelOfTheSonarEquation) {
 /// behind each stave, not behind the beam, so their steps are modelled too coarse: a debt. The list gets
 /// shorter, never longer.
 const std::map<std::string, double> too_coarse{
-    {"aris-1200", 2.5},           {"aris-1800", 0.1},         {"kongsberg-kmall", 5.4},
-    {"micron-echosounder", 37.5}, {"nmea-echosounder", 35.7}, {"norbit-wbms", 16.6},
-    {"oculus-m1200d", 2.5},       {"oculus-m3000d", 2.5},     {"oculus-m750d", 1.8},
-    {"reson-7k", 18.4},           {"sonar-3d-15", 19.6},      {"surveyor240", 13.5},
+    {"aris-1200", 2.5},         {"aris-1800", 0.1},    {"kongsberg-kmall", 5.4}, {"micron-echosounder", 37.5},
+    {"nmea-echosounder", 35.7}, {"norbit-wbms", 16.6}, {"oculus-m1200d", 2.5},   {"oculus-m3000d", 2.5},
+    {"oculus-m750d", 1.8},      {"reson-7k", 18.4},    {"sonar-3d-15", 19.6},    {"surveyor240", 13.5},
     {"tritech-profiler", 50.6}};
 
 /// Steps louder than the noise leave water without echoes at exact zeros, which no real receiver shows.

@@ -95,6 +95,7 @@ Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     Figures figures;
     const double start = wall_time();
     const auto scene = make_scene(the_case, settings);
+    return_freed_memory();  // as `echoloop run` does
     RendererOptions options;
     options.rule = rule;
     options.pixel_density = settings.pixel_density;
