@@ -25,7 +25,9 @@ devices: [{{name: a, model: nmea-echosounder, endpoints: ["udp://127.0.0.1:9"]}}
 
 def targets():
     for path in (ROOT / "tests").rglob("*fuzz*.cpp"):
-        yield re.sub(r"_fuzz$|^fuzz_", "", path.stem), path
+        name = re.sub(r"_fuzz$|^fuzz_", "", path.stem)
+        kinds = re.findall(r'kind == "(\w+)"\) \{', path.read_text()) if name == "makers_file" else [name]  # one program for each
+        yield from ((kind, path) for kind in kinds)
 
 
 class Seeds(unittest.TestCase):
@@ -71,9 +73,9 @@ class Seeds(unittest.TestCase):
         for link in ("ethernet", "vlan", "raw", "sll", "sll2", "null"):
             for kind in ("big", "little", "pcapng"):
                 self.check_inspected(f"link-{link}-{kind}", "STH0")
-        for name, wanted in (("ping-viewer", "Nack"), ("makers-oculus", "Result"), ("makers-aris", "FramePart"), ("makers-xtf", "BTH0"),
-                             ("makers-kmall", "#SVP"), ("makers-gzip", "#IIP")):
-            self.check_inspected(name, wanted)
+        for kind, wanted in (("ping_viewer_log", "Nack"), ("oculus_file", "Result"), ("aris_file", "FramePart"), ("xtf_file", "BTH0"),
+                             ("kmall_file", "#SVP"), ("gzip_file", "#IIP")):
+            self.check_inspected(f"makers-{kind}", wanted)
 
     def check_inspected(self, name, wanted):
         result = subprocess.run([PROGRAM, "inspect", self.folder / "capture_file" / name], capture_output=True, text=True)

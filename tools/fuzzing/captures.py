@@ -77,10 +77,22 @@ def ping_viewer_log(messages):
     """QDataStream, big-endian; tools/capture/ping_viewer_log.cpp says what stands where."""
     def text(words):
         return struct.pack(">I", 2 * len(words)) + words.encode("utf-16-be")
-    data = text("PingViewer sensor log file") + struct.pack(">I", 1) + 5 * text("v2") + struct.pack(">II", 1, 2)
-    for number, message in enumerate(messages):
-        data += text(f"00:00:0{number % 10}.500") + struct.pack(">I", len(message)) + message
-    return data
+    head = text("PingViewer sensor log file") + struct.pack(">I", 1) + 5 * text("v2") + struct.pack(">II", 1, 2)
+    return head, b"".join(text(f"00:00:0{number % 10}.500") + struct.pack(">I", len(message)) + message
+                          for number, message in enumerate(messages))
+
+
+def recordings_of_makers(messages):
+    """{target: what the kind is known by, and what stands behind it}."""
+    image, bathymetry = messages["oculus-result_v1"], messages["r2sonic-bth0_equi_angle"]
+    oculus = makers.oculus([(10, 1700000000.5, image, compressed) for compressed in (0, 1, 0)] + [(3, 1, b"x", 1)])
+    aris = makers.aris([makers.aris_frame(n, 1700000000000000 + n, samples=20) for n in range(2)], samples=20)
+    xtf = makers.xtf([makers.attitude(), makers.xtf_ping(65, bathymetry), makers.xtf_ping(68, bathymetry, 16)])
+    packed = gzip.compress(makers.profile() + makers.installation(), mtime=0)
+    return {"oculus_file": (oculus[:48], oculus[48:]), "aris_file": (aris[:1024], aris[1024:]),
+            "xtf_file": (xtf[:1088], xtf[1088:]), "gzip_file": (packed[:10], packed[10:]),
+            "kmall_file": (makers.installation(), makers.profile() + messages["kmall-mwc"] + b"lost" + makers.profile()),
+            "ping_viewer_log": ping_viewer_log([message for name, message in messages.items() if name.startswith("ping-")])}
 
 
 def captures(messages):
@@ -99,13 +111,8 @@ def captures(messages):
         yield f"link-{name}-big", pcap(link, packets, ">", 0xA1B23C4D)
         yield f"link-{name}-little", pcap(link, packets)
         yield f"link-{name}-pcapng", pcapng(link, packets, ">")
-    image, bathymetry = messages["oculus-result_v1"], messages["r2sonic-bth0_equi_angle"]
-    yield "makers-oculus", makers.oculus([(10, 1700000000.5, image, compressed) for compressed in (0, 1, 0)] + [(3, 1, b"x", 1)])
-    yield "makers-aris", makers.aris([makers.aris_frame(n, 1700000000000000 + n, samples=20) for n in range(2)], samples=20)
-    yield "makers-xtf", makers.xtf([makers.attitude(), makers.xtf_ping(65, bathymetry), makers.xtf_ping(68, bathymetry, 16)])
-    yield "makers-kmall", makers.installation() + makers.profile() + messages["kmall-mwc"] + b"lost" + makers.profile()
-    yield "makers-gzip", gzip.compress(makers.profile() + makers.installation(), mtime=0)
-    yield "ping-viewer", ping_viewer_log([message for name, message in messages.items() if name.startswith("ping-")])
+    for kind, (head, rest) in recordings_of_makers(messages).items():
+        yield f"makers-{kind}", head + rest
 
 
 def packet_inputs(messages):

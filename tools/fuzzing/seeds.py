@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-from captures import captures, packet_inputs, pcapng, text_log, udp
+from captures import captures, packet_inputs, pcapng, recordings_of_makers, text_log, udp
 from lines import lines, mavlink, mavlink_messages, poses
 from scenes import scenes
 from words import dictionaries, quoted
@@ -83,6 +83,7 @@ def inputs():
         yield "capture_file", name, data
         if data[:4] in (b"\x0a\x0d\x0d\x0a",):
             yield "pcapng", name, data
+    yield from ((kind, "whole", rest) for kind, (_, rest) in recordings_of_makers(messages).items())
     for name, data in recorded.items():
         yield "replay_source", name, b"\x22" + data
     yield from (("packet", name, data) for name, data in packet_inputs(messages))
