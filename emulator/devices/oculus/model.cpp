@@ -60,8 +60,8 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
 
 /// The gamma and the flags of a recorded ping: range in m, simple replies, gain assistance.
 std::vector<Bytes> requests(const DeviceConfig&, bool) {
-    return {oculus::encode(
-        oculus::Message(oculus::Fire{.gamma = 127, .flags = 0x19, .range = 10, .gain = 50}))};
+    return {
+        oculus::encode(oculus::Message(oculus::Fire{.gamma = 127, .flags = 0x19, .range = 10, .gain = 50}))};
 }
 
 Model row(const std::string& name, const std::string& title) {
