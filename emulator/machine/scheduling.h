@@ -31,8 +31,8 @@ void keep_rasterisers_on_their_threads();
 /// every ping, and getting their pages anew takes longer than filling them. Before other threads start.
 void keep_freed_memory();
 
-/// What has been freed until now goes back to the system all the same: reading a scene takes several times the
-/// memory of what is read.
+/// What has been freed until now goes back to the system all the same: reading a scene takes several times
+/// the memory of what is read.
 void return_freed_memory();
 
 }  // namespace echoloop

@@ -100,8 +100,8 @@ TEST(Scenario, a_mount_may_move) {
 
 TEST(Scenario, whole_numbers_may_be_hexadecimal) {
     const auto bins = [&](const std::string& text) {
-        const auto scenario =
-            parse("scene: s.glb\ndevices: [{name: p, model: tritech-micron, options: {bins: " + text + "}}]\n");
+        const auto scenario = parse(
+            "scene: s.glb\ndevices: [{name: p, model: tritech-micron, options: {bins: " + text + "}}]\n");
         return std::get<std::int64_t>(scenario.devices[0].config.options.at("bins"));
     };
     EXPECT_EQ(bins("0x1f4"), 500);

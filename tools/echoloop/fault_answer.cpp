@@ -41,7 +41,7 @@ std::string member(const Json& object, const char* key) {
 
 std::string text_of_fault(const Json& fault) {
     char number[32];
-    std::snprintf(number, sizeof number, "%4s  ", member(fault, "id").c_str());
+    std::snprintf(number, sizeof number, "%4d  ", fault.value("id", 0));
     std::string text = number;
     for (const auto& [key, value] : fault.items())
         if (key != "id")
@@ -61,8 +61,10 @@ std::string text_of_device(const Json& device) {
 
 std::string reply_text(const Json& answer) {
     std::string text;
-    const std::string id = member(answer, "id");
-    if (!id.empty()) text += "fault " + id + "; `clear " + id + "` ends it\n";
+    if (answer.contains("id")) {
+        const std::string id = std::to_string(answer.value("id", 0));
+        text += "fault " + id + "; `clear " + id + "` ends it\n";
+    }
     if (answer.contains("cleared"))
         text += counted(answer.at("cleared").get<std::uint64_t>(), "fault") + " cleared\n";
     if (answer.contains("faults")) {
