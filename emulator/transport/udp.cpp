@@ -17,7 +17,17 @@ asio::ip::udp::socket bind_socket(asio::io_context& io, Address bind, bool share
     error_code ec;
     socket.set_option(SocketBase::send_buffer_size(1 << 20), ec);
     socket.bind(to_endpoint<asio::ip::udp::endpoint>(bind), ec);
-    if (ec) throw bind_error("udp-listen://" + to_text(bind), ec);
+    const std::string place = "udp-listen://" + to_text(bind);
+    if (ec == asio::error::address_in_use && shared) {
+        spdlog::warn(
+            "{}: another program has it for itself (`ss -lunp` shows which), so the sonar does not "
+            "hear who looks for it there and answers nobody; end that program, or switch discovery "
+            "off by the device's option, to lose this line",
+            place);
+        socket.close();
+        return socket;
+    }
+    if (ec) throw bind_error(place, ec);
     socket.non_blocking(true);
     return socket;
 }
@@ -25,7 +35,7 @@ asio::ip::udp::socket bind_socket(asio::io_context& io, Address bind, bool share
 }  // namespace
 
 Udp::Udp(asio::io_context& io, Address bind, bool shared, Peers peers, Address reply_to)
-    : socket_(bind_socket(io, bind, shared)), peers_(std::move(peers)), reply_to_(reply_to) {}
+    : socket_(bind_socket(io, bind, shared)), bind_(bind), peers_(std::move(peers)), reply_to_(reply_to) {}
 
 void Udp::start(Events events) {
     events_ = std::move(events);
@@ -80,14 +90,14 @@ void Udp::close() {
     socket_.close(ignored);
 }
 
-std::string Udp::describe() const {
+Address Udp::local() const {
     error_code ec;
-    return "udp-listen://" + to_text(to_address(socket_.local_endpoint(ec)));
+    const auto own = socket_.local_endpoint(ec);
+    return ec ? bind_ : to_address(own);
 }
 
-Wire Udp::wire() const {
-    error_code ec;
-    return {Wire::Kind::udp, to_address(socket_.local_endpoint(ec)), reply_to_};
-}
+std::string Udp::describe() const { return "udp-listen://" + to_text(local()); }
+
+Wire Udp::wire() const { return {Wire::Kind::udp, local(), reply_to_}; }
 
 }  // namespace echoloop

@@ -9,9 +9,10 @@ namespace echoloop {
 
 class Udp final : public CountingTransport {
   public:
-    /// `shared`: other programs may listen on the same address (discovery). `reply_to`: where write() sends
-    /// when it is given no address; until somebody has spoken, `reply_to.port` may be 0 and the bytes are
-    /// lost. Throws StartError if the address cannot be bound.
+    /// `shared`: other programs may listen on the same address (discovery); where one has it for itself, the
+    /// log says so and nothing is heard or sent there. `reply_to`: where write() sends when it is given no
+    /// address; until somebody has spoken, `reply_to.port` may be 0 and the bytes are lost. Throws StartError
+    /// if another address cannot be bound.
     Udp(asio::io_context& io, Address bind, bool shared, Peers peers, Address reply_to = {});
     ~Udp() override { close(); }
 
@@ -26,8 +27,10 @@ class Udp final : public CountingTransport {
   private:
     Task<void> read_datagrams();
     bool may_send_to(std::uint32_t ip) const;
+    Address local() const;
 
     asio::ip::udp::socket socket_;
+    Address bind_;
     Peers peers_;
     Address reply_to_;
     std::uint64_t refused_ = 0;  ///< datagrams

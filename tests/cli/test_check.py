@@ -1,6 +1,9 @@
 """echoloop check and list."""
 import json
+import re
+import tempfile
 import unittest
+from pathlib import Path
 
 from program import DEMO, ROOT, TANK, ProgramTest, run
 
@@ -174,6 +177,25 @@ class List(ProgramTest):
     def test_one_model(self):
         self.assertEqual([m["name"] for m in self.json("list", "r2sonic-2024")["models"]], ["r2sonic-2024"])
         self.assertIn("did you mean 'r2sonic-2024'?", self.bad(64, "list", "r2sonic-2204"))
+
+
+    def test_sonars_in_one_place_deafen_each_other(self):
+        two = """
+        - {name: port, model: omniscan450, endpoints: ["tcp-listen://127.0.0.1:51200"], mount: {position: [%s, 0, 0]}}
+        - {name: starboard, model: omniscan450, endpoints: ["tcp-listen://127.0.0.2:51200"]}
+"""
+        scene = Path(TANK).parent / "scenes" / "tank.glb"
+        head = f"scene: {scene}\nvehicle: {{pose: {{position: [0, 0, -2]}}}}\n"
+        with tempfile.TemporaryDirectory() as folder:
+            for apart, warned in (("0.03", True), ("0.3", False)):
+                file = Path(folder) / "two.yaml"
+                file.write_text(head + "devices:" + two % apart)
+                said = self.good("check", str(file))
+                pattern = r"warning +port and starboard: 0\.03 m apart in the same band.*mounts.*cross_talk off"
+                self.assertEqual(bool(re.search(pattern, said)), warned, said)
+            quiet = self.good("check", str(file), "--set", "devices.port.mount.position=[0, 0, 0]",
+                              "--set", "effects.cross_talk=off")
+            self.assertNotIn("warning", quiet)
 
 
 if __name__ == "__main__":

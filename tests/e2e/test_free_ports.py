@@ -161,5 +161,20 @@ class FreePorts(unittest.TestCase):
         self.assertIn("sends bathymetry to             127.0.0.1:65400", done.stdout)
 
 
+class TakenDiscovery(unittest.TestCase):
+    """Another program that holds a port of discovery for itself costs the discovery, not the run."""
+
+    def test_the_sonar_works_without(self):
+        cerulean, r2sonic = 30303, 53810
+        for model, port, option in (("omniscan450", cerulean, '{discovery: "127.0.0.1"}'), ("s500", cerulean, '{discovery: "127.0.0.1"}'),
+                                    ("surveyor240", cerulean, '{discovery: "127.0.0.1"}'), ("r2sonic-2024", r2sonic, "{}")):
+            ends = ('["udp-listen://127.0.0.1:0", "udp://127.0.0.1:65400"]' if port == r2sonic
+                    else '["tcp-listen://127.0.0.1:0"]')
+            with self.subTest(model=model), socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+                other.bind(("127.0.0.1", port))
+                with Emulator(DEVICE % (model, ends, option)) as run:  # starts all the same
+                    self.assertRegex(run.output, rf"127\.0\.0\.1:{port}: another program has it for itself.*discovery")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "emulator/water/crosstalk.h"
 #include "tools/echoloop/common.h"
 
 namespace echoloop::cli {
@@ -75,8 +76,36 @@ std::vector<RayBound> ray_bounds(const Scenario& scenario) {
     return bounds;
 }
 
-std::vector<std::string> warnings(const Scenario& scenario) {
+namespace {
+
+/// Pairs of sonars that stand in one place and hear each other's pulses, which the direct way weakens by
+/// nothing.
+std::vector<std::string> deafened(const Scenario& scenario) {
+    constexpr double too_near = 0.1;    // m; heads are wider
+    constexpr double same_band = 0.01;  // of the pulse's energy
     std::vector<std::string> all;
+    if (by_paper(scenario) || !scenario.render.effects.has(Effect::cross_talk)) return all;
+    const auto& devices = scenario.devices;
+    for (std::size_t i = 0; i < devices.size(); ++i)
+        for (std::size_t j = i + 1; j < devices.size(); ++j) {
+            const double apart =
+                norm(devices[i].body_from_sonar.position - devices[j].body_from_sonar.position);
+            const auto shot = [&](std::size_t k) {
+                return devices[k].model->default_shot(devices[k].config, 0, 0);
+            };
+            if (apart >= too_near || band_overlap(shot(i), shot(j)) < same_band) continue;
+            all.push_back(devices[i].name + " and " + devices[j].name + ": " + plain(apart, 2) +
+                          " m apart in the same band, so each hears the other's pulses instead of echoes; "
+                          "give their mounts positions some decimetres apart, or switch the effect "
+                          "cross_talk off");
+        }
+    return all;
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const Scenario& scenario) {
+    std::vector<std::string> all = deafened(scenario);
     if (by_paper(scenario) || !scenario.render.effects.has(Effect::absorption)) return all;
     for (const auto& device : scenario.devices) {
         const double frequency = device.model->default_shot(device.config, 0, 0).frequency;
