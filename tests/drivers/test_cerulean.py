@@ -48,7 +48,9 @@ devices:
     options: {temperature_bytes: "4"}  # the package knows nothing else
 """
 # Edges to a bin need a beam with edges, steady levels and direct echoes only; noise, pulse and gain stay on.
-SHARP = "effects: {beam_pattern: off, side_lobes: off, speckle: off, multipath: off, second_time_around: off}\n"
+SHARP = """
+effects: {beam_pattern: off, side_lobes: off, speckle: off, multipath: off, second_time_around: off, sensor_noise: off}
+"""
 PROFILE, DEPTH, DISTANCE = (
     definitions.OMNISCAN450_OS_MONO_PROFILE,
     definitions.S500_PROFILE6_T,

@@ -27,6 +27,7 @@ SCENARIO = """
 scene: {scenes}/flat.glb
 water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
 vehicle: {pose: {position: [0, 0, -16], rpy_deg: [7, -5, 0]}}
+effects: {sensor_noise: off}
 devices:
   - name: surveyor
     model: surveyor240

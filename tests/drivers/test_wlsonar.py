@@ -22,7 +22,7 @@ TANK = """
 scene: {scenes}/tank.glb
 water: {temperature: 15, salinity: 0, ph: 7, sound_speed: 1500}
 vehicle: {pose: {position: [0, 0, -2]}}
-effects: {multipath: %s}
+effects: {multipath: %s, sensor_noise: off}
 devices:
   - name: sonar
     model: sonar-3d-15

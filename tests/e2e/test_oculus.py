@@ -32,6 +32,9 @@ C = 1482.5
 SEA = {"sound_speed": C, "mode": wire.LOW}
 
 
+CLOCK = 281.25e6  # Hz, which each carrier is a whole fraction of, as in the recording
+
+
 class OculusCase(unittest.TestCase):
     def start(self, scene, position, tilt=0, model="oculus-m750d", options=""):
         data, status = free_port(), free_port()
@@ -165,7 +168,7 @@ class Tank(OculusCase):
         self.assertAlmostEqual(own.sound_speed, 1482, delta=1.5)
         # High frequency: another sector and carrier; the gain comes back as 40 + 0.6 g.
         high = self.picture(host, sound_speed=C, mode=wire.HIGH, gain=10.0, **same)
-        self.assertEqual((high.bearings[0], high.bearings[-1], high.frequency), (-35, 35, 1.2e6))
+        self.assertEqual((high.bearings[0], high.bearings[-1], high.frequency), (-35, 35, CLOCK / 234))
         self.assertAlmostEqual(high.settings["gain"], 46.0, delta=1e-9)
         self.assertAlmostEqual(self.front(high, 0, 5), 6, delta=0.06)
         # Range in percent, and gain.
@@ -288,8 +291,8 @@ class Series(OculusCase):
     def test_each_model_pings_in_both_modes(self):
         sectors = {
             "oculus-m370s": ((375e3, 65), (375e3, 65)),
-            "oculus-m1200d": ((1.2e6, 65), (2098880.597, 30)),
-            "oculus-m3000d": ((1.2e6, 65), (3e6, 20)),
+            "oculus-m1200d": ((CLOCK / 234, 65), (CLOCK / 134, 30)),
+            "oculus-m3000d": ((CLOCK / 234, 65), (CLOCK / 94, 20)),
         }
         for model, modes in sectors.items():
             host = self.start("tank", [0, 0, -2], model=model)
