@@ -118,7 +118,7 @@ void parse_path(Endpoint& endpoint, std::string_view uri, std::string_view rest)
     const auto example = std::string(form_of(endpoint.scheme).example);
     if (!rest.starts_with('/')) fail(uri, "the path must be absolute, as in " + example);
     if (rest.ends_with('/')) fail(uri, "the path names a folder; add a name, as in " + example);
-    endpoint.path = rest;
+    endpoint.path = rest.substr(rest.find_first_not_of('/') - 1);  // several slashes in front are one
 }
 
 void parse_network(Endpoint& endpoint, std::string_view uri, std::string_view rest) {

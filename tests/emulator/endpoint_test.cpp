@@ -34,6 +34,13 @@ TEST(Endpoint, reads_every_form) {
     EXPECT_EQ(udp.local_port(), 65502);
 }
 
+TEST(Endpoint, several_slashes_in_front_of_a_path_are_one) {
+    const auto one = parse_endpoint("pty:/tmp/a"), many = parse_endpoint("pty://////tmp/a");
+    EXPECT_EQ(many.path, "/tmp/a");
+    EXPECT_EQ(to_string(many), to_string(one));
+    EXPECT_TRUE(clash(one, many)) << "they are one file";
+}
+
 TEST(Endpoint, prints_what_it_would_read_again) {
     for (const auto* uri : {"pty:/tmp/a", "pty:/tmp/a?group=dialout", "serial:///dev/ttyS0",
                             "serial:///dev/ttyS0:9600", "tcp://1.2.3.4:5", "tcp-listen://0.0.0.0:0",
