@@ -47,6 +47,10 @@ class Seeds(unittest.TestCase):
         for name in names.keys() - folders - of_records:
             self.assertEqual(names[name].parent.name, "protocols", f"{name} begins with messages of sonars")
 
+    def test_captures_begin_with_recordings_of_our_own_runs(self):
+        for target in ("capture_file", "pcapng", "replay_source"):
+            self.assertTrue(list((self.folder / target).glob("run-kmall*")), target)
+
     def test_dictionaries_are_in_the_syntax_of_libfuzzer(self):
         dictionaries = list(self.folder.glob("*.dict")) + [self.folder / "dictionary"]
         for path in dictionaries:

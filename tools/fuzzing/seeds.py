@@ -2,9 +2,12 @@
 """Writes what tools/fuzz begins with: for each target a folder of inputs that its reader takes, made from the golden messages,
 the scenes and scenarios of this repository and the recordings in ../shared/data where they are; and dictionaries.
     seeds.py FOLDER"""
+import os
 import pathlib
 import re
+import subprocess
 import sys
+import tempfile
 
 from captures import captures, packet_inputs, pcapng, recordings_of_makers, text_log, udp
 from lines import lines, mavlink, mavlink_messages, poses
@@ -28,6 +31,23 @@ def golden():
 def recordings():
     files = [path for path in sorted(SHARED.rglob("*")) if path.suffix in (".852", ".raw", ".pcap", ".sonar")]
     return {f"recorded-{path.stem.replace(' ', '_')}": path.read_bytes()[:LONGEST] for path in files}
+
+
+def own_recordings():
+    """The beginning of what the program records of sonars that speak first, where it is built."""
+    program = pathlib.Path(os.environ.get("ECHOLOOP", ROOT / "build" / "release" / "bin" / "echoloop"))
+    if not program.exists():
+        print(f"seeds.py: {program} is not built, so there is no recording of our own among the seeds", file=sys.stderr)
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("kmall", "r2sonic-2026", "deltat"):
+            file = pathlib.Path(folder) / f"{name}.pcapng"
+            words = [program, "run", ROOT / "config" / f"{name}.yaml", "--duration", "1", "--record", file]
+            ran = subprocess.run(words, capture_output=True, text=True)
+            if ran.returncode != 0:
+                print(f"seeds.py: no recording of {name}: {ran.stderr.strip()}", file=sys.stderr)
+            elif file.exists():
+                yield f"run-{name}", file.read_bytes()[:LONGEST]
 
 
 def families():
@@ -73,7 +93,7 @@ def text_commands():
 
 def inputs():
     """(folder, name, bytes) of all."""
-    messages, recorded = golden(), recordings()
+    messages, recorded = golden(), {**recordings(), **dict(own_recordings())}
     for name, message in messages.items():
         yield "bytes", name, message
         yield "bytes", f"{name}-stream", b"\xff" + message
