@@ -81,8 +81,8 @@ namespace {
 /// Pairs of sonars that stand in one place and hear each other's pulses, which the direct way weakens by
 /// nothing.
 std::vector<std::string> deafened(const Scenario& scenario) {
-    constexpr double too_near = 0.1;    // m; heads are wider
-    constexpr double same_band = 0.01;  // of the pulse's energy
+    constexpr double too_near = 0.1;    // m, own choice: about the width of a head
+    constexpr double same_band = 0.01;  // of the energy of the pulse, own choice
     std::vector<std::string> all;
     if (by_paper(scenario) || !scenario.render.effects.has(Effect::cross_talk)) return all;
     const auto& devices = scenario.devices;
