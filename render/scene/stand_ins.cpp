@@ -24,21 +24,21 @@ constexpr std::size_t most_contracted = 300'000, most_places = 300'000;
 int first_exponent(const Mesh& mesh, std::span<const std::uint32_t> indices) {
     constexpr int smallest = -12, largest = 20;  // a scene's extent in the smallest fits an int
     if (indices.size() / 3 <= most_contracted) return smallest;
-    struct Triangles {
+    struct Amount {
         double area = 0, count = 0;
     };
-    std::array<Triangles, largest - smallest + 1> by_size;  // those that a cell is just too small for
+    std::array<Amount, largest - smallest + 1> by_size;  // those that a cell is just too small for
     for (std::size_t i = 0; i < indices.size(); i += 3) {
         const double area = norm(doubled_area(mesh, &indices[i])) / 2;
         const int exponent = static_cast<int>(std::ceil(0.5 * std::log2(2 * area)));
-        Triangles& same =
+        Amount& same =
             by_size[static_cast<std::size_t>(std::clamp(exponent, smallest, largest) - smallest)];
         same.area += area;
         same.count += 1;
     }
-    Triangles smaller, larger{0, static_cast<double>(indices.size() / 3)};
+    Amount smaller, larger{0, static_cast<double>(indices.size() / 3)};
     for (int exponent = smallest; exponent < largest; ++exponent) {
-        const Triangles& these = by_size[static_cast<std::size_t>(exponent - smallest)];
+        const Amount& these = by_size[static_cast<std::size_t>(exponent - smallest)];
         smaller.area += these.area;
         larger.count -= these.count;
         if (std::ldexp(smaller.area, -2 * exponent) + larger.count / 2 <= most_places) return exponent;
