@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,16 @@ struct AxisPattern {
     friend bool operator==(const AxisPattern&, const AxisPattern&) = default;
 };
 
+/// What a receiver makes of the looks in a bin that is longer than the pulse.
+enum class BinRule {
+    mean,    ///< their mean power
+    peak,    ///< the strongest: raises the level of a bin of several looks
+    sample,  ///< one of them
+};
+
+struct RingDown;      // render/acoustics/ring_down.h
+struct Interference;  // render/acoustics/interference.h
+
 /// What the receiver adds to and does with the echo, before the device's own gain.
 struct Receiver {
     double bandwidth = 0;          ///< Hz, for the noise; 0: that of the pulse
@@ -41,7 +52,28 @@ struct Receiver {
     double saturation_level =
         std::numeric_limits<double>::infinity();  ///< dB re 1 uPa, where its input clips
     int converter_bits = 0;                       ///< of the amplitude up to saturation_level; 0: no steps
+    /// Converters whose outputs a beam is formed from, one for each stave; 1: one converter behind the beam.
+    int staves = 1;
+    BinRule bins = BinRule::mean;
+    std::shared_ptr<const RingDown> ring_down;         ///< null: none
+    std::shared_ptr<const Interference> interference;  ///< null: none
     friend bool operator==(const Receiver&, const Receiver&) = default;
+};
+
+/// How the staves of a real array differ from each other: standard deviations. They raise the floor of side
+/// lobes.
+struct ArrayErrors {
+    double amplitude = 0;    ///< dB
+    double phase = 0;        ///< rad
+    std::uint64_t unit = 0;  ///< the random numbers' key: the same for every ping of one unit
+    friend bool operator==(const ArrayErrors&, const ArrayErrors&) = default;
+};
+
+/// One of a shot's single-beam arrays, such as one side of a side-scan sonar.
+struct Side {
+    double depression = 0;    ///< rad, of its axis below the plane of the fan
+    double source_level = 0;  ///< dB re 1 uPa at 1 m
+    friend bool operator==(const Side&, const Side&) = default;
 };
 
 /// One ping as a device asks for it.
@@ -73,7 +105,9 @@ struct Shot {
     AxisPattern horizontal;     ///< of each beam, across beam_width
     AxisPattern vertical;       ///< of the fan, across fan_height
     Receiver receiver;
-    double interval = 0;  ///< s to the next transmission; 0: so long that nothing is heard of this one
+    ArrayErrors errors;       ///< of the receiving array
+    std::vector<Side> sides;  ///< one for each bearing where every beam has an array of its own; else empty
+    double interval = 0;      ///< s to the next transmission; 0: so long that nothing is heard of this one
     std::uint64_t random_key = 0;  ///< of seed and device; the session sets it, a device leaves it alone
 
     std::size_t rows() const { return elevations.empty() ? 1 : elevations.size(); }

@@ -26,6 +26,9 @@ enum class Effect : unsigned char {
     quantisation,
     sensor_noise,
     ping_jitter,
+    ring_down,
+    interference,
+    array_errors,
 };
 
 struct EffectRow {
@@ -34,7 +37,7 @@ struct EffectRow {
     std::string_view help;  ///< what is different when it is off
 };
 
-inline constexpr std::array<EffectRow, 15> effect_rows{{
+inline constexpr std::array<EffectRow, 18> effect_rows{{
     {Effect::spreading, "spreading", "two-way spherical spreading, 40 log R; off: none"},
     {Effect::absorption, "absorption", "Francois & Garrison; off: none"},
     {Effect::beam_pattern, "beam_pattern", "beams of the aperture's shape; off: boxes of the nominal widths"},
@@ -54,6 +57,12 @@ inline constexpr std::array<EffectRow, 15> effect_rows{{
     {Effect::sensor_noise, "sensor_noise",
      "temperatures, voltages, pressures and compasses drift and scatter; off: as they are set"},
     {Effect::ping_jitter, "ping_jitter", "the sonar's timer is uneven; off: the same interval each time"},
+    {Effect::ring_down, "ring_down",
+     "what the transducer's own pulse leaves in the receiver; off: nothing but echoes"},
+    {Effect::interference, "interference",
+     "lines and dashes from motors, supplies and other electronics; off: none"},
+    {Effect::array_errors, "array_errors",
+     "staves that differ in amplitude and phase; off: side lobes of the ideal aperture"},
 }};
 
 /// A set of effects; all are on to begin with.
