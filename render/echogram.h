@@ -55,8 +55,8 @@ struct Receiver {
     /// Converters whose outputs a beam is formed from, one for each stave; 1: one converter behind the beam.
     int staves = 1;
     BinRule bins = BinRule::mean;
-    std::shared_ptr<const RingDown> ring_down;         ///< null: none
-    std::shared_ptr<const Interference> interference;  ///< null: none
+    std::shared_ptr<const RingDown> ring_down = nullptr;         ///< null: none
+    std::shared_ptr<const Interference> interference = nullptr;  ///< null: none
     friend bool operator==(const Receiver&, const Receiver&) = default;
 };
 

@@ -14,7 +14,8 @@ namespace echoloop::sonar_3d_15 {
 namespace {
 
 constexpr std::string_view root = "/api/v1/integration";
-constexpr std::string_view sign = "/api/v1/about";  // by which the maker's own BlueOS extension finds it
+constexpr std::string_view about_page =
+    "/api/v1/about";  // by which the maker's own BlueOS extension finds it
 constexpr std::array<int, 3> always{0, 0, 0};
 constexpr double slowest = 1000, fastest = 2000;  // m/s, by hand
 
@@ -254,8 +255,8 @@ bool is_flat(const Json& json) {
 
 Answer answer(const http::Request& request, State& state, const Settings& settings) {
     const std::string_view target = std::string_view(request.target).substr(0, request.target.find('?'));
-    if (!target.starts_with(root) && target != sign) return {404};
-    const std::string_view asked = target == sign ? "/about" : target.substr(root.size());
+    if (!target.starts_with(root) && target != about_page) return {404};
+    const std::string_view asked = target == about_page ? "/about" : target.substr(root.size());
     const auto* deed = std::find_if(deeds.begin(), deeds.end(), [&](const Deed& d) {
         return d.path == asked && d.since <= settings.release;
     });
