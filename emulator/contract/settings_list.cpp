@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "emulator/contract/options.h"
+#include "emulator/contract/receiver_notation.h"
 
 namespace echoloop {
 namespace {
@@ -131,6 +132,11 @@ void FigureList::common(AxisPattern& horizontal, AxisPattern& vertical, Receiver
     number(receiver.saturation_level, "saturation_level", "dB re 1 uPa", 50, 300,
            "at the receiver, where its input clips");
     whole(receiver.converter_bits, "converter_bits", 0, 32, "of the amplitude up to saturation; 0: no steps");
+    notation(receiver.ring_down, "ring_down", "ms: dB re source level",
+             "what the receiver hears of its own pulse, as points of a curve", read_ring_down,
+             [](std::string_view text) { read_ring_down(text); });
+    notation(receiver.interference, "interference", "", "what electronics near by leave in it",
+             read_interference, [](std::string_view text) { read_interference(text); });
 }
 
 }  // namespace echoloop

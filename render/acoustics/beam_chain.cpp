@@ -43,7 +43,9 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
       speckle(effects.has(Effect::speckle)),
       shape(shot, sound_speed),
       grid(shot),
-      lean(shot, grid.cell_width()) {
+      lean(shot, grid.cell_width()),
+      ring_down(shot, effects),
+      interference(shot, effects) {
     if (pulse) {
         power = power_filter(shape, bin_length);
         looks = std::max(1.0, bin_length / shape.length());
@@ -93,6 +95,10 @@ void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::sp
         coarse_echo(cells, field, has_points, values);
         if (plan_->noise_power > 0) coarse_noise(beam, values);
     }
+    const LineKey line{ping_.key, ping_.ping, static_cast<std::uint32_t>(beam),
+                       ping_.pan + ping_.bearings[beam]};
+    plan_->interference.add(line, plan_->noise_power, values);
+    plan_->ring_down.add(line, ping_.source_level, values);
     kernels::receive(plan_->power_limit, plan_->amplitude_step, values.size(), values.data());
 }
 

@@ -10,8 +10,10 @@
 
 #include "render/acoustics/bin_filters.h"
 #include "render/acoustics/chain.h"
+#include "render/acoustics/interference.h"
 #include "render/acoustics/lean.h"
 #include "render/acoustics/random.h"
+#include "render/acoustics/ring_down.h"
 #include "render/acoustics/view_key.h"
 
 namespace echoloop {
@@ -38,6 +40,8 @@ struct ChainPlan {
     std::size_t texture_bins = 1;                                ///< bins that share a value of the texture
     float power_limit = std::numeric_limits<float>::infinity();  ///< uPa^2
     float amplitude_step = 0;                                    ///< uPa; 0: no steps
+    RingDownPlan ring_down;
+    InterferencePlan interference;
 };
 
 /// What changes from ping to ping.
@@ -46,6 +50,7 @@ struct ChainPing {
     ViewKey view;
     double pan = 0;
     std::span<const double> bearings;
+    double source_level = 0;  ///< dB re 1 uPa at 1 m
 };
 
 class BeamChain {

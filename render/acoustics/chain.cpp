@@ -49,7 +49,7 @@ class AcousticChain::Impl {
                  std::span<float> values) {
         const ChainPlan& plan = plan_for(shot, sound_speed);
         const ChainPing ping{shot.random_key, shot.ping, view_of(shot, pose, sound_speed / shot.frequency),
-                             shot.pan, shot.bearings};
+                             shot.pan, shot.bearings, shot.source_level};
         points_.assign(points.begin(), points.end());
         std::ranges::stable_sort(points_, {}, [](const PointEcho& point) { return point.beam; });
         const std::size_t beams = shot.bearings.size();

@@ -139,6 +139,7 @@ Shot make_shot(const Request& r, const Plan& plan, const Settings& s, std::uint3
     shot.vertical = a.vertical;
     shot.receiver = a.receiver;
     shot.receiver.directivity_index = mode.directivity_index;
+    shot.receiver.self_noise = mode.self_noise;
     shot.interval = plan.period;
     return shot;
 }

@@ -51,6 +51,8 @@ Shot aux_shot(const AuxSettings& settings) {
     shot.source_level = settings.source_level;
     shot.receiver = settings.receiver;
     shot.receiver.directivity_index = settings.directivity_index;
+    shot.receiver.ring_down = nullptr;  // those of the head
+    shot.receiver.interference = nullptr;
     return shot;
 }
 
