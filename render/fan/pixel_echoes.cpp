@@ -52,8 +52,8 @@ void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, con
     static thread_local PixelExtents extents;
     const std::size_t number = view.first_line + line;
     find_pixel_extents(reader.before(), reader.row(), reader.after(),
-                       &in.plan.coverage[view.first_pixel + line * view.samples], in.offset, view.samples,
-                       number >= in.plan.lines, extents);
+                       &in.plan.coverage[view.first_pixel + line * view.samples], in.offset.of(view),
+                       view.samples, number >= in.plan.lines, extents);
     echoes.clear();
     const auto list = [&](std::size_t i, float near, float far, float value, float slope) {
         echoes.push_back({static_cast<std::uint32_t>(i), near, far, value, slope});
