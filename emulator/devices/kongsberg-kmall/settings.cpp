@@ -72,6 +72,7 @@ void describe_profile(Settings& s, FigureList& f) {
              "level after gain and its offset that reads 0 dB in #MWC");
     f.number(s.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(s.horizontal, s.vertical, s.receiver);
+    f.stave_errors(s.errors);
 }
 
 }  // namespace

@@ -71,6 +71,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.number(a.largest_gain, "largest_gain", "dB", 0, 120, "digital");
     f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.stave_errors(a.errors);
 }
 
 }  // namespace

@@ -97,6 +97,7 @@ void describe(Acoustics& a, FigureList& f) {
              "level after gain that reads 65535 in I1, WCD0, SNI0 and TPX0");
     f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.stave_errors(a.errors);
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ void describe_levels(Acoustics& a, FigureList& f) {
              "after gain and time-varied gain: reads full scale");
     f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.stave_errors(a.errors);
 }
 
 }  // namespace

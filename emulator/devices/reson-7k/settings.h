@@ -47,6 +47,7 @@ struct Acoustics {
     double detection_margin = 0;             ///< dB
     AxisPattern horizontal, vertical;
     Receiver receiver;
+    ArrayErrors errors;
 };
 
 struct Settings {

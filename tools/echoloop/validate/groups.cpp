@@ -5,7 +5,7 @@
 namespace echoloop::validation {
 
 std::span<const Group> groups() {
-    static constexpr std::array<Group, 16> table{{
+    static constexpr std::array<Group, 17> table{{
         {"V1", "Sonar equation", check_sonar_equation},
         {"V2", "Absorption", check_absorption},
         {"V3", "Time base", check_time_base},
@@ -22,6 +22,7 @@ std::span<const Group> groups() {
         {"V14", "Refraction", check_refraction},
         {"V15", "Motion", check_motion},
         {"V16", "Bookkeeping", check_bookkeeping},
+        {"V29", "Side lobes of arrays whose staves differ", check_stave_errors},
     }};
     return table;
 }
