@@ -5,7 +5,7 @@
 namespace echoloop::validation {
 
 std::span<const Group> groups() {
-    static constexpr std::array<Group, 17> table{{
+    static constexpr std::array<Group, 18> table{{
         {"V1", "Sonar equation", check_sonar_equation},
         {"V2", "Absorption", check_absorption},
         {"V3", "Time base", check_time_base},
@@ -15,13 +15,14 @@ std::span<const Group> groups() {
         {"V7", "Seabed", check_seabed},
         {"V8", "Speckle", check_speckle},
         {"V9", "Noise", check_noise},
-        {"V10", "Time-varied gain and converter", check_gain},
+        {"V10", "Time-varied gain and clipping", check_gain},
         {"V11", "Shadow", check_shadow},
         {"V12", "Layover and first return", check_layover},
         {"V13", "Multipath", check_multipath},
         {"V14", "Refraction", check_refraction},
         {"V15", "Motion", check_motion},
         {"V16", "Bookkeeping", check_bookkeeping},
+        {"V28", "Converters of staves", check_converter},
         {"V29", "Side lobes of arrays whose staves differ", check_stave_errors},
     }};
     return table;

@@ -1,5 +1,5 @@
-// The checks V1 to V16 and V29, in order. Each asks the parts that the emulator itself uses; the published
-// numbers stand in the checks as literals.
+// The checks, in order. Each asks the parts that the emulator itself uses; the published numbers
+// stand in the checks as literals.
 #pragma once
 
 #include <span>
@@ -32,6 +32,7 @@ void check_multipath(Findings&);
 void check_refraction(Findings&);
 void check_motion(Findings&);
 void check_bookkeeping(Findings&);
+void check_converter(Findings&);
 void check_stave_errors(Findings&);
 
 }  // namespace echoloop::validation
