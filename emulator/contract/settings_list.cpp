@@ -131,6 +131,8 @@ void FigureList::common(AxisPattern& horizontal, AxisPattern& vertical, Receiver
     number(receiver.saturation_level, "saturation_level", "dB re 1 uPa", 50, 300,
            "at the receiver, where its input clips");
     whole(receiver.converter_bits, "converter_bits", 0, 32, "of the amplitude up to saturation; 0: no steps");
+    whole(receiver.staves, "staves", 1, 4096,
+          "converters from whose outputs a beam is formed; 1: one behind the beam");
 }
 
 }  // namespace echoloop

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "render/acoustics/chain.h"
+#include "render/acoustics/receiver_noise.h"
 #include "render/paths/searches.h"
 #include "render/recently_used.h"
 #include "render/view.h"
@@ -56,8 +57,7 @@ class PathTracer::Impl {
     /// uPa: 10 dB below the noise; 0 where there is none.
     double least_audible(const Shot& shot) const {
         if (!effects_.has(Effect::noise)) return 0;
-        const double level = thermal_noise_level(shot.frequency) - shot.receiver.directivity_index - 10;
-        return std::sqrt(db_to_power(level) * noise_bandwidth(shot));
+        return std::sqrt(0.1 * received_noise(shot));
     }
 
     void place(std::span<const Pose> movers) {

@@ -7,7 +7,7 @@ import unittest
 
 from program import PROGRAM, ROOT, ProgramTest, run
 
-IDS = [f"V{n}" for n in range(1, 25)]
+IDS = [f"V{n}" for n in (*range(1, 25), 28)]
 HEADINGS = ("id", "quantity", "unit", "published", "ours", "tolerance", "pass", "source")
 
 
@@ -32,7 +32,7 @@ class Whole(ProgramTest):
         self.assertEqual([q for q in self.quantities if not q["pass"]], [])
         self.assertEqual((self.status, self.document["ok"], self.document["failed"], self.errors), (0, True, 0, ""))
 
-    def test_all_of_them_are_there_in_order_each_quantity_once(self):
+    def test_all_are_there_in_order_each_quantity_once(self):
         self.assertEqual(list(dict.fromkeys(q["id"] for q in self.quantities)), IDS)
         names = [(q["id"], q["quantity"]) for q in self.quantities]
         self.assertEqual(len(set(names)), len(names))

@@ -5,7 +5,7 @@
 namespace echoloop::validation {
 
 std::span<const Group> groups() {
-    static constexpr std::array<Group, 24> table{{
+    static constexpr std::array<Group, 25> table{{
         {"V1", "Sonar equation", check_sonar_equation},
         {"V2", "Absorption", check_absorption},
         {"V3", "Time base", check_time_base},
@@ -15,7 +15,7 @@ std::span<const Group> groups() {
         {"V7", "Seabed", check_seabed},
         {"V8", "Speckle", check_speckle},
         {"V9", "Noise", check_noise},
-        {"V10", "Time-varied gain and converter", check_gain},
+        {"V10", "Time-varied gain and clipping", check_gain},
         {"V11", "Shadow", check_shadow},
         {"V12", "Layover and first return", check_layover},
         {"V13", "Multipath", check_multipath},
@@ -30,6 +30,7 @@ std::span<const Group> groups() {
         {"V22", "A room's wall and corner", check_room},
         {"V23", "Several mirrors", check_images},
         {"V24", "Second bottom", check_second_bottom},
+        {"V28", "Converters of staves", check_converter},
     }};
     return table;
 }

@@ -40,5 +40,6 @@ void check_facets(Findings&);
 void check_room(Findings&);
 void check_images(Findings&);
 void check_second_bottom(Findings&);
+void check_converter(Findings&);
 
 }  // namespace echoloop::validation
