@@ -109,6 +109,9 @@ class FigureList {
     /// and interference.
     void common(AxisPattern& horizontal, AxisPattern& vertical, Receiver& receiver);
 
+    /// What arrays have besides: how their staves differ.
+    void stave_errors(ArrayErrors& errors);
+
     std::vector<FigureRow> take_rows() { return std::move(rows_); }
 
   private:

@@ -38,7 +38,8 @@ struct ModeFigures {
 struct Acoustics {
     ModeFigures low, high;
     AxisPattern horizontal, vertical;
-    Receiver receiver;          ///< its directivity index and self noise are those of the mode
+    Receiver receiver;  ///< its directivity index and self noise are those of the mode
+    ArrayErrors errors;
     double pulse_length = 0;    ///< s
     double shortest_range = 0;  ///< m
     std::size_t rows = 0;       ///< the most of an image
