@@ -87,7 +87,7 @@ TEST(SettingsList, MakesRowsInItsOrder) {
     EXPECT_EQ(m.figures[1].minimum, 100);
     EXPECT_TRUE(m.figures[2].whole);
     EXPECT_THAT(m.figures[3].choices, ElementsAre("line", "hamming", "piston"));
-    EXPECT_EQ(m.figures.size(), 13);
+    EXPECT_EQ(m.figures.size(), 14);
 }
 
 TEST(SettingsList, TakesDefaultsFromTheMembers) {
@@ -143,7 +143,7 @@ TEST(SettingsList, FillsFiguresFromTheProfile) {
     EXPECT_EQ(s.rows, 2);
     EXPECT_EQ(s.horizontal, (AxisPattern{ApertureShape::hamming, 2}));
     EXPECT_EQ(s.vertical, (AxisPattern{ApertureShape::hamming, 2}));
-    EXPECT_EQ(s.receiver, (Receiver{0, 2, 2, 2, 2}));
+    EXPECT_EQ(s.receiver, (Receiver{0, 2, 2, 2, 2, 2}));
 }
 
 TEST(SettingsList, RefusesAWordThatIsNoChoice) {
