@@ -5,7 +5,7 @@
 namespace echoloop::validation {
 
 std::span<const Group> groups() {
-    static constexpr std::array<Group, 17> table{{
+    static constexpr std::array<Group, 21> table{{
         {"V1", "Sonar equation", check_sonar_equation},
         {"V2", "Absorption", check_absorption},
         {"V3", "Time base", check_time_base},
@@ -22,7 +22,11 @@ std::span<const Group> groups() {
         {"V14", "Refraction", check_refraction},
         {"V15", "Motion", check_motion},
         {"V16", "Bookkeeping", check_bookkeeping},
+        {"V27", "Beams that share staves", check_shared_staves},
         {"V28", "Converters of staves", check_converter},
+        {"V30", "Speckle moves with the sonar", check_moving_speckle},
+        {"V31", "Looks in a bin", check_looks},
+        {"V32", "Texture over range", check_range_texture},
     }};
     return table;
 }

@@ -32,6 +32,10 @@ void check_multipath(Findings&);
 void check_refraction(Findings&);
 void check_motion(Findings&);
 void check_bookkeeping(Findings&);
+void check_shared_staves(Findings&);
 void check_converter(Findings&);
+void check_moving_speckle(Findings&);
+void check_looks(Findings&);
+void check_range_texture(Findings&);
 
 }  // namespace echoloop::validation
