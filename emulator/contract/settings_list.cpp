@@ -124,6 +124,12 @@ void FigureList::pattern(AxisPattern& member, const std::string& axis, const std
           "2: the same aperture sends and hears; 1: only one is directive");
 }
 
+void FigureList::stave_errors(ArrayErrors& errors) {
+    number(errors.amplitude, "stave_amplitude_error", "dB", 0, 6,
+           "standard deviation of the gains of the receiver's staves");
+    degrees(errors.phase, "stave_phase_error", 0, 60, "the same of their phases");
+}
+
 void FigureList::common(AxisPattern& horizontal, AxisPattern& vertical, Receiver& receiver) {
     pattern(horizontal, "horizontal", "a beam");
     pattern(vertical, "vertical", "the fan");
