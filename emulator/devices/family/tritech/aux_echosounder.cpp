@@ -51,6 +51,7 @@ Shot aux_shot(const AuxSettings& settings) {
     shot.source_level = settings.source_level;
     shot.receiver = settings.receiver;
     shot.receiver.directivity_index = settings.directivity_index;
+    shot.receiver.bins = BinRule::mean;  // the head's receiver is another
     return shot;
 }
 
