@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "emulator/contract/options.h"
+#include "emulator/contract/receiver_notation.h"
 
 namespace echoloop {
 namespace {
@@ -145,6 +146,11 @@ void FigureList::common(AxisPattern& horizontal, AxisPattern& vertical, Receiver
     receiver.bins =
         static_cast<BinRule>(chosen_figure(values_, rows_, static_cast<std::size_t>(receiver.bins),
                                            "bin_rule", rules, "what a bin keeps of the looks in it"));
+    notation(receiver.ring_down, "ring_down", "ms: dB re source level",
+             "what the receiver hears of its own pulse, as points of a curve", read_ring_down,
+             [](std::string_view text) { read_ring_down(text); });
+    notation(receiver.interference, "interference", "", "what electronics near by leave in it",
+             read_interference, [](std::string_view text) { read_interference(text); });
 }
 
 }  // namespace echoloop

@@ -40,7 +40,9 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
       shape(shot, sound_speed),
       grid(shot.beam_width),
       lean(shot, grid.cell_width()),
-      shares_noise(!far_apart(shot)) {
+      shares_noise(!far_apart(shot)),
+      ring_down(shot, effects),
+      interference(shot, effects) {
     if (effects.has(Effect::noise)) noise_power = received_noise(shot);
     if (effects.has(Effect::quantisation)) noise_power += converter_noise(shot);
     if (noise_power < least_noise) noise_power = 0;
@@ -96,6 +98,10 @@ void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::sp
         steady_in_noise(beam, values);
     }
     if (add_points(points)) interfere_with_points(place, values);
+    const LineKey line{ping_.key, ping_.ping, static_cast<std::uint32_t>(beam),
+                       ping_.pan + ping_.bearings[beam]};
+    plan.interference.add(line, plan.noise_power, values);
+    plan.ring_down.add(line, ping_.source_level, values);
     kernels::receive(plan.power_limit, values.size(), values.data());
 }
 

@@ -11,9 +11,11 @@
 #include "render/acoustics/bin_filters.h"
 #include "render/acoustics/bin_law.h"
 #include "render/acoustics/chain.h"
+#include "render/acoustics/interference.h"
 #include "render/acoustics/lean.h"
 #include "render/acoustics/random.h"
 #include "render/acoustics/range_correlation.h"
+#include "render/acoustics/ring_down.h"
 #include "render/acoustics/view.h"
 
 namespace echoloop {
@@ -50,6 +52,8 @@ struct ChainPlan {
     BinLaw texture;
     std::size_t bins_per_look = 1;
     float power_limit = std::numeric_limits<float>::infinity();  ///< uPa^2
+    RingDownPlan ring_down;
+    InterferencePlan interference;
 };
 
 /// What changes from ping to ping.
@@ -58,6 +62,7 @@ struct ChainPing {
     View view;
     double pan = 0;
     std::span<const double> bearings;
+    double source_level = 0;  ///< dB re 1 uPa at 1 m
 };
 
 class BeamChain {

@@ -40,8 +40,8 @@ class AcousticChain::Impl {
     double apply(const Shot& shot, const Pose& pose, double sound_speed, std::span<const PointEcho> points,
                  std::span<float> values) {
         const ChainPlan& plan = plan_for(shot, sound_speed);
-        const ChainPing ping{shot.random_key, shot.ping, View(shot, pose, sound_speed / shot.frequency),
-                             shot.pan, shot.bearings};
+        const ChainPing ping{shot.random_key, shot.ping,     View(shot, pose, sound_speed / shot.frequency),
+                             shot.pan,        shot.bearings, shot.source_level};
         points_.assign(points.begin(), points.end());
         std::ranges::stable_sort(points_, {}, [](const PointEcho& point) { return point.beam; });
         const std::size_t beams = shot.bearings.size();
