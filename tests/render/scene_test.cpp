@@ -121,7 +121,7 @@ TEST_F(SceneFile, MaterialsReflectAsTheirNamesSay) {
     EXPECT_NEAR(load(document)->materials()[0].reflection, 0.2, 1e-9);  // |V| of 1.5 x 1.0
     EXPECT_EQ(load(document)->materials()[0].roughness, 0.01);
     document["materials"][0]["extras"]["sonar"]["reflection"] = -1;
-    EXPECT_EQ(load(document)->materials()[0].reflection, -1);
+    EXPECT_NEAR(load(document)->materials()[0].reflection, -1, 0.002) << "less what mud scatters";
     EXPECT_NEAR(load(document)->materials()[0].mu_db, *mu_db_by_name("mud"), 1e-9);
     document["meshes"][0]["primitives"][0].erase("material");
     EXPECT_NEAR(load(document)->materials()[0].reflection, 0.353, 0.001);  // sand
