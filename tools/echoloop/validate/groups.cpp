@@ -5,7 +5,7 @@
 namespace echoloop::validation {
 
 std::span<const Group> groups() {
-    static constexpr std::array<Group, 16> table{{
+    static constexpr std::array<Group, 20> table{{
         {"V1", "Sonar equation", check_sonar_equation},
         {"V2", "Absorption", check_absorption},
         {"V3", "Time base", check_time_base},
@@ -22,6 +22,10 @@ std::span<const Group> groups() {
         {"V14", "Refraction", check_refraction},
         {"V15", "Motion", check_motion},
         {"V16", "Bookkeeping", check_bookkeeping},
+        {"V39", "Detection noise of a multibeam", check_detection_noise},
+        {"R1", "R2Sonic beside 100 pings of a Sonic 2026", check_r2sonic},
+        {"R2", "Oculus beside a ping of an M1200d", check_oculus},
+        {"R3", "Imagenex 852 beside 177 shots", check_852},
     }};
     return table;
 }

@@ -1,5 +1,5 @@
-// The checks V1 to V16, in order. Each asks the parts that the emulator itself uses; the published numbers
-// stand in the checks as literals.
+// The checks in order: V by formulas and published values, R by recordings. Each asks the parts that the
+// emulator itself uses; the values to meet stand in the checks as literals.
 #pragma once
 
 #include <span>
@@ -32,5 +32,9 @@ void check_multipath(Findings&);
 void check_refraction(Findings&);
 void check_motion(Findings&);
 void check_bookkeeping(Findings&);
+void check_detection_noise(Findings&);
+void check_r2sonic(Findings&);
+void check_oculus(Findings&);
+void check_852(Findings&);
 
 }  // namespace echoloop::validation

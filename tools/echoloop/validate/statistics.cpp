@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace echoloop::validation {
 
@@ -42,6 +43,32 @@ double distance_from_exponential(std::vector<double> samples) {
             {distance, expected - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - expected});
     }
     return distance;
+}
+
+double histogram_distance(std::span<const double> a, std::span<const double> b, double width) {
+    std::map<double, std::pair<double, double>> shares;
+    for (const double x : a) shares[std::floor(x / width)].first += 1 / static_cast<double>(a.size());
+    for (const double x : b) shares[std::floor(x / width)].second += 1 / static_cast<double>(b.size());
+    double divergence = 0;
+    for (const auto& [place, share] : shares)
+        for (const double p : {share.first, share.second})
+            if (p > 0) divergence += p * std::log2(p / ((share.first + share.second) / 2)) / 2;
+    return std::sqrt(std::max(0.0, divergence));
+}
+
+double likeness(const Grid& grid, std::size_t rows, std::size_t columns) {
+    const std::size_t count = grid.rows();
+    std::vector<double> level(count);
+    for (std::size_t i = 0; i < grid.words.size(); ++i)
+        level[i / grid.columns] += grid.words[i] / static_cast<double>(grid.columns);
+    std::vector<double> here, there;
+    for (std::size_t row = 0; row + rows < count; ++row)
+        for (std::size_t column = 0; column + columns < grid.columns; ++column) {
+            const std::size_t i = row * grid.columns + column;
+            here.push_back(grid.words[i] - level[row]);
+            there.push_back(grid.words[i + rows * grid.columns + columns] - level[row + rows]);
+        }
+    return correlation(here, there);
 }
 
 }  // namespace echoloop::validation
