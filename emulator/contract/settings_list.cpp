@@ -121,6 +121,12 @@ void FigureList::pattern(AxisPattern& member, const std::string& axis, const std
           "2: the same aperture sends and hears; 1: only one is directive");
 }
 
+void FigureList::stave_errors(ArrayErrors& errors) {
+    number(errors.amplitude, "stave_amplitude_error", "dB", 0, 6,
+           "standard deviation of the gains of the receiver's staves");
+    degrees(errors.phase, "stave_phase_error", 0, 60, "the same of their phases");
+}
+
 void FigureList::common(AxisPattern& horizontal, AxisPattern& vertical, Receiver& receiver) {
     pattern(horizontal, "horizontal", "a beam");
     pattern(vertical, "vertical", "the fan");
@@ -131,6 +137,8 @@ void FigureList::common(AxisPattern& horizontal, AxisPattern& vertical, Receiver
     number(receiver.saturation_level, "saturation_level", "dB re 1 uPa", 50, 300,
            "at the receiver, where its input clips");
     whole(receiver.converter_bits, "converter_bits", 0, 32, "of the amplitude up to saturation; 0: no steps");
+    whole(receiver.staves, "staves", 1, 4096,
+          "converters from whose outputs a beam is formed; 1: one behind the beam");
 }
 
 }  // namespace echoloop

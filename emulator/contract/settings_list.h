@@ -108,6 +108,9 @@ class FigureList {
     /// What all models have: apertures and receiver, whose bandwidth is left to the pulse.
     void common(AxisPattern& horizontal, AxisPattern& vertical, Receiver& receiver);
 
+    /// What arrays have besides: how their staves differ.
+    void stave_errors(ArrayErrors& errors);
+
     std::vector<FigureRow> take_rows() { return std::move(rows_); }
 
   private:

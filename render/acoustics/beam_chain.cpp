@@ -16,22 +16,8 @@ double noise_spectrum(const Shot& shot) {
     return shot.bandwidth > 0 ? shot.bandwidth : noise_bandwidth(shot);
 }
 
-/// uPa^2: thermal and self noise in the receiver's band, less what the array's directivity keeps out.
-double noise_power_of(const Shot& shot) {
-    const Receiver& receiver = shot.receiver;
-    const double density = power_of(thermal_noise_level(shot.frequency)) + power_of(receiver.self_noise);
-    return density * noise_bandwidth(shot) * power_of(-receiver.directivity_index);
-}
-
 /// uPa^2; less changes no level, and is what receivers have whose noise somebody else adds.
 constexpr double least_noise = 1e-12;
-
-/// One bit of the converter is the sign; the others count the amplitude up to where the input clips.
-float step_of(const Receiver& receiver) {
-    if (receiver.converter_bits < 2 || !std::isfinite(receiver.saturation_level)) return 0;
-    const double steps = std::exp2(receiver.converter_bits - 1) - 1;
-    return static_cast<float>(std::sqrt(power_of(receiver.saturation_level)) / steps);
-}
 
 }  // namespace
 
@@ -51,15 +37,16 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
         if (fine) field = field_filter(shape, bin_length);
         texture_bins = static_cast<std::size_t>(std::max(1.0, std::round(shape.length() / bin_length)));
     }
-    if (effects.has(Effect::noise) && noise_power_of(shot) > least_noise) {
-        noise_power = noise_power_of(shot);
+    if (effects.has(Effect::noise)) noise_power = received_noise(shot);
+    if (effects.has(Effect::quantisation)) noise_power += converter_noise(shot);
+    if (noise_power < least_noise) noise_power = 0;
+    if (noise_power > 0) {
         noise_looks = pulse ? std::max(1.0, noise_spectrum(shot) * shot.bin_interval) : 1;
         if (fine) noise = noise_filter(noise_spectrum(shot), shot.bin_interval);
     }
     if (speckle) texture_shape = options.shape;
     if (effects.has(Effect::saturation))
         power_limit = static_cast<float>(power_of(shot.receiver.saturation_level));
-    if (effects.has(Effect::quantisation)) amplitude_step = step_of(shot.receiver);
 }
 
 void BeamChain::start(const ChainPlan& plan, const ChainPing& ping) {
@@ -93,7 +80,7 @@ void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::sp
         coarse_echo(cells, field, has_points, values);
         if (plan_->noise_power > 0) coarse_noise(beam, values);
     }
-    kernels::receive(plan_->power_limit, plan_->amplitude_step, values.size(), values.data());
+    kernels::receive(plan_->power_limit, values.size(), values.data());
 }
 
 void BeamChain::spread(std::span<const float> values, std::span<float> means) {

@@ -33,11 +33,10 @@ struct ChainPlan {
     bool fine = false;       ///< bins are shorter than the pulse: fields are filtered, not counted in looks
     double looks = 1;        ///< independent ones of the echo in one bin
     double noise_looks = 1;  ///< of the noise
-    double noise_power = 0;  ///< uPa^2, 0: none
+    double noise_power = 0;  ///< uPa^2, the converters' steps among it; 0: none
     double texture_shape = std::numeric_limits<double>::infinity();
     std::size_t texture_bins = 1;                                ///< bins that share a value of the texture
     float power_limit = std::numeric_limits<float>::infinity();  ///< uPa^2
-    float amplitude_step = 0;                                    ///< uPa; 0: no steps
 };
 
 /// What changes from ping to ping.

@@ -32,15 +32,6 @@ std::span<const PointEcho> points_of(std::span<const PointEcho> sorted, std::siz
 
 }  // namespace
 
-double thermal_noise_level(double frequency) { return -15 + 20 * std::log10(frequency / 1000); }
-
-double noise_bandwidth(const Shot& shot) {
-    if (shot.receiver.bandwidth > 0) return shot.receiver.bandwidth;
-    if (shot.pulse_length > 0)
-        return shot.bandwidth > 0 ? std::min(shot.bandwidth, 1 / shot.pulse_length) : 1 / shot.pulse_length;
-    return shot.bandwidth > 0 ? shot.bandwidth : 1 / shot.bin_interval;
-}
-
 class AcousticChain::Impl {
   public:
     Impl(Effects effects, SpeckleOptions speckle) : effects_(effects), speckle_(speckle) {}

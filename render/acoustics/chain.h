@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "render/acoustics/receiver_noise.h"
 #include "render/echogram.h"
 #include "render/effects.h"
 
@@ -50,13 +51,6 @@ class AcousticChain {
     class Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-/// Mellen's thermal noise, -15 + 20 log10 f[kHz] dB re 1 uPa^2/Hz (JASA 24 (1952) 478; 750 kHz: 42.5).
-double thermal_noise_level(double frequency);
-
-/// Hz: of the noise that the receiver lets through, its own where given. Else what a filter matched to the
-/// pulse does, 1 / T also for a chirp, whose compression raises the echo over the noise by the sweep times T.
-double noise_bandwidth(const Shot& shot);
 
 /// m: half the length of the pulse in water, c tau / 2, or of a chirp after compression, c / (2 B).
 double range_resolution(const Shot& shot, double sound_speed);

@@ -119,18 +119,9 @@ ECHOLOOP_SIMD void interfere_between(const float* place, float cell, const float
     }
 }
 
-ECHOLOOP_SIMD void receive(float limit, float step, std::size_t count, float* power) {
+ECHOLOOP_SIMD void receive(float limit, std::size_t count, float* power) {
     if (limit < INFINITY)
         for (std::size_t i = 0; i < count; ++i) power[i] = std::min(power[i], limit);
-    if (!(step > 0)) return;
-    constexpr float finest = 0x1p22F;          // beyond, a float has hardly finer steps
-    constexpr float rounder = 1.5F * 0x1p23F;  // a float this large has no fraction
-    const float per_step = 1 / step;
-    for (std::size_t i = 0; i < count; ++i) {
-        const float steps = std::sqrt(power[i]) * per_step, whole = (steps + rounder) - rounder;
-        const float amplitude = (steps < finest ? whole : steps) * step;
-        power[i] = amplitude * amplitude;
-    }
 }
 
 }  // namespace echoloop::kernels

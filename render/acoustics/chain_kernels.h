@@ -42,7 +42,7 @@ void even_out(const float* place, std::size_t count, float* real, float* imagina
 /// between them.
 void interfere_between(const float* place, float cell, const float* a, const float* b, const float* cosine,
                        float looks, std::size_t count, float* out);
-/// power = min(power, limit), then in steps of the amplitude where step > 0.
-void receive(float limit, float step, std::size_t count, float* power);
+/// power = min(power, limit).
+void receive(float limit, std::size_t count, float* power);
 
 }  // namespace echoloop::kernels

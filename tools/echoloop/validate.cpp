@@ -89,7 +89,7 @@ Verb validate_verb() {
     using Kind = Argument::Kind;
     return {"validate",
             "compare levels, times and patterns with published values and recordings",
-            {{Kind::value, "--only", "V1,...", "run only these checks: V1 to V16, V39, R1 to R3"},
+            {{Kind::value, "--only", "V1,...", "run only these checks"},
              {Kind::value, "--recordings", "DIR",
               "also read real devices' recordings there: r2sonic, oculus, imagenex852"},
              {Kind::value, "--report", "FILE.md", "also write the table and its pictures there"},

@@ -73,6 +73,7 @@ void describe(Acoustics& a, FigureList& f) {
              "level after gain that reads 65535");
     multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.stave_errors(a.errors);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ struct Acoustics {
     double source_level = 0;  ///< dB re 1 uPa at 1 m
     double fan_height = 0;    ///< along the track
     AxisPattern horizontal, vertical;
-    Receiver receiver;               ///< its saturation level at 0 dB gain
+    Receiver receiver;  ///< its saturation level at 0 dB gain
+    ArrayErrors errors;
     double intensity_reference = 0;  ///< dB re 1 uPa after gain: reads 65535
     multibeam::Rule detection;
 };

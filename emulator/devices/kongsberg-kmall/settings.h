@@ -45,6 +45,7 @@ struct Settings {
     double water_column_reference = 0;  ///< dB re 1 uPa after gain: reads 0 dB
     AxisPattern horizontal, vertical;
     Receiver receiver;
+    ArrayErrors errors;
     // The scenario.
     bool tvg = true, echoes_last = true;
     double sound_speed = 1500;  ///< m/s, of the sounder's own sensor: the true one

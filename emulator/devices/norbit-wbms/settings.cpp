@@ -71,6 +71,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.number(a.largest_gain, "largest_gain", "dB", 0, 120, "digital");
     multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.stave_errors(a.errors);
 }
 
 }  // namespace

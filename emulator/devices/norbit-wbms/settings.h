@@ -19,6 +19,7 @@ struct Acoustics {
     double source_level = 0;  ///< dB re 1 uPa at 1 m, at amplitude 15
     AxisPattern horizontal, vertical;
     Receiver receiver;
+    ArrayErrors errors;
     double full_scale = 0;    ///< dB re 1 uPa: reads full scale at 0 dB gain
     double largest_gain = 0;  ///< dB, digital
     multibeam::Rule detection;

@@ -34,7 +34,8 @@ struct ModeFigures {
 struct Acoustics {
     ModeFigures low, high;
     AxisPattern horizontal, vertical;
-    Receiver receiver;           ///< its directivity index is that of the mode
+    Receiver receiver;  ///< its directivity index is that of the mode
+    ArrayErrors errors;
     double pulse_length = 0;     ///< s
     double shortest_range = 0;   ///< m
     std::size_t rows = 0;        ///< the most of an image

@@ -97,6 +97,7 @@ void describe(Acoustics& a, FigureList& f) {
              "level after gain that reads 65535 in I1, WCD0, SNI0 and TPX0");
     multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.stave_errors(a.errors);
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ struct Acoustics {
     double reference_frequency = 0;  ///< Hz
     double receive_beam_width = 0, transmit_beam_width = 0, wide_transmit_beam_width = 0;
     AxisPattern horizontal, vertical;
-    Receiver receiver;           ///< its directivity index at the reference frequency
+    Receiver receiver;  ///< its directivity index at the reference frequency
+    ArrayErrors errors;
     double image_reference = 0;  ///< dB re 1 uPa after gain: reads 255 in the image at 0 dB brightness
     double magnitude_reference =
         0;  ///< dB re 1 uPa after gain: reads 65535 in water column, snippets, TruePix

@@ -64,6 +64,7 @@ void describe_levels(Acoustics& a, FigureList& f) {
              "after gain and time-varied gain: reads full scale");
     multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.stave_errors(a.errors);
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ struct Acoustics {
     multibeam::Rule detection;
     AxisPattern horizontal, vertical;
     Receiver receiver;
+    ArrayErrors errors;
 };
 
 struct Settings {

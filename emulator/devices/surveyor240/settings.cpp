@@ -40,6 +40,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.number(a.longest_range, "longest_range", "m", 10, 200,
              "the longest that a host may set, and that following the bottom uses");
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.stave_errors(a.errors);
 }
 
 }  // namespace

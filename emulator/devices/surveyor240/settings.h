@@ -16,7 +16,8 @@ struct Acoustics {
     double angle_resolution = 0;  ///< width of one direction
     double fan_height = 0;        ///< along the track
     AxisPattern horizontal, vertical;
-    Receiver receiver;      ///< its saturation level at gain index 0
+    Receiver receiver;  ///< its saturation level at gain index 0
+    ArrayErrors errors;
     double gain_range = 0;  ///< dB from gain index 0 to 100
     multibeam::Rule detection;
     double longest_range = 0;  ///< m

@@ -153,8 +153,8 @@ TEST(S500, AChirpIsFinerWithinSixThousandResults) {
     EXPECT_EQ(shot_of({.length = 7500, .chirp = 1, .decimation = 10}).bins, 1000U);
     EXPECT_EQ(shot_of({.length = 3750, .chirp = 1, .decimation = 1}).bins, 5000U) << "every sample fits";
     EXPECT_EQ(shot_of({.length = 1200, .chirp = 1}).bins, 1600U) << "every sample";
-    for (const int length : {1500, 7500, 20000, 150000})
-        EXPECT_LT(10 + 66 + 2 * shot_of({.length = length, .chirp = 1}).bins, 4096U) << "hosts' buffers";
+    for (const int mm : {1500, 7500, 20000, 150000})
+        EXPECT_LT(10 + 66 + 2 * shot_of({.length = mm, .chirp = 1}).bins, 4096U) << "hosts' buffers";
     EXPECT_LE(shot_of({.length = 500000, .chirp = 1}).bins, 6000U);
     EXPECT_EQ(shot_of({.length = 7500}).bandwidth, 0);
     Bench bench = s500();

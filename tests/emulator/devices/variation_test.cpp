@@ -69,8 +69,8 @@ std::vector<std::string> names() {
     for (const Model& model : models()) all.push_back(model.name);
     return all;
 }
-INSTANTIATE_TEST_SUITE_P(All, Variation, testing::ValuesIn(names()), [](const auto& info) {
-    std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(All, Variation, testing::ValuesIn(names()), [](const auto& model) {
+    std::string name = model.param;
     for (char& c : name)
         if (c == '-') c = '_';
     return name;

@@ -5,7 +5,7 @@
 namespace echoloop::validation {
 
 std::span<const Group> groups() {
-    static constexpr std::array<Group, 20> table{{
+    static constexpr auto table = std::to_array<Group>({
         {"V1", "Sonar equation", check_sonar_equation},
         {"V2", "Absorption", check_absorption},
         {"V3", "Time base", check_time_base},
@@ -15,18 +15,28 @@ std::span<const Group> groups() {
         {"V7", "Seabed", check_seabed},
         {"V8", "Speckle", check_speckle},
         {"V9", "Noise", check_noise},
-        {"V10", "Time-varied gain and converter", check_gain},
+        {"V10", "Time-varied gain and clipping", check_gain},
         {"V11", "Shadow", check_shadow},
         {"V12", "Layover and first return", check_layover},
         {"V13", "Multipath", check_multipath},
         {"V14", "Refraction", check_refraction},
         {"V15", "Motion", check_motion},
         {"V16", "Bookkeeping", check_bookkeeping},
+        {"V17", "Mirror echo of a plane", check_plane},
+        {"V18", "Plates and edges", check_plates},
+        {"V19", "Round bodies", check_round_bodies},
+        {"V20", "Lobe of facets", check_lobe},
+        {"V21", "Backscatter with facets", check_facets},
+        {"V22", "A room's wall and corner", check_room},
+        {"V23", "Several mirrors", check_images},
+        {"V24", "Second bottom", check_second_bottom},
+        {"V28", "Converters of staves", check_converter},
+        {"V29", "Side lobes of arrays whose staves differ", check_stave_errors},
         {"V39", "Detection noise of a multibeam", check_detection_noise},
         {"R1", "R2Sonic beside 100 pings of a Sonic 2026", check_r2sonic},
         {"R2", "Oculus beside a ping of an M1200d", check_oculus},
         {"R3", "Imagenex 852 beside 177 shots", check_852},
-    }};
+    });
     return table;
 }
 

@@ -56,17 +56,36 @@ double histogram_distance(std::span<const double> a, std::span<const double> b, 
     return std::sqrt(std::max(0.0, divergence));
 }
 
+Grid texture(const Grid& grid) {
+    constexpr std::size_t reach = 10;
+    const std::size_t rows = grid.rows(), columns = grid.columns;
+    std::vector<double> sums((rows + 1) * (columns + 1));  // of all words above and to the left
+    const auto sum = [&](std::size_t row, std::size_t column) -> double& {
+        return sums[row * (columns + 1) + column];
+    };
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < columns; ++column)
+            sum(row + 1, column + 1) = grid.words[row * columns + column] + sum(row, column + 1) +
+                                       sum(row + 1, column) - sum(row, column);
+    Grid out{columns, std::vector<double>(grid.words.size())};
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < columns; ++column) {
+            const std::size_t top = row - std::min(row, reach), end = std::min(row + reach + 1, rows);
+            const std::size_t left = column - std::min(column, reach),
+                              right = std::min(column + reach + 1, columns);
+            const double all = sum(end, right) - sum(top, right) - sum(end, left) + sum(top, left);
+            const std::size_t i = row * columns + column;
+            out.words[i] = grid.words[i] - all / static_cast<double>((end - top) * (right - left));
+        }
+    return out;
+}
+
 double likeness(const Grid& grid, std::size_t rows, std::size_t columns) {
-    const std::size_t count = grid.rows();
-    std::vector<double> level(count);
-    for (std::size_t i = 0; i < grid.words.size(); ++i)
-        level[i / grid.columns] += grid.words[i] / static_cast<double>(grid.columns);
     std::vector<double> here, there;
-    for (std::size_t row = 0; row + rows < count; ++row)
+    for (std::size_t row = 0; row + rows < grid.rows(); ++row)
         for (std::size_t column = 0; column + columns < grid.columns; ++column) {
-            const std::size_t i = row * grid.columns + column;
-            here.push_back(grid.words[i] - level[row]);
-            there.push_back(grid.words[i + rows * grid.columns + columns] - level[row + rows]);
+            here.push_back(grid.words[row * grid.columns + column]);
+            there.push_back(grid.words[(row + rows) * grid.columns + column + columns]);
         }
     return correlation(here, there);
 }

@@ -31,7 +31,10 @@ struct Grid {
     std::vector<double> words;
     std::size_t rows() const { return columns > 0 ? words.size() / columns : 0; }
 };
-/// Correlation of words `rows` and `columns` apart, each less the mean of its row: a gain over range is none.
+/// Each word less the mean of those within 10 rows and columns, so that a gain over range or a lit patch is
+/// no likeness.
+Grid texture(const Grid& grid);
+/// Correlation of words so many rows and columns apart.
 double likeness(const Grid& grid, std::size_t rows, std::size_t columns);
 
 }  // namespace echoloop::validation

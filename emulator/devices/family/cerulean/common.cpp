@@ -19,8 +19,10 @@ std::uint16_t data_port(const std::vector<Endpoint>& endpoints) {
 }  // namespace
 
 void describe(Identity& i, OptionList& o) {
-    ping_device::version(i.firmware, o, "firmware", "version in device_information",
-                         "own choice: hosts do not look at it");
+    ping_device::version(
+        i.firmware, o, "firmware",
+        "version in device_information; what versions differ in is not public: only the number changes",
+        "own choice: hosts do not look at it");
     ping_device::version(i.protocol, o, "protocol_version", "version of the message set", spec);
     o.whole(i.device_type, "device_type", "", 0, 255,
             "in device_information; " + std::to_string(i.listed_type) + " in the maker's list of types",
