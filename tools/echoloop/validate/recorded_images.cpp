@@ -127,6 +127,10 @@ void check_oculus(Findings& find) {
     if (find.recordings().empty()) return;
     const auto file = find.recordings() / "oculus" / "three_pings_8bit.raw";
     const Grid real = image_of(recorded(file, "Result").front());
+    const Grid real_texture = texture(rows_of(real, 600, 700));
+    find.source("the same figure of " + file.filename().string(), Kind::recording);
+    find.within("noise of the file, neighbouring beams", "", likeness(real_texture, 0, 1), 0.1,
+                likeness(noise_texture, 0, 1));
     find.source(file.filename().string() + ": Jensen-Shannon distance of the words, classes of 4",
                 Kind::recording);
     find.at_most("distance of noise", "", 0.25,
