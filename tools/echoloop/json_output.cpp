@@ -292,6 +292,8 @@ std::string validate_json(const validation::Findings& findings) {
                         {"tolerance", q.tolerance},
                         {"ours", q.ours},
                         {"pass", q.passed()},
+                        {"required", q.required},
+                        {"kind", std::string(validation::name_of(q.kind))},
                         {"source", q.source}});
     return document({{"ok", findings.failed() == 0}, {"failed", findings.failed()}, {"quantities", list}});
 }
