@@ -107,6 +107,8 @@ std::vector<inspect::Message> our_pings(std::size_t count) {
                      {"spreading", 15.0},     {"absorption", 81.0},
                      {"sector_width", 125.0}, {"bottom_mode", std::string("equi-distant")},
                      {"intensity", true}};
+    // DGO0: gates of 30 % about the last depth, along its slope, as recorded.
+    setup.asks = {{'C', 'M', 'D', '0', 'D', 'G', 'O', '0', 0, 0, 0x1E, 0x03}};
     setup.water = water_of(1514.962);
     setup.scene = scene_of({floor_at(-depth, 100)});
     setup.pose = [=](double t) { return Pose{{speed * t, 0, 0}, {std::sqrt(0.5), 0, std::sqrt(0.5), 0}}; };
