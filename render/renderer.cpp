@@ -3,15 +3,19 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <thread>
 
 #include "render/acoustics/rows.h"
+#include "render/fan/arrays.h"
 #include "render/fan/object_finder.h"
 #include "render/fan/plan_cache.h"
+#include "render/fan/resting_offset.h"
 #include "render/fan/truth.h"
 #include "render/gl/drawing_crew.h"
 #include "render/grid/summing.h"
+#include "render/recently_used.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -60,36 +64,32 @@ class Renderer::Impl {
           plans_(options_.plans ? options_.plans : std::make_shared<PlanCache>()),
           fan_(make_fan_summing(workers_)),
           grid_(make_grid_summing(workers_)),
-          chain_(options_.effects, options_.speckle) {
-        for (const std::uint32_t material : drawer().material_of_surface())
-            strength_.emplace_back(drawer().scene().materials()[material]);
-    }
+          chain_(options_.effects, options_.speckle) {}
 
     Echogram render(const Shot& shot, const Situation& situation) {
         const Pose& pose = situation.world_from_sonar;
-        const FanPlan& plan = draw(shot, situation);
-        Summing& summing = summing_of(shot);
+        start(shot, situation);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
-        profile_.paths = timed([&] { trace_paths(shot, pose, out.sound_speed); });
-        const BinningInput input = binning_input(shot, plan, out.sound_speed);
-        profile_.bins = timed([&] {
-            summing.sum(input, out.values);
-            out.truth = find_truth(summing, input, shot);
-        });
+        points_.clear();
+        for (Heard& heard : arrays_) hear(heard, situation, out);
         if (options_.rule == EchoRule::radiometric)
-            profile_.acoustics =
-                timed([&] { apply_to_rows(chain_, summing.points(plan, paths_.targets), out); });
-        if (situation.objects) find_objects(summing, input, out);
+            profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(points_), out); });
+        if (situation.objects) find_objects(out);
         return out;
     }
 
     ChannelImage render_channels(const Shot& shot, const Situation& situation) {
         if (!shot.elevations.empty())
             throw std::invalid_argument("shot: elevations must be none for channels");
-        const FanPlan& plan = draw(shot, situation);
+        start(shot, situation);
+        if (arrays_.size() > 1)
+            throw std::invalid_argument("shot: bearings must be those of one array for channels");
+        draw(arrays_.front(), situation);
+        const FanPlan& plan = *arrays_.front().plan;
         ChannelImage image{plan.lines, plan.samples, {}, {}, {}};
         for (std::size_t sample = 0; sample < plan.samples; ++sample)
-            for (std::size_t line = 0; line < plan.lines; ++line) add_channels(image, plan, line, sample);
+            for (std::size_t line = 0; line < plan.lines; ++line)
+                add_channels(image, arrays_.front(), line, sample);
         return image;
     }
 
@@ -99,6 +99,14 @@ class Renderer::Impl {
     std::string description() const { return drawer().description(); }
 
   private:
+    /// One array's picture, from which its beams are summed.
+    struct Heard {
+        ArrayShot array;
+        PlanCache::Plan plan;
+        std::vector<Pixel> pixels;
+        PathEchoes paths;
+    };
+
     const gl::SceneDrawer& drawer() const { return crew_.drawer(); }
 
     void check_settings() const {
@@ -113,10 +121,68 @@ class Renderer::Impl {
 
     Summing& summing_of(const Shot& shot) { return shot.elevations.empty() ? *fan_ : *grid_; }
 
-    void trace_paths(const Shot& shot, const Pose& pose, double c) {
-        paths_.diffuse.clear(), paths_.targets.clear();
+    /// Throws as render().
+    void start(const Shot& shot, const Situation& situation) {
+        check(shot, situation);
+        auto arrays = echoloop::arrays_of(shot, situation.world_from_sonar);
+        arrays_.resize(arrays.size());
+        for (std::size_t i = 0; i < arrays.size(); ++i) arrays_[i].array = std::move(arrays[i]);
+        profile_ = {};
+    }
+
+    /// Appends the array's beams to `out`, without their acoustics, and its targets to points_.
+    void hear(Heard& heard, const Situation& situation, Echogram& out) {
+        const Shot& shot = heard.array.shot;
+        draw(heard, situation);
+        profile_.paths += timed([&] { trace_paths(heard, out.sound_speed); });
+        find_strengths(shot, out.sound_speed);
+        Summing& summing = summing_of(shot);
+        const BinningInput input = binning_input(heard, out.sound_speed);
+        profile_.bins += timed([&] {
+            std::vector<float> values;
+            summing.sum(input, values);
+            auto truth = find_truth(summing, input, shot);
+            append(std::move(values), out.values);
+            append(std::move(truth), out.truth);
+        });
+        for (PointEcho& point : summing.points(*heard.plan, heard.paths.targets)) {
+            point.beam += heard.array.first_beam;
+            points_.push_back(point);
+        }
+    }
+
+    template <typename Value>
+    static void append(std::vector<Value> part, std::vector<Value>& whole) {
+        if (whole.empty())
+            whole = std::move(part);
+        else
+            whole.insert(whole.end(), part.begin(), part.end());
+    }
+
+    void trace_paths(Heard& heard, double c) {
+        const Shot& shot = heard.array.shot;
+        heard.paths.diffuse.clear(), heard.paths.targets.clear();
         if (options_.rule == EchoRule::radiometric && tracer_.needed())
-            tracer_.trace(shot, pose, c, absorption(shot), end_range(shot), paths_, movers_);
+            tracer_.trace(shot, heard.array.world_from_sonar, c, absorption(shot), end_range(shot),
+                          heard.paths, movers_);
+    }
+
+    /// Fills strength_. Facets' lobes are those of the mirrors that multipath is about.
+    void find_strengths(const Shot& shot, double c) {
+        const double wavenumber =
+            effects().has(Effect::multipath) ? 2 * std::numbers::pi * shot.frequency / c : 0;
+        const auto& tables = tables_
+                                 .get([&](const Strengths& known) { return known.wavenumber == wavenumber; },
+                                      [&] {
+                                          Strengths made{wavenumber, {}};
+                                          for (const Material& material : scene().materials())
+                                              made.tables.emplace_back(material, wavenumber);
+                                          return std::pair(std::move(made), std::size_t{1});
+                                      })
+                                 .tables;
+        strength_.clear();
+        for (const std::uint32_t material : drawer().material_of_surface())
+            strength_.push_back(&tables[material]);
     }
 
     /// Np/m.
@@ -137,19 +203,25 @@ class Renderer::Impl {
     }
 
     /// Which object is in which bin. What is 10 dB below the noise is not there: nobody could hear it.
-    void find_objects(Summing& summing, const BinningInput& input, Echogram& out) {
+    void find_objects(Echogram& out) {
         const double bin_length = out.sound_speed / 2 * out.shot.bin_interval;
         const double bins_at_once = std::max(1.0, range_resolution(out.shot, out.sound_speed) / bin_length);
-        out.objects.assign(out.values.size(), 0);
-        finder_.find(summing, input, drawer().object_of_surface(), 0.1 * out.noise_power / bins_at_once,
-                     out.objects);
+        const double least = 0.1 * out.noise_power / bins_at_once;
+        for (const Heard& heard : arrays_) {
+            const Shot& shot = heard.array.shot;
+            std::vector<std::uint16_t> objects(shot.beams() * shot.bins);
+            finder_.find(summing_of(shot), binning_input(heard, out.sound_speed),
+                         drawer().object_of_surface(), least, objects);
+            append(std::move(objects), out.objects);
+        }
     }
 
-    BinningInput binning_input(const Shot& shot, const FanPlan& plan, double c) const {
-        return {plan,
-                pixels_,
+    BinningInput binning_input(const Heard& heard, double c) const {
+        const Shot& shot = heard.array.shot;
+        return {*heard.plan,
+                heard.pixels,
                 strength_,
-                offset_of(shot),
+                offset_of(heard.array),
                 options_.rule,
                 c / 2 * shot.first_bin_time,
                 c / 2 * shot.bin_interval,
@@ -157,7 +229,7 @@ class Renderer::Impl {
                 db_to_power(shot.source_level),
                 absorption(shot),
                 effects().has(Effect::spreading),
-                paths_.diffuse};
+                heard.paths.diffuse};
     }
 
     /// The paper's rule has no acoustics.
@@ -165,8 +237,11 @@ class Renderer::Impl {
         return options_.rule == EchoRule::radiometric ? options_.effects : Effects::none();
     }
 
-    PixelOffset offset_of(const Shot& shot) const {
-        return options_.jitter ? jitter_of(shot.ping) : PixelOffset{};
+    SampleOffsets offset_of(const ArrayShot& array) const {
+        if (!options_.jitter) return {};
+        const Shot& shot = array.shot;
+        return {jitter_of(shot.ping),
+                resting_offset(shot.random_key, array.world_from_sonar.position, shot.pan)};
     }
 
     /// Fills movers_.
@@ -194,34 +269,37 @@ class Renderer::Impl {
         place_movers(situation);
     }
 
-    /// Fills pixels_ and returns the plan that they follow.
-    const FanPlan& draw(const Shot& shot, const Situation& situation) {
-        check(shot, situation);
+    /// Fills in the picture and the plan that it follows.
+    void draw(Heard& heard, const Situation& situation) {
+        const Shot& shot = heard.array.shot;
         const FanGeometry geometry = geometry_of(shot, effects());
         const PlanDensity density{options_.columns_per_beam,
                                   options_.pixel_density * situation.detail * situation.density};
-        plan_ = plans_->plan_for(geometry, density, [&] { return summing_of(shot).plan(geometry, density); });
+        heard.plan =
+            plans_->plan_for(geometry, density, [&] { return summing_of(shot).plan(geometry, density); });
         const bool background = situation.detail < 1;
-        crew_.draw(*plan_,
-                   {.world_from_fan = world_from_fan(shot, situation.world_from_sonar),
+        crew_.draw(*heard.plan,
+                   {.world_from_fan = world_from_fan(shot, heard.array.world_from_sonar),
                     .movers = movers_,
                     .end_range = end_range(shot),
                     .begin_range = background ? begin_range(shot) : 0,
-                    .offset = offset_of(shot)},
-                   pixels_);
+                    .offset = offset_of(heard.array)},
+                   heard.pixels);
         const gl::DrawProfile& drawn = crew_.profile();
-        profile_ = {drawn.cull, drawn.draw,      drawn.read_back, 0,           0,
-                    0,          drawn.triangles, drawn.chunks,    drawn.pixels};
-        return *plan_;
+        profile_.cull += drawn.cull, profile_.draw += drawn.draw, profile_.read_back += drawn.read_back;
+        profile_.triangles += drawn.triangles, profile_.chunks += drawn.chunks;
+        profile_.pixels += drawn.pixels;
     }
 
-    void add_channels(ChannelImage& image, const FanPlan& plan, std::size_t line, std::size_t sample) const {
+    static void add_channels(ChannelImage& image, const Heard& heard, std::size_t line, std::size_t sample) {
+        const FanPlan& plan = *heard.plan;
+        const auto& pixels = heard.pixels;
         const std::size_t at = line * plan.samples + sample;
         const View& view = plan.view_of(line);
         const SampleRange nominal = plan.nominal[line];
-        const bool seen = pixels_[at].surface != 0 && sample >= nominal.first && sample < nominal.last;
-        image.intensity.push_back(seen ? pixels_[at].cosine : 0);
-        image.range.push_back(seen ? pixels_[at].range : std::numeric_limits<float>::quiet_NaN());
+        const bool seen = pixels[at].surface != 0 && sample >= nominal.first && sample < nominal.last;
+        image.intensity.push_back(seen ? pixels[at].cosine : 0);
+        image.range.push_back(seen ? pixels[at].range : std::numeric_limits<float>::quiet_NaN());
         image.bearing.push_back(
             static_cast<float>(view.bearing_at(static_cast<double>(line - view.first_line) + 0.5)));
     }
@@ -231,16 +309,20 @@ class Renderer::Impl {
     std::thread::id thread_ = std::this_thread::get_id();
     PathTracer tracer_;
     gl::DrawingCrew crew_;
-    std::vector<StrengthTable> strength_;
+    struct Strengths {
+        double wavenumber;
+        std::vector<StrengthTable> tables;  ///< per material
+    };
+    RecentlyUsed<Strengths> tables_{8};
+    std::vector<const StrengthTable*> strength_;  ///< of the ping at hand, per surface
     std::shared_ptr<PlanCache> plans_;
-    PlanCache::Plan plan_;  ///< of the ping at hand
     Workers workers_;
     std::unique_ptr<Summing> fan_, grid_;
     ObjectFinder finder_;
     AcousticChain chain_;
-    PathEchoes paths_;
-    std::vector<Pixel> pixels_;
-    std::vector<Pose> movers_;  ///< of the ping at hand
+    std::vector<Heard> arrays_;      ///< of the ping at hand
+    std::vector<PointEcho> points_;  ///< the same, of all its beams
+    std::vector<Pose> movers_;       ///< the same
     RenderProfile profile_;
 };
 

@@ -23,8 +23,9 @@ struct RendererOptions {
     EchoRule rule = EchoRule::radiometric;
     double columns_per_beam = 1.5;  ///< rendered bearings across one beam, 1..64
     double pixel_density = 1;       ///< factor on the number of pixels, 0.1..64
-    bool jitter = true;  ///< move the sample inside its pixel from ping to ping (by Shot::ping), so that the
-                         ///< mean over pings has no error from the pixel grid
+    /// Move the sample inside its pixel: from ping to ping (by Shot::ping) in the main lobes, so that the
+    /// mean over pings has no error from the pixel grid; around them by resting_offset().
+    bool jitter = true;
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
     std::size_t drawing_threads =
         1;  ///< that share a picture where the context allows it; the pixels are the same
@@ -66,7 +67,7 @@ class Renderer {
     /// std::logic_error on a thread other than the constructor's.
     Echogram render(const Shot& shot, const Situation& situation);
 
-    /// The three channels behind the same ping. Throws as render().
+    /// The three channels behind the same ping of one array. Throws as render().
     ChannelImage render_channels(const Shot& shot, const Situation& situation);
 
     const RenderProfile& profile() const;  ///< of the last ping
@@ -86,7 +87,7 @@ class Renderer {
 /// +-pi; beam_width 0.01..120 deg; bearings and beam_width span at most 360 deg; fan_height 0.01..120 deg;
 /// |pan| <= 2 pi and |tilt| <= pi/2; 1..65536 bins and at most 16 Mi values in all; first_bin_time 0..60 s,
 /// bin_interval 100 ns..10 s, a window that ends within 60 s; frequency 1 kHz..10 MHz; source_level within
-/// +-300 dB; pulse_length and bandwidth not negative.
+/// +-300 dB; pulse_length and bandwidth not negative; no sides, or one for each bearing and no rows.
 void validate(const Shot& shot);
 
 }  // namespace echoloop

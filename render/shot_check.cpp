@@ -43,6 +43,17 @@ void check_rows(const Shot& shot) {
             "within +-60 deg where there are rows");
 }
 
+void check_sides(const Shot& shot) {
+    if (shot.sides.empty()) return;
+    require(shot.sides.size() == shot.bearings.size() && shot.elevations.empty(), "sides",
+            "none, or one for each bearing and no rows");
+    for (const Side& side : shot.sides) {
+        require(within(side.depression, -std::numbers::pi / 2, std::numbers::pi / 2), "sides.depression",
+                "within +-pi/2");
+        require(within(side.source_level, -300, 300), "sides.source_level", "within +-300 dB");
+    }
+}
+
 void check_window(const Shot& shot) {
     require(within(static_cast<double>(shot.bins), 1, 65536), "bins", "within 1..65536");
     require(shot.bins * shot.beams() <= std::size_t{16} << 20, "bins",
@@ -58,6 +69,7 @@ void check_window(const Shot& shot) {
 void validate(const Shot& shot) {
     check_bearings(shot);
     check_rows(shot);
+    check_sides(shot);
     check_window(shot);
     require(within(shot.frequency, 1e3, 1e7), "frequency", "within 1 kHz..10 MHz");
     require(within(shot.pulse_length, 0, 10), "pulse_length", "within 0..10 s");

@@ -22,6 +22,7 @@ struct View {
     /// Lines and samples of the view that a pixel of the usual size is wide and high, at least 1.
     double usual_width = 1, usual_height = 1;
     bool sharp_outlines = false;  ///< a sample beside an outline is not spread beyond it
+    bool surround = false;        ///< of what side lobes alone hear: coarse, and sampled at rest
     std::size_t first_line = 0;   ///< of this view in the image that all views share
     std::size_t first_pixel = 0;  ///< of this view's weights in the plan: lines x samples of them
 
@@ -65,5 +66,11 @@ struct PixelOffset {
 /// An evenly spread sequence over pings (R2, the plastic number), 0 for ping 0: the mean over N pings sees a
 /// pixel's area as N well spread samples do.
 PixelOffset jitter_of(std::uint64_t ping);
+
+/// Of one ping.
+struct SampleOffsets {
+    PixelOffset level, surround;
+    PixelOffset of(const View& view) const { return view.surround ? surround : level; }
+};
 
 }  // namespace echoloop

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "emulator/contract/random_key.h"
+#include "render/fan/arrays.h"
 #include "render/view.h"
 
 namespace echoloop {
@@ -17,11 +18,10 @@ double band_of(const Shot& shot) {
     return shot.pulse_length > 0 ? 1 / shot.pulse_length : 1;
 }
 
-/// Of one head towards another, in the frame of its fan.
-Vec3 towards(const Transmission& from, Vec3 to) {
-    const Quat world_from_fan =
-        from.world_from_sonar.orientation * sonar_from_fan(from.shot.pan, from.shot.tilt);
-    const Vec3 way = to - from.world_from_sonar.position;
+/// Of one array towards another head, in the frame of its fan.
+Vec3 towards(const Shot& shot, const Pose& from, Vec3 to) {
+    const Quat world_from_fan = from.orientation * sonar_from_fan(shot.pan, shot.tilt);
+    const Vec3 way = to - from.position;
     const double length = norm(way);
     return length < 1e-3 ? Vec3{0, 0, 1} : rotate(conjugate(world_from_fan), 1 / length * way);
 }
@@ -91,14 +91,18 @@ double band_overlap(const Shot& pulse, const Shot& receiver) {
     return std::clamp((high - low) / width, 0.0, 1.0);
 }
 
-void CrossTalk::transmitted(Transmission transmission) {
-    auto& bearings = transmission.shot.bearings;
-    if (bearings.size() > 2) bearings = {bearings.front(), bearings.back()};
-    auto& elevations = transmission.shot.elevations;
-    if (elevations.size() > 2) elevations = {elevations.front(), elevations.back()};
+void CrossTalk::transmitted(const Transmission& transmission) {
     while (!recent_.empty() && recent_.front().time < transmission.time - memory) recent_.pop_front();
-    const auto later = std::ranges::upper_bound(recent_, transmission.time, {}, &Transmission::time);
-    recent_.insert(later, std::move(transmission));
+    for (ArrayShot& array : arrays_of(transmission.shot, transmission.world_from_sonar)) {
+        auto& bearings = array.shot.bearings;
+        if (bearings.size() > 2) bearings = {bearings.front(), bearings.back()};
+        auto& elevations = array.shot.elevations;
+        if (elevations.size() > 2) elevations = {elevations.front(), elevations.back()};
+        Transmission one = transmission;
+        one.shot = std::move(array.shot), one.world_from_sonar = array.world_from_sonar;
+        const auto later = std::ranges::upper_bound(recent_, one.time, {}, &Transmission::time);
+        recent_.insert(later, std::move(one));
+    }
 }
 
 const FanPattern& CrossTalk::pattern_of(const Shot& shot) {
@@ -133,11 +137,18 @@ std::optional<ForeignPulse> CrossTalk::pulse_in(const Echogram& echogram, const 
     const double absorption =
         effects_.has(Effect::absorption) ? absorption_db_per_km(water_, other.shot.frequency) / 1e3 : 0;
     const double spreading = effects_.has(Effect::spreading) ? 20 * std::log10(spread) : 0;
-    const double amplitude = transmitted_amplitude(other.shot, pattern_of(other.shot), towards(other, to));
+    const double amplitude = transmitted_amplitude(other.shot, pattern_of(other.shot),
+                                                   towards(other.shot, other.world_from_sonar, to));
     const double power = db_to_power(other.shot.source_level - spreading - absorption * range) * amplitude *
                          amplitude * band_overlap(other.shot, shot);
+    std::vector<double> receive;
+    for (const ArrayShot& array : arrays_of(shot, own.world_from_sonar)) {
+        const auto heard = received_powers(array.shot, pattern_of(array.shot),
+                                           towards(array.shot, array.world_from_sonar, from));
+        receive.insert(receive.end(), heard.begin(), heard.end());
+    }
     return ForeignPulse{
-        first, last, power, received_powers(shot, pattern_of(shot), towards(own, from)),
+        first, last, power, std::move(receive),
         split_mix(split_mix(shot.random_key ^ other.shot.random_key) ^ shot.ping) ^ other.shot.ping};
 }
 

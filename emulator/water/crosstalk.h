@@ -41,7 +41,7 @@ class CrossTalk {
 
     CrossTalk(Water water, Effects effects) : water_(std::move(water)), effects_(effects) {}
 
-    void transmitted(Transmission transmission);
+    void transmitted(const Transmission& transmission);
 
     /// `own`: the transmission that `echogram` belongs to. Call it when the window is over.
     std::vector<ForeignPulse> pulses_in(const Echogram& echogram, const Transmission& own);
@@ -55,7 +55,8 @@ class CrossTalk {
 
     Water water_;
     Effects effects_;
-    std::deque<Transmission> recent_;  ///< by time; shots without their beams between the first and the last
+    /// By time, one for each array; shots without their beams between the first and the last.
+    std::deque<Transmission> recent_;
     RecentlyUsed<FanPattern> patterns_{64};
 };
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "emulator/contract/random_key.h"
 #include "render/acoustics/chain.h"
+#include "render/fan/arrays.h"
 
 namespace echoloop {
 namespace {
@@ -19,7 +21,9 @@ double loudest_echo(const Shot& shot, const Water& water, const Effects& effects
     const double absorption =
         effects.has(Effect::absorption) ? absorption_db_per_km(water, shot.frequency) / 1e3 : 0;
     const double spreading = effects.has(Effect::spreading) ? 40 * std::log10(range) : 0;
-    return shot.source_level - spreading - 2 * absorption * range + strongest_target;
+    double level = shot.sides.empty() ? shot.source_level : -std::numeric_limits<double>::infinity();
+    for (const Side& side : shot.sides) level = std::max(level, side.source_level);
+    return level - spreading - 2 * absorption * range + strongest_target;
 }
 
 double quietest(const Shot& shot, const Effects& effects) {
@@ -29,10 +33,11 @@ double quietest(const Shot& shot, const Effects& effects) {
 }
 
 /// Every n-th beam, so that at most `most_beams` are left.
-std::vector<double> thinned(const std::vector<double>& bearings) {
-    const std::size_t step = (bearings.size() + most_beams - 1) / most_beams;
-    std::vector<double> out;
-    for (std::size_t i = step / 2; i < bearings.size(); i += step) out.push_back(bearings[i]);
+template <typename Value>
+std::vector<Value> thinned(const std::vector<Value>& beams) {
+    const std::size_t step = (beams.size() + most_beams - 1) / most_beams;
+    std::vector<Value> out;
+    for (std::size_t i = step / 2; i < beams.size(); i += step) out.push_back(beams[i]);
     return out;
 }
 
@@ -77,11 +82,13 @@ std::optional<Shot> late_shot(const Shot& shot, const Water& water, const Effect
         return std::nullopt;
     Shot late = shot;
     late.bearings = thinned(shot.bearings);
+    late.sides = thinned(shot.sides);
     late.first_bin_time = begin;
     late.bins = std::min(shot.bins, most_bins);
     late.bin_interval = window / static_cast<double>(late.bins);
     // The ping that hears it has noise of its own: this one gets next to none, in the same band.
     late.receiver = Receiver{.bandwidth = shot.receiver.bandwidth, .directivity_index = 400};
+    late.errors.unit = unit_of(shot);
     late.random_key = split_mix(shot.random_key);
     return late;
 }

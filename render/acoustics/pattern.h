@@ -30,6 +30,7 @@ class AperturePattern {
     /// Beyond
     /// +-90 deg the aperture is behind its baffle: back_amplitude times the mirrored value.
     double amplitude(double angle) const;
+    ApertureShape shape() const { return shape_; }
     /// L / lambda or D / lambda.
     double length_in_wavelengths() const { return length_; }
     /// rad, of the first null; pi / 2 where there is none.

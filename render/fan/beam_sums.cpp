@@ -9,42 +9,42 @@
 namespace echoloop {
 
 void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines) {
-    if (plan.line_sector.empty()) return;
-    for (const FanPart& part : plan.parts)
-        for (std::size_t line = part.first_line; part.beams > 1 && line < part.first_line + part.lines;
-             ++line)
-            if (const LineBins& row = lines.line(line); !row.empty()) {
-                const SectorShare share = plan.line_sector[line];
-                const float* values = lines.line_values(line);
-                lines.sector(share.sector).add(values, 1 - share.next, row.begin(), row.end());
-                lines.sector(share.sector + 1U).add(values, share.next, row.begin(), row.end());
-            }
+    if (plan.line_sector.empty() || plan.beams.size() == 1) return;
+    for (std::size_t line = 0; line < plan.lines; ++line)
+        if (const LineBins& row = lines.line(line); !row.empty()) {
+            const SectorShare share = plan.line_sector[line];
+            const float* values = lines.line_values(line);
+            lines.sector(share.sector).add(values, 1 - share.next, row.begin(), row.end());
+            lines.sector(share.sector + 1U).add(values, share.next, row.begin(), row.end());
+        }
 }
 
-void BeamSums::sum_nodes(const FanPart& part, std::size_t bins, LineSums& lines, Workers& workers) {
-    nodes_.resize(part.nodes * bins);
-    workers.run((part.nodes + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
+void BeamSums::sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines, Workers& workers) {
+    nodes_.resize(far.nodes * bins);
+    workers.run((far.nodes + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
         thread_local std::vector<WeightedRow> rows;
         rows.clear();
-        const std::size_t first = piece * sums_at_once, count = std::min(sums_at_once, part.nodes - first);
-        for (std::size_t s = 0; s < part.sectors; ++s) {
-            const LineBins& sector = lines.sector(part.first_sector + s);
-            WeightedRow row{lines.sector_values(part.first_sector + s), sector.begin(), sector.end(), {}};
-            for (std::size_t k = 0; k < count; ++k) row.weights[k] = part.far[(first + k) * part.sectors + s];
+        const std::size_t first = piece * sums_at_once, count = std::min(sums_at_once, far.nodes - first);
+        for (std::size_t s = 0; s < far.sectors; ++s) {
+            const LineBins& sector = lines.sector(s);
+            WeightedRow row{lines.sector_values(s), sector.begin(), sector.end(), {}};
+            for (std::size_t k = 0; k < count; ++k)
+                row.weights[k] = far.weight[(first + k) * far.sectors + s];
             if (!sector.empty()) rows.push_back(row);
         }
         sum_rows(rows, nullptr, bins, count, &nodes_[first * bins]);
     });
 }
 
-/// The far lobes of beam `beam` of the part, sum `k` of those at hand, between the two nodes beside it.
-void BeamSums::add_far(const FanPart& part, std::size_t beam, std::size_t k, std::size_t bins,
+/// The far lobes of beam `beam`, sum `k` of those at hand, between the two nodes beside it.
+void BeamSums::add_far(const FanPlan& plan, std::size_t beam, std::size_t k, std::size_t bins,
                        std::vector<WeightedRow>& rows) const {
-    const std::size_t node = beam / part.beams_per_node, next = std::min(node + 1, part.nodes - 1);
-    const std::size_t next_beam = std::min((node + 1) * part.beams_per_node, part.beams - 1);
-    const std::size_t step = next_beam - node * part.beams_per_node;
+    const FarLobes& far = plan.far_lobes;
+    const std::size_t node = beam / far.beams_per_node, next = std::min(node + 1, far.nodes - 1);
+    const std::size_t next_beam = std::min((node + 1) * far.beams_per_node, plan.beams.size() - 1);
+    const std::size_t step = next_beam - node * far.beams_per_node;
     const float share =
-        step > 0 ? static_cast<float>(beam - node * part.beams_per_node) / static_cast<float>(step) : 0.0F;
+        step > 0 ? static_cast<float>(beam - node * far.beams_per_node) / static_cast<float>(step) : 0.0F;
     for (const auto& [at, weight] : {std::pair(node, 1 - share), {next, share}}) {
         const float* values = &nodes_[at * bins];
         const auto known = std::ranges::find(rows, values, &WeightedRow::values);
@@ -67,12 +67,12 @@ float BeamSums::weight_of(const FanPlan& plan, const BeamLines& own, std::size_t
     return plan.across.at(bearings_[own.first_line + i] - static_cast<float>(own.bearing));
 }
 
-/// Of beams first..first + count - 1 of the part.
-void BeamSums::sum_beams(const FanPlan& plan, const FanPart& part, std::size_t first, std::size_t count,
-                         std::size_t bins, LineSums& lines, const float* gain, float* out) const {
+/// Of beams first..first + count - 1.
+void BeamSums::sum_beams(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
+                         LineSums& lines, const float* gain, float* out) const {
     thread_local std::vector<WeightedRow> rows;
     rows.clear();
-    const auto own = std::span(plan.beams).subspan(part.first_beam + first, count);
+    const auto own = std::span(plan.beams).subspan(first, count);
     std::size_t begin = own.front().first_line, end = begin;
     for (const BeamLines& beam : own) {
         begin = std::min(begin, beam.first_line);
@@ -86,7 +86,8 @@ void BeamSums::sum_beams(const FanPlan& plan, const FanPart& part, std::size_t f
                 row.weights[k] = weight_of(plan, own[k], line - own[k].first_line);
         if (!bins_of_line.empty()) rows.push_back(row);
     }
-    for (std::size_t k = 0; k < count && part.sectors > 0; ++k) add_far(part, first + k, k, bins, rows);
+    for (std::size_t k = 0; k < count && plan.far_lobes.sectors > 0; ++k)
+        add_far(plan, first + k, k, bins, rows);
     sum_rows(rows, gain, bins, count, out);
 }
 
@@ -95,15 +96,13 @@ void BeamSums::sum(const FanPlan& plan, PixelOffset offset, std::size_t bins, Li
     values.resize(plan.beams.size() * bins);
     sum_sectors(plan, lines);
     find_bearings(plan, offset);
-    for (const FanPart& part : plan.parts) {
-        if (part.sectors > 0) sum_nodes(part, bins, lines, workers);
-        workers.run((part.beams + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
-            const std::size_t first = piece * sums_at_once,
-                              count = std::min(sums_at_once, part.beams - first);
-            sum_beams(plan, part, first, count, bins, lines, gain.empty() ? nullptr : gain.data(),
-                      &values[(part.first_beam + first) * bins]);
-        });
-    }
+    if (plan.far_lobes.sectors > 0) sum_nodes(plan.far_lobes, bins, lines, workers);
+    const std::size_t beams = plan.beams.size();
+    workers.run((beams + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
+        const std::size_t first = piece * sums_at_once, count = std::min(sums_at_once, beams - first);
+        sum_beams(plan, first, count, bins, lines, gain.empty() ? nullptr : gain.data(),
+                  &values[first * bins]);
+    });
 }
 
 }  // namespace echoloop

@@ -20,17 +20,17 @@ class BeamSums {
 
   private:
     void sum_sectors(const FanPlan& plan, LineSums& lines);
-    void sum_nodes(const FanPart& part, std::size_t bins, LineSums& lines, Workers& workers);
-    void add_far(const FanPart& part, std::size_t beam, std::size_t k, std::size_t bins,
+    void sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines, Workers& workers);
+    void add_far(const FanPlan& plan, std::size_t beam, std::size_t k, std::size_t bins,
                  std::vector<WeightedRow>& rows) const;
-    void sum_beams(const FanPlan& plan, const FanPart& part, std::size_t first, std::size_t count,
-                   std::size_t bins, LineSums& lines, const float* gain, float* out) const;
+    void sum_beams(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
+                   LineSums& lines, const float* gain, float* out) const;
 
     void find_bearings(const FanPlan& plan, PixelOffset offset);
     float weight_of(const FanPlan& plan, const BeamLines& own, std::size_t i) const;
 
     std::vector<float> bearings_;  ///< rad, where each level line was sampled
-    std::vector<float> nodes_;     ///< of one part, nodes x bins
+    std::vector<float> nodes_;     ///< nodes x bins
 };
 
 }  // namespace echoloop

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t most_nodes = 64;
 
-constexpr double sector_spacing = std::numbers::pi / (sectors_per_part - 1);
+constexpr double sector_spacing = std::numbers::pi / (sectors_per_array - 1);
 
 /// A beam's power by angle, sampled more finely than any lobe that is drawn: means over sectors ask for it
 /// often.
@@ -43,56 +43,55 @@ double mean_over_sector(const PowerTable& power, double beam, std::size_t sector
     return weights > 0 ? sum / weights : 0;
 }
 
-/// What a beam hears of the part's lines, at `bearings`, beyond its own ones, as a mean per sector.
-void weigh_lines(const FanPlan& plan, const FanPart& part, const std::vector<LineBearings>& bearings,
-                 const PowerTable& power, const BeamLines& own, double beam, float* far) {
-    std::vector<double> sums(sectors_per_part), lines(sectors_per_part);
-    for (std::size_t line = part.first_line; line < part.first_line + part.lines; ++line) {
+/// What a beam hears of the lines, at `bearings`, beyond its own ones, as a mean per sector.
+void weigh_lines(const FanPlan& plan, const std::vector<LineBearings>& bearings, const PowerTable& power,
+                 const BeamLines& own, float* far) {
+    std::vector<double> sums(sectors_per_array), lines(sectors_per_array);
+    for (std::size_t line = 0; line < plan.lines; ++line) {
         const bool near = line >= own.first_line && line < own.first_line + own.lines;
-        const double heard = near ? 0 : power.at(bearings[line].middle - beam);
+        const double heard = near ? 0 : power.at(bearings[line].middle - own.bearing);
         const SectorShare share = plan.line_sector[line];
-        const std::size_t sector = share.sector - part.first_sector;
-        lines[sector] += 1 - share.next, lines[sector + 1] += share.next;
-        sums[sector] += (1 - share.next) * heard, sums[sector + 1] += share.next * heard;
+        lines[share.sector] += 1 - share.next, lines[share.sector + 1U] += share.next;
+        sums[share.sector] += (1 - share.next) * heard, sums[share.sector + 1U] += share.next * heard;
     }
-    for (std::size_t s = 0; s < sectors_per_part; ++s)
+    for (std::size_t s = 0; s < sectors_per_array; ++s)
         if (lines[s] > 0) far[s] = static_cast<float>(sums[s] / lines[s]);
 }
 
-void weigh_surround(const FanPart& part, const PowerTable& power, double beam, float* far) {
-    const double first = part.first_edge - part.centre, last = part.last_edge - part.centre;
-    for (std::size_t s = 0; s < sectors_per_part; ++s) {
-        far[static_cast<std::size_t>(SectorKind::beside) * sectors_per_part + s] =
+void weigh_surround(const FanPlan& plan, const PowerTable& power, double beam, float* far) {
+    const double first = plan.first_edge - plan.centre, last = plan.last_edge - plan.centre;
+    for (std::size_t s = 0; s < sectors_per_array; ++s) {
+        far[static_cast<std::size_t>(SectorKind::beside) * sectors_per_array + s] =
             static_cast<float>(mean_over_sector(power, beam, s, first, last));
-        far[static_cast<std::size_t>(SectorKind::off_plane) * sectors_per_part + s] =
+        far[static_cast<std::size_t>(SectorKind::off_plane) * sectors_per_array + s] =
             static_cast<float>(mean_over_sector(power, beam, s, 1, 0));
     }
 }
 
 }  // namespace
 
-void add_far_lobes(FanPlan& plan, FanPart& part, const FanGeometry& g, const FanLobes& lobes) {
+void add_far_lobes(FanPlan& plan, const FanGeometry& g, const FanLobes& lobes) {
+    const std::size_t beams = plan.beams.size();
     plan.line_sector.resize(plan.lines);
-    part.first_sector = plan.sectors;
-    part.sectors = part.beams == 1 ? 1 : 3 * sectors_per_part;
-    plan.sectors += part.sectors;
-    if (part.beams == 1) {
-        part.nodes = 1;
-        part.far = {1.0F};  // the surround's pixels carry the whole pattern; all lines are the beam's own
+    FarLobes& far = plan.far_lobes;
+    far.sectors = beams == 1 ? 1 : 3 * sectors_per_array;
+    if (beams == 1) {
+        far.nodes = 1;
+        far.weight = {1.0F};  // the surround's pixels carry the whole pattern; all lines are the beam's own
         return;
     }
     const auto bearings = bearings_of_lines(plan);
-    for (std::size_t line = part.first_line; line < part.first_line + part.lines; ++line)
-        plan.line_sector[line] = sector_at(part, SectorKind::lines, bearings[line].middle - part.centre);
+    for (std::size_t line = 0; line < plan.lines; ++line)
+        plan.line_sector[line] = sector_at(plan, SectorKind::lines, bearings[line].middle - plan.centre);
     const PowerTable power(lobes.horizontal);
-    part.beams_per_node = (part.beams + most_nodes - 1) / most_nodes;
-    part.nodes = (part.beams - 1 + part.beams_per_node - 1) / part.beams_per_node + 1;
-    part.far.assign(part.nodes * part.sectors, 0.0F);
-    for (std::size_t node = 0; node < part.nodes; ++node) {
-        const std::size_t beam = part.first_beam + std::min(node * part.beams_per_node, part.beams - 1);
-        float* far = &part.far[node * part.sectors];
-        weigh_lines(plan, part, bearings, power, plan.beams[beam], g.bearings[beam], far);
-        weigh_surround(part, power, g.bearings[beam] - part.centre, far);
+    far.beams_per_node = (beams + most_nodes - 1) / most_nodes;
+    far.nodes = (beams - 1 + far.beams_per_node - 1) / far.beams_per_node + 1;
+    far.weight.assign(far.nodes * far.sectors, 0.0F);
+    for (std::size_t node = 0; node < far.nodes; ++node) {
+        const std::size_t beam = std::min(node * far.beams_per_node, beams - 1);
+        float* weight = &far.weight[node * far.sectors];
+        weigh_lines(plan, bearings, power, plan.beams[beam], weight);
+        weigh_surround(plan, power, g.bearings[beam] - plan.centre, weight);
     }
 }
 

@@ -12,30 +12,32 @@
 
 namespace echoloop {
 
-inline constexpr std::size_t sectors_per_part = 60;  ///< over 180 deg
+inline constexpr std::size_t sectors_per_array = 60;  ///< over 180 deg
 
-/// Sectors of a part with several beams: of its level lines, of what lies beside them, and of what lies above
-/// and below. A single beam has one sector.
+/// Sectors of an array with several beams: of its level lines, of what lies beside them, and of what lies
+/// above and below. A single beam has one sector.
 enum class SectorKind : std::size_t { lines, beside, off_plane };
 
 inline double sector_middle(std::size_t sector) {
-    return (static_cast<double>(sector) / (sectors_per_part - 1) - 0.5) * std::numbers::pi;
+    return (static_cast<double>(sector) / (sectors_per_array - 1) - 0.5) * std::numbers::pi;
 }
 
 /// The angle counted in spacings of sectors, from the first one on.
-inline double sector_place(double angle) { return (angle / std::numbers::pi + 0.5) * (sectors_per_part - 1); }
+inline double sector_place(double angle) {
+    return (angle / std::numbers::pi + 0.5) * (sectors_per_array - 1);
+}
 
 /// `place`: of sector_place().
-inline SectorShare sector_at_place(const FanPart& part, SectorKind kind, double place) {
-    if (part.beams == 1) return {static_cast<std::uint16_t>(part.first_sector), 0};
-    const double first = std::clamp(std::floor(place), 0.0, static_cast<double>(sectors_per_part - 2));
-    const std::size_t sector = part.first_sector + static_cast<std::size_t>(kind) * sectors_per_part +
-                               static_cast<std::size_t>(first);
+inline SectorShare sector_at_place(const FanPlan& plan, SectorKind kind, double place) {
+    if (plan.beams.size() == 1) return {};
+    const double first = std::clamp(std::floor(place), 0.0, static_cast<double>(sectors_per_array - 2));
+    const std::size_t sector =
+        static_cast<std::size_t>(kind) * sectors_per_array + static_cast<std::size_t>(first);
     return {static_cast<std::uint16_t>(sector), static_cast<float>(std::clamp(place - first, 0.0, 1.0))};
 }
 
-inline SectorShare sector_at(const FanPart& part, SectorKind kind, double angle) {
-    return sector_at_place(part, kind, sector_place(angle));
+inline SectorShare sector_at(const FanPlan& plan, SectorKind kind, double angle) {
+    return sector_at_place(plan, kind, sector_place(angle));
 }
 
 }  // namespace echoloop

@@ -78,10 +78,12 @@ double drawn_half_width(const FanLobes& lobes) {
     return std::asin(std::min(1.0, std::sin(edge) / std::cos(drawn_half_height(lobes))));
 }
 
-LobeTable lobe_table(const Lobe& lobe, double reach, double step) {
-    LobeTable table{step, {}};
-    for (double off = 0; off < reach + 2 * step; off += step)
-        table.values.push_back(static_cast<float>(lobe.power(off)));
+SidedLobeTable lobe_table(const Lobe& lobe, double reach, double step) {
+    SidedLobeTable table{{step, {}}, {step, {}}};
+    for (double off = 0; off < reach + 2 * step; off += step) {
+        table.left.values.push_back(static_cast<float>(lobe.power(-off)));
+        table.right.values.push_back(static_cast<float>(lobe.power(off)));
+    }
     return table;
 }
 
@@ -92,17 +94,16 @@ bool alike(const View& a, const View& b, const FanLobes& lobes) {
 }
 
 /// What a beam hears between two angles off its axis, relative to the axis: Simpson's rule.
-double mean_of(const LobeTable& lobe, double low, double high) {
+double mean_of(const SidedLobeTable& lobe, double low, double high) {
     const auto at = [&](double angle) { return static_cast<double>(lobe.at(static_cast<float>(angle))); };
     return (at(low) + 4 * at((low + high) / 2) + at(high)) / 6;
 }
 
-/// Number of lines wholly or partly left of `bearing`, counted in the part.
-std::size_t lines_before(const FanPlan& plan, const FanPart& part, double bearing) {
+/// Number of lines wholly or partly left of `bearing`.
+std::size_t lines_before(const FanPlan& plan, double bearing) {
     std::size_t lines = 0;
     for (std::size_t v = 0; v < plan.level_views; ++v) {
         const View& view = plan.views[v];
-        if (view.first_line < part.first_line || view.first_line >= part.first_line + part.lines) continue;
         const double off = std::clamp(bearing - view.bearing, -widest_view, widest_view);
         const double line = std::ceil((std::tan(off) - view.left) / view.line_width() - 1e-9);
         lines += static_cast<std::size_t>(std::clamp(line, 0.0, static_cast<double>(view.lines)));
@@ -123,21 +124,19 @@ std::vector<LineBearings> bearings_of_lines(const FanPlan& plan) {
     return bearings;
 }
 
-void add_level_views(FanPlan& plan, FanPart& part, const FanGeometry& g, const PlanDensity& density,
-                     const FanLobes& lobes) {
-    const double edge = drawn_half_width(lobes), last_beam = g.bearings[part.first_beam + part.beams - 1];
-    part.first_edge = std::max(g.bearings[part.first_beam] - edge, part.centre - std::numbers::pi);
-    part.last_edge = std::min(last_beam + edge, part.centre + std::numbers::pi);
-    const double span = part.last_edge - part.first_edge;
+void add_level_views(FanPlan& plan, const FanGeometry& g, const PlanDensity& density, const FanLobes& lobes) {
+    const double edge = drawn_half_width(lobes);
+    plan.first_edge = std::max(g.bearings.front() - edge, plan.centre - std::numbers::pi);
+    plan.last_edge = std::min(g.bearings.back() + edge, plan.centre + std::numbers::pi);
+    const double span = plan.last_edge - plan.first_edge;
     const auto views = static_cast<std::size_t>(std::ceil(span / widest_view));
     const double width = span / static_cast<double>(views);
     const double line = std::min(g.beam_width / density.columns_per_beam, widest_line);
     const bool many = density.pixels > many_pixels;
     const double pixels = many ? density.pixels : std::min(density.pixels, 1.0);  // before they are cut
     const double per_side = std::sqrt(pixels), parts = density.pixels / pixels;
-    part.first_line = plan.image_lines;
     for (std::size_t i = 0; i < views; ++i) {
-        const double bearing = part.first_edge + (static_cast<double>(i) + 0.5) * width;
+        const double bearing = plan.first_edge + (static_cast<double>(i) + 0.5) * width;
         View view = level_view(bearing, width, drawn_half_height(lobes));
         const double lines = (view.right - view.left) / line * per_side;
         const std::size_t whole_lines = count(lines, fewest_lines, most_lines / views);
@@ -155,7 +154,6 @@ void add_level_views(FanPlan& plan, FanPart& part, const FanGeometry& g, const P
         plan.samples = std::max(plan.samples, view.samples);
         plan.views.push_back(view);
     }
-    part.lines = plan.image_lines - part.first_line;
 }
 
 void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height) {
@@ -174,23 +172,20 @@ void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height)
     }
 }
 
-void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& g, const FanLobes& lobes) {
-    const double reach = lobes.single                                 ? part.last_edge - g.bearings.front()
+void share_lines(FanPlan& plan, const FanGeometry& g, const FanLobes& lobes) {
+    const double reach = lobes.single                                 ? plan.last_edge - g.bearings.front()
                          : lobes.horizontal.is_box() || !g.side_lobes ? lobes.horizontal.edge()
                                                                       : near_beam_widths * g.beam_width;
-    if (!lobes.horizontal.is_box() && !lobes.single && plan.across.empty())
+    if (!lobes.horizontal.is_box() && !lobes.single)
         plan.across = lobe_table(lobes.horizontal, reach + 2 * widest_line, g.beam_width / 100);
     if (lobes.single && !lobes.piston)
         plan.beside =
             sine_table(lobes.horizontal, g.side_lobes, reach + widest_line, std::sin(g.beam_width) / 100);
     const auto bearings = bearings_of_lines(plan);
-    for (std::size_t b = part.first_beam; b < part.first_beam + part.beams; ++b) {
-        BeamLines& beam = plan.beams[b];
+    for (BeamLines& beam : plan.beams) {
         const double bearing = beam.bearing;
-        const auto begin = [&](double edge) {
-            return part.first_line + lines_before(plan, part, bearing + edge);
-        };
-        const auto widened = [&](double edge) { return std::max(begin(edge), part.first_line + 1) - 1; };
+        const auto begin = [&](double edge) { return lines_before(plan, bearing + edge); };
+        const auto widened = [&](double edge) { return std::max<std::size_t>(begin(edge), 1) - 1; };
         beam.first_line = widened(-reach);
         beam.lines = begin(reach) - beam.first_line;
         beam.first_nominal = widened(-g.beam_width / 2);

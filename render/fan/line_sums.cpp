@@ -19,7 +19,7 @@ inline float strength_of(const BinningInput& in, float surface, float plane, flo
     if constexpr (amount == Amount::paper_share) return 1;
     const float cosine = std::min(plane / range, 1.0F);
     if constexpr (amount == Amount::paper_echo) return cerqueira_sigmoid(cosine);
-    return in.strength[static_cast<std::size_t>(surface) - 1].at(cosine);
+    return in.strength[static_cast<std::size_t>(surface) - 1]->at(cosine);
 }
 
 template <Amount amount>
@@ -79,11 +79,11 @@ void add_level(const BinningInput& in, const BinGain& gain, const LineReader& re
 /// it looks.
 void weigh_beside(const BinningInput& in, const View& view, std::size_t line, const float* weight,
                   std::vector<float>& out) {
-    const double x = view.x(static_cast<double>(line) + 0.5 + in.offset.line);
+    const double x = view.x(static_cast<double>(line) + 0.5 + in.offset.level.line);
     const double turn = view.bearing - in.plan.beams.front().bearing;
     const auto aside = static_cast<float>(std::sin(turn) + x * std::cos(turn)),
                ahead = static_cast<float>(1 + x * x);
-    const auto top = static_cast<float>(view.y(0.5 + in.offset.sample)),
+    const auto top = static_cast<float>(view.y(0.5 + in.offset.level.sample)),
                step = static_cast<float>(view.sample_height());
     out.resize(view.samples);
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -156,8 +156,8 @@ namespace {
 /// Adds the echo of a surround pixel to the sectors on both sides of where it was sampled.
 class SectorSums {
   public:
-    SectorSums(const FanPart& part, PixelOffset offset, LineSums& sums)
-        : part_(part),
+    SectorSums(const FanPlan& plan, PixelOffset offset, LineSums& sums)
+        : plan_(plan),
           sums_(sums),
           line_(static_cast<float>(offset.line)),
           sample_(static_cast<float>(offset.sample)) {}
@@ -165,10 +165,10 @@ class SectorSums {
     void add(const SurroundPixel& pixel, float near, float far, float strength) {
         const float beside = strength * pixel.beside.at(line_, sample_);
         const float off_plane = strength * pixel.off_plane.at(line_, sample_);
-        if (part_.beams == 1) return sums_.sector(part_.first_sector).deposit(near, far, beside + off_plane);
+        if (plan_.beams.size() == 1) return sums_.sector(0).deposit(near, far, beside + off_plane);
         const auto place = static_cast<double>(pixel.sector.at(line_, sample_));
-        if (beside > 0) add(sector_at_place(part_, SectorKind::beside, place), near, far, beside);
-        if (off_plane > 0) add(sector_at_place(part_, SectorKind::off_plane, place), near, far, off_plane);
+        if (beside > 0) add(sector_at_place(plan_, SectorKind::beside, place), near, far, beside);
+        if (off_plane > 0) add(sector_at_place(plan_, SectorKind::off_plane, place), near, far, off_plane);
     }
 
   private:
@@ -177,20 +177,20 @@ class SectorSums {
         if (to.next > 0) sums_.sector(to.sector + 1U).deposit(near, far, value * to.next);
     }
 
-    const FanPart& part_;
+    const FanPlan& plan_;
     LineSums& sums_;
     const float line_, sample_;
 };
 
 }  // namespace
 
-void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wanted, const FanPart& part,
-                       const View& view, std::size_t line, LineReader& reader, LineSums& sums) {
+void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wanted, const View& view,
+                       std::size_t line, LineReader& reader, LineSums& sums) {
     reader.read_alone(in, view, line);
     find_extents(reader.row(), view, reader.extents);
     const PixelRow& row = reader.row();
     const RangeScale scale(in, gain);
-    SectorSums sectors(part, in.offset, sums);
+    SectorSums sectors(in.plan, in.offset.surround, sums);
     const std::size_t first = view.first_pixel + line * view.samples;
     const SurroundPixel* pixels = &in.plan.surround[first - in.plan.first_surround_pixel];
     const float* weight = &in.plan.weight[first];

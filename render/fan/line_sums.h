@@ -63,9 +63,9 @@ constexpr bool is_echo(Amount amount) { return amount == Amount::echo || amount 
 /// Adds the pixels of a level line to its bins.
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
                     std::size_t line, LineReader& reader, LineBins& bins);
-/// Adds the pixels of a surround line of `part` to their sectors; `only_wanted`: of the surfaces in
+/// Adds the pixels of a surround line to their sectors; `only_wanted`: of the surfaces in
 /// BinningInput::wanted.
-void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wanted, const FanPart& part,
-                       const View& view, std::size_t line, LineReader& reader, LineSums& sums);
+void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wanted, const View& view,
+                       std::size_t line, LineReader& reader, LineSums& sums);
 
 }  // namespace echoloop

@@ -28,6 +28,10 @@ Lobe Lobe::pattern(AxisPattern axis, double width, double edge_power) {
 }
 
 double Lobe::power(double angle) const {
+    if (errors_) {
+        const double once = errors_->power(angle);
+        return pattern_->ways() == 2 ? once * once : once;
+    }
     return pattern_ ? pattern_->power(angle) : std::abs(angle) <= edge_ ? 1.0 : 0.0;
 }
 

@@ -2,9 +2,11 @@
 // Knows no pixels and no scene.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
 
-#include "render/acoustics/pattern.h"
+#include "render/acoustics/stave_errors.h"
 
 namespace echoloop {
 
@@ -15,10 +17,12 @@ class Lobe {
     /// The pattern of `axis`, -3 dB full width `width`. edge() is where the main lobe has fallen to
     /// `edge_power`.
     static Lobe pattern(AxisPattern axis, double width, double edge_power);
+    /// From now on as a unit's array hears, whose staves differ; edge() stays. Not of a box.
+    void set_errors(std::shared_ptr<const StaveErrors> errors) { errors_ = std::move(errors); }
 
     /// Mean two-way power, relative to the axis, over the angles low..high off the axis (low < high, rad).
     double mean(double low, double high) const;
-    /// Two-way power at an angle.
+    /// Two-way power at an angle off the axis.
     double power(double angle) const;
     /// rad off the axis: what lies within is drawn finely.
     double edge() const { return edge_; }
@@ -27,6 +31,7 @@ class Lobe {
   private:
     double edge_ = 0;
     std::optional<TwoWayPattern> pattern_;
+    std::shared_ptr<const StaveErrors> errors_;
 };
 
 /// The share of the interval low..high that lies within first..last.

@@ -14,7 +14,7 @@ inline float amount_of(const BinningInput& in, const PixelRow& row, std::size_t 
     if constexpr (amount == Amount::paper_echo) return weight * cerqueira_sigmoid(row.cosine()[i]);
     // cos(i) is the distance of the surface's plane over R, and was taken at the sample point.
     const float cosine = std::min(row.cosine()[i] * row.range()[i] / middle, 1.0F);
-    return weight * in.strength[static_cast<std::size_t>(row.surface()[i]) - 1].at(cosine);
+    return weight * in.strength[static_cast<std::size_t>(row.surface()[i]) - 1]->at(cosine);
 }
 
 /// Calls deposit(i, near, far, amount, slope) for every pixel of the line that shows a surface and has
@@ -52,8 +52,8 @@ void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, con
     static thread_local PixelExtents extents;
     const std::size_t number = view.first_line + line;
     find_pixel_extents(reader.before(), reader.row(), reader.after(),
-                       &in.plan.coverage[view.first_pixel + line * view.samples], in.offset, view.samples,
-                       number >= in.plan.lines, extents);
+                       &in.plan.coverage[view.first_pixel + line * view.samples], in.offset.of(view),
+                       view.samples, number >= in.plan.lines, extents);
     echoes.clear();
     const auto list = [&](std::size_t i, float near, float far, float value, float slope) {
         echoes.push_back({static_cast<std::uint32_t>(i), near, far, value, slope});

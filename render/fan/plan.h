@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "render/echogram.h"
@@ -12,6 +14,8 @@
 #include "render/view.h"
 
 namespace echoloop {
+
+class StaveErrors;
 
 struct PlanDensity {
     double columns_per_beam = 1.5;
@@ -53,17 +57,11 @@ struct SurroundPixel {
     Linear sector;             ///< in spacings of sectors, from the first one of a kind
 };
 
-/// Beams that belong to one array, less than two beam widths apart; a side-scan sonar has two of them.
-struct FanPart {
-    std::size_t first_beam = 0, beams = 0;
-    std::size_t first_line = 0, lines = 0;          ///< of its level views
-    std::size_t first_surround = 0, surrounds = 0;  ///< its views of everything else
-    double centre = 0;                              ///< rad, bearing of the array's axis
-    double first_edge = 0, last_edge = 0;           ///< rad, bearings between which it is drawn finely
-    /// Far side lobes: `sectors` sums of echo (see far_lobes.h) feed every `beams_per_node`th beam with
-    /// weights far[node * sectors + sector]; the beams between are interpolated.
-    std::size_t first_sector = 0, sectors = 0, nodes = 0, beams_per_node = 1;
-    std::vector<float> far;
+/// Far side lobes: `sectors` sums of echo (see far_lobes.h) feed every `beams_per_node`th beam with the
+/// weights weight[node * sectors + sector]; the beams between are interpolated.
+struct FarLobes {
+    std::size_t sectors = 0, nodes = 0, beams_per_node = 1;
+    std::vector<float> weight;
 };
 
 /// A beam's two-way power over bearing, or over the sine of an angle, so finely that what lies between its
@@ -81,6 +79,13 @@ struct LobeTable {
     }
 };
 
+/// The same to both sides of the axis, which are not alike where staves differ.
+struct SidedLobeTable {
+    LobeTable left, right;
+    bool empty() const { return right.empty(); }
+    float at(float off) const { return (off < 0 ? left : right).at(off); }
+};
+
 /// What of a shot decides its plan.
 struct FanGeometry {
     std::vector<double> bearings;
@@ -89,14 +94,18 @@ struct FanGeometry {
     AxisPattern horizontal, vertical;
     bool patterns = false, side_lobes = false;
     std::vector<double> elevations{};  ///< rad, of rows of such beams; empty: one fan
+    ArrayErrors errors{};              ///< of its staves; a single beam and rows have none
+    std::size_t staves = 0;            ///< those that have errors; 0: half a wavelength apart
     friend bool operator==(const FanGeometry&, const FanGeometry&) = default;
 };
 
-/// Level views first, ascending in bearing, then the surround views.
+/// Of the beams of one array (see arrays.h). Level views first, ascending in bearing, then the surround
+/// views.
 struct FanPlan : Picture {
     FanGeometry geometry;
-    std::size_t bytes = 0;  ///< of what grows with the beams
-    std::vector<FanPart> parts;
+    std::size_t bytes = 0;                 ///< of what grows with the beams
+    double centre = 0;                     ///< rad, bearing of the array's axis
+    double first_edge = 0, last_edge = 0;  ///< rad, bearings between which it is drawn finely
     std::size_t level_views = 0;
     std::size_t lines = 0;          ///< of the level views
     std::size_t usual_samples = 0;  ///< of a level line at the usual density
@@ -112,19 +121,19 @@ struct FanPlan : Picture {
 
     std::vector<BeamLines> beams;
     std::vector<float> line_weight;  ///< share of a line's power that a beam hears, 0..1
-    LobeTable across;  ///< the same by where in a line a ping samples; empty for boxes and single beams
+    SidedLobeTable across;  ///< the same by where in a line a ping samples; empty for boxes and single beams
     /// What a single beam hears over the sine of cone_angle(): its samples are weighed one by one. Empty for
     /// other beams, boxes, and pistons, whose pattern is in `weight`.
     LobeTable beside;
     std::vector<SectorShare> line_sector;  ///< far sector of every level line
-    std::size_t sectors = 0;               ///< of all parts together
+    FarLobes far_lobes;
+    std::shared_ptr<const StaveErrors> errors;  ///< null: none
 
     /// The level view that holds an image line.
     const View& view_of(std::size_t line) const;
     /// The level view that shows a bearing, or the one that comes nearest to it.
     const View& view_at(double bearing) const;
-    /// The part that a surround view belongs to.
-    const FanPart& part_of(const View& view) const;
+    std::span<const View> surround_views() const { return std::span(views).subspan(level_views); }
 };
 
 /// At the far end of the window, one sample step moves a surface at 45 degrees by two bins.

@@ -13,7 +13,7 @@ namespace echoloop {
 
 /// The weights of a fan's directions.
 struct FanLobes {
-    explicit FanLobes(const FanGeometry& geometry);
+    FanLobes(const FanGeometry& geometry, std::shared_ptr<const StaveErrors> errors);
 
     Lobe horizontal, vertical;
     bool surround;  ///< level views hand over to it at their upper and lower limits
@@ -59,20 +59,19 @@ struct LineBearings {
 
 /// Of all level lines.
 std::vector<LineBearings> bearings_of_lines(const FanPlan& plan);
-/// Appends the part's level views.
-void add_level_views(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const PlanDensity& density,
+/// Appends the level views.
+void add_level_views(FanPlan& plan, const FanGeometry& geometry, const PlanDensity& density,
                      const FanLobes& lobes);
 /// Weighs the pixels of all level views, and finds which of them lie within the nominal height.
 void weigh_level_pixels(FanPlan& plan, const FanLobes& lobes, double fan_height);
-/// Gives each beam of the part its lines.
-void share_lines(FanPlan& plan, const FanPart& part, const FanGeometry& geometry, const FanLobes& lobes);
+/// Gives each beam its lines.
+void share_lines(FanPlan& plan, const FanGeometry& geometry, const FanLobes& lobes);
 /// Appends views of all directions that the level views leave out, as far as the array hears them.
-void add_surround(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const FanLobes& lobes,
-                  double density);
+void add_surround(FanPlan& plan, const FanGeometry& geometry, const FanLobes& lobes, double density);
 /// All directions in front of an array: five faces of a cube of `side` x `side` pixels, those beside cut in
 /// half.
 std::array<View, 5> front_half_cube(std::size_t side);
 /// Sorts lines and surround pixels into sectors and finds what each beam hears of them.
-void add_far_lobes(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const FanLobes& lobes);
+void add_far_lobes(FanPlan& plan, const FanGeometry& geometry, const FanLobes& lobes);
 
 }  // namespace echoloop

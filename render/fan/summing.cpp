@@ -59,20 +59,20 @@ class FanSumming final : public Summing {
             add_levels(in, gain, Amount::echo);
             add_surround(in, gain);
             add_paths(in, gain);
-            beams_.sum(in.plan, in.offset, in.bins, sums_, gain.values(), workers_, values);
+            beams_.sum(in.plan, in.offset.level, in.bins, sums_, gain.values(), workers_, values);
             return;
         }
         add_levels(in, gain, Amount::paper_share);
-        beams_.sum(in.plan, in.offset, in.bins, sums_, {}, workers_, shares_);
+        beams_.sum(in.plan, in.offset.level, in.bins, sums_, {}, workers_, shares_);
         add_levels(in, gain, Amount::paper_echo);
-        beams_.sum(in.plan, in.offset, in.bins, sums_, {}, workers_, values);
+        beams_.sum(in.plan, in.offset.level, in.bins, sums_, {}, workers_, values);
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
     }
 
     WantedPower sum_wanted(const BinningInput& in, std::span<const std::size_t> lines) override {
         const BinGain gain(in);
-        sums_.resize(in.plan.lines, in.plan.sectors, in.bins);
+        sums_.resize(in.plan.lines, in.plan.far_lobes.sectors, in.bins);
         const auto level_end = std::ranges::lower_bound(lines, in.plan.lines);
         const auto level = lines.first(static_cast<std::size_t>(level_end - lines.begin()));
         workers_.run((level.size() + lines_at_once - 1) / lines_at_once, [&](std::size_t piece) {
@@ -88,10 +88,9 @@ class FanSumming final : public Summing {
         LineReader reader;
         for (const std::size_t line : lines.subspan(level.size())) {
             const View& view = view_with(in.plan, line);
-            add_surround_line(in, gain, true, in.plan.part_of(view), view, line - view.first_line, reader,
-                              sums_);
+            add_surround_line(in, gain, true, view, line - view.first_line, reader, sums_);
         }
-        beams_.sum(in.plan, in.offset, in.bins, sums_, gain.values(), workers_, wanted_);
+        beams_.sum(in.plan, in.offset.level, in.bins, sums_, gain.values(), workers_, wanted_);
         everywhere_ = {0, wanted_.size()};
         return {wanted_, {&everywhere_, 1}};
     }
@@ -106,7 +105,7 @@ class FanSumming final : public Summing {
 
   private:
     void add_levels(const BinningInput& in, const BinGain& gain, Amount amount) {
-        sums_.resize(in.plan.lines, in.plan.sectors, in.bins);
+        sums_.resize(in.plan.lines, in.plan.far_lobes.sectors, in.bins);
         const auto pieces = cut(std::span(in.plan.views).first(in.plan.level_views));
         workers_.run(pieces.size(), [&](std::size_t i) {
             thread_local LineReader reader;
@@ -119,10 +118,9 @@ class FanSumming final : public Summing {
 
     void add_surround(const BinningInput& in, const BinGain& gain) {
         LineReader reader;
-        for (const FanPart& part : in.plan.parts)
-            for (const View& view : std::span(in.plan.views).subspan(part.first_surround, part.surrounds))
-                for (std::size_t line = 0; line < view.lines; ++line)
-                    add_surround_line(in, gain, false, part, view, line, reader, sums_);
+        for (const View& view : in.plan.surround_views())
+            for (std::size_t line = 0; line < view.lines; ++line)
+                add_surround_line(in, gain, false, view, line, reader, sums_);
     }
 
     /// Their power is complete, so the gain that the beams will get is taken out first.
@@ -140,13 +138,13 @@ class FanSumming final : public Summing {
     /// Where an echo that arrives from `bearing` is added up. A single beam's is complete: it has its sector,
     /// or the line on its axis.
     LineBins* row_of(const FanPlan& plan, double bearing) {
-        const FanPart& part = plan.parts.front();
         if (plan.beams.size() == 1)
-            return part.sectors > 0 ? &sums_.sector(0) : &sums_.line(line_at(plan, part.centre).value_or(0));
+            return plan.far_lobes.sectors > 0 ? &sums_.sector(0)
+                                              : &sums_.line(line_at(plan, plan.centre).value_or(0));
         if (const auto line = line_at(plan, bearing)) return &sums_.line(*line);
-        if (part.sectors == 0) return nullptr;
+        if (plan.far_lobes.sectors == 0) return nullptr;
         return &sums_.sector(
-            sector_at(part, SectorKind::beside, cone_angle(bearing - part.centre, 0)).sector);
+            sector_at(plan, SectorKind::beside, cone_angle(bearing - plan.centre, 0)).sector);
     }
 
     Workers& workers_;

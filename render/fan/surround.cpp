@@ -12,8 +12,8 @@ namespace echoloop {
 namespace {
 
 constexpr double pixels_per_side = 64, pixels_of_single_beam = 40;
-constexpr double least_power = 3e-6;             ///< two ways; below, a direction is not heard
-constexpr double widest_part = deg_to_rad(170);  ///< a ring of transducers has no plane and no surround
+constexpr double least_power = 3e-6;              ///< two ways; below, a direction is not heard
+constexpr double widest_array = deg_to_rad(170);  ///< a ring of transducers has no plane and no surround
 
 /// Of unit length, relative to the array's axis.
 struct Direction {
@@ -81,20 +81,15 @@ class Fit {
 /// hears the same pattern, however many they are.
 class Surround {
   public:
-    Surround(FanPlan& plan, const FanPart& part, const FanGeometry& geometry, const FanLobes& lobes,
-             std::size_t cuts)
-        : plan_(plan),
-          part_(part),
-          lobes_(lobes),
-          cuts_(cuts),
-          vertical_(over_sine(lobes.vertical, geometry.fan_height)) {
+    Surround(FanPlan& plan, const FanGeometry& geometry, const FanLobes& lobes, std::size_t cuts)
+        : plan_(plan), lobes_(lobes), cuts_(cuts), vertical_(over_sine(lobes.vertical, geometry.fan_height)) {
         if (lobes.single && !lobes.piston) horizontal_ = over_sine(lobes.horizontal, geometry.beam_width);
-        first_slope_ = std::tan(part.first_edge - part.centre),
-        last_slope_ = std::tan(part.last_edge - part.centre);
+        first_slope_ = std::tan(plan.first_edge - plan.centre),
+        last_slope_ = std::tan(plan.last_edge - plan.centre);
     }
 
     /// Appends what the array hears of the face: the rectangle of pixels that have weight, if any.
-    bool add(const View& face, double bearing) {
+    void add(const View& face, double bearing) {
         View turned = face;
         turned.bearing = bearing;
         const Directions directions(face, turned.fan_from_view());
@@ -103,7 +98,7 @@ class Surround {
             for (std::size_t sample = 0; sample < face.samples; ++sample)
                 heard_.push_back(heard_of(directions, line, sample));
         const Rectangle heard = rectangle(face);
-        if (heard.last_line <= heard.first_line) return false;
+        if (heard.last_line <= heard.first_line) return;
         View view = cropped(face, heard);
         view.first_pixel = plan_.weight.size();
         view.first_line = plan_.image_lines;
@@ -113,7 +108,6 @@ class Surround {
                 add_pixel(face, line, sample);
         plan_.image_lines += view.lines;
         plan_.views.push_back(view);
-        return true;
     }
 
   private:
@@ -141,6 +135,7 @@ class Surround {
         view.lines = (r.last_line - r.first_line) * cuts_;
         view.samples = (r.last_sample - r.first_sample) * cuts_;
         view.usual_width = view.usual_height = static_cast<double>(cuts_);
+        view.surround = true;
         return view;
     }
 
@@ -162,7 +157,7 @@ class Surround {
         }
         using Angle = Fit<2>;
         Angle sector;
-        for (int i = 0; i < 4 && part_.beams > 1; ++i) {
+        for (int i = 0; i < 4 && plan_.beams.size() > 1; ++i) {
             const double u = Angle::place(i / 2), v = Angle::place(i % 2);
             sector.add(u, v, sector_place(angle_of(at(u, v).starboard)));
         }
@@ -209,7 +204,6 @@ class Surround {
     }
 
     FanPlan& plan_;
-    const FanPart& part_;
     const FanLobes& lobes_;
     const std::size_t cuts_;
     LobeTable horizontal_, vertical_;          ///< over sines; the first of single beams only
@@ -233,20 +227,17 @@ std::array<View, 5> front_half_cube(std::size_t side) {
             face(0, -right_angle, -1, 1, 0, 1), face(0, right_angle, -1, 1, -1, 0)};
 }
 
-void add_surround(FanPlan& plan, FanPart& part, const FanGeometry& geometry, const FanLobes& lobes,
-                  double density) {
-    part.first_surround = plan.views.size();
-    if (part.last_edge - part.first_edge > widest_part) return;
-    part.first_sector = plan.sectors;
-    const double usual = part.beams == 1 ? pixels_of_single_beam : pixels_per_side;
+void add_surround(FanPlan& plan, const FanGeometry& geometry, const FanLobes& lobes, double density) {
+    if (plan.last_edge - plan.first_edge > widest_array) return;
+    const double usual = plan.beams.size() == 1 ? pixels_of_single_beam : pixels_per_side;
     const auto side =
         static_cast<std::size_t>(std::max(16.0, usual * std::sqrt(std::min(density, 1.0)))) / 2 * 2;
     const std::size_t cuts = std::clamp<std::size_t>(plan.samples / side, 1, cuts_per_side(density));
-    Surround surround(plan, part, geometry, lobes, cuts);
+    Surround surround(plan, geometry, lobes, cuts);
     for (View view : front_half_cube(side)) {
         const double relative = view.bearing;
-        view.bearing += part.centre;
-        part.surrounds += surround.add(view, relative);
+        view.bearing += plan.centre;
+        surround.add(view, relative);
     }
 }
 

@@ -9,7 +9,7 @@ std::vector<PointEcho> points_of(const FanPlan& plan, std::span<const TargetEcho
     std::vector<PointEcho> points;
     if (targets.empty()) return points;
     const FanGeometry& fan = plan.geometry;
-    const FanLobes lobes(fan);
+    const FanLobes lobes(fan, plan.errors);
     for (const TargetEcho& target : targets)
         for (std::size_t beam = 0; beam < fan.bearings.size(); ++beam) {
             const double off = target.bearing - fan.bearings[beam];

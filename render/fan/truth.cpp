@@ -56,7 +56,7 @@ std::vector<BeamTruth> find_truth(const Summing& summing, const BinningInput& in
     for (std::size_t beam = 0; beam < truth.size(); ++beam) {
         const double elevation = shot.elevations.empty() ? 0 : shot.elevations[beam / columns];
         truth[beam].axis_range =
-            axis_range(in.plan, in.pixels, shot.bearings[beam % columns], elevation, in.offset);
+            axis_range(in.plan, in.pixels, shot.bearings[beam % columns], elevation, in.offset.level);
     }
     summing.find_nearest(in, truth);
     return truth;

@@ -48,7 +48,7 @@ class DrawingCrew::Helper {
     }
 
     /// The arguments live until end().
-    void begin(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,
+    void begin(std::span<const SeenView* const> views, std::size_t samples, SampleOffsets offset,
                Pixel* image) {
         {
             const std::lock_guard lock(mutex_);

@@ -114,7 +114,7 @@ void SceneDrawer::upload() {
     indices_ = std::make_unique<Buffer>(gl_, GL_ELEMENT_ARRAY_BUFFER, indices.data(), indices.size_bytes());
 }
 
-void SceneDrawer::set_view(const View& view, const Pose& frame_from_fan, PixelOffset offset) const {
+void SceneDrawer::set_view(const View& view, const Pose& frame_from_fan, SampleOffsets offset) const {
     const Quat q = frame_from_fan.orientation * view.fan_from_view();
     const Vec3 axes[3] = {rotate(q, {0, -1, 0}), rotate(q, {0, 0, 1}), rotate(q, {1, 0, 0})};
     GLfloat rows[9];
@@ -127,8 +127,9 @@ void SceneDrawer::set_view(const View& view, const Pose& frame_from_fan, PixelOf
     const Vec3 eye = frame_from_fan.position;
     gl_.Uniform3f(uniforms_.eye, static_cast<float>(eye.x), static_cast<float>(eye.y),
                   static_cast<float>(eye.z));
-    const double x = (view.left + view.right) / 2 + offset.line * view.line_width();
-    const double y = (view.bottom + view.top) / 2 - offset.sample * view.sample_height();
+    const PixelOffset moved = offset.of(view);
+    const double x = (view.left + view.right) / 2 + moved.line * view.line_width();
+    const double y = (view.bottom + view.top) / 2 - moved.sample * view.sample_height();
     gl_.Uniform4f(uniforms_.window, static_cast<float>(x), static_cast<float>(y),
                   static_cast<float>(2 / (view.right - view.left)),
                   static_cast<float>(2 / (view.top - view.bottom)));
@@ -176,7 +177,7 @@ void SceneDrawer::bind_target(int width, int height) {
     targets_.get(fits, make).target->bind();
 }
 
-void SceneDrawer::draw_part(const View& view, const SeenNodes& part, PixelOffset offset) {
+void SceneDrawer::draw_part(const View& view, const SeenNodes& part, SampleOffsets offset) {
     if (part.nodes.empty()) return;
     for (DrawList& list : lists_) list.clear();
     for (const std::uint32_t node : part.nodes) list(scene_->nodes()[node]);
@@ -185,7 +186,7 @@ void SceneDrawer::draw_part(const View& view, const SeenNodes& part, PixelOffset
     submit(lists_[1], true);
 }
 
-void SceneDrawer::draw_view(const SeenView& seen, PixelOffset offset) {
+void SceneDrawer::draw_view(const SeenView& seen, SampleOffsets offset) {
     bind_target(static_cast<int>(seen.view->samples), static_cast<int>(seen.view->lines));
     const GLfloat nothing[4] = {0, 0, 0, 0};  // surface 0, and the depth of infinity
     gl_.ClearBufferfv(GL_COLOR, 0, nothing);
@@ -196,7 +197,7 @@ void SceneDrawer::draw_view(const SeenView& seen, PixelOffset offset) {
 
 /// Every view on a target of its own size, as llvmpipe clears and walks through all of a target; and where a
 /// vertex falls among the pixels is rounded there, whoever draws the other views.
-double SceneDrawer::draw(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,
+double SceneDrawer::draw(std::span<const SeenView* const> views, std::size_t samples, SampleOffsets offset,
                          Pixel* image) {
     context_->make_current();
     program_->use();

@@ -37,7 +37,7 @@ struct Outlook {
     /// m; of a faint background, else 0: nearer surfaces only hide what lies beyond and may be missing where
     /// nothing does, and all may be coarser.
     double begin_range = 0;
-    PixelOffset offset{};  ///< moves the sample point within every pixel
+    SampleOffsets offset{};  ///< move the sample point within every pixel
 };
 
 /// Fills `seen`, one for every view of the picture, whose places it keeps. Needs no GL.
@@ -55,7 +55,7 @@ class SceneDrawer {
     /// Draws these views of a picture and reads them back to where they are in its image, whose lines have so
     /// many samples. Returns the s of wall time that the reading took, which begins when the last pixel of a
     /// view is there.
-    double draw(std::span<const SeenView* const> views, std::size_t samples, PixelOffset offset,
+    double draw(std::span<const SeenView* const> views, std::size_t samples, SampleOffsets offset,
                 Pixel* image);
 
     /// Index into Scene::materials() of every surface number, which is Pixel::surface - 1.
@@ -84,9 +84,9 @@ class SceneDrawer {
 
     void upload();
     void bind_target(int width, int height);
-    void draw_view(const SeenView& seen, PixelOffset offset);
-    void draw_part(const View& view, const SeenNodes& part, PixelOffset offset);
-    void set_view(const View& view, const Pose& frame_from_fan, PixelOffset offset) const;
+    void draw_view(const SeenView& seen, SampleOffsets offset);
+    void draw_part(const View& view, const SeenNodes& part, SampleOffsets offset);
+    void set_view(const View& view, const Pose& frame_from_fan, SampleOffsets offset) const;
     void list(const SceneNode& node);
     void submit(const DrawList& list, bool double_sided) const;
 

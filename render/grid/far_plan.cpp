@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t columns_per_node = 8;
 constexpr double pixels_per_side = 64;  ///< of a face of the cube around the field
-constexpr double sector_spacing = std::numbers::pi / (sectors_per_part - 1);
+constexpr double sector_spacing = std::numbers::pi / (sectors_per_array - 1);
 
 Between between(double at, std::size_t count) {
     const double lower = std::clamp(std::floor(at), 0.0, static_cast<double>(count - 2));
@@ -21,7 +21,7 @@ Between between(double at, std::size_t count) {
 }
 
 Between sector_of(double angle) {
-    return between((angle / std::numbers::pi + 0.5) * (sectors_per_part - 1), sectors_per_part);
+    return between((angle / std::numbers::pi + 0.5) * (sectors_per_array - 1), sectors_per_array);
 }
 
 /// What a beam on `axis` hears of a sector's echo through its side lobes: the mean over the sector's tent.
@@ -55,11 +55,11 @@ class FarPlan {
 
     void weigh_sectors() {
         for (std::size_t node = 0; node < far_.nodes; ++node)
-            for (std::size_t s = 0; s < sectors_per_part; ++s)
+            for (std::size_t s = 0; s < sectors_per_array; ++s)
                 far_.beside.push_back(
                     mean_far(lobes_.horizontal, first_node_ + static_cast<double>(node) * node_step_, s));
         for (const double elevation : g_.elevations)
-            for (std::size_t s = 0; s < sectors_per_part; ++s)
+            for (std::size_t s = 0; s < sectors_per_array; ++s)
                 far_.above.push_back(mean_far(lobes_.vertical, elevation, s));
     }
 
@@ -81,6 +81,7 @@ class FarPlan {
     void add_view(View view) {
         const std::size_t before = far_.shares.size(), first = far_.first.size();
         view.first_line = plan_.image_lines, view.first_pixel = plan_.weight.size();
+        view.surround = true;
         for (std::size_t line = 0; line < view.lines; ++line)
             for (std::size_t sample = 0; sample < view.samples; ++sample) add_pixel(view, line, sample);
         if (far_.shares.size() == before) {  // nobody hears any of it
@@ -165,11 +166,11 @@ class FarPlan {
 }  // namespace
 
 std::size_t GridFar::sum_beside(std::size_t row, std::size_t sector) const {
-    return row * sectors_per_part + sector;
+    return row * sectors_per_array + sector;
 }
 
 std::size_t GridFar::sum_above(std::size_t number_of_node, std::size_t sector, std::size_t rows) const {
-    return (rows + number_of_node) * sectors_per_part + sector;
+    return (rows + number_of_node) * sectors_per_array + sector;
 }
 
 void add_grid_far(GridPlan& plan, const FieldLimits& limits, double density) {

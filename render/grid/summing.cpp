@@ -52,7 +52,7 @@ class GridSumming final : public Summing {
         add_main_lobes(in, plan, Amount::echo, beams_);
         add_arrivals(in, gain, arrivals_of(plan, in.paths));
         if (plan.far.nodes > 0) {
-            far_.resize(plan.rows * sectors_per_part, plan.far.nodes * sectors_per_part, in.bins);
+            far_.resize(plan.rows * sectors_per_array, plan.far.nodes * sectors_per_array, in.bins);
             sum_far(plan);
             add_surround(in, gain, plan);
         }
@@ -142,7 +142,7 @@ class GridSumming final : public Summing {
     void add_surround(const BinningInput& in, const BinGain& gain, const GridPlan& plan) {
         if (plan.other_views().empty()) return;
         const std::size_t first = plan.other_views().front().first_pixel,
-                          row_sums = plan.rows * sectors_per_part;
+                          row_sums = plan.rows * sectors_per_array;
         LineReader reader;
         for (const View& view : plan.other_views())
             for (std::size_t line = 0; line < view.lines; ++line) {
@@ -172,12 +172,12 @@ class GridSumming final : public Summing {
             thread_local std::vector<float> nodes;
             nodes.assign(far.nodes * bins, 0.0F);
             for (std::size_t node = 0; node < far.nodes; ++node)
-                for (std::size_t s = 0; s < sectors_per_part; ++s) {
+                for (std::size_t s = 0; s < sectors_per_array; ++s) {
                     const std::size_t beside = far.sum_beside(row, s), above = far.sum_above(node, s, 0);
                     add_row(&nodes[node * bins], far_.line(beside), far_.line_values(beside),
-                            far.beside[node * sectors_per_part + s]);
+                            far.beside[node * sectors_per_array + s]);
                     add_row(&nodes[node * bins], far_.sector(above), far_.sector_values(above),
-                            far.above[row * sectors_per_part + s]);
+                            far.above[row * sectors_per_array + s]);
                 }
             for (std::size_t column = 0; column < plan.columns; ++column) {
                 const Between at = far.node[row * plan.columns + column];

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <future>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "render/scene/chunk_writer.h"
@@ -110,6 +112,25 @@ std::uint32_t SceneBuilder::material_index(const Material& material) {
 
 namespace {
 
+/// A surface cannot mirror more than what it does not scatter: V^2 + pi mu <= 1. A measured curve says
+/// nothing of what goes elsewhere.
+Material without_excess(Material material) {
+    if (!material.backscatter.empty()) return material;
+    const double scattered = std::numbers::pi * std::pow(10, material.mu_db / 10);
+    const double most = std::sqrt(std::max(0.0, 1 - scattered));
+    material.reflection = std::clamp(material.reflection, -most, most);
+    return material;
+}
+
+float median_of(std::span<const float> facet, const ChunkTree& tree, const ChunkNode& node) {
+    std::vector<float> own;
+    for (const std::uint32_t triangle : std::span(tree.triangles).subspan(node.first, node.count))
+        own.push_back(facet[triangle]);
+    const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
+    std::nth_element(own.begin(), middle, own.end());
+    return *middle;
+}
+
 void widen(Bounds& bounds, float by) {
     for (std::size_t axis = 0; axis < 3; ++axis) bounds.min[axis] -= by, bounds.max[axis] += by;
 }
@@ -136,7 +157,6 @@ float SceneBuilder::surface_number(std::uint32_t object, std::uint32_t material)
 }
 
 void SceneBuilder::add(Mesh mesh, const std::string& place) {
-    constexpr std::size_t worth_a_thread = 20'000;  // triangles
     check_mesh(mesh, place);
     std::vector<std::uint32_t> kept;
     const auto indices = without_slivers(mesh, kept);
@@ -144,8 +164,24 @@ void SceneBuilder::add(Mesh mesh, const std::string& place) {
         scene_fault(place,
                     "the scene has more than " + std::to_string(scene_limits::triangles) + " triangles",
                     "simplify its meshes");
-    if (indices.empty()) return;
-    const SceneSurface surface{object_index(mesh.object), material_index(mesh.material)};
+    MeshSurfaces surfaces = find_surfaces(mesh.positions, indices);
+    kept = {}, mesh.indices = {};
+    Material material = without_excess(mesh.material);
+    if (!surfaces.flat.empty()) {
+        const std::uint32_t flat = material_index(material);
+        add_part(mesh, std::move(surfaces.flat), flat, surfaces.facet, surfaces.curved.empty());
+        collect_faces(std::move(surfaces.faces), flat);
+    }
+    if (!surfaces.curved.empty()) {
+        material.mesh_slope = std::max(1.0, std::round(100 * surfaces.mesh_slope)) / 100;
+        add_part(mesh, std::move(surfaces.curved), material_index(material), {}, true);
+    }
+}
+
+void SceneBuilder::add_part(Mesh& mesh, std::vector<std::uint32_t> indices, std::uint32_t material,
+                            std::span<const float> facet, bool last) {
+    constexpr std::size_t worth_a_thread = 20'000;  // triangles
+    const SceneSurface surface{object_index(mesh.object), material};
     const float number = surface_number(surface.object, surface.material);
     const ChunkTree tree = cut_into_chunks(mesh.positions, indices);
     const std::size_t first_node = scene_->nodes_.size();
@@ -153,10 +189,11 @@ void SceneBuilder::add(Mesh mesh, const std::string& place) {
     add_nodes(tree, place_of, surface);
     auto chunks = std::async(indices.size() / 3 < worth_a_thread ? std::launch::deferred
                                                                  : std::launch::async | std::launch::deferred,
-                             [&] { add_chunks(mesh, indices, tree, place_of, number); });
+                             [&] { add_chunks(mesh, indices, facet, tree, place_of, number); });
     const auto forget_mesh = [&] {
         chunks.get();
-        mesh = {}, kept = {};
+        indices = {};
+        if (last) mesh = {};
     };
     add_stand_ins(mesh, indices, tree, place_of, number, scene_->nodes_, coarse_vertices_, coarse_indices_,
                   forget_mesh);
@@ -176,7 +213,8 @@ void SceneBuilder::add_nodes(const ChunkTree& tree, std::span<const std::uint32_
 }
 
 /// Touches no node but those of chunks: stand-ins are made meanwhile.
-void SceneBuilder::add_chunks(const Mesh& mesh, std::span<const std::uint32_t> indices, const ChunkTree& tree,
+void SceneBuilder::add_chunks(const Mesh& mesh, std::span<const std::uint32_t> indices,
+                              std::span<const float> facet, const ChunkTree& tree,
                               std::span<const std::uint32_t> place_of, float surface) {
     make_room(scene_->indices_, indices.size());
     make_room(scene_->vertices_, std::min(indices.size(), mesh.positions.size() * 3 / 2));
@@ -193,6 +231,7 @@ void SceneBuilder::add_chunks(const Mesh& mesh, std::span<const std::uint32_t> i
         chunk.object = node.object;
         chunk.material = node.material;
         chunk.mover = mover();
+        if (!facet.empty()) chunk.facet = median_of(facet, tree, tree.nodes[i]);
         scene_->chunks_.push_back(chunk);
         enclose(bounds, chunk.bounds);
         node.bounds = chunk.bounds;
@@ -233,11 +272,37 @@ void SceneBuilder::add(const PointTarget& target, const std::string& place) {
     scene_->point_targets_.back().mover = mover();
 }
 
+void SceneBuilder::collect_faces(std::vector<OutlinedFace> faces, std::uint32_t material) {
+    for (OutlinedFace& added : faces) {
+        added.face.material = material, added.face.mover = mover();
+        faces_.push_back(std::move(added));
+    }
+    if (faces_.size() > 16 * scene_limits::faces) keep_largest_faces();
+}
+
+void SceneBuilder::keep_largest_faces() {
+    if (faces_.size() <= scene_limits::faces) return;
+    std::ranges::stable_sort(faces_, std::greater{}, [](const OutlinedFace& f) { return f.face.area; });
+    faces_.resize(scene_limits::faces);
+}
+
+void SceneBuilder::list_faces() {
+    keep_largest_faces();
+    std::ranges::stable_sort(faces_, {}, [](const OutlinedFace& f) { return f.face.mover; });
+    for (const OutlinedFace& outlined : faces_) {
+        SceneFace& face = scene_->faces_.emplace_back(outlined.face);
+        face.first_edge = static_cast<std::uint32_t>(scene_->face_edges_.size());
+        face.edges = static_cast<std::uint32_t>(outlined.edges.size());
+        scene_->face_edges_.insert(scene_->face_edges_.end(), outlined.edges.begin(), outlined.edges.end());
+    }
+}
+
 std::shared_ptr<const Scene> SceneBuilder::finish() {
     if (scene_->chunks_.empty())
         scene_fault("meshes", "there is no triangle in the scene",
                     "export meshes, not only empties, points or lines");
     end_nodes();
+    list_faces();
     scene_->fine_vertices_ = scene_->vertices_.size();
     scene_->fine_indices_ = scene_->indices_.size();
     append(scene_->vertices_, coarse_vertices_);

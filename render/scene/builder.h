@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/scene/chunks.h"
+#include "render/scene/flat_faces.h"
 #include "render/scene/scene.h"
 
 namespace echoloop {
@@ -31,9 +32,17 @@ class SceneBuilder {
     std::uint32_t object_index(const std::string& name);
     std::uint32_t material_index(const Material& material);
     float surface_number(std::uint32_t object, std::uint32_t material);
+    /// `facet` of every triangle, or empty where all are curved. `last`: the mesh is given up as soon as can
+    /// be.
+    void add_part(Mesh& mesh, std::vector<std::uint32_t> indices, std::uint32_t material,
+                  std::span<const float> facet, bool last);
     void add_nodes(const ChunkTree& tree, std::span<const std::uint32_t> place_of, SceneSurface surface);
-    void add_chunks(const Mesh& mesh, std::span<const std::uint32_t> indices, const ChunkTree& tree,
-                    std::span<const std::uint32_t> place_of, float surface);
+    void add_chunks(const Mesh& mesh, std::span<const std::uint32_t> indices, std::span<const float> facet,
+                    const ChunkTree& tree, std::span<const std::uint32_t> place_of, float surface);
+    /// Until the largest are known.
+    void collect_faces(std::vector<OutlinedFace> faces, std::uint32_t material);
+    void keep_largest_faces();
+    void list_faces();
     void bound(std::size_t first_node);
     std::uint32_t mover() const { return static_cast<std::uint32_t>(scene_->movers_.size()); }
     void end_nodes();
@@ -41,6 +50,7 @@ class SceneBuilder {
     std::unique_ptr<Scene> scene_;
     std::vector<SceneVertex> coarse_vertices_;
     std::vector<std::uint16_t> coarse_indices_;
+    std::vector<OutlinedFace> faces_;
 };
 
 }  // namespace echoloop

@@ -2,6 +2,7 @@
 import array
 import ast
 import csv
+import math
 import os
 import struct
 import subprocess
@@ -71,6 +72,36 @@ class Render(ProgramTest):
         self.good("render", TANK, "--out", second, "--step", "50")
         self.assertEqual(first.read_bytes(), second.read_bytes())
         self.assertEqual(read_npy(first)[0][0], 1)
+
+    def test_a_waterfall_draws_the_pings_of_a_head_one_below_the_other(self):
+        out = self.folder / "turns.png"
+        report = self.json("render", TANK, "--out", out, "--waterfall", "--pings", "450", "--width", "800")
+        self.assertEqual(report["pings"], 450)
+        width, height = struct.unpack_from(">II", out.read_bytes(), 16)
+        self.assertEqual(width, 800)
+        self.assertGreaterEqual(height, 450)
+
+    def test_pings_go_on_in_time_and_round_the_turn(self):
+        out = self.folder / "turns.npy"
+        self.good("render", TANK, "--out", out, "--pings", "203", "--set", "effects.noise=off", "--set",
+                  "effects.multipath=off", "--set", "effects.speckle=off")
+        (lines, bins), values = read_npy(out)
+        self.assertEqual(lines, 203)
+
+        def differs(a, b):  # dB, of all that is heard
+            powers = [sum(values[k * bins:(k + 1) * bins]) for k in (a, b)]
+            return abs(10 * math.log10(powers[0] / powers[1]))
+
+        self.assertLess(differs(2, 202), 0.3)  # the same bearing, a turn later
+
+    def test_a_waterfall_wants_one_beam_and_a_picture(self):
+        out = self.folder / "x.png"
+        self.assertIn("sonar has 256: leave it out to draw the fan",
+                      self.bad(64, "render", DEMO, *SONAR, "--out", out, "--waterfall"))
+        self.assertIn("end the name of --out with .png",
+                      self.bad(64, "render", TANK, "--out", self.folder / "x.npy", "--waterfall"))
+        self.assertIn("--pings: expected a whole number", self.bad(64, "render", TANK, "--out", out, "--pings", "1.5"))
+        self.assertEqual(self.left_over(), [])
 
     def test_the_papers_rule_stays_between_0_and_1(self):
         out = self.folder / "paper.npy"

@@ -7,7 +7,7 @@ import unittest
 
 from program import PROGRAM, ROOT, ProgramTest, run
 
-IDS = [f"V{n}" for n in range(1, 17)]
+IDS = [f"V{n}" for n in (*range(1, 25), *range(27, 33))]
 HEADINGS = ("id", "quantity", "unit", "published", "ours", "tolerance", "pass", "source")
 
 
@@ -32,7 +32,7 @@ class Whole(ProgramTest):
         self.assertEqual([q for q in self.quantities if not q["pass"]], [])
         self.assertEqual((self.status, self.document["ok"], self.document["failed"], self.errors), (0, True, 0, ""))
 
-    def test_all_of_v1_to_v16_are_there_in_order_each_quantity_once(self):
+    def test_all_are_there_in_order_each_quantity_once(self):
         self.assertEqual(list(dict.fromkeys(q["id"] for q in self.quantities)), IDS)
         names = [(q["id"], q["quantity"]) for q in self.quantities]
         self.assertEqual(len(set(names)), len(names))
@@ -83,7 +83,7 @@ class Validate(ProgramTest):
         self.assertEqual((self.folder / picture).read_bytes()[:4], b"\x89PNG")
 
     def test_wrong_usage(self):
-        self.assertIn("--only: there is no check 'V17'", self.bad(64, "validate", "--only", "V17"))
+        self.assertIn("--only: there is no check 'V99'", self.bad(64, "validate", "--only", "V99"))
         self.assertIn("cannot create", self.bad(73, "validate", "--report", "/proc/x.md"))
 
     def test_colours_are_for_terminals(self):

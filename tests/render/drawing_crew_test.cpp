@@ -22,8 +22,10 @@ class DrawingCrew : public test::SoftwareContext {
         gl::DrawingCrew crew([] { return gl::make_context(GetParam()); }, scene, threads);
         std::vector<Pixel> pixels;
         for (int ping = 0; ping < 2; ++ping)
-            crew.draw(plan, {pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, 50, 0, {0.2, -0.3}},
-                      pixels);
+            crew.draw(
+                plan,
+                {pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)}, {}, 50, 0, {{0.2, -0.3}, {-0.1, 0.4}}},
+                pixels);
         if (profile != nullptr) *profile = crew.profile();
         return pixels;
     }

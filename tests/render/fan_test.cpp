@@ -64,16 +64,6 @@ TEST(FanPlan, EveryBeamGetsItsWidth) {
     }
 }
 
-TEST(FanPlan, DrawsNothingBetweenTwoSidesOfASideScan) {
-    Shot shot = test::fan(1, 50, 2, 2000, 75);
-    shot.bearings = {deg_to_rad(-90), deg_to_rad(90)};
-    const FanPlan plan = plan_of(shot);
-    ASSERT_EQ(plan.parts.size(), 2U);
-    ASSERT_EQ(plan.level_views, 2U);
-    EXPECT_NEAR(plan.views[0].bearing, deg_to_rad(-90), 1e-9);
-    EXPECT_LT(plan.views[0].right, 0.02);
-}
-
 TEST(FanPlan, StaysWithinItsBounds) {
     const FanPlan plan = plan_of(test::fan(359, 120, 4096, 4096, 50), Effects::none(), {64, 64});
     EXPECT_LE(plan.lines, 8192U);
@@ -107,19 +97,19 @@ double heard(const FanPlan& plan, std::size_t b) {
         sum += plan.line_weight[beam.first_weight + i] * (plan.beside.empty()
                                                               ? line_sum(plan, beam.first_line + i)
                                                               : single_beam_sum(plan, beam.first_line + i));
-    const FanPart& part = plan.parts.front();
-    std::vector<double> sectors(plan.sectors);
+    const FarLobes& far = plan.far_lobes;
+    std::vector<double> sectors(far.sectors);
     if (plan.beams.size() > 1)
         for (std::size_t line = 0; line < plan.lines; ++line)
             share_out(plan.line_sector[line], line_sum(plan, line), sectors);
     for (const SurroundPixel& pixel : plan.surround) {
         const auto place = static_cast<double>(pixel.sector.mean);
         const double beside = pixel.beside.mean, off_plane = pixel.off_plane.mean;
-        share_out(sector_at_place(part, SectorKind::beside, place), beside, sectors);
-        share_out(sector_at_place(part, SectorKind::off_plane, place), off_plane, sectors);
+        share_out(sector_at_place(plan, SectorKind::beside, place), beside, sectors);
+        share_out(sector_at_place(plan, SectorKind::off_plane, place), off_plane, sectors);
     }
-    const std::size_t node = (b - part.first_beam) / part.beams_per_node;
-    for (std::size_t s = 0; s < part.sectors; ++s) sum += part.far[node * part.sectors + s] * sectors[s];
+    const std::size_t node = b / far.beams_per_node;
+    for (std::size_t s = 0; s < far.sectors; ++s) sum += far.weight[node * far.sectors + s] * sectors[s];
     return sum;
 }
 

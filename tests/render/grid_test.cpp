@@ -66,6 +66,7 @@ RendererOptions with(std::initializer_list<Effect> effects) {
 std::vector<double> mean_values(Renderer& renderer, Shot shot, std::size_t pings) {
     std::vector<double> mean;
     for (shot.ping = 0; shot.ping < pings; ++shot.ping) {
+        shot.random_key = shot.ping;  // moves the samples that side lobes hear
         const Echogram e = renderer.render(shot, {});
         mean.resize(e.values.size());
         for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += e.values[i] / static_cast<double>(pings);
@@ -202,14 +203,15 @@ TEST(Grid, SideLobesHearABrightPlateAlongRowAndColumnOnly) {
 }
 
 TEST(Grid, AnEchoFromBelowTheFieldIsHeardThroughSideLobes) {
-    Renderer renderer(scene_of({test::floor_at(-3, 100)}), test::water_of(1500),
-                      with({Effect::beam_pattern, Effect::side_lobes}));
-    const Echogram e = renderer.render(grid(), {});
+    RendererOptions options = with({Effect::beam_pattern, Effect::side_lobes});
+    options.jitter = false;  // a pixel that is sampled in its middle shows the bottom straight down
+    Renderer renderer(scene_of({test::floor_at(-3, 100)}), test::water_of(1500), options);
+    const auto mean = mean_values(renderer, grid(), 1);
     // Looks up to the open water: nothing but the bottom below, the nearest of it straight down.
-    const auto up = e.beam(beam_at(rows - 1, columns / 2));
-    const auto first = std::ranges::find_if(up, [](float power) { return power > 0; });
+    const auto up = std::span(mean).subspan(beam_at(rows - 1, columns / 2) * grid().bins, grid().bins);
+    const auto first = std::ranges::find_if(up, [](double power) { return power > 0; });
     EXPECT_NEAR((static_cast<double>(first - up.begin()) + 0.5) * bin, 3, 0.03);
-    EXPECT_NEAR((static_cast<double>(test::strongest_bin(up)) + 0.5) * bin, 3, 0.3);
+    EXPECT_NEAR((static_cast<double>(std::ranges::max_element(up) - up.begin()) + 0.5) * bin, 3, 0.3);
     Renderer deaf(scene_of({test::floor_at(-3, 100)}), test::water_of(1500), with({Effect::beam_pattern}));
     const Echogram silent = deaf.render(grid(), {});
     EXPECT_EQ(test::beam_power(silent, beam_at(rows - 1, columns / 2)), 0);

@@ -76,6 +76,7 @@ void expect_floor(const Aperture& aperture, double tilt, double first, double la
     shot.tilt = tilt;
     std::vector<double> mean(shot.bins);
     for (; shot.ping < pings; ++shot.ping) {
+        shot.random_key = shot.ping;  // moves the samples that side lobes hear
         const Echogram e = renderer.render(shot, {});
         for (std::size_t i = 0; i < shot.bins; ++i) mean[i] += e.values[i] / double{pings};
     }
@@ -111,7 +112,10 @@ double heard_of(const std::shared_ptr<const Scene>& scene, const Aperture& apert
     shot.pan = turn;
     shot.tilt = tilt;
     double sum = 0;
-    for (; shot.ping < 32; ++shot.ping) sum += test::total_power(renderer.render(shot, {}));
+    for (; shot.ping < 32; ++shot.ping) {
+        shot.random_key = shot.ping;
+        sum += test::total_power(renderer.render(shot, {}));
+    }
     return db(sum / 32);
 }
 

@@ -208,5 +208,68 @@ TEST(Ticks, are_the_multiples_of_a_step_with_both_ends) {
     EXPECT_EQ(ticks(0, 0.3, 0.1).size(), 4) << "3 x 0.1 is a little more than 0.3";
 }
 
+/// Pings of a side-scan 1 s apart: one spot that passes at 30 m to starboard in ping 150 of 200.
+std::vector<Echogram> passes(std::size_t beams) {
+    std::vector<Echogram> pings;
+    for (int k = 0; k < 200; ++k) {
+        const bool there = std::abs(k - 150) < 4;
+        const auto field = [=](double range, double bearing) {
+            return there && std::abs(range - 30) < 1 && (beams == 1 || bearing > 0) ? 1e6F : 1.0F;
+        };
+        const double side = deg_to_rad(90);
+        pings.push_back(test::ping(beams == 1 ? std::vector{0.0} : std::vector{-side, side}, 0,
+                                   deg_to_rad(0.5), 50, 500, field));
+    }
+    return pings;
+}
+
+std::vector<double> seconds(std::size_t count) {
+    std::vector<double> times(count);
+    for (std::size_t i = 0; i < count; ++i) times[i] = static_cast<double>(i);
+    return times;
+}
+
+/// Middle of the brightest pixels in the frame of a waterfall, as shares of its width and height.
+Place brightest_share(const Image& image) {
+    constexpr int left = 70, right = 150, top = 120, bottom = 60;
+    const int width = image.width - left - right, height = image.height - top - bottom;
+    Place sum;
+    int count = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if (brightness(image.at(left + x, top + y)) > 650) sum.x += x + 0.5, sum.y += y + 0.5, ++count;
+    return count ? Place{sum.x / count / width, sum.y / count / height} : Place{-1, -1};
+}
+
+TEST(WaterfallPicture, shows_port_to_the_left_and_later_pings_below) {
+    const auto times = seconds(200);
+    const auto two = passes(2), one = passes(1);
+    const Place both = brightest_share(waterfall_picture({two, times, {true, false}, false}, plain()));
+    EXPECT_NEAR(both.x, 0.5 + 0.5 * 30 / 50, 0.01);
+    EXPECT_NEAR(both.y, 150.5 / 200, 0.01);
+    const Place port = brightest_share(waterfall_picture({one, times, {true}, false}, plain()));
+    EXPECT_NEAR(port.x, 1 - 30.0 / 50, 0.01) << "range runs to the left";
+    const Place starboard = brightest_share(waterfall_picture({one, times, {false}, false}, plain()));
+    EXPECT_NEAR(starboard.x, 30.0 / 50, 0.01);
+}
+
+TEST(WaterfallPicture, of_an_echosounder_has_time_to_the_right_and_range_down) {
+    const auto times = seconds(200);
+    const auto pings = passes(1);
+    const Place seen = brightest_share(waterfall_picture({pings, times, {false}, true}, plain()));
+    EXPECT_NEAR(seen.x, 150.5 / 200, 0.01);
+    EXPECT_NEAR(seen.y, 30.0 / 50, 0.01);
+}
+
+TEST(WaterfallPicture, refuses_what_it_cannot_draw) {
+    const auto times = seconds(200);
+    const auto two = passes(2), one = passes(1);
+    const std::vector<double> few(3);
+    EXPECT_THROW(waterfall_picture({two, times, {true, true}, false}, plain()), std::invalid_argument);
+    EXPECT_THROW(waterfall_picture({two, times, {true}, false}, plain()), std::invalid_argument);
+    EXPECT_THROW(waterfall_picture({one, few, {true}, false}, plain()), std::invalid_argument);
+    EXPECT_THROW(waterfall_picture({{}, {}, {true}, false}, plain()), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace echoloop::draw

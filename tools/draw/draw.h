@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "render/echogram.h"
 #include "tools/draw/image.h"
@@ -29,6 +30,19 @@ struct Style {
 /// same bearing. Throws std::invalid_argument if there is no value to draw, the pings differ in EchoRule, an
 /// echogram's sizes do not fit together, or a member of `style` is out of bounds.
 Image polar_picture(std::span<const Echogram> pings, const Style& style);
+
+/// Pings of a sonar of one beam, or of one to each side, in the order of time.
+struct Waterfall {
+    std::span<const Echogram> pings;
+    std::span<const double> times;  ///< s, of every ping, ascending
+    std::vector<bool> to_port;      ///< of every beam: its range runs to the left
+    bool echogram = false;          ///< time runs to the right and range down, as echosounders are drawn
+};
+
+/// Draws each ping as a line over slant range: the first at the top and range to the right, or to both sides
+/// of the middle, unless it is an echogram. Lines are equally thick whatever the time between them. Throws as
+/// polar_picture(), and if there are other than one or two beams, or two to the same side.
+Image waterfall_picture(const Waterfall& waterfall, const Style& style);
 
 /// Writes an 8-bit RGB PNG. The writers throw std::runtime_error with the path and the reason.
 void write_png(const std::filesystem::path& path, const Image& image);

@@ -77,7 +77,7 @@ Verb validate_verb() {
     using Kind = Argument::Kind;
     return {"validate",
             "compare levels, times and patterns with published values",
-            {{Kind::value, "--only", "V1,...", "run only these checks, V1 to V16"},
+            {{Kind::value, "--only", "V1,...", "run only these checks"},
              {Kind::value, "--report", "FILE.md", "also write the table and its pictures there"},
              json_argument()},
             "  echoloop validate                     exit status 1 if a quantity is out of its tolerance\n"

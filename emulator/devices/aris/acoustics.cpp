@@ -74,6 +74,7 @@ Shot make_shot(const aris::SetAcoustics& w, bool telephoto, const Settings& s, s
     shot.horizontal = a.horizontal;
     shot.vertical = a.vertical;
     shot.receiver = a.receiver;
+    shot.errors = a.errors;
     shot.receiver.directivity_index = carrier.directivity_index;
     shot.interval = 1 / static_cast<double>(w.frame_rate);
     return shot;

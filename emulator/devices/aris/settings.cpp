@@ -77,6 +77,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
     describe_carrier(a.low, "low", f);
     describe_carrier(a.high, "high", f);
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.stave_errors(a.errors);
     a.low.directivity_index = a.receiver.directivity_index;
 }
 

@@ -21,7 +21,8 @@ struct Carrier {
 struct Acoustics {
     Carrier low, high;
     AxisPattern horizontal, vertical;
-    Receiver receiver;            ///< its directivity index is that of the carrier
+    Receiver receiver;  ///< its directivity index is that of the carrier
+    ArrayErrors errors;
     double fan_height = 0;        ///< rad, -3 dB
     double energy_limit = 0;      ///< us pulses/s
     double low_voltage_loss = 0;  ///< dB, without 150 V

@@ -105,6 +105,7 @@ Shot make_shot(const Controls& controls, const Acoustics& acoustics, std::uint64
     shot.horizontal = acoustics.horizontal;
     shot.vertical = acoustics.vertical;
     shot.receiver = acoustics.receiver;
+    shot.errors = acoustics.errors;
     shot.receiver.saturation_level -= controls.gain;
     shot.interval = period;
     return shot;

@@ -48,6 +48,7 @@ Shot make_shot(const Settings& s, std::uint64_t ping) {
     shot.horizontal = s.horizontal;
     shot.vertical = s.vertical;
     shot.receiver = s.receiver;
+    shot.errors = s.errors;
     shot.receiver.bandwidth = 1 / s.pulse;
     shot.interval = ping_period(s);
     return shot;

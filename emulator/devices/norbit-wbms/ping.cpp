@@ -102,6 +102,7 @@ Shot make_shot(const Controls& c, const Plan& plan, const Settings& s, std::uint
     shot.horizontal = a.horizontal;
     shot.vertical = a.vertical;
     shot.receiver = a.receiver;
+    shot.errors = a.errors;
     shot.receiver.directivity_index = std::max(0.0, a.receiver.directivity_index - 20 * std::log10(narrower));
     shot.interval = plan.period;
     return shot;

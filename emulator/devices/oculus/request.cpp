@@ -138,7 +138,9 @@ Shot make_shot(const Request& r, const Plan& plan, const Settings& s, std::uint3
     shot.horizontal = a.horizontal;
     shot.vertical = a.vertical;
     shot.receiver = a.receiver;
+    shot.errors = a.errors;
     shot.receiver.directivity_index = mode.directivity_index;
+    shot.receiver.self_noise = mode.self_noise;
     shot.interval = plan.period;
     return shot;
 }

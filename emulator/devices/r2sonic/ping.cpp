@@ -166,6 +166,7 @@ Shot make_shot(const Controls& controls, const Settings& settings, const Beams& 
         shot.vertical.shape = ApertureShape::hamming;  // low side lobes, as a Kaiser window gives them
     }
     shot.receiver = receiver_at(controls.frequency, settings.acoustics);
+    shot.errors = settings.acoustics.errors;
     if (controls.trigger == 0) shot.interval = ping_period(controls, settings);
     return shot;
 }

@@ -67,6 +67,7 @@ Shot make_shot(const Controls& controls, const Settings& settings, std::uint32_t
     shot.horizontal = a.horizontal;
     shot.vertical = a.vertical;
     shot.receiver = a.receiver;
+    shot.errors = a.errors;
     shot.receiver.directivity_index -= 20 * std::log10(wider);
     shot.interval = ping_period(controls, settings);
     return shot;

@@ -92,6 +92,7 @@ Shot make_shot(const Plan& plan, const Settings& settings, std::uint32_t ping) {
     shot.horizontal = a.horizontal;
     shot.vertical = a.vertical;
     shot.receiver = receiver_at(plan.gain, a);
+    shot.errors = a.errors;
     shot.interval = plan.period;
     return shot;
 }

@@ -72,6 +72,23 @@ TEST(CrossTalk, PulseArrivesWhenAndAsLoudAsOneWaySays) {
     EXPECT_NEAR(total(echogram) / echogram.values[30], 1, 1e-5);
 }
 
+// The own sonar has two sides and lies across: its port side looks east, where the other is.
+TEST(CrossTalk, SidesHearAndSendByThemselves) {
+    Transmission two_sided = own;
+    two_sided.world_from_sonar.orientation = axis_angle({0, 0, 1}, -std::numbers::pi / 2);
+    two_sided.shot.bearings = {-std::numbers::pi / 2, std::numbers::pi / 2};
+    two_sided.shot.sides = {{0, 203}, {0, 190}};
+    const Echogram received = heard(other(), steady, two_sided);
+    EXPECT_NEAR(level_db(received.beam(0)[30]), 200 - 20 * std::log10(3), 0.01);
+    EXPECT_LT(level_db(received.beam(1)[30]), level_db(received.beam(0)[30]) - 39);
+    Transmission late = two_sided;
+    late.time = start + std::chrono::microseconds(1000), late.device = 1;
+    Transmission single = other();
+    single.time = start, single.device = 0;
+    const Echogram sent = heard(late, steady, single);
+    EXPECT_NEAR(level_db(sent.values[30]), 203 - 20 * std::log10(3), 0.01);
+}
+
 TEST(CrossTalk, PulseCoversTheBinsThatItLasts) {
     Transmission pulse = other(std::chrono::microseconds(1050));
     pulse.shot.pulse_length = 2.5e-4;

@@ -62,6 +62,7 @@ TEST(Noise, IsTheMeanThatIsReturned) {
 
 TEST(Noise, IsGaussianAndNewInEveryPing) {
     Shot shot = chain_shot(40, 1000, 0.02, 0.075);
+    shot.receiver.bins = BinRule::sample;
     const Effects noisy = only({Effect::pulse, Effect::noise});
     const auto first = output(noisy, shot, 0);
     std::vector<float> apart;
@@ -74,6 +75,7 @@ TEST(Noise, IsGaussianAndNewInEveryPing) {
 
 TEST(Noise, OfABandNarrowerThanTheBinsIsCorrelated) {
     Shot shot = chain_shot(1, 50'000, 0.0075, 0.075);  // 10 us bins, 100 us pulse
+    shot.receiver.bins = BinRule::sample;
     const auto values = output(only({Effect::pulse, Effect::noise}), shot, 0);
     const std::span<const float> all(values);
     const auto lagged = [&](std::size_t lag) {
@@ -87,6 +89,7 @@ TEST(Noise, OfABandNarrowerThanTheBinsIsCorrelated) {
 TEST(Noise, AddsToSpeckleAsAField) {
     for (const double bin : {0.02, 0.075}) {
         Shot shot = chain_shot(100, 2000, bin, 0.075);
+        shot.receiver.bins = BinRule::sample;
         const double noise = std::pow(10, (42.5 + 40) / 10);
         shot.receiver.bandwidth = 10e3;
         const auto power = static_cast<float>(noise * bin / 0.075);
@@ -108,24 +111,46 @@ TEST(Receiver, SaturationClips) {
     EXPECT_EQ(output(only({Effect::quantisation}), shot, 1e7F)[50], 1e7F);
 }
 
-TEST(Receiver, ConverterHasEqualStepsOfAmplitude) {
-    Shot shot = chain_shot(1, 100, 0.1, 0.075);
-    shot.receiver.saturation_level = 60;  // amplitude 1000
-    shot.receiver.converter_bits = 8;     // a sign and 127 steps
-    const double step = 1000.0 / 127;
-    const auto amplitude = [&](double in) {
-        return std::sqrt(
-            static_cast<double>(output(only({Effect::quantisation}), shot, static_cast<float>(in * in))[3]));
-    };
-    EXPECT_NEAR(amplitude(10.4 * step), 10 * step, 0.01);
-    EXPECT_NEAR(amplitude(10.6 * step), 11 * step, 0.01);
-    EXPECT_EQ(amplitude(0.4 * step), 0);
-    EXPECT_NEAR(amplitude(1000), 1000, 0.01);
+/// A shot whose staves' noise is that many of their converter's steps.
+Shot converted(double noise_in_steps, int staves) {
+    Shot shot = chain_shot(64, 2000, 0.1, 0.075);
+    shot.horizontal = {ApertureShape::hamming, 1};
+    shot.receiver.converter_bits = 16;
+    shot.receiver.staves = staves;
+    const double stave_noise = to_db(received_noise(shot) * effective_staves(shot));
+    shot.receiver.saturation_level = stave_noise - 20 * std::log10(noise_in_steps) + 90.31;
+    return shot;
+}
+
+// V28: 1/12 of a step's square for each stave, 0.35 dB at a noise of one step and 1.25 dB at half of one.
+TEST(Receiver, ConvertersOfStavesAddToTheNoise) {
+    for (const int staves : {1, 64, 256})
+        for (const auto& [steps, rise] : {std::pair{1.0, 0.35}, {0.5, 1.25}}) {
+            const Shot shot = converted(steps, staves);
+            const auto of = [&](Effects effects) {
+                const auto values = output(effects, shot, 0);
+                EXPECT_NEAR(intensity_statistics(values).amplitude_cv, 0.5227, 0.01) << "never steps";
+                return to_db(test::sum_of(values) / static_cast<double>(values.size()));
+            };
+            EXPECT_NEAR(of(only({Effect::noise, Effect::quantisation})) - of(only({Effect::noise})), rise,
+                        0.15)
+                << staves << " staves";
+        }
+}
+
+TEST(Receiver, BeamsHaveFinerStepsThanStaves) {
+    Shot shot = converted(1, 256);
+    shot.receiver.staves = 1;
+    const double behind_the_beam = to_db(converter_step(shot));
+    shot.receiver.staves = 256;
+    EXPECT_NEAR(behind_the_beam - to_db(converter_step(shot)), 24.08 - 1.34, 0.02) << "N_eff 0.734 N";
+    shot.horizontal.shape = ApertureShape::line;
+    EXPECT_NEAR(behind_the_beam - to_db(converter_step(shot)), 24.08, 0.02);
     shot.receiver.converter_bits = 0;
-    EXPECT_NEAR(amplitude(0.4 * step), 0.4 * step, 1e-4);
+    EXPECT_EQ(converter_step(shot), 0);
     shot.receiver.converter_bits = 8;
     shot.receiver.saturation_level = std::numeric_limits<double>::infinity();
-    EXPECT_NEAR(amplitude(0.4 * step), 0.4 * step, 1e-4);
+    EXPECT_EQ(converter_step(shot), 0);
 }
 
 TEST(Chain, WithoutEffectsValuesStayAsTheyAre) {
@@ -173,7 +198,7 @@ TEST(Chain, BytesAreTheSameEverywhere) {
             for (const float value : output(Effects(), shot, 1e8F, {{1, 2, -3}, {}}, {shape}))
                 hash = mix(hash, std::bit_cast<std::uint32_t>(value));
         }
-    EXPECT_EQ(hash, 11944399298271696676U);
+    EXPECT_EQ(hash, 4187508860964815189U);
 }
 
 TEST(Chain, PointsInAnyOrder) {

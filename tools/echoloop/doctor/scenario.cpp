@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include "emulator/contract/error.h"
 #include "emulator/run/runtime.h"
 #include "emulator/water/render_threads.h"
+#include "render/acoustics/receiver_noise.h"
 #include "render/renderer.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/doctor/findings.h"
@@ -55,6 +57,22 @@ Finding ping(Renderer& renderer, const ScenarioDevice& device, const Pose& world
     return {State::good, "ping", text, ""};
 }
 
+double db(double power) { return 10 * std::log10(power); }
+
+/// Steps louder than the noise are a profile's fault: the head would show water as zeros.
+Finding converter(const ScenarioDevice& device) {
+    const Shot shot = device.model->default_shot(device.config, 0, 0);
+    const double step = converter_step(shot), noise = received_noise(shot);
+    if (step == 0) return {State::good, "converter", device.name + ": no steps", ""};
+    const std::string text = device.name + ": the steps of its converter lie " +
+                             plain(std::abs(db(step / noise)), 1) + " dB " +
+                             (step > noise ? "above" : "below") + " a beam's noise";
+    if (step > noise)
+        return {State::weak, "converter", text,
+                "give its profile more converter_bits or staves, or a lower saturation_level"};
+    return {State::good, "converter", text, ""};
+}
+
 }  // namespace
 
 Findings look_at_scenario(const Scenario& scenario) {
@@ -63,6 +81,7 @@ Findings look_at_scenario(const Scenario& scenario) {
     RendererOptions options = scenario.render;
     options.drawing_threads = RenderThreads::drawing_threads(scenario.devices.size());
     Renderer renderer(scene_of(scenario), scenario.water, options);
+    for (const ScenarioDevice& device : scenario.devices) found.push_back(converter(device));
     for (const ScenarioDevice& device : scenario.devices)
         found.push_back(ping(renderer, device, scenario.world_from_body * device.body_from_sonar));
     return found;

@@ -1,7 +1,6 @@
-// V10: what the receiver does to the echo: time-varied gain, clipping, steps.
+// V10: what the receiver does to the echo: time-varied gain, clipping. Steps: converter.cpp.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "tools/echoloop/validate/groups.h"
 #include "tools/echoloop/validate/micron_receiver.h"
@@ -37,7 +36,6 @@ constexpr double saturation = 150;  // dB re 1 uPa
 std::vector<float> through(Effect effect) {
     Shot shot = fan(3, 30, 1, 4800, 30);
     shot.receiver.saturation_level = saturation;
-    shot.receiver.converter_bits = 8;
     std::vector<float> values;
     for (std::size_t i = 0; i < shot.bins; ++i)
         values.push_back(static_cast<float>(db_to_power(saturation - 100 + 0.025 * static_cast<double>(i))));
@@ -54,12 +52,6 @@ void check_gain(Findings& find) {
     const auto clipped = through(Effect::saturation);
     find.within("loudest level of an echo 20 dB above saturation", "dB", saturation, 0.1, db(peak(clipped)));
     find.within("level of an echo 10 dB below saturation", "dB", saturation - 10, 0.1, db(clipped[3600]));
-    const auto stepped = through(Effect::quantisation);
-    const std::set<float> steps(stepped.begin(), stepped.begin() + 4000);
-    find.source("8 bits, one of them the sign: 127 steps up to saturation");
-    find.within("distinct values of an 8-bit converter", "", 128, 1, static_cast<double>(steps.size()));
-    find.within("its smallest value re saturation", "dB", -42.08, 0.1,
-                db(*steps.upper_bound(0)) - saturation);
 }
 
 }  // namespace echoloop::validation

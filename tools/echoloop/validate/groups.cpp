@@ -5,7 +5,7 @@
 namespace echoloop::validation {
 
 std::span<const Group> groups() {
-    static constexpr std::array<Group, 16> table{{
+    static constexpr auto table = std::to_array<Group>({
         {"V1", "Sonar equation", check_sonar_equation},
         {"V2", "Absorption", check_absorption},
         {"V3", "Time base", check_time_base},
@@ -15,14 +15,28 @@ std::span<const Group> groups() {
         {"V7", "Seabed", check_seabed},
         {"V8", "Speckle", check_speckle},
         {"V9", "Noise", check_noise},
-        {"V10", "Time-varied gain and converter", check_gain},
+        {"V10", "Time-varied gain and clipping", check_gain},
         {"V11", "Shadow", check_shadow},
         {"V12", "Layover and first return", check_layover},
         {"V13", "Multipath", check_multipath},
         {"V14", "Refraction", check_refraction},
         {"V15", "Motion", check_motion},
         {"V16", "Bookkeeping", check_bookkeeping},
-    }};
+        {"V17", "Mirror echo of a plane", check_plane},
+        {"V18", "Plates and edges", check_plates},
+        {"V19", "Round bodies", check_round_bodies},
+        {"V20", "Lobe of facets", check_lobe},
+        {"V21", "Backscatter with facets", check_facets},
+        {"V22", "A room's wall and corner", check_room},
+        {"V23", "Several mirrors", check_images},
+        {"V24", "Second bottom", check_second_bottom},
+        {"V27", "Beams that share staves", check_shared_staves},
+        {"V28", "Converters of staves", check_converter},
+        {"V29", "Side lobes of arrays whose staves differ", check_stave_errors},
+        {"V30", "Speckle moves with the sonar", check_moving_speckle},
+        {"V31", "Looks in a bin", check_looks},
+        {"V32", "Texture over range", check_range_texture},
+    });
     return table;
 }
 

@@ -1,4 +1,4 @@
-// The checks V1 to V16, in order. Each asks the parts that the emulator itself uses; the published numbers
+// The checks, in order. Each asks the parts that the emulator itself uses; the published numbers
 // stand in the checks as literals.
 #pragma once
 
@@ -32,5 +32,19 @@ void check_multipath(Findings&);
 void check_refraction(Findings&);
 void check_motion(Findings&);
 void check_bookkeeping(Findings&);
+void check_plane(Findings&);
+void check_plates(Findings&);
+void check_round_bodies(Findings&);
+void check_lobe(Findings&);
+void check_facets(Findings&);
+void check_room(Findings&);
+void check_images(Findings&);
+void check_second_bottom(Findings&);
+void check_shared_staves(Findings&);
+void check_converter(Findings&);
+void check_stave_errors(Findings&);
+void check_moving_speckle(Findings&);
+void check_looks(Findings&);
+void check_range_texture(Findings&);
 
 }  // namespace echoloop::validation
