@@ -22,6 +22,8 @@ struct Situation {
     /// Factor on the number of pixels, 0.1..1: less will do for a faint background. Below 1 the echogram's
     /// truth tells of no surface nearer than the window.
     double detail = 1;
+    /// Another one, 0.1..1, where there is no time for all pixels: more scatter, the same mean levels.
+    double density = 1;
 };
 
 }  // namespace echoloop

@@ -150,6 +150,7 @@ Json bench_row(const bench::Row& row) {
                  {"triangles", f.triangles},
                  {"pixels", f.pixels},
                  {"start_up_s", f.start_up},
+                 {"start_up_cpu_s", f.start_up_cpu},
                  {"resident_mb", f.resident},
                  {"peak_mb", f.peak},
                  {"context", f.context}});
