@@ -49,7 +49,9 @@ struct Material {
         backscatter{};          ///< strictly ascending grazing angles; empty: Lambert with mu_db
     double reflection = 0.353;  ///< amplitude of a mirrored wave at normal incidence, -1..1 (sand's)
     double roughness = 0.005;   ///< m, rms height, of which a mirrored wave is the weaker (sand's)
-    double slope = 0.3;         ///< rms slope of its facets in one direction (sand's)
+    double slope = 0.15;        ///< rms slope of its facets in one direction (sand's)
+    /// What its facets mirror adds to Lambert's law; of sediments it is in their constant already.
+    bool lobe = false;
     /// rms slope of the triangles that stand for a curved surface; 0: flat. A SceneBuilder sets it.
     double mesh_slope = 0;
 

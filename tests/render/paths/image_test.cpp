@@ -93,7 +93,7 @@ TEST(Images, RoughWallsKeepTheirEnergy) {
     double third = 0;
     for (const PathEcho& echo : echoes.diffuse)
         if (std::abs(echo.near_range - 8) < 1e-3F) third += static_cast<double>(echo.power);
-    const double slope = 0.3;  // sand's, as the material says nothing else
+    const double slope = 0.15;  // sand's, as the material says nothing else
     const ChainMirror chain[] = {{2.0 / 16, slope}, {8.0 / 16, slope}, {14.0 / 16, slope}};
     const auto spread = [](double deg) { return deg_to_rad(deg) / (2 * std::sqrt(std::numbers::ln2)); };
     const double expected = -36.24 + test::db(chain_share(chain, spread(3)).power) +
@@ -123,10 +123,10 @@ TEST(Images, SecondBottomFlatAndRippled) {
         double second = 0;
         for (const PathEcho& echo : echoes.diffuse)
             if (std::abs(echo.near_range - 14) < 0.1F) second += static_cast<double>(echo.power);
-        // V^2 / 28 m of two rough sandy mirrors; their facets, sand's steep ones first, spread it by far.
+        // V^2 / 28 m of two rough sandy mirrors; the chain takes a few dB more.
         const double smooth = 200 - 20 * std::log10(28) + 40 * std::log10(0.353);
-        EXPECT_LT(test::db(second), smooth - 15) << flat;
-        EXPECT_GT(test::db(second), smooth - 35) << flat;
+        EXPECT_LT(test::db(second), smooth - 5) << flat;
+        EXPECT_GT(test::db(second), smooth - 20) << flat;
     }
 }
 
