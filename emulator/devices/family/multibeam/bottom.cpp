@@ -224,7 +224,7 @@ double least_power(const Echogram& echogram, double margin) {
 /// floor of an array whose staves differ (Allen 1961: the sum of both variances over the staves) and of its
 /// design, times what speckle and single lobes add.
 std::vector<float> least_by_bin(const Echogram& echogram) {
-    constexpr double design = 1e-4, shaded = 0.75, above_mean = 8;  // own choice of all three
+    constexpr double design = 1e-4, shaded = 0.75, above_mean = 3;  // own choice of all three
     const Shot& shot = echogram.shot;
     std::vector<float> least(shot.bins, 0.0F);
     if (shot.bearings.size() < 2) return least;
