@@ -14,7 +14,9 @@ struct Situation {
     Situation(const Pose& sonar) : world_from_sonar(sonar) {}  // a pose is the plainest situation
     Situation(Vec3 position, Quat orientation) : world_from_sonar{position, orientation} {}
 
-    Pose world_from_sonar;
+    Pose world_from_sonar;  ///< at the transmission
+    Vec3 velocity{};        ///< m/s, of the sonar in the world
+    Vec3 turning{};         ///< rad/s, about the sonar's axes, right-handed
     /// world_from_object of Scene::movers(), in their order; what is missing at the end is where the file
     /// puts it.
     std::vector<Pose> movers;
