@@ -213,26 +213,28 @@ class ImageSearch {
         const ChainShare across = chain_share(chain, one_beam ? shot.beam_width * per_width : everywhere),
                          up = chain_share(chain, rows ? everywhere : shot.fan_height * per_width);
         PathEcho echo;
-        echo.near_range = static_cast<float>(path.range);
-        echo.far_range = static_cast<float>(path.range * (1 + across.variance + up.variance));
         echo.elevation = static_cast<float>(path.arrives.elevation);
         const double whole = power * sent_back * across.power * up.power, spread = std::sqrt(across.variance);
         echo.width = static_cast<float>(3.5 * spread),
         echo.height = static_cast<float>(3.5 * std::sqrt(up.variance));
-        constexpr int most_parts = 33;
-        const int parts = one_beam || rows
-                              ? 1
-                              : std::clamp(static_cast<int>(6 * spread / shot.beam_width) | 1, 1, most_parts);
+        // One each half beam, so that no beam between them stays dark.
+        constexpr int most_parts = 513;
+        const int parts =
+            one_beam || rows ? 1
+                             : std::clamp(static_cast<int>(12 * spread / shot.beam_width) | 1, 1, most_parts);
+        const auto off_of = [&](int part) { return (part - (parts - 1) / 2.0) * 6 / parts; };  // in spreads
+        const auto weight_of = [](double off) { return std::exp(-off * off / 2); };
         double sum = 0;
-        const auto weight = [&](int part) {
-            const double off = (part - (parts - 1) / 2.0) * 6 / parts;  // in spreads
-            return std::exp(-off * off / 2);
-        };
-        for (int part = 0; part < parts; ++part) sum += weight(part);
+        for (int part = 0; part < parts; ++part) sum += weight_of(off_of(part));
         for (int part = 0; part < parts; ++part) {
-            echo.bearing =
-                static_cast<float>(path.arrives.bearing + (part - (parts - 1) / 2.0) * 6 / parts * spread);
-            echo.power = static_cast<float>(whole * weight(part) / sum);
+            const double off = off_of(part);
+            // What arrives by an angle x beside the axis has come farther by x^2 / 2 of its way.
+            const double near = parts > 1 ? off * off * across.variance / 2 : 0,
+                         far = near + up.variance + (parts > 1 ? 0 : across.variance);
+            echo.near_range = static_cast<float>(path.range * (1 + near));
+            echo.far_range = static_cast<float>(path.range * (1 + far));
+            echo.bearing = static_cast<float>(path.arrives.bearing + off * spread);
+            echo.power = static_cast<float>(whole * weight_of(off) / sum);
             if (std::isnormal(echo.power)) diffuse.push_back(echo);
         }
     }
