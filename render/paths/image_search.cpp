@@ -40,6 +40,7 @@ struct ImageMirror {
     double reflection = 0, roughness = 0, slope = 0;
     bool incoherent = false;  ///< whatever the roughness: a curved mesh
     double sent_back = 1;     ///< see sent_back_by()
+    bool is_water = false;    ///< the water's surface, below which there are bubbles
     double loudest = 0;       ///< uPa, of its own echo
 };
 
@@ -85,7 +86,10 @@ class ImageSearch {
             add_mirror(mirror);
         }
         if (const auto surface = ping_.space.surface_above(ping_.sonar)) {
-            add_mirror({no_outline, {0, 0, -1}, -surface->height, -1, surface->roughness, surface->slope});
+            ImageMirror mirror{no_outline, {0, 0, -1},         -surface->height,
+                               -1,         surface->roughness, surface->slope};
+            mirror.is_water = true;
+            add_mirror(mirror);
             add_curved_bottom();
         }
         std::ranges::stable_sort(all_, std::greater{}, &ImageMirror::loudest);
@@ -142,7 +146,7 @@ class ImageSearch {
         ImagePath path;
         path.order = order, path.range = range;
         Vec3 to = ping_.sonar;
-        double left = 2 * range;
+        double left = 2 * range, bubbles = 1;
         for (std::size_t i = order; i-- > 0;) {
             const ImageMirror& mirror = *sequence_[i];
             const Vec3 line = images_[i + 1] - to;
@@ -156,6 +160,7 @@ class ImageSearch {
             path.coherent *= mirror.incoherent
                                  ? 0
                                  : std::pow(coherent_loss(ping_.wavenumber, mirror.roughness, cosine), 2);
+            if (mirror.is_water) bubbles *= ping_.space.bubble_loss(cosine);
             if (mirror.face == no_outline) continue;
             const Foot foot = mirrors_.foot(
                 mirror.face, to, mirror_zone(ping_.wavenumber, left, 2 * range - left, ping_.resolution));
@@ -163,7 +168,7 @@ class ImageSearch {
             path.share *= foot.share;
         }
         path.leaves = seen(path.points[0]), path.arrives = seen(path.points[order - 1]);
-        path.smooth = level_at(range) * reflections * path.leaves.transmit * path.arrives.receive;
+        path.smooth = level_at(range) * reflections * bubbles * path.leaves.transmit * path.arrives.receive;
         if (path.power() > ping_.least * ping_.least) paths_.push_back(path);
     }
 
