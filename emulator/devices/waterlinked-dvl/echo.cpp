@@ -88,6 +88,7 @@ Shot make_shot(const Plan& plan, const Settings& settings, std::uint64_t number)
     shot.receiver = a.receiver;
     shot.receiver.bandwidth = 1 / plan.pulse;
     shot.interval = plan.period;
+    shot.velocities = true;
     return shot;
 }
 
@@ -106,6 +107,11 @@ std::optional<Echo> find_bottom_echo(const Echogram& e, std::size_t beam, const 
     Echo echo;
     // An echo begins at its range. A receiver of the pulse's bandwidth makes it half as long again.
     echo.time = middle - 0.75 * e.shot.pulse_length;
+    const std::size_t first = beam * e.shot.bins;
+    const auto closing_in = [&](std::size_t bin) {
+        return static_cast<double>(e.velocities[first + bin].mean);
+    };
+    if (e.velocities.size() == e.values.size()) echo.closing = around.mean(middle, half, closing_in);
     echo.level = static_cast<double>(level_db(e.beam(beam)[*peak]));
     return echo.time > 0 ? std::optional(echo) : std::nullopt;
 }

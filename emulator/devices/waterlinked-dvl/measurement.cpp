@@ -79,7 +79,8 @@ TransducerReport Measurement::hear(const Echogram& echogram, std::size_t beam,
     const auto echo = find_bottom_echo(echogram, beam, settings_);
     const bool water = configuration.range_mode.water;
     if (!echo && !water) return out;
-    const double closing = echo && echo->closing && !water ? *echo->closing : dot(motion_, beam_axis(id));
+    const auto doppler = water ? std::nullopt : echo->closing;
+    const double closing = doppler.value_or(dot(motion_, beam_axis(id)));
     const double scale = configuration.speed_of_sound / echogram.sound_speed;  // what it believes of a shift
     const double distance = echo ? configuration.speed_of_sound / 2 * echo->time : -1;
     if (echo) out.rssi = dbm(echo->level);

@@ -109,7 +109,6 @@ class DvlBench {
     Vec3 velocity{};  ///< m/s in the world
     Vec3 turning{};   ///< rad/s about the world's z, in z
     double yaw = 0;   ///< rad at the start, to port positive
-    double closing_scale = 1;
 
   private:
     void note() {
@@ -132,7 +131,19 @@ class DvlBench {
             for (std::size_t bin = 0; bin < std::size(pulse) && first + bin < shot.bins; ++bin)
                 if (altitude > 0 && id_of(shot.bearings[beam]) != deaf)
                     e.values[beam * shot.bins + first + bin] = 1e10F * pulse[bin];
+        hear_closing(e);
         return e;
+    }
+    /// How fast the bottom comes nearer along each beam: 22.5 deg from straight down, at its bearing.
+    void hear_closing(Echogram& e) const {
+        const Shot& shot = e.shot;
+        const Vec3 body = rotate(conjugate(e.world_from_sonar.orientation), velocity);
+        e.velocities.resize(shot.velocities ? e.values.size() : 0);
+        for (std::size_t i = 0; i < e.velocities.size(); ++i) {
+            const double bearing = shot.bearings[i / shot.bins], t = deg_to_rad(22.5);
+            const Vec3 axis{std::sin(t) * std::cos(bearing), -std::sin(t) * std::sin(bearing), -std::cos(t)};
+            if (e.values[i] > 1) e.velocities[i] = {static_cast<float>(dot(body, axis)), 0};
+        }
     }
 
     std::uint64_t seen_ = 0;
