@@ -9,13 +9,16 @@
 
 #include "render/acoustics/rows.h"
 #include "render/fan/arrays.h"
+#include "render/fan/focus.h"
 #include "render/fan/object_finder.h"
 #include "render/fan/plan_cache.h"
 #include "render/fan/resting_offset.h"
 #include "render/fan/truth.h"
 #include "render/gl/drawing_crew.h"
 #include "render/grid/summing.h"
+#include "render/ray_tables.h"
 #include "render/recently_used.h"
+#include "render/refraction.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -69,7 +72,7 @@ class Renderer::Impl {
     Echogram render(const Shot& shot, const Situation& situation) {
         const Pose& pose = situation.world_from_sonar;
         start(shot, situation);
-        Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
+        Echogram out{shot, pose, options_.rule, speed_, {}, 0, {}, {}};
         points_.clear();
         for (Heard& heard : arrays_) hear(heard, situation, out);
         if (options_.rule == EchoRule::radiometric)
@@ -104,6 +107,7 @@ class Renderer::Impl {
         ArrayShot array;
         PlanCache::Plan plan;
         std::vector<Pixel> pixels;
+        std::vector<float> focus;  ///< as BinningInput::focus
         PathEchoes paths;
     };
 
@@ -128,6 +132,19 @@ class Renderer::Impl {
         arrays_.resize(arrays.size());
         for (std::size_t i = 0; i < arrays.size(); ++i) arrays_[i].array = std::move(arrays[i]);
         profile_ = {};
+        bend(shot, situation);
+    }
+
+    /// Fills speed_ and rays_: where rays bend by half a bin or more, echoes come as they do.
+    void bend(const Shot& shot, const Situation& situation) {
+        speed_ = echoloop::sound_speed(water_), rays_ = nullptr;
+        if (!effects().has(Effect::refraction) || water_.profile.empty()) return;
+        const double surface = options_.surface.value_or(WaterSurface{}).height;
+        const double depth = surface - situation.world_from_sonar.position.z;
+        speed_ = sound_speed_at(water_.profile, depth_step(depth));
+        const double range = end_range(shot), half_bin = speed_ / 4 * shot.bin_interval;
+        rays_ = ray_tables_.of(water_.profile, depth, range, options_.surface.has_value());
+        if (rays_->straight_error(range) < half_bin) rays_ = nullptr;
     }
 
     /// Appends the array's beams to `out`, without their acoustics, and its targets to points_.
@@ -193,13 +210,12 @@ class Renderer::Impl {
     }
     /// m, of the window.
     double end_range(const Shot& shot) const {
-        return echoloop::sound_speed(water_) / 2 *
-               (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
+        return speed_ / 2 * (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
     }
 
     /// m; of nothing nearer a pulse still sounds in the window.
     double begin_range(const Shot& shot) const {
-        return echoloop::sound_speed(water_) / 2 * (shot.first_bin_time - shot.pulse_length);
+        return speed_ / 2 * (shot.first_bin_time - shot.pulse_length);
     }
 
     /// Which object is in which bin. What is 10 dB below the noise is not there: nobody could hear it.
@@ -229,7 +245,8 @@ class Renderer::Impl {
                 db_to_power(shot.source_level),
                 absorption(shot),
                 effects().has(Effect::spreading),
-                heard.paths.diffuse};
+                heard.paths.diffuse,
+                heard.focus};
     }
 
     /// The paper's rule has no acoustics.
@@ -283,8 +300,14 @@ class Renderer::Impl {
                     .movers = movers_,
                     .end_range = end_range(shot),
                     .begin_range = background ? begin_range(shot) : 0,
-                    .offset = offset_of(heard.array)},
+                    .offset = offset_of(heard.array),
+                    .rays = rays_,
+                    .sag = speed_ / 8 * shot.bin_interval},
                    heard.pixels);
+        heard.focus.clear();
+        if (rays_ && rays_->focuses() && effects().has(Effect::spreading))
+            find_focus(*heard.plan, offset_of(heard.array),
+                       world_from_fan(shot, heard.array.world_from_sonar), *rays_, heard.pixels, heard.focus);
         const gl::DrawProfile& drawn = crew_.profile();
         profile_.cull += drawn.cull, profile_.draw += drawn.draw, profile_.read_back += drawn.read_back;
         profile_.triangles += drawn.triangles, profile_.chunks += drawn.chunks;
@@ -323,6 +346,9 @@ class Renderer::Impl {
     std::vector<Heard> arrays_;      ///< of the ping at hand
     std::vector<PointEcho> points_;  ///< the same, of all its beams
     std::vector<Pose> movers_;       ///< the same
+    RayTables ray_tables_;
+    double speed_ = 1500;                   ///< m/s, of the ping at hand: ranges are times at this speed
+    std::shared_ptr<const RayTable> rays_;  ///< of the ping at hand; null: they are straight
     RenderProfile profile_;
 };
 

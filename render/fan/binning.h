@@ -26,8 +26,14 @@ struct BinningInput {
     double absorption = 0;                   ///< Np/m
     bool spreading = true;                   ///< R^-4
     std::span<const PathEcho> paths;         ///< echoes by other ways, added to the lines that they arrive on
+    std::span<const float> focus{};          ///< per pixel: power over that of straight rays; empty: 1
     std::span<const std::uint8_t> wanted{};  ///< per surface index, for Amount::wanted_echo: not 0, it counts
 };
+
+/// The focus of a line's pixels; null where rays are straight.
+inline const float* focus_of(const BinningInput& in, const View& view, std::size_t line) {
+    return in.focus.empty() ? nullptr : &in.focus[(view.first_line + line) * in.plan.samples];
+}
 
 /// The sigmoid of Cerqueira et al. 2016, equation 1, with the constants of the authors' code.
 inline float cerqueira_sigmoid(float cosine) { return 1 / (1 + std::exp(-18 * (cosine - 2.0F / 3))); }

@@ -57,7 +57,7 @@ class RangeScale {
 /// falls as R^-2, cos(i) as R^-1.
 template <Amount amount>
 void add_level(const BinningInput& in, const BinGain& gain, const LineReader& reader, const float* weight,
-               LineBins& bins) {
+               const float* focus, LineBins& bins) {
     LineBins local = bins;  // its limits stay in registers
     const RangeScale scale(in, gain);
     const PixelRow& row = reader.row();
@@ -68,6 +68,7 @@ void add_level(const BinningInput& in, const BinGain& gain, const LineReader& re
                     far = scale.bin(reader.extents.far[i]), length = far - near;
         float value = weight[i] * strength_of<amount>(in, surface, row.cosine()[i] * range, range);
         if (is_echo(amount)) value *= scale.correction(range, length);
+        if (is_echo(amount) && focus != nullptr) value *= focus[i];
         const float steepest = 1.8F / length;  // beyond, the density at the far end would be negative
         local.deposit(near, far, value, std::max(-3 / (range * scale.per_metre), -steepest));
     }
@@ -139,15 +140,16 @@ void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, 
         weight = reader.weights.data();
     }
     find_spreads(reader.row(), view, static_cast<float>(in.bin_length), end_of(in), reader.extents);
+    const float* focus = focus_of(in, view, line);
     switch (amount) {
         case Amount::echo:
-            return add_level<Amount::echo>(in, gain, reader, weight, bins);
+            return add_level<Amount::echo>(in, gain, reader, weight, focus, bins);
         case Amount::wanted_echo:
-            return add_level<Amount::wanted_echo>(in, gain, reader, weight, bins);
+            return add_level<Amount::wanted_echo>(in, gain, reader, weight, focus, bins);
         case Amount::paper_echo:
-            return add_level<Amount::paper_echo>(in, gain, reader, weight, bins);
+            return add_level<Amount::paper_echo>(in, gain, reader, weight, focus, bins);
         case Amount::paper_share:
-            return add_level<Amount::paper_share>(in, gain, reader, weight, bins);
+            return add_level<Amount::paper_share>(in, gain, reader, weight, focus, bins);
     }
 }
 
@@ -193,15 +195,16 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
     SectorSums sectors(in.plan, in.offset.surround, sums);
     const std::size_t first = view.first_pixel + line * view.samples;
     const SurroundPixel* pixels = &in.plan.surround[first - in.plan.first_surround_pixel];
-    const float* weight = &in.plan.weight[first];
+    const float *weight = &in.plan.weight[first], *focus = focus_of(in, view, line);
     for (std::size_t i = 0; i < view.samples; ++i) {
         const SurroundPixel& pixel = pixels[i];
         const float surface = row.surface()[i], range = row.range()[i];
         if (surface == 0 || weight[i] == 0) continue;
         if (only_wanted && !counts<Amount::wanted_echo>(in, surface)) continue;
         const float near = scale.bin(reader.extents.near[i]), far = scale.bin(reader.extents.far[i]);
-        const float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
-                               scale.correction(range, far - near);
+        float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
+                         scale.correction(range, far - near);
+        if (focus != nullptr) strength *= focus[i];
         sectors.add(pixel, near, far, strength);
     }
 }

@@ -21,7 +21,7 @@ inline float amount_of(const BinningInput& in, const PixelRow& row, std::size_t 
 /// weight.
 template <Amount amount, typename Deposit>
 void for_each_echo(const BinningInput& in, const BinGain& gain, const LineReader& reader,
-                   const PixelExtents& extents, const float* weight, std::size_t samples,
+                   const PixelExtents& extents, const float* weight, const float* focus, std::size_t samples,
                    const Deposit& deposit) {
     const auto per_metre = static_cast<float>(1 / in.bin_length),
                start = static_cast<float>(in.first_range / in.bin_length),
@@ -37,6 +37,7 @@ void for_each_echo(const BinningInput& in, const BinGain& gain, const LineReader
         const float near = near_edge[i] * per_metre - start, far = far_edge[i] * per_metre - start;
         float value = amount_of<amount>(in, row, i, middle, weight[i]);
         if (is_echo(amount) && middle < near_limit && far - near < 1) value *= gain.correction(middle);
+        if (is_echo(amount) && focus != nullptr) value *= focus[i];
         // Along a plane seen at grazing incidence the solid angle of a slice of range falls as R^-2, cos(i)
         // as R^-1.
         const float steepest = 1.8F / (far - near);  // beyond, the density at the far end would be negative
@@ -60,15 +61,17 @@ void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, con
     };
     const std::size_t first = view.first_pixel + line * view.samples, count = view.samples;
     const float *weight = &in.plan.weight[first], *coverage = &in.plan.coverage[first];
+    const float* focus = focus_of(in, view, line);
     switch (amount) {
         case Amount::echo:
-            return for_each_echo<Amount::echo>(in, gain, reader, extents, weight, count, list);
+            return for_each_echo<Amount::echo>(in, gain, reader, extents, weight, focus, count, list);
         case Amount::wanted_echo:
-            return for_each_echo<Amount::wanted_echo>(in, gain, reader, extents, weight, count, list);
+            return for_each_echo<Amount::wanted_echo>(in, gain, reader, extents, weight, focus, count, list);
         case Amount::paper_echo:
-            return for_each_echo<Amount::paper_echo>(in, gain, reader, extents, coverage, count, list);
+            return for_each_echo<Amount::paper_echo>(in, gain, reader, extents, coverage, focus, count, list);
         case Amount::paper_share:
-            return for_each_echo<Amount::paper_share>(in, gain, reader, extents, coverage, count, list);
+            return for_each_echo<Amount::paper_share>(in, gain, reader, extents, coverage, focus, count,
+                                                      list);
     }
 }
 
