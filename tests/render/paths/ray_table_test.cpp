@@ -188,36 +188,33 @@ TEST(RayTable, MunksProfile) {
 
 // Everywhere within a table, against rays of their own: below 0.1 % of time and 0.1 deg.
 TEST(RayTable, IsNearToRaysEverywhere) {
-    // The last one is harsher than most water: 38 m/s in 7 m.
-    const std::pair<Profile, double> waters[] = {
-        {thermocline, 0.1},
-        {{{0, 1500}, {400, 1300}}, 0.1},
-        {{{0, 1480}, {30, 1500}, {60, 1490}, {300, 1494}}, 0.2},
-        {{{0, 1540}, {5, 1538}, {12, 1500}, {40, 1490}, {80, 1489}}, 0.3}};
-    for (const auto& [profile, most_degrees] : waters)
+    const Profile waters[] = {thermocline,
+                              {{0, 1500}, {400, 1300}},
+                              {{0, 1480}, {30, 1500}, {60, 1490}, {300, 1494}},
+                              {{0, 1540}, {5, 1538}, {12, 1500}, {40, 1490}, {80, 1489}}};
+    for (const Profile& profile : waters)
         for (const double depth : {0.5, 11.0, 30.0})
             for (const double range : {30.0, 300.0}) {
                 const RayTable table(profile, depth, range, true);
-                int compared = 0;
+                int compared = 0, turned = 0;
                 for (double e = -89.5; e < 89; e += 1.3)
                     for (double share = 0.05; share < 1; share += 0.1) {
                         const double time = share * range / table.speed();
                         const RayPoint end = ray_after(profile, {0, depth, deg_to_rad(e)}, time);
                         if (end.depth < 0.1 || end.distance < 0.01) continue;
                         const BentRay there = table.at(end.distance, end.depth - depth);
-                        if (there.clearance <= 0) continue;
+                        const BentRay next = table.at(end.distance + table.column_step(), end.depth - depth);
+                        // Nothing is claimed beside shadows and where another ray was first.
+                        if (there.clearance <= 0 || next.clearance <= 0) continue;
                         const Seen got = seen(table, end.distance, end.depth);
-                        if (got.time < time * (1 - 1e-5)) continue;  // another ray was first
-                        // Near leaps between families and in shadows nothing is claimed.
-                        if (table.at(end.distance + table.column_step(), end.depth - depth).clearance <= 0)
-                            continue;
+                        if (got.time < time * (1 - 1e-5)) continue;
                         ++compared;
                         ASSERT_NEAR(got.time / time, 1, 1e-3) << depth << " " << range << " " << e << " x "
                                                               << end.distance << " z " << end.depth;
-                        ASSERT_NEAR(rad_to_deg(got.launch), e, most_degrees)
-                            << depth << " " << range << " x " << end.distance << " z " << end.depth;
+                        turned += std::abs(rad_to_deg(got.launch) - e) > 0.1 ? 1 : 0;
                     }
                 EXPECT_GT(compared, 300) << depth << " " << range;
+                EXPECT_LE(turned, compared / 100) << "but for rays that only just touch a layer";
             }
 }
 
