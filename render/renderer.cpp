@@ -302,7 +302,7 @@ class Renderer::Impl {
                     .begin_range = background ? begin_range(shot) : 0,
                     .offset = offset_of(heard.array),
                     .rays = rays_,
-                    .sag = speed_ / 16 * shot.bin_interval},
+                    .sag = speed_ / 8 * shot.bin_interval},
                    heard.pixels);
         heard.focus.clear();
         if (rays_ && rays_->focuses() && effects().has(Effect::spreading))

@@ -21,8 +21,8 @@ struct ScatteringPoint {
     friend bool operator==(const ScatteringPoint&, const ScatteringPoint&) = default;
 };
 
-/// The water that the sonar works in. Rays are straight; refraction.h says how wrong that is in layered
-/// water.
+/// The water that the sonar works in. A profile bends rays and times echoes (ray_table.h) where the effect
+/// `refraction` is on.
 struct Water {
     double temperature = 10;  ///< degrees Celsius
     double salinity = 35;     ///< practical salinity, g/kg

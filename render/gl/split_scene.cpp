@@ -8,8 +8,9 @@
 namespace echoloop::gl {
 namespace {
 
-constexpr std::size_t patch_triangles = 96;
-constexpr int deepest = 24;  ///< halvings
+constexpr std::size_t patch_triangles = 24;
+constexpr int deepest = 24;    ///< halvings
+constexpr double lattice = 4;  ///< m, of places from where scenes are split
 
 Vec3 place_of(const SceneVertex& vertex) {
     return {vertex.position[0], vertex.position[1], vertex.position[2]};
@@ -63,8 +64,7 @@ class SplitScene::Splitter {
     std::uint32_t push(const SceneVertex& vertex) {
         to_.vertices_.push_back(vertex);
         bent_.resize(to_.vertices_.size());
-        const Vec3 straight = place_of(vertex) - eye_;
-        bent_.back() = bend(straight);
+        bent_.back() = bend(place_of(vertex) - eye_);
         return static_cast<std::uint32_t>(to_.vertices_.size() - 1);
     }
 
@@ -90,13 +90,20 @@ class SplitScene::Splitter {
         if (length > shortest_) {
             const double share = std::clamp(-dot(from, along) / (length * length), 0.0, 1.0);
             if (norm(from + share * along) < reach_) {
-                const SceneVertex between = middle_of(to_.vertices_[a], to_.vertices_[b]);
-                const Vec3 stray = bend(place_of(between) - eye_) - 0.5 * (bent_[a] + bent_[b]);
-                if (length > reach_ / 4 || norm(stray) > sag_) made = push(between);
+                if (length > reach_ / 2 || stray(a, b, from, along) > sag_)
+                    made = push(middle_of(to_.vertices_[a], to_.vertices_[b]));
             }
         }
         middles_.emplace(key, made);
         return made;
+    }
+
+    /// m, by which the bent edge strays from the straight one between its ends.
+    double stray(std::uint32_t a, std::uint32_t b, Vec3 from, Vec3 along) const {
+        double most = 0;
+        for (const double part : {0.25, 0.5, 0.75})
+            most = std::max(most, norm(bend(from + part * along) - (1 - part) * bent_[a] - part * bent_[b]));
+        return most;
     }
 
     void split(std::uint32_t a, std::uint32_t b, std::uint32_t c, int depth) {
@@ -173,49 +180,58 @@ bool SplitScene::is_long(std::uint32_t node, double shortest) {
     return static_cast<double>(longest_[node]) > shortest;
 }
 
-void SplitScene::split(const Outlook& outlook, std::vector<SeenView>& seen) {
+void SplitScene::start_anew(const Outlook& outlook, std::vector<Place> places) {
     ++version_;
-    vertices_.clear(), indices_.clear(), patches_.clear();
+    vertices_.clear(), indices_.clear(), patches_.clear(), known_.clear();
+    places_ = std::move(places), rays_ = outlook.rays, sag_ = outlook.sag, end_range_ = outlook.end_range;
+}
+
+void SplitScene::split(const Outlook& outlook, std::vector<SeenView>& seen) {
+    if (seen.empty()) return;
+    std::vector<Place> places;
+    const auto rounded = [](Vec3 v, double step) {
+        return step * Vec3{std::round(v.x / step), std::round(v.y / step), std::round(v.z / step)};
+    };
+    for (const SeenNodes& part : seen.front().parts) {
+        const Vec3 up = rounded(part.up, 1.0 / 16);
+        places.push_back({rounded(part.frame_from_fan.position, lattice), 1 / norm(up) * up});
+    }
+    constexpr std::size_t most = 2'000'000;  // vertices that pile up while a sonar turns
+    if (places != places_ || rays_ != outlook.rays || sag_ != outlook.sag ||
+        end_range_ != outlook.end_range || vertices_.size() > most)
+        start_anew(outlook, std::move(places));
     const double shortest = shortest_edge(outlook);
-    for (std::size_t part = 0; !seen.empty() && part < seen.front().parts.size(); ++part)
+    for (std::size_t part = 0; part < seen.front().parts.size(); ++part)
         split_part(outlook, part, shortest, seen);
 }
 
 void SplitScene::split_part(const Outlook& outlook, std::size_t part, double shortest,
                             std::vector<SeenView>& seen) {
-    std::vector<std::uint32_t> nodes;
-    for (SeenView& view : seen) {
-        auto& all = view.parts[part].nodes;
-        const auto rest =
-            std::ranges::stable_partition(all, [&](std::uint32_t node) { return !is_long(node, shortest); });
-        nodes.insert(nodes.end(), rest.begin(), rest.end());
-    }
-    std::ranges::sort(nodes);
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    const SeenNodes& frame = seen.front().parts[part];
-    std::vector<NodePatches> made;
-    Splitter splitter(*this, *outlook.rays, frame.frame_from_fan.position, frame.up, reach_of(outlook),
+    Splitter splitter(*this, *outlook.rays, places_[part].eye, places_[part].up, reach_of(outlook) + lattice,
                       outlook.sag, shortest);
-    for (const std::uint32_t node : nodes) {
-        const std::size_t first = patches_.size();
-        splitter.add(node);
-        made.push_back({node, first, patches_.size()});
-    }
     for (SeenView& view : seen) {
         SeenNodes& own = view.parts[part];
-        own.patches.clear();
-        const auto kept =
-            std::ranges::find_if(own.nodes, [&](std::uint32_t node) { return is_long(node, shortest); });
-        for (auto node = kept; node != own.nodes.end(); ++node) {
-            const auto of = std::ranges::lower_bound(made, *node, {}, &NodePatches::node);
-            for (std::size_t i = of->first; i < of->last; ++i)
-                if (reaches_into(patches_[i].bounds, *view.view, own.frame_from_fan,
-                                 limits_of(*view.view, outlook)))
-                    own.patches.push_back({patches_[i].first, patches_[i].count, patches_[i].double_sided});
-            view.triangles -= scene_->nodes()[*node].indices / 3;
+        const auto rest = std::ranges::stable_partition(
+            own.nodes, [&](std::uint32_t node) { return !is_long(node, shortest); });
+        const ViewLimits limits = limits_of(*view.view, outlook);
+        for (const std::uint32_t node : rest) {
+            auto stretch = known_.find(node);
+            if (stretch == known_.end()) {
+                const auto first = static_cast<std::uint32_t>(patches_.size());
+                splitter.add(node);
+                stretch =
+                    known_.emplace(node, Stretch{first, static_cast<std::uint32_t>(patches_.size())}).first;
+                ++version_;
+            }
+            view.triangles -= scene_->nodes()[node].indices / 3;
+            for (std::uint32_t i = stretch->second.first; i < stretch->second.last; ++i) {
+                const Patch& patch = patches_[i];
+                if (!reaches_into(patch.bounds, *view.view, own.frame_from_fan, limits)) continue;
+                own.patches.push_back({patch.first, patch.count, patch.double_sided});
+                view.triangles += patch.count / 3;
+            }
         }
-        own.nodes.erase(kept, own.nodes.end());
-        for (const SeenPatch& patch : own.patches) view.triangles += patch.count / 3;
+        own.nodes.erase(rest.begin(), rest.end());
     }
 }
 

@@ -18,7 +18,8 @@ class SplitScene {
 
     /// Takes the nodes with long edges out of `seen` and puts patches in their place: edges are halved until
     /// a bent one strays less than `outlook.sag` from a straight one. Whether an edge is halved depends on
-    /// its ends alone, so surfaces stay closed. A function of the outlook, not of what was split before.
+    /// its ends alone, so surfaces stay closed. Decided for a lattice of places near the sonar's, so that
+    /// pings share the work; a function of the outlook, not of what was split before.
     void split(const Outlook& outlook, std::vector<SeenView>& seen);
 
     std::span<const SceneVertex> vertices() const { return vertices_; }
@@ -31,13 +32,18 @@ class SplitScene {
         bool double_sided;
         Bounds bounds;
     };
-    struct NodePatches {
-        std::uint32_t node;
-        std::size_t first, last;  ///< in patches_
+    /// From where the nodes of a part are split.
+    struct Place {
+        Vec3 eye, up;
+        friend bool operator==(const Place&, const Place&) = default;
+    };
+    struct Stretch {
+        std::uint32_t first, last;  ///< in patches_
     };
     class Splitter;
 
     bool is_long(std::uint32_t node, double shortest);
+    void start_anew(const Outlook& outlook, std::vector<Place> places);
     void split_part(const Outlook& outlook, std::size_t part, double shortest, std::vector<SeenView>& seen);
 
     std::shared_ptr<const Scene> scene_;
@@ -45,6 +51,10 @@ class SplitScene {
     std::vector<SceneVertex> vertices_;
     std::vector<std::uint32_t> indices_;
     std::vector<Patch> patches_;
+    std::unordered_map<std::uint32_t, Stretch> known_;  ///< by node
+    std::vector<Place> places_;                         ///< of the parts that `known_` is for
+    std::shared_ptr<const RayTable> rays_;              ///< and the rays
+    double sag_ = 0, end_range_ = 0;                    ///< and the outlook
     std::uint64_t version_ = 0;
 };
 
