@@ -71,6 +71,14 @@ RayTable::RayTable(std::span<const SoundSpeedPoint> profile, double depth, doubl
     close_gaps();
     find_errors(surface);
     find_focus(whole);
+    constexpr int parts = 16;  // of a row
+    for (std::size_t row = 1; row < rows; ++row) {
+        const double above = places_.below(static_cast<double>(row - 1)),
+                     step = (places_.below(static_cast<double>(row)) - above) / parts;
+        plumb_[row] = plumb_[row - 1];
+        for (int part = 0; part < parts; ++part)
+            plumb_[row] += step * speed_ / sound_speed_at(whole, depth_ + above + (part + 0.5) * step);
+    }
 }
 
 void RayTable::shoot(std::span<const SoundSpeedPoint> profile, bool surface) {
@@ -218,6 +226,21 @@ BentRay RayTable::at(double distance, double below) const {
         all[i] = static_cast<double>(
             std::lerp(std::lerp(upper[0][i], upper[1][i], fx), std::lerp(lower[0][i], lower[1][i], fx), fy));
     return {all[0], all[1], all[2], all[3]};
+}
+
+/// As cells are, so beyond the ends as between the last rows.
+double RayTable::plumb(double below) const {
+    const auto row =
+        static_cast<std::size_t>(std::clamp(places_.row(below), 0.0, static_cast<double>(rows - 2)));
+    const double first = places_.below(static_cast<double>(row)),
+                 last = places_.below(static_cast<double>(row + 1));
+    return plumb_[row] + (below - first) / (last - first) * (plumb_[row + 1] - plumb_[row]);
+}
+
+double RayTable::slowness(double below_1, double below_2) const {
+    constexpr double least = 0.5;  // m
+    const double middle = (below_1 + below_2) / 2, half = std::max(std::abs(below_2 - below_1), least) / 2;
+    return (plumb(middle + half) - plumb(middle - half)) / (2 * half);
 }
 
 double RayTable::straight_error(double range) const {

@@ -45,6 +45,10 @@ class RayTable {
     /// Whether that differs from 1 by more than 2 % anywhere within the range.
     bool focuses() const { return focuses_; }
 
+    /// c t over the length of a straight line between two depths, m below the sonar. By Fermat's principle a
+    /// bent ray between its ends takes as long, but for the second order of its bend.
+    double slowness(double below_1, double below_2) const;
+
     double depth() const { return depth_; }  ///< m
     double range() const { return range_; }  ///< m, of c t
     double speed() const { return speed_; }  ///< m/s, at the sonar
@@ -82,11 +86,13 @@ class RayTable {
     void close_gaps();
     void find_errors(bool surface);
     void find_focus(std::span<const SoundSpeedPoint> profile);
+    double plumb(double below) const;
 
     double depth_, range_, speed_;
     double column_step_ = 1;
     Rows places_;
     std::vector<std::array<float, 4>> cells_;
+    std::array<double, rows> plumb_{};  ///< m of c t, down from the first row
     std::vector<float> focus_;
     float focus_per_metre_ = 0;
     std::array<double, columns> error_{};  ///< m, within that many steps of range

@@ -181,7 +181,7 @@ class Renderer::Impl {
         heard.paths.diffuse.clear(), heard.paths.targets.clear();
         if (options_.rule == EchoRule::radiometric && tracer_.needed())
             tracer_.trace(shot, heard.array.world_from_sonar, c, absorption(shot), end_range(shot),
-                          heard.paths, movers_);
+                          heard.paths, movers_, rays_.get());
     }
 
     /// Fills strength_. Facets' lobes are those of the mirrors that multipath is about.

@@ -147,7 +147,17 @@ class ImageSearch {
         }
         path.leaves = seen(path.points[0]), path.arrives = seen(path.points[order - 1]);
         path.smooth = level_at(range) * reflections * path.leaves.transmit * path.arrives.receive;
-        if (path.power() > ping_.least * ping_.least) paths_.push_back(path);
+        if (!(path.power() > ping_.least * ping_.least)) return;
+        if (ping_.rays != nullptr) path.range = sounding(path) / 2;
+        paths_.push_back(path);
+    }
+
+    /// m, of the whole path.
+    double sounding(const ImagePath& path) const {
+        double length =
+            ping_.leg(ping_.sonar, path.points[0]) + ping_.leg(path.points[path.order - 1], ping_.sonar);
+        for (std::size_t i = 1; i < path.order; ++i) length += ping_.leg(path.points[i - 1], path.points[i]);
+        return length;
     }
 
     FanDirection seen(Vec3 point) const {

@@ -6,6 +6,7 @@
 
 #include "render/paths/fan_pattern.h"
 #include "render/paths/path_space.h"
+#include "render/ray_table.h"
 
 namespace echoloop {
 
@@ -16,6 +17,12 @@ struct Way {
     double reflection = 1;  ///< product of the amplitudes of its reflections
     double cosine = 1;      ///< of incidence at the scatterer, where that is a surface
     int bounces = 0;
+};
+
+/// Where a point is seen from the sonar.
+struct Sight {
+    Vec3 direction;     ///< unit, in which the ray leaves and comes back
+    double length = 0;  ///< m, of c t where rays bend
 };
 
 /// An echo of a scatterer of unit cross-section by one way there and one way back.
@@ -36,12 +43,23 @@ struct PathPing {
     double wavenumber = 0;  ///< rad/m
     double end_range = 0;   ///< m
     bool spreading = true;
-    double source = 0;      ///< uPa at 1 m
-    double resolution = 0;  ///< m of range, that of the pulse
-    double least = 0;       ///< uPa, of an echo of one point that may be heard
+    double source = 0;               ///< uPa at 1 m
+    double resolution = 0;           ///< m of range, that of the pulse
+    double least = 0;                ///< uPa, of an echo of one point that may be heard
+    const RayTable* rays = nullptr;  ///< null: they are straight
 
     FanDirection seen(Vec3 world_direction) const {
         return pattern.at(rotate(conjugate(world_from_fan), world_direction));
+    }
+
+    /// The straight way or the first of the bent ones, whatever is between; empty in a shadow.
+    std::optional<Sight> sight(Vec3 point) const;
+    /// Whether something is between the sonar and the point, along that way.
+    bool hidden(Vec3 point) const;
+
+    /// m, the length of a leg between two points, of c t where rays bend: the leg itself stays straight.
+    double leg(Vec3 from, Vec3 to) const {
+        return norm(to - from) * (rays != nullptr ? rays->slowness(sonar.z - from.z, sonar.z - to.z) : 1);
     }
 
     /// uPa for amplitude 1 of the patterns, by ways of the lengths `there` and `back`.

@@ -14,6 +14,8 @@
 
 namespace echoloop {
 
+class RayTable;
+
 /// The water's surface, a flat and pressure-releasing plane: reflection -1 times exp(-2 (k s sin g)^2), one
 /// way.
 struct WaterSurface {
@@ -60,9 +62,10 @@ class PathTracer {
 
     /// Adds the echoes of one ping to `out`. `movers`: world_from_object of all that the scene has.
     /// `absorption` in Np/m (0 when off), `end_range` in m. Cost is bounded: a fixed number of rays, placed
-    /// by the low-discrepancy sequence of the ping's number.
+    /// by the low-discrepancy sequence of the ping's number. `rays`: null where they are straight.
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
-               double end_range, PathEchoes& out, std::span<const Pose> movers = {});
+               double end_range, PathEchoes& out, std::span<const Pose> movers = {},
+               const RayTable* rays = nullptr);
 
     /// Begins to build that tree on a thread of its own, if it is needed, so that trace() need not wait for
     /// all of it.
