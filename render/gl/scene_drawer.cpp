@@ -36,15 +36,21 @@ void set_vertex_layout(const Functions& gl) {
 
 struct SceneDrawer::BentDrawing {
     explicit BentDrawing(const Functions& gl)
-        : program(gl, bent_vertex_shader, fan_fragment_shader), table(gl), array(gl) {}
+        : program(gl, bent_vertex_shader, fan_fragment_shader),
+          table(gl),
+          patches{Patches(gl), Patches(gl)} {}
 
     Program program;
     Uniforms uniforms;
     FloatTexture table;
-    VertexArray array;
-    std::unique_ptr<Buffer> vertices, indices;  ///< of the split scene
-    std::shared_ptr<const RayTable> rays;       ///< in the table
-    std::uint64_t version = 0;                  ///< of the split scene
+    std::shared_ptr<const RayTable> rays;  ///< in the table
+    struct Patches {
+        explicit Patches(const Functions& gl) : array(gl) {}
+        VertexArray array;
+        std::unique_ptr<Buffer> vertices, indices;
+        std::uint64_t version = 0;  ///< of the split mesh
+    };
+    std::array<Patches, 2> patches;  ///< as SplitScene::mesh()
 };
 
 SceneDrawer::SceneDrawer(std::unique_ptr<Context> context, std::shared_ptr<const Scene> scene)
@@ -135,23 +141,25 @@ void SceneDrawer::begin_bent(const Bending& bending) {
     const RayTable::Rows& rows = rays.row_places();
     gl_.Uniform4f(uniforms_.place, static_cast<float>(1 / rays.column_step()), static_cast<float>(rows.a),
                   static_cast<float>(rows.b), static_cast<float>(rows.first));
-    if (bent_->version != bending.split->version() && !bending.split->indices().empty()) {
-        bent_->version = bending.split->version();
-        bent_->array.bind();
-        const auto vertices = bending.split->vertices();
-        bent_->vertices =
-            std::make_unique<Buffer>(gl_, GL_ARRAY_BUFFER, vertices.data(), vertices.size_bytes());
+    for (const bool surround : {false, true}) {
+        const SplitMesh& mesh = bending.split->mesh(surround);
+        BentDrawing::Patches& to = bent_->patches[surround];
+        if (to.version == mesh.version() || mesh.indices().empty()) continue;
+        to.version = mesh.version();
+        to.array.bind();
+        const auto vertices = mesh.vertices();
+        to.vertices = std::make_unique<Buffer>(gl_, GL_ARRAY_BUFFER, vertices.data(), vertices.size_bytes());
         set_vertex_layout(gl_);
-        const auto indices = bending.split->indices();
-        bent_->indices =
+        const auto indices = mesh.indices();
+        to.indices =
             std::make_unique<Buffer>(gl_, GL_ELEMENT_ARRAY_BUFFER, indices.data(), indices.size_bytes());
         array_->bind();
     }
     if (rays.has_shadow()) gl_.Enable(GL_CLIP_DISTANCE0);
 }
 
-void SceneDrawer::draw_patches(const SeenNodes& part) {
-    bent_->array.bind();
+void SceneDrawer::draw_patches(const View& view, const SeenNodes& part) {
+    bent_->patches[view.surround].array.bind();
     for (const bool double_sided : {false, true}) {
         DrawList& list = lists_[0];
         list.clear();
@@ -211,7 +219,7 @@ void SceneDrawer::draw_part(const View& view, const SeenNodes& part, SampleOffse
     set_view(view, part, offset);
     submit(lists_[0], false);
     submit(lists_[1], true);
-    if (!part.patches.empty()) draw_patches(part);
+    if (!part.patches.empty()) draw_patches(view, part);
 }
 
 void SceneDrawer::draw_view(const SeenView& seen, SampleOffsets offset) {

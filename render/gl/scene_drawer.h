@@ -67,7 +67,7 @@ class SceneDrawer {
     void draw_view(const SeenView& seen, SampleOffsets offset);
     void draw_part(const View& view, const SeenNodes& part, SampleOffsets offset);
     void set_view(const View& view, const SeenNodes& part, SampleOffsets offset) const;
-    void draw_patches(const SeenNodes& part);
+    void draw_patches(const View& view, const SeenNodes& part);
     void begin_straight();
     void begin_bent(const Bending& bending);
     Uniforms uniforms_of(const Program& program) const;

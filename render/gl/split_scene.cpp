@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/gl/culling.h"
 
@@ -28,9 +29,9 @@ SceneVertex middle_of(const SceneVertex& a, const SceneVertex& b) {
 
 /// m, below which no edge needs to be halved: the map of straight to bent rays turns by about the gradient
 /// over the sound speed a metre, twice that for safety.
-double shortest_edge(const Outlook& outlook) {
+double shortest_edge(const Outlook& outlook, double sag) {
     const double curvature = 2 * outlook.rays->steepest() / outlook.rays->speed();
-    return std::max(0.5, std::sqrt(8 * outlook.sag / std::max(curvature, 1e-9)));
+    return std::max(0.5, std::sqrt(8 * sag / std::max(curvature, 1e-9)));
 }
 
 }  // namespace
@@ -38,20 +39,26 @@ double shortest_edge(const Outlook& outlook) {
 /// Splits the triangles of one part's nodes.
 class SplitScene::Splitter {
   public:
-    Splitter(SplitScene& to, const RayTable& rays, Vec3 eye, Vec3 up, double reach, double sag,
-             double shortest)
-        : to_(to), rays_(rays), eye_(eye), up_(up), reach_(reach), sag_(sag), shortest_(shortest) {}
+    Splitter(const Scene& scene, SplitMesh& to, const RayTable& rays, Vec3 eye, Vec3 up, double reach,
+             double sag, double shortest)
+        : scene_(scene),
+          to_(to),
+          rays_(rays),
+          eye_(eye),
+          up_(up),
+          reach_(reach),
+          sag_(sag),
+          shortest_(shortest) {}
 
     void add(std::uint32_t number) {
-        const Scene& scene = *to_.scene_;
-        const SceneNode& node = scene.nodes()[number];
-        const auto vertices = node.coarse ? scene.coarse_vertices() : scene.vertices();
-        const auto indices =
-            (node.coarse ? scene.coarse_indices() : scene.indices()).subspan(node.first_index, node.indices);
+        const SceneNode& node = scene_.nodes()[number];
+        const auto vertices = node.coarse ? scene_.coarse_vertices() : scene_.vertices();
+        const auto indices = (node.coarse ? scene_.coarse_indices() : scene_.indices())
+                                 .subspan(node.first_index, node.indices);
         const auto base = static_cast<std::uint32_t>(to_.vertices_.size());
         for (const SceneVertex& vertex : vertices.subspan(node.first_vertex, node.vertices)) push(vertex);
         middles_.clear();
-        double_sided_ = scene.materials()[node.material].double_sided;
+        double_sided_ = scene_.materials()[node.material].double_sided;
         begin_patch();
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
             split(base + indices[i], base + indices[i + 1], base + indices[i + 2], 0);
@@ -150,12 +157,13 @@ class SplitScene::Splitter {
             {static_cast<std::uint32_t>(to_.indices_.size()), 0, double_sided_, empty_bounds()});
     }
     void end_patch() {
-        Patch& patch = to_.patches_.back();
+        SplitMesh::Patch& patch = to_.patches_.back();
         patch.count = static_cast<std::uint32_t>(to_.indices_.size()) - patch.first;
         if (patch.count == 0) to_.patches_.pop_back();
     }
 
-    SplitScene& to_;
+    const Scene& scene_;
+    SplitMesh& to_;
     const RayTable& rays_;
     Vec3 eye_, up_;
     double reach_, sag_, shortest_;
@@ -180,52 +188,57 @@ bool SplitScene::is_long(std::uint32_t node, double shortest) {
     return static_cast<double>(longest_[node]) > shortest;
 }
 
-void SplitScene::start_anew(const Outlook& outlook, std::vector<Place> places) {
-    ++version_;
-    vertices_.clear(), indices_.clear(), patches_.clear(), known_.clear();
-    places_ = std::move(places), rays_ = outlook.rays, sag_ = outlook.sag, end_range_ = outlook.end_range;
-}
-
-void SplitScene::split(const Outlook& outlook, std::vector<SeenView>& seen) {
-    if (seen.empty()) return;
-    std::vector<Place> places;
+/// Keeps what is known only where it was made for the same.
+void SplitScene::start(SplitMesh& mesh, const Outlook& outlook, double sag, const SeenView& seen) {
+    std::vector<SplitMesh::Place> places;
     const auto rounded = [](Vec3 v, double step) {
         return step * Vec3{std::round(v.x / step), std::round(v.y / step), std::round(v.z / step)};
     };
-    for (const SeenNodes& part : seen.front().parts) {
+    for (const SeenNodes& part : seen.parts) {
         const Vec3 up = rounded(part.up, 1.0 / 16);
         places.push_back({rounded(part.frame_from_fan.position, lattice), 1 / norm(up) * up});
     }
-    constexpr std::size_t most = 2'000'000;  // vertices that pile up while a sonar turns
-    if (places != places_ || rays_ != outlook.rays || sag_ != outlook.sag ||
-        end_range_ != outlook.end_range || vertices_.size() > most)
-        start_anew(outlook, std::move(places));
-    const double shortest = shortest_edge(outlook);
-    for (std::size_t part = 0; part < seen.front().parts.size(); ++part)
-        split_part(outlook, part, shortest, seen);
+    constexpr std::size_t most = 300'000;  // vertices that pile up while a sonar turns
+    if (places == mesh.places_ && mesh.rays_ == outlook.rays && mesh.sag_ == sag &&
+        mesh.end_range_ == outlook.end_range && mesh.vertices_.size() < most)
+        return;
+    ++mesh.version_;
+    mesh.vertices_.clear(), mesh.indices_.clear(), mesh.patches_.clear(), mesh.known_.clear();
+    mesh.places_ = std::move(places), mesh.rays_ = outlook.rays;
+    mesh.sag_ = sag, mesh.end_range_ = outlook.end_range;
 }
 
-void SplitScene::split_part(const Outlook& outlook, std::size_t part, double shortest,
-                            std::vector<SeenView>& seen) {
-    Splitter splitter(*this, *outlook.rays, places_[part].eye, places_[part].up, reach_of(outlook) + lattice,
-                      outlook.sag, shortest);
+void SplitScene::split(const Outlook& outlook, std::vector<SeenView>& seen) {
+    bool started[2] = {false, false};
     for (SeenView& view : seen) {
+        const bool surround = view.view->surround;
+        const double sag = (surround ? 8 : 1) * outlook.sag;
+        if (!std::exchange(started[surround], true)) start(meshes_[surround], outlook, sag, view);
+        split_view(meshes_[surround], outlook, sag, view);
+    }
+}
+
+void SplitScene::split_view(SplitMesh& mesh, const Outlook& outlook, double sag, SeenView& view) {
+    const double shortest = shortest_edge(outlook, sag);
+    const ViewLimits limits = limits_of(*view.view, outlook);
+    for (std::size_t part = 0; part < view.parts.size(); ++part) {
         SeenNodes& own = view.parts[part];
+        Splitter splitter(*scene_, mesh, *outlook.rays, mesh.places_[part].eye, mesh.places_[part].up,
+                          reach_of(outlook) + lattice, sag, shortest);
         const auto rest = std::ranges::stable_partition(
             own.nodes, [&](std::uint32_t node) { return !is_long(node, shortest); });
-        const ViewLimits limits = limits_of(*view.view, outlook);
         for (const std::uint32_t node : rest) {
-            auto stretch = known_.find(node);
-            if (stretch == known_.end()) {
-                const auto first = static_cast<std::uint32_t>(patches_.size());
+            auto stretch = mesh.known_.find(node);
+            if (stretch == mesh.known_.end()) {
+                const auto first = static_cast<std::uint32_t>(mesh.patches_.size());
                 splitter.add(node);
-                stretch =
-                    known_.emplace(node, Stretch{first, static_cast<std::uint32_t>(patches_.size())}).first;
-                ++version_;
+                const auto last = static_cast<std::uint32_t>(mesh.patches_.size());
+                stretch = mesh.known_.emplace(node, SplitMesh::Stretch{first, last}).first;
+                ++mesh.version_;
             }
             view.triangles -= scene_->nodes()[node].indices / 3;
             for (std::uint32_t i = stretch->second.first; i < stretch->second.last; ++i) {
-                const Patch& patch = patches_[i];
+                const SplitMesh::Patch& patch = mesh.patches_[i];
                 if (!reaches_into(patch.bounds, *view.view, own.frame_from_fan, limits)) continue;
                 own.patches.push_back({patch.first, patch.count, patch.double_sided});
                 view.triangles += patch.count / 3;

@@ -2,6 +2,7 @@
 // no GL.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -12,21 +13,15 @@
 
 namespace echoloop::gl {
 
-class SplitScene {
+/// Patches of one kind of views.
+class SplitMesh {
   public:
-    explicit SplitScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
-
-    /// Takes the nodes with long edges out of `seen` and puts patches in their place: edges are halved until
-    /// a bent one strays less than `outlook.sag` from a straight one. Whether an edge is halved depends on
-    /// its ends alone, so surfaces stay closed. Decided for a lattice of places near the sonar's, so that
-    /// pings share the work; a function of the outlook, not of what was split before.
-    void split(const Outlook& outlook, std::vector<SeenView>& seen);
-
     std::span<const SceneVertex> vertices() const { return vertices_; }
     std::span<const std::uint32_t> indices() const { return indices_; }
     std::uint64_t version() const { return version_; }  ///< another after every change
 
   private:
+    friend class SplitScene;
     struct Patch {
         std::uint32_t first, count;
         bool double_sided;
@@ -40,14 +35,7 @@ class SplitScene {
     struct Stretch {
         std::uint32_t first, last;  ///< in patches_
     };
-    class Splitter;
 
-    bool is_long(std::uint32_t node, double shortest);
-    void start_anew(const Outlook& outlook, std::vector<Place> places);
-    void split_part(const Outlook& outlook, std::size_t part, double shortest, std::vector<SeenView>& seen);
-
-    std::shared_ptr<const Scene> scene_;
-    std::vector<float> longest_;  ///< m, of the edges of every node
     std::vector<SceneVertex> vertices_;
     std::vector<std::uint32_t> indices_;
     std::vector<Patch> patches_;
@@ -56,6 +44,32 @@ class SplitScene {
     std::shared_ptr<const RayTable> rays_;              ///< and the rays
     double sag_ = 0, end_range_ = 0;                    ///< and the outlook
     std::uint64_t version_ = 0;
+};
+
+class SplitScene {
+  public:
+    explicit SplitScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
+
+    /// Takes the nodes with long edges out of `seen` and puts patches in their place: edges are halved until
+    /// a bent one strays less than `outlook.sag` from a straight one, or eight times that in the surround,
+    /// whose pixels are coarse. Whether an edge is halved depends on its ends alone, so surfaces stay closed.
+    /// Decided for a lattice of places near the sonar's, so that pings share the work; a function of the
+    /// outlook, not of what was split before.
+    void split(const Outlook& outlook, std::vector<SeenView>& seen);
+
+    /// What the patches of views are made of: of the surround, and of others.
+    const SplitMesh& mesh(bool surround) const { return meshes_[surround ? 1 : 0]; }
+
+  private:
+    class Splitter;
+
+    bool is_long(std::uint32_t node, double shortest);
+    void start(SplitMesh& mesh, const Outlook& outlook, double sag, const SeenView& seen);
+    void split_view(SplitMesh& mesh, const Outlook& outlook, double sag, SeenView& view);
+
+    std::shared_ptr<const Scene> scene_;
+    std::vector<float> longest_;  ///< m, of the edges of every node
+    std::array<SplitMesh, 2> meshes_;
 };
 
 }  // namespace echoloop::gl
