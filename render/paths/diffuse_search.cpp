@@ -84,7 +84,9 @@ class DiffuseSearch {
         corners_.note(mirror, *met, onward);
         if (met->mu == 0) return;
         const double line = mirror.range + met->range;
-        const double length = ping_.leg(ping_.sonar, mirror.point) + ping_.leg(mirror.point, met->point);
+        const double length = ping_.rays == nullptr ? line
+                                                    : ping_.leg(ping_.sonar, mirror.point) +
+                                                          ping_.leg(mirror.point, met->point);
         const Way way{ping_.seen(direction), length, mirror.reflection * mirror.flatness,
                       -dot(onward, met->normal), 1};
         const auto stretch =
@@ -107,7 +109,7 @@ class DiffuseSearch {
         if (weight < weakest_pattern || cells_.contains(up.bearing, std::asin(in_fan.z))) return;
         const auto other = facing(surface_way(ping_, met.point), met, image);
         if (!other) return;
-        const double length = ping_.leg(ping_.sonar, met.point);
+        const double length = ping_.rays == nullptr ? met.range : ping_.leg(ping_.sonar, met.point);
         const Way way{here, length, 1, -dot(direction, met.normal), 0};
         const auto stretch =
             stretch_of(cell, Tangent(ping_, met, on, down, false), met.range, length / met.range);

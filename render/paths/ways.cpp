@@ -26,7 +26,8 @@ std::optional<MirrorWay> by_mirror(Vec3 sonar, Vec3 point, const MirrorPlane& pl
 }
 
 Way way_by(const PathPing& ping, const MirrorWay& found, Vec3 point, double reflection) {
-    const double length = ping.leg(ping.sonar, found.at) + ping.leg(found.at, point);
+    const double length =
+        ping.rays == nullptr ? found.length : ping.leg(ping.sonar, found.at) + ping.leg(found.at, point);
     return {ping.seen(found.direction), length, reflection, 1, 1};
 }
 
@@ -79,7 +80,7 @@ bool PathPing::hidden(Vec3 point) const {
             length * s * (1 - s) * ((1 - s) * std::tan(ray.turn) - s * std::tan(ray.turn + ray.bow));
         const Vec3 to = piece < pieces ? sonar + s * line + up * upwards : point;
         if (space.blocked(from, to)) return true;
-        from = to;
+        from = to - 1e-3 * (to - from);  // pieces overlap, since nothing is seen right at their ends
     }
     return false;
 }
