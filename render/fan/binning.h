@@ -13,6 +13,8 @@
 
 namespace echoloop {
 
+class Reverberation;
+
 struct BinningInput {
     const FanPlan& plan;
     std::span<const Pixel> pixels;                   ///< plan.image_lines x plan.samples
@@ -28,6 +30,7 @@ struct BinningInput {
     std::span<const PathEcho> paths;         ///< echoes by other ways, added to the lines that they arrive on
     std::span<const float> focus{};          ///< per pixel: power over that of straight rays; empty: 1
     std::span<const std::uint8_t> wanted{};  ///< per surface index, for Amount::wanted_echo: not 0, it counts
+    const Reverberation* water = nullptr;    ///< null: it is silent
 };
 
 /// The focus of a line's pixels; null where rays are straight.

@@ -20,9 +20,10 @@ void find_focus(const Picture& picture, const SampleOffsets& offset, const Pose&
             const std::size_t first = (view.first_line + line) * picture.samples;
             for (std::size_t i = 0; i < view.samples; ++i) {
                 const Pixel& pixel = pixels[first + i];
-                if (pixel.surface == 0) continue;
                 const float y = top - static_cast<float>(i) * step;
-                focus[first + i] = rays.focus((base + y * up) / std::sqrt(square + y * y), pixel.range);
+                focus[first + i] = pixel.surface == 0
+                                       ? 1.0F
+                                       : rays.focus((base + y * up) / std::sqrt(square + y * y), pixel.range);
             }
         }
     }
