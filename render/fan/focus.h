@@ -12,7 +12,7 @@
 namespace echoloop {
 
 /// Fills `focus`, one for each pixel of the picture: RayTable::focus() of the ray that it shows. Pixels
-/// without a surface get anything.
+/// without a surface get 1.
 void find_focus(const Picture& picture, const SampleOffsets& offset, const Pose& world_from_fan,
                 const RayTable& rays, std::span<const Pixel> pixels, std::vector<float>& focus);
 
