@@ -47,7 +47,8 @@ inline constexpr std::array<EffectRow, 18> effect_rows{{
     {Effect::speckle, "speckle", "interference of many scatterers; off: mean levels"},
     {Effect::noise, "noise", "thermal and self noise; off: silence"},
     {Effect::multipath, "multipath",
-     "echoes by way of the surface, the bottom and corners; off: direct ones only"},
+     "mirrors: glints of faces, echoes by way of surface, bottom and corners; off: diffuse direct echoes "
+     "only"},
     {Effect::second_time_around, "second_time_around", "late echoes of the ping before; off: none"},
     {Effect::cross_talk, "cross_talk", "pulses of other sonars in the same band; off: none"},
     {Effect::tvg, "tvg", "the receiver's time-varied gain; off: constant gain"},

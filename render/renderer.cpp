@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <thread>
 
@@ -14,6 +15,7 @@
 #include "render/fan/truth.h"
 #include "render/gl/drawing_crew.h"
 #include "render/grid/summing.h"
+#include "render/recently_used.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -62,10 +64,7 @@ class Renderer::Impl {
           plans_(options_.plans ? options_.plans : std::make_shared<PlanCache>()),
           fan_(make_fan_summing(workers_)),
           grid_(make_grid_summing(workers_)),
-          chain_(options_.effects, options_.speckle) {
-        for (const std::uint32_t material : drawer().material_of_surface())
-            strength_.emplace_back(drawer().scene().materials()[material]);
-    }
+          chain_(options_.effects, options_.speckle) {}
 
     Echogram render(const Shot& shot, const Situation& situation) {
         const Pose& pose = situation.world_from_sonar;
@@ -131,6 +130,7 @@ class Renderer::Impl {
         const Shot& shot = heard.array.shot;
         draw(heard, situation);
         profile_.paths += timed([&] { trace_paths(heard, out.sound_speed); });
+        find_strengths(shot, out.sound_speed);
         Summing& summing = summing_of(shot);
         const BinningInput input = binning_input(heard, out.sound_speed);
         profile_.bins += timed([&] {
@@ -160,6 +160,24 @@ class Renderer::Impl {
         if (options_.rule == EchoRule::radiometric && tracer_.needed())
             tracer_.trace(shot, heard.array.world_from_sonar, c, absorption(shot), end_range(shot),
                           heard.paths, movers_);
+    }
+
+    /// Fills strength_. Facets' lobes are those of the mirrors that multipath is about.
+    void find_strengths(const Shot& shot, double c) {
+        const double wavenumber =
+            effects().has(Effect::multipath) ? 2 * std::numbers::pi * shot.frequency / c : 0;
+        const auto& tables = tables_
+                                 .get([&](const Strengths& known) { return known.wavenumber == wavenumber; },
+                                      [&] {
+                                          Strengths made{wavenumber, {}};
+                                          for (const Material& material : scene().materials())
+                                              made.tables.emplace_back(material, wavenumber);
+                                          return std::pair(std::move(made), std::size_t{1});
+                                      })
+                                 .tables;
+        strength_.clear();
+        for (const std::uint32_t material : drawer().material_of_surface())
+            strength_.push_back(&tables[material]);
     }
 
     /// Np/m.
@@ -283,7 +301,12 @@ class Renderer::Impl {
     std::thread::id thread_ = std::this_thread::get_id();
     PathTracer tracer_;
     gl::DrawingCrew crew_;
-    std::vector<StrengthTable> strength_;
+    struct Strengths {
+        double wavenumber;
+        std::vector<StrengthTable> tables;  ///< per material
+    };
+    RecentlyUsed<Strengths> tables_{8};
+    std::vector<const StrengthTable*> strength_;  ///< of the ping at hand, per surface
     std::shared_ptr<PlanCache> plans_;
     Workers workers_;
     std::unique_ptr<Summing> fan_, grid_;

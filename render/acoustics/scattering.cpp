@@ -34,7 +34,19 @@ double backscatter_db(const Material& material, double grazing) {
     return material.mu_db + 2 * decibel(std::sin(grazing));
 }
 
-StrengthTable::StrengthTable(const Material& material) {
+double facet_lobe(const Material& material, double wavenumber, double cosine) {
+    constexpr double least_slope = 0.02;
+    if (!material.backscatter.empty() || !(cosine > 0)) return 0;
+    const double slope = std::max(material.slope, least_slope);
+    const double square = slope * slope + material.mesh_slope * material.mesh_slope;
+    const double rayleigh = 2 * wavenumber * material.roughness * cosine;
+    const double incoherent = material.mesh_slope > 0 ? 1 : -std::expm1(-rayleigh * rayleigh);
+    const double cosine2 = cosine * cosine;
+    return incoherent * material.reflection * material.reflection /
+           (8 * std::numbers::pi * square * cosine2 * cosine2) * std::exp(-(1 / cosine2 - 1) / (2 * square));
+}
+
+StrengthTable::StrengthTable(const Material& material, double wavenumber) {
     const auto& curve = material.backscatter;
     const auto bad = std::adjacent_find(curve.begin(), curve.end(), [](const auto& a, const auto& b) {
         return !(a.grazing_deg < b.grazing_deg);
@@ -43,8 +55,9 @@ StrengthTable::StrengthTable(const Material& material) {
         throw std::invalid_argument("backscatter of " + material.name + ": grazing angles must ascend");
     for (std::size_t i = 1; i <= cells; ++i) {
         const double cosine = static_cast<double>(i) / cells;  // of incidence: the sine of the grazing angle
-        values_[i] =
-            static_cast<float>(std::pow(10, backscatter_db(material, std::asin(cosine)) / 10) / cosine);
+        const double diffuse = std::pow(10, backscatter_db(material, std::asin(cosine)) / 10);
+        const double lobe = wavenumber > 0 ? facet_lobe(material, wavenumber, cosine) : 0;
+        values_[i] = static_cast<float>((diffuse + lobe) / cosine);
     }
     values_[0] = curve.empty() || curve.front().grazing_deg > 0 ? 0 : values_[1];
 }

@@ -15,9 +15,9 @@ namespace echoloop {
 
 struct BinningInput {
     const FanPlan& plan;
-    std::span<const Pixel> pixels;            ///< plan.image_lines x plan.samples
-    std::span<const StrengthTable> strength;  ///< per surface index
-    SampleOffsets offset;                     ///< where in the pixels the ping sampled
+    std::span<const Pixel> pixels;                   ///< plan.image_lines x plan.samples
+    std::span<const StrengthTable* const> strength;  ///< per surface index
+    SampleOffsets offset;                            ///< where in the pixels the ping sampled
     EchoRule rule;
     double first_range = 0;  ///< m, leading edge of bin 0
     double bin_length = 0;   ///< m

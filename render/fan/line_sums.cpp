@@ -19,7 +19,7 @@ inline float strength_of(const BinningInput& in, float surface, float plane, flo
     if constexpr (amount == Amount::paper_share) return 1;
     const float cosine = std::min(plane / range, 1.0F);
     if constexpr (amount == Amount::paper_echo) return cerqueira_sigmoid(cosine);
-    return in.strength[static_cast<std::size_t>(surface) - 1].at(cosine);
+    return in.strength[static_cast<std::size_t>(surface) - 1]->at(cosine);
 }
 
 template <Amount amount>

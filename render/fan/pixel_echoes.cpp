@@ -14,7 +14,7 @@ inline float amount_of(const BinningInput& in, const PixelRow& row, std::size_t 
     if constexpr (amount == Amount::paper_echo) return weight * cerqueira_sigmoid(row.cosine()[i]);
     // cos(i) is the distance of the surface's plane over R, and was taken at the sample point.
     const float cosine = std::min(row.cosine()[i] * row.range()[i] / middle, 1.0F);
-    return weight * in.strength[static_cast<std::size_t>(row.surface()[i]) - 1].at(cosine);
+    return weight * in.strength[static_cast<std::size_t>(row.surface()[i]) - 1]->at(cosine);
 }
 
 /// Calls deposit(i, near, far, amount, slope) for every pixel of the line that shows a surface and has

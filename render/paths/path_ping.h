@@ -36,7 +36,9 @@ struct PathPing {
     double wavenumber = 0;  ///< rad/m
     double end_range = 0;   ///< m
     bool spreading = true;
-    double source = 0;  ///< uPa at 1 m
+    double source = 0;      ///< uPa at 1 m
+    double resolution = 0;  ///< m of range, that of the pulse
+    double least = 0;       ///< uPa, of an echo of one point that may be heard
 
     FanDirection seen(Vec3 world_direction) const {
         return pattern.at(rotate(conjugate(world_from_fan), world_direction));

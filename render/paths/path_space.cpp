@@ -31,7 +31,8 @@ std::optional<Encounter> PathSpace::meet(Vec3 origin, Vec3 direction, double end
     const auto surface = surface_above(origin);
     const double up = surface && direction.z > 0 ? (surface->height - origin.z) / direction.z : end;
     if (up > rays_.skin() && up < end) {
-        out = Encounter{origin + up * direction, {0, 0, -1}, up, surface_reflection(direction.z), 0};
+        out = Encounter{
+            origin + up * direction, {0, 0, -1}, up, surface_reflection(direction.z), 0, 1, nullptr};
         end = up;
     }
     const auto hit = rays_.hit(origin, direction, end);
@@ -40,8 +41,13 @@ std::optional<Encounter> PathSpace::meet(Vec3 origin, Vec3 direction, double end
     const double loss = coherent_loss(wavenumber_, material.roughness, -dot(direction, hit->normal));
     // The facet's smaller side against the diameter of the first Fresnel zone: a pipe's facets mirror little.
     const double zone = 2 * std::sqrt(std::numbers::pi * hit->range / wavenumber_);
-    return Encounter{origin + hit->range * direction, hit->normal,        hit->range,
-                     material.reflection * loss,      mu_[hit->material], std::min(1.0, hit->height / zone)};
+    return Encounter{origin + hit->range * direction,
+                     hit->normal,
+                     hit->range,
+                     material.reflection * loss,
+                     mu_[hit->material],
+                     std::min(1.0, hit->height / zone),
+                     &material};
 }
 
 }  // namespace echoloop

@@ -28,6 +28,7 @@ struct Encounter {
     double mu = 0;          ///< Lambert's constant; 0 for the water's surface, which only mirrors
     double flatness =
         1;  ///< share of the mirrored amplitude that a facet smaller than its Fresnel zone keeps
+    const Material* material = nullptr;  ///< none: the water's surface
 };
 
 class PathSpace {

@@ -1,5 +1,8 @@
+#include <cmath>
 #include <numbers>
 
+#include "render/acoustics/chain.h"
+#include "render/acoustics/receiver_noise.h"
 #include "render/paths/searches.h"
 #include "render/recently_used.h"
 #include "render/view.h"
@@ -19,7 +22,7 @@ class PathTracer::Impl {
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
                double end_range, PathEchoes& out, std::span<const Pose> movers) {
         if (!needed()) return;
-        if (!space_) space_.emplace(scene_, surface_);
+        if (!space_) space_.emplace(scene_, surface_), mirrors_.emplace(scene_);
         place(movers);
         const FanPattern& pattern =
             patterns_.get([&](const FanPattern& known) { return known.fits(shot); },
@@ -35,9 +38,14 @@ class PathTracer::Impl {
                             wavenumber,
                             end_range,
                             effects_.has(Effect::spreading),
-                            db_to_amplitude(shot.source_level)};
+                            db_to_amplitude(shot.source_level),
+                            range_resolution(shot, sound_speed),
+                            least_audible(shot)};
         find_target_echoes(ping, targets_, multipath(), out.targets);
         if (!multipath()) return;
+        const auto faces = faces_ahead(ping, *mirrors_);
+        find_glints(ping, *mirrors_, faces, out.targets);
+        find_image_echoes(ping, *mirrors_, faces, out.targets, out.diffuse);
         corners_.clear();
         find_diffuse_echoes(ping, out.diffuse, corners_);
         find_corner_echoes(ping, corners_, out.targets);
@@ -46,8 +54,15 @@ class PathTracer::Impl {
   private:
     bool multipath() const { return effects_.has(Effect::multipath); }
 
+    /// uPa: 10 dB below the noise; 0 where there is none.
+    double least_audible(const Shot& shot) const {
+        if (!effects_.has(Effect::noise)) return 0;
+        return std::sqrt(0.1 * received_noise(shot));
+    }
+
     void place(std::span<const Pose> movers) {
         space_->place(movers);
+        mirrors_->place(movers);
         targets_.assign(scene_->point_targets().begin(), scene_->point_targets().end());
         for (PointTarget& target : targets_)
             if (target.mover > 0 && target.mover <= movers.size())
@@ -58,6 +73,7 @@ class PathTracer::Impl {
     std::optional<WaterSurface> surface_;
     Effects effects_;
     std::optional<PathSpace> space_;
+    std::optional<Mirrors> mirrors_;
     std::vector<PointTarget> targets_;  ///< where they are at the ping at hand
     RecentlyUsed<FanPattern> patterns_{64};
     std::vector<Corner> corners_;

@@ -45,6 +45,7 @@ RTCRay embree_ray(Vec3 origin, Vec3 direction, double near, double far) {
 struct TriangleSet {
     std::vector<std::uint32_t> corners;          ///< three per triangle
     std::vector<std::uint32_t> first, material;  ///< of each chunk: its first triangle, its material
+    std::vector<float> facet;                    ///< of each chunk, as SceneChunk has it
 };
 
 /// Of what stands still (`mover` 0), or of a mover in its own frame.
@@ -54,6 +55,7 @@ TriangleSet collect(const Scene& scene, std::uint32_t mover, bool double_sided) 
         if (chunk.mover != mover || scene.materials()[chunk.material].double_sided != double_sided) continue;
         set.first.push_back(static_cast<std::uint32_t>(set.corners.size() / 3));
         set.material.push_back(chunk.material);
+        set.facet.push_back(chunk.facet);
         for (const std::uint16_t corner : scene.indices().subspan(chunk.first_index, chunk.indices))
             set.corners.push_back(chunk.first_vertex + corner);
     }
@@ -121,8 +123,9 @@ class RayScene::Impl {
         const double twice_area = norm(normal);
         normal = (dot(normal, direction) > 0 ? -1 : 1) / twice_area * normal;
         const TriangleSet& set = group.sets[query.hit.geomID];
-        return RayHit{query.ray.tfar, normal, material_of(set, query.hit.primID),
-                      twice_area / longest_side(set, query.hit.primID)};
+        const std::size_t chunk = chunk_of(set, query.hit.primID);
+        return RayHit{query.ray.tfar, normal, set.material[chunk],
+                      std::max(twice_area / longest_side(set, query.hit.primID), double{set.facet[chunk]})};
     }
 
     bool blocked(Vec3 from, Vec3 to) const {
@@ -201,9 +204,9 @@ class RayScene::Impl {
         return longest;
     }
 
-    static std::uint32_t material_of(const TriangleSet& set, std::uint32_t triangle) {
+    static std::size_t chunk_of(const TriangleSet& set, std::uint32_t triangle) {
         const auto after = std::upper_bound(set.first.begin(), set.first.end(), triangle);
-        return set.material[static_cast<std::size_t>(after - set.first.begin()) - 1];
+        return static_cast<std::size_t>(after - set.first.begin()) - 1;
     }
 
     std::shared_ptr<const Scene> scene_;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
 #include <unordered_map>
 
 #include "render/scene/corner_normal.h"
@@ -125,6 +127,25 @@ std::uint32_t SceneBuilder::material_index(const Material& material) {
 
 namespace {
 
+/// A surface cannot mirror more than what it does not scatter: V^2 + pi mu <= 1. A measured curve says
+/// nothing of what goes elsewhere.
+Material without_excess(Material material) {
+    if (!material.backscatter.empty()) return material;
+    const double scattered = std::numbers::pi * std::pow(10, material.mu_db / 10);
+    const double most = std::sqrt(std::max(0.0, 1 - scattered));
+    material.reflection = std::clamp(material.reflection, -most, most);
+    return material;
+}
+
+float median_of(std::span<const float> facet, const ChunkTree& tree, const ChunkNode& node) {
+    std::vector<float> own;
+    for (const std::uint32_t triangle : std::span(tree.triangles).subspan(node.first, node.count))
+        own.push_back(facet[triangle]);
+    const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
+    std::nth_element(own.begin(), middle, own.end());
+    return *middle;
+}
+
 void widen(Bounds& bounds, float by) {
     for (std::size_t axis = 0; axis < 3; ++axis) bounds.min[axis] -= by, bounds.max[axis] += by;
 }
@@ -147,8 +168,22 @@ void SceneBuilder::add(const Mesh& mesh, const std::string& place) {
         scene_fault(place,
                     "the scene has more than " + std::to_string(scene_limits::triangles) + " triangles",
                     "simplify its meshes");
-    if (indices.empty()) return;
-    const std::uint32_t object = object_index(mesh.object), material = material_index(mesh.material);
+    MeshSurfaces surfaces = find_surfaces(mesh.positions, indices);
+    Material material = without_excess(mesh.material);
+    if (!surfaces.flat.empty()) {
+        const std::uint32_t flat = material_index(material);
+        add_part(mesh, surfaces.flat, flat, surfaces.facet);
+        collect_faces(std::move(surfaces.faces), flat);
+    }
+    if (!surfaces.curved.empty()) {
+        material.mesh_slope = std::max(1.0, std::round(100 * surfaces.mesh_slope)) / 100;
+        add_part(mesh, surfaces.curved, material_index(material), {});
+    }
+}
+
+void SceneBuilder::add_part(const Mesh& mesh, std::span<const std::uint32_t> indices, std::uint32_t material,
+                            std::span<const float> facet) {
+    const std::uint32_t object = object_index(mesh.object);
     const ChunkTree tree = cut_into_chunks(mesh.positions, indices);
     const std::size_t first_node = scene_->nodes_.size();
     const auto place_of = places_of(tree, first_node);
@@ -158,7 +193,10 @@ void SceneBuilder::add(const Mesh& mesh, const std::string& place) {
         node.object = object;
         node.material = material;
         node.error = std::numeric_limits<float>::infinity();
-        if (tree.is_chunk(i)) add_chunk(mesh, indices, tree, i, node);
+        if (tree.is_chunk(i)) {
+            add_chunk(mesh, indices, tree, i, node);
+            if (!facet.empty()) scene_->chunks_.back().facet = median_of(facet, tree, tree.nodes[i]);
+        }
         scene_->nodes_.insert(scene_->nodes_.end(), place_of[i + 1] - place_of[i], node);
     }
     add_stand_ins(mesh, indices, tree, place_of, scene_->nodes_, scene_->coarse_vertices_,
@@ -216,11 +254,37 @@ void SceneBuilder::add(const PointTarget& target, const std::string& place) {
     scene_->point_targets_.back().mover = mover();
 }
 
+void SceneBuilder::collect_faces(std::vector<OutlinedFace> faces, std::uint32_t material) {
+    for (OutlinedFace& added : faces) {
+        added.face.material = material, added.face.mover = mover();
+        faces_.push_back(std::move(added));
+    }
+    if (faces_.size() > 16 * scene_limits::faces) keep_largest_faces();
+}
+
+void SceneBuilder::keep_largest_faces() {
+    if (faces_.size() <= scene_limits::faces) return;
+    std::ranges::stable_sort(faces_, std::greater{}, [](const OutlinedFace& f) { return f.face.area; });
+    faces_.resize(scene_limits::faces);
+}
+
+void SceneBuilder::list_faces() {
+    keep_largest_faces();
+    std::ranges::stable_sort(faces_, {}, [](const OutlinedFace& f) { return f.face.mover; });
+    for (const OutlinedFace& outlined : faces_) {
+        SceneFace& face = scene_->faces_.emplace_back(outlined.face);
+        face.first_edge = static_cast<std::uint32_t>(scene_->face_edges_.size());
+        face.edges = static_cast<std::uint32_t>(outlined.edges.size());
+        scene_->face_edges_.insert(scene_->face_edges_.end(), outlined.edges.begin(), outlined.edges.end());
+    }
+}
+
 std::shared_ptr<const Scene> SceneBuilder::finish() {
     if (scene_->chunks_.empty())
         scene_fault("meshes", "there is no triangle in the scene",
                     "export meshes, not only empties, points or lines");
     end_nodes();
+    list_faces();
     const auto trim = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
     trim(scene_->vertices_, scene_->indices_, scene_->coarse_vertices_, scene_->coarse_indices_,
          scene_->nodes_);

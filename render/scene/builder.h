@@ -7,6 +7,7 @@
 #include <string>
 
 #include "render/scene/chunks.h"
+#include "render/scene/flat_faces.h"
 #include "render/scene/scene.h"
 
 namespace echoloop {
@@ -29,13 +30,21 @@ class SceneBuilder {
   private:
     std::uint32_t object_index(const std::string& name);
     std::uint32_t material_index(const Material& material);
+    /// `facet` of every triangle, or empty where all are curved.
+    void add_part(const Mesh& mesh, std::span<const std::uint32_t> indices, std::uint32_t material,
+                  std::span<const float> facet);
     void add_chunk(const Mesh& mesh, std::span<const std::uint32_t> indices, const ChunkTree& tree,
                    std::size_t index, SceneNode& node);
+    /// Until the largest are known.
+    void collect_faces(std::vector<OutlinedFace> faces, std::uint32_t material);
+    void keep_largest_faces();
+    void list_faces();
     void bound(std::size_t first_node);
     std::uint32_t mover() const { return static_cast<std::uint32_t>(scene_->movers_.size()); }
     void end_nodes();
 
     std::unique_ptr<Scene> scene_;
+    std::vector<OutlinedFace> faces_;
 };
 
 }  // namespace echoloop

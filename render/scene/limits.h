@@ -16,6 +16,7 @@ inline constexpr std::size_t triangles = 16'000'000;  ///< after instancing
 inline constexpr std::size_t movers = 1000;
 inline constexpr std::size_t animation_keys = 1'000'000;  ///< of all channels together
 inline constexpr std::size_t point_targets = 1000;
+inline constexpr std::size_t faces = 4096;  ///< that mirror the sonar; smaller ones are left out
 inline constexpr double target_strength_db = 120;
 inline constexpr double extent = 1e5;  ///< m from the origin; beyond, a float is coarser than 1 cm
 

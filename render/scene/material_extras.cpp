@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "render/scene/document_parts.h"
 #include "render/scene/fault.h"
@@ -31,6 +33,7 @@ void set_surface(const SurfaceProperties& surface, Material& out) {
     out.mu_db = surface.mu_db;
     out.reflection = surface.reflection;
     out.roughness = surface.roughness;
+    out.slope = surface.slope;
 }
 
 void read_named(const JsonView& value, Material& out) {
@@ -50,6 +53,7 @@ void read_seabed(const JsonView& value, Material& out) {
     out.backscatter = seabed->backscatter;
     out.reflection = seabed->reflection;
     out.roughness = seabed->roughness;
+    out.slope = seabed->slope;
 }
 
 void read_curve(const JsonView& value, Material& out) {
@@ -78,18 +82,33 @@ void read_roughness(const JsonView& value, Material& out) {
     out.roughness = within(value, 0, 10, "0..10 m", "give the rms height in metres, for example 0.005");
 }
 
+void read_slope(const JsonView& value, Material& out) {
+    out.slope = within(value, 0, 1, "0..1", "give the rms slope of the surface's facets, for example 0.15");
+}
+
+/// What both keys say together; where only one is given, the scene gives way to it.
+void check_energy(const JsonView& sonar, const Material& material) {
+    if (!sonar.find("mu_db") || !sonar.find("reflection")) return;
+    const double power =
+        material.reflection * material.reflection + std::numbers::pi * std::pow(10, material.mu_db / 10);
+    if (power > 1.005)
+        scene_fault(sonar.place(), "sends back more than it receives: reflection^2 + pi mu is above 1",
+                    "lower reflection or mu_db");
+}
+
 struct Key {
     const char* name;
     void (*read)(const JsonView& value, Material& out);
 };
 
 /// In this order, so that what is more particular wins.
-constexpr std::array<Key, 6> material_keys{{{"material", read_named},
+constexpr std::array<Key, 7> material_keys{{{"material", read_named},
                                             {"mu_db", read_mu_db},
                                             {"seabed", read_seabed},
                                             {"backscatter_db", read_curve},
                                             {"reflection", read_reflection},
-                                            {"roughness", read_roughness}}};
+                                            {"roughness", read_roughness},
+                                            {"slope", read_slope}}};
 
 void check_material_keys(const JsonView& sonar) {
     if (!sonar.value().is_object())
@@ -118,6 +137,7 @@ Material read_material(const JsonView& material) {
     check_material_keys(*sonar);
     for (const Key& key : material_keys)
         if (const auto value = sonar->find(key.name)) key.read(*value, out);
+    check_energy(*sonar, out);
     return out;
 }
 

@@ -26,6 +26,7 @@ struct SurfaceProperties {
     double mu_db = default_mu_db;
     double reflection = 0;  ///< |V| at normal incidence
     double roughness = 0;   ///< m, rms height; own choice, see the table
+    double slope = 0;       ///< rms slope of its facets in one direction; own choice, see the table
 };
 
 /// Of the first word in `name` that names a known material, as for mu_db_by_name().

@@ -49,6 +49,9 @@ struct Material {
         backscatter{};          ///< strictly ascending grazing angles; empty: Lambert with mu_db
     double reflection = 0.353;  ///< amplitude of a mirrored wave at normal incidence, -1..1 (sand's)
     double roughness = 0.005;   ///< m, rms height, of which a mirrored wave is the weaker (sand's)
+    double slope = 0.15;        ///< rms slope of its facets in one direction (sand's)
+    /// rms slope of the triangles that stand for a curved surface; 0: flat. A SceneBuilder sets it.
+    double mesh_slope = 0;
 
     friend bool operator==(const Material&, const Material&) = default;
 };
@@ -76,6 +79,22 @@ struct SceneVertex {
     std::array<float, 3> normal;    ///< unit
 };
 
+/// A flat part of a surface: neighbouring triangles of one mesh in one plane.
+struct SceneFace {
+    Vec3 origin;             ///< m, in the plane, where u and v are 0
+    Vec3 normal, u, v;       ///< unit, square to each other; the normal as the winding says
+    double low[2], high[2];  ///< m, extent along u and v
+    double area = 0;         ///< m^2
+    /// In Scene::face_edges(): its outline and those of its holes, in no order.
+    std::uint32_t first_edge = 0, edges = 0;
+    std::uint32_t material = 0, mover = 0;  ///< as of SceneChunk
+};
+
+/// One straight piece of a face's outline, from (u, v) to (u, v), in m.
+struct FaceEdge {
+    std::array<float, 2> from, to;
+};
+
 /// A few hundred neighbouring triangles of one object and one material.
 struct SceneChunk {
     std::uint32_t first_vertex = 0, vertices = 0;  ///< in Scene::vertices()
@@ -83,6 +102,7 @@ struct SceneChunk {
     std::uint32_t object = 0, material = 0;        ///< in Scene::objects() and Scene::materials()
     Bounds bounds;
     std::uint32_t mover = 0;  ///< 1 + index of the mover in whose frame it is; 0: the world
+    float facet = 0;          ///< m, the smaller side of the flat faces that it shows, typically; 0: curved
 };
 
 /// A vertex of a stand-in.
@@ -129,6 +149,9 @@ class Scene {
     std::span<const std::string> objects() const { return objects_; }
     std::span<const Material> materials() const { return materials_; }
     std::span<const PointTarget> point_targets() const { return point_targets_; }
+    /// The largest flat faces, at most scene_limits::faces, those of one mover together.
+    std::span<const SceneFace> faces() const { return faces_; }
+    std::span<const FaceEdge> face_edges() const { return face_edges_; }
     /// Of everything, with movers where the file puts them.
     const Bounds& bounds() const { return bounds_; }
     /// Of what does not move; empty bounds where everything does.
@@ -155,6 +178,8 @@ class Scene {
     std::vector<std::string> objects_;
     std::vector<Material> materials_;
     std::vector<PointTarget> point_targets_;
+    std::vector<SceneFace> faces_;
+    std::vector<FaceEdge> face_edges_;
     Bounds bounds_, still_bounds_;
     std::vector<SceneMover> movers_;
     std::uint32_t still_nodes_ = 0;

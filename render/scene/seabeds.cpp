@@ -19,6 +19,7 @@ Material generic_seabed(const char* name, double nadir_db, double oblique_db, co
     out.mu_db = oblique_db;
     out.reflection = properties.reflection;
     out.roughness = properties.roughness;
+    out.slope = properties.slope;
     for (const double g :
          {1.0,  2.0,  3.0,  5.0,  7.0,  10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0,
           60.0, 65.0, 68.0, 70.0, 72.0, 74.0, 76.0, 78.0, 80.0, 82.0, 84.0, 86.0, 88.0, 90.0}) {

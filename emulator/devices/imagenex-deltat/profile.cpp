@@ -93,8 +93,7 @@ std::vector<multibeam::Detection> bottom(const Echogram& echogram, const Control
     const multibeam::TimeGate gate{2 * controls.minimum_range / nominal_sound_speed,
                                    2 * last / nominal_sound_speed + 2 * echogram.shot.pulse_length};
     const std::vector<multibeam::TimeGate> gates(echogram.beams(), gate);
-    return multibeam::detect(echogram, gates,
-                             {.margin = settings.acoustics.detection_margin, .echoes_last = settings.pulse});
+    return multibeam::detect(echogram, gates, settings.acoustics.detection.with(settings.pulse));
 }
 
 }  // namespace

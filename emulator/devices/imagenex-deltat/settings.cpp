@@ -71,7 +71,7 @@ void describe(Acoustics& a, FigureList& f) {
     f.degrees(a.fan_height, "fan_height", 0.1, 60, "-3 dB full width of the transmit beam, along track");
     f.number(a.intensity_reference, "intensity_reference", "dB re 1 uPa", 0, 300,
              "level after gain that reads 65535");
-    f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
+    multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
     f.stave_errors(a.errors);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "emulator/contract/settings_list.h"
+#include "emulator/devices/family/multibeam/figures.h"
 #include "emulator/devices/imagenex-deltat/controls.h"
 
 namespace echoloop::delta_t {
@@ -15,7 +16,7 @@ struct Acoustics {
     Receiver receiver;  ///< its saturation level at 0 dB gain
     ArrayErrors errors;
     double intensity_reference = 0;  ///< dB re 1 uPa after gain: reads 65535
-    double detection_margin = 0;     ///< dB above the noise; an echo below is no bottom
+    multibeam::Rule detection;
 };
 
 /// What stands in the float fields of an 83P.

@@ -52,7 +52,7 @@ void add_extra_detections(kmall::Mrz& m, const Settings& s, const Echogram& echo
         const double time =
             echogram.shot.first_bin_time + (static_cast<double>(echo.bin) + 0.5) * echogram.shot.bin_interval;
         const double excess =
-            10 * std::log10(echo.power / std::max(echogram.noise_power, 1e-30)) - s.detection_margin;
+            10 * std::log10(echo.power / std::max(echogram.noise_power, 1e-30)) - s.detection.margin;
         auto one = beam(s, echo.beam, bearing, direction);
         add_bottom(one, {.time = time, .begin = time, .end = time, .method = multibeam::Method::magnitude},
                    m.rx.water_column_rate);

@@ -147,8 +147,7 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     const std::vector<multibeam::TimeGate> gates(echogram.beams(), window);
     Settings s = ping_settings_;
     s.sound_speed = s.sensors.read("sound speed", s.sound_speed, stray::sound_speed, now);
-    const auto detections =
-        multibeam::detect(echogram, gates, {.margin = s.detection_margin, .echoes_last = s.echoes_last});
+    const auto detections = multibeam::detect(echogram, gates, s.detection.with(s.echoes_last));
     const kmall::Mrz bathymetry = make_mrz(ping_, s, echogram, detections);
     send(bathymetry, now);
     water_level_ = echogram.world_from_sonar.position.z;

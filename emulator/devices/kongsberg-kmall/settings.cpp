@@ -70,7 +70,7 @@ void describe_profile(Settings& s, FigureList& f) {
               "-3 dB full width along track, one way");
     f.number(s.water_column_reference, "water_column_reference", "dB re 1 uPa", 0, 300,
              "level after gain and its offset that reads 0 dB in #MWC");
-    f.number(s.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
+    multibeam::list_figures(s.detection, f);
     f.common(s.horizontal, s.vertical, s.receiver);
     f.stave_errors(s.errors);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "emulator/contract/settings_list.h"
+#include "emulator/devices/family/multibeam/figures.h"
 
 namespace echoloop::kongsberg_kmall {
 
@@ -40,7 +41,7 @@ struct Settings {
     double source_level = 0;         ///< dB re 1 uPa at 1 m, at full power
     double reference_frequency = 0;  ///< Hz, of the profile's beam widths
     double receive_beam_width = 0, transmit_beam_width = 0;
-    double detection_margin = 0;        ///< dB above the noise
+    multibeam::Rule detection;
     double water_column_reference = 0;  ///< dB re 1 uPa after gain: reads 0 dB
     AxisPattern horizontal, vertical;
     Receiver receiver;

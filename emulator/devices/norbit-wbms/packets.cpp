@@ -40,16 +40,12 @@ norbit::Point make_point(const multibeam::Detection& found, const multibeam::Tim
         point.flags = found.method == multibeam::Method::phase ? norbit::by_phase : norbit::by_magnitude;
     point.quality = norbit::snr_good;
     if (found.in_line) point.quality |= norbit::colinear;
-    point.snr = snr_value(found.excess + s.acoustics.detection_margin);
+    point.snr = snr_value(found.excess + s.acoustics.detection.margin);
     return point;
 }
 
 std::vector<norbit::Point> make_points(const PingRecord& ping, const Settings& s, const Echogram& echogram) {
-    // A chirp's echo has a length of its own only when many of its short compressed pulses fit in; own
-    // choice.
-    constexpr double least_phase_length = 10;
-    const auto found = multibeam::detect(echogram, ping.plan.gates,
-                                         {s.acoustics.detection_margin, s.pulse, least_phase_length});
+    const auto found = multibeam::detect(echogram, ping.plan.gates, s.acoustics.detection.with(s.pulse));
     std::vector<norbit::Point> points;
     points.reserve(found.size());
     for (std::size_t n = 0; n < found.size(); ++n)

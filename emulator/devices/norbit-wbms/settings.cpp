@@ -69,7 +69,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.number(a.source_level, "source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis at amplitude 15");
     f.number(a.full_scale, "full_scale", "dB re 1 uPa", 50, 300, "reads full scale at 0 dB gain");
     f.number(a.largest_gain, "largest_gain", "dB", 0, 120, "digital");
-    f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
+    multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
     f.stave_errors(a.errors);
 }

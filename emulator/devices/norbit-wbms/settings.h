@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "emulator/contract/settings_list.h"
+#include "emulator/devices/family/multibeam/figures.h"
 #include "protocols/norbit/messages.h"
 
 namespace echoloop::norbit_device {
@@ -19,9 +20,9 @@ struct Acoustics {
     AxisPattern horizontal, vertical;
     Receiver receiver;
     ArrayErrors errors;
-    double full_scale = 0;        ///< dB re 1 uPa: reads full scale at 0 dB gain
-    double largest_gain = 0;      ///< dB, digital
-    double detection_margin = 0;  ///< dB above the noise
+    double full_scale = 0;    ///< dB re 1 uPa: reads full scale at 0 dB gain
+    double largest_gain = 0;  ///< dB, digital
+    multibeam::Rule detection;
 };
 
 /// Emulator options; README.md of this folder explains each.

@@ -147,8 +147,8 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
     const multibeam::Gates set = bottom_gates(ping_.controls, seabed_);
     std::vector<multibeam::TimeGate> gates;
     for (const double angle : angles) gates.push_back(multibeam::time_gate(set, angle, c, window));
-    const auto detections = multibeam::detect(
-        echogram, gates, {.margin = settings_.acoustics.detection_margin, .echoes_last = settings_.pulse});
+    const auto detections =
+        multibeam::detect(echogram, gates, settings_.acoustics.detection.with(settings_.pulse));
     const auto axis_gate = multibeam::time_gate(set, 0, c, window);
     seabed_ = {multibeam::median_depth(detections, angles, c), multibeam::median_slope(detections, angles)};
     const r2sonic::G0 gate{static_cast<float>(axis_gate.min), static_cast<float>(axis_gate.max),

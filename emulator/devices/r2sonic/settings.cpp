@@ -95,7 +95,7 @@ void describe(Acoustics& a, FigureList& f) {
              "level after gain that reads 255 at 0 dB brightness");
     f.number(a.magnitude_reference, "magnitude_reference", "dB re 1 uPa", 0, 300,
              "level after gain that reads 65535 in I1, WCD0, SNI0 and TPX0");
-    f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
+    multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
     f.stave_errors(a.errors);
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "emulator/contract/settings_list.h"
+#include "emulator/devices/family/multibeam/figures.h"
 #include "emulator/devices/r2sonic/controls.h"
 #include "protocols/wire/text.h"
 
@@ -18,8 +19,8 @@ struct Acoustics {
     ArrayErrors errors;
     double image_reference = 0;  ///< dB re 1 uPa after gain: reads 255 in the image at 0 dB brightness
     double magnitude_reference =
-        0;                        ///< dB re 1 uPa after gain: reads 65535 in water column, snippets, TruePix
-    double detection_margin = 0;  ///< dB above the noise; an echo below is no bottom
+        0;  ///< dB re 1 uPa after gain: reads 65535 in water column, snippets, TruePix
+    multibeam::Rule detection;
 };
 
 /// Bits 1 and 0 of a good point's quality.

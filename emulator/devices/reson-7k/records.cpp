@@ -120,8 +120,7 @@ reson7k::RawDetections make_detections(const PingRecord& ping, const Settings& s
     const auto& angles = echogram.shot.bearings;
     std::vector<multibeam::TimeGate> gates;
     for (const double angle : angles) gates.push_back(bottom_gate(ping.controls, angle));
-    const auto found =
-        multibeam::detect(echogram, gates, {settings.acoustics.detection_margin, settings.pulse});
+    const auto found = multibeam::detect(echogram, gates, settings.acoustics.detection.with(settings.pulse));
     const double rate = sample_rate(ping.controls, settings);
     reson7k::RawDetections record;
     record.serial = settings.serial;

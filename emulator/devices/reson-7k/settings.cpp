@@ -62,7 +62,7 @@ void describe_levels(Acoustics& a, FigureList& f) {
     f.number(a.absorption, "tvg_absorption", "dB/km", 0, 500, "time-varied gain, one way");
     f.number(a.amplitude_reference, "amplitude_reference", "dB re 1 uPa", 0, 400,
              "after gain and time-varied gain: reads full scale");
-    f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
+    multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
     f.stave_errors(a.errors);
 }

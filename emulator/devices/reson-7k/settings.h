@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "emulator/contract/settings_list.h"
+#include "emulator/devices/family/multibeam/figures.h"
 
 namespace echoloop::reson7k_device {
 
@@ -44,7 +45,7 @@ struct Acoustics {
     double spreading = 0;                    ///< dB per decade of range, at power-up
     double absorption = 0;                   ///< dB/km, at power-up
     double amplitude_reference = 0;          ///< dB re 1 uPa after gain: reads full scale
-    double detection_margin = 0;             ///< dB
+    multibeam::Rule detection;
     AxisPattern horizontal, vertical;
     Receiver receiver;
     ArrayErrors errors;

@@ -33,8 +33,7 @@ std::vector<Point> find_points(const Echogram& echogram, const Settings& setting
     const Shot& shot = echogram.shot;
     const double end = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
     const std::vector<multibeam::TimeGate> gates(echogram.beams(), {shot.first_bin_time, end});
-    const auto found =
-        multibeam::detect(echogram, gates, {settings.acoustics.detection_margin, settings.pulse});
+    const auto found = multibeam::detect(echogram, gates, settings.acoustics.detection.with(settings.pulse));
     std::vector<Point> points;
     std::size_t last_part = echogram.beams();  // none
     float strongest = 0;

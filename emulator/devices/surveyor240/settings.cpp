@@ -36,7 +36,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
               "-3 dB full width of one direction, across track");
     f.degrees(a.fan_height, "fan_height", 0.1, 60, "-3 dB full width of the transmit beam, along track");
     f.number(a.gain_range, "gain_range", "dB", 0, 120, "from gain index 0 to 100");
-    f.number(a.detection_margin, "detection_margin", "dB", 0, 60, "how far above the noise a bottom must be");
+    multibeam::list_figures(a.detection, f);
     f.number(a.longest_range, "longest_range", "m", 10, 200,
              "the longest that a host may set, and that following the bottom uses");
     f.common(a.horizontal, a.vertical, a.receiver);

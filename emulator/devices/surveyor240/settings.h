@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "emulator/devices/family/cerulean/common.h"
+#include "emulator/devices/family/multibeam/figures.h"
 
 namespace echoloop::surveyor240 {
 
@@ -17,9 +18,9 @@ struct Acoustics {
     AxisPattern horizontal, vertical;
     Receiver receiver;  ///< its saturation level at gain index 0
     ArrayErrors errors;
-    double gain_range = 0;        ///< dB from gain index 0 to 100
-    double detection_margin = 0;  ///< dB above the noise; an echo below is no bottom
-    double longest_range = 0;     ///< m
+    double gain_range = 0;  ///< dB from gain index 0 to 100
+    multibeam::Rule detection;
+    double longest_range = 0;  ///< m
 };
 
 /// Emulator options; README.md of this folder explains each.

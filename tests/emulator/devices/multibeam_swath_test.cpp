@@ -32,6 +32,7 @@ struct FlatSwath {
     }
 
     double right(std::size_t beam) const { return 14 / 750.0 / std::cos(angles[beam]); }
+    double error_now(std::size_t beam) const { return std::abs(detections[beam].time / right(beam) - 1); }
     /// How far a beam is off, after continue_to_edges() with beams of 3 deg.
     double error(std::size_t beam) {
         auto continued = detections;
@@ -100,6 +101,36 @@ TEST(MultibeamNeighbours, LeaveWhatIsReallyThere) {
     EXPECT_NEAR(moved(step), 0.03, 1e-9) << "the neighbours are on no line";
     hole.detections[10].time *= 1.006, hole.detections[8].method = Method::none;
     EXPECT_NEAR(moved(hole), 0.006, 1e-9);
+}
+
+/// Standard deviation of the times of the beams by phase, as a part of their time, after smoothing over so
+/// many.
+double scatter(FlatSwath swath, std::size_t beams) {
+    multibeam::smooth_by_phase(swath.detections, swath.angles, beams);
+    double squares = 0;
+    for (std::size_t beam = 4; beam < 16; ++beam) squares += std::pow(swath.error_now(beam), 2) / 12;
+    return std::sqrt(squares);
+}
+
+TEST(MultibeamSmoothing, AveragesSoManySoundingsByPhase) {
+    FlatSwath swath;
+    for (std::size_t beam = 0; beam < 20; ++beam)
+        swath.detections[beam].time = swath.right(beam) * (1 + (beam % 2 == 0 ? 1e-3 : -1e-3));
+    EXPECT_NEAR(scatter(swath, 1), 1e-3, 1e-9) << "one: none";
+    EXPECT_NEAR(scatter(swath, 3), 1e-3 / 3, 2e-5) << "two against one of three";
+    EXPECT_NEAR(scatter(swath, 5), 1e-3 / 5, 2e-5);
+}
+
+TEST(MultibeamSmoothing, LeavesWhatIsReallyThereAndWhatWasHeardByMagnitude) {
+    FlatSwath swath;
+    for (std::size_t beam = 0; beam < 20; ++beam) swath.detections[beam].time = swath.right(beam);
+    swath.detections[10].time *= 1.006;  // a stone
+    swath.detections[5].method = Method::magnitude;
+    swath.detections[5].time *= 1.001;
+    multibeam::smooth_by_phase(swath.detections, swath.angles, 5);
+    EXPECT_NEAR(swath.error_now(10), 0.006, 1e-9);
+    EXPECT_NEAR(swath.error_now(5), 0.001, 1e-9);
+    for (const std::size_t beam : {4U, 6U, 9U, 11U}) EXPECT_LT(swath.error_now(beam), 1e-9) << beam;
 }
 
 TEST(MultibeamLine, PointsOffTheLineOfTheirNeighboursAreNotMarked) {

@@ -62,6 +62,38 @@ TEST(Scattering, TheTableFollowsTheCurve) {
     EXPECT_TRUE(std::isfinite(table.at(0)));
 }
 
+// Nothing of it beside a measured curve, which holds its own; and none where there is no wave.
+TEST(Scattering, OnlyLambertSurfacesHaveALobe) {
+    constexpr double wavenumber = 3000;
+    Material material;
+    EXPECT_GT(StrengthTable(material, wavenumber).at(1), 50 * StrengthTable(material).at(1));
+    EXPECT_NEAR(facet_lobe(material, wavenumber, 1) / 0.2204, 1, 0.01);  // 0.353^2 / (8 pi 0.15^2)
+    const Material curve = with_curve({{10, -40}, {90, -10}});
+    EXPECT_EQ(StrengthTable(curve, wavenumber).at(1), StrengthTable(curve).at(1));
+}
+
+// Linear between its points, the table still follows the narrowest lobe.
+TEST(Scattering, TheTableFollowsTheLobe) {
+    Material polished;
+    polished.slope = 0.02, polished.mu_db = -60;
+    const StrengthTable table(polished, 3000);
+    for (double i = 0; i < 4; i += 0.1) {
+        const double cosine = std::cos(i * degree);
+        const double expected = facet_lobe(polished, 3000, cosine) + 1e-6 * cosine * cosine;
+        EXPECT_NEAR(static_cast<double>(table.at(static_cast<float>(cosine))) * cosine / expected, 1, 0.07)
+            << "at " << i << " deg";
+    }
+}
+
+// A mesh that stands for a curved surface has no coherent echo, so nothing is missing from its lobe.
+TEST(Scattering, CurvedMeshesHaveTheWholeLobe) {
+    Material smooth;
+    smooth.roughness = 0;
+    EXPECT_EQ(facet_lobe(smooth, 3000, 1), 0);
+    smooth.mesh_slope = 0.05;
+    EXPECT_GT(facet_lobe(smooth, 3000, 1), 0.1);
+}
+
 TEST(Scattering, AnglesOfACurveAscend) {
     EXPECT_THROW(StrengthTable(with_curve({{10, -40}, {10, -30}})), std::invalid_argument);
     EXPECT_THROW(StrengthTable(with_curve({{20, -40}, {10, -30}})), std::invalid_argument);

@@ -5,7 +5,7 @@
 namespace echoloop::validation {
 
 std::span<const Group> groups() {
-    static constexpr std::array<Group, 18> table{{
+    static constexpr auto table = std::to_array<Group>({
         {"V1", "Sonar equation", check_sonar_equation},
         {"V2", "Absorption", check_absorption},
         {"V3", "Time base", check_time_base},
@@ -22,9 +22,17 @@ std::span<const Group> groups() {
         {"V14", "Refraction", check_refraction},
         {"V15", "Motion", check_motion},
         {"V16", "Bookkeeping", check_bookkeeping},
+        {"V17", "Mirror echo of a plane", check_plane},
+        {"V18", "Plates and edges", check_plates},
+        {"V19", "Round bodies", check_round_bodies},
+        {"V20", "Lobe of facets", check_lobe},
+        {"V21", "Backscatter with facets", check_facets},
+        {"V22", "A room's wall and corner", check_room},
+        {"V23", "Several mirrors", check_images},
+        {"V24", "Second bottom", check_second_bottom},
         {"V28", "Converters of staves", check_converter},
         {"V29", "Side lobes of arrays whose staves differ", check_stave_errors},
-    }};
+    });
     return table;
 }
 

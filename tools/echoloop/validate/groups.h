@@ -32,6 +32,14 @@ void check_multipath(Findings&);
 void check_refraction(Findings&);
 void check_motion(Findings&);
 void check_bookkeeping(Findings&);
+void check_plane(Findings&);
+void check_plates(Findings&);
+void check_round_bodies(Findings&);
+void check_lobe(Findings&);
+void check_facets(Findings&);
+void check_room(Findings&);
+void check_images(Findings&);
+void check_second_bottom(Findings&);
 void check_converter(Findings&);
 void check_stave_errors(Findings&);
 

@@ -185,6 +185,22 @@ std::optional<double> axis_crossing(const Echogram& echogram, std::size_t index,
     return extent.centre + crossing;
 }
 
+/// Echoes that measure less than so many times the resolution are little more than one pulse. Fit: with it
+/// soundings scatter towards the nadir as those of a real Sonic 2026 do (docs/validation.md).
+constexpr double one_pulse = 2.8;
+
+/// Where such an echo is strongest, in bins from the start: no shape of its own tells its middle, so speckle
+/// moves it within the pulse. What is near the peak counts, so that a flat top has its middle.
+double strongest_place(std::span<const float> beam, BinRange echo, float peak) {
+    double weight = 0, moment = 0;
+    for (std::size_t bin = echo.from; bin < echo.to; ++bin) {
+        const double part = beam[bin] / peak, cube = part * part * part;
+        weight += cube * cube;
+        moment += cube * cube * (static_cast<double>(bin) + 0.5);
+    }
+    return moment / weight;
+}
+
 /// By which part of its time a level bottom's echo comes too late, since the fan has a height h: at an angle
 /// x along the track the bottom is x^2 / 2 farther. The side lobes of a line, sinc^2(0.886 x / h), leave as
 /// much of that in every equal part of x, as far as the echo lasts.
@@ -221,10 +237,11 @@ Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, 
     const BinRange echo = loudest(echogram.beam(index), run, static_cast<std::size_t>(slack * expected) + 2);
     Extent extent = measure(echogram, index, echo);
     if (!(extent.peak > 0) || !std::isfinite(extent.centre)) return {};
+    const double pulses = extent.length * shot.bin_interval / resolution(shot);
+    if (pulses < one_pulse) extent.centre = strongest_place(echogram.beam(index), echo, extent.peak);
     // Interferometry needs an echo that is long against the pulse: the outer beams.
     std::optional<double> crossing;
-    if (extent.length * shot.bin_interval > rule.least_phase_length * resolution(shot))
-        crossing = axis_crossing(echogram, index, run, extent, room);
+    if (pulses > rule.phase_length) crossing = axis_crossing(echogram, index, run, extent, room);
     const auto time_of = [&](double bin) { return shot.first_bin_time + bin * shot.bin_interval; };
     const double delay = echo_delay(shot, rule.echoes_last);
     Detection detection;
@@ -264,6 +281,7 @@ std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate
         detections[n] = detect_in(echogram, n, gates[n], rule, stretches, room);
     continue_to_edges(detections, echogram.shot.bearings, echogram.shot.beam_width);
     move_to_neighbours(detections, echogram.shot.bearings, echogram.shot.beam_width);
+    smooth_by_phase(detections, echogram.shot.bearings, rule.smoothed);
     mark_in_line(detections, echogram.shot.bearings);
     return detections;
 }

@@ -56,8 +56,18 @@ struct Rule {
     double margin = 10;  ///< dB above the echogram's noise; an echo below is no bottom
     /// Echoes last as long as the pulse: their middle comes half of it after the bottom.
     bool echoes_last = true;
-    /// Echoes that many times longer than the pulse are detected by phase; real heads change over there.
-    double least_phase_length = 3.5;
+    /// Echoes that measure so many times the pulse or more are located by phase. Their measured length
+    /// scatters by speckle, so the share of phase rises smoothly over angle.
+    double phase_length = 5.8;
+    /// Soundings by phase, side by side, that are averaged for one, where they lie in line; 1: none.
+    std::size_t smoothed = 1;
+
+    /// The same with echoes that last or not, as the effect `pulse` has it.
+    Rule with(bool lasting) const {
+        Rule rule = *this;
+        rule.echoes_last = lasting;
+        return rule;
+    }
 };
 
 /// Detections of all beams, with one gate each: the strongest stretch as long as the beam's footprint on a
@@ -73,6 +83,11 @@ void continue_to_edges(std::span<Detection> detections, std::span<const double> 
 /// line, as far as it meets the own echo: speckle left it next to nothing near its axis. Not where beams are
 /// closer than half a `beam_width` (rad): those share their speckle. `angles`: rad, one a detection.
 void move_to_neighbours(std::span<Detection> detections, std::span<const double> angles, double beam_width);
+
+/// A detection by phase goes to the line through itself and its neighbours, `beams` in all and fewer beside
+/// the edges and beside detections by magnitude, where they lie in line and as far as the line meets its own
+/// echo. `angles`: rad, one a detection.
+void smooth_by_phase(std::span<Detection> detections, std::span<const double> angles, std::size_t beams);
 
 /// Marks the detections that lie in line with two of their neighbours. `angles`: rad, one a detection.
 void mark_in_line(std::span<Detection> detections, std::span<const double> angles);

@@ -48,15 +48,13 @@ std::optional<Line> line_through(std::span<const Detection> detections, std::spa
     return Line{mean.down - slope * mean.across, slope};
 }
 
-/// Least squares through the `side` beams on either side of beam `own`; nothing if one of them found no
-/// bottom.
-std::optional<Line> line_of_neighbours(std::span<const Point> points, std::span<const Detection> detections,
-                                       std::size_t own, std::size_t side) {
+/// Least squares through the `side` beams on either side of beam `own`, and through that one `with_own`.
+std::optional<Line> line_around(std::span<const Point> points, std::size_t own, std::size_t side,
+                                bool with_own) {
     double n = 0, x = 0, z = 0, xx = 0, xz = 0;
     const Point origin = points[own];
     for (std::size_t beam = own - side; beam <= own + side; ++beam) {
-        if (beam == own) continue;
-        if (!detections[beam].found()) return std::nullopt;
+        if (beam == own && !with_own) continue;
         const double across = points[beam].across - origin.across, down = points[beam].down - origin.down;
         n += 1, x += across, z += down, xx += across * across, xz += across * down;
     }
@@ -64,6 +62,22 @@ std::optional<Line> line_of_neighbours(std::span<const Point> points, std::span<
     if (!(spread > 0)) return std::nullopt;
     const double slope = (n * xz - x * z) / spread;
     return Line{origin.down + (z - slope * x) / n - slope * origin.across, slope};
+}
+
+/// Two-way time at which the beam at `angle` meets the line.
+double time_on(const Line& line, double angle) {
+    return line.down / (std::cos(angle) - line.slope * std::sin(angle));
+}
+
+/// How far a point is off the line, as a part of its time.
+double off_line(const Line& line, Point point, double angle) {
+    return std::abs(std::hypot(point.across, point.down) / time_on(line, angle) - 1);
+}
+
+std::vector<Point> points_of(std::span<const Detection> detections, std::span<const double> angles) {
+    std::vector<Point> points(std::min(detections.size(), angles.size()));
+    for (std::size_t n = 0; n < points.size(); ++n) points[n] = point_of(detections[n], angles[n]);
+    return points;
 }
 
 /// Two-way time at which the beam at `angle` meets the line through two points; 0 if it does not.
@@ -85,7 +99,7 @@ void continue_to_edges(std::span<Detection> detections, std::span<const double> 
         for (std::size_t beam = 0; line && beam < edges; ++beam) {
             Detection& own = detections[place(beam)];
             const double angle = angles[place(beam)];
-            const double time = line->down / (std::cos(angle) - line->slope * std::sin(angle));
+            const double time = time_on(*line, angle);
             if (own.method == Method::phase && own.begin <= time && time <= own.end) own.time = time;
         }
     }
@@ -98,24 +112,46 @@ void move_to_neighbours(std::span<Detection> detections, std::span<const double>
     constexpr double most_uneven = 0.003;  // of the time: neighbours farther off their line make none
     const std::size_t count = std::min(detections.size(), angles.size());
     if (count < 2 || 2 * (angles[1] - angles[0]) < beam_width) return;  // neighbours that share their speckle
-    std::vector<Point> points(count);
-    for (std::size_t n = 0; n < count; ++n) points[n] = point_of(detections[n], angles[n]);
+    const auto points = points_of(detections, angles);
     for (std::size_t n = side; n + side < count; ++n) {
         Detection& own = detections[n];
-        const auto line = own.found() ? line_of_neighbours(points, detections, n, side) : std::nullopt;
+        bool all = true;
+        for (std::size_t beam = n - side; beam <= n + side; ++beam) all &= detections[beam].found();
+        const auto line = all ? line_around(points, n, side, false) : std::nullopt;
         if (!line) continue;
-        const auto time_at = [&](std::size_t beam) {
-            return line->down / (std::cos(angles[beam]) - line->slope * std::sin(angles[beam]));
-        };
         double squares = 0;
         for (std::size_t beam = n - side; beam <= n + side; ++beam) {
-            const double off = std::hypot(points[beam].across, points[beam].down) / time_at(beam) - 1;
+            const double off = off_line(*line, points[beam], angles[beam]);
             if (beam != n) squares += off * off / (2 * side);
         }
-        const double time = time_at(n), uneven = std::sqrt(squares), off = std::abs(own.time / time - 1);
+        const double time = time_on(*line, angles[n]), uneven = std::sqrt(squares),
+                     off = std::abs(own.time / time - 1);
         if (uneven < most_uneven && off > std::max(least_off, scattered * uneven) && own.begin <= time &&
             time <= own.end)
             own.time = time;
+    }
+}
+
+void smooth_by_phase(std::span<Detection> detections, std::span<const double> angles, std::size_t beams) {
+    constexpr double most_uneven =
+        0.003;  // of the time: what is farther off its neighbours' line is really so
+    if (beams < 3) return;
+    const auto points = points_of(detections, angles);
+    const auto by_phase = [&](std::size_t beam) {
+        return beam < points.size() && detections[beam].method == Method::phase;
+    };
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        if (!by_phase(n)) continue;
+        std::size_t side = 0;
+        while (side < beams / 2 && side < n && by_phase(n - side - 1) && by_phase(n + side + 1)) ++side;
+        const auto line = side > 0 ? line_around(points, n, side, true) : std::nullopt;
+        if (!line) continue;
+        bool even = true;
+        for (std::size_t beam = n - side; beam <= n + side; ++beam)
+            even &= off_line(*line, points[beam], angles[beam]) < most_uneven;
+        Detection& own = detections[n];
+        const double time = time_on(*line, angles[n]);
+        if (even && own.begin <= time && time <= own.end) own.time = time;
     }
 }
 

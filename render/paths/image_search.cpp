@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "render/paths/chains.h"
+#include "render/paths/searches.h"
+
+namespace echoloop {
+namespace {
+
+constexpr std::size_t most_images = 64, most_mirrors = 16, most_order = 5;
+constexpr int most_tries = 20'000;  ///< sequences of mirrors in one ping
+constexpr double square_cosine =
+    0.0175;  ///< faces this near to a right angle are corners, which have their own search
+constexpr std::size_t no_outline = ~std::size_t{0};
+constexpr double faintest_part =
+    1e-6;  ///< of a chain's power: coherent or incoherent parts below are left out
+
+/// A plane that takes part in paths.
+struct ImageMirror {
+    std::size_t face = no_outline;  ///< of Mirrors, or a plane without end
+    Vec3 normal;
+    double offset = 0;
+    double reflection = 0, roughness = 0, slope = 0;
+    bool incoherent = false;  ///< whatever the roughness: a curved mesh
+    double loudest = 0;       ///< uPa, of its own echo
+};
+
+/// A path by several mirrors and back, before anybody has looked whether something is in its way.
+struct ImagePath {
+    std::array<Vec3, most_order> points{};  ///< in the order in which sound meets the mirrors
+    std::array<const ImageMirror*, most_order> mirrors{};
+    std::size_t order = 0;
+    double range = 0;  ///< m, half its length
+    FanDirection leaves, arrives;
+    double smooth = 0;    ///< uPa, with its patterns, if all mirrors were smooth
+    double coherent = 1;  ///< share of the power that stays so
+    std::complex<double> share{1};
+
+    double power() const {
+        return smooth * smooth * std::max(coherent * std::norm(share), 0.1 * (1 - coherent));
+    }
+};
+
+class ImageSearch {
+  public:
+    ImageSearch(const PathPing& ping, const Mirrors& mirrors) : ping_(ping), mirrors_(mirrors) {}
+
+    void run(std::span<const std::size_t> faces, std::vector<TargetEcho>& targets,
+             std::vector<PathEcho>& diffuse) {
+        find_mirrors(faces);
+        images_[0] = ping_.sonar;
+        grow(0, 1);
+        std::ranges::stable_sort(paths_, std::greater{}, [](const ImagePath& p) { return p.power(); });
+        if (paths_.size() > most_images) paths_.resize(most_images);
+        for (const ImagePath& path : paths_)
+            if (is_free(path)) add(path, targets, diffuse);
+    }
+
+  private:
+    void find_mirrors(std::span<const std::size_t> faces) {
+        for (const std::size_t face : faces) {
+            const MirrorFace& plane = mirrors_.faces()[face];
+            const Material& material = mirrors_.material(face);
+            add_mirror(
+                {face, plane.normal, plane.offset, material.reflection, material.roughness, material.slope});
+        }
+        if (const auto surface = ping_.space.surface_above(ping_.sonar)) {
+            add_mirror({no_outline, {0, 0, -1}, -surface->height, -1, surface->roughness, surface->slope});
+            add_curved_bottom();
+        }
+        std::ranges::stable_sort(all_, std::greater{}, &ImageMirror::loudest);
+        if (all_.size() > most_mirrors) all_.resize(most_mirrors);
+    }
+
+    /// A level plane for the curved mesh below, so that its echo comes back from the surface once more.
+    void add_curved_bottom() {
+        const auto met = ping_.space.meet(ping_.sonar, {0, 0, -1}, ping_.end_range);
+        if (!met || met->material == nullptr || !(met->material->mesh_slope > 0)) return;
+        const Material& material = *met->material;
+        ImageMirror bottom{no_outline,         {0, 0, 1},
+                           met->point.z,       material.reflection,
+                           material.roughness, std::hypot(material.slope, material.mesh_slope)};
+        bottom.incoherent = true;
+        add_mirror(bottom);
+    }
+
+    void add_mirror(ImageMirror mirror) {
+        const double range = std::abs(dot(mirror.normal, ping_.sonar) - mirror.offset);
+        if (!(range > 1e-2) || range >= ping_.end_range) return;
+        mirror.loudest = ping_.arrival(range, range) * range / 2 * std::abs(mirror.reflection);
+        if (mirror.loudest > ping_.least) all_.push_back(mirror);
+    }
+
+    double level_at(double range) const { return ping_.arrival(range, range) * range / 2; }
+
+    /// `reflections`: the product of those so far.
+    void grow(std::size_t order, double reflections) {
+        if (order == most_order) return;
+        const Vec3 image = images_[order];
+        for (const ImageMirror& mirror : all_) {
+            if (++tries_ > most_tries) return;
+            const double before = dot(mirror.normal, image) - mirror.offset;
+            const bool both_sides = mirror.face != no_outline && mirrors_.material(mirror.face).double_sided;
+            if (!(both_sides ? std::abs(before) > 1e-6 : before > 1e-6)) continue;
+            if (order > 0) {
+                const ImageMirror& last = *sequence_[order - 1];
+                if (&last == &mirror || std::abs(dot(last.normal, mirror.normal)) < square_cosine) continue;
+            }
+            const Vec3 next = image - 2 * before * mirror.normal;
+            const double range = norm(next - ping_.sonar) / 2, product = reflections * mirror.reflection;
+            if (range < 1e-2 || range >= ping_.end_range) continue;
+            if (!(level_at(range) * std::abs(product) > ping_.least)) continue;
+            sequence_[order] = &mirror, images_[order + 1] = next;
+            if (order > 0) try_path(order + 1, range, product);
+            grow(order + 1, product);
+        }
+    }
+
+    /// Goes the path of the sequence back from its last image.
+    void try_path(std::size_t order, double range, double reflections) {
+        ImagePath path;
+        path.order = order, path.range = range;
+        Vec3 to = ping_.sonar;
+        double left = 2 * range;
+        for (std::size_t i = order; i-- > 0;) {
+            const ImageMirror& mirror = *sequence_[i];
+            const Vec3 line = images_[i + 1] - to;
+            const double slope = dot(line, mirror.normal);
+            const double share = (mirror.offset - dot(to, mirror.normal)) / slope;
+            if (!(share > 1e-9 && share < 1 - 1e-9)) return;
+            path.points[i] = to + share * line, path.mirrors[i] = &mirror;
+            left -= norm(path.points[i] - to);
+            to = path.points[i];
+            const double cosine = std::abs(slope) / norm(line);
+            path.coherent *= mirror.incoherent
+                                 ? 0
+                                 : std::pow(coherent_loss(ping_.wavenumber, mirror.roughness, cosine), 2);
+            if (mirror.face == no_outline) continue;
+            const Foot foot = mirrors_.foot(
+                mirror.face, to, mirror_zone(ping_.wavenumber, left, 2 * range - left, ping_.resolution));
+            if (foot.outside > 0) return;
+            path.share *= foot.share;
+        }
+        path.leaves = seen(path.points[0]), path.arrives = seen(path.points[order - 1]);
+        path.smooth = level_at(range) * reflections * path.leaves.transmit * path.arrives.receive;
+        if (path.power() > ping_.least * ping_.least) paths_.push_back(path);
+    }
+
+    FanDirection seen(Vec3 point) const {
+        return ping_.seen(1 / norm(point - ping_.sonar) * (point - ping_.sonar));
+    }
+
+    bool is_free(const ImagePath& path) const {
+        Vec3 from = ping_.sonar;
+        for (std::size_t i = 0; i <= path.order; ++i) {
+            const Vec3 to = i < path.order ? path.points[i] : ping_.sonar;
+            if (ping_.space.blocked(from, to)) return false;
+            from = to;
+        }
+        return true;
+    }
+
+    void add(const ImagePath& path, std::vector<TargetEcho>& targets, std::vector<PathEcho>& diffuse) const {
+        const double power = path.smooth * path.smooth;
+        if (path.coherent > faintest_part) {
+            const double phase = 2 * ping_.wavenumber * path.range + std::arg(path.share) +
+                                 (path.smooth < 0 ? std::numbers::pi : 0);
+            targets.push_back({path.range, power * path.coherent * std::norm(path.share),
+                               std::remainder(phase, 2 * std::numbers::pi), path.arrives.bearing,
+                               static_cast<int>(path.order), path.arrives.elevation});
+        }
+        if (1 - path.coherent > faintest_part) add_chain(path, power * (1 - path.coherent), diffuse);
+    }
+
+    /// The incoherent part, over the range by which its paths are longer and, for a fan, over its bearings.
+    void add_chain(const ImagePath& path, double power, std::vector<PathEcho>& diffuse) const {
+        std::array<ChainMirror, most_order> mirrors{};
+        double at = 0;
+        Vec3 from = ping_.sonar;
+        for (std::size_t i = 0; i < path.order; ++i) {
+            at += norm(path.points[i] - from), from = path.points[i];
+            const ImageMirror& mirror = *path.mirrors[i];
+            const bool is_smooth = !mirror.incoherent && mirror.roughness == 0;
+            mirrors[i] = {at / (2 * path.range), is_smooth ? 0 : mirror.slope};
+        }
+        const auto chain = std::span(mirrors).first(path.order);
+        constexpr double everywhere = std::numeric_limits<double>::infinity();
+        const double per_width = 1 / (2 * std::sqrt(std::numbers::ln2));  // of exp(-x^2 / spread^2) at half
+        const Shot& shot = ping_.shot;
+        const bool one_beam = shot.beams() == 1, rows = shot.rows() > 1;
+        const ChainShare across = chain_share(chain, one_beam ? shot.beam_width * per_width : everywhere),
+                         up = chain_share(chain, rows ? everywhere : shot.fan_height * per_width);
+        PathEcho echo;
+        echo.near_range = static_cast<float>(path.range);
+        echo.far_range = static_cast<float>(path.range * (1 + across.variance + up.variance));
+        echo.elevation = static_cast<float>(path.arrives.elevation);
+        const double whole = power * across.power * up.power, spread = std::sqrt(across.variance);
+        echo.width = static_cast<float>(3.5 * spread),
+        echo.height = static_cast<float>(3.5 * std::sqrt(up.variance));
+        constexpr int most_parts = 33;
+        const int parts = one_beam || rows
+                              ? 1
+                              : std::clamp(static_cast<int>(6 * spread / shot.beam_width) | 1, 1, most_parts);
+        double sum = 0;
+        const auto weight = [&](int part) {
+            const double off = (part - (parts - 1) / 2.0) * 6 / parts;  // in spreads
+            return std::exp(-off * off / 2);
+        };
+        for (int part = 0; part < parts; ++part) sum += weight(part);
+        for (int part = 0; part < parts; ++part) {
+            echo.bearing =
+                static_cast<float>(path.arrives.bearing + (part - (parts - 1) / 2.0) * 6 / parts * spread);
+            echo.power = static_cast<float>(whole * weight(part) / sum);
+            if (std::isnormal(echo.power)) diffuse.push_back(echo);
+        }
+    }
+
+    const PathPing& ping_;
+    const Mirrors& mirrors_;
+    std::vector<ImageMirror> all_;
+    std::array<const ImageMirror*, most_order> sequence_{};
+    std::array<Vec3, most_order + 1> images_{};  ///< of the sonar in the mirrors of the sequence so far
+    std::vector<ImagePath> paths_;
+    int tries_ = 0;
+};
+
+}  // namespace
+
+void find_image_echoes(const PathPing& ping, const Mirrors& mirrors, std::span<const std::size_t> faces,
+                       std::vector<TargetEcho>& targets, std::vector<PathEcho>& diffuse) {
+    ImageSearch(ping, mirrors).run(faces, targets, diffuse);
+}
+
+}  // namespace echoloop

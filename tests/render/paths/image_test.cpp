@@ -1,0 +1,134 @@
+// The sonar's images in several mirrors: ranges, levels, and what is left out.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "render/paths/chains.h"
+#include "tests/render/paths/path_rooms.h"
+
+namespace echoloop {
+namespace {
+
+constexpr double reflection = 0.686, nepers = 0.146 / 8.685889638;
+
+Mesh turned(Mesh mesh, double yaw) {
+    for (Vec3& p : mesh.positions) p = rotate(axis_angle({0, 0, 1}, yaw), p);
+    return mesh;
+}
+
+/// Walls 2 m ahead and 4 m astern.
+std::vector<Mesh> channel(double roughness = 0) {
+    return {test::smooth(test::wall_at(2, 20, -20, 20), reflection, roughness),
+            test::smooth(turned(test::wall_at(4, 20, -20, 20), std::numbers::pi), reflection, roughness)};
+}
+
+Shot head() {
+    Shot shot = test::fan(3, 35, 1, 700, 20);
+    shot.frequency = 700e3;
+    return shot;
+}
+
+std::vector<TargetEcho> images(const std::vector<Mesh>& meshes, Effects effects, const Pose& pose = {},
+                               const Shot& shot = head()) {
+    auto found = test::trace(test::scene_of(meshes), {}, effects, shot, pose, nepers, 20).targets;
+    std::ranges::sort(found, {}, &TargetEcho::range);
+    return found;
+}
+
+const Effects quiet = test::without({Effect::noise});
+
+TEST(Images, AHeadHearsTheOddOrdersOfAChannel) {
+    const auto found = images(channel(), quiet);
+    std::vector<TargetEcho> loud;
+    for (const TargetEcho& echo : found)
+        if (test::db(echo.power) > 145) loud.push_back(echo);
+    ASSERT_EQ(loud.size(), 3U);
+    const struct { double range, level; } expected[] = {{2, -15.90}, {8, -36.24}, {14, -49.40}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(loud[i].range, expected[i].range, 1e-6);
+        EXPECT_NEAR(test::db(loud[i].power) - 200, expected[i].level, 0.1);
+        EXPECT_EQ(loud[i].bounces, 2 * static_cast<int>(i) + 1);
+    }
+}
+
+TEST(Images, EvenOrdersGoOutByOneSideAndComeBackByTheOther) {
+    Shot all_round = head();
+    all_round.beam_width = 2 * std::numbers::pi;
+    const auto found = images(channel(), test::without({Effect::noise, Effect::beam_pattern}), {}, all_round);
+    for (const auto& [range, level] : {std::pair(6.0, -29.88), std::pair(12.0, -44.20)}) {
+        int count = 0;
+        for (const TargetEcho& echo : found)
+            if (std::abs(echo.range - range) < 1e-6) {
+                ++count;
+                EXPECT_NEAR(test::db(echo.power) - 200, level, 0.1);
+            }
+        EXPECT_EQ(count, 2) << "at " << range << " m";
+    }
+}
+
+// The path does not depend on rays that are placed anew for every ping.
+TEST(Images, TheyStayFromPingToPing) {
+    Shot shot = head();
+    const auto first = images(channel(), quiet, {}, shot);
+    for (shot.ping = 1; shot.ping < 20; ++shot.ping) {
+        const auto later = images(channel(), quiet, {}, shot);
+        ASSERT_EQ(later.size(), first.size());
+        for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(later[i].power, first[i].power);
+    }
+}
+
+TEST(Images, WhatStandsInTheirWayHidesThem) {
+    auto meshes = channel();
+    meshes.push_back(test::dull(test::box("crate", {-2, 0, 0}, {0.5, 0.5, 0.5})));
+    const auto found = images(meshes, quiet);
+    EXPECT_EQ(std::ranges::count_if(found, [](const TargetEcho& e) { return e.bounces > 1; }), 0);
+    EXPECT_EQ(std::ranges::count_if(found, [](const TargetEcho& e) { return std::abs(e.range - 2) < 1e-6; }),
+              1);
+}
+
+TEST(Images, RoughWallsKeepTheirEnergy) {
+    const auto scene = test::scene_of(channel(0.01));
+    const auto echoes = test::trace(scene, {}, quiet, head(), {}, nepers, 20);
+    EXPECT_EQ(std::ranges::count_if(echoes.targets, [](const TargetEcho& e) { return e.bounces > 1; }), 0);
+    double third = 0;
+    for (const PathEcho& echo : echoes.diffuse)
+        if (std::abs(echo.near_range - 8) < 1e-3F) third += static_cast<double>(echo.power);
+    const double slope = 0.15;  // sand's, as the material says nothing else
+    const ChainMirror chain[] = {{2.0 / 16, slope}, {8.0 / 16, slope}, {14.0 / 16, slope}};
+    const auto spread = [](double deg) { return deg_to_rad(deg) / (2 * std::sqrt(std::numbers::ln2)); };
+    const double expected = -36.24 + test::db(chain_share(chain, spread(3)).power) +
+                            test::db(chain_share(chain, spread(35)).power);
+    EXPECT_NEAR(test::db(third) - 200, expected, 0.2);
+}
+
+TEST(Images, OneRoughMirrorIsTheLobeOfAPlane) {
+    const ChainMirror mirror{0.5, 0.1};
+    const double spread = deg_to_rad(10) / 2.355;
+    const double share = chain_share({&mirror, 1}, spread).power;
+    EXPECT_NEAR(test::db(share * share), -6.67, 0.01);
+    EXPECT_EQ(chain_share({&mirror, 1}, std::numeric_limits<double>::infinity()).power, 1);
+    EXPECT_NEAR(chain_share({&mirror, 1}, std::numeric_limits<double>::infinity()).variance, 0.01, 1e-9);
+}
+
+// An echosounder sees the bottom once more by way of a rough surface; also where the bottom is no plane.
+TEST(Images, SecondBottomFlatAndRippled) {
+    const Pose down{{0, 0, -2}, axis_angle({0, 1, 0}, std::numbers::pi / 2)};
+    for (const bool flat : {true, false}) {
+        Mesh floor = test::floor_at(-8, 20, 80);
+        if (!flat)
+            for (Vec3& p : floor.positions) p.z += 0.02 * std::sin(2 * p.x) * std::cos(2 * p.y);
+        Shot shot = test::fan(8, 8, 1, 700, 20);
+        const auto echoes =
+            test::trace(test::scene_of({floor}), WaterSurface{0, 0.01}, quiet, shot, down, 0, 20);
+        double second = 0;
+        for (const PathEcho& echo : echoes.diffuse)
+            if (std::abs(echo.near_range - 14) < 0.1F) second += static_cast<double>(echo.power);
+        // V^2 / 28 m of two rough sandy mirrors; the chain takes a few dB more.
+        const double smooth = 200 - 20 * std::log10(28) + 40 * std::log10(0.353);
+        EXPECT_LT(test::db(second), smooth - 5) << flat;
+        EXPECT_GT(test::db(second), smooth - 20) << flat;
+    }
+}
+
+}  // namespace
+}  // namespace echoloop
