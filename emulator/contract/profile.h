@@ -20,6 +20,9 @@ struct FigureRow {
     double maximum = 1e300;              ///< inclusive
     bool whole = false;                  ///< a whole number
     std::vector<std::string> choices{};  ///< legal words; empty: a number
+    /// Where it is a text with a notation of its own: throws std::invalid_argument with what is wrong and how
+    /// to write it.
+    void (*check)(std::string_view) = nullptr;
 };
 
 struct Figure {

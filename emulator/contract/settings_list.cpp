@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "emulator/contract/options.h"
+#include "emulator/contract/receiver_notation.h"
 
 namespace echoloop {
 namespace {
@@ -20,6 +21,18 @@ Option row(std::string_view name, std::string_view unit, OptionValue value, std:
 double rounded(double degrees) { return std::round(degrees * 1e9) / 1e9; }
 
 constexpr std::array<std::string_view, 3> shapes{"line", "hamming", "piston"};  // as in ApertureShape
+constexpr std::array<std::string_view, 3> rules{"mean", "peak", "sample"};      // as in BinRule
+
+/// The place of the profile's word among `words`; without a profile `at`, and a row is gathered.
+std::size_t chosen_figure(const Profile* profile, std::vector<FigureRow>& rows, std::size_t at,
+                          const std::string& name, std::span<const std::string_view> words,
+                          const std::string& help) {
+    if (profile != nullptr)
+        return static_cast<std::size_t>(std::ranges::find(words, figure_of<std::string>(*profile, name)) -
+                                        words.begin());
+    rows.push_back({name, "", help, 0, 0, false, {words.begin(), words.end()}});
+    return at;
+}
 
 }  // namespace
 
@@ -105,18 +118,9 @@ void FigureList::integer(double& member, std::string_view name, double low, doub
 }
 
 void FigureList::pattern(AxisPattern& member, const std::string& axis, const std::string& across) {
-    const std::string name = axis + "_aperture";
-    if (values_ != nullptr)
-        member.shape = static_cast<ApertureShape>(
-            std::ranges::find(shapes, figure_of<std::string>(*values_, name)) - shapes.begin());
-    else
-        rows_.push_back({name,
-                         "",
-                         "shape of the aperture across " + across,
-                         0,
-                         0,
-                         false,
-                         {shapes.begin(), shapes.end()}});
+    member.shape = static_cast<ApertureShape>(
+        chosen_figure(values_, rows_, static_cast<std::size_t>(member.shape), axis + "_aperture", shapes,
+                      "shape of the aperture across " + across));
     whole(member.ways, axis + "_ways", 1, 2,
           "2: the same aperture sends and hears; 1: only one is directive");
 }
@@ -139,6 +143,14 @@ void FigureList::common(AxisPattern& horizontal, AxisPattern& vertical, Receiver
     whole(receiver.converter_bits, "converter_bits", 0, 32, "of the amplitude up to saturation; 0: no steps");
     whole(receiver.staves, "staves", 1, 4096,
           "converters from whose outputs a beam is formed; 1: one behind the beam");
+    receiver.bins =
+        static_cast<BinRule>(chosen_figure(values_, rows_, static_cast<std::size_t>(receiver.bins),
+                                           "bin_rule", rules, "what a bin keeps of the looks in it"));
+    notation(receiver.ring_down, "ring_down", "ms: dB re source level",
+             "what the receiver hears of its own pulse, as points of a curve", read_ring_down,
+             [](std::string_view text) { read_ring_down(text); });
+    notation(receiver.interference, "interference", "", "what electronics near by leave in it",
+             read_interference, [](std::string_view text) { read_interference(text); });
 }
 
 }  // namespace echoloop

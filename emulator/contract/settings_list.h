@@ -105,7 +105,8 @@ class FigureList {
         integer(value, name, low, high, help);
         member = static_cast<T>(value);
     }
-    /// What all models have: apertures and receiver, whose bandwidth is left to the pulse.
+    /// What all models have: apertures and receiver, whose bandwidth is left to the pulse, with its ring-down
+    /// and interference.
     void common(AxisPattern& horizontal, AxisPattern& vertical, Receiver& receiver);
 
     /// What arrays have besides: how their staves differ.
@@ -115,6 +116,17 @@ class FigureList {
 
   private:
     void integer(double& member, std::string_view name, double low, double high, std::string_view help);
+    /// A text in the notation that `read` knows, which makes T of it.
+    template <class T>
+    void notation(T& member, std::string_view name, std::string_view unit, std::string_view help,
+                  T (*read)(std::string_view), void (*check)(std::string_view)) {
+        if (values_ != nullptr) {
+            member = read(figure_of<std::string>(*values_, name));
+            return;
+        }
+        rows_.push_back({std::string(name), std::string(unit), std::string(help)});
+        rows_.back().check = check;
+    }
     /// The rows of one axis: "horizontal" or "vertical".
     void pattern(AxisPattern& member, const std::string& axis, const std::string& across);
 

@@ -15,6 +15,17 @@ std::vector<std::string_view> names(const Model& model) {
 void read_value(const Value& value, const std::string& path, const FigureRow& row, Figure& figure,
                 Problems& problems) {
     Checker checker(problems);
+    if (row.check != nullptr) {
+        std::string text;
+        if (!checker.text(value, path, text)) return;
+        try {
+            row.check(text);
+            figure.value = text;
+        } catch (const std::invalid_argument& fault) {
+            problems.add(value.place, path + ": " + fault.what());
+        }
+        return;
+    }
     if (!row.choices.empty()) {
         std::string word;
         if (checker.word(value, path, {row.choices.begin(), row.choices.end()}, word)) figure.value = word;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/acoustics/chain.h"
 #include "render/acoustics/chain_kernels.h"
 
 namespace echoloop {
@@ -11,13 +10,23 @@ namespace {
 
 double power_of(double db) { return std::pow(10, db / 10); }
 
-/// Hz, over which what is left of the noise is even: a compressed chirp's has the whole sweep.
-double noise_spectrum(const Shot& shot) {
-    return shot.bandwidth > 0 ? shot.bandwidth : noise_bandwidth(shot);
-}
-
 /// uPa^2; less changes no level, and is what receivers have whose noise somebody else adds.
 constexpr double least_noise = 1e-12;
+
+Scatter scatter_of(const RangeCorrelation& correlation, BinRule rule, double bin_length) {
+    Scatter out;
+    if (rule != BinRule::sample) out.looks = looks_in(correlation, bin_length);
+    out.bins = bin_filter(correlation, rule, out.looks, bin_length);
+    out.neighbours = neighbour_correlation(out.bins);
+    return out;
+}
+
+/// Whether all beams are two widths apart or more, where they share nothing.
+bool far_apart(const Shot& shot) {
+    for (std::size_t i = 1; i < shot.bearings.size(); ++i)
+        if (shot.bearings[i] - shot.bearings[i - 1] < 2 * shot.beam_width) return false;
+    return true;
+}
 
 }  // namespace
 
@@ -27,60 +36,73 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
       bin_length(sound_speed / 2 * shot.bin_interval),
       pulse(effects.has(Effect::pulse) && range_resolution(shot, sound_speed) > 0),
       speckle(effects.has(Effect::speckle)),
+      keeps_peaks(shot.receiver.bins == BinRule::peak),
       shape(shot, sound_speed),
-      grid(shot),
-      lean(shot, grid.cell_width()) {
-    if (pulse) {
-        power = power_filter(shape, bin_length);
-        looks = std::max(1.0, bin_length / shape.length());
-        fine = bin_length < shape.length();
-        if (fine) field = field_filter(shape, bin_length);
-        texture_bins = static_cast<std::size_t>(std::max(1.0, std::round(shape.length() / bin_length)));
-    }
+      grid(shot.beam_width),
+      lean(shot, grid.cell_width()),
+      shares_noise(!far_apart(shot)),
+      ring_down(shot, effects),
+      interference(shot, effects) {
     if (effects.has(Effect::noise)) noise_power = received_noise(shot);
     if (effects.has(Effect::quantisation)) noise_power += converter_noise(shot);
     if (noise_power < least_noise) noise_power = 0;
-    if (noise_power > 0) {
-        noise_looks = pulse ? std::max(1.0, noise_spectrum(shot) * shot.bin_interval) : 1;
-        if (fine) noise = noise_filter(noise_spectrum(shot), shot.bin_interval);
-    }
-    if (speckle) texture_shape = options.shape;
     if (effects.has(Effect::saturation))
         power_limit = static_cast<float>(power_of(shot.receiver.saturation_level));
+    const BinRule rule = shot.receiver.bins;
+    if (pulse) {
+        power = power_filter(shape, bin_length);
+        bins_per_look = static_cast<std::size_t>(std::max(1.0, std::round(shape.length() / bin_length)));
+        if (speckle) echo = scatter_of(echo_correlation(shot, sound_speed), rule, bin_length);
+        if (noise_power > 0) noise = scatter_of(noise_correlation(shot, sound_speed), rule, bin_length);
+    }
+    if (speckle) {
+        echo.kernel = echo_kernel(shot, echo.looks);
+        echo.law = bin_law(rule, echo.looks);
+        texture_shape = options.shape;
+        if (textured()) texture = gamma_law(texture_shape);
+    }
+    if (noise_power > 0) {
+        noise.kernel = noise_kernel(shot, noise.looks);
+        noise.law = bin_law(rule, noise.looks);
+    }
 }
 
 void BeamChain::start(const ChainPlan& plan, const ChainPing& ping) {
     plan_ = &plan;
     ping_ = ping;
-    for (Field& field : fields_) field.cell = ~0U;
-    for (Field* field : {&speckle_, &noise_, &points_}) make_room(*field);
-    looks_.resize(plan.bins);
-    cosines_.resize(plan.bins);
-}
-
-void BeamChain::make_room(Field& field) const {
-    field.real.resize(random_room(plan_->bins));
-    field.imaginary.resize(random_room(plan_->bins));
+    for (Fields& fields : fields_) {
+        for (Field& field : fields.of_cells) field.cell = ~0U;
+        fields.heard.resize(plan.bins);
+    }
 }
 
 void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::span<const float> means,
                     std::span<float> values) {
-    if (plan_->leans())
-        std::copy_n(means.begin() + static_cast<std::ptrdiff_t>(beam * plan_->bins), plan_->bins,
-                    values.begin());
+    const ChainPlan& plan = *plan_;
+    if (plan.leans())
+        std::copy_n(means.begin() + static_cast<std::ptrdiff_t>(beam * plan.bins), plan.bins, values.begin());
     else
         spread(values, values);
-    const AngularCells cells = plan_->grid.cells_of(ping_.view.turn + ping_.pan + ping_.bearings[beam]);
-    const Field* field = plan_->speckle ? &speckle_of(beam, cells, means) : nullptr;
-    if (std::isfinite(plan_->texture_shape)) modulate_texture(cells, values);
-    const bool has_points = add_points(points);
-    if (plan_->fine) {
-        fine_echo(beam, field, has_points, values);
-    } else {
-        coarse_echo(cells, field, has_points, values);
-        if (plan_->noise_power > 0) coarse_noise(beam, values);
+    const double place = plan.grid.place_of(ping_.view.turn() + ping_.pan + ping_.bearings[beam]);
+    if (plan.speckle) {
+        const float* echo = speckle_of(beam, place, means);
+        if (plan.textured()) {
+            hear(texture, place, {0, plan.bins});
+            kernels::multiply_by_law(plan.texture.root.data(), fields_[texture].heard.data(), plan.bins,
+                                     values.data());
+        }
+        const float* of_noise = plan.noise_power > 0 ? noise_of(beam) : echo;
+        kernels::scatter({echo, plan.echo.law.root.data()}, {of_noise, plan.noise.law.root.data()},
+                         static_cast<float>(plan.noise_power), plan.bins, values.data());
+    } else if (plan.noise_power > 0) {
+        steady_in_noise(beam, values);
     }
-    kernels::receive(plan_->power_limit, values.size(), values.data());
+    if (add_points(points)) interfere_with_points(place, values);
+    const LineKey line{ping_.key, ping_.ping, static_cast<std::uint32_t>(beam),
+                       ping_.pan + ping_.bearings[beam]};
+    plan.interference.add(line, plan.noise_power, values);
+    plan.ring_down.add(line, ping_.source_level, values);
+    kernels::receive(plan.power_limit, values.size(), values.data());
 }
 
 void BeamChain::spread(std::span<const float> values, std::span<float> means) {
@@ -94,116 +116,70 @@ void BeamChain::spread(std::span<const float> values, std::span<float> means) {
     filter.apply(padded_, values.size(), means.data(), scratch_);
 }
 
-void BeamChain::modulate_texture(const AngularCells& cells, std::span<float> values) {
-    const std::uint32_t cell = cells.first_weight >= cells.second_weight ? cells.first : cells.second;
-    const RandomStream stream = view_stream(cell, texture);
-    for (std::size_t i = 0; i < values.size(); i += plan_->texture_bins) {
-        const auto index = static_cast<std::uint32_t>(i / plan_->texture_bins);
-        const auto factor = static_cast<float>(random_gamma(stream, index, plan_->texture_shape));
-        for (std::size_t k = i; k < std::min(i + plan_->texture_bins, values.size()); ++k)
-            values[k] *= factor;
-    }
+/// Without speckle the echo is steady: its interference with the noise has a new phase in every bin.
+void BeamChain::steady_in_noise(std::size_t beam, std::span<float> values) {
+    places_.assign(values.size(), static_cast<float>(plan_->noise_power));
+    kernels::multiply_by_law(plan_->noise.law.root.data(), noise_of(beam), values.size(), places_.data());
+    cosines_.resize(values.size());
+    random_cosines({ping_.key, ping_.ping, static_cast<std::uint32_t>(beam), noise_phase}, values.size(),
+                   cosines_.data());
+    kernels::interfere(places_.data(), cosines_.data(), static_cast<float>(plan_->noise.looks), values.size(),
+                       values.data());
 }
 
 bool BeamChain::add_points(std::span<const PointEcho> points) {
     if (points.empty()) return false;
-    std::fill(points_.real.begin(), points_.real.end(), 0.0F);
-    std::fill(points_.imaginary.begin(), points_.imaginary.end(), 0.0F);
-    for (const PointEcho& point : points) place(point, point.range - plan_->first_range);
+    points_real_.assign(plan_->bins, 0.0F);
+    points_imaginary_.assign(plan_->bins, 0.0F);
+    for (const PointEcho& point : points) place_point(point, point.range - plan_->first_range);
     return true;
 }
 
+/// Of a point's power, what is in a bin that begins at offset `from` m against its range: the mean over the
+/// bin, or over the part of it that the pulse fills where bins keep the peak.
+double BeamChain::share_of(double from) const {
+    if (!plan_->pulse) return 1;
+    const PulseShape& shape = plan_->shape;
+    const double to = from + plan_->bin_length;
+    const double energy = std::max(shape.energy_until(to) - shape.energy_until(from), 0.0);
+    const double mean = energy / plan_->bin_length;
+    if (!plan_->keeps_peaks) return mean;
+    const double begin = shape.is_chirp() ? -shape.length() / 2 : 0, end = begin + shape.length();
+    const double filled = std::min(to, end) - std::max(from, begin);
+    return filled > 0 ? std::min(energy / filled, 1.0) : mean;
+}
+
 /// `where`: m from the window's beginning.
-void BeamChain::place(const PointEcho& point, double where) {
+void BeamChain::place_point(const PointEcho& point, double where) {
     const double length = plan_->bin_length, last_bin = static_cast<double>(plan_->bins) - 1;
     const double begin = plan_->pulse ? plan_->shape.begin() : 0, end = plan_->pulse ? plan_->shape.end() : 0;
     const double first = std::max(std::floor((where + begin) / length), 0.0);
     const double last = std::min(std::floor((where + end) / length), last_bin);
     const double cosine = std::cos(point.phase), sine = std::sin(point.phase);
     for (double bin = first; bin <= last; ++bin) {
-        const double from = bin * length - where;
-        const double share =
-            plan_->pulse
-                ? (plan_->shape.energy_until(from + length) - plan_->shape.energy_until(from)) / length
-                : 1;
-        const double amplitude = std::sqrt(point.power * std::max(share, 0.0));
-        points_.real[static_cast<std::size_t>(bin)] += static_cast<float>(amplitude * cosine);
-        points_.imaginary[static_cast<std::size_t>(bin)] += static_cast<float>(amplitude * sine);
+        const double amplitude = std::sqrt(point.power * share_of(bin * length - where));
+        points_real_[static_cast<std::size_t>(bin)] += static_cast<float>(amplitude * cosine);
+        points_imaginary_[static_cast<std::size_t>(bin)] += static_cast<float>(amplitude * sine);
     }
 }
 
-RandomStream BeamChain::view_stream(std::uint32_t cell, std::uint32_t kind) const {
-    return {ping_.key, ping_.view.place, cell, kind};
-}
-
-RandomStream BeamChain::noise_stream(std::size_t beam, std::uint32_t kind) const {
-    return {ping_.key, ping_.ping, static_cast<std::uint32_t>(beam), kind};
-}
-
-void BeamChain::fill_field(const LineFilter& filter, const RandomStream& stream, Field& out) {
-    if (filter.is_identity())
-        return complex_normals(stream, plan_->bins, out.real.data(), out.imaginary.data());
-    const std::size_t count = filter.before() + plan_->bins;
-    const std::size_t room = std::max(filter.room(plan_->bins), random_room(count));
-    padded_.resize(room);
-    padded_imaginary_.resize(room);
-    complex_normals(stream, count, padded_.data(), padded_imaginary_.data());
-    filter.apply(padded_, plan_->bins, out.real.data(), scratch_);
-    filter.apply(padded_imaginary_, plan_->bins, out.imaginary.data(), scratch_);
-}
-
-void BeamChain::fine_echo(std::size_t beam, const Field* field, bool points, std::span<float> values) {
-    const std::size_t n = values.size();
-    const bool noisy = plan_->noise_power > 0;
-    if (!field) {
-        if (points) kernels::add_intensity(points_.real.data(), points_.imaginary.data(), n, values.data());
-        if (!noisy) return;
-    }
-    float *real = speckle_.real.data(), *imaginary = speckle_.imaginary.data();
-    if (field) {
-        kernels::modulate(values.data(), field->real.data(), field->imaginary.data(), n, real, imaginary);
-        if (points) kernels::add(1, points_.real.data(), points_.imaginary.data(), n, real, imaginary);
-    } else {
-        kernels::square_root(values.data(), n, real);
-        std::fill_n(imaginary, n, 0.0F);
-    }
-    if (noisy) {
-        fill_field(plan_->noise, noise_stream(beam, noise), noise_);
-        kernels::add(static_cast<float>(std::sqrt(plan_->noise_power)), noise_.real.data(),
-                     noise_.imaginary.data(), n, real, imaginary);
-    }
-    kernels::intensity(real, imaginary, n, values.data());
-}
-
-void BeamChain::coarse_echo(const AngularCells& cells, const Field* field, bool points,
-                            std::span<float> values) {
-    if (field) kernels::multiply(field->real.data(), values.size(), values.data());
-    if (!points) return;
-    if (field) coarse_points(cells, values);
-    kernels::add_intensity(points_.real.data(), points_.imaginary.data(), values.size(), values.data());
-}
-
-/// A point echo lies in one of a bin's looks, and interferes with that one.
-void BeamChain::coarse_points(const AngularCells& cells, std::span<float> values) const {
-    const RandomStream stream = view_stream(cells.first, speckle_phase);
-    const double per_look = 1 / plan_->looks;
+/// A point echo lies in one of a bin's looks, and interferes with that one, whose phase lasts for a pulse.
+void BeamChain::interfere_with_points(double place, std::span<float> values) const {
+    const RandomStream stream{ping_.key, ping_.view.key(), static_cast<std::uint32_t>(place), point_phase};
+    const double per_look = 1 / plan_->echo.looks;
+    const bool diffuse = plan_->speckle;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (points_.real[i] == 0 && points_.imaginary[i] == 0) continue;
-        const auto [cosine, sine] = random_direction(stream, static_cast<std::uint32_t>(i));
-        const auto diffuse = static_cast<float>(std::sqrt(static_cast<double>(values[i]) * per_look));
-        const float cross = 2 * diffuse * (points_.real[i] * cosine + points_.imaginary[i] * sine);
-        // Not below what the added intensity of the point brings back to 0.
-        const float point = points_.real[i] * points_.real[i] + points_.imaginary[i] * points_.imaginary[i];
-        values[i] = std::max(values[i] + cross, -point);
+        const float real = points_real_[i], imaginary = points_imaginary_[i];
+        if (real == 0 && imaginary == 0) continue;
+        float cross = 0;
+        if (diffuse) {
+            const auto [cosine, sine] =
+                random_direction(stream, static_cast<std::uint32_t>(i / plan_->bins_per_look));
+            const auto amplitude = static_cast<float>(std::sqrt(static_cast<double>(values[i]) * per_look));
+            cross = 2 * amplitude * (real * cosine + imaginary * sine);
+        }
+        values[i] = std::max(values[i] + cross + real * real + imaginary * imaginary, 0.0F);
     }
-}
-
-void BeamChain::coarse_noise(std::size_t beam, std::span<float> values) {
-    mean_of_looks(noise_stream(beam, noise), plan_->noise_looks, values.size(), looks_.data());
-    random_cosines(noise_stream(beam, noise_phase), values.size(), cosines_.data());
-    const double looks = plan_->speckle ? std::max(plan_->looks, plan_->noise_looks) : plan_->noise_looks;
-    kernels::interfere(1, values.data(), static_cast<float>(plan_->noise_power), looks_.data(),
-                       cosines_.data(), static_cast<float>(looks), values.size());
 }
 
 }  // namespace echoloop

@@ -9,12 +9,25 @@
 #include <vector>
 
 #include "render/acoustics/bin_filters.h"
+#include "render/acoustics/bin_law.h"
 #include "render/acoustics/chain.h"
+#include "render/acoustics/interference.h"
 #include "render/acoustics/lean.h"
 #include "render/acoustics/random.h"
-#include "render/acoustics/view_key.h"
+#include "render/acoustics/range_correlation.h"
+#include "render/acoustics/ring_down.h"
+#include "render/acoustics/view.h"
 
 namespace echoloop {
+
+/// White numbers, how they correlate, and how much a bin scatters: of the echo or of the noise.
+struct Scatter {
+    double looks = 1;       ///< independent ones in a bin
+    LineFilter bins;        ///< over range
+    double neighbours = 0;  ///< correlation of what it makes, one bin on
+    BeamKernel kernel;      ///< over directions
+    BinLaw law;
+};
 
 /// What is the same for all pings of one geometry.
 struct ChainPlan {
@@ -22,29 +35,34 @@ struct ChainPlan {
 
     /// Whether a beam's speckle depends on the mean powers of the beams beside it.
     bool leans() const { return speckle && lean.any(); }
+    bool textured() const { return std::isfinite(texture_shape); }
 
     std::size_t bins;
     double first_range, bin_length;  ///< m
     bool pulse, speckle;             ///< which are on
+    bool keeps_peaks;                ///< BinRule::peak
     PulseShape shape;
     AngularGrid grid;
     Lean lean;  ///< of the speckle's cells
-    LineFilter power, field, noise;
-    bool fine = false;       ///< bins are shorter than the pulse: fields are filtered, not counted in looks
-    double looks = 1;        ///< independent ones of the echo in one bin
-    double noise_looks = 1;  ///< of the noise
-    double noise_power = 0;  ///< uPa^2, the converters' steps among it; 0: none
+    LineFilter power;
+    Scatter echo, noise;
+    double noise_power = 0;    ///< uPa^2, the converters' steps among it; 0: none
+    bool shares_noise = true;  ///< beams lie so near to each other that their noise is in part the same
     double texture_shape = std::numeric_limits<double>::infinity();
-    std::size_t texture_bins = 1;                                ///< bins that share a value of the texture
+    BinLaw texture;
+    std::size_t bins_per_look = 1;
     float power_limit = std::numeric_limits<float>::infinity();  ///< uPa^2
+    RingDownPlan ring_down;
+    InterferencePlan interference;
 };
 
 /// What changes from ping to ping.
 struct ChainPing {
     std::uint64_t key = 0, ping = 0;
-    ViewKey view;
+    View view;
     double pan = 0;
     std::span<const double> bearings;
+    double source_level = 0;  ///< dB re 1 uPa at 1 m
 };
 
 class BeamChain {
@@ -60,45 +78,42 @@ class BeamChain {
 
   private:
     /// What random numbers are for.
-    enum Kind : std::uint32_t { speckle, speckle_phase, speckle_blend, texture, noise, noise_phase };
-    /// A complex field, or in its place the power of looks and how those of the next cell interfere, of one
-    /// angular cell.
+    enum Kind : std::uint32_t { speckle, noise, texture, point_phase, noise_phase };
+    /// Normal numbers of one angular cell, over the bins.
     struct Field {
         std::uint32_t cell = ~0U;
         std::uint64_t used = 0;  ///< greater: later
-        std::vector<float> real, imaginary;
+        std::vector<float> values;
     };
-    /// What a beam between two cells hears, in the bins [first, first + count).
+    /// Those that neighbouring beams share: as many as one beam may need, however it leans.
+    static constexpr std::size_t kept = 16;
+    struct Fields {
+        std::array<Field, kept> of_cells;
+        std::vector<float> heard;  ///< by one beam
+    };
+    /// The bins [first, first + count).
     struct Part {
-        const AngularCells& cells;
         std::size_t first = 0, count = 0;
     };
-    void modulate_texture(const AngularCells& cells, std::span<float> values);
+    const float* field_of(Kind kind, std::uint32_t cell);
+    void fill(Kind kind, std::uint32_t cell, std::vector<float>& out);
+    void fill_layers(Kind kind, std::uint32_t cell, std::size_t before, std::size_t count);
+    void hear(Kind kind, double place, Part part);
+    void hear_leaning(double place, Part part);
+    const float* speckle_of(std::size_t beam, double place, std::span<const float> means);
+    const float* noise_of(std::size_t beam);
+    void steady_in_noise(std::size_t beam, std::span<float> values);
     bool add_points(std::span<const PointEcho> points);
-    void place(const PointEcho& point, double where);
-    const Field& field_of(std::uint32_t cell);
-    void fill_field(const LineFilter& filter, const RandomStream& stream, Field& out);
-    RandomStream view_stream(std::uint32_t cell, std::uint32_t kind) const;
-    RandomStream noise_stream(std::size_t beam, std::uint32_t kind) const;
-    void make_room(Field& field) const;
-    const Field& speckle_of(std::size_t beam, const AngularCells& cells, std::span<const float> means);
-    void blend(const Part& part);
-    void blend_leaning(const Part& part, float* places);
-    void interfere(const Part& part);
-    void interfere_leaning(const Part& part, float* places);
-    void fine_echo(std::size_t beam, const Field* field, bool points, std::span<float> values);
-    void coarse_echo(const AngularCells& cells, const Field* field, bool points, std::span<float> values);
-    void coarse_points(const AngularCells& cells, std::span<float> values) const;
-    void coarse_noise(std::size_t beam, std::span<float> values);
+    void place_point(const PointEcho& point, double where);
+    double share_of(double from) const;
+    void interfere_with_points(double place, std::span<float> values) const;
 
     const ChainPlan* plan_ = nullptr;
     ChainPing ping_;
-    std::array<Field, 2 * Lean::most + 2>
-        fields_;  ///< of the cells that a beam may need, and of the last ones
+    std::array<Fields, 3> fields_;  ///< speckle, noise, texture
     std::uint64_t uses_ = 0;
-    Field speckle_, noise_;
-    Field points_;  ///< amplitude of the point echoes, sqrt(uPa^2)
-    std::vector<float> looks_, cosines_, places_, padded_, padded_imaginary_, scratch_;
+    std::vector<float> points_real_, points_imaginary_;  ///< amplitude of the point echoes, sqrt(uPa^2)
+    std::vector<float> places_, energy_, cosines_, padded_, white_, next_white_, scratch_;
 };
 
 }  // namespace echoloop

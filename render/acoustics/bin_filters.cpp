@@ -31,19 +31,6 @@ std::vector<float> scaled_to(double sum, const std::vector<double>& taps) {
     return out;
 }
 
-LineFilter unit_box(double length) {
-    const double whole = std::floor(length), rest = length - whole;
-    const auto scale = static_cast<float>(1 / std::sqrt(whole + rest * rest));
-    return LineFilter::boxed(length, 1, 0, {scale});
-}
-
-std::vector<float> unit_energy(std::vector<double> taps) {
-    const double energy = std::inner_product(taps.begin(), taps.end(), taps.begin(), 0.0);
-    std::vector<float> out;
-    for (const double tap : taps) out.push_back(static_cast<float>(tap / std::sqrt(energy)));
-    return out;
-}
-
 }  // namespace
 
 LineFilter power_filter(const PulseShape& pulse, double bin_length) {
@@ -60,27 +47,6 @@ LineFilter power_filter(const PulseShape& pulse, double bin_length) {
     std::vector<double> taps;
     for (int k = first; k <= last; ++k) taps.push_back(even_intensity(pulse, k, bin_length));
     return {first, scaled_to(pulse.length() / bin_length, taps)};
-}
-
-LineFilter field_filter(const PulseShape& pulse, double bin_length) {
-    const double span = (pulse.main_end() - pulse.main_begin()) / bin_length;
-    if (span > static_cast<double>(most_taps)) return unit_box(pulse.length() / bin_length);
-    std::vector<double> taps;
-    for (int k = 0; k < span; ++k)
-        taps.push_back(std::sqrt(intensity(pulse, pulse.main_begin() + k * bin_length, bin_length)));
-    return {0, unit_energy(std::move(taps))};
-}
-
-/// Bins; noise that hardly changes over so many hardly changes at all.
-constexpr double longest_box = 1e6;
-
-LineFilter noise_filter(double bandwidth, double interval) {
-    const double length = 1 / (bandwidth * interval);
-    if (length <= 1) return {};
-    if (length > static_cast<double>(most_taps)) return unit_box(std::min(length, longest_box));
-    std::vector<double> taps(static_cast<std::size_t>(length), 1.0);
-    if (const double rest = length - std::floor(length); rest > 0) taps.push_back(rest);
-    return {0, unit_energy(std::move(taps))};
 }
 
 }  // namespace echoloop

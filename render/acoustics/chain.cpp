@@ -14,7 +14,8 @@ namespace {
 bool same_geometry(const Shot& a, const Shot& b) {
     return a.bins == b.bins && a.bin_interval == b.bin_interval && a.first_bin_time == b.first_bin_time &&
            a.pulse_length == b.pulse_length && a.bandwidth == b.bandwidth && a.frequency == b.frequency &&
-           a.beam_width == b.beam_width && a.receiver == b.receiver && a.bearings == b.bearings;
+           a.beam_width == b.beam_width && a.horizontal == b.horizontal && a.receiver == b.receiver &&
+           a.bearings == b.bearings;
 }
 
 struct CachedPlan {
@@ -39,8 +40,8 @@ class AcousticChain::Impl {
     double apply(const Shot& shot, const Pose& pose, double sound_speed, std::span<const PointEcho> points,
                  std::span<float> values) {
         const ChainPlan& plan = plan_for(shot, sound_speed);
-        const ChainPing ping{shot.random_key, shot.ping, view_of(shot, pose, sound_speed / shot.frequency),
-                             shot.pan, shot.bearings};
+        const ChainPing ping{shot.random_key, shot.ping,     View(shot, pose, sound_speed / shot.frequency),
+                             shot.pan,        shot.bearings, shot.source_level};
         points_.assign(points.begin(), points.end());
         std::ranges::stable_sort(points_, {}, [](const PointEcho& point) { return point.beam; });
         const std::size_t beams = shot.bearings.size();
@@ -63,7 +64,7 @@ class AcousticChain::Impl {
         each([&](BeamChain& chain, std::size_t beam, std::span<float> bins) {
             chain.run(beam, points_of(points_, beam), means_, bins);
         });
-        return plan.noise_power;
+        return plan.noise_power * plan.noise.law.mean;
     }
 
   private:

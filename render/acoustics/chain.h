@@ -36,14 +36,14 @@ class AcousticChain {
 
     /// Turns `values` (beams x bins of the shot, beam-major; each the sum of the echo power that arrives
     /// within the bin as if the pulse were infinitely short and of unit height, uPa^2) into the mean
-    /// intensity of the receiver's output over each bin, uPa^2, in place. Returns the mean noise power in it,
-    /// uPa^2.
+    /// intensity of the receiver's output over each bin, or what else its BinRule says, uPa^2, in place.
+    /// Returns the mean noise power in it, uPa^2.
     ///
     /// Pulse on: convolved with the pulse's shape of unit height, so that area scattering has the insonified
     /// length c tau / 2 (CW) or c / (2 B) (chirp), whatever the bin size; off: left as it is. A CW echo
     /// begins at its range, a compressed chirp lies around it (see PulseShape). Speckle's random numbers are
-    /// keyed by shot.random_key, the sonar's place and direction, beam and bin: the same view gives the same
-    /// speckle, one that has moved by lambda / 4 an independent one. Noise is keyed by shot.ping as well.
+    /// a function of shot.random_key and of the pose: the same view gives the same speckle, one moved a
+    /// little nearly the same (see View). Noise is keyed by shot.ping as well.
     double apply(const Shot& shot, const Pose& world_from_sonar, double sound_speed,
                  std::span<const PointEcho> points, std::span<float> values);
 

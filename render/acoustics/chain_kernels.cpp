@@ -7,52 +7,108 @@
 
 namespace echoloop::kernels {
 
-ECHOLOOP_SIMD void modulate(const float* power, const float* field_real, const float* field_imaginary,
-                            std::size_t count, float* real, float* imaginary) {
+namespace {
+
+constexpr int law_terms = 9;        ///< BinLaw::law_terms
+constexpr float law_end = 5.7F;     ///< standard deviations; a law is made for no more
+constexpr float smallest = 1e-30F;  ///< uPa^2; keeps silence from being divided by itself
+constexpr std::size_t most_together = 5;
+
+ECHOLOOP_INLINE float cube(float x) { return x * x * x; }
+
+/// weighted_sum() of so many fields in one loop.
+template <std::size_t N>
+ECHOLOOP_INLINE void sum_of(const float* const* fields, const float* weights, std::size_t count, float* out) {
+    float w[N];
+    const float* f[N];
+    for (std::size_t k = 0; k < N; ++k) w[k] = weights[k], f[k] = fields[k];
     for (std::size_t i = 0; i < count; ++i) {
-        const float amplitude = std::sqrt(power[i]);
-        real[i] = amplitude * field_real[i];
-        imaginary[i] = amplitude * field_imaginary[i];
+        float sum = w[0] * f[0][i];
+#pragma GCC unroll 5
+        for (std::size_t k = 1; k < N; ++k) sum += w[k] * f[k][i];
+        out[i] = sum;
     }
 }
 
-ECHOLOOP_SIMD void add(float scale, const float* a, const float* b, std::size_t count, float* real,
-                       float* imaginary) {
+}  // namespace
+
+ECHOLOOP_SIMD void scatter(Normals echo, Normals noise, float noise_power, std::size_t count, float* power) {
+    float base[law_terms], more[law_terms];
+    for (int k = 0; k < law_terms; ++k) base[k] = noise.root[k], more[k] = echo.root[k] - noise.root[k];
     for (std::size_t i = 0; i < count; ++i) {
-        real[i] += scale * a[i];
-        imaginary[i] += scale * b[i];
+        const float whole = power[i] + noise_power, share = power[i] / (whole + smallest);
+        const float rest = std::sqrt(std::max(1 - share * share, 0.0F));
+        float z = share * echo.z[i] + rest * noise.z[i];
+        z = std::min(std::max(z, -law_end), law_end);
+        float root = base[law_terms - 1] + share * more[law_terms - 1];
+#pragma GCC unroll 8
+        for (int k = law_terms - 2; k >= 0; --k) root = root * z + (base[k] + share * more[k]);
+        power[i] = whole * cube(std::max(root, 0.0F));
     }
 }
 
-ECHOLOOP_SIMD void blend(float weight, const float* a, float other_weight, const float* b, std::size_t count,
-                         float* out) {
-    for (std::size_t i = 0; i < count; ++i) out[i] = weight * a[i] + other_weight * b[i];
+ECHOLOOP_SIMD void multiply_by_law(const float* law, const float* z, std::size_t count, float* power) {
+    float terms_of[law_terms];
+    for (int k = 0; k < law_terms; ++k) terms_of[k] = law[k];
+    for (std::size_t i = 0; i < count; ++i) {
+        const float x = std::min(std::max(z[i], -law_end), law_end);
+        float root = terms_of[law_terms - 1];
+#pragma GCC unroll 8
+        for (int k = law_terms - 2; k >= 0; --k) root = root * x + terms_of[k];
+        power[i] *= cube(std::max(root, 0.0F));
+    }
 }
 
-ECHOLOOP_SIMD void intensity(const float* real, const float* imaginary, std::size_t count, float* power) {
-    for (std::size_t i = 0; i < count; ++i) power[i] = real[i] * real[i] + imaginary[i] * imaginary[i];
-}
-
-ECHOLOOP_SIMD void add_intensity(const float* real, const float* imaginary, std::size_t count, float* power) {
-    for (std::size_t i = 0; i < count; ++i) power[i] += real[i] * real[i] + imaginary[i] * imaginary[i];
-}
-
-ECHOLOOP_SIMD void multiply(const float* factor, std::size_t count, float* power) {
-    for (std::size_t i = 0; i < count; ++i) power[i] *= factor[i];
-}
-
-ECHOLOOP_SIMD void square_root(const float* power, std::size_t count, float* amplitude) {
-    for (std::size_t i = 0; i < count; ++i) amplitude[i] = std::sqrt(power[i]);
-}
-
-ECHOLOOP_SIMD void interfere(float scale, float* power, float other_scale, const float* other,
-                             const float* cosine, float looks, std::size_t count) {
+ECHOLOOP_SIMD void interfere(const float* other, const float* cosine, float looks, std::size_t count,
+                             float* power) {
     const float cross = 2 / std::sqrt(looks);
-    for (std::size_t i = 0; i < count; ++i) {
-        // Roots first: the product of two powers may be beyond a float.
-        const float a = scale * power[i], b = other_scale * other[i];
-        power[i] = a + b + cross * (std::sqrt(a) * std::sqrt(b)) * cosine[i];
+    // Roots first: the product of two powers may be beyond a float.
+    for (std::size_t i = 0; i < count; ++i)
+        power[i] += other[i] + cross * (std::sqrt(power[i]) * std::sqrt(other[i])) * cosine[i];
+}
+
+ECHOLOOP_SIMD void blend(std::array<float, 4> weights, const float* a, const float* b, std::size_t count,
+                         float* out) {
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = (weights[0] * a[i] + weights[1] * a[i + 1]) + (weights[2] * b[i] + weights[3] * b[i + 1]);
+}
+
+ECHOLOOP_SIMD void weighted_sum(const float* const* fields, const float* weights, std::size_t fields_count,
+                                std::size_t count, float* out) {
+    const std::size_t together = std::min(fields_count, most_together);
+    switch (together) {
+        case 1:
+            sum_of<1>(fields, weights, count, out);
+            break;
+        case 2:
+            sum_of<2>(fields, weights, count, out);
+            break;
+        case 3:
+            sum_of<3>(fields, weights, count, out);
+            break;
+        case 4:
+            sum_of<4>(fields, weights, count, out);
+            break;
+        default:
+            sum_of<most_together>(fields, weights, count, out);
     }
+    for (std::size_t k = together; k < fields_count; ++k)
+        for (std::size_t i = 0; i < count; ++i) out[i] += weights[k] * fields[k][i];
+}
+
+ECHOLOOP_SIMD void hear_cell(CellWeights weights, const float* field, std::size_t count, float* out,
+                             float* energy) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float distance = weights.place[i] - weights.cell;
+        const float s = std::min(distance * distance * weights.per_reach, 1.0F), rest = 1 - s;
+        const float weight = rest * rest * (1 + weights.middle * s);
+        out[i] += weight * field[i];
+        energy[i] += weight * weight;
+    }
+}
+
+ECHOLOOP_SIMD void even_out(const float* energy, std::size_t count, float* out) {
+    for (std::size_t i = 0; i < count; ++i) out[i] /= std::sqrt(energy[i]);
 }
 
 ECHOLOOP_SIMD bool differ(const float* a, const float* b, float ratio, float least, std::size_t count) {
@@ -88,35 +144,6 @@ std::pair<int, int> shift(float by, std::size_t count, float* places) {
     float least = 0, most = 0;
     shift_and_bound(by, count, places, &least, &most);
     return {static_cast<int>(std::floor(least)), static_cast<int>(std::floor(most))};
-}
-
-ECHOLOOP_SIMD void add_cell(const float* place, float cell, const float* field, std::size_t count,
-                            float* out) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const float weight = std::max(1 - std::abs(place[i] - cell), 0.0F);
-        out[i] += weight * field[i];
-    }
-}
-
-ECHOLOOP_SIMD void even_out(const float* place, std::size_t count, float* real, float* imaginary) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const float share = place[i] - std::floor(place[i]), rest = 1 - share;
-        const float scale = 1 / std::sqrt(rest * rest + share * share);
-        real[i] *= scale;
-        imaginary[i] *= scale;
-    }
-}
-
-ECHOLOOP_SIMD void interfere_between(const float* place, float cell, const float* a, const float* b,
-                                     const float* cosine, float looks, std::size_t count, float* out) {
-    const float cross = 2 / std::sqrt(looks);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float share = place[i] - cell, rest = 1 - share;
-        const float scale = 1 / (rest * rest + share * share);
-        const float mixed = scale * (rest * rest * a[i] + share * share * b[i] +
-                                     cross * rest * share * std::sqrt(a[i] * b[i]) * cosine[i]);
-        out[i] = share >= 0 && share < 1 ? mixed : out[i];
-    }
 }
 
 ECHOLOOP_SIMD void receive(float limit, std::size_t count, float* power) {

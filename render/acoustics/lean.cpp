@@ -19,7 +19,8 @@ bool too_far_apart(const Shot& shot) {
 
 }  // namespace
 
-Lean::Lean(const Shot& shot, double cell) : bins_(shot.bins) {
+Lean::Lean(const Shot& shot, double cell)
+    : bins_(shot.bins), most_(static_cast<float>(most_widths * shot.beam_width / cell)) {
     if (too_far_apart(shot)) return;
     const auto& bearings = shot.bearings;
     const double k = 4 * std::log(2.0) / (shot.beam_width * shot.beam_width);
@@ -48,7 +49,7 @@ bool Lean::find(std::size_t beam, std::span<const float> means, float least, std
     for (const Term& term : terms)
         if (term.scale != 0)
             kernels::add_log_ratio(term.scale, levels(term.over), levels(term.under), out.size(), out.data());
-    kernels::limit(static_cast<float>(most), out.size(), out.data());
+    kernels::limit(most_, out.size(), out.data());
     return true;
 }
 

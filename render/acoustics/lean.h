@@ -21,13 +21,13 @@ class Lean {
     /// False where beams are too few or too far apart to hear the same.
     bool any() const { return !beams_.empty(); }
     /// Writes to `out` how many cells beside its axis, clockwise positive, beam `beam` hears the bins [first,
-    /// first + out.size()); never more than `most`. `means`: of all beams, beam-major; differences below
-    /// `least` uPa^2 say nothing. False, with nothing written, where all of them come from so near to its
-    /// axis that it makes no difference.
+    /// first + out.size()); never more than `most_widths`. `means`: of all beams, beam-major; differences
+    /// below `least` uPa^2 say nothing. False, with nothing written, where all of them come from so near to
+    /// its axis that it makes no difference.
     bool find(std::size_t beam, std::span<const float> means, float least, std::size_t first,
               std::span<float> out) const;
 
-    static constexpr std::size_t most = 3;  ///< a beam and a half: there it hears next to nothing
+    static constexpr double most_widths = 1.5;  ///< there it hears next to nothing
 
   private:
     /// scale * ln(power of beam `over` / power of beam `under`)
@@ -39,6 +39,7 @@ class Lean {
         Term terms[2];  ///< the second is for the outermost beams
     };
     std::size_t bins_;
+    float most_;  ///< cells
     std::vector<Beam> beams_;
 };
 

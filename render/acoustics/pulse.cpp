@@ -12,9 +12,6 @@ namespace {
 
 constexpr double chirp_reach = 6;  ///< resolutions on either side
 constexpr int steps_per_resolution = 64;
-/// The integral of hamming(u)^2, (0.54^2 + 0.46^2 / 2) / 0.54^2: a pulse of u = x / (stretch c / (2 B)) has
-/// the integral c / (2 B).
-constexpr double stretch = 1 / (1 + 0.46 * 0.46 / (2 * 0.54 * 0.54));
 constexpr double first_null = 2;
 
 /// Amplitude of a compressed pulse with a Hamming window over its band.
@@ -45,13 +42,13 @@ void PulseShape::make_chirp_table() {
     double sum = 0;
     table_.push_back(0);
     for (int i = 0; i < steps; ++i) {
-        const double amplitude = hamming(((i + 0.5) * step - chirp_reach) / stretch);
+        const double amplitude = hamming(((i + 0.5) * step - chirp_reach) / chirp_stretch);
         table_.push_back(sum += amplitude * amplitude * step);
     }
     for (double& energy : table_) energy *= length_ / sum;
     end_ = chirp_reach * length_;
     begin_ = -end_;
-    main_end_ = first_null * stretch * length_;
+    main_end_ = first_null * chirp_stretch * length_;
     main_begin_ = -main_end_;
 }
 

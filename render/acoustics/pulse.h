@@ -8,6 +8,10 @@
 
 namespace echoloop {
 
+/// A compressed chirp of u = x / (stretch c / (2 B)), the transform of Hamming weights over the band, has the
+/// integral c / (2 B): that of its square over u is (0.54^2 + 0.46^2 / 2) / 0.54^2.
+inline constexpr double chirp_stretch = 1 / (1 + 0.46 * 0.46 / (2 * 0.54 * 0.54));
+
 /// The power of one echo over range, with peak 1 and an integral of range_resolution().
 ///
 /// CW: it begins at the target's range; its power rises and, c tau / 2 later, falls linearly within half the

@@ -16,7 +16,7 @@ namespace echoloop {
 /// Names a sequence of random numbers; sequences of different names are independent.
 struct RandomStream {
     std::uint64_t key = 0;    ///< of seed and device
-    std::uint64_t place = 0;  ///< of the sonar's view or the ping
+    std::uint64_t place = 0;  ///< of a layer of the sonar's view, or of the ping
     std::uint32_t lane = 0;   ///< of the beam or the angular cell
     std::uint32_t kind = 0;   ///< of what the numbers are for
 };
@@ -33,27 +33,19 @@ constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
 /// Four words for one counter.
 std::array<std::uint32_t, 4> threefry(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 4> key);
 
-/// Buffers for complex_normals() have room for a whole number of these.
-inline constexpr std::size_t random_tile = 128;
-constexpr std::size_t random_room(std::size_t count) {
-    return (count + random_tile - 1) / random_tile * random_tile;
-}
+/// Floats that a buffer for normals() needs for so many numbers.
+constexpr std::size_t normals_tile = 128;
+constexpr std::size_t normals_room(std::size_t count) { return count + 2 * normals_tile; }
 
-/// Complex Gaussian numbers of mean 0 and mean square 1 (Box & Muller, 1958), each from one word: 23 bits of
-/// radius, 4096 angles.
-void complex_normals(const RandomStream& stream, std::size_t count, float* real, float* imaginary);
-
-/// The mean of `looks` >= 1 independent exponential variables of mean 1: mean 1, variance 1 / looks. Between
-/// 1 and 2 the second one weighs less; beyond 2 by Wilson & Hilferty, PNAS 17 (1931) 684.
-void mean_of_looks(const RandomStream& stream, double looks, std::size_t count, float* power);
+/// Normal numbers of mean 0 and variance 1 (Box & Muller, 1958), two from each word: 23 bits of radius, 4096
+/// angles. Writes the `count` ones from number `first` on, and some around them; returns where in `out`
+/// number `first` lies.
+std::size_t normals(const RandomStream& stream, std::int64_t first, std::size_t count, float* out);
 
 /// Cosines of uniform angles.
 void random_cosines(const RandomStream& stream, std::size_t count, float* cosine);
 
 /// A single angle's cosine and sine, and uniform numbers within 0..1, for what is rare.
 std::array<float, 2> random_direction(const RandomStream& stream, std::uint32_t index);
-
-/// Gamma distributed with this shape > 0 and mean 1 (Marsaglia & Tsang, ACM TOMS 26 (2000) 363).
-double random_gamma(const RandomStream& stream, std::uint32_t index, double shape);
 
 }  // namespace echoloop

@@ -60,8 +60,8 @@ StaveErrors::StaveErrors(const AperturePattern& ideal, std::size_t staves, const
     : ideal_(ideal) {
     const double length = ideal.length_in_wavelengths();
     if (staves < 2) staves = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(2 * length)));
-    std::vector<float> amplitude(random_room(staves)), phase(amplitude);
-    complex_normals({errors.unit, 0, 0, stave_kind}, staves, amplitude.data(), phase.data());
+    std::vector<float> numbers(normals_room(2 * staves));  // an amplitude's and a phase's for each stave
+    const float* z = numbers.data() + normals({errors.unit, 0, 0, stave_kind}, 0, 2 * staves, numbers.data());
 
     const auto half = static_cast<std::size_t>(std::ceil(values_per_lobe * length));
     step_ = 1 / static_cast<double>(half);
@@ -70,9 +70,8 @@ StaveErrors::StaveErrors(const AperturePattern& ideal, std::size_t staves, const
     for (std::size_t n = 0; n < staves; ++n) {
         const double weight = weight_of(ideal.shape(), n, staves);
         sum += weight, squares += weight * weight;
-        // The numbers' mean square is 1 for both parts together.
-        const double level = std::numbers::sqrt2 * errors.amplitude * amplitude[n],
-                     angle = std::numbers::sqrt2 * errors.phase * phase[n];
+        const double level = errors.amplitude * static_cast<double>(z[2 * n]),
+                     angle = errors.phase * static_cast<double>(z[2 * n + 1]);
         const std::complex<double> wrong = weight * (std::polar(std::pow(10, level / 20), angle) - 1.0);
         const double place = (static_cast<double>(n) - 0.5 * static_cast<double>(staves - 1)) * length /
                              static_cast<double>(staves);

@@ -1,6 +1,6 @@
-// Logarithm, sine and cosine for loops that the compiler turns into SIMD, made of operations that IEEE 754
-// rounds exactly: with contraction to FMA off, every processor gives the same bits. Never calls the C
-// library.
+// Logarithm, exponential, sine and cosine for loops that the compiler turns into SIMD, made of operations
+// that IEEE 754 rounds exactly: with contraction to FMA off, every processor gives the same bits. Never calls
+// the C library.
 #pragma once
 
 #include <bit>
@@ -35,6 +35,24 @@ ECHOLOOP_INLINE float log(float x) {
     const float square = m * m;
     const float low = p * m * square - 2.12194440e-4F * e - 0.5F * square;
     return m + low + 0.693359375F * e;
+}
+
+/// e to the power of x, |relative error| < 2e-7; 0 or infinity come out as 1e-38 and 1e38. Polynomial:
+/// Cephes, expf.
+ECHOLOOP_INLINE float exp(float x) {
+    constexpr float most = 87.3F, rounder = 1.5F * 0x1p23F;
+    x = x > most ? most : x;
+    x = x < -most ? -most : x;
+    const float whole = (x * 1.44269504F + rounder) - rounder;
+    const float r = (x - whole * 0.693359375F) + whole * 2.12194440e-4F;
+    float p = 1.9875691500e-4F;
+    p = p * r + 1.3981999507e-3F;
+    p = p * r + 8.3334519073e-3F;
+    p = p * r + 4.1665795894e-2F;
+    p = p * r + 1.6666665459e-1F;
+    p = p * r + 5.0000001201e-1F;
+    p = p * r * r + r + 1.0F;
+    return p * std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) * (1 << 23));
 }
 
 struct Direction {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_beams = 512;
 constexpr std::size_t rows_at_once = 16;  // floats of a cache line
-constexpr double floor_gain = 20;  // dB of the least gain word, which is whole: fine steps from there on
+constexpr double most_gain = 96;          // dB of the greatest gain word of 32 bits
 
 using Row = std::array<float, most_beams>;
 
@@ -107,12 +107,23 @@ void turn(const Echogram& echogram, std::size_t first, std::size_t count,
 
 }  // namespace
 
+namespace {
+
+/// dB of the gain word without gain and time-varied gain: as high as the greatest allows, since words are
+/// whole.
+double floor_gain(const Acoustics& a, const ModeFigures& mode) {
+    return most_gain - a.gain_span - mode.tvg_limit;
+}
+
+}  // namespace
+
 std::uint32_t row_gain(double range, const Request& request, const Plan& plan, const Settings& settings) {
     const Acoustics& a = settings.acoustics;
-    const double r = std::max(range, 1.0);
-    const double tvg = a.tvg_spreading * std::log10(r) + 2 * figures_of(request, a).tvg_absorption * r;
-    const double db =
-        floor_gain + a.gain_span * plan.gain / 100 + (settings.tvg ? std::min(tvg, a.tvg_limit) : 0);
+    const ModeFigures& mode = figures_of(request, a);
+    const double r = std::max(range, mode.tvg_nearest);
+    const double tvg = a.tvg_spreading * std::log10(r) + 2 * mode.tvg_absorption * r;
+    const double db = floor_gain(a, mode) + a.gain_span * plan.gain / 100 +
+                      (settings.tvg ? std::min(tvg, mode.tvg_limit) : 0);
     return static_cast<std::uint32_t>(std::lround(std::min(std::pow(10.0, db / 10), 4294967295.0)));
 }
 
@@ -121,7 +132,8 @@ void write_image(const Echogram& echogram, const Request& request, const Plan& p
     const bool words = request.has(oculus::flag::gain_words), assist = request.has(oculus::flag::gain_assist);
     const bool paper = echogram.rule == EchoRule::cerqueira2016;
     const std::size_t stride = out.size() / plan.rows, head = words ? 4 : 0;
-    const double unit = std::pow(10.0, -(settings.acoustics.reference_level + floor_gain) / 10);
+    const ModeFigures& mode = figures_of(request, settings.acoustics);
+    const double unit = std::pow(10.0, -(mode.reference_level + floor_gain(settings.acoustics, mode)) / 10);
     const Gamma gamma(request.gamma());
     std::array<Row, rows_at_once> block;
     for (std::size_t row = 0; row < plan.rows; ++row) {

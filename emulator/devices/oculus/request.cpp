@@ -140,6 +140,7 @@ Shot make_shot(const Request& r, const Plan& plan, const Settings& s, std::uint3
     shot.receiver = a.receiver;
     shot.errors = a.errors;
     shot.receiver.directivity_index = mode.directivity_index;
+    shot.receiver.self_noise = mode.self_noise;
     shot.interval = plan.period;
     return shot;
 }

@@ -83,6 +83,10 @@ void describe_mode(ModeFigures& m, const std::string& mode, FigureList& f) {
     f.number(m.bandwidth, mode + "_bandwidth", "Hz", 1e3, 1e7, "of the chirp");
     f.number(m.source_level, mode + "_source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis");
     f.number(m.tvg_absorption, mode + "_tvg_absorption", "dB/m", 0, 10, "time-varied gain, one way");
+    f.number(m.tvg_nearest, mode + "_tvg_nearest", "m", 0.05, 10, "from there inwards the gain is the same");
+    f.number(m.tvg_limit, mode + "_tvg_limit", "dB", 0, 46, "the most time-varied gain");
+    f.number(m.reference_level, mode + "_reference_level", "dB re 1 uPa", 0, 300,
+             "reads full scale at 0 % gain without time-varied gain");
 }
 
 void describe_profile(Acoustics& a, FigureList& f) {
@@ -92,16 +96,16 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.whole(a.beams, "beams", 256, 512, "the most of an image");
     f.number(a.high.directivity_index, "high_directivity_index", "dB", 0, 60,
              "of the receiver in the high mode; directivity_index is the low one");
-    f.number(a.reference_level, "reference_level", "dB re 1 uPa", 0, 300,
-             "reads full scale at 0 % gain within a metre");
+    f.number(a.high.self_noise, "high_self_noise", "dB re 1 uPa^2/Hz", -100, 200,
+             "of the receiver in the high mode; self_noise is the low one");
     f.number(a.gain_span, "gain_span", "dB", 0, 40, "from 0 to 100 % gain");
     f.number(a.tvg_spreading, "tvg_spreading", "dB per decade of range", 0, 60, "time-varied gain");
-    f.number(a.tvg_limit, "tvg_limit", "dB", 0, 46, "the most time-varied gain");
     describe_mode(a.low, "low", f);
     describe_mode(a.high, "high", f);
     f.common(a.horizontal, a.vertical, a.receiver);
     f.stave_errors(a.errors);
     a.low.directivity_index = a.receiver.directivity_index;
+    a.low.self_noise = a.receiver.self_noise;
 }
 
 }  // namespace

@@ -29,21 +29,23 @@ struct ModeFigures {
     double source_level = 0;       ///< dB re 1 uPa at 1 m
     double directivity_index = 0;  ///< dB
     double tvg_absorption = 0;     ///< dB/m, one way
+    double tvg_nearest = 0;        ///< m: from there inwards the gain is the same
+    double tvg_limit = 0;          ///< dB, the most
+    double reference_level = 0;    ///< dB re 1 uPa: reads full scale at 0 % gain and at 1 m before absorption
+    double self_noise = 0;         ///< dB re 1 uPa^2/Hz
 };
 
 struct Acoustics {
     ModeFigures low, high;
     AxisPattern horizontal, vertical;
-    Receiver receiver;  ///< its directivity index is that of the mode
+    Receiver receiver;  ///< its directivity index and self noise are those of the mode
     ArrayErrors errors;
-    double pulse_length = 0;     ///< s
-    double shortest_range = 0;   ///< m
-    std::size_t rows = 0;        ///< the most of an image
-    std::size_t beams = 0;       ///< the most of an image
-    double reference_level = 0;  ///< dB re 1 uPa: reads full scale at 0 % gain within a metre
-    double gain_span = 0;        ///< dB from 0 to 100 %
-    double tvg_spreading = 0;    ///< dB per decade of range
-    double tvg_limit = 0;        ///< dB
+    double pulse_length = 0;    ///< s
+    double shortest_range = 0;  ///< m
+    std::size_t rows = 0;       ///< the most of an image
+    std::size_t beams = 0;      ///< the most of an image
+    double gain_span = 0;       ///< dB from 0 to 100 %
+    double tvg_spreading = 0;   ///< dB per decade of range
 };
 
 struct Settings {

@@ -69,8 +69,7 @@ Bottom find_bottom(const Echogram& echogram, const State& state, const Settings&
 std::vector<std::uint8_t> profile_points(const Echogram& echogram, const State& state,
                                          const Settings& settings) {
     const Acoustics& a = settings.acoustics;
-    const Echogram rung = echosounder::with_ring_down(echogram, a.ring_down);
-    const auto powers = rung.beam(0);
+    const auto powers = echogram.beam(0);
     const double gain = 20 * std::log10(gain_factors.at(state.gain)) - a.reference_level;
     std::vector<double> shown(powers.size());
     for (std::size_t bin = 0; bin < powers.size(); ++bin)

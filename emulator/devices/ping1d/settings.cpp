@@ -65,11 +65,6 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.degrees(a.beam_width, "beam_width", 0.1, 120, "-3 dB full width of the cone, two-way");
     f.number(a.nearest_range, "nearest_range", "m", 0, 10,
              "nothing closer is taken for the bottom; a longer pulse adds half its length");
-    f.number(a.ring_down.level, "ring_down_level", "dB re 1 uPa", -100, 300,
-             "level at which it hears its own pulse while it transmits");
-    double decay = 0;
-    f.number(decay, "ring_down_decay", "dB/ms", 1, 10000, "rate at which it decays afterwards");
-    a.ring_down.decay = 1e3 * decay;
     f.number(a.tvg_spreading, "tvg_spreading", "dB per decade of range", 0, 60, "time-varied gain");
     f.number(a.tvg_absorption, "tvg_absorption", "dB/m", 0, 2, "time-varied gain, one way");
     f.number(a.reference_level, "reference_level", "dB re 1 uPa", 0, 300,

@@ -9,7 +9,6 @@
 
 #include "emulator/contract/settings_list.h"
 #include "emulator/devices/family/ping/serial_rate.h"
-#include "emulator/devices/family/sounder/ring_down.h"
 
 namespace echoloop::ping1d {
 
@@ -20,7 +19,6 @@ struct Acoustics {
     double beam_width = 0;
     AxisPattern aperture;
     Receiver receiver;
-    echosounder::RingDown ring_down;
     double nearest_range = 0;    ///< m, that the ring-down of the shortest pulse lasts
     double reference_level = 0;  ///< dB re 1 uPa after TVG: reads 0 at gain 1
     double full_scale = 0;       ///< dB from 0 to 255

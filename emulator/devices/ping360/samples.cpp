@@ -25,21 +25,13 @@ double shown(const Echogram& echogram, std::size_t bin, const Acoustics& a, doub
 
 }  // namespace
 
-double ring_down(double t, const RingDown& ring) {
-    if (ring.top <= 0) return 0;
-    if (t < ring.hold) return ring.top - (ring.top - ring.first) * std::exp(-t / ring.rise);
-    return ring.top * std::exp(-(t - ring.hold) / ring.decay);
-}
-
 std::vector<std::uint8_t> samples_8bit(const Echogram& echogram, const Settings& settings,
                                        std::uint8_t gain) {
     const Acoustics& a = settings.acoustics;
     const double gain_db = std::min<int>(gain, 2) * a.gain_step - a.reference_level;
     std::vector<std::uint8_t> samples(echogram.shot.bins);
-    for (std::size_t bin = 0; bin < samples.size(); ++bin) {
-        const double own = ring_down(static_cast<double>(bin) * echogram.shot.bin_interval, a.ring_down);
-        samples[bin] = to_count(std::max(shown(echogram, bin, a, gain_db), own));
-    }
+    for (std::size_t bin = 0; bin < samples.size(); ++bin)
+        samples[bin] = to_count(shown(echogram, bin, a, gain_db));
     return samples;
 }
 

@@ -77,12 +77,6 @@ void describe(Acoustics& a, FigureList& f) {
     f.number(a.reference_level, "reference_level", "dB re 1 uPa", 0, 300,
              "level after time-varied gain that reads 0 at low gain");
     f.number(a.full_scale, "full_scale", "dB", 10, 120, "from 0 to 255");
-    RingDown& r = a.ring_down;
-    f.number(r.first, "ring_down_first", "counts", 0, 255, "first sample, of the transmitter's own sound");
-    f.number(r.top, "ring_down_top", "counts", 0, 255, "its loudest sample");
-    f.number(r.rise, "ring_down_rise", "s", 1e-7, 0.01, "time constant from the first to the loudest");
-    f.number(r.hold, "ring_down_hold", "s", 0, 0.01, "from the first sample until it decays");
-    f.number(r.decay, "ring_down_decay", "s", 1e-7, 0.1, "time constant of the counts afterwards");
     f.number(a.gain_step, "gain_step", "dB", 0, 40, "from low to normal and from normal to high gain");
     f.common(a.horizontal, a.vertical, a.receiver);
 }
@@ -125,7 +119,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.line.bits_per_second = line_rate(config.endpoints, s.baud);
     for (const Endpoint& e : config.endpoints) s.by_ethernet.push_back(e.on_udp());
     if (!config.effects.has(Effect::tvg)) a.tvg_spreading = a.tvg_absorption = 0;
-    if (!s.ring_down) a.ring_down = {};
+    if (!s.ring_down) a.receiver.ring_down = nullptr;
     return s;
 }
 

@@ -12,13 +12,6 @@
 
 namespace echoloop::ping360 {
 
-/// The transmitter's own sound in the first samples: towards the top, a while there, then down.
-struct RingDown {
-    double first = 0, top = 0;   ///< counts; both 0: switched off
-    double rise = 0, decay = 0;  ///< s, time constants
-    double hold = 0;             ///< s, from the first sample until it decays
-};
-
 /// Figures of the profile, in radians where they are angles.
 struct Acoustics {
     double centre_frequency = 0, response_width = 0;  ///< Hz, of the transducer
@@ -31,7 +24,6 @@ struct Acoustics {
     double gain_step = 0;        ///< dB
     double tvg_spreading = 0;    ///< dB per decade of range; 0 with the effect tvg off
     double tvg_absorption = 0;   ///< dB/m one way; 0 with the effect tvg off
-    RingDown ring_down;
 };
 
 /// Emulator options; README.md of this folder explains each.

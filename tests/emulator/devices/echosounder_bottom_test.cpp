@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "emulator/devices/family/sounder/bottom.h"
-#include "emulator/devices/family/sounder/ring_down.h"
 #include "tests/emulator/devices/driver.h"
 
 namespace echoloop::test {
@@ -99,24 +98,6 @@ TEST(EchosounderBottom, IsFoundInThePapersEchoesToo) {
     EXPECT_FALSE(find_bottom(echogram, rule));
     echogram.values[600] = 0.8F;
     EXPECT_EQ(find_bottom(echogram, rule).value().bin, 600u);
-}
-
-TEST(RingDown, IsFullWhileThePulseIsSentAndDiesAwayAfterwards) {
-    Echogram echogram = quiet();
-    echogram.shot.pulse_length = 200e-6;                                   // 10 bins
-    const auto rung = echosounder::with_ring_down(echogram, {100, 50e3});  // 50 dB a ms: 1 dB a bin
-    EXPECT_NEAR(level_db(rung.values[0]), 100, 0.01);
-    EXPECT_NEAR(level_db(rung.values[9]), 100, 0.01);
-    EXPECT_NEAR(level_db(rung.values[20]) - level_db(rung.values[40]), 20, 0.01);
-    // Mean over a bin in which it falls by 1 dB: (1 - 10^-0.1) / (0.1 ln 10) of its beginning.
-    EXPECT_NEAR(level_db(rung.values[10]), 100 - 0.495, 0.01);
-    EXPECT_FLOAT_EQ(rung.values[999], 0.2F);
-}
-
-TEST(RingDown, IsNotInThePapersEchoes) {
-    Echogram echogram = quiet();
-    echogram.rule = EchoRule::cerqueira2016;
-    EXPECT_EQ(echosounder::with_ring_down(echogram, {100, 50e3}).values, echogram.values);
 }
 
 }  // namespace

@@ -85,23 +85,6 @@ TEST(Imagenex852, ProfileRangeIsInStepsOfTwoCentimetresWhateverThePoints) {
     EXPECT_EQ(u14(ask(bench, command({{range, 5}})), 8), 0) << "nearer than half a metre";
 }
 
-TEST(Imagenex852, ItsOwnPulseIsInTheFirstSamplesUnlessItDoesNotTransmit) {
-    Bench bench = sounder();
-    const auto reply = ask(bench, command());
-    EXPECT_GE(reply.at(12), 8);
-    EXPECT_LE(reply.at(12), 20) << "recorded: 13";
-    EXPECT_EQ(reply.at(12 + 40), 0);
-    EXPECT_EQ(ask(bench, command({{mode, 0x42}})).at(12), 0);
-}
-
-/// The recording over 50 m, with pulses of 4 us: 14 15 8 39 41 16 5 1, within 2 from shot to shot.
-TEST(Imagenex852, TheFirstSamplesOver50MetresAreThoseOfARecording) {
-    Bench bench = sounder();
-    const auto reply = ask(bench, command({{range, 50}, {pulse, 4}}));
-    const int recorded[] = {14, 15, 8, 39, 41, 16, 5, 1};
-    for (std::size_t i = 0; i < std::size(recorded); ++i) EXPECT_NEAR(reply.at(12 + i), recorded[i], 3) << i;
-}
-
 TEST(Imagenex852, GainIsTheHostsAndLogfStaysTen) {
     Bench bench = sounder();
     bench.echo_bin = 400;

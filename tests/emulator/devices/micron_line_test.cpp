@@ -49,14 +49,14 @@ TEST(MicronLine, ReplyEchoesTheCommandAndCarriesTheLevels) {
     EXPECT_EQ(line[39], 31);
     EXPECT_EQ(u16(line, 40), 3200);
     EXPECT_EQ(u16(line, 42), 200);
-    // R = 120.5 * 104 * 640 ns * 1500 / 2 = 6.015 m; 130 + 30 log R + 0.4 R + 80 * 84/210 - 163 = 24.78 dB of
-    // 80
-    EXPECT_EQ(line[44 + 120], 255 * 49 / 160) << "in half decibels";
+    // R = 120.5 * 104 * 640 ns * 1500 / 2 = 6.015 m; 130 + 14 log R + 80 * 84/210 - 142.5 = 30.41 dB of 80
+    EXPECT_EQ(line[44 + 120], 255 * 60 / 160) << "in half decibels";
     EXPECT_EQ(line[44 + 119], 0);
     EXPECT_EQ(line.back(), 0x0A);
 }
 
-/// In four recordings of two heads all values are floor(255 k / 160), and the first two bins are 0.
+/// In four recordings of two heads all values are floor(255 k / 160), and the first two bins are 0 (where a
+/// bin is long, the first hears what breaks through). Over the next three the receiver opens.
 TEST(MicronLine, LevelsComeInHalfDecibelsBehindTwoSilentBins) {
     for (const std::string model : {"tritech-micron", "tritech-seaking"}) {
         Bench bench = scanning(continuous, {}, model);
@@ -73,9 +73,10 @@ TEST(MicronLine, LevelsComeInHalfDecibelsBehindTwoSilentBins) {
             EXPECT_TRUE(allowed.contains(line[44 + bin])) << int{line[44 + bin]};
         }
         EXPECT_EQ(line[44] + line[45], 0);
-        EXPECT_GT(line[46], 0);
+        EXPECT_LT(line[46], line[48]);
+        EXPECT_GT(line[48], 0);
         EXPECT_EQ(*seen.rbegin(), 255);
-        EXPECT_GT(seen.size(), 70U);
+        EXPECT_GT(seen.size(), 60U);
     }
 }
 

@@ -167,23 +167,6 @@ TEST(Ping1d, DisabledItDoesNotPingAndAgainEnabledItDoes) {
     EXPECT_GT(bench.shots.size(), 5u);
 }
 
-TEST(Ping1d, TheProfileBeginsWithTheRingDownWhichIsNoBottom) {
-    Bench bench = ping1d({{"mode_auto", false}, {"scan_length", std::int64_t{2000}}});  // 10 mm a point
-    bench.run_to(50ms);
-    const Bytes profile = answer(bench, frame(1300));
-    const auto point = [&](double metres) {
-        return int{profile.at(34 + static_cast<std::size_t>(metres * 100))};
-    };
-    EXPECT_EQ(u32(profile, 8), 0) << "no echo, no distance";
-    EXPECT_EQ(u16(profile, 12), 0) << "no confidence";
-    EXPECT_EQ(point(0), 255);
-    EXPECT_NEAR(point(0.1), 164, 5) << "190 dB - 280 dB/ms x 0.12 ms + 20 log 12.9 - 140 dB = 38.6 dB of 60";
-    // 190 dB - 280 dB/ms x (0.27 - 0.02 ms) + 20 log 12.9 - 140 dB = 2.2 dB of 60
-    EXPECT_NEAR(point(0.2), 0, 10);
-    EXPECT_EQ(point(0.3), 0);
-    EXPECT_EQ(u32(answer(bench, frame(1207)), 8), 3) << "the gain is as set";
-}
-
 TEST(Ping1d, TheRingDownLastsAsMuchLongerAsThePulse) {
     Bench bench = ping1d({{"mode_auto", false},
                           {"scan_length", std::int64_t{100000}},

@@ -134,38 +134,6 @@ TEST(Ping360Options, ALineHasTheRateThatItIsGiven) {
     }
 }
 
-TEST(Ping360Options, RingDownIsTheSignatureOfTheRecordings) {
-    Bench bench = ping360();
-    bench.say(transducer(0));
-    bench.run_to(1s);
-    const Bytes reply = bench.sent().at(0).bytes;
-    const auto mean = [&](std::size_t from) {
-        double sum = 0;
-        for (std::size_t i = from; i < from + 100; ++i) sum += reply.at(22 + i);
-        return sum / 100;
-    };
-    EXPECT_EQ(reply[22], 72);
-    EXPECT_NEAR(reply[23], 142, 3);
-    EXPECT_NEAR(reply[24], 188, 3);
-    EXPECT_EQ(*std::max_element(reply.begin() + 22, reply.begin() + 22 + 25), 254);
-    EXPECT_NEAR(mean(0), 170, 5);
-    EXPECT_NEAR(mean(100), 52, 5);
-    Bench silent = ping360({{"ring_down", false}});
-    silent.say(transducer(0));
-    silent.run_to(1s);
-    EXPECT_THAT(ByteView(silent.sent().at(0).bytes).subspan(22, 1200), testing::Each(0));
-}
-
-TEST(Ping360Options, RingDownIsAFigureOfTheProfile) {
-    DeviceConfig config = make_config(*find_model("ping360"));
-    config.profile.at("ring_down_top").value = 100.0;
-    config.profile.at("ring_down_first").value = 100.0;
-    Bench bench(find_model("ping360")->make(config));
-    bench.say(transducer(0));
-    bench.run_to(1s);
-    EXPECT_EQ(bench.sent().at(0).bytes.at(22), 100);
-}
-
 TEST(Ping360Options, StartToStopOf400IsAFullCircleToo) {
     Bench bench = ping360();
     bench.say(auto_transmit(0, 400, 10));

@@ -20,6 +20,7 @@ const Effects speckled = test::only({Effect::pulse, Effect::speckle});
 /// Beams a third of their width apart.
 Shot overlapping(std::size_t beams, std::size_t bins, double bin) {
     Shot shot = chain_shot(beams, bins, bin, pulse);
+    shot.receiver.bins = BinRule::sample;
     for (double& bearing : shot.bearings) bearing /= 3;
     return shot;
 }
@@ -68,7 +69,7 @@ TEST(Lean, BeamsThatHearTheSameScatterersHaveTheSameSpeckle) {
         };
         for (const std::size_t n : {13U, 14U, 16U, 18U})
             EXPECT_GT(correlation(beam(one, 15), beam(one, n)), 0.97) << n << ", bins of " << length;
-        EXPECT_LT(std::abs(correlation(beam(even, 15), beam(even, 18))), 0.15)
+        EXPECT_NEAR(correlation(beam(even, 15), beam(even, 18)), 0.2, 0.1)
             << "a width apart on an even floor";
     }
 }
@@ -108,7 +109,7 @@ TEST(Lean, SpeckleStaysFullyDeveloped) {
     for (const std::size_t beam : {0U, 20U}) {
         const auto s = intensity_statistics(speckle_of(coarse, around(coarse, beam, 1e-3), beam, 1));
         EXPECT_NEAR(s.mean, 1, 0.03) << beam;
-        EXPECT_NEAR(s.scintillation * 0.1 / pulse, 1, 0.06) << beam << ", bins of 1.3 looks";
+        EXPECT_NEAR(s.scintillation, 1, 0.06) << beam;
     }
     const Shot fine = overlapping(31, 60'000, 0.02);
     const auto s = intensity_statistics(speckle_of(fine, around(fine, 15, 1e-4), 15, 8));

@@ -15,6 +15,7 @@ Shot of_noise_in_steps(double steps) {
     Shot shot = fan(64, 20, 64, 2048, 60);
     shot.pulse_length = 8 * shot.bin_interval;
     shot.horizontal = {ApertureShape::hamming, 1};
+    shot.receiver.bins = BinRule::sample;
     shot.receiver.staves = 256;
     shot.receiver.converter_bits = bits;
     const double of_stave = db(received_noise(shot) * effective_staves(shot));

@@ -30,8 +30,12 @@ std::span<const Group> groups() {
         {"V22", "A room's wall and corner", check_room},
         {"V23", "Several mirrors", check_images},
         {"V24", "Second bottom", check_second_bottom},
+        {"V27", "Beams that share staves", check_shared_staves},
         {"V28", "Converters of staves", check_converter},
         {"V29", "Side lobes of arrays whose staves differ", check_stave_errors},
+        {"V30", "Speckle moves with the sonar", check_moving_speckle},
+        {"V31", "Looks in a bin", check_looks},
+        {"V32", "Texture over range", check_range_texture},
     });
     return table;
 }

@@ -40,7 +40,11 @@ void check_facets(Findings&);
 void check_room(Findings&);
 void check_images(Findings&);
 void check_second_bottom(Findings&);
+void check_shared_staves(Findings&);
 void check_converter(Findings&);
 void check_stave_errors(Findings&);
+void check_moving_speckle(Findings&);
+void check_looks(Findings&);
+void check_range_texture(Findings&);
 
 }  // namespace echoloop::validation

@@ -1,4 +1,4 @@
-// V8: the statistics of speckle, of the chain that every echo goes through.
+// V8: the statistics of speckle, of the chain that every echo goes through. How it moves: moving_speckle.cpp.
 #include <algorithm>
 #include <cmath>
 
@@ -9,13 +9,14 @@
 namespace echoloop::validation {
 namespace {
 
-constexpr std::size_t bins_per_pulse = 8, bins = 4096, speckle_beams = 32;
+constexpr std::size_t bins_per_pulse = 8, bins = 4096, speckle_beams = 120;
 
 /// Bins much shorter than the pulse, so that a value is a sample and not a mean.
 Shot speckle_shot() {
-    Shot shot = fan(64, 20, speckle_beams, bins, 60);
+    Shot shot = fan(120, 20, speckle_beams, bins, 60);
     shot.pulse_length = static_cast<double>(bins_per_pulse) * shot.bin_interval;
     shot.receiver.bandwidth = 20 / shot.pulse_length;  // so wide that the pulse keeps its shape
+    shot.receiver.bins = BinRule::sample;
     return shot;
 }
 
@@ -29,10 +30,10 @@ std::vector<double> speckled(const Pose& pose, SpeckleOptions options = {}, std:
     return {values.begin(), values.end()};
 }
 
-/// Every 16th bin, two pulses apart, without those that the window's begin cuts.
+/// Every 16th bin, two pulses apart, of every other beam, without those that the window's begin cuts.
 std::vector<double> independent(const std::vector<double>& values) {
     std::vector<double> samples;
-    for (std::size_t beam = 0; beam < speckle_beams; ++beam)
+    for (std::size_t beam = 0; beam < speckle_beams; beam += 2)
         for (std::size_t bin = 32; bin < bins; bin += 2 * bins_per_pulse)
             samples.push_back(values[beam * bins + bin]);
     return samples;
@@ -114,11 +115,11 @@ void check_correlation(Findings& find, const std::vector<double>& all) {
     find.source("independent cells");
     find.at_most("correlation of bins two pulses apart", "", 0.05,
                  std::abs(range_correlation(all, 2 * bins_per_pulse)));
-    double worst = 0;
-    for (std::size_t beam = 0; beam + 1 < speckle_beams; ++beam)
-        worst += std::abs(correlation(beam_of(all, beam), beam_of(all, beam + 1))) /
-                 static_cast<double>(speckle_beams - 1);
-    find.at_most("correlation of neighbouring beams, mean", "", 0.05, worst);
+    double apart = 0;
+    for (std::size_t beam = 0; beam + 2 < speckle_beams; ++beam)
+        apart +=
+            correlation(beam_of(all, beam), beam_of(all, beam + 2)) / static_cast<double>(speckle_beams - 2);
+    find.at_most("correlation of beams two widths apart, mean", "", 0.05, std::abs(apart));
     double mirrored = 0;
     for (std::size_t beam = 0; beam < speckle_beams / 2; ++beam)
         mirrored +=
@@ -136,12 +137,9 @@ void check_speckle(Findings& find) {
     const auto still = speckled({});
     check_distribution(find, still);
     check_correlation(find, still);
-    find.source("the same view is the same interference, lambda / 4 on a new one");
+    find.source("the same view is the same interference");
     find.within("correlation of two pings of a static sonar", "", 1, 1e-6,
                 likeness(still, speckled({}, {}, 1)));
-    const double step = 1500 / 750e3 / 4;
-    find.at_most("correlation after moving lambda / 4", "", 0.05,
-                 std::abs(likeness(still, speckled({{step, 0, 0}, {}}))));
     find.source("K distribution, 1 + 2 / nu (Jakeman 1980)");
     const Moments few = moments(independent(speckled({}, {4})));
     find.within("scintillation, nu = 4", "", 1.5, 0.2, few.variance / (few.mean * few.mean));

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "emulator/devices/family/sounder/ring_down.h"
-
 namespace echoloop::imagenex_head {
 namespace {
 
@@ -120,11 +118,6 @@ std::vector<double> amplitudes(const Echogram& echogram, const SwitchCommand& co
                                const Settings& settings) {
     const Acoustics& a = settings.acoustics;
     const bool of_paper = echogram.rule == EchoRule::cerqueira2016;
-    const bool rings = !of_paper && echogram.shot.source_level > 0;
-    const auto ring = [&](std::size_t bin) {
-        return echosounder::ring_down_power(a.ring_down, echogram.shot, bin) +
-               echosounder::ring_down_power(a.second_ring, echogram.shot, bin);
-    };
     const auto beam = echogram.beam(0);
     std::vector<double> out(beam.size());
     for (std::size_t bin = 0; bin < beam.size(); ++bin) {
@@ -133,9 +126,8 @@ std::vector<double> amplitudes(const Echogram& echogram, const SwitchCommand& co
             continue;
         }
         const double r = sound_speed / 2 * (static_cast<double>(bin) + 0.5) * echogram.shot.bin_interval;
-        const double power = beam[bin] + (rings ? ring(bin) : 0.0);
         out[bin] =
-            std::sqrt(power) * std::pow(10.0, (gain_db(r, command, settings) - a.full_scale_level) / 20);
+            std::sqrt(beam[bin]) * std::pow(10.0, (gain_db(r, command, settings) - a.full_scale_level) / 20);
     }
     return out;
 }

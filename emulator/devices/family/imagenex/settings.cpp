@@ -63,17 +63,6 @@ void describe(Acoustics& a, FigureList& f) {
     f.number(a.full_scale_level, "full_scale_level", "dB re 1 uPa", 0, 300,
              "reads full scale where all gains are 0 dB");
     f.number(a.nearest_range, "nearest_range", "m", 0, 10, "echoes from nearer are no profile range");
-    f.number(a.ring_down.level, "ring_down_level", "dB re 1 uPa", -300, 300,
-             "of the transmitter's own sound at the receiver");
-    f.number(a.ring_down.hold, "ring_down_time", "s", 0, 0.1,
-             "how long it lasts, if the pulse is not longer");
-    f.number(a.ring_down.decay, "ring_down_decay", "dB/s", 1, 1e7, "how fast it dies away afterwards");
-    f.number(a.second_ring.level, "second_ring_level", "dB re 1 uPa", -300, 300,
-             "of what the receiver hears of it a second time");
-    f.number(a.second_ring.start, "second_ring_start", "s", 0, 0.1, "after the transmission");
-    f.number(a.second_ring.hold, "second_ring_time", "s", 0, 0.1,
-             "how long it lasts, if the pulse is not longer");
-    a.second_ring.decay = a.ring_down.decay;
     f.common(a.horizontal, a.vertical, a.receiver);
 }
 

@@ -6,7 +6,6 @@
 #include <initializer_list>
 
 #include "emulator/contract/settings_list.h"
-#include "emulator/devices/family/sounder/ring_down.h"
 
 namespace echoloop::imagenex_head {
 
@@ -24,8 +23,6 @@ struct Acoustics {
     Receiver receiver;
     double full_scale_level = 0;  ///< dB re 1 uPa at the end of the scale, gains at 0 dB
     double nearest_range = 0;     ///< m, nearer echoes are no profile
-    /// Its own pulse: while it is sent, and once more when the receiver opens. They decay alike.
-    echosounder::RingDown ring_down, second_ring;
     bool tvg = true;  ///< the effect
 };
 

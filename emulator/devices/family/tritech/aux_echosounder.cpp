@@ -51,6 +51,10 @@ Shot aux_shot(const AuxSettings& settings) {
     shot.source_level = settings.source_level;
     shot.receiver = settings.receiver;
     shot.receiver.directivity_index = settings.directivity_index;
+    // The head's receiver is another.
+    shot.receiver.bins = BinRule::mean;
+    shot.receiver.ring_down = nullptr;
+    shot.receiver.interference = nullptr;
     return shot;
 }
 

@@ -1,6 +1,7 @@
 #include "emulator/devices/family/tritech/bins.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace echoloop::tritech {
@@ -12,6 +13,14 @@ std::uint8_t to_count(double db) {
     constexpr double steps = 2 * full_scale_db;
     if (!(db > 0)) return 0;
     return static_cast<std::uint8_t>(255 * std::min(steps, std::floor(2 * db)) / steps);
+}
+
+/// dB that the receiver loses while it opens, which takes bins, whatever their length: our own fit to
+/// recordings of 50 and of 100 mm a bin. The second bin is always 0; of the first only what breaks through a
+/// long one is left, and how it is divided between the two is our own choice.
+double closed_db(std::size_t bin) {
+    constexpr std::array<double, 5> lost{40, 2 * full_scale_db, 15.6, 6, 1.5};
+    return bin < lost.size() ? lost[bin] : 0;
 }
 
 }  // namespace
@@ -28,9 +37,8 @@ std::vector<std::uint8_t> levels_8bit(const Echogram& echogram, const Acoustics&
                                       const Tuning& tuning, std::uint8_t gain) {
     const double gain_db = full_scale_db * std::min<int>(gain, 210) / 210.0;
     std::vector<std::uint8_t> levels(echogram.beam(0).size());
-    constexpr std::size_t silent = 2;  // of the same recordings
-    for (std::size_t bin = silent; bin < levels.size(); ++bin)
-        levels[bin] = to_count(shown_db(echogram, bin, acoustics, tuning, gain_db));
+    for (std::size_t bin = 0; bin < levels.size(); ++bin)
+        levels[bin] = to_count(shown_db(echogram, bin, acoustics, tuning, gain_db) - closed_db(bin));
     return levels;
 }
 

@@ -1,0 +1,136 @@
+// The normal numbers of one beam, of its speckle and its noise: white ones of angular cells, filtered over
+// range and over directions.
+#include <algorithm>
+#include <cmath>
+
+#include "render/acoustics/beam_chain.h"
+#include "render/acoustics/chain_kernels.h"
+
+namespace echoloop {
+namespace {
+
+constexpr std::size_t part_size = 128;  ///< bins that lean together
+constexpr int most_cells = 10;          ///< of a kernel
+
+}  // namespace
+
+/// Neighbouring beams share cells: the last ones are kept.
+const float* BeamChain::field_of(Kind kind, std::uint32_t cell) {
+    auto& fields = fields_[kind].of_cells;
+    Field* oldest = &fields[0];
+    for (Field& field : fields) {
+        if (field.cell == cell) {
+            field.used = ++uses_;
+            return field.values.data();
+        }
+        if (field.used < oldest->used) oldest = &field;
+    }
+    oldest->cell = cell;
+    oldest->used = ++uses_;
+    fill(kind, cell, oldest->values);
+    return oldest->values.data();
+}
+
+void BeamChain::fill(Kind kind, std::uint32_t cell, std::vector<float>& out) {
+    const LineFilter& filter = (kind == noise ? plan_->noise : plan_->echo).bins;
+    const bool filters = !filter.is_identity();
+    const std::size_t before = filters ? filter.before() : 0, count = before + plan_->bins;
+    padded_.resize(filters ? filter.room(plan_->bins) : count);
+    out.resize(plan_->bins);
+    if (kind == noise) {
+        white_.resize(normals_room(count));
+        const std::size_t at = normals({ping_.key, ping_.ping, cell, kind}, 0, count, white_.data());
+        std::copy_n(white_.data() + at, count, padded_.data());
+    } else {
+        fill_layers(kind, cell, before, count);
+    }
+    if (filters)
+        filter.apply(padded_, plan_->bins, out.data(), scratch_);
+    else
+        std::copy_n(padded_.data(), count, out.data());
+}
+
+/// White numbers at ranges fixed to the world, between two layers of them; into padded_.
+void BeamChain::fill_layers(Kind kind, std::uint32_t cell, std::size_t before, std::size_t count) {
+    const CellView view = ping_.view.of(cell, cell * plan_->grid.cell_width());
+    const double place = (plan_->first_range + view.shift) / plan_->bin_length;
+    const double whole = std::floor(place), share = place - whole, rest = 1 - share;
+    const auto first = static_cast<std::int64_t>(whole) - static_cast<std::int64_t>(before);
+    white_.resize(normals_room(count + 1));
+    next_white_.resize(normals_room(count + 1));
+    const auto layer = [&](std::uint64_t number) {
+        return RandomStream{ping_.key, mix(ping_.view.key(), number), cell, kind};
+    };
+    const std::size_t at = normals(layer(view.layer), first, count + 1, white_.data());
+    normals(layer(view.layer + 1), first, count + 1, next_white_.data());
+    // What lies between two bins keeps its variance.
+    const double scale =
+        1 / std::sqrt(rest * rest + share * share + 2 * rest * share * plan_->echo.neighbours);
+    const auto by = [&](double weight) { return static_cast<float>(scale * weight); };
+    kernels::blend({by(view.weight * rest), by(view.weight * share), by(view.next_weight * rest),
+                    by(view.next_weight * share)},
+                   white_.data() + at, next_white_.data() + at, count, padded_.data());
+}
+
+/// Into fields_[kind].heard: what a beam hears at a place of the cells.
+void BeamChain::hear(Kind kind, double place, Part part) {
+    const BeamKernel& kernel = (kind == noise ? plan_->noise : plan_->echo).kernel;
+    const double whole = std::floor(place);
+    const int cells = kernel.cells();
+    const float* fields[most_cells];
+    double weights[most_cells], energy = 0;
+    std::size_t used = 0;
+    for (int step = 1 - cells; step <= cells; ++step) {
+        const double weight = kernel.weight(place - whole - step);
+        if (weight == 0) continue;
+        fields[used] =
+            field_of(kind, plan_->grid.beside(static_cast<std::uint32_t>(whole), step)) + part.first;
+        weights[used++] = weight;
+        energy += weight * weight;
+    }
+    float scaled[most_cells];
+    for (std::size_t i = 0; i < used; ++i) scaled[i] = static_cast<float>(weights[i] / std::sqrt(energy));
+    kernels::weighted_sum(fields, scaled, used, part.count, &fields_[kind].heard[part.first]);
+}
+
+/// The same for speckle, where each bin is heard beside the beam's axis: by as many cells as places_ says.
+void BeamChain::hear_leaning(double place, Part part) {
+    const BeamKernel& kernel = plan_->echo.kernel;
+    const double whole = std::floor(place);
+    float* out = &fields_[speckle].heard[part.first];
+    const auto [first, last] = kernels::shift(static_cast<float>(place - whole), part.count, places_.data());
+    std::fill_n(out, part.count, 0.0F);
+    energy_.assign(part.count, 0.0F);
+    const auto per_reach = static_cast<float>(1 / (kernel.reach * kernel.reach));
+    for (int step = first + 1 - kernel.cells(); step <= last + kernel.cells(); ++step) {
+        const float* field = field_of(speckle, plan_->grid.beside(static_cast<std::uint32_t>(whole), step));
+        kernels::hear_cell(
+            {places_.data(), static_cast<float>(step), per_reach, static_cast<float>(kernel.middle)},
+            field + part.first, part.count, out, energy_.data());
+    }
+    kernels::even_out(energy_.data(), part.count, out);
+}
+
+const float* BeamChain::speckle_of(std::size_t beam, double place, std::span<const float> means) {
+    const std::size_t size = plan_->leans() ? part_size : plan_->bins;
+    const auto least = static_cast<float>(plan_->noise_power / 10);  // an echo below is not heard
+    places_.resize(size);
+    for (std::size_t first = 0; first < plan_->bins; first += size) {
+        const Part part{first, std::min(size, plan_->bins - first)};
+        if (plan_->leans() &&
+            plan_->lean.find(beam, means, least, first, std::span(places_.data(), part.count)))
+            hear_leaning(place, part);
+        else
+            hear(speckle, place, part);
+    }
+    return fields_[speckle].heard.data();
+}
+
+/// Noise knows no world: its cells turn with the sonar.
+const float* BeamChain::noise_of(std::size_t beam) {
+    if (!plan_->shares_noise) return field_of(noise, static_cast<std::uint32_t>(beam));
+    hear(noise, plan_->grid.place_of(ping_.bearings[beam]), {0, plan_->bins});
+    return fields_[noise].heard.data();
+}
+
+}  // namespace echoloop
