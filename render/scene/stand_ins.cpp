@@ -31,8 +31,7 @@ int first_exponent(const Mesh& mesh, std::span<const std::uint32_t> indices) {
     for (std::size_t i = 0; i < indices.size(); i += 3) {
         const double area = norm(doubled_area(mesh, &indices[i])) / 2;
         const int exponent = static_cast<int>(std::ceil(0.5 * std::log2(2 * area)));
-        Amount& same =
-            by_size[static_cast<std::size_t>(std::clamp(exponent, smallest, largest) - smallest)];
+        Amount& same = by_size[static_cast<std::size_t>(std::clamp(exponent, smallest, largest) - smallest)];
         same.area += area;
         same.count += 1;
     }

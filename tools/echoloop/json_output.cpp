@@ -53,7 +53,9 @@ Json figures(const Model& m) {
                   {"unit", row.unit},
                   {"help", row.help},
                   {"source", f.source}};
-        if (row.choices.empty()) {
+        if (row.check != nullptr) {
+            json["notation"] = true;
+        } else if (row.choices.empty()) {
             json.update({{"minimum", row.minimum}, {"maximum", row.maximum}});
         } else {
             json["choices"] = row.choices;

@@ -58,7 +58,11 @@ DeviceConfig config() {
     DeviceConfig c;
     c.options = default_options(model());
     for (const FigureRow& row : model().figures)
-        c.profile[row.name].value = row.choices.empty() ? std::variant<double, std::string>(2.0) : "hamming";
+        if (row.check != nullptr)
+            c.profile[row.name].value = "none";
+        else
+            c.profile[row.name].value =
+                row.choices.empty() ? std::variant<double, std::string>(2.0) : "hamming";
     return c;
 }
 
@@ -83,7 +87,7 @@ TEST(SettingsList, MakesRowsInItsOrder) {
     EXPECT_EQ(m.figures[1].minimum, 100);
     EXPECT_TRUE(m.figures[2].whole);
     EXPECT_THAT(m.figures[3].choices, ElementsAre("line", "hamming", "piston"));
-    EXPECT_EQ(m.figures.size(), 11);
+    EXPECT_EQ(m.figures.size(), 13);
 }
 
 TEST(SettingsList, TakesDefaultsFromTheMembers) {

@@ -23,7 +23,7 @@ struct Acoustics {
     Receiver receiver;
     double full_scale_level = 0;  ///< dB re 1 uPa at the end of the scale, gains at 0 dB
     double nearest_range = 0;     ///< m, nearer echoes are no profile
-    bool tvg = true;  ///< the effect
+    bool tvg = true;              ///< the effect
 };
 
 enum class ShotTiming { table, none, fixed };
