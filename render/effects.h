@@ -29,6 +29,10 @@ enum class Effect : unsigned char {
     ring_down,
     interference,
     array_errors,
+    reverberation,
+    texture,
+    refraction,
+    motion,
 };
 
 struct EffectRow {
@@ -37,7 +41,7 @@ struct EffectRow {
     std::string_view help;  ///< what is different when it is off
 };
 
-inline constexpr std::array<EffectRow, 18> effect_rows{{
+inline constexpr std::array<EffectRow, 22> effect_rows{{
     {Effect::spreading, "spreading", "two-way spherical spreading, 40 log R; off: none"},
     {Effect::absorption, "absorption", "Francois & Garrison; off: none"},
     {Effect::beam_pattern, "beam_pattern", "beams of the aperture's shape; off: boxes of the nominal widths"},
@@ -64,6 +68,12 @@ inline constexpr std::array<EffectRow, 18> effect_rows{{
      "lines and dashes from motors, supplies and other electronics; off: none"},
     {Effect::array_errors, "array_errors",
      "staves that differ in amplitude and phase; off: side lobes of the ideal aperture"},
+    {Effect::reverberation, "reverberation",
+     "what floats in the water, bubbles and waves at the surface; off: silence between echoes"},
+    {Effect::texture, "texture", "patches of the bottom that scatter more or less; off: even materials"},
+    {Effect::refraction, "refraction", "rays bend where the water has layers; off: straight rays"},
+    {Effect::motion, "motion",
+     "the sonar moves and turns while its ping is under way; off: it stands still for that time"},
 }};
 
 /// A set of effects; all are on to begin with.

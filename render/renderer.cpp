@@ -59,8 +59,8 @@ class Renderer::Impl {
         : water_(water),
           options_(std::move(options)),
           tracer_(scene, options_.surface, options_.effects),
-          crew_((check_settings(), [this] { return gl::make_context(options_.context); }), scene,
-                options_.drawing_threads),
+          crew_((check_settings(), prepare_paths(), [this] { return gl::make_context(options_.context); }),
+                scene, options_.drawing_threads),
           plans_(options_.plans ? options_.plans : std::make_shared<PlanCache>()),
           fan_(make_fan_summing(workers_)),
           grid_(make_grid_summing(workers_)),
@@ -112,6 +112,11 @@ class Renderer::Impl {
     void check_settings() const {
         echoloop::validate(water_);
         validate(options_);
+    }
+
+    /// While contexts are made, as both take long.
+    void prepare_paths() {
+        if (options_.rule == EchoRule::radiometric) tracer_.prepare();
     }
 
     Summing& summing_of(const Shot& shot) { return shot.elevations.empty() ? *fan_ : *grid_; }
@@ -259,6 +264,8 @@ class Renderer::Impl {
         validate(pose);
         if (!(situation.detail >= 0.1 && situation.detail <= 1))
             throw std::invalid_argument("situation: detail must be within 0.1..1");
+        if (!(situation.density >= 0.1 && situation.density <= 1))
+            throw std::invalid_argument("situation: density must be within 0.1..1");
         place_movers(situation);
     }
 
@@ -266,7 +273,8 @@ class Renderer::Impl {
     void draw(Heard& heard, const Situation& situation) {
         const Shot& shot = heard.array.shot;
         const FanGeometry geometry = geometry_of(shot, effects());
-        const PlanDensity density{options_.columns_per_beam, options_.pixel_density * situation.detail};
+        const PlanDensity density{options_.columns_per_beam,
+                                  options_.pixel_density * situation.detail * situation.density};
         heard.plan =
             plans_->plan_for(geometry, density, [&] { return summing_of(shot).plan(geometry, density); });
         const bool background = situation.detail < 1;

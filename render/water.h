@@ -14,6 +14,13 @@ struct SoundSpeedPoint {
     friend bool operator==(const SoundSpeedPoint&, const SoundSpeedPoint&) = default;
 };
 
+/// Volume scattering strength at one depth.
+struct ScatteringPoint {
+    double depth = 0;       ///< m below the surface, positive down
+    double strength = -70;  ///< Sv, dB re 1 m^-1
+    friend bool operator==(const ScatteringPoint&, const ScatteringPoint&) = default;
+};
+
 /// The water that the sonar works in. Rays are straight; refraction.h says how wrong that is in layered
 /// water.
 struct Water {
@@ -26,6 +33,8 @@ struct Water {
     /// Strictly descending into the water, linear between, constant beyond its ends; empty: the same
     /// everywhere.
     std::vector<SoundSpeedPoint> profile{};
+    /// Linear in dB between, constant beyond its ends; empty: nothing floats in it.
+    std::vector<ScatteringPoint> scattering{};
 
     friend bool operator==(const Water&, const Water&) = default;
 };

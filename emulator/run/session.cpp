@@ -168,7 +168,11 @@ void Session::transmit(Ping ping, Time time) {
     double farthest = farthest_from(pose.position, water_.scene);
     for (std::size_t i = 0; i < std::min(water_.reach.size(), situation.movers.size()); ++i)
         farthest = std::max(farthest, norm(situation.movers[i].position - pose.position) + water_.reach[i]);
-    const auto late = late_shot(ping.shot, water_.water, water_.effects, farthest);
+    const bool spared = !overload_.late_echoes();
+    const auto late = spared ? std::nullopt : late_shot(ping.shot, water_.water, water_.effects, farthest);
+    situation.density = overload_.density();
+    summary_.spared_pings += spared;
+    summary_.coarse_pings += situation.density < 1;
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
     situation.objects = truth_ != nullptr;
     auto echoes = render(ping.due, ping.shot, situation);
@@ -194,6 +198,7 @@ Task<void> Session::deliver(UnderWay ping) {
     ping.overslept = clock_.overslept(ping.due);
     co_await ping.echoes->ready();
     if (ping.late_before) co_await ping.late_before->ready();
+    ping.waited = clock_.now() - ping.woken;
     to_device([this, heard = std::make_shared<UnderWay>(std::move(ping))] {
         if (heard->powered == power_cuts_) hear(*heard);
     });
@@ -213,6 +218,7 @@ void Session::hear(UnderWay& ping) {
     const Time now = std::max(ping.due, clock_.now());
     if (now > ping.due + late_after) count_late(ping, now);
     lateness_.add(now - ping.due);
+    overload_.heard(ping.waited);
     ++summary_.pings;
     auto heard =
         std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, {}, ping.sequence, now});

@@ -17,6 +17,7 @@
 #include "emulator/contract/transmission.h"
 #include "emulator/run/device_threads.h"
 #include "emulator/run/lateness.h"
+#include "emulator/run/overload.h"
 #include "emulator/run/session_summary.h"
 #include "emulator/transport/transport.h"
 #include "emulator/water/crosstalk.h"
@@ -96,6 +97,7 @@ class Session {
         std::uint64_t powered;  ///< power_cuts_ when it was sent
         Time woken{};           ///< when it was seen to be due
         Time overslept{};       ///< by then
+        Time waited{};          ///< from then on, for its rendering
     };
     /// A message, and the number of the ping that the device had heard last.
     struct Mail {
@@ -149,6 +151,7 @@ class Session {
     std::size_t most_memory_ = 0;         ///< in the outbox since it was empty
     std::vector<std::size_t> bytes_for_;  ///< in the outbox, by port
     Lateness lateness_;
+    Overload overload_;
     bool remarks_ = false;
     std::string remark_;  ///< of the ping that was heard last, until a message takes it along
     Alarm mail_;          ///< rings when the outbox has a new first element

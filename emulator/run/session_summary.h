@@ -19,6 +19,9 @@ struct SessionSummary {
     /// Of those, by cause: the echogram was what they waited for, or else the machine woke this program too
     /// late.
     std::uint64_t late_renderings = 0, late_wakings = 0;
+    /// Rendering did not keep up (overload.h): late echoes of the ping before were left out, and of those,
+    /// drawn with fewer pixels.
+    std::uint64_t spared_pings = 0, coarse_pings = 0;
     /// Of all pings; the last is what 99 of 100 do not exceed.
     Time worst_lateness{}, median_lateness{}, p99_lateness{};
     /// Messages that did not fit the outbox, or what is kept for a driver that does not read.
@@ -39,6 +42,8 @@ void for_each_figure(const SessionSummary& s, const Visit& visit) {
     visit("late_pings", s.late_pings, true);
     visit("late_renderings", s.late_renderings, false);
     visit("late_wakings", s.late_wakings, false);
+    visit("spared_pings", s.spared_pings, true);
+    visit("coarse_pings", s.coarse_pings, true);
     visit("worst_lateness_s", to_seconds(s.worst_lateness), false);
     visit("median_lateness_s", to_seconds(s.median_lateness), false);
     visit("p99_lateness_s", to_seconds(s.p99_lateness), false);

@@ -36,7 +36,7 @@ double backscatter_db(const Material& material, double grazing) {
 
 double facet_lobe(const Material& material, double wavenumber, double cosine) {
     constexpr double least_slope = 0.02;
-    if (!material.backscatter.empty() || !(cosine > 0)) return 0;
+    if (!material.lobe || !material.backscatter.empty() || !(cosine > 0)) return 0;
     const double slope = std::max(material.slope, least_slope);
     const double square = slope * slope + material.mesh_slope * material.mesh_slope;
     const double rayleigh = 2 * wavenumber * material.roughness * cosine;

@@ -16,16 +16,20 @@ void resolve(const Context& context, const char* name, Function& function) {
 
 std::string text(const GLubyte* bytes) { return bytes ? reinterpret_cast<const char*>(bytes) : "unknown"; }
 
-/// Drivers have addresses even for what they cannot do.
-bool can_set_depth_range(const Functions& gl) {
-    GLint major = 0, minor = 0, extensions = 0;
-    gl.GetIntegerv(GL_MAJOR_VERSION, &major);
-    gl.GetIntegerv(GL_MINOR_VERSION, &minor);
-    if (major > 4 || (major == 4 && minor >= 5)) return true;
+bool has_extension(const Functions& gl, const char* name) {
+    GLint extensions = 0;
     gl.GetIntegerv(GL_NUM_EXTENSIONS, &extensions);
     for (GLint i = 0; i < extensions; ++i)
-        if (text(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))) == "GL_ARB_clip_control") return true;
+        if (text(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))) == name) return true;
     return false;
+}
+
+/// Drivers have addresses even for what they cannot do.
+bool can_set_depth_range(const Functions& gl) {
+    GLint major = 0, minor = 0;
+    gl.GetIntegerv(GL_MAJOR_VERSION, &major);
+    gl.GetIntegerv(GL_MINOR_VERSION, &minor);
+    return major > 4 || (major == 4 && minor >= 5) || has_extension(gl, "GL_ARB_clip_control");
 }
 
 }  // namespace
@@ -36,6 +40,8 @@ Functions::Functions(const Context& context) {
 #undef ECHOLOOP_GL_RESOLVE
     if (!can_set_depth_range(*this))
         throw std::runtime_error("OpenGL " + description() + " cannot set its range of depths; " + needed);
+    reads_our_memory_ = text(GetString(GL_RENDERER)).find("llvmpipe") != std::string::npos &&
+                        has_extension(*this, "GL_AMD_pinned_memory");
 }
 
 std::string Functions::description() const {

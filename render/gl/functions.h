@@ -73,9 +73,15 @@ struct Functions {
 
     /// Version and renderer, for example "4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)".
     std::string description() const;
+    /// Whether buffers may be our own memory at no cost: a rasteriser on the processor with
+    /// GL_AMD_pinned_memory. A GPU would fetch each vertex over the bus.
+    bool reads_our_memory() const { return reads_our_memory_; }
     /// Throws std::runtime_error if GL has recorded an error since the last call; `where` goes into the
     /// message.
     void check(const char* where) const;
+
+  private:
+    bool reads_our_memory_ = false;
 };
 
 }  // namespace echoloop::gl

@@ -44,9 +44,15 @@ Program::Program(const Functions& gl, const char* vertex_source, const char* fra
 }
 
 Buffer::Buffer(const Functions& gl, GLenum target, const void* data, std::size_t bytes) : gl_(gl) {
+    constexpr GLenum external_memory = 0x9160;  // GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD
     gl.GenBuffers(1, &id_);
+    if (gl.reads_our_memory()) {
+        gl.BindBuffer(external_memory, id_);
+        gl.BufferData(external_memory, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+        gl.BindBuffer(external_memory, 0);
+    }
     gl.BindBuffer(target, id_);
-    gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+    if (!gl.reads_our_memory()) gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
 }
 
 FloatTarget::FloatTarget(const Functions& gl, int width, int height) : gl_(gl) {

@@ -28,6 +28,7 @@ class Program {
 /// An immutable buffer of vertices or indices.
 class Buffer {
   public:
+    /// `data` must live as long: a rasteriser in this process reads it where it lies. Others have a copy.
     Buffer(const Functions& gl, GLenum target, const void* data, std::size_t bytes);
     Buffer(const Buffer&) = delete;
     Buffer& operator=(const Buffer&) = delete;

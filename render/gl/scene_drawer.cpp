@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 
 #include "render/gl/fan_shader.h"
 
 namespace echoloop::gl {
 namespace {
-
-struct GpuVertex {
-    SceneVertex vertex;
-    float surface;  ///< its number and, as a fraction, half the roughness
-};
 
 using Clock = std::chrono::steady_clock;
 
@@ -45,15 +39,15 @@ Context& current(Context& context) {
 }
 
 void set_vertex_layout(const Functions& gl) {
-    constexpr GLsizei stride = sizeof(GpuVertex);
+    constexpr GLsizei stride = sizeof(SceneVertex);
     const auto attribute = [&](GLuint index, GLint size, std::size_t offset) {
         gl.EnableVertexAttribArray(index);
         gl.VertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, stride,
                                reinterpret_cast<const void*>(offset));
     };
-    attribute(0, 3, offsetof(GpuVertex, vertex.position));
-    attribute(1, 3, offsetof(GpuVertex, vertex.normal));
-    attribute(2, 1, offsetof(GpuVertex, surface));
+    attribute(0, 3, offsetof(SceneVertex, position));
+    attribute(1, 3, offsetof(SceneVertex, normal));
+    attribute(2, 1, offsetof(SceneVertex, surface));
 }
 
 /// Finds what a view sees of the still scene and of every mover: nothing, where all of it would only hide.
@@ -108,34 +102,16 @@ SceneDrawer::~SceneDrawer() {
     }
 }
 
-/// The coarse vertices and indices follow the fine ones.
 void SceneDrawer::upload() {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> surfaces;  // of object and material
-    const std::size_t fine = scene_->vertices().size();
-    std::vector<GpuVertex> vertices(fine + scene_->coarse_vertices().size());
-    for (const SceneNode& node : scene_->nodes()) {
-        const auto [entry, added] =
-            surfaces.try_emplace({node.object, node.material}, static_cast<std::uint32_t>(surfaces.size()));
-        if (added) {
-            material_of_surface_.push_back(node.material);
-            object_of_surface_.push_back(node.object);
-        }
-        const auto surface = static_cast<float>(entry->second + 1);
-        for (std::size_t i = node.first_vertex; i < node.first_vertex + node.vertices; ++i)
-            if (node.coarse) {
-                const auto& [vertex, roughness] = scene_->coarse_vertices()[i];
-                vertices[fine + i] = {vertex, surface + 0.5F * roughness};
-            } else {
-                vertices[i] = {scene_->vertices()[i], surface};
-            }
+    for (const SceneSurface& surface : scene_->surfaces()) {
+        material_of_surface_.push_back(surface.material);
+        object_of_surface_.push_back(surface.object);
     }
-    vertices_ =
-        std::make_unique<Buffer>(gl_, GL_ARRAY_BUFFER, vertices.data(), vertices.size() * sizeof(GpuVertex));
+    const auto vertices = scene_->all_vertices();
+    vertices_ = std::make_unique<Buffer>(gl_, GL_ARRAY_BUFFER, vertices.data(), vertices.size_bytes());
     set_vertex_layout(gl_);
-    std::vector<std::uint16_t> indices(scene_->indices().begin(), scene_->indices().end());
-    indices.insert(indices.end(), scene_->coarse_indices().begin(), scene_->coarse_indices().end());
-    indices_ = std::make_unique<Buffer>(gl_, GL_ELEMENT_ARRAY_BUFFER, indices.data(),
-                                        indices.size() * sizeof(std::uint16_t));
+    const auto indices = scene_->all_indices();
+    indices_ = std::make_unique<Buffer>(gl_, GL_ELEMENT_ARRAY_BUFFER, indices.data(), indices.size_bytes());
 }
 
 void SceneDrawer::set_view(const View& view, const Pose& frame_from_fan, SampleOffsets offset) const {

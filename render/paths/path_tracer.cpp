@@ -1,4 +1,5 @@
 #include <cmath>
+#include <future>
 #include <numbers>
 
 #include "render/acoustics/chain.h"
@@ -17,12 +18,20 @@ class PathTracer::Impl {
         if (!scene_) throw std::invalid_argument("paths: there is no scene");
     }
 
+    void prepare() {
+        if (needed() && !space_ && !prepared_.valid())
+            prepared_ = std::async(std::launch::async | std::launch::deferred,
+                                   [this] { space_.emplace(scene_, surface_); });
+    }
+
     bool needed() const { return multipath() || !scene_->point_targets().empty(); }
 
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
                double end_range, PathEchoes& out, std::span<const Pose> movers) {
         if (!needed()) return;
-        if (!space_) space_.emplace(scene_, surface_), mirrors_.emplace(scene_);
+        if (prepared_.valid()) prepared_.get();
+        if (!space_) space_.emplace(scene_, surface_);
+        if (!mirrors_) mirrors_.emplace(scene_);
         place(movers);
         const FanPattern& pattern =
             patterns_.get([&](const FanPattern& known) { return known.fits(shot); },
@@ -77,6 +86,7 @@ class PathTracer::Impl {
     std::vector<PointTarget> targets_;  ///< where they are at the ping at hand
     RecentlyUsed<FanPattern> patterns_{64};
     std::vector<Corner> corners_;
+    std::future<void> prepared_;  ///< last: it is waited for first
 };
 
 PathTracer::PathTracer(std::shared_ptr<const Scene> scene, std::optional<WaterSurface> surface,
@@ -88,6 +98,7 @@ void PathTracer::trace(const Shot& shot, const Pose& world_from_sonar, double so
                        double end_range, PathEchoes& out, std::span<const Pose> movers) {
     impl_->trace(shot, world_from_sonar, sound_speed, absorption, end_range, out, movers);
 }
+void PathTracer::prepare() { impl_->prepare(); }
 bool PathTracer::needed() const { return impl_->needed(); }
 
 }  // namespace echoloop

@@ -64,6 +64,10 @@ class PathTracer {
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
                double end_range, PathEchoes& out, std::span<const Pose> movers = {});
 
+    /// Begins to build that tree on a thread of its own, if it is needed, so that trace() need not wait for
+    /// all of it.
+    void prepare();
+
     /// False where trace() could add nothing: no targets, and multipath off.
     bool needed() const;
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <future>
 #include <limits>
 #include <numbers>
-#include <unordered_map>
+#include <utility>
 
+#include "render/scene/chunk_writer.h"
 #include "render/scene/corner_normal.h"
 #include "render/scene/fault.h"
 #include "render/scene/limits.h"
@@ -41,54 +43,37 @@ void check_mesh(const Mesh& mesh, const std::string& place) {
 }
 
 /// Triangles with no area have no side and would only disturb culling.
-std::vector<std::uint32_t> without_slivers(const Mesh& mesh) {
-    std::vector<std::uint32_t> out;
-    out.reserve(mesh.indices.size());
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-        if (face_normal(mesh, &mesh.indices[i]) != Vec3{})
-            out.insert(out.end(), &mesh.indices[i], &mesh.indices[i] + 3);
-    return out;
+bool is_sliver(const Mesh& mesh, std::size_t i) { return face_normal(mesh, &mesh.indices[i]) == Vec3{}; }
+
+/// The indices without slivers: the mesh's own where it has none, else those that are put into `kept`.
+std::span<const std::uint32_t> without_slivers(const Mesh& mesh, std::vector<std::uint32_t>& kept) {
+    std::size_t first = 0;
+    while (first < mesh.indices.size() && !is_sliver(mesh, first)) first += 3;
+    if (first == mesh.indices.size()) return mesh.indices;
+    kept.reserve(mesh.indices.size());
+    kept.assign(mesh.indices.data(), mesh.indices.data() + first);
+    for (std::size_t i = first + 3; i < mesh.indices.size(); i += 3)
+        if (!is_sliver(mesh, i)) kept.insert(kept.end(), &mesh.indices[i], &mesh.indices[i] + 3);
+    return kept;
 }
 
-/// The vertices and chunk-local indices of one chunk while it grows.
-class ChunkWriter {
-  public:
-    ChunkWriter(const Mesh& mesh, std::vector<SceneVertex>& vertices, std::vector<std::uint16_t>& indices)
-        : mesh_(mesh), vertices_(vertices), indices_(indices) {
-        chunk_.first_vertex = static_cast<std::uint32_t>(vertices.size());
-        chunk_.first_index = static_cast<std::uint32_t>(indices.size());
-        chunk_.bounds = empty_bounds();
-    }
+/// So that large meshes are not copied while they grow, and many small ones not each time.
+template <typename T>
+void make_room(std::vector<T>& in, std::size_t more) {
+    if (in.size() + more > in.capacity()) in.reserve(std::max(in.size() + more, 2 * in.capacity()));
+}
 
-    void triangle(const std::uint32_t* corners) {
-        const Vec3 face = face_normal(mesh_, corners);
-        for (int i = 0; i < 3; ++i) indices_.push_back(corner(corners[i], face));
-    }
-
-    SceneChunk finish() {
-        chunk_.vertices = static_cast<std::uint32_t>(vertices_.size()) - chunk_.first_vertex;
-        chunk_.indices = static_cast<std::uint32_t>(indices_.size()) - chunk_.first_index;
-        return chunk_;
-    }
-
-  private:
-    std::uint16_t corner(std::uint32_t index, Vec3 face) {
-        const auto [normal, smooth] = corner_normal(mesh_, index, face);
-        if (smooth)
-            if (const auto known = known_.find(index); known != known_.end()) return known->second;
-        const auto local = static_cast<std::uint16_t>(vertices_.size() - chunk_.first_vertex);
-        vertices_.push_back({floats(mesh_.positions[index]), floats(normal)});
-        grow(chunk_.bounds, vertices_.back().position);
-        if (smooth) known_.emplace(index, local);
-        return local;
-    }
-
-    const Mesh& mesh_;
-    std::vector<SceneVertex>& vertices_;
-    std::vector<std::uint16_t>& indices_;
-    std::unordered_map<std::uint32_t, std::uint16_t> known_;
-    SceneChunk chunk_;
-};
+/// From now on in one piece with what comes behind it.
+template <typename T>
+void append(std::vector<T>& to, std::vector<T>& more) {
+    std::vector<T> all;
+    all.reserve(to.size() + more.size());
+    all.insert(all.end(), to.begin(), to.end());
+    std::exchange(to, {});
+    all.insert(all.end(), more.begin(), more.end());
+    std::exchange(more, {});
+    to = std::move(all);
+}
 
 void enclose(Bounds& bounds, const Bounds& more) {
     if (is_empty(more)) return;
@@ -161,67 +146,100 @@ std::vector<std::uint32_t> places_of(const ChunkTree& tree, std::size_t first) {
 
 }  // namespace
 
-void SceneBuilder::add(const Mesh& mesh, const std::string& place) {
+/// Its number as vertices have it. An object's surfaces follow one another.
+float SceneBuilder::surface_number(std::uint32_t object, std::uint32_t material) {
+    auto& all = scene_->surfaces_;
+    std::size_t i = all.size();
+    while (i > 0 && all[i - 1].object == object && all[i - 1].material != material) --i;
+    if (i > 0 && all[i - 1].object == object) return static_cast<float>(i);
+    all.push_back({object, material});
+    return static_cast<float>(all.size());
+}
+
+void SceneBuilder::add(Mesh mesh, const std::string& place) {
     check_mesh(mesh, place);
-    const auto indices = without_slivers(mesh);
-    if (scene_->triangles() + indices.size() / 3 > scene_limits::triangles)
+    std::vector<std::uint32_t> kept;
+    const auto indices = without_slivers(mesh, kept);
+    if (scene_->indices_.size() / 3 + indices.size() / 3 > scene_limits::triangles)
         scene_fault(place,
                     "the scene has more than " + std::to_string(scene_limits::triangles) + " triangles",
                     "simplify its meshes");
     MeshSurfaces surfaces = find_surfaces(mesh.positions, indices);
+    kept = {}, mesh.indices = {};
     Material material = without_excess(mesh.material);
     if (!surfaces.flat.empty()) {
         const std::uint32_t flat = material_index(material);
-        add_part(mesh, surfaces.flat, flat, surfaces.facet);
+        add_part(mesh, std::move(surfaces.flat), flat, surfaces.facet, surfaces.curved.empty());
         collect_faces(std::move(surfaces.faces), flat);
     }
     if (!surfaces.curved.empty()) {
         material.mesh_slope = std::max(1.0, std::round(100 * surfaces.mesh_slope)) / 100;
-        add_part(mesh, surfaces.curved, material_index(material), {});
+        add_part(mesh, std::move(surfaces.curved), material_index(material), {}, true);
     }
 }
 
-void SceneBuilder::add_part(const Mesh& mesh, std::span<const std::uint32_t> indices, std::uint32_t material,
-                            std::span<const float> facet) {
-    const std::uint32_t object = object_index(mesh.object);
+void SceneBuilder::add_part(Mesh& mesh, std::vector<std::uint32_t> indices, std::uint32_t material,
+                            std::span<const float> facet, bool last) {
+    constexpr std::size_t worth_a_thread = 20'000;  // triangles
+    const SceneSurface surface{object_index(mesh.object), material};
+    const float number = surface_number(surface.object, surface.material);
     const ChunkTree tree = cut_into_chunks(mesh.positions, indices);
     const std::size_t first_node = scene_->nodes_.size();
     const auto place_of = places_of(tree, first_node);
-    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-        SceneNode node;
-        node.next = place_of[tree.nodes[i].next];
-        node.object = object;
-        node.material = material;
-        node.error = std::numeric_limits<float>::infinity();
-        if (tree.is_chunk(i)) {
-            add_chunk(mesh, indices, tree, i, node);
-            if (!facet.empty()) scene_->chunks_.back().facet = median_of(facet, tree, tree.nodes[i]);
-        }
-        scene_->nodes_.insert(scene_->nodes_.end(), place_of[i + 1] - place_of[i], node);
-    }
-    add_stand_ins(mesh, indices, tree, place_of, scene_->nodes_, scene_->coarse_vertices_,
-                  scene_->coarse_indices_);
+    add_nodes(tree, place_of, surface);
+    auto chunks = std::async(indices.size() / 3 < worth_a_thread ? std::launch::deferred
+                                                                 : std::launch::async | std::launch::deferred,
+                             [&] { add_chunks(mesh, indices, facet, tree, place_of, number); });
+    const auto forget_mesh = [&] {
+        chunks.get();
+        indices = {};
+        if (last) mesh = {};
+    };
+    add_stand_ins(mesh, indices, tree, place_of, number, scene_->nodes_, coarse_vertices_, coarse_indices_,
+                  forget_mesh);
     bound(first_node);
 }
 
-void SceneBuilder::add_chunk(const Mesh& mesh, std::span<const std::uint32_t> indices, const ChunkTree& tree,
-                             std::size_t index, SceneNode& node) {
-    ChunkWriter writer(mesh, scene_->vertices_, scene_->indices_);
-    for (const std::uint32_t t :
-         std::span(tree.triangles).subspan(tree.nodes[index].first, tree.nodes[index].count))
-        writer.triangle(&indices[std::size_t{3} * t]);
-    SceneChunk chunk = writer.finish();
-    chunk.object = node.object;
-    chunk.material = node.material;
-    chunk.mover = mover();
-    scene_->chunks_.push_back(chunk);
-    enclose(scene_->movers_.empty() ? scene_->still_bounds_ : scene_->movers_.back().bounds, chunk.bounds);
-    node.bounds = chunk.bounds;
-    node.first_vertex = chunk.first_vertex;
-    node.vertices = chunk.vertices;
-    node.first_index = chunk.first_index;
-    node.indices = chunk.indices;
-    node.error = 0;
+void SceneBuilder::add_nodes(const ChunkTree& tree, std::span<const std::uint32_t> place_of,
+                             SceneSurface surface) {
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        SceneNode node;
+        node.next = place_of[tree.nodes[i].next];
+        node.object = surface.object;
+        node.material = surface.material;
+        node.error = tree.is_chunk(i) ? 0 : std::numeric_limits<float>::infinity();
+        scene_->nodes_.insert(scene_->nodes_.end(), place_of[i + 1] - place_of[i], node);
+    }
+}
+
+/// Touches no node but those of chunks: stand-ins are made meanwhile.
+void SceneBuilder::add_chunks(const Mesh& mesh, std::span<const std::uint32_t> indices,
+                              std::span<const float> facet, const ChunkTree& tree,
+                              std::span<const std::uint32_t> place_of, float surface) {
+    make_room(scene_->indices_, indices.size());
+    make_room(scene_->vertices_, std::min(indices.size(), mesh.positions.size() * 3 / 2));
+    ChunkWriter writer(mesh, surface, scene_->vertices_, scene_->indices_);
+    Bounds& bounds = scene_->movers_.empty() ? scene_->still_bounds_ : scene_->movers_.back().bounds;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        if (!tree.is_chunk(i)) continue;
+        SceneNode& node = scene_->nodes_[place_of[i]];
+        writer.begin();
+        for (const std::uint32_t t :
+             std::span(tree.triangles).subspan(tree.nodes[i].first, tree.nodes[i].count))
+            writer.triangle(&indices[std::size_t{3} * t]);
+        SceneChunk chunk = writer.finish();
+        chunk.object = node.object;
+        chunk.material = node.material;
+        chunk.mover = mover();
+        if (!facet.empty()) chunk.facet = median_of(facet, tree, tree.nodes[i]);
+        scene_->chunks_.push_back(chunk);
+        enclose(bounds, chunk.bounds);
+        node.bounds = chunk.bounds;
+        node.first_vertex = chunk.first_vertex;
+        node.vertices = chunk.vertices;
+        node.first_index = chunk.first_index;
+        node.indices = chunk.indices;
+    }
 }
 
 /// Bounds of nodes that hold others, from the last to the first: all chunks below, and by how much the
@@ -285,9 +303,11 @@ std::shared_ptr<const Scene> SceneBuilder::finish() {
                     "export meshes, not only empties, points or lines");
     end_nodes();
     list_faces();
-    const auto trim = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
-    trim(scene_->vertices_, scene_->indices_, scene_->coarse_vertices_, scene_->coarse_indices_,
-         scene_->nodes_);
+    scene_->fine_vertices_ = scene_->vertices_.size();
+    scene_->fine_indices_ = scene_->indices_.size();
+    append(scene_->vertices_, coarse_vertices_);
+    append(scene_->indices_, coarse_indices_);
+    scene_->nodes_.shrink_to_fit();
     scene_->bounds_ = scene_->still_bounds_;
     for (const SceneMover& mover : scene_->movers_)
         enclose(scene_->bounds_, placed(mover.bounds, mover.rest));

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "render/scene/chunks.h"
 #include "render/scene/flat_faces.h"
@@ -16,8 +17,8 @@ class SceneBuilder {
   public:
     SceneBuilder();
 
-    /// Copies the mesh. `place` names it in complaints. Throws SceneFault.
-    void add(const Mesh& mesh, const std::string& place);
+    /// `place` names it in complaints. Throws SceneFault.
+    void add(Mesh mesh, const std::string& place);
     /// Throws SceneFault for a place or strength that is out of range, and for one target too many.
     void add(const PointTarget& target, const std::string& place);
     /// What is added from here on belongs to `mover` and is in its frame; what stands still comes first.
@@ -30,11 +31,14 @@ class SceneBuilder {
   private:
     std::uint32_t object_index(const std::string& name);
     std::uint32_t material_index(const Material& material);
-    /// `facet` of every triangle, or empty where all are curved.
-    void add_part(const Mesh& mesh, std::span<const std::uint32_t> indices, std::uint32_t material,
-                  std::span<const float> facet);
-    void add_chunk(const Mesh& mesh, std::span<const std::uint32_t> indices, const ChunkTree& tree,
-                   std::size_t index, SceneNode& node);
+    float surface_number(std::uint32_t object, std::uint32_t material);
+    /// `facet` of every triangle, or empty where all are curved. `last`: the mesh is given up as soon as can
+    /// be.
+    void add_part(Mesh& mesh, std::vector<std::uint32_t> indices, std::uint32_t material,
+                  std::span<const float> facet, bool last);
+    void add_nodes(const ChunkTree& tree, std::span<const std::uint32_t> place_of, SceneSurface surface);
+    void add_chunks(const Mesh& mesh, std::span<const std::uint32_t> indices, std::span<const float> facet,
+                    const ChunkTree& tree, std::span<const std::uint32_t> place_of, float surface);
     /// Until the largest are known.
     void collect_faces(std::vector<OutlinedFace> faces, std::uint32_t material);
     void keep_largest_faces();
@@ -44,6 +48,8 @@ class SceneBuilder {
     void end_nodes();
 
     std::unique_ptr<Scene> scene_;
+    std::vector<SceneVertex> coarse_vertices_;
+    std::vector<std::uint16_t> coarse_indices_;
     std::vector<OutlinedFace> faces_;
 };
 

@@ -2,53 +2,49 @@
 
 #include <algorithm>
 #include <array>
+#include <future>
 #include <limits>
-#include <numeric>
-#include <utility>
 
 namespace echoloop {
 namespace {
 
-using Point = std::array<double, 3>;
-using Triangles = std::span<std::uint32_t>;
+/// A triangle on its way through the tree: what is compared moves with it.
+struct Item {
+    std::array<float, 3> centre;  ///< m
+    float extent;                 ///< m, the longest side of its box
+    std::uint32_t triangle;
+};
+using Items = std::span<Item>;
 
-std::vector<Point> centroids(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
-    std::vector<Point> out(indices.size() / 3);
-    for (std::size_t t = 0; t < out.size(); ++t) {
-        const Vec3 sum =
-            positions[indices[3 * t]] + positions[indices[3 * t + 1]] + positions[indices[3 * t + 2]];
-        out[t] = {sum.x / 3, sum.y / 3, sum.z / 3};
-    }
-    return out;
-}
-
-/// m, the longest side of each triangle's box.
-std::vector<float> extents(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
-    std::vector<float> out(indices.size() / 3);
-    for (std::size_t t = 0; t < out.size(); ++t) {
-        const Vec3 &a = positions[indices[3 * t]], &b = positions[indices[3 * t + 1]],
-                   &c = positions[indices[3 * t + 2]];
+std::vector<Item> items_of(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
+    std::vector<Item> out;
+    out.reserve(indices.size() / 3);
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        const Vec3 &a = positions[indices[i]], &b = positions[indices[i + 1]], &c = positions[indices[i + 2]];
         const auto side = [](double u, double v, double w) {
             return std::max({u, v, w}) - std::min({u, v, w});
         };
-        out[t] =
-            static_cast<float>(std::max({side(a.x, b.x, c.x), side(a.y, b.y, c.y), side(a.z, b.z, c.z)}));
+        out.push_back(
+            {{static_cast<float>((a.x + b.x + c.x) / 3), static_cast<float>((a.y + b.y + c.y) / 3),
+              static_cast<float>((a.z + b.z + c.z) / 3)},
+             static_cast<float>(std::max({side(a.x, b.x, c.x), side(a.y, b.y, c.y), side(a.z, b.z, c.z)})),
+             static_cast<std::uint32_t>(i / 3)});
     }
     return out;
 }
 
 struct Axis {
     std::size_t index = 0;
-    double length = 0;  ///< m
+    float length = 0;  ///< m
 };
 
-Axis longest_axis(Triangles triangles, const std::vector<Point>& centres) {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    Point low{far, far, far}, high{-far, -far, -far};
-    for (const std::uint32_t t : triangles)
+Axis longest_axis(Items items) {
+    constexpr float far = std::numeric_limits<float>::infinity();
+    std::array<float, 3> low{far, far, far}, high{-far, -far, -far};
+    for (const Item& item : items)
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], centres[t][axis]);
-            high[axis] = std::max(high[axis], centres[t][axis]);
+            low[axis] = std::min(low[axis], item.centre[axis]);
+            high[axis] = std::max(high[axis], item.centre[axis]);
         }
     std::size_t longest = 0;
     for (std::size_t axis = 1; axis < 3; ++axis)
@@ -56,20 +52,19 @@ Axis longest_axis(Triangles triangles, const std::vector<Point>& centres) {
     return {longest, high[longest] - low[longest]};
 }
 
+/// Makes the nodes of a range of items, which it sorts.
 class TreeMaker {
   public:
-    TreeMaker(ChunkTree& tree, const std::vector<Point>& centres, const std::vector<float>& extents)
-        : tree_(tree), centres_(centres), extents_(extents) {}
+    TreeMaker(Items items, std::vector<ChunkNode>& nodes) : items_(items), nodes_(nodes) {}
 
     void add_node(std::size_t first, std::size_t count) {
-        const std::size_t node = tree_.nodes.size();
-        tree_.nodes.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), 0});
-        const auto begin = tree_.triangles.begin() + static_cast<std::ptrdiff_t>(first);
+        const std::size_t node = nodes_.size();
+        nodes_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), 0});
         if (count <= chunk_triangles)
-            std::sort(begin, begin + static_cast<std::ptrdiff_t>(count));  // the file's order
+            std::ranges::sort(items_.subspan(first, count), {}, &Item::triangle);  // the file's order
         else
             add_children(first, count);
-        tree_.nodes[node].next = static_cast<std::uint32_t>(tree_.nodes.size());
+        nodes_[node].next = static_cast<std::uint32_t>(nodes_.size());
     }
 
   private:
@@ -81,10 +76,32 @@ class TreeMaker {
             return;
         }
         const std::size_t half = split(first, count);
-        for (const auto& [begin, size] : {std::pair{first, half}, {first + half, count - half}}) {
-            const std::size_t quarter = split(begin, size);
-            add_node(begin, quarter);
-            add_node(begin + quarter, size - quarter);
+        if (count < worth_a_thread) {
+            add_halves(first, half);
+            add_halves(first + half, count - half);
+            return;
+        }
+        std::vector<ChunkNode> second;
+        std::future<void> done = std::async(std::launch::async | std::launch::deferred, [&] {
+            TreeMaker(items_, second).add_halves(first + half, count - half);
+        });
+        add_halves(first, half);
+        done.get();
+        append(second);
+    }
+
+    void add_halves(std::size_t first, std::size_t count) {
+        const std::size_t half = split(first, count);
+        add_node(first, half);
+        add_node(first + half, count - half);
+    }
+
+    /// Nodes that were counted from 0.
+    void append(std::span<const ChunkNode> more) {
+        const auto before = static_cast<std::uint32_t>(nodes_.size());
+        for (ChunkNode node : more) {
+            node.next += before;
+            nodes_.push_back(node);
         }
     }
 
@@ -92,41 +109,41 @@ class TreeMaker {
     /// many there are: a wall among the small triangles of a seabed would make every chunk that has a part of
     /// it as large as the wall.
     std::size_t large_ones(std::size_t first, std::size_t count) {
-        const Triangles triangles = Triangles(tree_.triangles).subspan(first, count);
-        const double limit = longest_axis(triangles, centres_).length / 2;
-        const auto is_large = [&](std::uint32_t t) { return extents_[t] >= limit; };
-        const auto large = static_cast<std::size_t>(std::ranges::count_if(triangles, is_large));
+        const Items items = items_.subspan(first, count);
+        const float limit = longest_axis(items).length / 2;
+        const auto is_large = [&](const Item& item) { return item.extent >= limit; };
+        const auto large = static_cast<std::size_t>(std::ranges::count_if(items, is_large));
         if (large == 0 || large > count / 8) return 0;
-        std::ranges::stable_partition(triangles, is_large);
+        std::ranges::stable_partition(items, is_large);
         return large;
     }
 
     /// Moves the lower half along the longest axis to the front and returns its size.
     std::size_t split(std::size_t first, std::size_t count) {
-        const Triangles triangles = Triangles(tree_.triangles).subspan(first, count);
-        const std::size_t axis = longest_axis(triangles, centres_).index, half = count / 2;
-        std::nth_element(
-            triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(half), triangles.end(),
-            [&](std::uint32_t a, std::uint32_t b) {
-                return centres_[a][axis] != centres_[b][axis] ? centres_[a][axis] < centres_[b][axis] : a < b;
-            });
+        const Items items = items_.subspan(first, count);
+        const std::size_t axis = longest_axis(items).index, half = count / 2;
+        std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                         [axis](const Item& a, const Item& b) {
+                             return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]
+                                                                     : a.triangle < b.triangle;
+                         });
         return half;
     }
 
-    ChunkTree& tree_;
-    const std::vector<Point>& centres_;
-    const std::vector<float>& extents_;
+    static constexpr std::size_t worth_a_thread = 400'000;  ///< triangles
+
+    const Items items_;
+    std::vector<ChunkNode>& nodes_;
 };
 
 }  // namespace
 
 ChunkTree cut_into_chunks(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
-    const auto centres = centroids(positions, indices);
-    const auto sizes = extents(positions, indices);
+    auto items = items_of(positions, indices);
     ChunkTree tree;
-    tree.triangles.resize(centres.size());
-    std::iota(tree.triangles.begin(), tree.triangles.end(), 0U);
-    TreeMaker(tree, centres, sizes).add_node(0, centres.size());
+    TreeMaker(items, tree.nodes).add_node(0, items.size());
+    tree.triangles.reserve(items.size());
+    for (const Item& item : items) tree.triangles.push_back(item.triangle);
     return tree;
 }
 

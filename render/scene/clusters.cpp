@@ -52,7 +52,7 @@ Vec3 middle_of(const Mesh& mesh) {
 }
 
 /// Which of the six directions along the axes is nearest.
-std::uint32_t side_of(Vec3 n) {
+std::uint32_t nearest_side(Vec3 n) {
     const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
     if (z >= x && z >= y) return n.z < 0 ? 5 : 4;
     if (y >= x) return n.y < 0 ? 3 : 2;
@@ -68,10 +68,16 @@ Vec3 MergedPlace::position(double width) const {
     return near ? best : mean;
 }
 
+MeanNormal NormalSum::mean() const {
+    const double length = norm(sum), mean = length / area;
+    return {length > 0 ? (1 / length) * sum : Vec3{},
+            static_cast<float>(std::clamp(1 - mean * mean, 0.0, 1.0))};
+}
+
 std::uint32_t Clusters::shade_in(std::uint32_t place, std::uint32_t side) {
     std::uint32_t& shade = places_[place].shade[side];
     if (shade == 0) {
-        shades_.push_back({place, side, {}, 0, {}, 0});
+        shades_.push_back({place, side, {}});
         shade = static_cast<std::uint32_t>(shades_.size());
     }
     return shade - 1;
@@ -84,25 +90,36 @@ std::array<std::uint32_t, 3> Clusters::corners_of(const Mesh& mesh, const std::u
     const Vec3 doubled = doubled_area(mesh, corners);
     const double length = norm(doubled), area = length / 6;  // a third for each corner
     const Vec3 face = (1 / length) * doubled;
+    Quadric planes;
+    planes.add_plane(face, dot(face, mesh.positions[corners[0]] - middle_), area);
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec3 from_middle = mesh.positions[corners[k]] - middle_;
         const std::uint32_t index = cell_of[corners[k]];
         MergedPlace& place = places_[index].merged;
-        place.planes.add_plane(face, dot(face, from_middle), area);
+        place.planes.add(planes);
         const Vec3 across = cross(borders[corners[k]], face);
-        const double chord = norm(across);
-        if (chord > 1e-6 * std::sqrt(area))
+        const double square = dot(across, across);
+        if (square > 1e-12 * area) {
+            const double chord = std::sqrt(square);
             place.planes.add_plane((1 / chord) * across, dot(across, from_middle) / chord,
                                    border_weight * area);
+        }
         place.moment = place.moment + area * from_middle;
         place.area += area;
         const Vec3 normal = corner_normal(mesh, corners[k], face).normal;
-        const std::uint32_t vertex = shade_in(index, side_of(normal));
-        shades_[vertex].sum = shades_[vertex].sum + area * normal;
-        shades_[vertex].area += area;
-        out[k] = vertex;
+        out[k] = shade_in(index, nearest_side(normal));
+        shades_[out[k]].normals.add({area * normal, area});
     }
     return out;
+}
+
+Vec3 Clusters::position(std::uint32_t vertex) const {
+    return middle_ + places_[place_of(vertex)].merged.position(cell_);
+}
+
+double Clusters::error(std::uint32_t vertex) const {
+    const MergedPlace& merged = places_[place_of(vertex)].merged;
+    return merged.error(merged.position(cell_));
 }
 
 void Clusters::add_triangle(const MergedTriangle& triangle) {
@@ -135,39 +152,6 @@ Clusters::Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, int
         add_triangle({static_cast<std::uint32_t>(i / 3), corners});
         if (place_of_corner != nullptr)
             for (const std::uint32_t corner : corners) place_of_corner->push_back(place_of(corner));
-    }
-    settle();
-}
-
-Clusters::Clusters(const Clusters& finer, std::span<const std::uint32_t> into)
-    : cell_(finer.cell_), middle_(finer.middle_) {
-    places_.resize(into.empty() ? 0 : *std::ranges::max_element(into) + std::size_t{1});
-    for (std::size_t i = 0; i < into.size(); ++i) places_[into[i]].merged.add(finer.places_[i].merged);
-    std::vector<std::uint32_t> vertex_of;
-    vertex_of.reserve(finer.shades_.size());
-    for (const Shade& fine : finer.shades_) {
-        vertex_of.push_back(shade_in(into[fine.place], fine.side));
-        Shade& shade = shades_[vertex_of.back()];
-        shade.sum = shade.sum + fine.sum;
-        shade.area += fine.area;
-    }
-    for (MergedTriangle triangle : finer.triangles_) {
-        for (std::uint32_t& corner : triangle.corners) corner = vertex_of[corner];
-        add_triangle(triangle);
-    }
-    settle();
-}
-
-void Clusters::settle() {
-    for (Place& place : places_) {
-        const Vec3 position = place.merged.position(cell_);
-        place.position = middle_ + position;
-        place.error = place.merged.error(position);
-    }
-    for (Shade& shade : shades_) {
-        const double length = norm(shade.sum), mean = length / shade.area;
-        if (length > 0) shade.normal = (1 / length) * shade.sum;
-        shade.roughness = static_cast<float>(std::clamp(1 - mean * mean, 0.0, 1.0));
     }
 }
 

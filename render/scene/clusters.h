@@ -1,5 +1,5 @@
-// Merges the vertices of one mesh, first by the cells of a grid that is fixed in the world, then as it is
-// told; all of the mesh alike, so that neighbouring chunks still meet. Knows no chunks.
+// Merges the vertices of one mesh by the cells of a grid that is fixed in the world; all of the mesh alike,
+// so that neighbouring chunks still meet. Knows no chunks.
 #pragma once
 
 #include <array>
@@ -30,6 +30,23 @@ struct MergedPlace {
     double error(Vec3 position) const { return 2 * planes.rms(position); }
 };
 
+/// The mean of normals by area.
+struct MeanNormal {
+    Vec3 normal;          ///< unit; zero where they cancel out
+    float roughness = 0;  ///< variance of the normals that facets around stand for, 0..1
+};
+
+struct NormalSum {
+    Vec3 sum;  ///< of area times normal
+    double area = 0;
+
+    void add(const NormalSum& other) {
+        sum = sum + other.sum;
+        area += other.area;
+    }
+    MeanNormal mean() const;
+};
+
 /// A triangle that is left after merging.
 struct MergedTriangle {
     std::uint32_t number;  ///< in the mesh
@@ -44,9 +61,8 @@ class Clusters {
     /// the place of every index.
     Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, int exponent,
              std::vector<std::uint32_t>* place_of_corner = nullptr);
-    /// Fewer places: of those of `finer`, number i goes into number `into[i]`, counted from 0 without gaps.
-    Clusters(const Clusters& finer, std::span<const std::uint32_t> into);
 
+    Vec3 middle() const { return middle_; }
     std::size_t vertices() const { return shades_.size(); }
     std::size_t places() const { return places_.size(); }
     const MergedPlace& place(std::size_t i) const { return places_[i].merged; }
@@ -54,12 +70,12 @@ class Clusters {
     std::span<const MergedTriangle> triangles() const { return triangles_; }
     /// Two vertices at one place differ in their normals only.
     std::uint32_t place_of(std::uint32_t vertex) const { return shades_[vertex].place; }
-    Vec3 position(std::uint32_t vertex) const { return places_[place_of(vertex)].position; }
-    Vec3 normal(std::uint32_t vertex) const { return shades_[vertex].normal; }
-    /// Variance of the normals that facets around the vertex stand for, 0..1.
-    float roughness(std::uint32_t vertex) const { return shades_[vertex].roughness; }
+    /// The axis that its normal is nearest to, and which way.
+    std::uint32_t side_of(std::uint32_t vertex) const { return shades_[vertex].side; }
+    const NormalSum& normals(std::uint32_t vertex) const { return shades_[vertex].normals; }
+    Vec3 position(std::uint32_t vertex) const;
     /// m, about how far the merged surface is off around the vertex.
-    double error(std::uint32_t vertex) const { return places_[place_of(vertex)].error; }
+    double error(std::uint32_t vertex) const;
 
   private:
     struct Cell {
@@ -72,17 +88,12 @@ class Clusters {
     };
     struct Place {
         MergedPlace merged;
-        Vec3 position;
-        double error = 0;
         std::array<std::uint32_t, 6> shade{};  ///< by the axis that the normal is nearest to; 1 + index, or 0
     };
     struct Shade {
         std::uint32_t place = 0;
         std::uint32_t side = 0;
-        Vec3 sum;  ///< of area times normal
-        double area = 0;
-        Vec3 normal;
-        float roughness = 0;
+        NormalSum normals;
     };
 
     std::uint32_t shade_in(std::uint32_t place, std::uint32_t side);
@@ -91,7 +102,6 @@ class Clusters {
     std::vector<std::uint32_t> number_cells(const Mesh& mesh, std::span<const std::uint32_t> indices);
     /// Unless it has none left.
     void add_triangle(const MergedTriangle& triangle);
-    void settle();
 
     double cell_;  ///< m
     Vec3 middle_;

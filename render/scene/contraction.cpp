@@ -26,27 +26,55 @@ bool has(const std::array<std::uint32_t, 3>& corners, std::uint32_t place) {
 }  // namespace
 
 Contraction::Contraction(const Clusters& clusters)
-    : places_(clusters.places()), parent_(clusters.places()), left_(clusters.triangles().size(), true) {
+    : middle_(clusters.middle()),
+      places_(clusters.places()),
+      ages_(clusters.places()),
+      parent_(clusters.places()),
+      left_(clusters.triangles().size(), true) {
     std::iota(parent_.begin(), parent_.end(), 0U);
+    positions_.reserve(places_.size());
     for (std::size_t i = 0; i < places_.size(); ++i) {
         places_[i].merged = clusters.place(i);
-        places_[i].position = places_[i].merged.position();
+        positions_.push_back(places_[i].merged.position());
     }
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    edges.reserve(3 * left_.size());
+    list_shades(clusters);
+    list_triangles(clusters);
+    for (std::uint32_t place = 0; place < places_.size(); ++place) propose_around(place, place);
+}
+
+void Contraction::list_shades(const Clusters& clusters) {
+    shades_.reserve(clusters.vertices());
+    for (std::uint32_t vertex = 0; vertex < clusters.vertices(); ++vertex) {
+        std::uint32_t& first = places_[clusters.place_of(vertex)].first_shade;
+        shades_.push_back({clusters.normals(vertex), clusters.side_of(vertex), first});
+        first = vertex;
+    }
+}
+
+void Contraction::list_triangles(const Clusters& clusters) {
+    corners_.reserve(left_.size());
+    sides_.reserve(left_.size());
     for (const MergedTriangle& triangle : clusters.triangles()) {
-        const auto t = static_cast<std::uint32_t>(corners_.size());
         auto& corners = corners_.emplace_back(triangle.corners);
-        for (std::uint32_t& corner : corners) corner = clusters.place_of(corner);
+        auto& sides = sides_.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
-            places_[corners[k]].around.push_back(t);
-            edges.push_back(std::minmax(corners[k], corners[(k + 1) % 3]));
+            sides[k] = static_cast<std::uint8_t>(clusters.side_of(corners[k]));
+            ++places_[corners[k] = clusters.place_of(corners[k])].left;
         }
     }
-    for (Place& place : places_) place.left = place.around.size();
-    std::ranges::sort(edges);
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    for (const auto& [a, b] : edges) propose(a, b);
+    for (Place& place : places_) place.around.reserve(place.left);
+    for (std::uint32_t t = 0; t < corners_.size(); ++t)
+        for (const std::uint32_t corner : corners_[t]) places_[corner].around.push_back(t);
+}
+
+std::uint32_t Contraction::shade_at(std::uint32_t place, std::uint32_t side) const {
+    std::uint32_t shade = places_[place].first_shade;
+    while (shade != none && shades_[shade].side != side) shade = shades_[shade].next;
+    return shade;
+}
+
+std::uint32_t Contraction::vertex(std::size_t triangle, std::size_t corner) const {
+    return shade_at(corners_[triangle][corner], sides_[triangle][corner]);
 }
 
 /// Of a float's bits the exponent and three more: eight buckets for each doubling of the cost.
@@ -81,10 +109,6 @@ void Contraction::propose(std::uint32_t a, std::uint32_t b) {
     mergers_.push({static_cast<float>(cost), a, b, ages_of(a, b)});
 }
 
-bool Contraction::is_current(const Merger& m) const {
-    return parent_[m.a] == m.a && parent_[m.b] == m.b && ages_of(m.a, m.b) == (m.ages & ~forced);
-}
-
 /// Whether too many triangles meet at one of the places.
 bool Contraction::is_hub(const Merger& m) const {
     return places_[m.a].left + places_[m.b].left > most_around;
@@ -96,12 +120,14 @@ bool Contraction::turns_over(std::uint32_t moved, std::uint32_t other, Vec3 to) 
         if (!left_[t] || has(corners_[t], other)) continue;
         Vec3 before[3], after[3];
         for (std::size_t k = 0; k < 3; ++k) {
-            before[k] = places_[corners_[t][k]].position;
+            before[k] = positions_[corners_[t][k]];
             after[k] = corners_[t][k] == moved ? to : before[k];
         }
         const Vec3 was = cross(before[1] - before[0], before[2] - before[0]),
                    is = cross(after[1] - after[0], after[2] - after[0]);
-        if (!(dot(was, is) > least_cosine * norm(was) * norm(is))) return true;
+        const double along = dot(was, is);
+        if (!(along > 0 && along * along > least_cosine * least_cosine * dot(was, was) * dot(is, is)))
+            return true;
     }
     return false;
 }
@@ -110,8 +136,9 @@ void Contraction::merge(std::uint32_t a, std::uint32_t b, Vec3 position) {
     Place &into = places_[a], &from = places_[b];
     parent_[b] = a;
     into.merged.add(from.merged);
-    into.position = position;
-    ++into.age;
+    positions_[a] = position;
+    ++ages_[a], ++ages_[b];
+    merge_shades(a, b);
     for (const std::uint32_t t : from.around) {
         if (!left_[t]) continue;
         auto& corners = corners_[t];
@@ -128,11 +155,24 @@ void Contraction::merge(std::uint32_t a, std::uint32_t b, Vec3 position) {
     std::erase_if(into.around, [&](std::uint32_t t) { return !left_[t]; });
 }
 
-void Contraction::propose_around(std::uint32_t a) {
+void Contraction::merge_shades(std::uint32_t a, std::uint32_t b) {
+    for (std::uint32_t shade = places_[b].first_shade; shade != none;) {
+        const std::uint32_t next = shades_[shade].next, same = shade_at(a, shades_[shade].side);
+        if (same != none) {
+            shades_[same].sum.add(shades_[shade].sum);
+        } else {
+            shades_[shade].next = std::exchange(places_[a].first_shade, shade);
+        }
+        shade = next;
+    }
+}
+
+/// With those of `lowest` and above.
+void Contraction::propose_around(std::uint32_t a, std::uint32_t lowest) {
     neighbours_.clear();
     for (const std::uint32_t t : places_[a].around)
         for (const std::uint32_t place : corners_[t])
-            if (place != a) neighbours_.push_back(place);
+            if (place != a && place >= lowest) neighbours_.push_back(place);
     std::ranges::sort(neighbours_);
     neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
     for (const std::uint32_t place : neighbours_) propose(a, place);
@@ -159,16 +199,15 @@ void Contraction::until(double limit) {
             continue;
         }
         merge(m.a, m.b, to);
-        propose_around(m.a);
+        propose_around(m.a, 0);
     }
 }
 
 std::vector<std::uint32_t> Contraction::into() const {
     std::vector<std::uint32_t> out;
     out.reserve(places_.size());
-    std::uint32_t next = 0;
     for (std::uint32_t i = 0; i < parent_.size(); ++i)
-        out.push_back(parent_[i] == i ? next++ : out[parent_[i]]);  // merged into one of a lower number
+        out.push_back(parent_[i] == i ? i : out[parent_[i]]);  // merged into one of a lower number
     return out;
 }
 

@@ -21,18 +21,38 @@ class Contraction {
     /// m, how far the next merger would bring the surface off, or more; infinite where there is none.
     double next_error() { return mergers_.least_cost(); }
 
+    /// Of the clusters.
+    std::size_t places() const { return places_.size(); }
+    std::size_t triangles() const { return left_.size(); }
     /// Whether a triangle of the clusters is left.
     bool is_left(std::size_t triangle) const { return left_[triangle]; }
-    /// Of each place of the clusters, the number of that into which it has been merged, from 0 without gaps.
+    /// The places of a triangle's corners: those into which others have been merged.
+    const std::array<std::uint32_t, 3>& corners(std::size_t triangle) const { return corners_[triangle]; }
+    /// Triangles at such a place, also some that are no longer left.
+    std::span<const std::uint32_t> around(std::uint32_t place) const { return places_[place].around; }
+    /// Of each place of the clusters, that into which it has been merged; or itself.
     std::vector<std::uint32_t> into() const;
+
+    std::size_t vertices() const { return shades_.size(); }
+    /// A corner's vertex: two at one place differ in their normals only.
+    std::uint32_t vertex(std::size_t triangle, std::size_t corner) const;
+    Vec3 position(std::uint32_t place) const { return middle_ + positions_[place]; }
+    /// m, about how far the merged surface is off around the place.
+    double error(std::uint32_t place) const { return places_[place].merged.error(positions_[place]); }
+    /// Of the normals by area, of all that has been merged into the vertex.
+    MeanNormal normal(std::uint32_t vertex) const { return shades_[vertex].sum.mean(); }
 
   private:
     struct Place {
         MergedPlace merged;
-        Vec3 position;
-        std::uint32_t age = 0;              ///< how often it has changed
+        std::uint32_t first_shade = none;   ///< of those at this place
         std::vector<std::uint32_t> around;  ///< triangles, also some that are no longer left
         std::size_t left = 0;               ///< of those
+    };
+    /// A vertex; several at one place form a list.
+    struct Shade {
+        NormalSum sum;
+        std::uint32_t side, next;
     };
     /// To merge two places.
     struct Merger {
@@ -60,25 +80,31 @@ class Contraction {
         std::size_t cheapest_ = 0;  ///< no merger is in a bucket before
     };
 
-    static constexpr std::uint32_t forced = 1U << 31U;
+    static constexpr std::uint32_t forced = 1U << 31U, none = ~0U;
 
+    void list_triangles(const Clusters& clusters);
+    void list_shades(const Clusters& clusters);
     void propose(std::uint32_t a, std::uint32_t b);
     /// It grows with each change of either.
-    std::uint32_t ages_of(std::uint32_t a, std::uint32_t b) const {
-        return (places_[a].age + places_[b].age) & ~forced;
-    }
-    double length(std::uint32_t a, std::uint32_t b) const {
-        return norm(places_[a].position - places_[b].position);
-    }
-    bool is_current(const Merger& m) const;
+    std::uint32_t ages_of(std::uint32_t a, std::uint32_t b) const { return (ages_[a] + ages_[b]) & ~forced; }
+    double length(std::uint32_t a, std::uint32_t b) const { return norm(positions_[a] - positions_[b]); }
+    bool is_current(const Merger& m) const { return ages_of(m.a, m.b) == (m.ages & ~forced); }
     bool is_hub(const Merger& m) const;
     bool turns_over(std::uint32_t moved, std::uint32_t other, Vec3 to) const;
     void merge(std::uint32_t a, std::uint32_t b, Vec3 position);
-    void propose_around(std::uint32_t a);
+    void merge_shades(std::uint32_t a, std::uint32_t b);
+    std::uint32_t shade_at(std::uint32_t place, std::uint32_t side) const;
+    void propose_around(std::uint32_t a, std::uint32_t lowest);
 
+    Vec3 middle_;
     std::vector<Place> places_;
+    std::vector<Vec3> positions_;  ///< of the places, from the middle
+    std::vector<std::uint32_t>
+        ages_;  ///< how often each place has changed; to go into another is a change, too
+    std::vector<Shade> shades_;
     std::vector<std::uint32_t> parent_;  ///< the place into which each was merged, a lower one; or itself
     std::vector<std::array<std::uint32_t, 3>> corners_;
+    std::vector<std::array<std::uint8_t, 3>> sides_;  ///< of the corners' normals
     std::vector<bool> left_;
     Queue mergers_;
     std::vector<std::uint32_t> neighbours_;

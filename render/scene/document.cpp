@@ -41,18 +41,20 @@ void check_extensions(const JsonView& root) {
     }
 }
 
-SceneFolder::Bytes buffer_contents(const JsonView& buffer, std::size_t size, std::size_t index,
-                                   const SceneContainer& container, const SceneFolder& folder) {
-    const auto uri = buffer.find("uri");
-    if (uri) return folder.read(uri->text(), size, uri->place());
+std::span<const unsigned char> buffer_contents(const JsonView& buffer, std::size_t size, std::size_t index,
+                                               const SceneContainer& container, const SceneFolder& folder,
+                                               std::vector<SceneFolder::Bytes>& files) {
+    if (const auto uri = buffer.find("uri")) {
+        files.push_back(folder.read(uri->text(), size, uri->place()));
+        return files.back();
+    }
     if (index != 0 || !container.has_binary)
         scene_fault(buffer.place(), "has no uri, and the file has no binary chunk for it",
                     "export the scene again");
     if (container.binary.size() < size)
         scene_fault(buffer.place() + ".byteLength", "is larger than the binary chunk",
                     "export the scene again");
-    const auto bytes = container.binary.first(size);
-    return {bytes.begin(), bytes.end()};
+    return container.binary.first(size);
 }
 
 Json check_buffers(const JsonView& root, const SceneContainer& container, const SceneFolder& folder,
@@ -67,9 +69,10 @@ Json check_buffers(const JsonView& root, const SceneContainer& container, const 
         const auto uri = buffer.find("uri");
         const bool embedded = uri && uri->text().rfind("data:", 0) == 0;
         const std::size_t index = out.buffers.size();
-        out.buffers.push_back(embedded ? SceneFolder::Bytes{}
-                                       : buffer_contents(buffer, size, index, container, folder));
-        clean.push_back({{"byteLength", size}, {"uri", embedded ? uri->text() : buffer_uri(index)}});
+        out.buffers.push_back(embedded ? std::span<const unsigned char>{}
+                                       : buffer_contents(buffer, size, index, container, folder, out.files));
+        clean.push_back(
+            {{"byteLength", embedded ? size : 1}, {"uri", embedded ? uri->text() : buffer_uri(index)}});
     }
     return clean;
 }

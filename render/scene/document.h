@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,8 +16,11 @@
 namespace echoloop {
 
 struct SceneDocument {
-    std::string json;  ///< checked glTF; buffer i has the URI buffer_uri(i), or is a data: URI
-    std::vector<SceneFolder::Bytes> buffers;              ///< contents of buffer i; empty for a data: URI
+    /// Checked glTF; buffer i has a data: URI, or one byte and the URI buffer_uri(i).
+    std::string json;
+    /// Contents of buffer i, of the scene file or of a file in `files`; empty for a data: URI.
+    std::vector<std::span<const unsigned char>> buffers;
+    std::vector<SceneFolder::Bytes> files;
     std::vector<Material> materials;                      ///< in the order of the file
     std::vector<bool> sparse;                             ///< per accessor
     std::vector<std::optional<double>> target_strengths;  ///< dB, per node; empty: no target
@@ -26,7 +30,7 @@ struct SceneDocument {
 
 std::string buffer_uri(std::size_t index);
 
-/// Throws SceneFault with the JSON path of the first fault.
+/// The document looks into the container. Throws SceneFault with the JSON path of the first fault.
 /// `animations`: read them, else they are not even looked at.
 SceneDocument check_document(const SceneContainer& container, const SceneFolder& folder,
                              bool animations = false);

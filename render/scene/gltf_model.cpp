@@ -4,48 +4,37 @@
 
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include "render/scene/fault.h"
 
 namespace echoloop {
 namespace {
 
-/// A buffer that was read already, of those that `data` points to; null if there is none of that name.
-const SceneFolder::Bytes* find_buffer(const std::string& path, void* data) {
-    const auto& buffers = *static_cast<const std::vector<SceneFolder::Bytes>*>(data);
-    const std::string name = path.substr(path.rfind('/') + 1);
-    for (std::size_t i = 0; i < buffers.size(); ++i)
-        if (name == buffer_uri(i) && !buffers[i].empty()) return &buffers[i];
-    return nullptr;
-}
-
 /// From 2.9 on tinygltf asks for sizes, too, and opens nothing if it cannot.
 template <typename Callbacks>
 void tell_sizes(Callbacks& fs) {
     if constexpr (requires { fs.GetFileSizeInBytes; })
-        fs.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string& path, void* data) {
-            const auto* bytes = find_buffer(path, data);
-            if (bytes) *size = bytes->size();
-            return bytes != nullptr;
+        fs.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string&, void*) {
+            *size = 1;
+            return true;
         };
 }
 
-/// tinygltf's view of the file system: the buffers that were read already, and nothing else.
-tinygltf::FsCallbacks only_buffers(const SceneDocument& document) {
+/// tinygltf's view of the file system: files of one byte. The document has their contents, which need no
+/// copy.
+tinygltf::FsCallbacks only_names() {
     tinygltf::FsCallbacks fs{};
-    fs.FileExists = [](const std::string& path, void* data) { return find_buffer(path, data) != nullptr; };
+    fs.FileExists = [](const std::string&, void*) { return true; };
     fs.ExpandFilePath = [](const std::string& path, void*) { return path; };
-    fs.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& path,
-                          void* data) {
-        const auto* bytes = find_buffer(path, data);
-        if (bytes) *out = *bytes;
-        return bytes != nullptr;
+    fs.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string&, void*) {
+        out->assign(1, 0);
+        return true;
     };
     fs.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
         return false;
     };
     tell_sizes(fs);
-    fs.user_data = const_cast<std::vector<SceneFolder::Bytes>*>(&document.buffers);
     return fs;
 }
 
@@ -56,7 +45,7 @@ bool no_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
 
 tinygltf::Model parse(const SceneDocument& document) {
     tinygltf::TinyGLTF loader;
-    loader.SetFsCallbacks(only_buffers(document));
+    loader.SetFsCallbacks(only_names());
     loader.SetImageLoader(no_image, nullptr);
     tinygltf::Model model;
     std::string errors, warnings;
@@ -91,7 +80,7 @@ struct GltfModel::Elements {
 };
 
 GltfModel::GltfModel(const SceneDocument& document)
-    : parsed_(std::make_unique<Parsed>(Parsed{parse(document)})), sparse_(document.sparse) {
+    : parsed_(std::make_unique<Parsed>(Parsed{parse(document)})), document_(document) {
     copy_nodes();
     copy_meshes();
 }
@@ -142,11 +131,13 @@ GltfModel::Elements GltfModel::elements(std::size_t index, const std::string& pl
     const auto& model = parsed_->model;
     const auto& accessor = model.accessors.at(index);
     const std::string name = "accessors[" + std::to_string(index) + "]";
-    if (sparse_[index])
+    if (document_.sparse[index])
         scene_fault(place, name + " is sparse, which is not supported", "export without sparse accessors");
     if (accessor.bufferView < 0) scene_fault(place, name + " has no bufferView", export_again);
     const auto& view = model.bufferViews.at(static_cast<std::size_t>(accessor.bufferView));
-    const auto& data = model.buffers.at(static_cast<std::size_t>(view.buffer)).data;
+    const auto buffer = static_cast<std::size_t>(view.buffer);
+    std::span<const unsigned char> data = document_.buffers.at(buffer);
+    if (data.empty()) data = model.buffers.at(buffer).data;
     if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
         scene_fault("bufferViews[" + std::to_string(accessor.bufferView) + "]", "reaches beyond its buffer",
                     export_again);

@@ -31,7 +31,7 @@ struct GltfNode {
 
 class GltfModel {
   public:
-    /// Throws SceneFault when tinygltf refuses the document.
+    /// Looks into the document until it dies. Throws SceneFault when tinygltf refuses it.
     explicit GltfModel(const SceneDocument& document);
     ~GltfModel();
     GltfModel(const GltfModel&) = delete;
@@ -60,7 +60,7 @@ class GltfModel {
     void copy_meshes();
 
     std::unique_ptr<Parsed> parsed_;
-    std::vector<bool> sparse_;
+    const SceneDocument& document_;
     std::vector<GltfNode> nodes_;
     std::vector<std::size_t> roots_;
     std::vector<std::vector<GltfPrimitive>> meshes_;

@@ -34,6 +34,7 @@ void set_surface(const SurfaceProperties& surface, Material& out) {
     out.reflection = surface.reflection;
     out.roughness = surface.roughness;
     out.slope = surface.slope;
+    out.lobe = surface.lobe;
 }
 
 void read_named(const JsonView& value, Material& out) {
@@ -84,6 +85,7 @@ void read_roughness(const JsonView& value, Material& out) {
 
 void read_slope(const JsonView& value, Material& out) {
     out.slope = within(value, 0, 1, "0..1", "give the rms slope of the surface's facets, for example 0.15");
+    out.lobe = true;
 }
 
 /// What both keys say together; where only one is given, the scene gives way to it.

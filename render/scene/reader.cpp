@@ -27,7 +27,11 @@ std::vector<std::uint32_t> triangle_corners(int mode, std::size_t count) {
 std::vector<std::uint32_t> read_triangles(const GltfModel& model, const GltfPrimitive& primitive,
                                           std::size_t vertices) {
     if (!primitive.indices) return triangle_corners(primitive.mode, vertices);
-    const auto indices = model.read_indices(*primitive.indices, vertices, primitive.place + ".indices");
+    auto indices = model.read_indices(*primitive.indices, vertices, primitive.place + ".indices");
+    if (primitive.mode == 4) {
+        indices.resize(indices.size() / 3 * 3);
+        return indices;
+    }
     auto corners = triangle_corners(primitive.mode, indices.size());
     for (auto& corner : corners) corner = indices[corner];
     return corners;
@@ -47,14 +51,14 @@ Mesh read_primitive(const GltfModel& model, const GltfPrimitive& primitive, cons
     Mesh mesh;
     mesh.object = placed.object;
     mesh.material = primitive.material ? document.materials[*primitive.material] : Material{};
-    for (const Vec3 p : model.read_vectors(primitive.positions, primitive.place + ".attributes.POSITION"))
-        mesh.positions.push_back(
-            point(enu_from_gltf(glm::dvec3(placed.world_from_node * glm::dvec4(p.x, p.y, p.z, 1)))));
+    mesh.positions = model.read_vectors(primitive.positions, primitive.place + ".attributes.POSITION");
+    for (Vec3& p : mesh.positions)
+        p = point(enu_from_gltf(glm::dvec3(placed.world_from_node * glm::dvec4(p.x, p.y, p.z, 1))));
     const glm::dmat3 linear(placed.world_from_node);
     const glm::dmat3 normal_transform = glm::inverseTranspose(linear);
     if (primitive.normals)
-        for (const Vec3 n : model.read_vectors(*primitive.normals, primitive.place + ".attributes.NORMAL"))
-            mesh.normals.push_back(direction(enu_from_gltf(normal_transform * glm::dvec3(n.x, n.y, n.z))));
+        mesh.normals = model.read_vectors(*primitive.normals, primitive.place + ".attributes.NORMAL");
+    for (Vec3& n : mesh.normals) n = direction(enu_from_gltf(normal_transform * glm::dvec3(n.x, n.y, n.z)));
     mesh.indices = read_triangles(model, primitive, mesh.positions.size());
     if (glm::determinant(linear) < 0) restore_winding(mesh.indices);
     return mesh;

@@ -50,6 +50,8 @@ struct Material {
     double reflection = 0.353;  ///< amplitude of a mirrored wave at normal incidence, -1..1 (sand's)
     double roughness = 0.005;   ///< m, rms height, of which a mirrored wave is the weaker (sand's)
     double slope = 0.15;        ///< rms slope of its facets in one direction (sand's)
+    /// What its facets mirror adds to Lambert's law; of sediments it is in their constant already.
+    bool lobe = false;
     /// rms slope of the triangles that stand for a curved surface; 0: flat. A SceneBuilder sets it.
     double mesh_slope = 0;
 
@@ -77,6 +79,14 @@ struct PointTarget {
 struct SceneVertex {
     std::array<float, 3> position;  ///< m, ENU
     std::array<float, 3> normal;    ///< unit
+    /// 1 + its index in Scene::surfaces(); and as a fraction, of a stand-in's vertices, half the variance of
+    /// the normals that facets around it stand for, 0..1.
+    float surface;
+};
+
+/// What vertices have in common.
+struct SceneSurface {
+    std::uint32_t object = 0, material = 0;  ///< in Scene::objects() and Scene::materials()
 };
 
 /// A flat part of a surface: neighbouring triangles of one mesh in one plane.
@@ -103,12 +113,6 @@ struct SceneChunk {
     Bounds bounds;
     std::uint32_t mover = 0;  ///< 1 + index of the mover in whose frame it is; 0: the world
     float facet = 0;          ///< m, the smaller side of the flat faces that it shows, typically; 0: curved
-};
-
-/// A vertex of a stand-in.
-struct CoarseVertex {
-    SceneVertex vertex;
-    float roughness = 0;  ///< variance of the normals that facets around it stand for, 0..1
 };
 
 /// What can be drawn in one go: a chunk, or a coarse stand-in for all chunks of the nodes below.
@@ -139,13 +143,17 @@ class Scene {
                                                     std::span<const PointTarget> targets = {},
                                                     std::span<const std::string> movable = {});
 
-    std::span<const SceneVertex> vertices() const { return vertices_; }
-    std::span<const std::uint16_t> indices() const { return indices_; }
+    std::span<const SceneVertex> vertices() const { return all_vertices().first(fine_vertices_); }
+    std::span<const std::uint16_t> indices() const { return all_indices().first(fine_indices_); }
     std::span<const SceneChunk> chunks() const { return chunks_; }
     /// Trees of nodes, parents before their children; every chunk is a node that has none below.
     std::span<const SceneNode> nodes() const { return nodes_; }
-    std::span<const CoarseVertex> coarse_vertices() const { return coarse_vertices_; }
-    std::span<const std::uint16_t> coarse_indices() const { return coarse_indices_; }
+    std::span<const SceneVertex> coarse_vertices() const { return all_vertices().subspan(fine_vertices_); }
+    std::span<const std::uint16_t> coarse_indices() const { return all_indices().subspan(fine_indices_); }
+    /// The coarse ones follow the fine ones, as a rasteriser wants them.
+    std::span<const SceneVertex> all_vertices() const { return vertices_; }
+    std::span<const std::uint16_t> all_indices() const { return indices_; }
+    std::span<const SceneSurface> surfaces() const { return surfaces_; }
     std::span<const std::string> objects() const { return objects_; }
     std::span<const Material> materials() const { return materials_; }
     std::span<const PointTarget> point_targets() const { return point_targets_; }
@@ -164,7 +172,7 @@ class Scene {
     std::span<const std::string> node_names() const { return node_names_; }
     /// What of the file is left out that somebody might miss.
     std::span<const std::string> notes() const { return notes_; }
-    std::size_t triangles() const { return indices_.size() / 3; }
+    std::size_t triangles() const { return fine_indices_ / 3; }
 
   private:
     friend class SceneBuilder;
@@ -172,9 +180,9 @@ class Scene {
     std::vector<SceneVertex> vertices_;
     std::vector<std::uint16_t> indices_;
     std::vector<SceneChunk> chunks_;
+    std::size_t fine_vertices_ = 0, fine_indices_ = 0;
     std::vector<SceneNode> nodes_;
-    std::vector<CoarseVertex> coarse_vertices_;
-    std::vector<std::uint16_t> coarse_indices_;
+    std::vector<SceneSurface> surfaces_;
     std::vector<std::string> objects_;
     std::vector<Material> materials_;
     std::vector<PointTarget> point_targets_;

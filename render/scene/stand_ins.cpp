@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <memory>
 #include <utility>
 
 #include "render/scene/clusters.h"
@@ -53,59 +53,20 @@ std::array<std::uint32_t, 2> most_triangles(std::uint32_t of_mesh) {
     return {finer / 2, finer};
 }
 
-/// The triangles that are left after merging, in the tree's order, and which of them meet at a place.
-class MergedTriangles {
-  public:
-    explicit MergedTriangles(const Clusters& clusters)
-        : clusters_(clusters), triangles_(clusters.triangles()), first_at_(clusters.places() + 1) {
-        const auto each = [&](const auto& work) {
-            for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-                for (const std::uint32_t vertex : triangles_[i].corners) work(clusters_.place_of(vertex), i);
-        };
-        each([&](std::uint32_t place, std::uint32_t) { ++first_at_[place + 1]; });
-        std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
-        at_place_.resize(first_at_.back());
-        std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
-        each([&](std::uint32_t place, std::uint32_t i) { at_place_[next[place]++] = i; });
-    }
-
-    std::size_t size() const { return triangles_.size(); }
-    const std::array<std::uint32_t, 3>& corners(std::uint32_t i) const { return triangles_[i].corners; }
-    /// First and last + 1 of those that come from a node's triangles.
-    std::pair<std::uint32_t, std::uint32_t> of(const ChunkNode& node) const {
-        const auto first = [&](std::uint32_t number) {
-            return static_cast<std::uint32_t>(
-                std::ranges::lower_bound(triangles_, number, {}, &MergedTriangle::number) -
-                triangles_.begin());
-        };
-        return {first(node.first), first(node.first + node.count)};
-    }
-    std::span<const std::uint32_t> around(std::uint32_t place) const {
-        return std::span(at_place_).subspan(first_at_[place], first_at_[place + 1] - first_at_[place]);
-    }
-
-  private:
-    const Clusters& clusters_;
-    std::span<const MergedTriangle> triangles_;
-    std::vector<std::uint32_t> first_at_, at_place_;  ///< triangles at_place_[first_at_[p]..first_at_[p + 1]]
-};
-
 /// The places of every node before they were merged further.
 class NodePlaces {
   public:
     /// `place_of_corner`: in the tree's order.
-    NodePlaces(const ChunkTree& tree, std::span<const std::uint32_t> place_of_corner) {
+    NodePlaces(const ChunkTree& tree, std::span<const std::uint32_t> place_of_corner, std::size_t places) {
+        std::vector<std::size_t> last_chunk(places);  // 1 + that had a place last
         for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
             if (!tree.is_chunk(i)) continue;
             const ChunkNode& chunk = tree.nodes[i];
             first_triangle_.push_back(chunk.first);
             first_.push_back(places_.size());
-            const auto corners =
-                place_of_corner.subspan(std::size_t{3} * chunk.first, std::size_t{3} * chunk.count);
-            places_.insert(places_.end(), corners.begin(), corners.end());
-            const auto own = places_.begin() + static_cast<std::ptrdiff_t>(first_.back());
-            std::sort(own, places_.end());
-            places_.erase(std::unique(own, places_.end()), places_.end());
+            for (const std::uint32_t place :
+                 place_of_corner.subspan(std::size_t{3} * chunk.first, std::size_t{3} * chunk.count))
+                if (std::exchange(last_chunk[place], i + 1) != i + 1) places_.push_back(place);
         }
         first_.push_back(places_.size());
     }
@@ -125,30 +86,37 @@ class NodePlaces {
     std::vector<std::uint32_t> places_;
 };
 
-/// Writes stand-ins from the mesh at one stage of its merging.
+struct StandIn {
+    std::uint32_t node, place;  ///< in the tree, and in the scene's nodes
+    std::uint32_t of_mesh;      ///< triangles that it stands for
+    std::uint32_t most;         ///< triangles that it may have
+    std::uint32_t first, last;  ///< of the triangles before the contraction, and behind the last
+};
+
+/// Writes stand-ins from the mesh as it is at some stage of its contraction.
 class StandInWriter {
   public:
-    StandInWriter(const Clusters& clusters, std::vector<CoarseVertex>& vertices,
+    StandInWriter(const Contraction& contraction, float surface, std::vector<SceneVertex>& vertices,
                   std::vector<std::uint16_t>& indices)
-        : clusters_(clusters),
-          triangles_(clusters),
+        : contraction_(contraction),
+          surface_(surface),
           vertices_(vertices),
           indices_(indices),
-          local_(clusters.vertices()),
-          written_(triangles_.size()),
-          seen_(clusters.places()) {}
+          local_(contraction.vertices()),
+          written_(contraction.triangles()),
+          seen_(contraction.places()) {}
 
-    /// Also takes the triangles around all places of the node, whose numbers now are into[places], so that no
-    /// gap is seen to a neighbour that is drawn in another size: merging moves the border between them.
-    void write(const ChunkNode& chunks, std::span<const std::uint32_t> places,
+    /// Also takes the triangles around all places of the node, which now have been merged into into[places],
+    /// so that no gap is seen to a neighbour that is drawn in another size: merging moves the border between
+    /// them.
+    void write(const StandIn& stand_in, std::span<const std::uint32_t> places,
                std::span<const std::uint32_t> into, SceneNode& node) {
         first_vertex_ = vertices_.size();
         const std::size_t first_index = indices_.size();
         ++node_;
         error_ = 0;
-        const std::size_t most_indices = first_index + std::size_t{9} * chunks.count / 4;
-        const auto [first, last] = triangles_.of(chunks);
-        for (std::uint32_t i = first; i < last; ++i) triangle(i);
+        const std::size_t most_indices = first_index + std::size_t{9} * stand_in.of_mesh / 4;
+        for (std::uint32_t i = stand_in.first; i < stand_in.last; ++i) triangle(i);
         for (const std::uint32_t place : places) around(into[place], most_indices);
         for (const std::uint32_t vertex : touched_) local_[vertex] = 0;
         touched_.clear();
@@ -172,32 +140,34 @@ class StandInWriter {
     void around(std::uint32_t place, std::size_t most_indices) {
         if (seen_[place] == node_) return;
         seen_[place] = node_;
-        for (const std::uint32_t i : triangles_.around(place)) {
+        for (const std::uint32_t i : contraction_.around(place)) {
             if (indices_.size() > most_indices) return;
             triangle(i);
         }
     }
 
     void triangle(std::uint32_t i) {
-        if (written_[i] == node_) return;
+        if (!contraction_.is_left(i) || written_[i] == node_) return;
         written_[i] = node_;
-        for (const std::uint32_t vertex : triangles_.corners(i)) indices_.push_back(local(vertex));
+        for (std::size_t k = 0; k < 3; ++k)
+            indices_.push_back(local(contraction_.corners(i)[k], contraction_.vertex(i, k)));
     }
 
-    std::uint16_t local(std::uint32_t vertex) {
+    std::uint16_t local(std::uint32_t place, std::uint32_t vertex) {
         if (local_[vertex] == 0) {
             touched_.push_back(vertex);
-            vertices_.push_back({{floats(clusters_.position(vertex)), floats(clusters_.normal(vertex))},
-                                 clusters_.roughness(vertex)});
+            const auto [normal, roughness] = contraction_.normal(vertex);
+            vertices_.push_back(
+                {floats(contraction_.position(place)), floats(normal), surface_ + 0.5F * roughness});
             local_[vertex] = static_cast<std::uint32_t>(vertices_.size() - first_vertex_);
-            error_ = std::max(error_, clusters_.error(vertex));
+            error_ = std::max(error_, contraction_.error(place));
         }
         return static_cast<std::uint16_t>(local_[vertex] - 1);
     }
 
-    const Clusters& clusters_;
-    const MergedTriangles triangles_;
-    std::vector<CoarseVertex>& vertices_;
+    const Contraction& contraction_;
+    const float surface_;
+    std::vector<SceneVertex>& vertices_;
     std::vector<std::uint16_t>& indices_;
     std::vector<std::uint32_t> local_, touched_;  ///< 1 + number within the node, or 0
     std::vector<std::uint32_t> written_, seen_;   ///< the node that had a triangle, a place last
@@ -209,31 +179,31 @@ class StandInWriter {
 /// The stand-ins that wait until the mesh is coarse enough for them.
 class Waiting {
   public:
-    struct StandIn {
-        std::uint32_t node, place;  ///< in the tree, and in the scene's nodes
-        std::uint32_t most;         ///< triangles
-    };
-
     /// `triangles`: before the contraction.
     Waiting(const ChunkTree& tree, std::span<const std::uint32_t> place_of,
             std::span<const MergedTriangle> triangles)
-        : tree_(tree) {
-        for (std::size_t i = 0; i < triangles.size(); ++i) left_.push_back({triangles[i].number, i});
+        : left_before_(triangles.size() + 1) {
+        const auto first_of = [&](std::uint32_t number) {
+            return static_cast<std::uint32_t>(
+                std::ranges::lower_bound(triangles, number, {}, &MergedTriangle::number) - triangles.begin());
+        };
         for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
             if (tree.is_chunk(i)) continue;
-            const auto [coarser, finer] = most_triangles(tree.nodes[i].count);
-            waiting_.push_back({i, place_of[i], coarser});
-            waiting_.push_back({i, place_of[i] + 1, finer});
+            const ChunkNode& node = tree.nodes[i];
+            const auto [coarser, finer] = most_triangles(node.count);
+            const std::uint32_t first = first_of(node.first), last = first_of(node.first + node.count);
+            waiting_.push_back({i, place_of[i], node.count, coarser, first, last});
+            waiting_.push_back({i, place_of[i] + 1, node.count, finer, first, last});
         }
     }
     bool empty() const { return waiting_.empty(); }
     /// Those of which few enough triangles are left; they wait no longer.
     std::vector<StandIn> take(const Contraction& contraction) {
-        std::erase_if(left_, [&](const Left& one) { return !contraction.is_left(one.place); });
+        for (std::size_t i = 0; i + 1 < left_before_.size(); ++i)
+            left_before_[i + 1] = left_before_[i] + contraction.is_left(i);
         std::vector<StandIn> out;
         std::erase_if(waiting_, [&](const StandIn& one) {
-            const ChunkNode& node = tree_.nodes[one.node];
-            const bool few = left_before(node.first + node.count) - left_before(node.first) <= one.most;
+            const bool few = left_before_[one.last] - left_before_[one.first] <= one.most;
             const bool same = !out.empty() && out.back().node == one.node;  // the finer would be the coarser
             if (few && !same) out.push_back(one);
             return few;
@@ -242,27 +212,9 @@ class Waiting {
     }
 
   private:
-    struct Left {
-        std::uint32_t number;
-        std::size_t place;  ///< among those before the contraction
-    };
-
-    std::ptrdiff_t left_before(std::uint32_t number) const {
-        return std::ranges::lower_bound(left_, number, {}, &Left::number) - left_.begin();
-    }
-
-    const ChunkTree& tree_;
-    std::vector<Left> left_;
+    std::vector<std::uint32_t> left_before_;  ///< how many triangles before each one are left
     std::vector<StandIn> waiting_;
 };
-
-/// From each number in `before` to that in `now` of the same place.
-std::vector<std::uint32_t> change(std::span<const std::uint32_t> before, std::span<const std::uint32_t> now,
-                                  std::size_t places_before) {
-    std::vector<std::uint32_t> out(places_before);
-    for (std::size_t i = 0; i < before.size(); ++i) out[before[i]] = now[i];
-    return out;
-}
 
 std::vector<std::uint32_t> in_order_of(const ChunkTree& tree, std::span<const std::uint32_t> indices) {
     std::vector<std::uint32_t> out;
@@ -275,30 +227,28 @@ std::vector<std::uint32_t> in_order_of(const ChunkTree& tree, std::span<const st
 }  // namespace
 
 void add_stand_ins(const Mesh& mesh, std::span<const std::uint32_t> mesh_indices, const ChunkTree& tree,
-                   std::span<const std::uint32_t> place_of, std::span<SceneNode> nodes,
-                   std::vector<CoarseVertex>& vertices, std::vector<std::uint16_t>& indices) {
+                   std::span<const std::uint32_t> place_of, float surface, std::span<SceneNode> nodes,
+                   std::vector<SceneVertex>& vertices, std::vector<std::uint16_t>& indices,
+                   const std::function<void()>& done_with_mesh) {
     constexpr double step = 1.4, first_limit = 1e-3;  // m
-    if (tree.nodes.size() < 2) return;
+    if (tree.nodes.size() < 2) return done_with_mesh();
     std::vector<std::uint32_t> corners;
-    Clusters clusters(mesh, in_order_of(tree, mesh_indices), first_exponent(mesh, mesh_indices), &corners);
-    const NodePlaces places(tree, corners);
-    Contraction contraction(clusters);
-    Waiting waiting(tree, place_of, clusters.triangles());
-    std::vector<std::uint32_t> into(clusters.places());
-    std::iota(into.begin(), into.end(), 0U);
+    auto clusters = std::make_unique<const Clusters>(mesh, in_order_of(tree, mesh_indices),
+                                                     first_exponent(mesh, mesh_indices), &corners);
+    done_with_mesh();
+    const NodePlaces places(tree, std::exchange(corners, {}), clusters->places());
+    Contraction contraction(*clusters);
+    Waiting waiting(tree, place_of, clusters->triangles());
+    StandInWriter writer(contraction, surface, vertices, indices);
+    clusters.reset();
     for (double limit = first_limit; !waiting.empty();
          limit = step * std::max(limit, contraction.next_error())) {
         contraction.until(limit);
         const auto ready = waiting.take(contraction);
         if (!ready.empty()) {
-            const auto now = contraction.into();
-            clusters = Clusters(clusters, change(into, now, clusters.places()));
-            into = now;
-            StandInWriter writer(clusters, vertices, indices);
-            for (const auto& one : ready) {
-                const ChunkNode& node = tree.nodes[one.node];
-                writer.write(node, places.of(node), into, nodes[one.place]);
-            }
+            const auto into = contraction.into();
+            for (const StandIn& one : ready)
+                writer.write(one, places.of(tree.nodes[one.node]), into, nodes[one.place]);
         }
         if (!std::isfinite(contraction.next_error())) break;
     }

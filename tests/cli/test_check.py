@@ -9,6 +9,11 @@ from program import DEMO, ROOT, TANK, ProgramTest, run
 
 
 class Check(ProgramTest):
+    def test_each_material_is_told_once(self):
+        """Also steel, which is flat in the tank's lattice and curved in its ball."""
+        names = [material["name"] for material in self.json("check", TANK)["scene"]["materials"]]
+        self.assertEqual(sorted(names), ["concrete", "steel"])
+
     def test_a_scene_is_no_scenario(self):
         scene = ROOT / "config" / "scenes" / "tank.glb"
         text = self.bad(78, "check", scene)

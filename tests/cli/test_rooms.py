@@ -45,6 +45,7 @@ class Rooms(ProgramTest):
 scene: room.gltf
 water: {{temperature: 10, salinity: 35, ph: 8, sound_speed: 1500, surface: none}}
 vehicle: {{pose: {{position: [0, 0, 0], rpy_deg: [0, 0, 0]}}}}
+effects: {{ring_down: off, interference: off}}
 devices:
   - {{name: head, model: {model}, endpoints: ["pty:{self.folder}/head"]}}
 """)

@@ -55,6 +55,15 @@ class Run(ProgramTest):
         ended = json.loads(self.good("run", FLOOR, *hasty, "--json").splitlines()[-1])["devices"][0]
         self.assertGreater(ended["late_renderings"], ended["late_pings"] / 2)
 
+    def test_a_run_that_does_not_keep_up_spares_pings_something_and_says_so(self):
+        hasty = ("--set", "clock={mode: scaled, rate: 1000}", "--duration", "10")  # no machine is that fast
+        self.assertRegex(self.good("run", FLOOR, *hasty),
+                         r"rendering did not keep up: \d+ pings without late echoes of the ping before, [1-9]\d* of them drawn "
+                         r"with a quarter of the pixels")
+        ended = json.loads(self.good("run", FLOOR, *hasty, "--json").splitlines()[-1])["devices"][0]
+        self.assertEqual(ended["spared_pings"] - ended["coarse_pings"], 5, ended)
+        self.assertGreater(ended["pings"], ended["coarse_pings"] + 5, ended)
+
     def test_pings_of_a_run_that_was_kept_from_running_did_not_wait_for_their_rendering(self):
         slow = ("--set", "devices.multibeam.options={range: 100, ping_rate: 5}")  # 133 ms for a rendering of few
         with subprocess.Popen([PROGRAM, "run", FLOOR, "--json", *slow], stdout=subprocess.PIPE) as process:

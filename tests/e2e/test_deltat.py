@@ -89,7 +89,7 @@ class FlatFloor(DeltaTCase):
         self.start()
         narrow = self.first_with(lambda p: p.sector == 60, range=30, sector=60, beams=120, beam_width=2, gain=6)
         self.assertEqual((narrow.range, narrow.beams, narrow.increment), (30, 120, 0.5))
-        self.check_depths(narrow, 8.0, within=0.005)
+        self.check_depths(narrow, 8.0, within=0.01)  # speckle moves an echo within its pulse
         self.assertLess(max(abs(x) for x, _ in narrow.points()), 8 * math.tan(math.radians(30.3)))
         wide = self.first_with(lambda p: p.beams == 480, range=20, beams=480, beam_width=1)
         self.assertEqual(len(wide.ranges), 480)
@@ -98,7 +98,8 @@ class FlatFloor(DeltaTCase):
         edge = math.degrees(math.acos(8 / 10))
         beyond = [near.ranges[beam] for beam in range(near.beams) if abs(near.angle(beam)) > edge + 2]
         self.assertGreater(len(beyond), 70)
-        self.assertLess(sum(r > 0 for r in beyond), 0.15 * len(beyond), "out of range, but for what side lobes hear")
+        through_side_lobes = [r for r in beyond if r > 0]
+        self.assertGreater(min(through_side_lobes, default=8), 7.7, "out of range, but for the bottom below")
         self.assertGreater(len(near.points()), 120)
         self.assertEqual(self.first_with(lambda p: p.range == 5, range=5).points(), [])
         gated = self.first_with(lambda p: p.range == 20 and not 0 < p.ranges[120] < 12, minimum_range=12)

@@ -30,7 +30,9 @@ devices:
     options: {first_alive: 0.1, recentring_alives: 2%s}
 """
 # Edges to a bin need a beam with edges, steady levels and direct echoes only; noise, pulse and gain stay on.
-SHARP = "effects: {beam_pattern: off, side_lobes: off, speckle: off, multipath: off, second_time_around: off}\n"
+SHARP = """effects: {beam_pattern: off, side_lobes: off, speckle: off, multipath: off, second_time_around: off,
+  ring_down: off, interference: off}
+"""
 PTY = "pty:{folder}/micron"
 
 

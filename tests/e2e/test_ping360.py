@@ -95,7 +95,7 @@ class PingViewer(unittest.TestCase):
             edges.append(max(ping.data[at - 5 : at + 60]))
         self.assertLess(edges[2], 255, "clipped")
         for low, high in zip(edges, edges[1:]):
-            self.assertAlmostEqual(high - low, 255 * 6 / 80, delta=4, msg="6 dB of 80")
+            self.assertAlmostEqual(high - low, 255 * 6 / 120, delta=4, msg="6 dB of 120")
 
     def test_looks_at_an_endpoint_of_the_demo_scenario(self):
         text = (ROOT / "config" / "ping360.yaml").read_text()

@@ -45,6 +45,7 @@ class Shapes:
     margin = math.radians(1)  # beyond a wall, where a beam hears both sides
     pings = 20
     bias = 5e-4
+    within = 0.005
 
     def run_on(self, scene, z, roll, endpoints, options):
         half, rows = math.radians(roll) / 2, ["t,x,y,z,qw,qx,qy,qz"]
@@ -71,9 +72,9 @@ class Shapes:
         return points
 
     def check(self, pairs):
-        """(angle, found, truth): every sounding within half a percent, and all of them without a bias."""
+        """(angle, found, truth): every sounding within its bound, and all of them without a bias."""
         off = [(abs(found / truth - 1), math.degrees(angle)) for angle, found, truth in pairs]
-        self.assertLess(max(off)[0], 0.005, f"at {max(off)[1]:.1f} deg")
+        self.assertLess(max(off)[0], self.within, f"at {max(off)[1]:.1f} deg")
         self.assertLess(abs(statistics.mean(found / truth - 1 for _, found, truth in pairs)), self.bias)
 
     def test_a_flat_floor(self):
@@ -151,6 +152,7 @@ class Kmall(Shapes, unittest.TestCase):
 
 class DeltaT(Shapes, unittest.TestCase):
     model = "imagenex-deltat"
+    within = 0.016  # its pulse at 50 m is 0.2 m long, and speckle moves an echo within it
     margin = math.radians(2)
 
     def start(self, scene, z, roll):

@@ -33,10 +33,11 @@ Contracted contracted(const Mesh& mesh, double limit) {
     const Clusters finest(mesh, indices, -12);
     Contraction contraction(finest);
     contraction.until(limit);
-    const Clusters clusters(finest, contraction.into());
+    const auto into = contraction.into();
     Contracted out;
-    for (std::uint32_t i = 0; i < clusters.vertices(); ++i) out.positions.push_back(clusters.position(i));
-    for (const MergedTriangle& triangle : clusters.triangles()) out.triangles.push_back(triangle.corners);
+    for (const std::uint32_t place : into) out.positions.push_back(contraction.position(place));
+    for (std::size_t t = 0; t < finest.triangles().size(); ++t)
+        if (contraction.is_left(t)) out.triangles.push_back(contraction.corners(t));
     return out;
 }
 

@@ -25,7 +25,8 @@ Shot shallow_fan() {
 }
 
 /// Mean levels in dB of regions of 16 beams by 50 bins that are full of seabed.
-std::vector<double> levels_of_regions(const std::shared_ptr<const Scene>& scene, double pixel_density = 1) {
+std::vector<double> levels_of_regions(const std::shared_ptr<const Scene>& scene, double pixel_density = 1,
+                                      double density = 1) {
     RendererOptions options;
     options.pixel_density = pixel_density;
     options.effects = Effects::none().set(Effect::spreading);
@@ -35,8 +36,9 @@ std::vector<double> levels_of_regions(const std::shared_ptr<const Scene>& scene,
     for (std::uint64_t ping = 0; ping < 4; ++ping) {
         Shot shot = shallow_fan();
         shot.ping = ping;
-        const Echogram e =
-            renderer.render(shot, {{0, 0, -2}, axis_angle({0, 0, 1}, 0.7 * static_cast<double>(ping))});
+        Situation situation({0, 0, -2}, axis_angle({0, 0, 1}, 0.7 * static_cast<double>(ping)));
+        situation.density = density;
+        const Echogram e = renderer.render(shot, situation);
         for (std::size_t region = 0; region < power.size(); ++region)
             for (std::size_t beam = region / 4 * beams; beam < (region / 4 + 1) * beams; ++beam)
                 for (std::size_t i = 0; i < bins; ++i)
@@ -52,6 +54,17 @@ TEST(Detail, FinerMeshKeepsTheLevelOfEveryRegion) {
     const auto fine = levels_of_regions(fine_seabed());
     for (std::size_t region = 0; region < fine.size(); ++region)
         EXPECT_NEAR(fine[region], coarse[region], 0.2) << "region " << region;
+}
+
+// A run that does not keep up draws a quarter of the pixels: more scatter, the same mean.
+TEST(Detail, FewerPixelsKeepTheLevelOfEveryRegion) {
+    const auto all = levels_of_regions(fine_seabed()), fewer = levels_of_regions(fine_seabed(), 1, 0.25);
+    double sum = 0;
+    for (std::size_t region = 0; region < all.size(); ++region) {
+        EXPECT_NEAR(fewer[region], all[region], 0.4) << "region " << region;
+        sum += fewer[region] - all[region];
+    }
+    EXPECT_NEAR(sum / static_cast<double>(all.size()), 0, 0.1);
 }
 
 // The same scene with sixteen times as many pixels, which leave hardly anything to stand-ins; once with

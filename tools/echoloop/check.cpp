@@ -4,6 +4,7 @@
 #include "emulator/pose/movers.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
+#include "tools/echoloop/declared_materials.h"
 #include "tools/echoloop/driver_port.h"
 #include "tools/echoloop/json_output.h"
 #include "tools/echoloop/time_budget.h"
@@ -42,7 +43,7 @@ void print_scene(const Scenario& scenario, const Scene& scene) {
     std::printf("%s%s\n", padded("scene", 12).c_str(), scenario.scene.c_str());
     std::printf("%s%s, %s, %s\n", padded("", 12).c_str(), counted(scene.triangles(), "triangle").c_str(),
                 counted(scene.objects().size(), "object").c_str(), extent(scene.bounds()).c_str());
-    for (const auto& material : scene.materials())
+    for (const auto& material : declared_materials(scene))
         std::printf("%s%s scatters %s dB%s\n", padded("material", 12).c_str(),
                     padded(material.name, 20).c_str(), plain(material.mu_db, 2).c_str(),
                     material.double_sided ? ", both sides" : "");

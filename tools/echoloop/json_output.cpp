@@ -6,6 +6,7 @@
 #include "emulator/scenario/profile_section.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
+#include "tools/echoloop/declared_materials.h"
 #include "tools/echoloop/json_line.h"
 #include "tools/echoloop/time_budget.h"
 
@@ -113,7 +114,7 @@ Json straight_rays(const Scenario& s) {
 
 Json scene_json(const std::string& file, const Scene& scene) {
     Json materials = Json::array();
-    for (const auto& m : scene.materials())
+    for (const auto& m : declared_materials(scene))
         materials.push_back({{"name", m.name}, {"mu_db", m.mu_db}, {"double_sided", m.double_sided}});
     return {{"file", file},
             {"triangles", scene.triangles()},
@@ -149,6 +150,7 @@ Json bench_row(const bench::Row& row) {
                  {"triangles", f.triangles},
                  {"pixels", f.pixels},
                  {"start_up_s", f.start_up},
+                 {"start_up_cpu_s", f.start_up_cpu},
                  {"resident_mb", f.resident},
                  {"peak_mb", f.peak},
                  {"context", f.context}});
@@ -291,6 +293,8 @@ std::string validate_json(const validation::Findings& findings) {
                         {"tolerance", q.tolerance},
                         {"ours", q.ours},
                         {"pass", q.passed()},
+                        {"required", q.required},
+                        {"kind", std::string(validation::name_of(q.kind))},
                         {"source", q.source}});
     return document({{"ok", findings.failed() == 0}, {"failed", findings.failed()}, {"quantities", list}});
 }

@@ -57,6 +57,12 @@ void print_summary(const std::vector<SessionSummary>& sessions) {
         if (s.pings > 0)
             std::printf("  time after they were due: median %s, 99th percentile %s\n",
                         ms(s.median_lateness).c_str(), ms(s.p99_lateness).c_str());
+        if (s.spared_pings > 0)
+            std::printf(
+                "  rendering did not keep up: %s without late echoes of the ping before, %s of them drawn "
+                "with a "
+                "quarter of the pixels\n",
+                counted(s.spared_pings, "ping").c_str(), std::to_string(s.coarse_pings).c_str());
         std::printf("  from the driver: %s, %s understood, %s refused, %s of noise skipped\n",
                     counted(s.bytes_in, "byte").c_str(), counted(s.device.messages, "message").c_str(),
                     std::to_string(s.device.rejected).c_str(),

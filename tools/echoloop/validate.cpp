@@ -1,4 +1,5 @@
-// echoloop validate: published values of underwater acoustics beside what this program makes of them.
+// echoloop validate: published values and recordings of underwater acoustics beside what this program makes
+// of them.
 #include <unistd.h>
 
 #include <cstdio>
@@ -40,8 +41,18 @@ std::vector<validation::Group> chosen(const Arguments& arguments) {
     return groups;
 }
 
-validation::Findings found(const std::vector<validation::Group>& groups) {
+/// The folder of --recordings, empty without one.
+std::filesystem::path recordings(const Arguments& arguments) {
+    const std::filesystem::path folder = arguments.text("--recordings");
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        throw StartError(Exit::no_input,
+                         "--recordings: there is no folder " + scenario::in_quotes(folder.string()));
+    return folder;
+}
+
+validation::Findings found(const std::vector<validation::Group>& groups, std::filesystem::path folder) {
     validation::Findings findings;
+    findings.use_recordings(std::move(folder));
     Progress progress("checking", groups.size());
     for (std::size_t i = 0; i < groups.size(); ++i) {
         findings.begin(std::string(groups[i].id));
@@ -54,9 +65,10 @@ validation::Findings found(const std::vector<validation::Group>& groups) {
 int run_validate(const Arguments& arguments) {
     const auto groups = chosen(arguments);
     const std::filesystem::path report = arguments.text("--report");
+    const auto folder = recordings(arguments);
     if (!report.empty()) require_creatable(report);
     try {
-        const auto findings = found(groups);
+        const auto findings = found(groups, folder);
         if (!report.empty()) validation::write_report(findings, report);
         if (arguments.has("--json")) {
             std::printf("%s\n", validate_json(findings).c_str());
@@ -76,12 +88,16 @@ int run_validate(const Arguments& arguments) {
 Verb validate_verb() {
     using Kind = Argument::Kind;
     return {"validate",
-            "compare levels, times and patterns with published values",
+            "compare levels, times and patterns with published values and recordings",
             {{Kind::value, "--only", "V1,...", "run only these checks"},
+             {Kind::value, "--recordings", "DIR",
+              "also read real devices' recordings there: r2sonic, oculus, imagenex852"},
              {Kind::value, "--report", "FILE.md", "also write the table and its pictures there"},
              json_argument()},
-            "  echoloop validate                     exit status 1 if a quantity is out of its tolerance\n"
+            "  echoloop validate                     exit status 1 if a required quantity is out of its "
+            "tolerance\n"
             "  echoloop validate --only V5,V8\n"
+            "  echoloop validate --only R1 --recordings ../shared/data\n"
             "  echoloop validate --report docs/validation.md",
             run_validate};
 }

@@ -60,9 +60,10 @@ DeviceConfig config() {
     for (const FigureRow& row : model().figures)
         if (row.check != nullptr)
             c.profile[row.name].value = "none";
+        else if (row.choices.empty())
+            c.profile[row.name].value = 2.0;
         else
-            c.profile[row.name].value =
-                row.choices.empty() ? std::variant<double, std::string>(2.0) : "hamming";
+            c.profile[row.name].value = row.name == "bin_rule" ? "mean" : "hamming";
     return c;
 }
 
@@ -87,7 +88,7 @@ TEST(SettingsList, MakesRowsInItsOrder) {
     EXPECT_EQ(m.figures[1].minimum, 100);
     EXPECT_TRUE(m.figures[2].whole);
     EXPECT_THAT(m.figures[3].choices, ElementsAre("line", "hamming", "piston"));
-    EXPECT_EQ(m.figures.size(), 13);
+    EXPECT_EQ(m.figures.size(), 15);
 }
 
 TEST(SettingsList, TakesDefaultsFromTheMembers) {
@@ -143,7 +144,7 @@ TEST(SettingsList, FillsFiguresFromTheProfile) {
     EXPECT_EQ(s.rows, 2);
     EXPECT_EQ(s.horizontal, (AxisPattern{ApertureShape::hamming, 2}));
     EXPECT_EQ(s.vertical, (AxisPattern{ApertureShape::hamming, 2}));
-    EXPECT_EQ(s.receiver, (Receiver{0, 2, 2, 2, 2}));
+    EXPECT_EQ(s.receiver, (Receiver{0, 2, 2, 2, 2, 2}));
 }
 
 TEST(SettingsList, RefusesAWordThatIsNoChoice) {

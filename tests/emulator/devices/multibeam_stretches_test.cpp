@@ -33,7 +33,7 @@ TEST(MultibeamStretches, HaveTheirGreatestMeanWhereEveryBinLookedAtHasIt) {
                                               {40, 60},
                                               {seed, seed + 1},
                                               {shot.bins - 300, shot.bins}}) {
-                stretches.start(noise, beam, first, last);
+                stretches.start(noise, beam, first, last, std::vector<float>(shot.bins));
                 const auto [bin, mean] = greatest(noise.beam(beam).subspan(first, last - first), stretches);
                 EXPECT_EQ(stretches.peak(), bin) << beam << " seed " << seed << " from " << first;
                 EXPECT_NEAR(stretches.mean(stretches.peak()), mean, 1e-9 * mean);
@@ -48,7 +48,7 @@ TEST(MultibeamStretches, FindALoudBinAtEitherEndOfTheGate) {
         Echogram e = empty_sea(shot, {});
         for (const std::size_t beam : {std::size_t{0}, std::size_t{128}}) {
             e.values[beam * shot.bins + loud] = 1e9F;
-            stretches.start(e, beam, 100, 900);
+            stretches.start(e, beam, 100, 900, std::vector<float>(shot.bins));
             const std::size_t h = stretches.half(loud - 100);
             EXPECT_NEAR(static_cast<double>(stretches.peak()), static_cast<double>(loud - 100),
                         static_cast<double>(h));

@@ -66,6 +66,8 @@ TEST(Scattering, TheTableFollowsTheCurve) {
 TEST(Scattering, OnlyLambertSurfacesHaveALobe) {
     constexpr double wavenumber = 3000;
     Material material;
+    EXPECT_EQ(facet_lobe(material, wavenumber, 1), 0) << "sediments have theirs in Lambert's constant";
+    material.lobe = true;
     EXPECT_GT(StrengthTable(material, wavenumber).at(1), 50 * StrengthTable(material).at(1));
     EXPECT_NEAR(facet_lobe(material, wavenumber, 1) / 0.2204, 1, 0.01);  // 0.353^2 / (8 pi 0.15^2)
     const Material curve = with_curve({{10, -40}, {90, -10}});
@@ -75,6 +77,7 @@ TEST(Scattering, OnlyLambertSurfacesHaveALobe) {
 // Linear between its points, the table still follows the narrowest lobe.
 TEST(Scattering, TheTableFollowsTheLobe) {
     Material polished;
+    polished.lobe = true;
     polished.slope = 0.02, polished.mu_db = -60;
     const StrengthTable table(polished, 3000);
     for (double i = 0; i < 4; i += 0.1) {
@@ -88,6 +91,7 @@ TEST(Scattering, TheTableFollowsTheLobe) {
 // A mesh that stands for a curved surface has no coherent echo, so nothing is missing from its lobe.
 TEST(Scattering, CurvedMeshesHaveTheWholeLobe) {
     Material smooth;
+    smooth.lobe = true;
     smooth.roughness = 0;
     EXPECT_EQ(facet_lobe(smooth, 3000, 1), 0);
     smooth.mesh_slope = 0.05;

@@ -93,7 +93,7 @@ struct Series {
 
 Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     Figures figures;
-    const double start = wall_time();
+    const double start = wall_time(), start_cpu = cpu_time();
     const auto scene = make_scene(the_case, settings);
     return_freed_memory();  // as `echoloop run` does
     RendererOptions options;
@@ -105,6 +105,7 @@ Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     Renderer renderer(scene, {}, options);
     renderer.render(shot_of(the_case, 0), pose_of(0));
     figures.start_up = wall_time() - start;
+    figures.start_up_cpu = cpu_time() - start_cpu;
     Series series;
     for (std::uint64_t ping = 1; ping <= warm_up + settings.pings; ++ping) {
         const Shot shot = shot_of(the_case, ping);

@@ -26,6 +26,7 @@ struct Figures {
     Spread wall, cpu;                                                              ///< ms per ping
     double cull = 0, draw = 0, read_back = 0, bins = 0, paths = 0, acoustics = 0;  ///< ms, medians
     double start_up = 0;               ///< s: scene, renderer and first ping
+    double start_up_cpu = 0;           ///< s that all threads computed meanwhile
     double resident = 0, peak = 0;     ///< MB (1e6 bytes)
     double triangles = 0, pixels = 0;  ///< drawn, medians; a triangle counts in each view that it is in
     double scene_triangles = 0;

@@ -67,9 +67,10 @@ std::string text_of(const Row& row) {
     text += format("    cull %.3f, draw %.3f, read-back %.3f, bins %.3f, paths %.3f, acoustics %.3f\n",
                    f.cull, f.draw, f.read_back, f.bins, f.paths, f.acoustics);
     text += format(
-        "    %.0f triangles drawn, %.0f in the scene; %.0f pixels; start-up %.2f s; memory %.0f MB, peak "
+        "    %.0f triangles drawn, %.0f in the scene; %.0f pixels; start-up %.2f s (CPU %.2f); memory %.0f "
+        "MB, peak "
         "%.0f MB\n",
-        f.triangles, f.scene_triangles, f.pixels, f.start_up, f.resident, f.peak);
+        f.triangles, f.scene_triangles, f.pixels, f.start_up, f.start_up_cpu, f.resident, f.peak);
     text += miss_text(row);
     return text;
 }

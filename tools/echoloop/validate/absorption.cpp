@@ -40,7 +40,7 @@ void check_table(Findings& find, const char* where, const Water& w, std::initial
 }  // namespace
 
 void check_absorption(Findings& find) {
-    find.source("Francois & Garrison, JASA 72 (1982) 1879, check values");
+    find.source("Francois & Garrison, JASA 72 (1982) 1879, check values", Kind::published);
     Water given_speed = water(10, 35, 0, 8);
     given_speed.sound_speed = 1500;
     const struct {
@@ -56,7 +56,7 @@ void check_absorption(Findings& find) {
                   {"200 kHz, 0.2 C", water(0.2, 35, 0, 8), 200, 40.702235}};
     for (const auto& v : values)
         find.within(v.name, "dB/km", v.published, 1e-5, absorption_db_per_km(v.water, v.kilohertz * 1e3));
-    find.source("Ainslie & McColm, JASA 103 (1998) 1671");
+    find.source("Ainslie & McColm, JASA 103 (1998) 1671", Kind::published);
     find.within("Ainslie-McColm, 700 kHz, 20 C, 1 m, pH 8.1", "dB/m", 0.2146, 5e-5,
                 ainslie_mccolm_db_per_km(water(20, 35, 1, 8.1), 700e3) / 1e3);
     find.source("computed from both equations");

@@ -71,7 +71,7 @@ double first_bin_of_open_water() {
 void check_bookkeeping(Findings& find) {
     const auto plain = heard(scene(1, 24), 1), more_pixels = heard(scene(1, 24), 2),
                finer = heard(scene(100, 96), 1);
-    find.source("levels belong to the scene");
+    find.source("levels belong to the scene", Kind::property);
     find.within("mean power with twice the pixels", "dB", 0, 0.2,
                 mean_level(more_pixels) - mean_level(plain));
     find.within("mean over the bins of the change with twice the pixels", "dB", 0, 0.2,
@@ -79,9 +79,9 @@ void check_bookkeeping(Findings& find) {
     find.within("mean power with a finer mesh", "dB", 0, 0.2, mean_level(finer) - mean_level(plain));
     find.within("mean over the bins of the change with a finer mesh", "dB", 0, 0.2,
                 mean_difference(finer, plain));
-    find.source("open water is silent, also in the first bin");
+    find.source("open water is silent, also in the first bin", Kind::property);
     find.at_most("power in the first bin where nothing is near", "uPa^2", 0, first_bin_of_open_water());
-    find.source("the same seed, scene, shot and pose");
+    find.source("the same seed, scene, shot and pose", Kind::property);
     find.at_most("values that differ when another renderer renders the same ping", "", 0,
                  static_cast<double>(differing_values()));
 }

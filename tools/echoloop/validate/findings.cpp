@@ -17,22 +17,53 @@ bool Quantity::passed() const {
     return false;
 }
 
+std::string_view name_of(Kind kind) {
+    switch (kind) {
+        case Kind::published:
+            return "published";
+        case Kind::closed_form:
+            return "closed form";
+        case Kind::recording:
+            return "recording";
+        case Kind::property:
+            return "property";
+    }
+    return "";
+}
+
+void Findings::add(Quantity quantity) {
+    quantity.id = id_, quantity.source = source_, quantity.kind = kind_, quantity.required = required_;
+    quantities_.push_back(std::move(quantity));
+}
+
 void Findings::within(std::string name, std::string unit, double published, double tolerance, double ours) {
-    quantities_.push_back(
-        {id_, std::move(name), std::move(unit), source_, Bound::within, published, tolerance, ours});
+    add({.name = std::move(name),
+         .unit = std::move(unit),
+         .bound = Bound::within,
+         .published = published,
+         .tolerance = tolerance,
+         .ours = ours});
 }
 
 void Findings::at_most(std::string name, std::string unit, double limit, double ours) {
-    quantities_.push_back({id_, std::move(name), std::move(unit), source_, Bound::at_most, limit, 0, ours});
+    add({.name = std::move(name),
+         .unit = std::move(unit),
+         .bound = Bound::at_most,
+         .published = limit,
+         .ours = ours});
 }
 
 void Findings::at_least(std::string name, std::string unit, double limit, double ours) {
-    quantities_.push_back({id_, std::move(name), std::move(unit), source_, Bound::at_least, limit, 0, ours});
+    add({.name = std::move(name),
+         .unit = std::move(unit),
+         .bound = Bound::at_least,
+         .published = limit,
+         .ours = ours});
 }
 
 std::size_t Findings::failed() const {
-    return static_cast<std::size_t>(
-        std::count_if(quantities_.begin(), quantities_.end(), [](const Quantity& q) { return !q.passed(); }));
+    return static_cast<std::size_t>(std::count_if(
+        quantities_.begin(), quantities_.end(), [](const Quantity& q) { return q.required && !q.passed(); }));
 }
 
 }  // namespace echoloop::validation

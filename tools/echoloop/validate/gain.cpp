@@ -48,7 +48,7 @@ std::vector<float> through(Effect effect) {
 void check_gain(Findings& find) {
     find.source("40 log R + 2 a R, shown by the Micron in steps of 0.31 dB");
     find.within("target of constant strength from 2 to 50 m, half its spread", "dB", 0, 0.5, unevenness());
-    find.source("as the shot's receiver declares");
+    find.source("as the shot's receiver declares", Kind::property);
     const auto clipped = through(Effect::saturation);
     find.within("loudest level of an echo 20 dB above saturation", "dB", saturation, 0.1, db(peak(clipped)));
     find.within("level of an echo 10 dB below saturation", "dB", saturation - 10, 0.1, db(clipped[3600]));

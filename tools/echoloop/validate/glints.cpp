@@ -19,6 +19,7 @@ Mesh polished(Mesh mesh, double reflection) {
     mesh.material.roughness = 0;
     mesh.material.mu_db = -120;
     mesh.material.slope = 0.02;
+    mesh.material.lobe = true;
     return mesh;
 }
 

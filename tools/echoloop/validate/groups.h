@@ -1,5 +1,5 @@
-// The checks, in order. Each asks the parts that the emulator itself uses; the published numbers
-// stand in the checks as literals.
+// The checks in order: V by formulas and published values, R by recordings. Each asks the parts that the
+// emulator itself uses; the values to meet stand in the checks as literals.
 #pragma once
 
 #include <span>
@@ -46,5 +46,9 @@ void check_stave_errors(Findings&);
 void check_moving_speckle(Findings&);
 void check_looks(Findings&);
 void check_range_texture(Findings&);
+void check_detection_noise(Findings&);
+void check_r2sonic(Findings&);
+void check_oculus(Findings&);
+void check_852(Findings&);
 
 }  // namespace echoloop::validation

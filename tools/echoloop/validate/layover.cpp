@@ -41,7 +41,7 @@ void check_first_bottom_return(Findings& find) {
     Effects effects = only({Effect::spreading, Effect::beam_pattern, Effect::side_lobes});
     find.source("straight down, R = H = 6 m; one bin");
     find.within("first bottom return, through side lobes", "m", 6, 0.025, first(effects));
-    find.source("the floor outside the main lobe is silent");
+    find.source("the floor outside the main lobe is silent", Kind::property);
     find.at_least("first bottom return without side lobes", "m", 8,
                   first(effects.set(Effect::side_lobes, false)));
 }
@@ -63,7 +63,7 @@ Echogram second_ping(const std::shared_ptr<const Scene>& scene, const Effects& e
 
 void check_late_echo(Findings& find, const char* what, const std::shared_ptr<const Scene>& scene) {
     Effects effects = only({Effect::spreading, Effect::pulse});
-    find.source("an echo from beyond the window never wraps");
+    find.source("an echo from beyond the window never wraps", Kind::property);
     find.at_most(std::string(what) + " 10 m beyond the window: what is heard", "uPa^2", 0,
                  total(second_ping(scene, effects).values));
     find.source("R - Rmax of the next ping, 60 m - 50 m; two bins");

@@ -15,6 +15,7 @@ constexpr double wavenumber_700khz = 2 * std::numbers::pi * 700e3 / 1500;
 
 Material rough(double reflection, double roughness, double slope, double mu_db) {
     Material material;
+    material.lobe = true;
     material.reflection = reflection;
     material.roughness = roughness;
     material.slope = slope;

@@ -47,7 +47,7 @@ void check_surface(Findings& find) {
     find.within("direct echo", "m", 10.050, 0.015, direct.range);
     find.within("by way of the surface once", "m", 11.128, 0.015, one.range);
     find.within("by way of the surface twice", "m", 12.207, 0.015, two.range);
-    find.source("the direct echo stays");
+    find.source("the direct echo stays", Kind::property);
     find.within("change of the direct echo by multipath", "dB", 0, 0.01,
                 direct.level - echo_near(direct_only, 10.05).level);
     find.source("40 log10(10.050 / 12.207); 20 log10(2 x 10.050 / 12.207), there and back in phase");

@@ -76,10 +76,10 @@ void check_noise(Findings& find) {
     find.source("a filter matched to a chirp of 1 ms lets through 1 kHz of noise: NL + 10 log 1 / T - DI");
     find.within("noise of a chirp of 100 kHz over 1 ms", "dB", 42.5, 0.2,
                 db(total(of_chirp.values) / static_cast<double>(of_chirp.values.size())));
-    find.source("every ping has its own noise");
+    find.source("every ping has its own noise", Kind::property);
     find.at_most("correlation of the noise of two pings", "", 0.05,
                  std::abs(likeness(e, silence(narrow_band(none, 1)))));
-    find.source("the gain acts on noise as on echoes");
+    find.source("the gain acts on noise as on echoes", Kind::property);
     find.within("growth of the shown noise over range, gain constant", "dB/decade", 0, 0.6,
                 growth(silence(wide_band()), 0));
     find.within("growth of the shown noise over range, gain 40 log R", "dB/decade", 40, 0.6,

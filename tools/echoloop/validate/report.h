@@ -8,7 +8,7 @@
 
 namespace echoloop::validation {
 
-/// "-91.23", "<= 0.05": the published value, and the tolerance beside it where there is one.
+/// "-91.23", "<= 0.05": the value to meet, and the tolerance beside it where there is one.
 std::string published_text(const Quantity& quantity);
 std::string tolerance_text(const Quantity& quantity);
 

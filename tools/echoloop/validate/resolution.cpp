@@ -86,7 +86,7 @@ void check_resolution(Findings& find) {
         find.at_most(std::string(p.name) + ": dip between points 0.5 lengths apart", "dB", 0.1,
                      dip(shot, 0.5 * resolution));
     }
-    find.source("levels belong to the pulse, not to the bins");
+    find.source("levels belong to the pulse, not to the bins", Kind::property);
     find.within("level of a floor with four times as many bins", "dB", 0, 0.1,
                 floor_level(2400) - floor_level(600));
 }

@@ -81,7 +81,7 @@ void check_seabed(Findings& find) {
                                                         Effect::beam_pattern, Effect::side_lobes}));
     find.within("RL - SL at 20 m, beam of an equivalent width of 1 deg", "dB", -106.76, 0.5,
                 level_at(through_pattern, patterned, 20));
-    find.source("measured at 200 kHz: sand -36 to -37.5 dB, mud -45 to -47 dB");
+    find.source("measured at 200 kHz: sand -36 to -37.5 dB, mud -45 to -47 dB", Kind::published);
     find.within("Sb of sand-200khz at 45 deg", "dB", -36.75, 0.75, strength_at_45_deg("sand-200khz"));
     find.within("Sb of mud-200khz at 45 deg", "dB", -46, 1, strength_at_45_deg("mud-200khz"));
     Curve ours{"200 pings", {}, true}, law{"closed form", {}, false};

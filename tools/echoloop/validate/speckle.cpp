@@ -112,7 +112,7 @@ void check_distribution(Findings& find, const std::vector<double>& all) {
 void check_correlation(Findings& find, const std::vector<double>& all) {
     find.source("a rectangular pulse correlates with itself over its length");
     find.within("correlation length in range", "pulse lengths", 1, 0.15, correlation_length(all));
-    find.source("independent cells");
+    find.source("independent cells", Kind::property);
     find.at_most("correlation of bins two pulses apart", "", 0.05,
                  std::abs(range_correlation(all, 2 * bins_per_pulse)));
     double apart = 0;
@@ -137,7 +137,7 @@ void check_speckle(Findings& find) {
     const auto still = speckled({});
     check_distribution(find, still);
     check_correlation(find, still);
-    find.source("the same view is the same interference");
+    find.source("the same view is the same interference", Kind::property);
     find.within("correlation of two pings of a static sonar", "", 1, 1e-6,
                 likeness(still, speckled({}, {}, 1)));
     find.source("K distribution, 1 + 2 / nu (Jakeman 1980)");

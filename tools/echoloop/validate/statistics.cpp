@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace echoloop::validation {
 
@@ -42,6 +43,51 @@ double distance_from_exponential(std::vector<double> samples) {
             {distance, expected - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - expected});
     }
     return distance;
+}
+
+double histogram_distance(std::span<const double> a, std::span<const double> b, double width) {
+    std::map<double, std::pair<double, double>> shares;
+    for (const double x : a) shares[std::floor(x / width)].first += 1 / static_cast<double>(a.size());
+    for (const double x : b) shares[std::floor(x / width)].second += 1 / static_cast<double>(b.size());
+    double divergence = 0;
+    for (const auto& [place, share] : shares)
+        for (const double p : {share.first, share.second})
+            if (p > 0) divergence += p * std::log2(p / ((share.first + share.second) / 2)) / 2;
+    return std::sqrt(std::max(0.0, divergence));
+}
+
+Grid texture(const Grid& grid) {
+    constexpr std::size_t reach = 10;
+    const std::size_t rows = grid.rows(), columns = grid.columns;
+    std::vector<double> sums((rows + 1) * (columns + 1));  // of all words above and to the left
+    const auto sum = [&](std::size_t row, std::size_t column) -> double& {
+        return sums[row * (columns + 1) + column];
+    };
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < columns; ++column)
+            sum(row + 1, column + 1) = grid.words[row * columns + column] + sum(row, column + 1) +
+                                       sum(row + 1, column) - sum(row, column);
+    Grid out{columns, std::vector<double>(grid.words.size())};
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < columns; ++column) {
+            const std::size_t top = row - std::min(row, reach), end = std::min(row + reach + 1, rows);
+            const std::size_t left = column - std::min(column, reach),
+                              right = std::min(column + reach + 1, columns);
+            const double all = sum(end, right) - sum(top, right) - sum(end, left) + sum(top, left);
+            const std::size_t i = row * columns + column;
+            out.words[i] = grid.words[i] - all / static_cast<double>((end - top) * (right - left));
+        }
+    return out;
+}
+
+double likeness(const Grid& grid, std::size_t rows, std::size_t columns) {
+    std::vector<double> here, there;
+    for (std::size_t row = 0; row + rows < grid.rows(); ++row)
+        for (std::size_t column = 0; column + columns < grid.columns; ++column) {
+            here.push_back(grid.words[row * grid.columns + column]);
+            there.push_back(grid.words[(row + rows) * grid.columns + column + columns]);
+        }
+    return correlation(here, there);
 }
 
 }  // namespace echoloop::validation

@@ -48,7 +48,7 @@ void check_target_strength(Findings& find) {
                 lambert_ball(db(1 / std::numbers::pi), 32));
     const double coarse = lambert_ball(-27, 16), fine = lambert_ball(-27, 64);
     find.within("mesh sphere, a 0.5 m, mu -27 dB", "dB", -29.81, 0.3, lambert_ball(-27, 32));
-    find.source("a mesh four times finer is the same sphere");
+    find.source("a mesh four times finer is the same sphere", Kind::property);
     find.within("mesh sphere, 16 to 64 rings", "dB", 0, 0.3, fine - coarse);
     find.source("Lambert plate: 10 log10(mu A), 0.4 x 0.4 m, mu -27 dB");
     find.within("mesh plate at normal incidence", "dB", -34.96, 0.3,

@@ -44,7 +44,7 @@ void check_time_base(Findings& find) {
         std::snprintf(name, sizeof name, "bin of a target, c %.0f m/s", row.sound_speed);
         find.within(name, "bin", row.bin, 1, static_cast<double>(bin_of_target(row.sound_speed, shot)));
     }
-    find.source("Mackenzie, JASA 70 (1981) 807, check value");
+    find.source("Mackenzie, JASA 70 (1981) 807, check value", Kind::published);
     find.within("sound speed at 25 C, S 35, 1000 m", "m/s", 1550.744, 0.001,
                 mackenzie_sound_speed(25, 35, 1000));
     find.source("20 m times c of the driver over c of the water; half a bin");

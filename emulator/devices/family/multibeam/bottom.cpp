@@ -219,15 +219,37 @@ double least_power(const Echogram& echogram, double margin) {
     return echogram.noise_power * std::pow(10.0, margin / 10);
 }
 
+/// For every bin the least power (uPa^2) of what a beam itself looks at. What is fainter may come through its
+/// side lobes, as the nadir's glint comes to all beams: all that the fan hears at that time, times the mean
+/// floor of an array whose staves differ (Allen 1961: the sum of both variances over the staves) and of its
+/// design, times what speckle and single lobes add.
+std::vector<float> least_by_bin(const Echogram& echogram) {
+    constexpr double design = 1e-4, shaded = 0.75, above_mean = 3;  // own choice of all three
+    const Shot& shot = echogram.shot;
+    std::vector<float> least(shot.bins, 0.0F);
+    if (shot.bearings.size() < 2) return least;
+    const double amplitude = shot.errors.amplitude / 8.686, phase = shot.errors.phase;
+    const double floor = design + (amplitude * amplitude + phase * phase) / (shaded * shot.receiver.staves);
+    const double spacing = (shot.bearings.back() - shot.bearings.front()) /
+                           static_cast<double>(shot.bearings.size() - 1) / shot.beam_width;
+    for (std::size_t beam = 0; beam < echogram.beams(); ++beam) {
+        const float* levels = echogram.beam(beam).data();
+        for (std::size_t bin = 0; bin < least.size(); ++bin) least[bin] += levels[bin];
+    }
+    const auto part = static_cast<float>(above_mean * floor * std::min(1.0, spacing));
+    for (float& level : least) level *= part;
+    return least;
+}
+
 constexpr double slack =
     1.3;  // times the length that an echo should have; own choice, least scatter of 1, 1.3, 2
 
 Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, const Rule& rule,
-                    Stretches& stretches, Room& room) {
+                    std::span<const float> heard, Stretches& stretches, Room& room) {
     const Shot& shot = echogram.shot;
     const auto [first, last] = gated_bins(shot, gate);
     if (first >= last) return {};
-    stretches.start(echogram, index, first, last);
+    stretches.start(echogram, index, first, last, heard);
     const std::size_t peak = stretches.peak();
     const double least = least_power(echogram, rule.margin);
     if (!(stretches.mean(peak) > least)) return {};
@@ -277,8 +299,9 @@ std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate
     std::vector<Detection> detections(std::min(echogram.beams(), gates.size()));
     Stretches stretches;
     Room room;
+    const std::vector<float> heard = least_by_bin(echogram);
     for (std::size_t n = 0; n < detections.size(); ++n)
-        detections[n] = detect_in(echogram, n, gates[n], rule, stretches, room);
+        detections[n] = detect_in(echogram, n, gates[n], rule, heard, stretches, room);
     continue_to_edges(detections, echogram.shot.bearings, echogram.shot.beam_width);
     move_to_neighbours(detections, echogram.shot.bearings, echogram.shot.beam_width);
     smooth_by_phase(detections, echogram.shot.bearings, rule.smoothed);

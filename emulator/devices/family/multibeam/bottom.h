@@ -71,7 +71,7 @@ struct Rule {
 };
 
 /// Detections of all beams, with one gate each: the strongest stretch as long as the beam's footprint on a
-/// flat bottom, so that speckle does not break it up.
+/// flat bottom, so that speckle does not break it up, of what does not come through side lobes.
 std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate> gates, const Rule& rule);
 
 /// The outermost beams, over half a `beam_width` (rad), have too few neighbours beyond them whose phase they

@@ -21,12 +21,14 @@ inline double pulse_length(const Shot& shot) {
 /// Sums of a beam's bins, for means over stretches of it.
 class Stretches {
   public:
-    /// The bins [first, last) of beam `index`.
-    void start(const Echogram& echogram, std::size_t index, std::size_t first, std::size_t last) {
+    /// The bins [first, last) of beam `index`; of those that lie below `least` (uPa^2, one a bin of the
+    /// window), nothing counts.
+    void start(const Echogram& echogram, std::size_t index, std::size_t first, std::size_t last,
+               std::span<const float> least) {
         const Shot& shot = echogram.shot;
         const auto beam = echogram.beam(index).subspan(first, last - first);
         sum_.resize(beam.size() + 1);
-        add_up(beam);
+        add_up(beam, least.subspan(first, last - first));
         // A flat bottom's echo lasts t * beam width * tan(angle); three pulses at least, so that speckle
         // averages.
         const double angle = std::abs(shot.bearings[index]);
@@ -66,18 +68,21 @@ class Stretches {
     std::size_t next_length(std::size_t i) const;
 
     /// Four bins are added to each other first: one sum would wait for itself at every bin.
-    void add_up(std::span<const float> beam) {
+    void add_up(std::span<const float> beam, std::span<const float> least) {
         double before = sum_[0] = 0;
         std::size_t i = 0;
+        const auto counted = [&](std::size_t bin) -> double {
+            return beam[bin] >= least[bin] ? beam[bin] : 0;
+        };
         for (; i + 4 <= beam.size(); i += 4) {
-            const double one = beam[i], two = one + beam[i + 1], three = beam[i + 2],
-                         four = three + beam[i + 3];
+            const double one = counted(i), two = one + counted(i + 1), three = counted(i + 2),
+                         four = three + counted(i + 3);
             const double middle = before + two;
             double* sum = &sum_[i + 1];
             sum[0] = before + one, sum[1] = middle, sum[2] = middle + three;
             sum[3] = before += two + four;
         }
-        for (; i < beam.size(); ++i) sum_[i + 1] = before += beam[i];
+        for (; i < beam.size(); ++i) sum_[i + 1] = before += counted(i);
     }
 
     std::vector<double> sum_;
