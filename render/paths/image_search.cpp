@@ -219,10 +219,12 @@ class ImageSearch {
         const double whole = power * sent_back * across.power * up.power, spread = std::sqrt(across.variance);
         echo.width = static_cast<float>(3.5 * spread),
         echo.height = static_cast<float>(3.5 * std::sqrt(up.variance));
-        constexpr int most_parts = 33;
-        const int parts = one_beam || rows
-                              ? 1
-                              : std::clamp(static_cast<int>(6 * spread / shot.beam_width) | 1, 1, most_parts);
+        // As many for each beam as lines are drawn for it, so that no beam is left out between two of them.
+        constexpr double per_beam = 1.5;
+        constexpr int most_parts = 1025;
+        const double reach = 6 * spread / shot.beam_width;  // in beams
+        const int parts =
+            one_beam || rows ? 1 : std::clamp(static_cast<int>(per_beam * reach) | 1, 1, most_parts);
         double sum = 0;
         const auto weight = [&](int part) {
             const double off = (part - (parts - 1) / 2.0) * 6 / parts;  // in spreads
