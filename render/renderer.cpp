@@ -8,10 +8,12 @@
 #include <thread>
 
 #include "render/acoustics/rows.h"
+#include "render/acoustics/sea_surface.h"
 #include "render/fan/arrays.h"
 #include "render/fan/object_finder.h"
 #include "render/fan/plan_cache.h"
 #include "render/fan/resting_offset.h"
+#include "render/fan/reverberation.h"
 #include "render/fan/truth.h"
 #include "render/gl/drawing_crew.h"
 #include "render/grid/summing.h"
@@ -70,10 +72,11 @@ class Renderer::Impl {
         const Pose& pose = situation.world_from_sonar;
         start(shot, situation);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
-        points_.clear();
+        points_.clear(), fresh_.clear();
         for (Heard& heard : arrays_) hear(heard, situation, out);
+        const FreshPower fresh{fresh_, RangeSteps::of(shot.bins).bins};
         if (options_.rule == EchoRule::radiometric)
-            profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(points_), out); });
+            profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(points_), out, fresh); });
         if (situation.objects) find_objects(out);
         return out;
     }
@@ -105,6 +108,7 @@ class Renderer::Impl {
         PlanCache::Plan plan;
         std::vector<Pixel> pixels;
         PathEchoes paths;
+        std::optional<Reverberation> water;  ///< none: it is silent
     };
 
     const gl::SceneDrawer& drawer() const { return crew_.drawer(); }
@@ -136,13 +140,15 @@ class Renderer::Impl {
         draw(heard, situation);
         profile_.paths += timed([&] { trace_paths(heard, out.sound_speed); });
         find_strengths(shot, out.sound_speed);
+        find_water(heard, situation, out.sound_speed);
         Summing& summing = summing_of(shot);
         const BinningInput input = binning_input(heard, out.sound_speed);
         profile_.bins += timed([&] {
-            std::vector<float> values;
-            summing.sum(input, values);
+            std::vector<float> values, fresh;
+            summing.sum(input, values, fresh);
             auto truth = find_truth(summing, input, shot);
             append(std::move(values), out.values);
+            append(std::move(fresh), fresh_);
             append(std::move(truth), out.truth);
         });
         for (PointEcho& point : summing.points(*heard.plan, heard.paths.targets)) {
@@ -183,6 +189,38 @@ class Renderer::Impl {
         strength_.clear();
         for (const std::uint32_t material : drawer().material_of_surface())
             strength_.push_back(&tables[material]);
+    }
+
+    /// Fills heard.water, and gives the water's surface a strength behind those of the scene's. What comes
+    /// late of the ping before is far weaker than what this one's water sends back, and left out.
+    void find_water(Heard& heard, const Situation& situation, double c) {
+        heard.water.reset();
+        const Shot& shot = heard.array.shot;
+        const double z = heard.array.world_from_sonar.position.z;
+        const auto surface =
+            options_.surface && z < options_.surface->height ? options_.surface : std::nullopt;
+        const double wind = options_.surface ? options_.surface->wind : 0;
+        if (!effects().has(Effect::reverberation) || situation.detail < 1) return;
+        if (water_.scattering.empty() && !(surface && wind > 0)) return;
+        strength_.push_back(&surface_strength(shot.frequency, wind));
+        WaterAround around{
+            .up =
+                rotate(conjugate(world_from_fan(shot, heard.array.world_from_sonar).orientation), {0, 0, 1}),
+            .depth = surface ? surface->height - z : water_.depth,
+            .surface_number = static_cast<float>(strength_.size()),
+            .scattering = water_.scattering};
+        if (surface) around.surface = surface->height - z;
+        heard.water.emplace(around, c / 2 * shot.first_bin_time, c / 2 * shot.bin_interval, shot.bins);
+    }
+
+    const StrengthTable& surface_strength(double frequency, double wind) {
+        return surface_tables_
+            .get([&](const SurfaceStrength& known) { return known.frequency == frequency; },
+                 [&] {
+                     const auto at = [&](double sine) { return surface_backscatter(frequency, wind, sine); };
+                     return std::pair(SurfaceStrength{frequency, StrengthTable(at)}, std::size_t{1});
+                 })
+            .table;
     }
 
     /// Np/m.
@@ -229,7 +267,9 @@ class Renderer::Impl {
                 db_to_power(shot.source_level),
                 absorption(shot),
                 effects().has(Effect::spreading),
-                heard.paths.diffuse};
+                heard.paths.diffuse,
+                {},
+                heard.water ? &*heard.water : nullptr};
     }
 
     /// The paper's rule has no acoustics.
@@ -314,6 +354,11 @@ class Renderer::Impl {
         std::vector<StrengthTable> tables;  ///< per material
     };
     RecentlyUsed<Strengths> tables_{8};
+    struct SurfaceStrength {
+        double frequency;
+        StrengthTable table;
+    };
+    RecentlyUsed<SurfaceStrength> surface_tables_{8};
     std::vector<const StrengthTable*> strength_;  ///< of the ping at hand, per surface
     std::shared_ptr<PlanCache> plans_;
     Workers workers_;
@@ -322,6 +367,7 @@ class Renderer::Impl {
     AcousticChain chain_;
     std::vector<Heard> arrays_;      ///< of the ping at hand
     std::vector<PointEcho> points_;  ///< the same, of all its beams
+    std::vector<float> fresh_;       ///< the same, see FreshPower
     std::vector<Pose> movers_;       ///< the same
     RenderProfile profile_;
 };

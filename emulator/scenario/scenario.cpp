@@ -146,9 +146,10 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     read_clock(top, scenario, problems);
     scenario.render = read_render(top, problems);
     read_effects(top.get("effects"), scenario.render, problems);
-    const Section water(top.get("water"), "water",
-                        {"temperature", "salinity", "ph", "depth", "sound_speed", "profile", "surface"},
-                        problems);
+    const Section water(
+        top.get("water"), "water",
+        {"temperature", "salinity", "ph", "depth", "sound_speed", "profile", "scattering", "surface"},
+        problems);
     scenario.render.surface = read_surface(water, problems);
     const double surface = scenario.render.surface.value_or(WaterSurface{}).height;
     scenario.water = read_water(water, scenario.world_from_body.position.z, surface, problems);

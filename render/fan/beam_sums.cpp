@@ -17,6 +17,23 @@ void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines) {
             lines.sector(share.sector).add(values, 1 - share.next, row.begin(), row.end());
             lines.sector(share.sector + 1U).add(values, share.next, row.begin(), row.end());
         }
+    for (std::size_t line = 0; lines.steps() > 0 && line < plan.lines; ++line) {
+        const SectorShare share = plan.line_sector[line];
+        const float* from = lines.line_steps(line);
+        float *to = lines.sector_steps(share.sector), *next = lines.sector_steps(share.sector + 1U);
+        for (std::size_t i = 0; i < 2 * lines.steps(); ++i)
+            to[i] += (1 - share.next) * from[i], next[i] += share.next * from[i];
+    }
+}
+
+/// A row's bins, where there are any, with the steps behind them.
+void BeamSums::push(WeightedRow row, const LineSums& lines, std::size_t bins,
+                    std::vector<WeightedRow>& rows) {
+    if (lines.steps() > 0) {
+        if (row.begin >= row.end) row.begin = bins - 2 * lines.steps();
+        row.end = bins;
+    }
+    if (row.begin < row.end) rows.push_back(row);
 }
 
 void BeamSums::sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines, Workers& workers) {
@@ -30,7 +47,7 @@ void BeamSums::sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines,
             WeightedRow row{lines.sector_values(s), sector.begin(), sector.end(), {}};
             for (std::size_t k = 0; k < count; ++k)
                 row.weights[k] = far.weight[(first + k) * far.sectors + s];
-            if (!sector.empty()) rows.push_back(row);
+            push(row, lines, bins, rows);
         }
         sum_rows(rows, nullptr, bins, count, &nodes_[first * bins]);
     });
@@ -84,7 +101,7 @@ void BeamSums::sum_beams(const FanPlan& plan, std::size_t first, std::size_t cou
         for (std::size_t k = 0; k < count; ++k)
             if (line >= own[k].first_line && line < own[k].first_line + own[k].lines)
                 row.weights[k] = weight_of(plan, own[k], line - own[k].first_line);
-        if (!bins_of_line.empty()) rows.push_back(row);
+        push(row, lines, bins, rows);
     }
     for (std::size_t k = 0; k < count && plan.far_lobes.sectors > 0; ++k)
         add_far(plan, first + k, k, bins, rows);

@@ -14,7 +14,7 @@ class BeamSums {
   public:
     /// `offset`: where in the pixels the ping sampled; a line that lies off its middle is weighed there, so
     /// that the mean over pings has the pattern itself. Fills `values` (beams x bins); multiplies each bin
-    /// with `gain` unless that is empty.
+    /// with `gain` unless that is empty. `bins`: LineSums::stride(), with the steps behind the bins.
     void sum(const FanPlan& plan, PixelOffset offset, std::size_t bins, LineSums& lines,
              const std::vector<float>& gain, Workers& workers, std::vector<float>& values);
 
@@ -25,6 +25,9 @@ class BeamSums {
                  std::vector<WeightedRow>& rows) const;
     void sum_beams(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
                    LineSums& lines, const float* gain, float* out) const;
+
+    static void push(WeightedRow row, const LineSums& lines, std::size_t bins,
+                     std::vector<WeightedRow>& rows);
 
     void find_bearings(const FanPlan& plan, PixelOffset offset);
     float weight_of(const FanPlan& plan, const BeamLines& own, std::size_t i) const;

@@ -40,6 +40,7 @@ struct ImageMirror {
     double reflection = 0, roughness = 0, slope = 0;
     bool incoherent = false;  ///< whatever the roughness: a curved mesh
     double sent_back = 1;     ///< see sent_back_by()
+    bool is_water = false;    ///< the water's surface, below which there are bubbles
     double loudest = 0;       ///< uPa, of its own echo
 };
 
@@ -85,7 +86,10 @@ class ImageSearch {
             add_mirror(mirror);
         }
         if (const auto surface = ping_.space.surface_above(ping_.sonar)) {
-            add_mirror({no_outline, {0, 0, -1}, -surface->height, -1, surface->roughness, surface->slope});
+            ImageMirror mirror{no_outline, {0, 0, -1},         -surface->height,
+                               -1,         surface->roughness, surface->slope};
+            mirror.is_water = true;
+            add_mirror(mirror);
             add_curved_bottom();
         }
         std::ranges::stable_sort(all_, std::greater{}, &ImageMirror::loudest);
@@ -142,7 +146,7 @@ class ImageSearch {
         ImagePath path;
         path.order = order, path.range = range;
         Vec3 to = ping_.sonar;
-        double left = 2 * range;
+        double left = 2 * range, bubbles = 1;
         for (std::size_t i = order; i-- > 0;) {
             const ImageMirror& mirror = *sequence_[i];
             const Vec3 line = images_[i + 1] - to;
@@ -156,6 +160,7 @@ class ImageSearch {
             path.coherent *= mirror.incoherent
                                  ? 0
                                  : std::pow(coherent_loss(ping_.wavenumber, mirror.roughness, cosine), 2);
+            if (mirror.is_water) bubbles *= ping_.space.bubble_loss(cosine);
             if (mirror.face == no_outline) continue;
             const Foot foot = mirrors_.foot(
                 mirror.face, to, mirror_zone(ping_.wavenumber, left, 2 * range - left, ping_.resolution));
@@ -163,7 +168,7 @@ class ImageSearch {
             path.share *= foot.share;
         }
         path.leaves = seen(path.points[0]), path.arrives = seen(path.points[order - 1]);
-        path.smooth = level_at(range) * reflections * path.leaves.transmit * path.arrives.receive;
+        path.smooth = level_at(range) * reflections * bubbles * path.leaves.transmit * path.arrives.receive;
         if (path.power() > ping_.least * ping_.least) paths_.push_back(path);
     }
 
@@ -213,28 +218,28 @@ class ImageSearch {
         const ChainShare across = chain_share(chain, one_beam ? shot.beam_width * per_width : everywhere),
                          up = chain_share(chain, rows ? everywhere : shot.fan_height * per_width);
         PathEcho echo;
-        echo.near_range = static_cast<float>(path.range);
-        echo.far_range = static_cast<float>(path.range * (1 + across.variance + up.variance));
         echo.elevation = static_cast<float>(path.arrives.elevation);
         const double whole = power * sent_back * across.power * up.power, spread = std::sqrt(across.variance);
         echo.width = static_cast<float>(3.5 * spread),
         echo.height = static_cast<float>(3.5 * std::sqrt(up.variance));
-        // As many for each beam as lines are drawn for it, so that no beam is left out between two of them.
-        constexpr double per_beam = 1.5;
-        constexpr int most_parts = 1025;
-        const double reach = 6 * spread / shot.beam_width;  // in beams
+        // One each half beam, so that no beam between them stays dark.
+        constexpr int most_parts = 513;
         const int parts =
-            one_beam || rows ? 1 : std::clamp(static_cast<int>(per_beam * reach) | 1, 1, most_parts);
+            one_beam || rows ? 1
+                             : std::clamp(static_cast<int>(12 * spread / shot.beam_width) | 1, 1, most_parts);
+        const auto off_of = [&](int part) { return (part - (parts - 1) / 2.0) * 6 / parts; };  // in spreads
+        const auto weight_of = [](double off) { return std::exp(-off * off / 2); };
         double sum = 0;
-        const auto weight = [&](int part) {
-            const double off = (part - (parts - 1) / 2.0) * 6 / parts;  // in spreads
-            return std::exp(-off * off / 2);
-        };
-        for (int part = 0; part < parts; ++part) sum += weight(part);
+        for (int part = 0; part < parts; ++part) sum += weight_of(off_of(part));
         for (int part = 0; part < parts; ++part) {
-            echo.bearing =
-                static_cast<float>(path.arrives.bearing + (part - (parts - 1) / 2.0) * 6 / parts * spread);
-            echo.power = static_cast<float>(whole * weight(part) / sum);
+            const double off = off_of(part);
+            // What arrives by an angle x beside the axis has come farther by x^2 / 2 of its way.
+            const double near = parts > 1 ? off * off * across.variance / 2 : 0,
+                         far = near + up.variance + (parts > 1 ? 0 : across.variance);
+            echo.near_range = static_cast<float>(path.range * (1 + near));
+            echo.far_range = static_cast<float>(path.range * (1 + far));
+            echo.bearing = static_cast<float>(path.arrives.bearing + off * spread);
+            echo.power = static_cast<float>(whole * weight_of(off) / sum);
             if (std::isnormal(echo.power)) diffuse.push_back(echo);
         }
     }
