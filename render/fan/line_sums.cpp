@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render/fan/far_lobes.h"
+#include "render/fan/ping_motion.h"
 
 namespace echoloop {
 namespace {
@@ -129,16 +130,47 @@ void LineReader::read(const BinningInput& in, const View& view, std::size_t line
     first_ = first, last_ = last;
 }
 
+namespace {
+
+/// Shifts the extents of the row that was read, and returns its weights, times the closing speeds that are
+/// asked for.
+const float* apply_motion(const BinningInput& in, const View& view, std::size_t line, const float* weight,
+                          LineReader& reader) {
+    const PingMotion& motion = *in.motion;
+    if (!motion.shifts && in.moment == 0) return weight;
+    find_closing(motion, view, in.offset.of(view), line, reader.row().surface(), reader.closing);
+    if (motion.shifts) {
+        shift_ranges(motion, reader.closing, reader.extents.near);
+        shift_ranges(motion, reader.closing, reader.extents.far);
+    }
+    if (in.moment == 0) return weight;
+    reader.weights.resize(view.samples);
+    for (std::size_t i = 0; i < view.samples; ++i) {
+        const float speed = reader.closing[i] + static_cast<float>(motion.fastest);
+        reader.weights[i] = weight[i] * (in.moment == 1 ? speed : speed * speed);
+    }
+    return reader.weights.data();
+}
+
+}  // namespace
+
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
                     std::size_t line, LineReader& reader, LineBins& bins) {
     reader.read_alone(in, view, line);
     const std::size_t first = view.first_pixel + line * view.samples;
     const float* weight = is_echo(amount) ? &in.plan.weight[first] : &in.plan.coverage[first];
-    if (is_echo(amount) && !in.plan.beside.empty()) {
+    const bool turns = is_echo(amount) && in.motion != nullptr && in.motion->turning != Vec3{} &&
+                       (!in.plan.beside.empty() || !in.motion->upwards.empty());
+    if (turns) {
+        weigh_turned(in.plan, *in.motion, view, in.offset.level, line, reader.row().range(),
+                     reader.row().surface(), weight, reader.weights);
+        weight = reader.weights.data();
+    } else if (is_echo(amount) && !in.plan.beside.empty()) {
         weigh_beside(in, view, line, weight, reader.weights);
         weight = reader.weights.data();
     }
     find_spreads(reader.row(), view, static_cast<float>(in.bin_length), end_of(in), reader.extents);
+    if (in.motion != nullptr) weight = apply_motion(in, view, line, weight, reader);
     switch (amount) {
         case Amount::echo:
             return add_level<Amount::echo>(in, gain, reader, weight, bins);
@@ -194,14 +226,19 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
     const std::size_t first = view.first_pixel + line * view.samples;
     const SurroundPixel* pixels = &in.plan.surround[first - in.plan.first_surround_pixel];
     const float* weight = &in.plan.weight[first];
+    const bool moves = in.motion != nullptr;
+    if (moves)
+        reader.weights.assign(view.samples, 1.0F),
+            apply_motion(in, view, line, reader.weights.data(), reader);
     for (std::size_t i = 0; i < view.samples; ++i) {
         const SurroundPixel& pixel = pixels[i];
         const float surface = row.surface()[i], range = row.range()[i];
         if (surface == 0 || weight[i] == 0) continue;
         if (only_wanted && !counts<Amount::wanted_echo>(in, surface)) continue;
         const float near = scale.bin(reader.extents.near[i]), far = scale.bin(reader.extents.far[i]);
-        const float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
-                               scale.correction(range, far - near);
+        float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
+                         scale.correction(range, far - near);
+        if (moves) strength *= reader.weights[i];
         sectors.add(pixel, near, far, strength);
     }
 }

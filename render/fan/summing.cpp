@@ -58,14 +58,14 @@ class FanSumming final : public Summing {
         if (in.rule == EchoRule::radiometric) {
             add_levels(in, gain, Amount::echo);
             add_surround(in, gain);
-            add_paths(in, gain);
-            beams_.sum(in.plan, in.offset.level, in.bins, sums_, gain.values(), workers_, values);
+            if (in.moment == 0) add_paths(in, gain);
+            beams_.sum(in, sums_, gain.values(), workers_, values);
             return;
         }
         add_levels(in, gain, Amount::paper_share);
-        beams_.sum(in.plan, in.offset.level, in.bins, sums_, {}, workers_, shares_);
+        beams_.sum(in, sums_, {}, workers_, shares_);
         add_levels(in, gain, Amount::paper_echo);
-        beams_.sum(in.plan, in.offset.level, in.bins, sums_, {}, workers_, values);
+        beams_.sum(in, sums_, {}, workers_, values);
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
     }
@@ -90,7 +90,7 @@ class FanSumming final : public Summing {
             const View& view = view_with(in.plan, line);
             add_surround_line(in, gain, true, view, line - view.first_line, reader, sums_);
         }
-        beams_.sum(in.plan, in.offset.level, in.bins, sums_, gain.values(), workers_, wanted_);
+        beams_.sum(in, sums_, gain.values(), workers_, wanted_);
         everywhere_ = {0, wanted_.size()};
         return {wanted_, {&everywhere_, 1}};
     }

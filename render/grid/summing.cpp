@@ -147,6 +147,7 @@ class GridSumming final : public Summing {
         for (const View& view : plan.other_views())
             for (std::size_t line = 0; line < view.lines; ++line) {
                 list_echoes(in, gain, Amount::echo, view, line, reader, echoes_);
+                if (in.motion != nullptr) shift_echoes(in, view, line, reader, echoes_);
                 for (const PixelEcho& echo : echoes_) {
                     const std::size_t pixel = view.first_pixel + line * view.samples + echo.sample - first;
                     for (std::size_t i = plan.far.first[pixel]; i < plan.far.first[pixel + 1]; ++i) {
