@@ -8,11 +8,13 @@
 #include <thread>
 
 #include "render/acoustics/rows.h"
+#include "render/acoustics/sea_surface.h"
 #include "render/fan/arrays.h"
 #include "render/fan/closing_speeds.h"
 #include "render/fan/object_finder.h"
 #include "render/fan/plan_cache.h"
 #include "render/fan/resting_offset.h"
+#include "render/fan/reverberation.h"
 #include "render/fan/truth.h"
 #include "render/gl/drawing_crew.h"
 #include "render/grid/summing.h"
@@ -77,10 +79,11 @@ class Renderer::Impl {
         const Pose& pose = situation.world_from_sonar;
         start(shot, situation);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
-        points_.clear();
+        points_.clear(), fresh_.clear();
         for (Heard& heard : arrays_) hear(heard, situation, out);
+        const FreshPower fresh{fresh_, RangeSteps::of(shot.bins).bins};
         if (options_.rule == EchoRule::radiometric)
-            profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(points_), out); });
+            profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(points_), out, fresh); });
         if (situation.objects) find_objects(out);
         return out;
     }
@@ -113,6 +116,7 @@ class Renderer::Impl {
         std::vector<Pixel> pixels;
         PathEchoes paths;
         std::optional<PingMotion> motion;
+        std::optional<Reverberation> water;  ///< none: it is silent
     };
 
     const gl::SceneDrawer& drawer() const { return crew_.drawer(); }
@@ -145,13 +149,15 @@ class Renderer::Impl {
         find_motion(heard, situation, out.sound_speed);
         profile_.paths += timed([&] { trace_paths(heard, out.sound_speed); });
         find_strengths(shot, out.sound_speed);
+        find_water(heard, situation, out.sound_speed);
         Summing& summing = summing_of(shot);
         const BinningInput input = binning_input(heard, out.sound_speed);
         profile_.bins += timed([&] {
-            std::vector<float> values;
-            summing.sum(input, values);
+            std::vector<float> values, fresh;
+            summing.sum(input, values, fresh);
             auto truth = find_truth(summing, input, shot);
             append(std::move(values), out.values);
+            append(std::move(fresh), fresh_);
             append(std::move(truth), out.truth);
             if (shot.velocities && shot.rows() == 1) append(closing_speeds(summing, input), out.velocities);
         });
@@ -221,6 +227,38 @@ class Renderer::Impl {
             strength_.push_back(&tables[material]);
     }
 
+    /// Fills heard.water, and gives the water's surface a strength behind those of the scene's. What comes
+    /// late of the ping before is far weaker than what this one's water sends back, and left out.
+    void find_water(Heard& heard, const Situation& situation, double c) {
+        heard.water.reset();
+        const Shot& shot = heard.array.shot;
+        const double z = heard.array.world_from_sonar.position.z;
+        const auto surface =
+            options_.surface && z < options_.surface->height ? options_.surface : std::nullopt;
+        const double wind = options_.surface ? options_.surface->wind : 0;
+        if (!effects().has(Effect::reverberation) || situation.detail < 1) return;
+        if (water_.scattering.empty() && !(surface && wind > 0)) return;
+        strength_.push_back(&surface_strength(shot.frequency, wind));
+        WaterAround around{
+            .up =
+                rotate(conjugate(world_from_fan(shot, heard.array.world_from_sonar).orientation), {0, 0, 1}),
+            .depth = surface ? surface->height - z : water_.depth,
+            .surface_number = static_cast<float>(strength_.size()),
+            .scattering = water_.scattering};
+        if (surface) around.surface = surface->height - z;
+        heard.water.emplace(around, c / 2 * shot.first_bin_time, c / 2 * shot.bin_interval, shot.bins);
+    }
+
+    const StrengthTable& surface_strength(double frequency, double wind) {
+        return surface_tables_
+            .get([&](const SurfaceStrength& known) { return known.frequency == frequency; },
+                 [&] {
+                     const auto at = [&](double sine) { return surface_backscatter(frequency, wind, sine); };
+                     return std::pair(SurfaceStrength{frequency, StrengthTable(at)}, std::size_t{1});
+                 })
+            .table;
+    }
+
     /// Np/m.
     double absorption(const Shot& shot) const {
         return effects().has(Effect::absorption)
@@ -267,6 +305,7 @@ class Renderer::Impl {
                 effects().has(Effect::spreading),
                 heard.paths.diffuse,
                 {},
+                heard.water ? &*heard.water : nullptr,
                 heard.motion ? &*heard.motion : nullptr};
     }
 
@@ -356,6 +395,11 @@ class Renderer::Impl {
         std::vector<StrengthTable> tables;  ///< per material
     };
     RecentlyUsed<Strengths> tables_{8};
+    struct SurfaceStrength {
+        double frequency;
+        StrengthTable table;
+    };
+    RecentlyUsed<SurfaceStrength> surface_tables_{8};
     std::vector<const StrengthTable*> strength_;  ///< of the ping at hand, per surface
     std::shared_ptr<PlanCache> plans_;
     Workers workers_;
@@ -364,6 +408,7 @@ class Renderer::Impl {
     AcousticChain chain_;
     std::vector<Heard> arrays_;      ///< of the ping at hand
     std::vector<PointEcho> points_;  ///< the same, of all its beams
+    std::vector<float> fresh_;       ///< the same, see FreshPower
     std::vector<Pose> movers_;       ///< the same
     std::vector<std::uint32_t> mover_of_surface_;
     RenderProfile profile_;

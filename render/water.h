@@ -41,7 +41,8 @@ struct Water {
 
 /// Throws std::invalid_argument, naming the value and its range, unless everything is finite and temperature
 /// is within -4..40 C, salinity 0..45, pH 5..10, depth 0..12000 m and sound speed 1300..1700 m/s, and the
-/// profile has at most 1000 points at strictly increasing depths with the same limits.
+/// profile and the scattering have at most 1000 points each at strictly increasing depths with the same
+/// limits and strengths of -150..0 dB.
 void validate(const Water& water);
 
 /// Sound speed in m/s at the water's depth: the given one, or that of the profile, or else

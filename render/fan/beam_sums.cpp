@@ -19,6 +19,23 @@ void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines) {
             lines.sector(share.sector).add(values, 1 - share.next, row.begin(), row.end());
             lines.sector(share.sector + 1U).add(values, share.next, row.begin(), row.end());
         }
+    for (std::size_t line = 0; lines.steps() > 0 && line < plan.lines; ++line) {
+        const SectorShare share = plan.line_sector[line];
+        const float* from = lines.line_steps(line);
+        float *to = lines.sector_steps(share.sector), *next = lines.sector_steps(share.sector + 1U);
+        for (std::size_t i = 0; i < 2 * lines.steps(); ++i)
+            to[i] += (1 - share.next) * from[i], next[i] += share.next * from[i];
+    }
+}
+
+/// A row's bins, where there are any, with the steps behind them.
+void BeamSums::push(WeightedRow row, const LineSums& lines, std::size_t bins,
+                    std::vector<WeightedRow>& rows) {
+    if (lines.steps() > 0) {
+        if (row.begin >= row.end) row.begin = bins - 2 * lines.steps();
+        row.end = bins;
+    }
+    if (row.begin < row.end) rows.push_back(row);
 }
 
 void BeamSums::sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines, Workers& workers) {
@@ -32,7 +49,7 @@ void BeamSums::sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines,
             WeightedRow row{lines.sector_values(s), sector.begin(), sector.end(), {}};
             for (std::size_t k = 0; k < count; ++k)
                 row.weights[k] = far.weight[(first + k) * far.sectors + s];
-            if (!sector.empty()) rows.push_back(row);
+            push(row, lines, bins, rows);
         }
         sum_rows(rows, nullptr, bins, count, &nodes_[first * bins]);
     });
@@ -86,7 +103,7 @@ void BeamSums::sum_beams(const FanPlan& plan, std::size_t first, std::size_t cou
         for (std::size_t k = 0; k < count; ++k)
             if (line >= own[k].first_line && line < own[k].first_line + own[k].lines)
                 row.weights[k] = weight_of(plan, own[k], line - own[k].first_line);
-        if (!bins_of_line.empty()) rows.push_back(row);
+        push(row, lines, bins, rows);
     }
     for (std::size_t k = 0; k < count && plan.far_lobes.sectors > 0; ++k)
         add_far(plan, first + k, k, bins, rows);
@@ -110,6 +127,23 @@ void BeamSums::find_stretches(const BinningInput& in) {
         const double middle = first + static_cast<double>(begin + end) / 2 * bin;
         stretches_.push_back({begin, end, static_cast<float>(turned(middle))});
     }
+    add_steps_of_water(in);
+}
+
+/// A few stretches of steps; the volume's echo and the surface's change little.
+void BeamSums::add_steps_of_water(const BinningInput& in) {
+    if (in.water == nullptr) return;
+    constexpr std::size_t at_once = 8;
+    const RangeSteps& steps = in.water->steps();
+    for (std::size_t kind = 0; kind < 2; ++kind)
+        for (std::size_t step = 0; step < steps.count; step += at_once) {
+            const std::size_t end = std::min(step + at_once, steps.count);
+            const double middle = static_cast<double>((step + end) * steps.bins) / 2;
+            const double range = in.first_range + middle * in.bin_length;
+            const std::size_t behind = in.bins + kind * steps.count;
+            stretches_.push_back({behind + step, behind + end,
+                                  static_cast<float>(in.motion->turning.z * in.motion->flight(range))});
+        }
 }
 
 /// The lines as far to both sides of where a beam looks by then, or half-way there, as `own` are before.
@@ -147,8 +181,11 @@ void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t co
         };
         for (std::size_t line = from; line < to; ++line) {
             const LineBins& bins_of_line = lines.line(line);
-            if (bins_of_line.end() <= begin || bins_of_line.begin() >= end) continue;
-            WeightedRow& row = add(lines.line_values(line), bins_of_line.begin(), bins_of_line.end());
+            const bool of_water = begin >= bins - 2 * lines.steps();
+            if (!of_water && (bins_of_line.end() <= begin || bins_of_line.begin() >= end)) continue;
+            WeightedRow& row = of_water
+                                   ? add(lines.line_values(line), begin, end)
+                                   : add(lines.line_values(line), bins_of_line.begin(), bins_of_line.end());
             for (std::size_t k = 0; k < count; ++k) {
                 if (line < own[k].first_line || line >= own[k].first_line + own[k].lines) continue;
                 row.weights[k] = weights[k][line - own[k].first_line];
@@ -168,7 +205,7 @@ void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t co
 void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
                    std::vector<float>& values) {
     const FanPlan& plan = in.plan;
-    const std::size_t bins = in.bins;
+    const std::size_t bins = lines.stride();
     values.resize(plan.beams.size() * bins);
     sum_sectors(plan, lines);
     find_bearings(plan, in.offset.level);

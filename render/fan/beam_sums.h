@@ -13,11 +13,11 @@ namespace echoloop {
 
 class BeamSums {
   public:
-    /// Fills `values` (beams x bins); multiplies each bin with `gain` unless that is empty. A line that was
-    /// sampled off its middle is weighed there, so that the mean over pings has the pattern itself. Beams of
-    /// a fan that turns about its upright axis weigh lines by where they come from when they arrive, in
-    /// stretches of range over which that changes by a tenth of a beam, or 0.05 deg. The far sectors are not
-    /// turned.
+    /// Fills `values` (beams x LineSums::stride(), with the steps behind the bins); multiplies each bin with
+    /// `gain` unless that is empty. A line that was sampled off its middle is weighed there, so that the mean
+    /// over pings has the pattern itself. Beams of a fan that turns about its upright axis weigh lines by
+    /// where they come from when they arrive, in stretches of range over which that changes by a tenth of a
+    /// beam, or 0.05 deg. The far sectors are not turned.
     void sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
              std::vector<float>& values);
 
@@ -33,11 +33,15 @@ class BeamSums {
     };
 
     void find_stretches(const BinningInput& in);
+    void add_steps_of_water(const BinningInput& in);
     void sum_beams(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
                    LineSums& lines, const float* gain, float* out) const;
     void sum_turned(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
                     LineSums& lines, const float* gain, float* out) const;
     BeamLines turned_lines(const FanPlan& plan, const BeamLines& own, float turned) const;
+
+    static void push(WeightedRow row, const LineSums& lines, std::size_t bins,
+                     std::vector<WeightedRow>& rows);
 
     void find_bearings(const FanPlan& plan, PixelOffset offset);
     float weight_of(const FanPlan& plan, const BeamLines& own, std::size_t i) const;

@@ -14,6 +14,7 @@
 namespace echoloop {
 
 struct PingMotion;  // render/fan/ping_motion.h
+class Reverberation;
 
 struct BinningInput {
     const FanPlan& plan;
@@ -29,6 +30,7 @@ struct BinningInput {
     bool spreading = true;                   ///< R^-4
     std::span<const PathEcho> paths;         ///< echoes by other ways, added to the lines that they arrive on
     std::span<const std::uint8_t> wanted{};  ///< per surface index, for Amount::wanted_echo: not 0, it counts
+    const Reverberation* water = nullptr;    ///< null: it is silent
     const PingMotion* motion = nullptr;      ///< null: all stands still
     /// Echoes are multiplied by this power of their closing speed plus PingMotion::fastest, which is not
     /// negative; only direct ones count then. 0: they are powers.

@@ -8,11 +8,11 @@
 namespace echoloop {
 
 std::vector<ClosingSpeed> closing_speeds(Summing& summing, BinningInput in) {
-    std::vector<float> power, first, second;
-    in.paths = {};
-    summing.sum(in, power);
-    in.moment = 1, summing.sum(in, first);
-    in.moment = 2, summing.sum(in, second);
+    std::vector<float> power, first, second, fresh;
+    in.paths = {}, in.water = nullptr;
+    summing.sum(in, power, fresh);
+    in.moment = 1, summing.sum(in, first, fresh);
+    in.moment = 2, summing.sum(in, second, fresh);
     std::vector<ClosingSpeed> speeds(power.size());
     for (std::size_t i = 0; i < speeds.size(); ++i) {
         if (!(power[i] > 0)) continue;

@@ -112,7 +112,8 @@ void find_closing(const PingMotion& motion, const View& view, PixelOffset offset
     for (std::size_t i = 0; i < view.samples; ++i) {
         if (surface[i] == 0) continue;
         const double y = view.y(static_cast<double>(i) + 0.5 + offset.sample);
-        const Vec3 v = motion.approach[static_cast<std::size_t>(surface[i]) - 1];
+        const auto number = static_cast<std::size_t>(surface[i]) - 1;
+        const Vec3 v = number < motion.approach.size() ? motion.approach[number] : motion.own;  // the water's
         closing[i] = static_cast<float>((dot(v, level) + y * dot(v, up)) / std::sqrt(1 + x * x + y * y));
     }
 }

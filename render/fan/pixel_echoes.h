@@ -12,6 +12,7 @@ namespace echoloop {
 struct PixelEcho {
     std::uint32_t sample;
     float near, far, amount, slope;
+    bool of_water;  ///< the water's surface
 };
 /// The echoes of a line's pixels in their order, for those who share them out otherwise.
 void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,

@@ -1,6 +1,7 @@
 #include "render/grid/main_lobes.h"
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "render/fan/ping_motion.h"
@@ -11,19 +12,23 @@ namespace {
 
 class MainLobes {
   public:
-    MainLobes(const BinningInput& in, const GridPlan& plan, std::vector<LineBins>& beams)
+    MainLobes(const BinningInput& in, const GridPlan& plan, std::vector<LineBins>& beams, WaterOfBeams* water)
         : in_(in),
           plan_(plan),
           gain_(in),
           beams_(beams),
+          water_(water),
           scratch_(in.bins),
           spread_(scratch_.data(), in.bins) {}
 
     void add(Amount amount, const View& view, std::size_t line) {
         list_echoes(in_, gain_, amount, view, line, reader_, echoes_);
-        if (in_.motion != nullptr) return add_moved(view, line);
-        for (const PixelEcho& echo : echoes_)
-            add_pixel(echo, view.first_pixel + line * view.samples + echo.sample);
+        if (in_.motion != nullptr)
+            add_moved(view, line);
+        else
+            for (const PixelEcho& echo : echoes_)
+                add_pixel(echo, view.first_pixel + line * view.samples + echo.sample);
+        if (water_ != nullptr) add_water(view, line);
     }
 
   private:
@@ -74,6 +79,25 @@ class MainLobes {
                static_cast<std::size_t>(sample);
     }
 
+    void add_water(const View& view, std::size_t line) {
+        constexpr float nowhere = std::numeric_limits<float>::infinity();
+        const std::size_t first = view.first_pixel + line * view.samples;
+        const PixelRow& row = reader_.row();
+        for (std::size_t i = 0; i < view.samples; ++i) {
+            const float end = row.surface()[i] != 0 ? in_.water->place(row.range()[i]) : nowhere;
+            const float weight = plan_.weight[first + i] / whole_share;
+            for (const Heard& heard : plan_.heard_by(first + i))
+                water_->under_way[heard.beam].add(end, weight * static_cast<float>(heard.share));
+        }
+        const float per_bin = 1 / static_cast<float>(in_.water->steps().bins);
+        for (const PixelEcho& echo : echoes_)
+            for (const Heard& heard : plan_.heard_by(first + echo.sample))
+                if (echo.of_water)
+                    water_->surface[heard.beam].deposit(
+                        echo.near * per_bin, echo.far * per_bin,
+                        echo.amount * static_cast<float>(heard.share) / whole_share);
+    }
+
     /// Most pixels lie in two or three bins: they are told apart once for all beams.
     void add_pixel(const PixelEcho& echo, std::size_t pixel) {
         spread_.deposit(echo.near, echo.far, echo.amount, echo.slope);
@@ -89,6 +113,7 @@ class MainLobes {
     BinGain gain_;
     LineReader reader_;
     std::vector<LineBins>& beams_;
+    WaterOfBeams* water_;
     std::vector<float> scratch_;
     LineBins spread_;
     std::vector<PixelEcho> echoes_;
@@ -96,24 +121,26 @@ class MainLobes {
 
 }  // namespace
 
-std::vector<LineBins> bins_of_beams(std::vector<float>& values, std::size_t beams, std::size_t bins) {
-    values.assign(beams * bins, 0.0F);
+std::vector<LineBins> bins_of_beams(std::vector<float>& values, std::size_t beams, std::size_t bins,
+                                    std::size_t stride) {
+    stride = std::max(stride, bins);
+    values.assign(beams * stride, 0.0F);
     std::vector<LineBins> rows;
     rows.reserve(beams);
-    for (std::size_t beam = 0; beam < beams; ++beam) rows.emplace_back(&values[beam * bins], bins);
+    for (std::size_t beam = 0; beam < beams; ++beam) rows.emplace_back(&values[beam * stride], bins);
     return rows;
 }
 
-void add_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount,
-                    std::vector<LineBins>& beams) {
-    MainLobes lobes(in, plan, beams);
+void add_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount, std::vector<LineBins>& beams,
+                    WaterOfBeams* water) {
+    MainLobes lobes(in, plan, beams, water);
     for (const View& view : plan.field_views())
         for (std::size_t line = 0; line < view.lines; ++line) lobes.add(amount, view, line);
 }
 
 void add_wanted(const BinningInput& in, const GridPlan& plan, std::span<const std::size_t> lines,
                 std::vector<LineBins>& beams) {
-    MainLobes lobes(in, plan, beams);
+    MainLobes lobes(in, plan, beams, nullptr);
     auto line = lines.begin();
     for (const View& view : plan.field_views())
         for (; line != lines.end() && *line < view.first_line + view.lines; ++line)

@@ -16,6 +16,7 @@ class PathTracer::Impl {
     Impl(std::shared_ptr<const Scene> scene, std::optional<WaterSurface> surface, Effects effects)
         : scene_(std::move(scene)), surface_(surface), effects_(effects) {
         if (!scene_) throw std::invalid_argument("paths: there is no scene");
+        if (surface_ && !effects_.has(Effect::reverberation)) surface_->wind = 0;
     }
 
     void prepare() {
@@ -38,6 +39,7 @@ class PathTracer::Impl {
                           [&] { return std::pair(FanPattern(shot, effects_), std::size_t{1}); });
         const double wavenumber = 2 * std::numbers::pi * shot.frequency / sound_speed;
         space_->set_wavenumber(wavenumber);
+        space_->set_frequency(shot.frequency);
         const PathPing ping{shot,
                             *space_,
                             pattern,

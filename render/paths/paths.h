@@ -19,8 +19,10 @@ namespace echoloop {
 struct WaterSurface {
     double height = 0;     ///< m, z in the world
     double roughness = 0;  ///< m, rms wave height s
-    /// rms slope in one direction: of a wind of 5 m/s, 2 s^2 = 0.0046 ln(2.1 U^2) (APL-UW TR 9407, II)
+    /// rms slope in one direction, of what it mirrors incoherently: that of a wind of 5 m/s (sea_surface.h)
     double slope = 0.095;
+    /// m/s, 10 m above the water: for bubbles and for what the surface scatters back; 0: neither
+    double wind = 0;
 };
 
 /// Diffuse echo by an indirect path, already with source level, spreading, absorption, reflections and the

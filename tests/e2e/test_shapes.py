@@ -21,7 +21,7 @@ from reson_host import Host as ResonHost
 
 sys.path.insert(0, str(ROOT / "tools"))
 from scenes.glb import glb  # noqa: E402
-from scenes.materials import MU_DB  # noqa: E402
+from scenes.materials import SONAR  # noqa: E402
 
 SCENARIO = """
 scene: "%s"
@@ -90,7 +90,7 @@ class Shapes:
     def test_a_step_of_two_metres(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "step.glb"
-            file.write_bytes(glb(step_scene(), MU_DB))
+            file.write_bytes(glb(step_scene(), SONAR))
             self.start(str(file), HEAD_Z, 0)
             low, high = HEAD_Z - FLOOR_Z, HEAD_Z - RAISED_Z
             foot, top = math.atan(-EDGE_Y / low), math.atan(-EDGE_Y / high)

@@ -45,7 +45,7 @@ ROOMS = {
     "contract": ((), PURE, STANDARD),
     "clock": (("contract",), "", NETWORK),
     "machine": (("contract",), "", ""),
-    "scenario": (("contract",), "render/.*", "yaml-cpp/.*"),
+    "scenario": (("contract",), "render/.*", "yaml-cpp/.*|boost/(math|random)/.*"),
     "transport": (("contract", "clock"), "", NETWORK),
     "capture": (("contract", "clock", "transport"), "", ""),
     "truth": (("contract", "capture"), "render/.*", ""),

@@ -102,7 +102,10 @@ Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     options.context = settings.context;
     options.drawing_threads = RenderThreads::drawing_threads(1);
     keep_rasterisers_on_their_threads();
-    Renderer renderer(scene, {}, options);
+    options.surface->wind = 1.5;  // what a scenario's water is when it says nothing
+    Water water;
+    water.scattering = {{0, -75}};
+    Renderer renderer(scene, water, options);
     renderer.render(shot_of(the_case, 0), pose_of(0));
     figures.start_up = wall_time() - start;
     figures.start_up_cpu = cpu_time() - start_cpu;

@@ -30,6 +30,8 @@ std::span<const Group> groups() {
         {"V22", "A room's wall and corner", check_room},
         {"V23", "Several mirrors", check_images},
         {"V24", "Second bottom", check_second_bottom},
+        {"V25", "Volume reverberation", check_volume},
+        {"V26", "The surface in the wind", check_sea_surface},
         {"V27", "Beams that share staves", check_shared_staves},
         {"V28", "Converters of staves", check_converter},
         {"V29", "Side lobes of arrays whose staves differ", check_stave_errors},

@@ -40,6 +40,8 @@ void check_facets(Findings&);
 void check_room(Findings&);
 void check_images(Findings&);
 void check_second_bottom(Findings&);
+void check_volume(Findings&);
+void check_sea_surface(Findings&);
 void check_shared_staves(Findings&);
 void check_converter(Findings&);
 void check_stave_errors(Findings&);
