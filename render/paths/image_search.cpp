@@ -167,7 +167,8 @@ class ImageSearch {
             if (foot.outside > 0) return;
             path.share *= foot.share;
         }
-        path.leaves = seen(path.points[0]), path.arrives = seen(path.points[order - 1]);
+        path.leaves = seen(path.points[0]);
+        path.arrives = ping_.received(seen(path.points[order - 1]), range);
         path.smooth = level_at(range) * reflections * bubbles * path.leaves.transmit * path.arrives.receive;
         if (path.power() > ping_.least * ping_.least) paths_.push_back(path);
     }
@@ -193,7 +194,7 @@ class ImageSearch {
                                  (path.smooth < 0 ? std::numbers::pi : 0);
             targets.push_back({path.range, power * path.coherent * std::norm(path.share),
                                std::remainder(phase, 2 * std::numbers::pi), path.arrives.bearing,
-                               static_cast<int>(path.order), path.arrives.elevation});
+                               static_cast<int>(path.order), path.arrives.elevation, path.arrives.turned});
         }
         if (1 - path.coherent > faintest_part) add_chain(path, power * (1 - path.coherent), diffuse);
     }

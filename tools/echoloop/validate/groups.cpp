@@ -38,6 +38,8 @@ std::span<const Group> groups() {
         {"V30", "Speckle moves with the sonar", check_moving_speckle},
         {"V31", "Looks in a bin", check_looks},
         {"V32", "Texture over range", check_range_texture},
+        {"V37", "Turning within a ping", check_turn_in_flight},
+        {"V38", "Doppler", check_doppler},
         {"V39", "Detection noise of a multibeam", check_detection_noise},
         {"R1", "R2Sonic beside 100 pings of a Sonic 2026", check_r2sonic},
         {"R2", "Oculus beside a ping of an M1200d", check_oculus},
