@@ -234,11 +234,11 @@ class ImageSearch {
         for (int part = 0; part < parts; ++part) sum += weight_of(off_of(part));
         for (int part = 0; part < parts; ++part) {
             const double off = off_of(part);
-            // What arrives by an angle x beside the axis has come farther by x^2 / 2 of its way.
-            const double near = parts > 1 ? off * off * across.variance / 2 : 0,
-                         far = near + up.variance + (parts > 1 ? 0 : across.variance);
+            // What arrives by an angle x beside the axis has come farther by x^2 / 2 of its way; how much
+            // farther by facets in between is the whole spread at every angle (own choice).
+            const double near = parts > 1 ? off * off * across.variance / 2 : 0;
             echo.near_range = static_cast<float>(path.range * (1 + near));
-            echo.far_range = static_cast<float>(path.range * (1 + far));
+            echo.far_range = static_cast<float>(path.range * (1 + near + across.variance + up.variance));
             echo.bearing = static_cast<float>(path.arrives.bearing + off * spread);
             echo.power = static_cast<float>(whole * weight_of(off) / sum);
             if (std::isnormal(echo.power)) diffuse.push_back(echo);

@@ -44,6 +44,9 @@ std::span<const Group> groups() {
         {"R1", "R2Sonic beside 100 pings of a Sonic 2026", check_r2sonic},
         {"R2", "Oculus beside a ping of an M1200d", check_oculus},
         {"R3", "Imagenex 852 beside 177 shots", check_852},
+        {"R4", "Micron beside turns of two heads", check_micron},
+        {"R5", "Ping360 beside 99 lines", check_ping360},
+        {"R6", "Sonar 3D-15 beside three shots", check_sonar_3d},
     });
     return table;
 }

@@ -54,5 +54,8 @@ void check_detection_noise(Findings&);
 void check_r2sonic(Findings&);
 void check_oculus(Findings&);
 void check_852(Findings&);
+void check_micron(Findings&);
+void check_ping360(Findings&);
+void check_sonar_3d(Findings&);
 
 }  // namespace echoloop::validation
