@@ -13,6 +13,7 @@
 
 namespace echoloop {
 
+struct PingMotion;  // render/fan/ping_motion.h
 class Reverberation;
 
 struct BinningInput {
@@ -31,6 +32,10 @@ struct BinningInput {
     std::span<const float> focus{};          ///< per pixel: power over that of straight rays; empty: 1
     std::span<const std::uint8_t> wanted{};  ///< per surface index, for Amount::wanted_echo: not 0, it counts
     const Reverberation* water = nullptr;    ///< null: it is silent
+    const PingMotion* motion = nullptr;      ///< null: all stands still
+    /// Echoes are multiplied by this power of their closing speed plus PingMotion::fastest, which is not
+    /// negative; only direct ones count then. 0: they are powers.
+    int moment = 0;
 };
 
 /// The focus of a line's pixels; null where rays are straight.

@@ -29,15 +29,15 @@ std::optional<Glint> glint_of(const PathPing& ping, const Mirrors& mirrors, std:
     const Foot foot = mirrors.foot(face, point, mirror_zone(ping.wavenumber, range, range, ping.resolution));
     const auto sight = ping.sight(foot.nearest);
     if (!sight) return std::nullopt;
-    const FanDirection seen = ping.seen(sight->direction);
     const double length = norm(foot.nearest - ping.sonar);
     const double stretch = ping.rays != nullptr ? sight->length / length : 1;
+    const FanDirection seen = ping.received(ping.seen(sight->direction), stretch * range);
     const double amplitude = loudest * seen.transmit * seen.receive * std::abs(foot.share);
     if (!(std::abs(amplitude) > ping.least)) return std::nullopt;
     const double phase = 2 * ping.wavenumber * stretch * range + std::arg(foot.share) +
                          (amplitude * reflection < 0 ? std::numbers::pi : 0);
     return Glint{{foot.outside > 0 ? sight->length : stretch * range, amplitude * amplitude,
-                  std::remainder(phase, 2 * std::numbers::pi), seen.bearing, 1, seen.elevation},
+                  std::remainder(phase, 2 * std::numbers::pi), seen.bearing, 1, seen.elevation, seen.turned},
                  foot.nearest};
 }
 

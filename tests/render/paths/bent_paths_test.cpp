@@ -20,7 +20,7 @@ PathEchoes echoes_of(const std::shared_ptr<const Scene>& scene, const RayTable& 
     shot.tilt = deg_to_rad(tilt_deg);
     PathTracer tracer(scene, surface, effects);
     PathEchoes echoes;
-    tracer.trace(shot, Pose{{0, 0, -rays.depth()}, {}}, rays.speed(), 0, rays.range(), echoes, {}, &rays);
+    tracer.trace(shot, Pose{{0, 0, -rays.depth()}, {}}, rays.speed(), 0, rays.range(), echoes, {}, {}, &rays);
     return echoes;
 }
 
