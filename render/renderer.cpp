@@ -8,10 +8,13 @@
 #include <thread>
 
 #include "render/acoustics/rows.h"
+#include "render/acoustics/sea_surface.h"
 #include "render/fan/arrays.h"
+#include "render/fan/closing_speeds.h"
 #include "render/fan/object_finder.h"
 #include "render/fan/plan_cache.h"
 #include "render/fan/resting_offset.h"
+#include "render/fan/reverberation.h"
 #include "render/fan/truth.h"
 #include "render/gl/drawing_crew.h"
 #include "render/grid/summing.h"
@@ -37,6 +40,12 @@ void validate(const Pose& pose) {
     if (!(norm(p) < 1e7)) throw std::invalid_argument("pose: position must be finite and within 1e7 m");
     if (!(std::abs(length - 1) < 1e-3))
         throw std::invalid_argument("pose: orientation must be a unit quaternion");
+}
+
+void validate(const Motion& motion) {
+    constexpr double most = 100;  // m/s and rad/s
+    if (!(norm(motion.velocity) <= most && norm(motion.turning) <= most))
+        throw std::invalid_argument("situation: velocities must be finite and within 100 m/s and rad/s");
 }
 
 /// s of wall time that `work` takes.
@@ -70,10 +79,11 @@ class Renderer::Impl {
         const Pose& pose = situation.world_from_sonar;
         start(shot, situation);
         Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
-        points_.clear();
+        points_.clear(), fresh_.clear();
         for (Heard& heard : arrays_) hear(heard, situation, out);
+        const FreshPower fresh{fresh_, RangeSteps::of(shot.bins).bins};
         if (options_.rule == EchoRule::radiometric)
-            profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(points_), out); });
+            profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(points_), out, fresh); });
         if (situation.objects) find_objects(out);
         return out;
     }
@@ -105,6 +115,8 @@ class Renderer::Impl {
         PlanCache::Plan plan;
         std::vector<Pixel> pixels;
         PathEchoes paths;
+        std::optional<PingMotion> motion;
+        std::optional<Reverberation> water;  ///< none: it is silent
     };
 
     const gl::SceneDrawer& drawer() const { return crew_.drawer(); }
@@ -134,16 +146,20 @@ class Renderer::Impl {
     void hear(Heard& heard, const Situation& situation, Echogram& out) {
         const Shot& shot = heard.array.shot;
         draw(heard, situation);
+        find_motion(heard, situation, out.sound_speed);
         profile_.paths += timed([&] { trace_paths(heard, out.sound_speed); });
         find_strengths(shot, out.sound_speed);
+        find_water(heard, situation, out.sound_speed);
         Summing& summing = summing_of(shot);
         const BinningInput input = binning_input(heard, out.sound_speed);
         profile_.bins += timed([&] {
-            std::vector<float> values;
-            summing.sum(input, values);
+            std::vector<float> values, fresh;
+            summing.sum(input, values, fresh);
             auto truth = find_truth(summing, input, shot);
             append(std::move(values), out.values);
+            append(std::move(fresh), fresh_);
             append(std::move(truth), out.truth);
+            if (shot.velocities && shot.rows() == 1) append(closing_speeds(summing, input), out.velocities);
         });
         for (PointEcho& point : summing.points(*heard.plan, heard.paths.targets)) {
             point.beam += heard.array.first_beam;
@@ -162,9 +178,35 @@ class Renderer::Impl {
     void trace_paths(Heard& heard, double c) {
         const Shot& shot = heard.array.shot;
         heard.paths.diffuse.clear(), heard.paths.targets.clear();
-        if (options_.rule == EchoRule::radiometric && tracer_.needed())
-            tracer_.trace(shot, heard.array.world_from_sonar, c, absorption(shot), end_range(shot),
-                          heard.paths, movers_);
+        if (options_.rule != EchoRule::radiometric || !tracer_.needed()) return;
+        tracer_.trace(shot, heard.array.world_from_sonar, c, absorption(shot), end_range(shot), heard.paths,
+                      movers_, heard.motion ? heard.motion->turning : Vec3{});
+        if (heard.motion && heard.motion->shifts) shift_paths(*heard.motion, heard.paths);
+    }
+
+    /// Fills in the motion of what is drawn.
+    void find_motion(Heard& heard, const Situation& situation, double c) {
+        heard.motion.reset();
+        if (options_.rule != EchoRule::radiometric) return;
+        const Quat world_from_fan =
+            echoloop::world_from_fan(heard.array.shot, heard.array.world_from_sonar).orientation;
+        const Quat fan_from_sonar = conjugate(world_from_fan) * situation.world_from_sonar.orientation;
+        const Motion own{situation.velocity, rotate(fan_from_sonar, situation.turning)};
+        heard.motion = motion_of(heard.array.shot, *heard.plan,
+                                 {world_from_fan, situation.world_from_sonar.position, own, movers_,
+                                  situation.mover_motions, mover_of_surface()},
+                                 options_.effects, c);
+    }
+
+    /// As PingMoves has it.
+    const std::vector<std::uint32_t>& mover_of_surface() {
+        if (mover_of_surface_.empty() && !scene().movers().empty()) {
+            std::vector<std::uint32_t> of_object(scene().objects().size());
+            for (const SceneChunk& chunk : scene().chunks()) of_object[chunk.object] = chunk.mover;
+            for (const std::uint32_t object : drawer().object_of_surface())
+                mover_of_surface_.push_back(of_object[object]);
+        }
+        return mover_of_surface_;
     }
 
     /// Fills strength_. Facets' lobes are those of the mirrors that multipath is about.
@@ -183,6 +225,38 @@ class Renderer::Impl {
         strength_.clear();
         for (const std::uint32_t material : drawer().material_of_surface())
             strength_.push_back(&tables[material]);
+    }
+
+    /// Fills heard.water, and gives the water's surface a strength behind those of the scene's. What comes
+    /// late of the ping before is far weaker than what this one's water sends back, and left out.
+    void find_water(Heard& heard, const Situation& situation, double c) {
+        heard.water.reset();
+        const Shot& shot = heard.array.shot;
+        const double z = heard.array.world_from_sonar.position.z;
+        const auto surface =
+            options_.surface && z < options_.surface->height ? options_.surface : std::nullopt;
+        const double wind = options_.surface ? options_.surface->wind : 0;
+        if (!effects().has(Effect::reverberation) || situation.detail < 1) return;
+        if (water_.scattering.empty() && !(surface && wind > 0)) return;
+        strength_.push_back(&surface_strength(shot.frequency, wind));
+        WaterAround around{
+            .up =
+                rotate(conjugate(world_from_fan(shot, heard.array.world_from_sonar).orientation), {0, 0, 1}),
+            .depth = surface ? surface->height - z : water_.depth,
+            .surface_number = static_cast<float>(strength_.size()),
+            .scattering = water_.scattering};
+        if (surface) around.surface = surface->height - z;
+        heard.water.emplace(around, c / 2 * shot.first_bin_time, c / 2 * shot.bin_interval, shot.bins);
+    }
+
+    const StrengthTable& surface_strength(double frequency, double wind) {
+        return surface_tables_
+            .get([&](const SurfaceStrength& known) { return known.frequency == frequency; },
+                 [&] {
+                     const auto at = [&](double sine) { return surface_backscatter(frequency, wind, sine); };
+                     return std::pair(SurfaceStrength{frequency, StrengthTable(at)}, std::size_t{1});
+                 })
+            .table;
     }
 
     /// Np/m.
@@ -229,7 +303,10 @@ class Renderer::Impl {
                 db_to_power(shot.source_level),
                 absorption(shot),
                 effects().has(Effect::spreading),
-                heard.paths.diffuse};
+                heard.paths.diffuse,
+                {},
+                heard.water ? &*heard.water : nullptr,
+                heard.motion ? &*heard.motion : nullptr};
     }
 
     /// The paper's rule has no acoustics.
@@ -267,6 +344,10 @@ class Renderer::Impl {
         if (!(situation.density >= 0.1 && situation.density <= 1))
             throw std::invalid_argument("situation: density must be within 0.1..1");
         place_movers(situation);
+        validate(Motion{situation.velocity, situation.turning});
+        if (situation.mover_motions.size() > movers_.size())
+            throw std::invalid_argument("movers: there are motions for more than the scene has");
+        for (const Motion& motion : situation.mover_motions) validate(motion);
     }
 
     /// Fills in the picture and the plan that it follows.
@@ -314,6 +395,11 @@ class Renderer::Impl {
         std::vector<StrengthTable> tables;  ///< per material
     };
     RecentlyUsed<Strengths> tables_{8};
+    struct SurfaceStrength {
+        double frequency;
+        StrengthTable table;
+    };
+    RecentlyUsed<SurfaceStrength> surface_tables_{8};
     std::vector<const StrengthTable*> strength_;  ///< of the ping at hand, per surface
     std::shared_ptr<PlanCache> plans_;
     Workers workers_;
@@ -322,7 +408,9 @@ class Renderer::Impl {
     AcousticChain chain_;
     std::vector<Heard> arrays_;      ///< of the ping at hand
     std::vector<PointEcho> points_;  ///< the same, of all its beams
+    std::vector<float> fresh_;       ///< the same, see FreshPower
     std::vector<Pose> movers_;       ///< the same
+    std::vector<std::uint32_t> mover_of_surface_;
     RenderProfile profile_;
 };
 

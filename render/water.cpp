@@ -36,6 +36,16 @@ void validate_profile(const std::vector<SoundSpeedPoint>& profile) {
     }
 }
 
+void validate_scattering(const std::vector<ScatteringPoint>& points) {
+    if (points.size() > 1000) throw std::invalid_argument("water: scattering has more than 1000 points");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        require(points[i].depth, 0, 12000, "depth of a scattering point", "m");
+        require(points[i].strength, -150, 0, "strength of a scattering point", "dB");
+        if (i > 0 && !(points[i].depth > points[i - 1].depth))
+            throw std::invalid_argument("water: depths of the scattering must increase from point to point");
+    }
+}
+
 }  // namespace
 
 void validate(const Water& water) {
@@ -45,6 +55,7 @@ void validate(const Water& water) {
     require(water.depth, 0, 12000, "depth", "m");
     if (water.sound_speed) require(*water.sound_speed, 1300, 1700, "sound_speed", "m/s");
     validate_profile(water.profile);
+    validate_scattering(water.scattering);
 }
 
 double sound_speed(const Water& water) {
@@ -69,10 +80,6 @@ double absorption_db_per_km(const Water& water, double frequency) {
     const double viscous_p = 1 - 3.83e-5 * d + 4.9e-10 * d * d;
     return boric * relaxation(f, boric_f) + magnesium * magnesium_p * relaxation(f, magnesium_f) +
            water_viscosity_term(t) * viscous_p * f * f;
-}
-
-double doppler_shift(double frequency, double closing_speed, double sound_speed) {
-    return 2 * closing_speed * frequency / sound_speed;
 }
 
 double ainslie_mccolm_db_per_km(const Water& water, double frequency) {

@@ -41,7 +41,8 @@ struct Water {
 
 /// Throws std::invalid_argument, naming the value and its range, unless everything is finite and temperature
 /// is within -4..40 C, salinity 0..45, pH 5..10, depth 0..12000 m and sound speed 1300..1700 m/s, and the
-/// profile has at most 1000 points at strictly increasing depths with the same limits.
+/// profile and the scattering have at most 1000 points each at strictly increasing depths with the same
+/// limits and strengths of -150..0 dB.
 void validate(const Water& water);
 
 /// Sound speed in m/s at the water's depth: the given one, or that of the profile, or else
@@ -60,10 +61,6 @@ double absorption_db_per_km(const Water& water, double frequency);
 
 /// Ainslie & McColm, JASA 103 (1998) 1671: the same in dB/km, to check the other by.
 double ainslie_mccolm_db_per_km(const Water& water, double frequency);
-
-/// Hz; shift of an echo from something that comes nearer at `closing_speed` m/s: 2 v f / c, to first order in
-/// v / c.
-double doppler_shift(double frequency, double closing_speed, double sound_speed);
 
 /// True above the 1 MHz to which Francois & Garrison fitted their data.
 constexpr bool absorption_is_extrapolated(double frequency) { return frequency > 1e6; }

@@ -133,7 +133,7 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     apply_overrides(root, set_arguments, problems);
     const Section top(&root, "",
                       {"scene", "seed", "water", "vehicle", "objects", "animations", "clock", "render",
-                       "effects", "peers", "devices", "faults", "control"},
+                       "effects", "peers", "devices", "faults", "control", "sweep"},
                       problems);
     if (!root.is_map() && root.kind != Value::Kind::null) problems.throw_if_any();
     Scenario scenario;
@@ -146,9 +146,10 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     read_clock(top, scenario, problems);
     scenario.render = read_render(top, problems);
     read_effects(top.get("effects"), scenario.render, problems);
-    const Section water(top.get("water"), "water",
-                        {"temperature", "salinity", "ph", "depth", "sound_speed", "profile", "surface"},
-                        problems);
+    const Section water(
+        top.get("water"), "water",
+        {"temperature", "salinity", "ph", "depth", "sound_speed", "profile", "scattering", "surface"},
+        problems);
     scenario.render.surface = read_surface(water, problems);
     const double surface = scenario.render.surface.value_or(WaterSurface{}).height;
     scenario.water = read_water(water, scenario.world_from_body.position.z, surface, problems);

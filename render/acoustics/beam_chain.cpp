@@ -53,6 +53,7 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
     upright.horizontal = shot.vertical;
     if (pulse) {
         power = power_filter(shape, bin_length);
+        power_gain = shape.energy_until(shape.end()) / bin_length;
         bins_per_look = static_cast<std::size_t>(std::max(1.0, std::round(shape.length() / bin_length)));
         if (speckle) echo = scatter_of(echo_correlation(shot, sound_speed), rule, bin_length);
         if (noise_power > 0) noise = scatter_of(noise_correlation(shot, sound_speed), rule, bin_length);
@@ -86,7 +87,7 @@ void BeamChain::start(const ChainPlan& plan, const ChainPing& ping) {
 }
 
 void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::span<const float> means,
-                    std::span<float> values) {
+                    const FreshPower& fresh, std::span<float> values) {
     const ChainPlan& plan = *plan_;
     if (plan.leans())
         std::copy_n(means.begin() + static_cast<std::ptrdiff_t>(beam * plan.bins), plan.bins, values.begin());
@@ -95,6 +96,7 @@ void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::sp
     const double place = plan.grid.place_of(ping_.view.turn() + ping_.pan + ping_.bearings[beam]);
     if (plan.speckle) {
         const float* echo = speckle_of(beam, place, means);
+        if (!fresh.steps.empty()) renew_speckle(beam, fresh, values);
         if (plan.textured()) {
             hear(texture, place, {0, plan.bins});
             kernels::multiply_by_law(plan.texture.root.data(), fields_[texture].heard.data(), plan.bins,

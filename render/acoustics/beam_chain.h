@@ -47,6 +47,7 @@ struct ChainPlan {
     AngularGrid grid;
     Lean lean;  ///< of the speckle's cells
     LineFilter power;
+    double power_gain = 1;  ///< of the pulse, where power is the same in all bins
     Scatter echo, noise;
     double noise_power = 0;    ///< uPa^2, the converters' steps among it; 0: none
     bool shares_noise = true;  ///< beams lie so near to each other that their noise is in part the same
@@ -85,11 +86,11 @@ class BeamChain {
     /// In place, one beam's bins. `points`: those of this beam. `means`: spread() of all beams, where the
     /// plan's speckle leans; else not read.
     void run(std::size_t beam, std::span<const PointEcho> points, std::span<const float> means,
-             std::span<float> values);
+             const FreshPower& fresh, std::span<float> values);
 
   private:
     /// What random numbers are for.
-    enum Kind : std::uint32_t { speckle, noise, texture, point_phase, noise_phase };
+    enum Kind : std::uint32_t { speckle, noise, texture, point_phase, noise_phase, fresh_speckle, kinds };
     /// Normal numbers of one angular cell, over the bins.
     struct Field {
         std::uint32_t cell = ~0U;
@@ -116,6 +117,7 @@ class BeamChain {
     void hear(Kind kind, double place, Part part);
     void hear_leaning(double place, Part part);
     const float* speckle_of(std::size_t beam, double place, std::span<const float> means);
+    void renew_speckle(std::size_t beam, const FreshPower& fresh, std::span<const float> values);
     const float* noise_of(std::size_t beam);
     void steady_in_noise(std::size_t beam, std::span<float> values);
     bool add_points(std::span<const PointEcho> points);
@@ -125,11 +127,11 @@ class BeamChain {
 
     const ChainPlan* plan_ = nullptr;
     ChainPing ping_;
-    std::array<Fields, 3> fields_;  ///< speckle, noise, texture
-    std::array<RowFields, 3> of_rows_;
+    std::array<Fields, kinds> fields_;
+    std::array<RowFields, kinds> of_rows_;
     std::uint64_t uses_ = 0;
     std::vector<float> points_real_, points_imaginary_;  ///< amplitude of the point echoes, sqrt(uPa^2)
-    std::vector<float> places_, energy_, cosines_, padded_, white_, next_white_, scratch_;
+    std::vector<float> places_, energy_, cosines_, padded_, white_, next_white_, scratch_, fresh_;
 };
 
 }  // namespace echoloop

@@ -62,7 +62,7 @@ void BeamChain::fill_from(const View& view, std::uint64_t key, Kind kind, std::u
     const std::size_t before = filters ? filter.before() : 0, count = before + plan_->bins;
     padded_.resize(filters ? filter.room(plan_->bins) : count);
     out.resize(plan_->bins);
-    if (kind == noise) {
+    if (kind == noise || kind == fresh_speckle) {
         white_.resize(normals_room(count));
         const std::size_t at = normals({key, ping_.ping, cell, kind}, 0, count, white_.data());
         std::copy_n(white_.data() + at, count, padded_.data());
@@ -150,6 +150,21 @@ const float* BeamChain::speckle_of(std::size_t beam, double place, std::span<con
             hear(speckle, place, part);
     }
     return fields_[speckle].heard.data();
+}
+
+/// What floats in the water is elsewhere at every ping: the numbers of that share of the echo are new.
+void BeamChain::renew_speckle(std::size_t beam, const FreshPower& fresh, std::span<const float> values) {
+    constexpr float least = 0.05F;  // of all power; what is less is not seen to stay
+    const std::size_t bins = plan_->bins;
+    fresh_.resize(fresh.steps.size() * fresh.bins_per_step);
+    for (std::size_t k = 0; k < fresh.steps.size(); ++k)
+        std::fill_n(&fresh_[k * fresh.bins_per_step], fresh.bins_per_step,
+                    static_cast<float>(plan_->power_gain) * fresh.steps[k]);
+    if (!kernels::is_part(fresh_.data(), values.data(), least, static_cast<float>(plan_->noise_power), bins))
+        return;
+    hear(fresh_speckle, plan_->grid.place_of(ping_.bearings[beam]), {0, bins});
+    kernels::renew(fresh_.data(), values.data(), fields_[fresh_speckle].heard.data(), bins,
+                   fields_[speckle].heard.data());
 }
 
 /// Noise knows no world: its cells turn with the sonar.

@@ -31,6 +31,11 @@ std::span<const PointEcho> points_of(std::span<const PointEcho> sorted, std::siz
     return {first, last};
 }
 
+FreshPower fresh_of(const FreshPower& all, std::size_t beam, std::size_t beams) {
+    const std::size_t count = all.steps.size() / beams;
+    return {all.steps.subspan(beam * count, count), all.bins_per_step};
+}
+
 }  // namespace
 
 class AcousticChain::Impl {
@@ -38,7 +43,7 @@ class AcousticChain::Impl {
     Impl(Effects effects, SpeckleOptions speckle) : effects_(effects), speckle_(speckle) {}
 
     double apply(const Shot& shot, const Pose& pose, double sound_speed, std::span<const PointEcho> points,
-                 std::span<float> values, const RowShares* rows) {
+                 std::span<float> values, FreshPower fresh, const RowShares* rows) {
         const ChainPlan& plan = plan_for(shot, sound_speed);
         const ChainPing ping{shot.random_key,
                              shot.ping,
@@ -68,7 +73,7 @@ class AcousticChain::Impl {
             });
         }
         each([&](BeamChain& chain, std::size_t beam, std::span<float> bins) {
-            chain.run(beam, points_of(points_, beam), means_, bins);
+            chain.run(beam, points_of(points_, beam), means_, fresh_of(fresh, beam, beams), bins);
         });
         return plan.noise_power * plan.noise.law.mean;
     }
@@ -124,9 +129,9 @@ AcousticChain::~AcousticChain() = default;
 AcousticChain::AcousticChain(AcousticChain&&) noexcept = default;
 
 double AcousticChain::apply(const Shot& shot, const Pose& world_from_sonar, double sound_speed,
-                            std::span<const PointEcho> points, std::span<float> values,
+                            std::span<const PointEcho> points, std::span<float> values, FreshPower fresh,
                             const RowShares* rows) {
-    return impl_->apply(shot, world_from_sonar, sound_speed, points, values, rows);
+    return impl_->apply(shot, world_from_sonar, sound_speed, points, values, fresh, rows);
 }
 
 }  // namespace echoloop

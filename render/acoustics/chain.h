@@ -23,6 +23,13 @@ struct PointEcho {
     double phase = 0;  ///< rad
 };
 
+/// Of the mean echo power, what comes from scatterers that are others at every ping: what floats in the
+/// water, waves.
+struct FreshPower {
+    std::span<const float> steps;   ///< beams x steps of range, uPa^2 in a bin; empty: none
+    std::size_t bins_per_step = 1;  ///< the last step may reach beyond the last bin
+};
+
 /// Scintillation of the speckle: K distribution with shape nu, var(I)/mean(I)^2 = 1 + 2/nu; infinite: fully
 /// developed.
 struct SpeckleOptions {
@@ -57,9 +64,10 @@ class AcousticChain {
     /// length c tau / 2 (CW) or c / (2 B) (chirp), whatever the bin size; off: left as it is. A CW echo
     /// begins at its range, a compressed chirp lies around it (see PulseShape). Speckle's random numbers are
     /// a function of shot.random_key and of the pose: the same view gives the same speckle, one moved a
-    /// little nearly the same (see View). Noise is keyed by shot.ping as well.
+    /// little nearly the same (see View). Noise, and speckle of `fresh`, are keyed by shot.ping as well.
     double apply(const Shot& shot, const Pose& world_from_sonar, double sound_speed,
-                 std::span<const PointEcho> points, std::span<float> values, const RowShares* rows = nullptr);
+                 std::span<const PointEcho> points, std::span<float> values, FreshPower fresh = {},
+                 const RowShares* rows = nullptr);
 
   private:
     class Impl;

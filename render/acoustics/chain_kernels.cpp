@@ -118,6 +118,21 @@ ECHOLOOP_SIMD bool differ(const float* a, const float* b, float ratio, float lea
     return more != 0;
 }
 
+ECHOLOOP_SIMD bool is_part(const float* part, const float* power, float least, float noise,
+                           std::size_t count) {
+    int more = 0;
+    for (std::size_t i = 0; i < count; ++i) more |= static_cast<int>(part[i] > least * (power[i] + noise));
+    return more != 0;
+}
+
+ECHOLOOP_SIMD void renew(const float* fresh, const float* power, const float* z_fresh, std::size_t count,
+                         float* z) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float share = std::max(1 - fresh[i] / (power[i] + smallest), 0.0F);
+        z[i] = share * z[i] + std::sqrt(std::max(1 - share * share, 0.0F)) * z_fresh[i];
+    }
+}
+
 ECHOLOOP_SIMD void add_log_ratio(float scale, const float* a, const float* b, std::size_t count, float* out) {
     constexpr float nothing = 1e-12F;
     for (std::size_t i = 0; i < count; ++i)

@@ -41,6 +41,11 @@ void hear_cell(CellWeights weights, const float* field, std::size_t count, float
 void even_out(const float* energy, std::size_t count, float* out);
 /// Whether one of two powers is anywhere more than `ratio` times the other and `least`.
 bool differ(const float* a, const float* b, float ratio, float least, std::size_t count);
+/// Whether a part of the power is anywhere more than `least` times the power and the noise.
+bool is_part(const float* part, const float* power, float least, float noise, std::size_t count);
+/// Normal numbers z of echoes of which the part `fresh` of the power has numbers of its own: with the rest's
+/// share s, z = s z + sqrt(1 - s^2) z_fresh, as for two interfering fields.
+void renew(const float* fresh, const float* power, const float* z_fresh, std::size_t count, float* z);
 /// out += scale ln(a / b); powers below 1e-12 uPa^2 count as that.
 void add_log_ratio(float scale, const float* a, const float* b, std::size_t count, float* out);
 /// Brings what is beyond +-most back to it.

@@ -28,14 +28,16 @@ RowShares shares_of(const Shot& grid, std::size_t row) {
 
 }  // namespace
 
-void apply_to_rows(AcousticChain& chain, std::vector<PointEcho> points, Echogram& echogram) {
+void apply_to_rows(AcousticChain& chain, std::vector<PointEcho> points, Echogram& echogram,
+                   FreshPower fresh) {
     const Shot& grid = echogram.shot;
     if (grid.elevations.empty()) {
-        echogram.noise_power =
-            chain.apply(grid, echogram.world_from_sonar, echogram.sound_speed, points, echogram.values);
+        echogram.noise_power = chain.apply(grid, echogram.world_from_sonar, echogram.sound_speed, points,
+                                           echogram.values, fresh);
         return;
     }
-    const std::size_t columns = grid.bearings.size(), size = columns * grid.bins;
+    const std::size_t columns = grid.bearings.size(), size = columns * grid.bins,
+                      fresh_size = fresh.steps.size() / grid.rows();
     std::ranges::stable_sort(points, {}, &PointEcho::beam);
     Shot row = grid;
     row.elevations.clear();
@@ -49,7 +51,8 @@ void apply_to_rows(AcousticChain& chain, std::vector<PointEcho> points, Echogram
         const RowShares shares = shares_of(grid, i);
         echogram.noise_power =
             chain.apply(row, echogram.world_from_sonar, echogram.sound_speed, {first, last},
-                        std::span(echogram.values).subspan(i * size, size), &shares);
+                        std::span(echogram.values).subspan(i * size, size),
+                        {fresh.steps.subspan(i * fresh_size, fresh_size), fresh.bins_per_step}, &shares);
         first = last;
     }
 }

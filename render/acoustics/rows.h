@@ -5,9 +5,9 @@
 
 namespace echoloop {
 
-/// As AcousticChain::apply() with the values of a ping; fills in the noise power too. Rows
-/// that share staves share random numbers, as beams of a row do. `points`: by number of beam within the ping,
-/// in any order.
-void apply_to_rows(AcousticChain& chain, std::vector<PointEcho> points, Echogram& echogram);
+/// As AcousticChain::apply() with the values of a ping; fills in the noise power too. Rows that share staves
+/// share random numbers, as beams of a row do. `points`: by number of beam within the ping, in any order.
+void apply_to_rows(AcousticChain& chain, std::vector<PointEcho> points, Echogram& echogram,
+                   FreshPower fresh = {});
 
 }  // namespace echoloop

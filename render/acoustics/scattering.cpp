@@ -62,4 +62,12 @@ StrengthTable::StrengthTable(const Material& material, double wavenumber) {
     values_[0] = curve.empty() || curve.front().grazing_deg > 0 ? 0 : values_[1];
 }
 
+StrengthTable::StrengthTable(const std::function<double(double cosine)>& strength) {
+    for (std::size_t i = 1; i <= cells; ++i) {
+        const double cosine = static_cast<double>(i) / cells;
+        values_[i] = static_cast<float>(strength(cosine) / cosine);
+    }
+    values_[0] = values_[1];
+}
+
 }  // namespace echoloop

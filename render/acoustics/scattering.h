@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 #include "render/scene/scene.h"
 
@@ -37,6 +38,9 @@ class StrengthTable {
     /// With the facets' lobe for a `wavenumber` in rad/m; 0: without. Throws std::invalid_argument for a
     /// curve whose angles do not ascend.
     explicit StrengthTable(const Material& material, double wavenumber = 0);
+
+    /// Of any law: `strength` is sigma over the cosine, which is above 0.
+    explicit StrengthTable(const std::function<double(double cosine)>& strength);
 
     /// `cosine`: 0..1.
     float at(float cosine) const {

@@ -13,6 +13,9 @@
 
 namespace echoloop {
 
+struct PingMotion;  // render/fan/ping_motion.h
+class Reverberation;
+
 struct BinningInput {
     const FanPlan& plan;
     std::span<const Pixel> pixels;                   ///< plan.image_lines x plan.samples
@@ -27,6 +30,11 @@ struct BinningInput {
     bool spreading = true;                   ///< R^-4
     std::span<const PathEcho> paths;         ///< echoes by other ways, added to the lines that they arrive on
     std::span<const std::uint8_t> wanted{};  ///< per surface index, for Amount::wanted_echo: not 0, it counts
+    const Reverberation* water = nullptr;    ///< null: it is silent
+    const PingMotion* motion = nullptr;      ///< null: all stands still
+    /// Echoes are multiplied by this power of their closing speed plus PingMotion::fastest, which is not
+    /// negative; only direct ones count then. 0: they are powers.
+    int moment = 0;
 };
 
 /// The sigmoid of Cerqueira et al. 2016, equation 1, with the constants of the authors' code.

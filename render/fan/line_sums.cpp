@@ -1,8 +1,10 @@
 #include "render/fan/line_sums.h"
 
 #include <cmath>
+#include <limits>
 
 #include "render/fan/far_lobes.h"
+#include "render/fan/ping_motion.h"
 
 namespace echoloop {
 namespace {
@@ -24,7 +26,8 @@ inline float strength_of(const BinningInput& in, float surface, float plane, flo
 
 template <Amount amount>
 inline bool counts(const BinningInput& in, float surface) {
-    if constexpr (amount == Amount::wanted_echo) return in.wanted[static_cast<std::size_t>(surface) - 1] != 0;
+    const auto index = static_cast<std::size_t>(surface) - 1;  // the water's surface has none
+    if constexpr (amount == Amount::wanted_echo) return index < in.wanted.size() && in.wanted[index] != 0;
     return true;
 }
 
@@ -53,11 +56,29 @@ class RangeScale {
     float start_, near_limit_;
 };
 
+constexpr float nowhere = std::numeric_limits<float>::infinity();
+
+/// Where the echo of the water's surface is added up in steps, too.
+struct SurfaceSteps {
+    float number = -1;  ///< as Pixel::surface; -1: nowhere
+    LineBins bins{};
+    float per_bin = 1;
+
+    void deposit(float near, float far, float value) { bins.deposit(near * per_bin, far * per_bin, value); }
+};
+
+SurfaceSteps surface_steps(const BinningInput& in, float* steps) {
+    if (steps == nullptr) return {};
+    const RangeSteps& of = in.water->steps();
+    return {in.water->surface_number(), LineBins(steps + of.count, of.count),
+            1 / static_cast<float>(of.bins)};
+}
+
 /// `weight`: of each sample. Along a plane seen at grazing incidence the solid angle of a slice of range
 /// falls as R^-2, cos(i) as R^-1.
 template <Amount amount>
 void add_level(const BinningInput& in, const BinGain& gain, const LineReader& reader, const float* weight,
-               LineBins& bins) {
+               LineBins& bins, SurfaceSteps steps) {
     LineBins local = bins;  // its limits stay in registers
     const RangeScale scale(in, gain);
     const PixelRow& row = reader.row();
@@ -70,8 +91,27 @@ void add_level(const BinningInput& in, const BinGain& gain, const LineReader& re
         if (is_echo(amount)) value *= scale.correction(range, length);
         const float steepest = 1.8F / length;  // beyond, the density at the far end would be negative
         local.deposit(near, far, value, std::max(-3 / (range * scale.per_metre), -steepest));
+        if (surface == steps.number) steps.deposit(near, far, value);
     }
     bins = local;
+}
+
+/// What of a line is still under way.
+void add_volume(const BinningInput& in, const View& view, std::size_t line, const float* weight,
+                LineReader& reader, float* steps) {
+    const Reverberation& water = *in.water;
+    const PixelRow& row = reader.row();
+    UnderWay& under_way = reader.under_way;
+    under_way.reset(water);
+    const auto rise = water.rise(view, view.x(static_cast<double>(line) + 0.5 + in.offset.level.line));
+    const auto top = static_cast<float>(view.y(0.5 + in.offset.level.sample)),
+               step = static_cast<float>(view.sample_height());
+    for (std::size_t i = 0; i < view.samples; ++i) {
+        if (!(weight[i] > 0)) continue;
+        const float end = row.surface()[i] != 0 ? water.place(row.range()[i]) : nowhere;
+        under_way.add(end, water.by_depth() ? rise.at(top - static_cast<float>(i) * step) : 0, weight[i]);
+    }
+    under_way.scatter(water, steps);
 }
 
 /// What a single beam hears of each sample, at the direction where it was taken: a line aperture tells
@@ -94,115 +134,173 @@ void weigh_beside(const BinningInput& in, const View& view, std::size_t line, co
 
 }  // namespace
 
-void LineSums::resize(std::size_t lines, std::size_t sectors, std::size_t bins) {
-    if (bins == bins_ && lines == lines_.size() && sectors == sectors_.size()) {
+void LineSums::resize(std::size_t lines, std::size_t sectors, std::size_t bins, std::size_t steps) {
+    if (bins == bins_ && steps == steps_ && lines == lines_.size() && sectors == sectors_.size()) {
         for (auto* rows : {&lines_, &sectors_})
             for (LineBins& row : *rows) row.clear();
+        for (std::size_t i = 0; steps > 0 && i < lines + sectors; ++i)
+            std::fill_n(line_steps(i), 2 * steps, 0.0F);
         return;
     }
-    bins_ = bins;
-    values_.assign((lines + sectors) * bins, 0.0F);
+    bins_ = bins, steps_ = steps;
+    values_.assign((lines + sectors) * stride(), 0.0F);
     lines_.clear(), sectors_.clear();
-    for (std::size_t i = 0; i < lines; ++i) lines_.emplace_back(&values_[i * bins], bins);
-    for (std::size_t i = 0; i < sectors; ++i) sectors_.emplace_back(&values_[(lines + i) * bins], bins);
+    for (std::size_t i = 0; i < lines; ++i) lines_.emplace_back(&values_[i * stride()], bins);
+    for (std::size_t i = 0; i < sectors; ++i) sectors_.emplace_back(&values_[(lines + i) * stride()], bins);
 }
 
 void LineReader::read_alone(const BinningInput& in, const View& view, std::size_t line) {
     restart();
-    rows_[1].load(&in.pixels[(view.first_line + line) * in.plan.samples], view.samples, end_of(in));
+    load(rows_[1], in, view, line);
+}
+
+void LineReader::load(PixelRow& row, const BinningInput& in, const View& view, std::size_t line) const {
+    PlaneOfLine plane;
+    const bool has_plane = in.water != nullptr && in.water->find_plane(view, line, in.offset.of(view), plane);
+    row.load(&in.pixels[(view.first_line + line) * in.plan.samples], view.samples, end_of(in),
+             has_plane ? &plane : nullptr);
 }
 
 void LineReader::read(const BinningInput& in, const View& view, std::size_t line) {
-    const std::size_t stride = in.plan.samples, number = view.first_line + line;
-    const Pixel* pixels = &in.pixels[number * stride];
-    const float end = end_of(in);
+    const std::size_t number = view.first_line + line;
     const bool first = line == 0, last = line + 1 == view.lines;
     if (next_ == number) {
         std::swap(rows_[0], rows_[1]);
         std::swap(rows_[1], rows_[2]);
     } else {
-        if (!first) rows_[0].load(pixels - stride, view.samples, end);
-        rows_[1].load(pixels, view.samples, end);
+        if (!first) load(rows_[0], in, view, line - 1);
+        load(rows_[1], in, view, line);
     }
-    if (!last) rows_[2].load(pixels + stride, view.samples, end);
+    if (!last) load(rows_[2], in, view, line + 1);
     next_ = last ? no_line : number + 1;
     first_ = first, last_ = last;
 }
 
+namespace {
+
+/// Shifts the extents of the row that was read, and returns its weights, times the closing speeds that are
+/// asked for.
+const float* apply_motion(const BinningInput& in, const View& view, std::size_t line, const float* weight,
+                          LineReader& reader) {
+    const PingMotion& motion = *in.motion;
+    if (!motion.shifts && in.moment == 0) return weight;
+    find_closing(motion, view, in.offset.of(view), line, reader.row().surface(), reader.closing);
+    if (motion.shifts) {
+        shift_ranges(motion, reader.closing, reader.extents.near);
+        shift_ranges(motion, reader.closing, reader.extents.far);
+    }
+    if (in.moment == 0) return weight;
+    reader.weights.resize(view.samples);
+    for (std::size_t i = 0; i < view.samples; ++i) {
+        const float speed = reader.closing[i] + static_cast<float>(motion.fastest);
+        reader.weights[i] = weight[i] * (in.moment == 1 ? speed : speed * speed);
+    }
+    return reader.weights.data();
+}
+
+}  // namespace
+
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
-                    std::size_t line, LineReader& reader, LineBins& bins) {
+                    std::size_t line, LineReader& reader, LineBins& bins, float* steps) {
     reader.read_alone(in, view, line);
     const std::size_t first = view.first_pixel + line * view.samples;
     const float* weight = is_echo(amount) ? &in.plan.weight[first] : &in.plan.coverage[first];
+    const float* plain = weight;
     if (is_echo(amount) && !in.plan.beside.empty()) {
-        weigh_beside(in, view, line, weight, reader.weights);
+        weigh_beside(in, view, line, plain, reader.weights);
+        weight = reader.weights.data();
+    }
+    if (steps != nullptr) add_volume(in, view, line, weight, reader, steps);
+    if (is_echo(amount) && in.motion != nullptr && in.motion->turning != Vec3{} &&
+        (!in.plan.beside.empty() || !in.motion->upwards.empty())) {
+        weigh_turned(in.plan, *in.motion, view, in.offset.level, line, reader.row().range(),
+                     reader.row().surface(), plain, reader.weights);
         weight = reader.weights.data();
     }
     find_spreads(reader.row(), view, static_cast<float>(in.bin_length), end_of(in), reader.extents);
+    if (in.motion != nullptr) weight = apply_motion(in, view, line, weight, reader);
+    const SurfaceSteps water = surface_steps(in, steps);
     switch (amount) {
         case Amount::echo:
-            return add_level<Amount::echo>(in, gain, reader, weight, bins);
+            return add_level<Amount::echo>(in, gain, reader, weight, bins, water);
         case Amount::wanted_echo:
-            return add_level<Amount::wanted_echo>(in, gain, reader, weight, bins);
+            return add_level<Amount::wanted_echo>(in, gain, reader, weight, bins, water);
         case Amount::paper_echo:
-            return add_level<Amount::paper_echo>(in, gain, reader, weight, bins);
+            return add_level<Amount::paper_echo>(in, gain, reader, weight, bins, water);
         case Amount::paper_share:
-            return add_level<Amount::paper_share>(in, gain, reader, weight, bins);
+            return add_level<Amount::paper_share>(in, gain, reader, weight, bins, water);
     }
 }
 
 namespace {
 
-/// Adds the echo of a surround pixel to the sectors on both sides of where it was sampled.
+/// Shares the echo of a surround pixel out to the sectors on both sides of where it was sampled.
 class SectorSums {
   public:
-    SectorSums(const FanPlan& plan, PixelOffset offset, LineSums& sums)
-        : plan_(plan),
-          sums_(sums),
-          line_(static_cast<float>(offset.line)),
-          sample_(static_cast<float>(offset.sample)) {}
+    SectorSums(const FanPlan& plan, PixelOffset offset)
+        : plan_(plan), line_(static_cast<float>(offset.line)), sample_(static_cast<float>(offset.sample)) {}
 
-    void add(const SurroundPixel& pixel, float near, float far, float strength) {
+    /// Calls add(sector, value) for each that hears of it.
+    template <typename Add>
+    void share(const SurroundPixel& pixel, float strength, const Add& add) const {
         const float beside = strength * pixel.beside.at(line_, sample_);
         const float off_plane = strength * pixel.off_plane.at(line_, sample_);
-        if (plan_.beams.size() == 1) return sums_.sector(0).deposit(near, far, beside + off_plane);
+        if (plan_.beams.size() == 1) return add(0, beside + off_plane);
         const auto place = static_cast<double>(pixel.sector.at(line_, sample_));
-        if (beside > 0) add(sector_at_place(plan_, SectorKind::beside, place), near, far, beside);
-        if (off_plane > 0) add(sector_at_place(plan_, SectorKind::off_plane, place), near, far, off_plane);
+        if (beside > 0) split(sector_at_place(plan_, SectorKind::beside, place), beside, add);
+        if (off_plane > 0) split(sector_at_place(plan_, SectorKind::off_plane, place), off_plane, add);
     }
 
   private:
-    void add(SectorShare to, float near, float far, float value) {
-        if (to.next < 1) sums_.sector(to.sector).deposit(near, far, value * (1 - to.next));
-        if (to.next > 0) sums_.sector(to.sector + 1U).deposit(near, far, value * to.next);
+    template <typename Add>
+    static void split(SectorShare to, float value, const Add& add) {
+        if (to.next < 1) add(to.sector, value * (1 - to.next));
+        if (to.next > 0) add(to.sector + 1U, value * to.next);
     }
 
     const FanPlan& plan_;
-    LineSums& sums_;
     const float line_, sample_;
 };
 
 }  // namespace
 
 void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wanted, const View& view,
-                       std::size_t line, LineReader& reader, LineSums& sums) {
+                       std::size_t line, LineReader& reader, LineSums& sums, std::span<UnderWay> under_way) {
     reader.read_alone(in, view, line);
     find_extents(reader.row(), view, reader.extents);
     const PixelRow& row = reader.row();
     const RangeScale scale(in, gain);
-    SectorSums sectors(in.plan, in.offset.surround, sums);
+    const SectorSums sectors(in.plan, in.offset.surround);
     const std::size_t first = view.first_pixel + line * view.samples;
     const SurroundPixel* pixels = &in.plan.surround[first - in.plan.first_surround_pixel];
     const float* weight = &in.plan.weight[first];
+    const bool moves = in.motion != nullptr;
+    if (moves)
+        reader.weights.assign(view.samples, 1.0F),
+            apply_motion(in, view, line, reader.weights.data(), reader);
+    const auto top = static_cast<float>(view.y(0.5 + in.offset.surround.sample)),
+               step = static_cast<float>(view.sample_height());
+    const double x = view.x(static_cast<double>(line) + 0.5 + in.offset.surround.line);
+    const float water_surface = under_way.empty() ? -1 : in.water->surface_number();
+    const auto rise = under_way.empty() ? Reverberation::Rise({}, 0) : in.water->rise(view, x);
     for (std::size_t i = 0; i < view.samples; ++i) {
         const SurroundPixel& pixel = pixels[i];
         const float surface = row.surface()[i], range = row.range()[i];
+        if (!under_way.empty() && weight[i] != 0) {
+            const float end = surface != 0 ? in.water->place(range) : nowhere;
+            const float sine = in.water->by_depth() ? rise.at(top - static_cast<float>(i) * step) : 0;
+            sectors.share(pixel, 1, [&](std::size_t s, float heard) { under_way[s].add(end, sine, heard); });
+        }
         if (surface == 0 || weight[i] == 0) continue;
         if (only_wanted && !counts<Amount::wanted_echo>(in, surface)) continue;
         const float near = scale.bin(reader.extents.near[i]), far = scale.bin(reader.extents.far[i]);
-        const float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
-                               scale.correction(range, far - near);
-        sectors.add(pixel, near, far, strength);
+        float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
+                         scale.correction(range, far - near);
+        if (moves) strength *= reader.weights[i];
+        sectors.share(pixel, strength, [&](std::size_t s, float value) {
+            sums.sector(s).deposit(near, far, value);
+            if (surface == water_surface) surface_steps(in, sums.sector_steps(s)).deposit(near, far, value);
+        });
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/fan/ping_motion.h"
 #include "render/fan/pixel_extents.h"
 
 namespace echoloop {
@@ -32,7 +33,9 @@ void for_each_echo(const BinningInput& in, const BinGain& gain, const LineReader
     for (std::size_t i = 0; i < samples; ++i) {
         if (surface[i] == 0 || weight[i] == 0) continue;
         if constexpr (amount == Amount::wanted_echo)
-            if (in.wanted[static_cast<std::size_t>(surface[i]) - 1] == 0) continue;
+            if (const auto index = static_cast<std::size_t>(surface[i]) - 1;
+                index >= in.wanted.size() || in.wanted[index] == 0)
+                continue;
         const float middle = extents.middle[i];
         const float near = near_edge[i] * per_metre - start, far = far_edge[i] * per_metre - start;
         float value = amount_of<amount>(in, row, i, middle, weight[i]);
@@ -55,8 +58,10 @@ void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, con
                        &in.plan.coverage[view.first_pixel + line * view.samples], in.offset.of(view),
                        view.samples, number >= in.plan.lines, extents);
     echoes.clear();
+    const float water = in.water != nullptr ? in.water->surface_number() : -1;
+    const float* surface = reader.row().surface();
     const auto list = [&](std::size_t i, float near, float far, float value, float slope) {
-        echoes.push_back({static_cast<std::uint32_t>(i), near, far, value, slope});
+        echoes.push_back({static_cast<std::uint32_t>(i), near, far, value, slope, surface[i] == water});
     };
     const std::size_t first = view.first_pixel + line * view.samples, count = view.samples;
     const float *weight = &in.plan.weight[first], *coverage = &in.plan.coverage[first];
@@ -69,6 +74,20 @@ void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, con
             return for_each_echo<Amount::paper_echo>(in, gain, reader, extents, coverage, count, list);
         case Amount::paper_share:
             return for_each_echo<Amount::paper_share>(in, gain, reader, extents, coverage, count, list);
+    }
+}
+
+void shift_echoes(const BinningInput& in, const View& view, std::size_t line, LineReader& reader,
+                  std::vector<PixelEcho>& echoes) {
+    if (!in.motion->shifts) return;
+    find_closing(*in.motion, view, in.offset.of(view), line, reader.row().surface(), reader.closing);
+    const auto first = static_cast<float>(in.first_range), length = static_cast<float>(in.bin_length),
+               slowness = static_cast<float>(in.motion->slowness),
+               sweep = static_cast<float>(in.motion->sweep);
+    for (PixelEcho& echo : echoes) {
+        const float range = first + 0.5F * (echo.near + echo.far) * length;
+        const float nearer = reader.closing[echo.sample] * (range * slowness + sweep) / length;
+        echo.near -= nearer, echo.far -= nearer;
     }
 }
 

@@ -24,6 +24,26 @@ void invert(const float* __restrict range, const float* __restrict surface, std:
     }
 }
 
+/// Pixels whose way to the plane is shorter than to what they show, or that show nothing, show the plane.
+ECHOLOOP_SIMD
+void show_plane(const PlaneOfLine plane, std::size_t count, float* __restrict range, float* __restrict cosine,
+                float* __restrict footprint, float* __restrict surface) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float y = plane.top - static_cast<float>(static_cast<int>(i)) * plane.sample_height;
+        const float rise = plane.upright + plane.per_sample * y, square = plane.x * plane.x + y * y + 1;
+        const float length = std::sqrt(square), way = plane.height * length / rise;
+        const bool met = (rise > 0) & (way < plane.farthest) & ((surface[i] == 0) | (way < range[i]));
+        const float along_sample = plane.usual_sample * way * std::abs(y / square - plane.per_sample / rise);
+        const float along_line = plane.usual_line * way * std::abs(plane.x / square - plane.per_line / rise);
+        const float size = std::min(std::max(along_line, along_sample), 0.5F * way);
+        const float size_and_way = along_sample >= along_line ? size : -size;
+        range[i] = met ? way : range[i];
+        cosine[i] = met ? std::min(rise / length, 1.0F) : cosine[i];
+        footprint[i] = met ? size_and_way : footprint[i];
+        surface[i] = met ? plane.number : surface[i];
+    }
+}
+
 }  // namespace
 
 /// Places are those of the arrays.
@@ -36,7 +56,7 @@ void PixelRow::go_on_beyond(float end, std::size_t missing, std::size_t nearest,
     cosine_[missing] = cosine_[nearest] / growth, footprint_[missing] = footprint_[nearest] * growth * growth;
 }
 
-void PixelRow::load(const Pixel* pixels, std::size_t count, float end) {
+void PixelRow::load(const Pixel* pixels, std::size_t count, float end, const PlaneOfLine* plane) {
     for (auto* row : {&range_, &cosine_, &footprint_, &surface_}) row->resize(count + 2);
     for (std::size_t i = 0; i < count; ++i) {
         range_[i + 1] = pixels[i].range;
@@ -44,8 +64,9 @@ void PixelRow::load(const Pixel* pixels, std::size_t count, float end) {
         footprint_[i + 1] = pixels[i].footprint;
         surface_[i + 1] = pixels[i].surface;
     }
+    if (plane != nullptr) show_plane(*plane, count, &range_[1], &cosine_[1], &footprint_[1], &surface_[1]);
     for (std::size_t i = 1; i <= count; ++i) {
-        if (pixels[i - 1].surface != 0) continue;
+        if (surface_[i] != 0) continue;
         if (i + 2 <= count && pixels[i].surface != 0) go_on_beyond(end, i, i + 1, i + 2);
         if (i > 2 && pixels[i - 2].surface != 0) go_on_beyond(end, i, i - 1, i - 2);
     }

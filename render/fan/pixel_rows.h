@@ -16,12 +16,26 @@ struct PixelArrays {
     const float *range, *cosine, *footprint, *surface, *inverse;
 };
 
+/// A level plane as the directions of one line meet it, the water's surface from below: at height / u, with u
+/// the part upwards of a direction of unit length. For a direction (1, x, y) of the image plane u is
+/// (upright + per_sample y) / |(1, x, y)|.
+struct PlaneOfLine {
+    float height;                         ///< m, of the plane over the eye
+    float upright, per_line, per_sample;  ///< the first at y = 0; what x and y add
+    float x;                              ///< of the line
+    float top, sample_height;             ///< y of the first sample, and how far the next is below it
+    float usual_line, usual_sample;       ///< size of a usual pixel on the image plane
+    float farthest;                       ///< m; beyond, nothing is drawn
+    float number;                         ///< as Pixel::surface
+};
+
 /// A line's pixels, one array per quantity, with a neighbour at both ends that goes on as the line does.
 class PixelRow {
   public:
     /// `end`: m, of the window. Nothing is drawn that lies beyond; a plane that only just reaches there goes
-    /// on by a pixel, so that it does not look like an outline.
-    void load(const Pixel* pixels, std::size_t count, float end);
+    /// on by a pixel, so that it does not look like an outline. `plane`: hides what lies beyond it; null:
+    /// none.
+    void load(const Pixel* pixels, std::size_t count, float end, const PlaneOfLine* plane = nullptr);
     const float* range() const { return range_.data() + 1; }
     const float* cosine() const { return cosine_.data() + 1; }
     const float* footprint() const { return footprint_.data() + 1; }

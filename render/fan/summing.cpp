@@ -53,19 +53,23 @@ class FanSumming final : public Summing {
         return std::make_shared<const FanPlan>(plan_fan(geometry, density));
     }
 
-    void sum(const BinningInput& in, std::vector<float>& values) override {
+    void sum(const BinningInput& in, std::vector<float>& values, std::vector<float>& fresh) override {
         const BinGain gain(in);
+        fresh.clear();
         if (in.rule == EchoRule::radiometric) {
             add_levels(in, gain, Amount::echo);
             add_surround(in, gain);
-            add_paths(in, gain);
-            beams_.sum(in.plan, in.offset.level, in.bins, sums_, gain.values(), workers_, values);
+            if (in.moment == 0) add_paths(in, gain);
+            if (in.water == nullptr) return beams_.sum(in, sums_, gain.values(), workers_, values);
+            const RangeSteps& steps = in.water->steps();
+            beams_.sum(in, sums_, with_steps(gain.values(), steps), workers_, rows_);
+            finish_reverberation(steps, in.bins, gain.values(), rows_, values, fresh);
             return;
         }
         add_levels(in, gain, Amount::paper_share);
-        beams_.sum(in.plan, in.offset.level, in.bins, sums_, {}, workers_, shares_);
+        beams_.sum(in, sums_, {}, workers_, shares_);
         add_levels(in, gain, Amount::paper_echo);
-        beams_.sum(in.plan, in.offset.level, in.bins, sums_, {}, workers_, values);
+        beams_.sum(in, sums_, {}, workers_, values);
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
     }
@@ -90,7 +94,7 @@ class FanSumming final : public Summing {
             const View& view = view_with(in.plan, line);
             add_surround_line(in, gain, true, view, line - view.first_line, reader, sums_);
         }
-        beams_.sum(in.plan, in.offset.level, in.bins, sums_, gain.values(), workers_, wanted_);
+        beams_.sum(in, sums_, gain.values(), workers_, wanted_);
         everywhere_ = {0, wanted_.size()};
         return {wanted_, {&everywhere_, 1}};
     }
@@ -105,22 +109,33 @@ class FanSumming final : public Summing {
 
   private:
     void add_levels(const BinningInput& in, const BinGain& gain, Amount amount) {
-        sums_.resize(in.plan.lines, in.plan.far_lobes.sectors, in.bins);
+        sums_.resize(in.plan.lines, in.plan.far_lobes.sectors, in.bins,
+                     in.water != nullptr ? in.water->steps().count : 0);
         const auto pieces = cut(std::span(in.plan.views).first(in.plan.level_views));
         workers_.run(pieces.size(), [&](std::size_t i) {
             thread_local LineReader reader;
             reader.restart();
-            for (std::size_t line = pieces[i].first; line < pieces[i].last; ++line)
-                add_level_line(in, gain, amount, *pieces[i].view, line, reader,
-                               sums_.line(pieces[i].view->first_line + line));
+            for (std::size_t line = pieces[i].first; line < pieces[i].last; ++line) {
+                const std::size_t number = pieces[i].view->first_line + line;
+                add_level_line(in, gain, amount, *pieces[i].view, line, reader, sums_.line(number),
+                               sums_.steps() > 0 ? sums_.line_steps(number) : nullptr);
+            }
         });
     }
 
     void add_surround(const BinningInput& in, const BinGain& gain) {
         LineReader reader;
+        if (in.water != nullptr) {
+            under_way_.resize(in.plan.far_lobes.sectors);
+            for (UnderWay& sector : under_way_) sector.reset(*in.water);
+        }
+        const std::span<UnderWay> under_way =
+            in.water != nullptr ? std::span(under_way_) : std::span<UnderWay>();
         for (const View& view : in.plan.surround_views())
             for (std::size_t line = 0; line < view.lines; ++line)
-                add_surround_line(in, gain, false, view, line, reader, sums_);
+                add_surround_line(in, gain, false, view, line, reader, sums_, under_way);
+        for (std::size_t s = 0; s < under_way.size(); ++s)
+            under_way[s].scatter(*in.water, sums_.sector_steps(s));
     }
 
     /// Their power is complete, so the gain that the beams will get is taken out first.
@@ -150,7 +165,8 @@ class FanSumming final : public Summing {
     Workers& workers_;
     LineSums sums_;
     BeamSums beams_;
-    std::vector<float> shares_, wanted_;
+    std::vector<UnderWay> under_way_;  ///< of each sector
+    std::vector<float> shares_, wanted_, rows_;
     WantedPower::Stretch everywhere_{};
 };
 

@@ -33,8 +33,10 @@ class Summing {
     /// Fills `values` (beams x bins, beam-major). For EchoRule::radiometric the sum over pixels of
     /// SL S(i) w R^-2 exp(-4 a R), with w the solid angle times the pattern and S the backscattering strength
     /// over cos(i): mu cos(i) for Lambert. For EchoRule::cerqueira2016 the mean of cerqueira_sigmoid(cos(i)).
-    /// Power before the first or beyond the last bin is dropped, never wrapped or piled up.
-    virtual void sum(const BinningInput& in, std::vector<float>& values) = 0;
+    /// Power before the first or beyond the last bin is dropped, never wrapped or piled up. `fresh`: beams x
+    /// RangeSteps, what of it the water sends back, which is new at every ping: the mean power of a bin in
+    /// each step; nothing where in.water is null.
+    virtual void sum(const BinningInput& in, std::vector<float>& values, std::vector<float>& fresh) = 0;
 
     /// Sums in the same way, radiometrically, what the surfaces in `in.wanted` send straight back. `lines`:
     /// those of the image that show such a surface, ascending.

@@ -9,13 +9,20 @@
 
 namespace echoloop {
 
-/// The bins of every beam, all 0, in `values` (beams x bins).
-std::vector<LineBins> bins_of_beams(std::vector<float>& values, std::size_t beams, std::size_t bins);
+/// The bins of every beam, all 0, in `values` (beams x bins, or rows of `stride` that begin with the bins).
+std::vector<LineBins> bins_of_beams(std::vector<float>& values, std::size_t beams, std::size_t bins,
+                                    std::size_t stride = 0);
+
+/// What the main lobes hear of the water: of every beam what is under way, and steps of the surface's echo.
+struct WaterOfBeams {
+    std::vector<UnderWay> under_way;
+    std::vector<LineBins> surface;
+};
 
 /// Adds the field's pixels to the beams' bins, before the gain of the bins. In the order of the pixels and on
-/// one thread: many pixels share a beam.
-void add_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount,
-                    std::vector<LineBins>& beams);
+/// one thread: many pixels share a beam. `water`: added to where in.water is not null.
+void add_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount, std::vector<LineBins>& beams,
+                    WaterOfBeams* water = nullptr);
 /// The same with what the surfaces in `in.wanted` send back, in these lines of the image, ascending.
 void add_wanted(const BinningInput& in, const GridPlan& plan, std::span<const std::size_t> lines,
                 std::vector<LineBins>& beams);

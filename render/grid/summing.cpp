@@ -1,6 +1,8 @@
 #include "render/grid/summing.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "render/fan/far_lobes.h"
 #include "render/fan/pixel_echoes.h"
@@ -44,19 +46,14 @@ class GridSumming final : public Summing {
         return std::make_shared<const GridPlan>(plan_grid(geometry, density));
     }
 
-    void sum(const BinningInput& in, std::vector<float>& values) override {
+    void sum(const BinningInput& in, std::vector<float>& values, std::vector<float>& fresh) override {
         const GridPlan& plan = grid(in.plan);
+        fresh.clear();
         if (in.rule != EchoRule::radiometric) return mean(in, plan, values);
         const BinGain gain(in);
-        beams_ = bins_of_beams(values, plan.axes.size(), in.bins);
-        add_main_lobes(in, plan, Amount::echo, beams_);
-        add_arrivals(in, gain, arrivals_of(plan, in.paths));
-        if (plan.far.nodes > 0) {
-            far_.resize(plan.rows * sectors_per_array, plan.far.nodes * sectors_per_array, in.bins);
-            sum_far(plan);
-            add_surround(in, gain, plan);
-        }
-        finish(plan, in.bins, gain.values(), values);
+        if (in.water == nullptr) return sum_rows_of(in, gain, plan, gain.values(), values);
+        sum_rows_of(in, gain, plan, with_steps(gain.values(), in.water->steps()), rows_);
+        finish_reverberation(in.water->steps(), in.bins, gain.values(), rows_, values, fresh);
     }
 
     WantedPower sum_wanted(const BinningInput& in, std::span<const std::size_t> lines) override {
@@ -88,6 +85,47 @@ class GridSumming final : public Summing {
   private:
     static const GridPlan& grid(const FanPlan& plan) { return static_cast<const GridPlan&>(plan); }
 
+    /// `of_row`: the gain of the bins, and of the water's steps behind them.
+    void sum_rows_of(const BinningInput& in, const BinGain& gain, const GridPlan& plan,
+                     const std::vector<float>& of_row, std::vector<float>& rows) {
+        const std::size_t steps = in.water != nullptr ? in.water->steps().count : 0, stride = of_row.size();
+        beams_ = bins_of_beams(rows, plan.axes.size(), in.bins, stride);
+        if (in.water != nullptr) start_water(in, plan, stride, rows);
+        add_main_lobes(in, plan, Amount::echo, beams_, in.water != nullptr ? &water_ : nullptr);
+        if (in.water != nullptr) scatter_water(in, plan, stride, rows);
+        add_arrivals(in, gain, arrivals_of(plan, in.paths));
+        if (plan.far.nodes > 0) {
+            far_.resize(plan.rows * sectors_per_array, plan.far.nodes * sectors_per_array, in.bins, steps);
+            sum_far(plan, in.bins);
+            add_surround(in, gain, plan);
+        }
+        finish(plan, stride, of_row, rows);
+    }
+
+    void start_water(const BinningInput& in, const GridPlan& plan, std::size_t stride,
+                     std::vector<float>& rows) {
+        const std::size_t beams = plan.axes.size(), steps = in.water->steps().count;
+        water_.under_way.resize(beams), water_.surface.clear();
+        for (std::size_t beam = 0; beam < beams; ++beam) {
+            water_.under_way[beam].reset_alike(*in.water);
+            water_.surface.emplace_back(&rows[beam * stride + in.bins + steps], steps);
+        }
+    }
+
+    /// A beam hears the depths of its axis.
+    void scatter_water(const BinningInput& in, const GridPlan& plan, std::size_t stride,
+                       std::vector<float>& rows) {
+        const View level;
+        for (std::size_t beam = 0; beam < plan.axes.size(); ++beam) {
+            const double elevation = plan.geometry.elevations[beam / plan.columns],
+                         bearing = plan.geometry.bearings[beam % plan.columns];
+            const float rise = in.water->rise(level, std::tan(bearing))
+                                   .at(static_cast<float>(std::tan(elevation) / std::cos(bearing)));
+            water_.under_way[beam].scatter_alike(*in.water, in.water->cell_near(rise),
+                                                 &rows[beam * stride + in.bins]);
+        }
+    }
+
     /// An object fills few bins of a large grid, so only those are cleared.
     void clear_wanted(std::size_t beams, std::size_t bins) {
         if (wanted_beams_.size() == beams && wanted_.size() == beams * bins)
@@ -117,24 +155,32 @@ class GridSumming final : public Summing {
     }
 
     /// The field's echo as its rows and columns hear it.
-    void sum_far(const GridPlan& plan) {
+    void sum_far(const GridPlan& plan, std::size_t bins) {
         const GridFar& far = plan.far;
+        const std::size_t steps = 2 * far_.steps();
         for (std::size_t beam = 0; beam < beams_.size(); ++beam) {
             const LineBins& own = beams_[beam];
-            if (own.empty()) continue;
+            if (own.empty() && steps == 0) continue;
             const std::size_t row = beam / plan.columns;
             const float* values = own.values();
-            const auto add = [&](LineBins& sum, float share) {
-                if (share > 0) sum.add(values, share, own.begin(), own.end());
+            const auto add = [&](LineBins& sum, float* steps_of_sum, float share) {
+                if (share > 0 && !own.empty()) sum.add(values, share, own.begin(), own.end());
+                if (share > 0 && steps > 0) add_scaled(steps_of_sum, values + bins, share, steps);
+            };
+            const auto add_line = [&](std::size_t i, float share) {
+                add(far_.line(i), far_.line_steps(i), share);
+            };
+            const auto add_sector = [&](std::size_t i, float share) {
+                add(far_.sector(i), far_.sector_steps(i), share);
             };
             const Between across = far.across[beam], up = far.row_sector[row], node = far.node[beam];
             const float to_row = far.row_share[beam], to_column = far.column_share[beam];
-            add(far_.line(far.sum_beside(row, across.lower)), to_row * (1 - across.next));
-            add(far_.line(far.sum_beside(row, across.lower + 1U)), to_row * across.next);
+            add_line(far.sum_beside(row, across.lower), to_row * (1 - across.next));
+            add_line(far.sum_beside(row, across.lower + 1U), to_row * across.next);
             for (const auto& [n, share] :
                  {std::pair(node.lower + 0U, 1 - node.next), {node.lower + 1U, node.next}}) {
-                add(far_.sector(far.sum_above(n, up.lower, 0)), to_column * share * (1 - up.next));
-                add(far_.sector(far.sum_above(n, up.lower + 1U, 0)), to_column * share * up.next);
+                add_sector(far.sum_above(n, up.lower, 0), to_column * share * (1 - up.next));
+                add_sector(far.sum_above(n, up.lower + 1U, 0), to_column * share * up.next);
             }
         }
     }
@@ -144,18 +190,49 @@ class GridSumming final : public Summing {
         const std::size_t first = plan.other_views().front().first_pixel,
                           row_sums = plan.rows * sectors_per_array;
         LineReader reader;
+        if (in.water != nullptr) {
+            far_under_way_.resize(row_sums + plan.far.nodes * sectors_per_array);
+            for (UnderWay& sum : far_under_way_) sum.reset_alike(*in.water);
+        }
         for (const View& view : plan.other_views())
             for (std::size_t line = 0; line < view.lines; ++line) {
                 list_echoes(in, gain, Amount::echo, view, line, reader, echoes_);
+                if (in.motion != nullptr) shift_echoes(in, view, line, reader, echoes_);
+                const std::size_t line_first = view.first_pixel + line * view.samples - first;
                 for (const PixelEcho& echo : echoes_) {
-                    const std::size_t pixel = view.first_pixel + line * view.samples + echo.sample - first;
+                    const std::size_t pixel = line_first + echo.sample;
                     for (std::size_t i = plan.far.first[pixel]; i < plan.far.first[pixel + 1]; ++i) {
                         const auto [sum, share] = plan.far.shares[i];
                         LineBins& bins = sum < row_sums ? far_.line(sum) : far_.sector(sum - row_sums);
                         bins.deposit(echo.near, echo.far, echo.amount * share, echo.slope);
+                        if (echo.of_water) add_surface(in, echo, share, far_.line_steps(sum));
                     }
                 }
+                if (in.water != nullptr)
+                    add_under_way(in, plan, reader.row(), view.samples, line_first + first, line_first);
             }
+        for (std::size_t sum = 0; in.water != nullptr && sum < far_under_way_.size(); ++sum)
+            far_under_way_[sum].scatter_alike(*in.water, in.water->cell_near(0), far_.line_steps(sum));
+    }
+
+    static void add_surface(const BinningInput& in, const PixelEcho& echo, float share, float* steps) {
+        const RangeSteps& of = in.water->steps();
+        const float per_bin = 1 / static_cast<float>(of.bins);
+        LineBins(steps + of.count, of.count)
+            .deposit(echo.near * per_bin, echo.far * per_bin, echo.amount * share);
+    }
+
+    /// Side lobes hear the water as at the sonar's own depth.
+    void add_under_way(const BinningInput& in, const GridPlan& plan, const PixelRow& row, std::size_t samples,
+                       std::size_t first_weight, std::size_t first_pixel) {
+        constexpr float nowhere = std::numeric_limits<float>::infinity();
+        for (std::size_t s = 0; s < samples; ++s) {
+            const float end = row.surface()[s] != 0 ? in.water->place(row.range()[s]) : nowhere;
+            const float weight = plan.weight[first_weight + s];
+            for (std::size_t i = plan.far.first[first_pixel + s]; i < plan.far.first[first_pixel + s + 1];
+                 ++i)
+                far_under_way_[plan.far.shares[i].sum].add(end, weight * plan.far.shares[i].share);
+        }
     }
 
     /// Adds the side lobes, and brings every bin to its level.
@@ -178,6 +255,12 @@ class GridSumming final : public Summing {
                             far.beside[node * sectors_per_array + s]);
                     add_row(&nodes[node * bins], far_.sector(above), far_.sector_values(above),
                             far.above[row * sectors_per_array + s]);
+                    if (far_.steps() == 0) continue;
+                    const std::size_t steps = 2 * far_.steps(), behind = bins - steps;
+                    add_scaled(&nodes[node * bins + behind], far_.line_steps(beside),
+                               far.beside[node * sectors_per_array + s], steps);
+                    add_scaled(&nodes[node * bins + behind], far_.sector_steps(above),
+                               far.above[row * sectors_per_array + s], steps);
                 }
             for (std::size_t column = 0; column < plan.columns; ++column) {
                 const Between at = far.node[row * plan.columns + column];
@@ -190,9 +273,11 @@ class GridSumming final : public Summing {
 
     Workers& workers_;
     std::vector<LineBins> beams_, wanted_beams_;
-    LineSums far_;  ///< those of GridFar
+    LineSums far_;                         ///< those of GridFar, rows' sums as lines and columns' as sectors
+    WaterOfBeams water_;                   ///< of the main lobes
+    std::vector<UnderWay> far_under_way_;  ///< of the sums of far_
     std::vector<PixelEcho> echoes_;
-    std::vector<float> shares_, wanted_;
+    std::vector<float> shares_, wanted_, rows_;
     std::vector<WantedPower::Stretch> stretches_;
 };
 

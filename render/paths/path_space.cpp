@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/acoustics/sea_surface.h"
 #include "render/water.h"
 
 namespace echoloop {
@@ -23,7 +24,12 @@ std::optional<WaterSurface> PathSpace::surface_above(Vec3 point) const {
 }
 
 double PathSpace::surface_reflection(double sine_of_grazing) const {
-    return -coherent_loss(wavenumber_, surface_->roughness, sine_of_grazing);
+    return -coherent_loss(wavenumber_, surface_->roughness, sine_of_grazing) * bubble_loss(sine_of_grazing);
+}
+
+double PathSpace::bubble_loss(double sine_of_grazing) const {
+    if (!(surface_->wind > 0)) return 1;
+    return db_to_amplitude(-surface_bubble_loss_db(frequency_, surface_->wind, sine_of_grazing));
 }
 
 std::optional<Encounter> PathSpace::meet(Vec3 origin, Vec3 direction, double end) const {

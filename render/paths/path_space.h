@@ -39,6 +39,8 @@ class PathSpace {
     void place(std::span<const Pose> movers) { rays_.place(movers); }
     /// rad/m, of the pings to come.
     void set_wavenumber(double wavenumber) { wavenumber_ = wavenumber; }
+    /// Hz, of the pings to come.
+    void set_frequency(double frequency) { frequency_ = frequency; }
 
     /// The nearest of triangle and water's surface within `end` m; the surface is there from below only.
     std::optional<Encounter> meet(Vec3 origin, Vec3 direction, double end) const;
@@ -47,13 +49,15 @@ class PathSpace {
     /// Empty where there is none near, or `point` is not below it.
     std::optional<WaterSurface> surface_above(Vec3 point) const;
     double surface_reflection(double sine_of_grazing) const;
+    /// Amplitude that the bubbles below the surface leave of a mirrored wave.
+    double bubble_loss(double sine_of_grazing) const;
 
   private:
     std::shared_ptr<const Scene> scene_;
     std::optional<WaterSurface> surface_;
     RayScene rays_;
     std::vector<double> mu_;  ///< per material
-    double wavenumber_ = 0;
+    double wavenumber_ = 0, frequency_ = 0;
 };
 
 }  // namespace echoloop

@@ -16,6 +16,7 @@ class PathTracer::Impl {
     Impl(std::shared_ptr<const Scene> scene, std::optional<WaterSurface> surface, Effects effects)
         : scene_(std::move(scene)), surface_(surface), effects_(effects) {
         if (!scene_) throw std::invalid_argument("paths: there is no scene");
+        if (surface_ && !effects_.has(Effect::reverberation)) surface_->wind = 0;
     }
 
     void prepare() {
@@ -27,7 +28,7 @@ class PathTracer::Impl {
     bool needed() const { return multipath() || !scene_->point_targets().empty(); }
 
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
-               double end_range, PathEchoes& out, std::span<const Pose> movers) {
+               double end_range, PathEchoes& out, std::span<const Pose> movers, Vec3 turning) {
         if (!needed()) return;
         if (prepared_.valid()) prepared_.get();
         if (!space_) space_.emplace(scene_, surface_);
@@ -38,6 +39,7 @@ class PathTracer::Impl {
                           [&] { return std::pair(FanPattern(shot, effects_), std::size_t{1}); });
         const double wavenumber = 2 * std::numbers::pi * shot.frequency / sound_speed;
         space_->set_wavenumber(wavenumber);
+        space_->set_frequency(shot.frequency);
         const PathPing ping{shot,
                             *space_,
                             pattern,
@@ -49,7 +51,8 @@ class PathTracer::Impl {
                             effects_.has(Effect::spreading),
                             db_to_amplitude(shot.source_level),
                             range_resolution(shot, sound_speed),
-                            least_audible(shot)};
+                            least_audible(shot),
+                            2 / sound_speed * turning};
         find_target_echoes(ping, targets_, multipath(), out.targets);
         if (!multipath()) return;
         const auto faces = faces_ahead(ping, *mirrors_);
@@ -95,8 +98,8 @@ PathTracer::PathTracer(std::shared_ptr<const Scene> scene, std::optional<WaterSu
 PathTracer::~PathTracer() = default;
 
 void PathTracer::trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
-                       double end_range, PathEchoes& out, std::span<const Pose> movers) {
-    impl_->trace(shot, world_from_sonar, sound_speed, absorption, end_range, out, movers);
+                       double end_range, PathEchoes& out, std::span<const Pose> movers, Vec3 turning) {
+    impl_->trace(shot, world_from_sonar, sound_speed, absorption, end_range, out, movers, turning);
 }
 void PathTracer::prepare() { impl_->prepare(); }
 bool PathTracer::needed() const { return impl_->needed(); }

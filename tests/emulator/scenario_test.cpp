@@ -160,6 +160,30 @@ TEST(Effects, speckle_may_have_a_shape) {
     EXPECT_EQ(parse(smallest).render.speckle.shape, std::numeric_limits<double>::infinity());
 }
 
+TEST(WaterSection, says_what_floats_in_it) {
+    using Points = std::vector<ScatteringPoint>;
+    const auto of = [](const char* set) { return parse(smallest, {set}).water.scattering; };
+    EXPECT_EQ(of("water.scattering=clear"), parse(smallest).water.scattering);
+    EXPECT_EQ(of("water.scattering=none"), Points{});
+    EXPECT_EQ(of("water.scattering=-66.5"), (Points{{0, -66.5}}));
+    EXPECT_EQ(of("water.scattering=[[0, -50], [10, -70]]"), (Points{{0, -50}, {10, -70}}));
+    EXPECT_LT(of("water.scattering=clear")[0].strength, of("water.scattering=turbid")[0].strength);
+    EXPECT_THAT(refusal(smallest, {"water.scattering=murky"}),
+                HasSubstr("water.scattering: expected clear, coastal, turbid or none, or dB, as in -70"));
+    EXPECT_THAT(refusal(smallest, {"water.scattering=12"}), HasSubstr("-150 to 0 dB"));
+    EXPECT_THAT(refusal(smallest, {"water.scattering=[[5, -50], [2, -60]]"}), HasSubstr("sort the points"));
+}
+
+TEST(WaterSection, the_wind_makes_waves) {
+    const auto of = [](const char* set) { return *parse(smallest, {set}).render.surface; };
+    EXPECT_EQ(of("water.surface={wind: 5}").wind, 5);
+    EXPECT_NEAR(of("water.surface={wind: 5}").slope, 0.095, 0.001);
+    EXPECT_NEAR(of("water.surface={wind: 10}").roughness, 0.53, 0.01);
+    EXPECT_EQ(of("water.surface={wind: 10, roughness: 0.2}").roughness, 0.2);
+    EXPECT_EQ(of("water.surface={roughness: 0}").wind, 0) << "a mirror";
+    EXPECT_THAT(refusal(smallest, {"water.surface={wind: -1}"}), HasSubstr("0 to 40 m/s"));
+}
+
 TEST(WaterSection, has_a_profile_and_a_surface) {
     const auto layered = parse(smallest, {"water.profile=[[0, 1500], [20, 1490]]", "water.depth=10"});
     EXPECT_EQ(layered.water.profile, (std::vector<SoundSpeedPoint>{{0, 1500}, {20, 1490}}));

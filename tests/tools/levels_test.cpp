@@ -138,7 +138,7 @@ class InScene {
         if (words_ != nullptr)
             for (const auto& word : words_->words) bench_.say(word.bytes, word.port, {0x7F000001, 50000});
         if (words_ == nullptr && device_.model->requests != nullptr)
-            for (const Bytes& request : device_.model->requests(device_.config, false))
+            for (const Bytes& request : device_.model->requests(device_.config, 2, false))
                 if (!request.empty()) bench_.say(request, 0, {0x7F000001, 50000});
     }
     bool await_ping() {

@@ -40,15 +40,22 @@ void check_facets(Findings&);
 void check_room(Findings&);
 void check_images(Findings&);
 void check_second_bottom(Findings&);
+void check_volume(Findings&);
+void check_sea_surface(Findings&);
 void check_shared_staves(Findings&);
 void check_converter(Findings&);
 void check_stave_errors(Findings&);
 void check_moving_speckle(Findings&);
 void check_looks(Findings&);
 void check_range_texture(Findings&);
+void check_turn_in_flight(Findings&);
+void check_doppler(Findings&);
 void check_detection_noise(Findings&);
 void check_r2sonic(Findings&);
 void check_oculus(Findings&);
 void check_852(Findings&);
+void check_micron(Findings&);
+void check_ping360(Findings&);
+void check_sonar_3d(Findings&);
 
 }  // namespace echoloop::validation

@@ -1,0 +1,158 @@
+#include "render/fan/reverberation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/simd.h"
+
+namespace echoloop {
+namespace {
+
+constexpr std::size_t cells_of_depths = 33;
+
+/// Sv as a ratio, m^-1, at a depth.
+double scattering_at(std::span<const ScatteringPoint> points, double depth) {
+    const auto after = std::ranges::upper_bound(points, depth, {}, &ScatteringPoint::depth);
+    if (after == points.begin()) return db_to_power(points.front().strength);
+    if (after == points.end()) return db_to_power(points.back().strength);
+    const ScatteringPoint &a = *(after - 1), &b = *after;
+    const double share = (depth - a.depth) / (b.depth - a.depth);
+    return db_to_power(a.strength + share * (b.strength - a.strength));
+}
+
+/// Of one step: levels at its beginning, middle and end. `half`: place of its first bin's middle.
+ECHOLOOP_SIMD
+void add_floating(const std::array<float, 3> level, float half, float per_step, std::size_t count,
+                  const float* __restrict from, const float* __restrict gain, float* __restrict to) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float at = half + static_cast<float>(static_cast<int>(i)) * per_step;
+        const float before = level[0] + (level[1] - level[0]) * (2 * at),
+                    after = level[1] + (level[2] - level[1]) * (2 * at - 1);
+        to[i] = from[i] + (at < 0.5F ? before : after) * gain[i];
+    }
+}
+
+}  // namespace
+
+RangeSteps RangeSteps::of(std::size_t bins) {
+    const std::size_t each = (bins + usual - 1) / usual;
+    return {(bins + each - 1) / each, each};
+}
+
+Reverberation::Reverberation(const WaterAround& around, double first_range, double bin_length,
+                             std::size_t bins)
+    : around_(around), steps_(RangeSteps::of(bins)) {
+    const double step = bin_length * static_cast<double>(steps_.bins);
+    per_metre_ = static_cast<float>(1 / step), start_ = static_cast<float>(first_range / step);
+    end_ = first_range + bin_length * static_cast<double>(bins);
+    const auto points = around.scattering;
+    const bool varies = std::ranges::any_of(
+        points, [&](const ScatteringPoint& point) { return point.strength != points.front().strength; });
+    if (varies) cells_ = cells_of_depths;
+    for (std::size_t cell = 0; cell < cells_; ++cell)
+        for (std::size_t k = 0; k < steps_.count; ++k) {
+            const double range = first_range + (static_cast<double>(k) + 0.5) * step;
+            const double sine =
+                cells_ > 1 ? 2 * static_cast<double>(cell) / static_cast<double>(cells_ - 1) - 1 : 0;
+            strengths_.push_back(static_cast<float>(
+                points.empty() ? 0 : bin_length * scattering_at(points, around.depth - sine * range)));
+        }
+}
+
+std::size_t Reverberation::cell_near(double sine) const {
+    return static_cast<std::size_t>(
+        std::lround(std::clamp((sine + 1) / 2, 0.0, 1.0) * static_cast<double>(cells_ - 1)));
+}
+
+Reverberation::Rise Reverberation::rise(const View& view, double x) const {
+    return {rotate(conjugate(view.fan_from_view()), around_.up), x};
+}
+
+bool Reverberation::find_plane(const View& view, std::size_t line, PixelOffset offset,
+                               PlaneOfLine& plane) const {
+    if (!(around_.surface < end_)) return false;
+    const Vec3 up = rotate(conjugate(view.fan_from_view()), around_.up);
+    const double x = view.x(static_cast<double>(line) + 0.5 + offset.line), upright = up.x - x * up.y;
+    const double least = std::min(view.bottom, view.top) - view.sample_height();
+    const double most = std::max(view.bottom, view.top) + view.sample_height();
+    if (!(std::max(upright + up.z * least, upright + up.z * most) > 0)) return false;
+    const auto f = [](double value) { return static_cast<float>(value); };
+    plane = {f(around_.surface),
+             f(upright),
+             f(-up.y),
+             f(up.z),
+             f(x),
+             f(view.y(0.5 + offset.sample)),
+             f(view.sample_height()),
+             f(view.usual_width * view.line_width()),
+             f(view.usual_height * view.sample_height()),
+             f(2 * end_),
+             around_.surface_number};
+    return true;
+}
+
+void UnderWay::reset(const Reverberation& water) {
+    cells_ = water.cells(), row_ = water.steps().count + 2;
+    met_.assign(cells_ * row_, 0.0F);
+}
+
+void UnderWay::reset_alike(const Reverberation& water) {
+    cells_ = 1, row_ = water.steps().count + 2;
+    met_.assign(row_, 0.0F);
+}
+
+void UnderWay::scatter(const Reverberation& water, float* steps) {
+    for (std::size_t cell = 0; cell < cells_; ++cell) scatter_row(cell, water.strengths(cell), steps);
+}
+
+void UnderWay::scatter_alike(const Reverberation& water, std::size_t cell, float* steps) {
+    scatter_row(0, water.strengths(cell), steps);
+}
+
+void UnderWay::scatter_row(std::size_t number, const float* strength, float* steps) {
+    float* row = &met_[number * row_];
+    float left = 0;
+    for (std::size_t k = row_ - 2; k-- > 0;) {
+        left += row[k + 1];
+        steps[k] += left * strength[k];
+    }
+    std::fill_n(row, row_, 0.0F);
+}
+
+void finish_reverberation(const RangeSteps& steps, std::size_t bins, const std::vector<float>& gain,
+                          const std::vector<float>& rows, std::vector<float>& values,
+                          std::vector<float>& fresh) {
+    const std::size_t stride = bins + 2 * steps.count, beams = rows.size() / stride;
+    const auto per_step = 1 / static_cast<float>(steps.bins);
+    fresh.resize(beams * steps.count), values.resize(beams * bins);
+    static thread_local std::vector<float> volume;
+    for (std::size_t beam = 0; beam < beams; ++beam) {
+        const float* from = &rows[beam * stride];
+        float* to = &values[beam * bins];
+        const float *floating = from + bins, *surface = floating + steps.count;
+        float* own = &fresh[beam * steps.count];
+        volume.resize(steps.count + 2);
+        std::copy_n(floating, steps.count, volume.begin() + 1);
+        volume.front() = volume[1], volume.back() = volume[steps.count];
+        for (std::size_t k = 0; k < steps.count; ++k) {
+            const std::size_t middle = std::min(k * steps.bins + steps.bins / 2, bins - 1);
+            own[k] = (floating[k] + surface[k] * per_step) * gain[middle];
+        }
+        // Linear from the middle of a step to that of the next.
+        for (std::size_t k = 0; k < steps.count; ++k) {
+            const float half = 0.5F * per_step, *v = &volume[k];
+            const float first = 0.5F * (v[0] + v[1]), last = 0.5F * (v[1] + v[2]);
+            const std::size_t begin = k * steps.bins;
+            add_floating({first, v[1], last}, half, per_step, std::min(steps.bins, bins - begin),
+                         from + begin, &gain[begin], to + begin);
+        }
+    }
+}
+
+std::vector<float> with_steps(std::vector<float> gain, const RangeSteps& steps) {
+    gain.resize(gain.size() + 2 * steps.count, 1.0F);
+    return gain;
+}
+
+}  // namespace echoloop

@@ -1,0 +1,127 @@
+// What the water sends back between echoes: all that floats in it, and its surface in the wind. Every pixel's
+// weight is under way until it meets something; no directions are added to those of the picture.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "render/fan/pixel_rows.h"
+#include "render/pose.h"
+#include "render/view.h"
+#include "render/water.h"
+
+namespace echoloop {
+
+/// The window in a few steps of range, as what varies slowly needs no more.
+struct RangeSteps {
+    std::size_t count = 0,
+                bins = 1;  ///< steps, the last of them perhaps longer than the window; bins in each
+    static constexpr std::size_t usual = 32;
+    static RangeSteps of(std::size_t bins);
+};
+
+/// Where the array is, and what is around it.
+struct WaterAround {
+    Vec3 up;                                                   ///< of the world, in the fan's frame
+    double depth = 0;                                          ///< m below the surface
+    double surface = std::numeric_limits<double>::infinity();  ///< m, of the surface above; infinite: none
+    float surface_number = 0;                                  ///< as Pixel::surface: what it scatters
+    std::span<const ScatteringPoint> scattering{};
+};
+
+/// Of one array's ping.
+class Reverberation {
+  public:
+    /// `first_range`, `bin_length`: m.
+    Reverberation(const WaterAround& around, double first_range, double bin_length, std::size_t bins);
+
+    const RangeSteps& steps() const { return steps_; }
+    float surface_number() const { return around_.surface_number; }
+    /// The surface as that line meets it; false where it does not.
+    bool find_plane(const View& view, std::size_t line, PixelOffset offset, PlaneOfLine& plane) const;
+
+    /// Of volume scattering by direction: cells of the sine of elevation in the world, one where depth does
+    /// not matter.
+    std::size_t cells() const { return cells_; }
+    bool by_depth() const { return cells_ > 1; }
+    /// Strength times bin length over the steps, of a cell.
+    const float* strengths(std::size_t cell) const { return &strengths_[cell * steps_.count]; }
+    /// The same for a direction, in whole cells.
+    std::size_t cell_near(double sine) const;
+    /// Sine of elevation in the world; `x`, `y` on the view's image plane.
+    class Rise {
+      public:
+        Rise(Vec3 up_in_view, double x)
+            : upright_(static_cast<float>(up_in_view.x - x * up_in_view.y)),
+              per_y_(static_cast<float>(up_in_view.z)),
+              square_(static_cast<float>(1 + x * x)) {}
+        float at(float y) const { return (upright_ + per_y_ * y) / std::sqrt(square_ + y * y); }
+
+      private:
+        float upright_, per_y_, square_;
+    };
+    Rise rise(const View& view, double x) const;
+    /// Steps from the window's beginning to a range in m.
+    float place(float range) const { return range * per_metre_ - start_; }
+
+  private:
+    WaterAround around_;
+    RangeSteps steps_;
+    float per_metre_, start_;
+    double end_;  ///< m
+    std::size_t cells_ = 1;
+    std::vector<float> strengths_;
+};
+
+/// Weight of directions that is still under way, by range.
+class UnderWay {
+  public:
+    void reset(const Reverberation& water);
+    /// For directions that are nearly the same.
+    void reset_alike(const Reverberation& water);
+    /// `end`: place where they meet something; infinite: nowhere.
+    void add(float end, float weight) { add_to(0, end, weight); }
+    /// `sine`: see Reverberation::cells().
+    void add(float end, float sine, float weight) {
+        if (cells_ == 1) return add_to(0, end, weight);
+        const float cell = std::clamp(0.5F * (sine + 1), 0.0F, 1.0F) * static_cast<float>(cells_ - 1);
+        const std::size_t lower = std::min(static_cast<std::size_t>(cell), cells_ - 2);
+        const float share = cell - static_cast<float>(lower);
+        add_to(lower, end, weight * (1 - share));
+        add_to(lower + 1, end, weight * share);
+    }
+    /// Adds what it scatters to the steps, and resets.
+    void scatter(const Reverberation& water, float* steps);
+    /// The same of directions that are nearly the same, of one cell of the water.
+    void scatter_alike(const Reverberation& water, std::size_t cell, float* steps);
+
+  private:
+    /// A step counts by the share of it that lies before `end`, so the sum from behind is right.
+    void add_to(std::size_t cell, float end, float weight) {
+        const float at = std::clamp(end + 1, 0.0F, static_cast<float>(row_ - 1));
+        const auto whole = static_cast<int>(at);
+        const float share = at - static_cast<float>(whole);
+        float* row = &met_[cell * row_];
+        row[whole] += weight * share;
+        if (whole > 0) row[whole - 1] += weight * (1 - share);
+    }
+
+    void scatter_row(std::size_t number, const float* strength, float* steps);
+
+    std::size_t cells_ = 1, row_ = 0;
+    std::vector<float> met_;  ///< cells x (steps + 2), by where directions end
+};
+
+/// Takes apart what was summed in rows of bins and, behind them, steps of volume and of surface echo:
+/// `values` become the bins with the volume's echo, and `fresh` what is new at every ping, as the mean power
+/// of a bin in each step. `gain`: of the bins; the steps have none yet.
+void finish_reverberation(const RangeSteps& steps, std::size_t bins, const std::vector<float>& gain,
+                          const std::vector<float>& rows, std::vector<float>& values,
+                          std::vector<float>& fresh);
+
+/// The gain of such a row.
+std::vector<float> with_steps(std::vector<float> gain, const RangeSteps& steps);
+
+}  // namespace echoloop
