@@ -13,6 +13,7 @@
 
 namespace echoloop {
 
+class Patches;
 class Reverberation;
 
 struct BinningInput {
@@ -30,6 +31,7 @@ struct BinningInput {
     std::span<const PathEcho> paths;         ///< echoes by other ways, added to the lines that they arrive on
     std::span<const std::uint8_t> wanted{};  ///< per surface index, for Amount::wanted_echo: not 0, it counts
     const Reverberation* water = nullptr;    ///< null: it is silent
+    const Patches* patches = nullptr;        ///< null: even materials
 };
 
 /// The sigmoid of Cerqueira et al. 2016, equation 1, with the constants of the authors' code.

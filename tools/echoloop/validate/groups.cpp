@@ -39,6 +39,7 @@ std::span<const Group> groups() {
         {"V31", "Looks in a bin", check_looks},
         {"V32", "Texture over range", check_range_texture},
         {"V39", "Detection noise of a multibeam", check_detection_noise},
+        {"V40", "Patchy seabed", check_patches},
         {"R1", "R2Sonic beside 100 pings of a Sonic 2026", check_r2sonic},
         {"R2", "Oculus beside a ping of an M1200d", check_oculus},
         {"R3", "Imagenex 852 beside 177 shots", check_852},

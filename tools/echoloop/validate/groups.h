@@ -49,6 +49,7 @@ void check_moving_speckle(Findings&);
 void check_looks(Findings&);
 void check_range_texture(Findings&);
 void check_detection_noise(Findings&);
+void check_patches(Findings&);
 void check_r2sonic(Findings&);
 void check_oculus(Findings&);
 void check_852(Findings&);
