@@ -12,7 +12,7 @@ namespace echoloop {
 /// Of one message among the bytes given.
 struct ChecksumPlace {
     std::size_t offset = 0, size = 0;  ///< bytes
-    bool hex_digits = false;           ///< written as capital hexadecimal digits
+    bool hex_digits = false;           ///< written as hexadecimal digits
     friend bool operator==(const ChecksumPlace&, const ChecksumPlace&) = default;
 };
 

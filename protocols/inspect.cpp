@@ -17,6 +17,7 @@
 #include "protocols/reson7k/inspect.h"
 #include "protocols/seanet/inspect.h"
 #include "protocols/sonar3d/inspect.h"
+#include "protocols/waterlinked/inspect.h"
 
 namespace echoloop::inspect {
 
@@ -95,6 +96,16 @@ constexpr std::array table = {
            .rewritten = norbit::rewritten,
            .checksums = norbit::checksums,
            .longest_frame = std::size_t{2} << 20},
+    // Before ping: its objects and sentences say what they are.
+    Family{.name = "waterlinked",
+           .title = "Water Linked DVL A50 and A125, TCP and serial",
+           .places = {.tcp = "16171,1037-1038", .serial = true},
+           .framing = Framing::stream,
+           .decode = waterlinked::decode,
+           .recognise = waterlinked::recognise,
+           .tables = waterlinked::tables,
+           .rewritten = waterlinked::rewritten,
+           .checksums = waterlinked::checksums},
     // Before ping: it wants a message that no Ping device has, while a ping frame is any whole one.
     Family{.name = "cerulean",
            .title = "Cerulean sonars, TCP and UDP",

@@ -108,6 +108,7 @@ struct Shot {
     ArrayErrors errors;       ///< of the receiving array
     std::vector<Side> sides;  ///< one for each bearing where every beam has an array of its own; else empty
     double interval = 0;      ///< s to the next transmission; 0: so long that nothing is heard of this one
+    bool velocities = false;  ///< Echogram::velocities is wanted: of fans and single beams, not of rows
     std::uint64_t random_key = 0;  ///< of seed and device; the session sets it, a device leaves it alone
 
     std::size_t rows() const { return elevations.empty() ? 1 : elevations.size(); }
@@ -124,6 +125,13 @@ struct BeamTruth {
         std::numeric_limits<float>::quiet_NaN();  ///< m, nearest surface in the beam; NaN: none
 };
 
+/// How fast what a beam hears in a bin comes nearer, in m/s: the mean over all that it hears there directly,
+/// weighed by power, and its standard deviation. NaN where nothing is heard. Motion of the sonar and of what
+/// moves in the scene, without noise: the device adds that of its measurement.
+struct ClosingSpeed {
+    float mean = std::numeric_limits<float>::quiet_NaN(), spread = std::numeric_limits<float>::quiet_NaN();
+};
+
 /// beams x bins of received level, beam-major (all bins of beam 0 first); the beams row by row, the lowest
 /// first.
 struct Echogram {
@@ -137,6 +145,7 @@ struct Echogram {
     /// As `values`, for who asks (Situation::objects), else empty: 1 + index in Scene::objects() of what most
     /// of a bin's direct echo comes from; 0: nothing there.
     std::vector<std::uint16_t> objects;
+    std::vector<ClosingSpeed> velocities{};  ///< as `values`, for who asks (Shot::velocities), else empty
 
     std::size_t beams() const { return shot.beams(); }
     std::span<const float> beam(std::size_t index) const {

@@ -10,6 +10,7 @@
 #include "render/acoustics/rows.h"
 #include "render/acoustics/sea_surface.h"
 #include "render/fan/arrays.h"
+#include "render/fan/closing_speeds.h"
 #include "render/fan/object_finder.h"
 #include "render/fan/patches.h"
 #include "render/fan/plan_cache.h"
@@ -40,6 +41,12 @@ void validate(const Pose& pose) {
     if (!(norm(p) < 1e7)) throw std::invalid_argument("pose: position must be finite and within 1e7 m");
     if (!(std::abs(length - 1) < 1e-3))
         throw std::invalid_argument("pose: orientation must be a unit quaternion");
+}
+
+void validate(const Motion& motion) {
+    constexpr double most = 100;  // m/s and rad/s
+    if (!(norm(motion.velocity) <= most && norm(motion.turning) <= most))
+        throw std::invalid_argument("situation: velocities must be finite and within 100 m/s and rad/s");
 }
 
 /// s of wall time that `work` takes.
@@ -110,6 +117,7 @@ class Renderer::Impl {
         PlanCache::Plan plan;
         std::vector<Pixel> pixels;
         PathEchoes paths;
+        std::optional<PingMotion> motion;
         std::optional<Reverberation> water;  ///< none: it is silent
         bool patchy = false;                 ///< materials are uneven
     };
@@ -141,6 +149,7 @@ class Renderer::Impl {
     void hear(Heard& heard, const Situation& situation, Echogram& out) {
         const Shot& shot = heard.array.shot;
         draw(heard, situation);
+        find_motion(heard, situation, out.sound_speed);
         profile_.paths += timed([&] { trace_paths(heard, out.sound_speed); });
         find_strengths(shot, out.sound_speed);
         find_water(heard, situation, out.sound_speed);
@@ -154,6 +163,7 @@ class Renderer::Impl {
             append(std::move(values), out.values);
             append(std::move(fresh), fresh_);
             append(std::move(truth), out.truth);
+            if (shot.velocities && shot.rows() == 1) append(closing_speeds(summing, input), out.velocities);
         });
         for (PointEcho& point : summing.points(*heard.plan, heard.paths.targets)) {
             point.beam += heard.array.first_beam;
@@ -172,9 +182,35 @@ class Renderer::Impl {
     void trace_paths(Heard& heard, double c) {
         const Shot& shot = heard.array.shot;
         heard.paths.diffuse.clear(), heard.paths.targets.clear();
-        if (options_.rule == EchoRule::radiometric && tracer_.needed())
-            tracer_.trace(shot, heard.array.world_from_sonar, c, absorption(shot), end_range(shot),
-                          heard.paths, movers_);
+        if (options_.rule != EchoRule::radiometric || !tracer_.needed()) return;
+        tracer_.trace(shot, heard.array.world_from_sonar, c, absorption(shot), end_range(shot), heard.paths,
+                      movers_, heard.motion ? heard.motion->turning : Vec3{});
+        if (heard.motion && heard.motion->shifts) shift_paths(*heard.motion, heard.paths);
+    }
+
+    /// Fills in the motion of what is drawn.
+    void find_motion(Heard& heard, const Situation& situation, double c) {
+        heard.motion.reset();
+        if (options_.rule != EchoRule::radiometric) return;
+        const Quat world_from_fan =
+            echoloop::world_from_fan(heard.array.shot, heard.array.world_from_sonar).orientation;
+        const Quat fan_from_sonar = conjugate(world_from_fan) * situation.world_from_sonar.orientation;
+        const Motion own{situation.velocity, rotate(fan_from_sonar, situation.turning)};
+        heard.motion = motion_of(heard.array.shot, *heard.plan,
+                                 {world_from_fan, situation.world_from_sonar.position, own, movers_,
+                                  situation.mover_motions, mover_of_surface()},
+                                 options_.effects, c);
+    }
+
+    /// As PingMoves has it.
+    const std::vector<std::uint32_t>& mover_of_surface() {
+        if (mover_of_surface_.empty() && !scene().movers().empty()) {
+            std::vector<std::uint32_t> of_object(scene().objects().size());
+            for (const SceneChunk& chunk : scene().chunks()) of_object[chunk.object] = chunk.mover;
+            for (const std::uint32_t object : drawer().object_of_surface())
+                mover_of_surface_.push_back(of_object[object]);
+        }
+        return mover_of_surface_;
     }
 
     /// Fills strength_. Facets' lobes are those of the mirrors that multipath is about.
@@ -281,7 +317,8 @@ class Renderer::Impl {
                 heard.paths.diffuse,
                 {},
                 heard.water ? &*heard.water : nullptr,
-                heard.patchy ? &patches_ : nullptr};
+                heard.patchy ? &patches_ : nullptr,
+                heard.motion ? &*heard.motion : nullptr};
     }
 
     /// The paper's rule has no acoustics.
@@ -319,6 +356,10 @@ class Renderer::Impl {
         if (!(situation.density >= 0.1 && situation.density <= 1))
             throw std::invalid_argument("situation: density must be within 0.1..1");
         place_movers(situation);
+        validate(Motion{situation.velocity, situation.turning});
+        if (situation.mover_motions.size() > movers_.size())
+            throw std::invalid_argument("movers: there are motions for more than the scene has");
+        for (const Motion& motion : situation.mover_motions) validate(motion);
     }
 
     /// Fills in the picture and the plan that it follows.
@@ -382,6 +423,7 @@ class Renderer::Impl {
     std::vector<PointEcho> points_;  ///< the same, of all its beams
     std::vector<float> fresh_;       ///< the same, see FreshPower
     std::vector<Pose> movers_;       ///< the same
+    std::vector<std::uint32_t> mover_of_surface_;
     RenderProfile profile_;
 };
 

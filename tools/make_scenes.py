@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the 3D scenes of config/scenes (.glb) and the bench scenes. Standard library only.
 
-    tools/make_scenes.py                 writes config/scenes/{manifold,tank,flat}.glb
+    tools/make_scenes.py                 writes config/scenes/{manifold,tank,flat,basin,harbour,deep}.glb
     tools/make_scenes.py --check         writes nothing; exit status 1 if a committed file differs
     tools/make_scenes.py --bench DIR     writes DIR/{simple,big100k,big2m,one2m}.glb
 """
@@ -12,9 +12,9 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
-from scenes import auv, bench, flat, manifold, seabed, tank  # noqa: E402
+from scenes import auv, basin, bench, deep, flat, harbour, manifold, seabed, tank  # noqa: E402
 from scenes.glb import Node, glb  # noqa: E402
-from scenes.materials import MU_DB  # noqa: E402
+from scenes.materials import SONAR  # noqa: E402
 
 SCENES = pathlib.Path(__file__).resolve().parent.parent / "config" / "scenes"
 
@@ -26,11 +26,12 @@ def manifold_scene():
     return seabed.nodes() + manifold.nodes((0.0, 0.0, ground), yaw=0.5) + [vehicle]
 
 
-COMMITTED = {"manifold": manifold_scene, "tank": tank.nodes, "flat": flat.nodes}
+COMMITTED = {"manifold": manifold_scene, "tank": tank.nodes, "flat": flat.nodes, "basin": basin.nodes,
+             "harbour": harbour.nodes, "deep": deep.nodes}
 
 
 def write(folder, name, nodes):
-    data = glb(nodes, MU_DB)
+    data = glb(nodes, SONAR)
     path = folder / f"{name}.glb"
     path.write_bytes(data)
     print(f"{path}: {triangles(nodes):,} triangles, {len(data):,} bytes")
@@ -43,7 +44,7 @@ def triangles(nodes):
 def differing():
     """Names of the committed scenes that this script would write differently."""
     return [name for name, make in COMMITTED.items()
-            if not (SCENES / f"{name}.glb").is_file() or (SCENES / f"{name}.glb").read_bytes() != glb(make(), MU_DB)]
+            if not (SCENES / f"{name}.glb").is_file() or (SCENES / f"{name}.glb").read_bytes() != glb(make(), SONAR)]
 
 
 def main():

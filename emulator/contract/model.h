@@ -66,10 +66,10 @@ struct Model {
     std::size_t turn_steps = 1;  ///< pings of a full turn; 1: one fan
     std::string_view family{};   ///< of its messages, as protocols/inspect.h calls it
     bool has_checksums = false;  ///< in its messages; models() fills it in
-    /// What a plain driver says to get pings. Each message makes one; an empty one stands for a ping that
-    /// comes by itself. `turns`: the last ping is a step of the motor away from the one before. nullptr: the
-    /// device pings unasked, or wants a longer talk.
-    std::vector<Bytes> (*requests)(const DeviceConfig&, bool turns) = nullptr;
+    /// What a plain driver says to get `pings` pings, at least one. Each message makes one, but for settings
+    /// that come first; an empty one stands for a ping that comes by itself. `turns`: each ping is a step of
+    /// the motor away from the one before. nullptr: the device pings unasked, or wants a longer talk.
+    std::vector<Bytes> (*requests)(const DeviceConfig&, std::size_t pings, bool turns) = nullptr;
     std::vector<Destination> sends{};
     std::vector<KnownDriver> drivers{};  ///< the first that fits counts
 };

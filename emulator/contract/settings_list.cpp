@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "emulator/contract/options.h"
+#include "emulator/contract/random_key.h"
 #include "emulator/contract/receiver_notation.h"
 
 namespace echoloop {
@@ -125,7 +126,8 @@ void FigureList::pattern(AxisPattern& member, const std::string& axis, const std
           "2: the same aperture sends and hears; 1: only one is directive");
 }
 
-void FigureList::stave_errors(ArrayErrors& errors) {
+void FigureList::stave_errors(ArrayErrors& errors, std::string_view serial_number) {
+    errors.unit = random_key(0, serial_number);
     number(errors.amplitude, "stave_amplitude_error", "dB", 0, 6,
            "standard deviation of the gains of the receiver's staves");
     degrees(errors.phase, "stave_phase_error", 0, 60, "the same of their phases");

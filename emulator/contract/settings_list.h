@@ -109,8 +109,9 @@ class FigureList {
     /// and interference.
     void common(AxisPattern& horizontal, AxisPattern& vertical, Receiver& receiver);
 
-    /// What arrays have besides: how their staves differ.
-    void stave_errors(ArrayErrors& errors);
+    /// What arrays have besides: how their staves differ, in the unit of that serial number. Another one has
+    /// other staves; the same number has the same, whatever the scenario's seed and the device's name.
+    void stave_errors(ArrayErrors& errors, std::string_view serial_number);
 
     std::vector<FigureRow> take_rows() { return std::move(rows_); }
 

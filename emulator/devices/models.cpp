@@ -21,6 +21,7 @@
 #include "emulator/devices/tritech-micron/micron.h"
 #include "emulator/devices/tritech-profiler/profiler.h"
 #include "emulator/devices/tritech-seaking/seaking.h"
+#include "emulator/devices/waterlinked-dvl/models.h"
 #include "protocols/checksums.h"
 
 namespace echoloop {
@@ -49,6 +50,7 @@ std::vector<Model> make_models() {
     all.push_back(surveyor240::model());
     all.push_back(micron_echosounder::model());
     all.push_back(s500::model());
+    for (Model& model : waterlinked_dvl::models()) all.push_back(std::move(model));
     for (Model& model : all) model.has_checksums = find_checksums(model.family) != nullptr;
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });
     return all;

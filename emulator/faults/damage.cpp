@@ -145,7 +145,7 @@ void Pieces::spoil_checksums(Piece& piece, const AskedFault& asked, std::uint64_
         std::uint8_t& byte = piece.bytes[at];
         const auto before = std::int64_t{byte};
         if (place.hex_digits) {
-            constexpr std::string_view digits = "0123456789ABCDEF";
+            const std::string_view digits = byte >= 'a' ? "0123456789abcdef" : "0123456789ABCDEF";
             const std::size_t digit = std::min(digits.find(static_cast<char>(byte)), std::size_t{15});
             byte = static_cast<std::uint8_t>(digits[(digit + 1 + dice.below(15, 2)) % 16]);
         } else {

@@ -23,15 +23,19 @@ PortPlace place_of(const Port& port, const Transport& transport, const std::vect
 
 }  // namespace
 
-OpenPorts open_ports(Clock& clock, const ScenarioDevice& device, const Around& around) {
+OpenPorts open_ports(Clock& clock, const ScenarioDevice& device, Drivers drivers, const Around& around) {
     constexpr unsigned most_attempts = 32;
+    const bool free = drivers == Drivers::scripted;
     const bool stepped = dynamic_cast<SteppedClock*>(&clock) != nullptr;
     DeviceConfig config = device.config;
     for (unsigned attempt = 1;; ++attempt) {
         config.endpoints = with_numbers(device.config.endpoints, stepped ? device.name : "", attempt);
         const auto ports = device.model->make(config)->ports();
         try {
-            OpenPorts open{config.endpoints, make_transports(clock, ports, config, around), {}};
+            OpenPorts open{config.endpoints,
+                           free ? make_scripted_transports(clock, ports, config, device.script, around)
+                                : make_transports(clock, ports, config, around),
+                           {}};
             std::size_t next_stream = 0;
             for (std::size_t i = 0; i < ports.size(); ++i)
                 open.places.push_back(place_of(ports[i], *open.transports[i], open.endpoints, next_stream));

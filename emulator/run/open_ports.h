@@ -22,7 +22,10 @@ struct OpenPorts {
     std::vector<PortPlace> places;  ///< as `transports`
 };
 
+/// Whether somebody outside is at the other end, or what the scenario has for it (ScenarioDevice::script).
+enum class Drivers { outside, scripted };
+
 /// `around`: as for make_transports. Throws StartError.
-OpenPorts open_ports(Clock& clock, const ScenarioDevice& device, const Around& around);
+OpenPorts open_ports(Clock& clock, const ScenarioDevice& device, Drivers drivers, const Around& around);
 
 }  // namespace echoloop

@@ -16,6 +16,7 @@
 #include "emulator/pose/vehicle.h"
 #include "emulator/run/control.h"
 #include "emulator/run/faulty_session.h"
+#include "emulator/run/kept_scene.h"
 #include "emulator/run/warm_up.h"
 #include "emulator/scenario/scene.h"
 #include "emulator/truth/device_truth.h"
@@ -31,8 +32,8 @@ const Scenario& with_memory_at_hand(const Scenario& scenario) {
     return scenario;
 }
 
-std::shared_ptr<const Scene> loaded(const Scenario& scenario) {
-    auto scene = load_scene(scenario);
+std::shared_ptr<const Scene> loaded(const Scenario& scenario, KeptScene* kept) {
+    auto scene = kept != nullptr ? kept->scene_of(scenario) : load_scene(scenario);
     return_freed_memory();
     return scene;
 }
@@ -45,7 +46,8 @@ bool claim(Punctuality punctuality) {
 }
 
 std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io) {
-    if (scenario.clock == ClockMode::stepped) return std::make_unique<SteppedClock>(io, *scenario.unix_start);
+    if (scenario.clock == ClockMode::stepped || scenario.clock == ClockMode::free)
+        return std::make_unique<SteppedClock>(io, *scenario.unix_start);
     return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
 }
 
@@ -67,16 +69,17 @@ SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Mov
 
 class Runtime::Impl {
   public:
-    Impl(const Scenario& scenario, const RunRecords& records, Punctuality punctuality)
+    Impl(const Scenario& scenario, const RunRecords& records, Punctuality punctuality, KeptScene* kept)
         : scenario_(with_memory_at_hand(scenario)),
-          scene_(loaded(scenario)),
+          scene_(loaded(scenario, kept)),
+          plans_(kept != nullptr ? kept->plans() : std::make_shared<PlanCache>()),
           real_time_(claim(punctuality)),
           signals_(io_),
           end_(io_),
           watchdog_(io_),
           clock_(make_clock(scenario, io_)),
           stepped_(dynamic_cast<SteppedClock*>(clock_.get())),
-          steps_(stepped_ == nullptr ? nullptr : make_step_server()),
+          steps_(scenario.clock == ClockMode::stepped ? make_step_server() : nullptr),
           movers_(scenario, scene_),
           vehicle_(scenario, *clock_, steps_.get(), movers_.by_lines()),
           water_(shared_water(scenario, *scene_, movers_)),
@@ -123,7 +126,9 @@ class Runtime::Impl {
 
     void run(std::optional<double> duration) {
         signals_.async_wait([this](error_code ec, int) {
-            if (!ec) stop();
+            if (ec) return;
+            interrupted_ = true;
+            stop();
         });
         wake_on_time();
         if (real_time_) {
@@ -149,6 +154,7 @@ class Runtime::Impl {
         return all;
     }
 
+    bool interrupted() const { return interrupted_; }
     std::string control_token() const { return control_ ? control_->token() : ""; }
     const std::map<std::string, FaultCounts>& faults() const { return faults_.labels().counts(); }
     std::optional<PoseSummary> poses() const { return vehicle_.summary(); }
@@ -195,7 +201,16 @@ class Runtime::Impl {
             if (std::exchange(powered, true)) return;
             power_up();
         });
-        steps_->start(duration ? std::optional(from_seconds(*duration)) : std::nullopt, [this] { stop(); });
+        const auto end = duration ? std::optional(from_seconds(*duration)) : std::nullopt;
+        if (steps_ != nullptr) return steps_->start(end, [this] { stop(); });
+        asio::co_spawn(io_, run_free(end.value_or(Time{})), Serving("clock"));
+    }
+
+    /// From moment to moment; a signal is heard between two of them.
+    Task<void> run_free(Time end) {
+        co_await stepped_->step(Time{});
+        co_await stepped_->step(end);
+        stop();
     }
 
     std::unique_ptr<StepServer> make_step_server() {
@@ -229,7 +244,9 @@ class Runtime::Impl {
     void add(ScenarioDevice& entry, const RunRecords& records, bool faulty) {
         const auto around =
             records.recording != nullptr ? Around(PortRecorder(*records.recording, entry.name)) : Around();
-        OpenPorts open = open_ports(*clock_, entry, around);
+        OpenPorts open =
+            open_ports(*clock_, entry,
+                       scenario_.clock == ClockMode::free ? Drivers::scripted : Drivers::outside, around);
         entry.config.endpoints = std::move(open.endpoints);
         DeviceConfig config = entry.config;
         config.unix_start = clock_->unix_start();
@@ -248,8 +265,14 @@ class Runtime::Impl {
         sessions_.push_back(std::make_unique<Session>(
             io_, *clock_, render_threads_, water_, entry.name, std::move(device), std::move(transports),
             [this, mount](Time time) {
-                Situation situation(vehicle_.world_from_body(time) * mount->body_from_sonar(time));
+                const Pose world_from_body = vehicle_.world_from_body(time),
+                           body_from_sonar = mount->body_from_sonar(time);
+                Situation situation(world_from_body * body_from_sonar);
+                const Motion motion =
+                    together(world_from_body, vehicle_.motion(time), body_from_sonar, mount->motion(time));
+                situation.velocity = motion.velocity, situation.turning = motion.turning;
                 situation.movers = movers_.at(time);
+                situation.mover_motions = movers_.motions(time);
                 return situation;
             }));
         if (records.truth != nullptr)
@@ -299,11 +322,12 @@ class Runtime::Impl {
 
     Scenario scenario_;  ///< as Runtime's
     std::shared_ptr<const Scene> scene_;
+    const std::shared_ptr<PlanCache> plans_;
     const bool real_time_;
+    bool interrupted_ = false;
     double stolen_ = 0;  ///< s, of the processors, by the host
     std::string renderer_description_;
     std::once_flag described_;
-    const std::shared_ptr<PlanCache> plans_ = std::make_shared<PlanCache>();
     asio::io_context io_;
     asio::signal_set signals_;
     asio::steady_timer end_, watchdog_;
@@ -323,8 +347,8 @@ class Runtime::Impl {
         render_threads_;  // last: joined first, so that no ping comes back to a session that is gone
 };
 
-Runtime::Runtime(const Scenario& scenario, RunRecords records, Punctuality punctuality)
-    : impl_(std::make_unique<Impl>(scenario, records, punctuality)) {}
+Runtime::Runtime(const Scenario& scenario, RunRecords records, Punctuality punctuality, KeptScene* kept)
+    : impl_(std::make_unique<Impl>(scenario, records, punctuality, kept)) {}
 Runtime::~Runtime() = default;
 const Scenario& Runtime::scenario() const { return impl_->scenario(); }
 std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
@@ -337,6 +361,7 @@ double Runtime::stolen_seconds() const { return impl_->stolen(); }
 std::map<std::string, FaultCounts> Runtime::faults() const { return impl_->faults(); }
 std::string Runtime::control_token() const { return impl_->control_token(); }
 void Runtime::run(std::optional<double> duration) { impl_->run(duration); }
+bool Runtime::interrupted() const { return impl_->interrupted(); }
 std::vector<SessionSummary> Runtime::summary() const { return impl_->summary(); }
 
 }  // namespace echoloop

@@ -25,6 +25,7 @@ struct RunningDevice {
 };
 
 class BackgroundFile;
+class KeptScene;
 class Recording;
 class TruthFile;
 struct PoseSummary;
@@ -46,8 +47,9 @@ class Runtime {
     /// Loads the scene, makes the renderer and opens every endpoint; nothing is said on any of them yet.
     /// In real time, what is made here renders before all ordinary programs. Throws SceneError, StartError or
     /// std::runtime_error, and then has left nothing behind.
+    /// `kept`: of runs before; nullptr: everything is made anew.
     explicit Runtime(const Scenario& scenario, RunRecords records = {},
-                     Punctuality punctuality = Punctuality::ordinary);
+                     Punctuality punctuality = Punctuality::ordinary, KeptScene* kept = nullptr);
     ~Runtime();
 
     /// As it was given, with the numbers of ports that it left to the program.
@@ -57,8 +59,11 @@ class Runtime {
     std::string renderer() const;  ///< e.g. "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe"
 
     /// Powers the devices up and serves them until SIGINT, SIGTERM or `duration` seconds: of real time, or of
-    /// the run where the clock is stepped, whose devices are powered up by the first step.
+    /// the run where the clock is stepped or free. Stepped, the first step powers the devices up; free, the
+    /// duration is the run's only end.
     void run(std::optional<double> duration = {});
+    /// By a signal, before its time was over.
+    bool interrupted() const;
     std::vector<SessionSummary> summary() const;
     /// What a client says there first; "" if nothing is asked for.
     std::string control_token() const;

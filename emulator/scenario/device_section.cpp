@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "emulator/contract/endpoint.h"
+#include "emulator/scenario/driver_section.h"
 #include "emulator/scenario/file.h"
 #include "emulator/scenario/mount_section.h"
 #include "emulator/scenario/profile_section.h"
@@ -208,9 +209,10 @@ void DeviceReader::read(const Value& value, std::size_t index) {
     const std::size_t before = problems_.count();
     const Value* name = value.find("name");
     const bool named = name != nullptr && name->is_scalar() && is_name(name->text);
-    const Section section(&value, "devices." + (named ? name->text : std::to_string(index)),
-                          {"name", "model", "mount", "endpoints", "options", "profile", "profile_file"},
-                          problems_);
+    const Section section(
+        &value, "devices." + (named ? name->text : std::to_string(index)),
+        {"name", "model", "mount", "endpoints", "options", "profile", "profile_file", "driver", "pings"},
+        problems_);
     if (!value.is_map()) {
         if (value.kind == Value::Kind::null) problems_.add(value.place, "a device is a name and a model");
         return;
@@ -222,6 +224,10 @@ void DeviceReader::read(const Value& value, std::size_t index) {
     if (!device.mount_input.empty() && device.mount_input != standard_input)
         claim({parse_endpoint(device.mount_input), section.get("mount")->find("input")->place,
                section.path_of("mount") + ".input"});
+    if (!device.mount_input.empty() && scenario_.clock == ClockMode::free)
+        problems_.add(section.get("mount")->find("input")->key_place,
+                      section.path_of("mount") +
+                          ".input: in a 'free' run nobody is outside to send poses; use a trajectory");
     device.line = value.place.line;
     device.column = value.place.column;
     if (device.model == nullptr) return;
@@ -234,6 +240,7 @@ void DeviceReader::read(const Value& value, std::size_t index) {
     device.config.peers = scenario_.peers;
     device.config.sound_speed = sound_speed(scenario_.water);
     if (problems_.count() == before) try_make(device, value.place);
+    if (problems_.count() == before) read_driver(section, scenario_, device, problems_);
     devices_.push_back(std::move(device));
 }
 

@@ -133,7 +133,7 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     apply_overrides(root, set_arguments, problems);
     const Section top(&root, "",
                       {"scene", "seed", "water", "vehicle", "objects", "animations", "clock", "render",
-                       "effects", "peers", "devices", "faults", "control"},
+                       "effects", "peers", "devices", "faults", "control", "sweep"},
                       problems);
     if (!root.is_map() && root.kind != Value::Kind::null) problems.throw_if_any();
     Scenario scenario;

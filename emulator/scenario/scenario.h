@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "emulator/contract/driver_script.h"
 #include "emulator/contract/model.h"
 #include "emulator/scenario/fault.h"
 #include "emulator/scenario/problems.h"
@@ -33,6 +34,7 @@ struct ScenarioDevice {
     MountSwing mount_swing;                  ///< at most one of this and the next two moves it
     std::filesystem::path mount_trajectory;  ///< of body_from_sonar; as Scenario::scene; empty: none
     std::string mount_input;                 ///< endpoint that body_from_sonar comes from; "": none
+    std::vector<DriverLine> script;          ///< in a free run: what its driver says
     DeviceConfig config;  ///< options and endpoints complete; what the file leaves out has its default
     int line = 0;         ///< where the device begins in the file; 0: from --set
     int column = 0;
@@ -53,8 +55,9 @@ enum class Animations { loop, once, off };
 
 enum class ClockMode {
     real,
-    scaled,  ///< Scenario::clock_rate seconds of the run pass in one real second
-    stepped  ///< time stands still until somebody outside moves it on
+    scaled,   ///< Scenario::clock_rate seconds of the run pass in one real second
+    stepped,  ///< time stands still until somebody outside moves it on
+    free      ///< nobody is outside: time runs as fast as the machine renders
 };
 
 struct Scenario {
@@ -69,6 +72,7 @@ struct Scenario {
     Animations animations = Animations::loop;
     ClockMode clock = ClockMode::real;
     double clock_rate = 1;
+    std::optional<double> duration;    ///< s; free: how long the run is, unless the command line says it
     std::string step_input;            ///< stepped: endpoint that steps come from beside pose_input; "": none
     std::optional<double> unix_start;  ///< s; Unix time at run time 0. Empty: when the run really begins
     RendererOptions render;  ///< from `render: {rule, context, pixels}`, `effects` and `water.surface`

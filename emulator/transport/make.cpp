@@ -9,6 +9,7 @@
 #include "emulator/transport/driver_lines.h"
 #include "emulator/transport/paced.h"
 #include "emulator/transport/pty.h"
+#include "emulator/transport/scripted_line.h"
 #include "emulator/transport/serial.h"
 #include "emulator/transport/stepped_port.h"
 #include "emulator/transport/tcp.h"
@@ -113,9 +114,8 @@ Opened open_port(asio::io_context& io, const Port& port, const Endpoint& endpoin
 }
 
 /// A stream as slow as a serial line, if it is one.
-std::unique_ptr<Transport> paced(Clock& clock, std::unique_ptr<Transport> opened, const Endpoint& endpoint,
+std::unique_ptr<Transport> paced(Clock& clock, std::unique_ptr<Transport> line, const Endpoint& endpoint,
                                  const OwnEnd& own) {
-    auto line = in_step(clock, std::move(opened));
     if (endpoint.usb_latency() > 0)
         line = std::make_unique<UsbAdapter>(clock, std::move(line),
                                             std::chrono::milliseconds(endpoint.usb_latency()));
@@ -128,7 +128,7 @@ std::unique_ptr<Transport> paced(Clock& clock, std::unique_ptr<Transport> opened
 std::unique_ptr<Transport> line_of(Clock& clock, std::unique_ptr<Transport> opened, const Endpoint& endpoint,
                                    const DeviceConfig& config, const Port& port, const Around& around) {
     const OwnEnd own = own_end(config, endpoint);
-    auto wire = around(paced(clock, std::move(opened), endpoint, own), port);
+    auto wire = around(paced(clock, in_step(clock, std::move(opened)), endpoint, own), port);
     if (own.other != Paced::OtherRate::garbage) return wire;
     return std::make_unique<BaudCheck>(clock, std::move(wire), own.rate, config.name);
 }
@@ -139,10 +139,40 @@ std::unique_ptr<Transport> driver_lines(Clock& clock, const std::shared_ptr<TcpD
     const OwnEnd own = own_end(config, endpoint);
     std::vector<std::unique_ptr<Transport>> lines;
     for (std::size_t i = 0; i < port.drivers; ++i)
-        lines.push_back(around(paced(clock, std::make_unique<TcpListener>(door), endpoint, own), port));
+        lines.push_back(
+            around(paced(clock, in_step(clock, std::make_unique<TcpListener>(door)), endpoint, own), port));
     const auto slow = port.slow_holds_up ? DriverLines::Slow::holds_up : DriverLines::Slow::loses;
     if (port.messages_kept == 0) return std::make_unique<DriverLines>(clock, std::move(lines), slow);
     return std::make_unique<DriverLines>(clock, std::move(lines), slow, port.messages_kept);
+}
+
+/// The two ends of a port that is not opened; the `index` tells the drivers' ports apart.
+Wire wire_of(const Port& port, const Endpoint* endpoint, std::size_t index) {
+    constexpr std::uint32_t loopback = 0x7F000001;
+    constexpr std::uint16_t first_driver = 50000, first_device = 49152;  // dynamic ports (RFC 6335)
+    const Address driver{loopback, static_cast<std::uint16_t>(first_driver + index)};
+    const auto numbered = [&](Address own) {
+        if (own.ip == 0) own.ip = loopback;
+        if (own.port == 0) own.port = static_cast<std::uint16_t>(first_device + index);
+        return own;
+    };
+    using Scheme = Endpoint::Scheme;
+    if (port.kind == Port::Kind::datagram) return {Wire::Kind::udp, numbered(port.bind), driver};
+    const Address named{endpoint->ip, endpoint->port};
+    switch (endpoint->scheme) {
+        case Scheme::pty:
+        case Scheme::serial:
+            return {};
+        case Scheme::tcp_listen:
+            return {Wire::Kind::tcp_server, numbered(named), driver};
+        case Scheme::tcp:
+            return {Wire::Kind::tcp_client, numbered({}), named};
+        case Scheme::udp_listen:
+            return {Wire::Kind::udp, numbered(named), driver};
+        case Scheme::udp:
+            return {Wire::Kind::udp, numbered({0, endpoint->local_port()}), named};
+    }
+    throw StartError(Exit::software, "endpoint of an unknown kind");
 }
 
 std::unique_ptr<Transport> as_it_is(std::unique_ptr<Transport> wire, const Port&) { return wire; }
@@ -182,6 +212,34 @@ std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std:
         const Endpoint& endpoint = config.endpoints.at(next_stream++);
         transports.push_back(door ? driver_lines(clock, door, endpoint, config, ports[i], wrap)
                                   : line_of(clock, std::move(wire), endpoint, config, ports[i], wrap));
+    }
+    return transports;
+}
+
+std::vector<std::unique_ptr<Transport>> make_scripted_transports(Clock& clock, const std::vector<Port>& ports,
+                                                                 const DeviceConfig& config,
+                                                                 std::span<const DriverLine> script,
+                                                                 const Around& around) {
+    const Around wrap = around ? around : as_it_is;
+    std::vector<std::unique_ptr<Transport>> transports;
+    std::size_t next_stream = 0;
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+        std::vector<DriverLine> lines;
+        for (const DriverLine& line : script)
+            if (line.port == i) lines.push_back(line);
+        const bool stream = ports[i].kind == Port::Kind::stream;
+        const Endpoint* const endpoint = stream ? &config.endpoints.at(next_stream++) : nullptr;
+        auto line = std::make_unique<ScriptedLine>(clock, wire_of(ports[i], endpoint, i), std::move(lines));
+        if (!stream) {
+            transports.push_back(wrap(std::move(line), ports[i]));
+            continue;
+        }
+        Endpoint cable = *endpoint;
+        OwnEnd own = own_end(config, *endpoint);
+        own.other = Paced::OtherRate::ignored;  // the driver has the device's rate
+        if (std::exchange(cable.scheme, Endpoint::Scheme::pty) == Endpoint::Scheme::serial)
+            own.rate = line_rate({endpoint, 1}, own.rate);  // nothing else paces it
+        transports.push_back(wrap(paced(clock, std::move(line), cable, own), ports[i]));
     }
     return transports;
 }

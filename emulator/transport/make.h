@@ -9,6 +9,7 @@
 
 #include "emulator/clock/clock.h"
 #include "emulator/contract/device.h"
+#include "emulator/contract/driver_script.h"
 #include "emulator/contract/model.h"
 #include "emulator/transport/transport.h"
 
@@ -34,5 +35,13 @@ using Around = std::function<std::unique_ptr<Transport>(std::unique_ptr<Transpor
 std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
                                                         const DeviceConfig& config,
                                                         const Around& around = {});
+
+/// The same for a run without anybody outside: at the other end of each port is a driver that says what
+/// `script` has for it. Nothing is opened; the addresses are those that the configuration names, and of a
+/// driver on loopback.
+std::vector<std::unique_ptr<Transport>> make_scripted_transports(Clock& clock, const std::vector<Port>& ports,
+                                                                 const DeviceConfig& config,
+                                                                 std::span<const DriverLine> script,
+                                                                 const Around& around = {});
 
 }  // namespace echoloop

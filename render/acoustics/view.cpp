@@ -21,10 +21,14 @@ constexpr double usual_layers[2] = {0.20, 0.26}, plain_layers[2] = {0.115, 0.301
 constexpr double layers_per_height = 1;
 /// Beyond this angle between its axis and the vertical, a sonar lies: 66 deg, where few are mounted.
 constexpr double lies = 0.4;
+/// A taller fan hears a range of level ground from one elevation, however tall it is (own choice).
+constexpr double tall = 0.09;  // rad, 5 deg
+/// Where the sonar lies, each cell knows one of four headings, and on the mean two thirds of a level way.
+constexpr double of_headings = 1.5;
 
-bool plain_ear(const Shot& shot) {
-    return shot.horizontal.shape == ApertureShape::line && shot.horizontal.ways == 1;
-}
+bool is_plain_ear(AxisPattern axis) { return axis.shape == ApertureShape::line && axis.ways == 1; }
+
+bool plain_ear(const Shot& shot) { return is_plain_ear(shot.horizontal); }
 
 /// `reach` in widths. Fitted at one and at two looks or more to the correlation of intensity, |r|^2: normal
 /// numbers correlate a little more than what is made of them.
@@ -72,8 +76,15 @@ View::View(const Shot& shot, const Pose& world_from_sonar, double wavelength)
       position_(world_from_sonar.position),
       up_(rotate(world_from_sonar.orientation, {0, 0, 1})),
       angle_pace_(layers_per_height / shot.fan_height) {
-    for (int kind : {0, 1})
+    // Who looks down moves along its track, across the height of its fan.
+    const bool by_height = shot.fan_height < tall;
+    const double height = by_height ? shot.fan_height : shot.beam_width;
+    const bool plain_height = is_plain_ear(by_height ? shot.vertical : shot.horizontal);
+    for (int kind : {0, 1}) {
         pace_[kind] = shot.beam_width / wavelength / (plain_ear(shot) ? plain_layers : usual_layers)[kind];
+        level_pace_[kind] =
+            of_headings * height / wavelength / (plain_height ? plain_layers : usual_layers)[kind];
+    }
     Quat q = world_from_sonar.orientation;
     if (std::abs(up_.z) < lies) {
         // The reference is straight down.
@@ -105,7 +116,8 @@ CellView View::of(std::uint32_t cell, double direction) const {
         constexpr double eighth = std::numbers::pi / 4;
         const double heading = 0.35 + eighth * static_cast<double>(hash >> 1 & 3);
         view.shift = -p.z * c;
-        place += pace * (p.x * std::cos(heading) + p.y * std::sin(heading) + sign(3) * p.z * s);
+        place += level_pace_[cell % 2] * (p.x * std::cos(heading) + p.y * std::sin(heading));
+        place += pace * sign(3) * p.z * s;
         place += angle_pace_ * (sign(4) * up_.x + sign(5) * up_.y + sign(6) * (up_.z + tilt_));
     } else {
         const double side = mounting_ == Mounting::hanging ? 1 : -1;

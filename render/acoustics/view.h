@@ -66,8 +66,9 @@ class View {
     Mounting mounting_ = Mounting::upright;
     double turn_ = 0, tilt_ = 0;
     Vec3 position_, up_;
-    double pace_[2] = {0, 0};  ///< layers a metre across a beam, of two kinds of cells
-    double angle_pace_ = 0;    ///< layers a radian out of the fan's plane
+    double pace_[2] = {0, 0};        ///< layers a metre across a beam, of two kinds of cells
+    double level_pace_[2] = {0, 0};  ///< the same of level ways, where it lies
+    double angle_pace_ = 0;          ///< layers a radian out of the fan's plane
 };
 
 }  // namespace echoloop

@@ -14,6 +14,7 @@
 namespace echoloop {
 
 class Patches;
+struct PingMotion;  // render/fan/ping_motion.h
 class Reverberation;
 
 struct BinningInput {
@@ -32,6 +33,10 @@ struct BinningInput {
     std::span<const std::uint8_t> wanted{};  ///< per surface index, for Amount::wanted_echo: not 0, it counts
     const Reverberation* water = nullptr;    ///< null: it is silent
     const Patches* patches = nullptr;        ///< null: even materials
+    const PingMotion* motion = nullptr;      ///< null: all stands still
+    /// Echoes are multiplied by this power of their closing speed plus PingMotion::fastest, which is not
+    /// negative; only direct ones count then. 0: they are powers.
+    int moment = 0;
 };
 
 /// The sigmoid of Cerqueira et al. 2016, equation 1, with the constants of the authors' code.

@@ -5,6 +5,7 @@
 
 #include "render/fan/far_lobes.h"
 #include "render/fan/patches.h"
+#include "render/fan/ping_motion.h"
 
 namespace echoloop {
 namespace {
@@ -180,20 +181,52 @@ void LineReader::read(const BinningInput& in, const View& view, std::size_t line
     first_ = first, last_ = last;
 }
 
+namespace {
+
+/// Shifts the extents of the row that was read, and returns its weights, times the closing speeds that are
+/// asked for.
+const float* apply_motion(const BinningInput& in, const View& view, std::size_t line, const float* weight,
+                          LineReader& reader) {
+    const PingMotion& motion = *in.motion;
+    if (!motion.shifts && in.moment == 0) return weight;
+    find_closing(motion, view, in.offset.of(view), line, reader.row().surface(), reader.closing);
+    if (motion.shifts) {
+        shift_ranges(motion, reader.closing, reader.extents.near);
+        shift_ranges(motion, reader.closing, reader.extents.far);
+    }
+    if (in.moment == 0) return weight;
+    reader.weights.resize(view.samples);
+    for (std::size_t i = 0; i < view.samples; ++i) {
+        const float speed = reader.closing[i] + static_cast<float>(motion.fastest);
+        reader.weights[i] = weight[i] * (in.moment == 1 ? speed : speed * speed);
+    }
+    return reader.weights.data();
+}
+
+}  // namespace
+
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
                     std::size_t line, LineReader& reader, LineBins& bins, float* steps) {
     reader.read_alone(in, view, line);
     const std::size_t first = view.first_pixel + line * view.samples;
     const float* weight = is_echo(amount) ? &in.plan.weight[first] : &in.plan.coverage[first];
+    const float* plain = weight;
     if (is_echo(amount) && !in.plan.beside.empty()) {
-        weigh_beside(in, view, line, weight, reader.weights);
+        weigh_beside(in, view, line, plain, reader.weights);
+        weight = reader.weights.data();
+    }
+    if (steps != nullptr) add_volume(in, view, line, weight, reader, steps);
+    if (is_echo(amount) && in.motion != nullptr && in.motion->turning != Vec3{} &&
+        (!in.plan.beside.empty() || !in.motion->upwards.empty())) {
+        weigh_turned(in.plan, *in.motion, view, in.offset.level, line, reader.row().range(),
+                     reader.row().surface(), plain, reader.weights);
         weight = reader.weights.data();
     }
     find_spreads(reader.row(), view, static_cast<float>(in.bin_length), end_of(in), reader.extents);
-    if (steps != nullptr) add_volume(in, view, line, weight, reader, steps);
     if (is_echo(amount) && in.patches != nullptr &&
         in.patches->weigh(reader.row(), view, line, in.offset.level, weight, reader.weights))
         weight = reader.weights.data();
+    if (in.motion != nullptr) weight = apply_motion(in, view, line, weight, reader);
     const SurfaceSteps water = surface_steps(in, steps);
     switch (amount) {
         case Amount::echo:
@@ -249,6 +282,10 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
     const std::size_t first = view.first_pixel + line * view.samples;
     const SurroundPixel* pixels = &in.plan.surround[first - in.plan.first_surround_pixel];
     const float* weight = &in.plan.weight[first];
+    const bool moves = in.motion != nullptr;
+    if (moves)
+        reader.weights.assign(view.samples, 1.0F),
+            apply_motion(in, view, line, reader.weights.data(), reader);
     const auto top = static_cast<float>(view.y(0.5 + in.offset.surround.sample)),
                step = static_cast<float>(view.sample_height());
     const double x = view.x(static_cast<double>(line) + 0.5 + in.offset.surround.line);
@@ -265,8 +302,9 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
         if (surface == 0 || weight[i] == 0) continue;
         if (only_wanted && !counts<Amount::wanted_echo>(in, surface)) continue;
         const float near = scale.bin(reader.extents.near[i]), far = scale.bin(reader.extents.far[i]);
-        const float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
-                               scale.correction(range, far - near);
+        float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
+                         scale.correction(range, far - near);
+        if (moves) strength *= reader.weights[i];
         sectors.share(pixel, strength, [&](std::size_t s, float value) {
             sums.sector(s).deposit(near, far, value);
             if (surface == water_surface) surface_steps(in, sums.sector_steps(s)).deposit(near, far, value);

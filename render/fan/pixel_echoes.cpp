@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/fan/patches.h"
+#include "render/fan/ping_motion.h"
 #include "render/fan/pixel_extents.h"
 
 namespace echoloop {
@@ -77,6 +78,20 @@ void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, con
             return for_each_echo<Amount::paper_echo>(in, gain, reader, extents, coverage, count, list);
         case Amount::paper_share:
             return for_each_echo<Amount::paper_share>(in, gain, reader, extents, coverage, count, list);
+    }
+}
+
+void shift_echoes(const BinningInput& in, const View& view, std::size_t line, LineReader& reader,
+                  std::vector<PixelEcho>& echoes) {
+    if (!in.motion->shifts) return;
+    find_closing(*in.motion, view, in.offset.of(view), line, reader.row().surface(), reader.closing);
+    const auto first = static_cast<float>(in.first_range), length = static_cast<float>(in.bin_length),
+               slowness = static_cast<float>(in.motion->slowness),
+               sweep = static_cast<float>(in.motion->sweep);
+    for (PixelEcho& echo : echoes) {
+        const float range = first + 0.5F * (echo.near + echo.far) * length;
+        const float nearer = reader.closing[echo.sample] * (range * slowness + sweep) / length;
+        echo.near -= nearer, echo.far -= nearer;
     }
 }
 

@@ -46,7 +46,7 @@ void find_corner_echoes(const PathPing& ping, std::span<const Corner> corners, s
         const double range = norm(corner.point - ping.sonar);
         if (range < 1e-2) continue;
         const Vec3 axis = 1 / range * (corner.point - ping.sonar);
-        const FanDirection seen = ping.seen(axis);
+        const FanDirection seen = ping.received(ping.seen(axis), range);
         if (std::abs(seen.transmit * seen.receive) < weakest_ways) continue;
         const double reflection = zone_reflection(ping, corner, axis, range);
         // A mirror at the range R is heard like the image of the sonar at 2R, so as a scatterer of (R / 2)^2.
@@ -55,7 +55,7 @@ void find_corner_echoes(const PathPing& ping, std::span<const Corner> corners, s
         if (amplitude == 0) continue;
         const double phase = 2 * ping.wavenumber * range + (amplitude < 0 ? std::numbers::pi : 0);
         out.push_back({range, amplitude * amplitude, std::remainder(phase, 2 * std::numbers::pi),
-                       seen.bearing, corner.faces, seen.elevation});
+                       seen.bearing, corner.faces, seen.elevation, seen.turned});
     }
 }
 

@@ -29,13 +29,13 @@ std::optional<Glint> glint_of(const PathPing& ping, const Mirrors& mirrors, std:
     const Foot foot = mirrors.foot(face, point, mirror_zone(ping.wavenumber, range, range, ping.resolution));
     const Vec3 towards = foot.nearest - ping.sonar;
     const double length = norm(towards);
-    const FanDirection seen = ping.seen(1 / length * towards);
+    const FanDirection seen = ping.received(ping.seen(1 / length * towards), range);
     const double amplitude = loudest * seen.transmit * seen.receive * std::abs(foot.share);
     if (!(std::abs(amplitude) > ping.least)) return std::nullopt;
     const double phase = 2 * ping.wavenumber * range + std::arg(foot.share) +
                          (amplitude * reflection < 0 ? std::numbers::pi : 0);
     return Glint{{foot.outside > 0 ? length : range, amplitude * amplitude,
-                  std::remainder(phase, 2 * std::numbers::pi), seen.bearing, 1, seen.elevation},
+                  std::remainder(phase, 2 * std::numbers::pi), seen.bearing, 1, seen.elevation, seen.turned},
                  foot.nearest};
 }
 

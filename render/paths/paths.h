@@ -47,6 +47,7 @@ struct TargetEcho {
     int bounces = 0;     ///< reflections on the way there and back
     double elevation =
         0;  ///< rad, over the fan's plane; where the shot has rows, its vertical pattern is left out too
+    double turned = 0;  ///< rad, of `bearing`: what the sonar has turned by since the transmission
 };
 
 struct PathEchoes {
@@ -62,9 +63,10 @@ class PathTracer {
 
     /// Adds the echoes of one ping to `out`. `movers`: world_from_object of all that the scene has.
     /// `absorption` in Np/m (0 when off), `end_range` in m. Cost is bounded: a fixed number of rays, placed
-    /// by the low-discrepancy sequence of the ping's number.
+    /// by the low-discrepancy sequence of the ping's number. `turning`: rad/s, of the sonar about the fan's
+    /// axes: echoes arrive where it looks by then.
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
-               double end_range, PathEchoes& out, std::span<const Pose> movers = {});
+               double end_range, PathEchoes& out, std::span<const Pose> movers = {}, Vec3 turning = {});
 
     /// Begins to build that tree on a thread of its own, if it is needed, so that trace() need not wait for
     /// all of it.

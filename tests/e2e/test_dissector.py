@@ -34,7 +34,8 @@ PROTOBUF = ("aris", "sonar3d")  # fields that are 0 are not sent
 # What has no table has a place of its own in the dissector.
 OTHER_NAMES = {("kmall", "bytes"): "part",
                ("r2sonic", "XYZ0"): "Command.raw", ("r2sonic", "QQQ2"): "unknown"}
-OTHER_WORDS = {("nmea", "checksum"): lambda digits: "0x" + digits}
+OTHER_WORDS = {(family, "checksum"): lambda digits: digits if digits.startswith("0x") else "0x" + digits
+               for family in ("nmea", "waterlinked")}
 
 
 class Golden:

@@ -43,9 +43,10 @@ devices:
   - {name: oculus, model: oculus-m750d, DOWN, endpoints: ["tcp-listen://127.0.0.1:TCP5", "udp://127.255.255.255:PORT29"]}
   - {name: reson, model: reson-7k, DOWN, endpoints: ["tcp-listen://127.0.0.1:TCP6"]}
   - {name: s500, model: s500, DOWN, endpoints: ["tcp-listen://127.0.0.1:TCP7"]}
+  - {name: dvl, model: dvl-a50, endpoints: ["tcp-listen://127.0.0.1:TCP8", "pty:{folder}/dvl"]}
 """.replace("DOWN", LOOKS_DOWN)
 FAMILIES = {"seanet", "imagenex", "altimeter", "ping", "nmea", "r2sonic", "deltat", "kmall", "sonar3d", "aris", "norbit",
-            "oculus", "reson7k", "cerulean"}
+            "oculus", "reson7k", "cerulean", "waterlinked"}
 LISTENERS = {"nmea": 1, "r2sonic": 2, "deltat": 24, "kmall": 26, "sonar3d": 27, "aris": 28, "oculus": 29}
 
 
@@ -70,7 +71,7 @@ class Live(unittest.TestCase):
         cls.closing = contextlib.ExitStack()
         cls.addClassCleanup(cls.closing.close)
         taken = tshark.assigned_ports()
-        base, tcp = free_port(32, taken), [free_port(1, taken) for _ in range(8)]
+        base, tcp = free_port(32, taken), [free_port(1, taken) for _ in range(9)]
         text = SCENARIO
         for number in range(31, -1, -1):
             text = text.replace(f"PORT{number}", str(base + number))
@@ -123,6 +124,8 @@ class Live(unittest.TestCase):
             stream(tcp[5], oculus_wire.fire(), b"SO", 60000)
             stream(tcp[1], golden("aris/ping"))
             stream(tcp[7], golden("cerulean/s500_ping_params"), b"BR", 200)
+            stream(tcp[8], golden("waterlinked/command"), b'"type":"velocity"', 200)
+            line("dvl", b"wcv*fe\r\n", b"wru,3", 20)
             host = ResonHost(("127.0.0.1", tcp[6]))
             lines.callback(host.close)
             host.subscribe(7000, 7004, 7027)

@@ -14,7 +14,7 @@ from r2sonic_reader import soundings
 
 sys.path.insert(0, str(ROOT / "tools"))
 from scenes.glb import Node, glb  # noqa: E402
-from scenes.materials import MU_DB  # noqa: E402
+from scenes.materials import SONAR  # noqa: E402
 from scenes.mesh import Mesh  # noqa: E402
 
 HEAD_Z, FLOOR_Z, RAISED_Z, EDGE_Y = -6.0, -20.0, -18.0, -6.0  # the raised floor lies south, to starboard
@@ -47,7 +47,7 @@ class Shapes(R2SonicCase):
     def test_a_step_of_two_metres(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "step.glb"
-            file.write_bytes(glb(step_scene(), MU_DB))
+            file.write_bytes(glb(step_scene(), SONAR))
             host, _ = self.start(z=HEAD_Z, options=", range: 40, power: 200", scene=str(file))
             low, high = HEAD_Z - FLOOR_Z, HEAD_Z - RAISED_Z
             foot, top = math.atan(-EDGE_Y / low), math.atan(-EDGE_Y / high)

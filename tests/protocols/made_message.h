@@ -13,6 +13,8 @@
 #include "protocols/nmea/sentences.h"
 #include "protocols/ping/codec.h"
 #include "protocols/reson7k/codec.h"
+#include "protocols/waterlinked/pd4.h"
+#include "protocols/waterlinked/sentence.h"
 #include "protocols/wire/crc.h"
 
 namespace echoloop::fuzz {
@@ -118,6 +120,14 @@ inline void set_checksum(std::string_view family, Bytes& message) {
         Bytes record(message.begin() + 36, message.end());
         reson7k::seal(record);
         std::ranges::copy(record, message.begin() + 36);
+    } else if (family == "waterlinked" && !message.empty() && message[0] == '}' && size > 2) {
+        put(message.data() + size - 2, 2, ByteOrder::little, waterlinked::pd4_sum(message));
+    } else if (family == "waterlinked" && !message.empty() && message[0] == 'w') {
+        const auto star = std::ranges::find(message, '*');
+        if (message.end() - star < 3) return;
+        char text[4];
+        std::snprintf(text, sizeof text, "%02x", waterlinked::crc8(std::string(message.begin(), star)));
+        std::copy_n(text, 2, star + 1);
     } else if (family == "nmea") {
         const auto star = std::ranges::find(message, '*');
         if (star == message.begin() || message.end() - star < 3) return;

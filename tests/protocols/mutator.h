@@ -82,7 +82,7 @@ class Mutator {
         const std::size_t at = field.offset - old.offset;
         if (at + field.size > message.size()) return;
         if (field.numbers.size() > 1 && random_() % 2 == 0) return change_count(old, field, message);
-        if (is_text()) return change_text(at, field.size, message);
+        if (is_text(old)) return change_text(at, field.size, message);
         if (field.size == 0) return;
         const std::size_t element = field.numbers.empty() ? field.size : field.size / field.numbers.size();
         const std::size_t width =
@@ -116,10 +116,14 @@ class Mutator {
         if (wanted < count) message.erase(end - static_cast<std::ptrdiff_t>((count - wanted) * element), end);
     }
 
-    bool is_text() const { return family_.name == "nmea" || family_.name == "altimeter"; }
+    bool is_text(const inspect::Message& message) const {
+        return family_.name == "nmea" || family_.name == "altimeter" ||
+               (family_.name == "waterlinked" && message.name != "PD4");
+    }
     void change_text(std::size_t at, std::size_t size, Bytes& message) {
-        constexpr std::string_view words[] = {"",    "0",   "-1", "1e999", "nan", "99999999999999999999",
-                                              "0.0", "-0.", "+1", ",",     "*",   "1.2.3"};
+        constexpr std::string_view words[] = {
+            "",  "0", "-1",    "1e999", "nan",  "99999999999999999999", "0.0", "-0.", "+1",
+            ",", "*", "1.2.3", "true",  "null", "\"get_config\"",       "[]",  "{}"};
         const auto from = message.begin() + static_cast<std::ptrdiff_t>(at);
         const std::string_view word = words[below(random_, std::size(words))];
         message.insert(message.erase(from, from + static_cast<std::ptrdiff_t>(size)), word.begin(),

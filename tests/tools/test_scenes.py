@@ -13,7 +13,7 @@ from glb_reader import Glb
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = ROOT / "config" / "scenes"
-NAMES = ("manifold", "tank", "flat")
+NAMES = ("manifold", "tank", "flat", "basin", "harbour", "deep")
 sys.path.insert(0, str(ROOT / "tools"))
 
 import make_scenes  # noqa: E402
@@ -63,13 +63,19 @@ class CommittedFiles(unittest.TestCase):
         self.assertTrue(all(abs(dot(n, n) - 1) < 1e-4 for n in normals), "unit normals")
 
     def test_have_an_acoustic_material_everywhere(self):
+        table = (ROOT / "render" / "scene" / "materials.cpp").read_text()
         for name in NAMES:
             for material in Glb(SCENES / f"{name}.glb").json["materials"]:
-                mu = material["extras"]["sonar"]["mu_db"]
-                self.assertTrue(-60 <= mu <= -4.97, (name, material))
+                sonar = material["extras"]["sonar"]
+                if "material" in sonar:
+                    self.assertIn(f'{{"{sonar["material"]} ', table.replace('",', ' ",'), (name, material))
+                else:
+                    self.assertTrue(-60 <= sonar["mu_db"] <= -4.97, (name, material))
 
     def test_are_small(self):
         self.assertLess((SCENES / "manifold.glb").stat().st_size, 1.5e6)
+        for name in NAMES[1:]:
+            self.assertLess((SCENES / f"{name}.glb").stat().st_size, 250e3, name)
 
     def test_are_read_by_assimp(self):
         if not shutil.which("assimp"):
@@ -92,7 +98,7 @@ class Winding(unittest.TestCase):
         for name in NAMES:
             glb = Glb(SCENES / f"{name}.glb")
             for node in glb.nodes:
-                if not node.startswith(("seabed", "flat", "floor")) or name == "tank":
+                if not node.startswith(("seabed", "flat", "floor")) or name in ("tank", "basin"):
                     for part in glb.primitives(node):
                         yield f"{name}/{node}", part
 
@@ -115,26 +121,27 @@ class Winding(unittest.TestCase):
             self.assertGreater(volume, 0, name)
 
 
+def inner_area(glb, node, axis, at, normal):
+    """Area of the triangles of a node that lie in the plane axis = at and face `normal`."""
+    area = 0.0
+    for _, positions, _, triangles in glb.world_primitives(node):
+        for t in triangles:
+            f = face(positions, t)
+            if all(abs(positions[i][axis] - at) < 1e-5 for i in t) and dot(f, normal) > 0:
+                area += dot(f, f) ** 0.5 / 2
+    return area
+
+
 class Tank(unittest.TestCase):
     def setUp(self):
         self.glb = Glb(SCENES / "tank.glb")
 
-    def inner_faces(self, node, axis, at, normal):
-        """Area of the triangles of a node that lie in the plane axis = at and face `normal`."""
-        area = 0.0
-        for _, positions, _, triangles in self.glb.world_primitives(node):
-            for t in triangles:
-                f = face(positions, t)
-                if all(abs(positions[i][axis] - at) < 1e-5 for i in t) and dot(f, normal) > 0:
-                    area += dot(f, f) ** 0.5 / 2
-        return area
-
     def test_walls_and_floor_stand_where_the_scene_says_and_face_the_water(self):
-        self.assertGreaterEqual(self.inner_faces("wall_east", 0, 6, (-1, 0, 0)), 8 * 4 - 1e-3)
-        self.assertGreaterEqual(self.inner_faces("wall_west", 0, -6, (1, 0, 0)), 8 * 4 - 1e-3)
-        self.assertGreaterEqual(self.inner_faces("wall_north", 1, 4, (0, -1, 0)), 12 * 4 - 1e-3)
-        self.assertGreaterEqual(self.inner_faces("wall_south", 1, -4, (0, 1, 0)), 12 * 4 - 1e-3)
-        self.assertGreaterEqual(self.inner_faces("floor", 2, -4, (0, 0, 1)), 12 * 8 - 1e-3)
+        self.assertGreaterEqual(inner_area(self.glb, "wall_east", 0, 6, (-1, 0, 0)), 8 * 4 - 1e-3)
+        self.assertGreaterEqual(inner_area(self.glb, "wall_west", 0, -6, (1, 0, 0)), 8 * 4 - 1e-3)
+        self.assertGreaterEqual(inner_area(self.glb, "wall_north", 1, 4, (0, -1, 0)), 12 * 4 - 1e-3)
+        self.assertGreaterEqual(inner_area(self.glb, "wall_south", 1, -4, (0, 1, 0)), 12 * 4 - 1e-3)
+        self.assertGreaterEqual(inner_area(self.glb, "floor", 2, -4, (0, 0, 1)), 12 * 8 - 1e-3)
 
     def test_things_in_it_look_different_from_every_side(self):
         places = {name: (self.glb.nodes[name]["translation"][0], -self.glb.nodes[name]["translation"][2])
@@ -174,6 +181,53 @@ class Flat(unittest.TestCase):
         (_, positions, normals, triangles), = Glb(SCENES / "flat.glb").primitives("floor")
         self.assertTrue(all(p[2] == -20 for p in positions) and all(n == (0, 0, 1) for n in normals))
         self.assertAlmostEqual(sum(face(positions, t)[2] for t in triangles) / 2, 400 * 400)
+
+
+class Basin(unittest.TestCase):
+    def test_its_inner_faces_are_where_the_scenario_says(self):
+        glb = Glb(SCENES / "basin.glb")
+        for wall, axis, at, normal, area in (
+                ("wall_east", 0, 2.5, (-1, 0, 0), 3.6 * 2.6), ("wall_west", 0, -2.5, (1, 0, 0), 3.6 * 2.6),
+                ("wall_north", 1, 1.8, (0, -1, 0), 5 * 2.6), ("wall_south", 1, -1.8, (0, 1, 0), 5 * 2.6),
+                ("floor", 2, -2.6, (0, 0, 1), 5 * 3.6)):
+            self.assertGreaterEqual(inner_area(glb, wall, axis, at, normal), area - 1e-3, wall)
+
+
+class Harbour(unittest.TestCase):
+    def setUp(self):
+        self.glb = Glb(SCENES / "harbour.glb")
+
+    def test_the_quay_and_the_sheet_piling_face_the_water(self):
+        self.assertGreaterEqual(inner_area(self.glb, "quay", 1, 8, (0, -1, 0)), 80 * 11 - 1e-3)
+        self.assertGreaterEqual(inner_area(self.glb, "sheet_piling", 0, -30, (1, 0, 0)), 0.24 * 58 * 11)
+
+    def test_nothing_stands_out_of_the_water_and_everything_reaches_the_mud(self):
+        for node in self.glb.nodes:
+            for _, positions, _, _ in self.glb.world_primitives(node):
+                self.assertLessEqual(max(p[2] for p in positions), 1e-6, node)
+        for node in ("quay", "sheet_piling", "pile_1", "pile_14"):
+            self.assertLess(min(p[2] for _, ps, _, _ in self.glb.world_primitives(node) for p in ps), -9, node)
+        (_, positions, _, triangles), = self.glb.primitives("seabed")
+        self.assertTrue(-9 < min(p[2] for p in positions) and max(p[2] for p in positions) < -4)
+        self.assertTrue(all(face(positions, t)[2] > 0 for t in triangles))
+
+
+class Deep(unittest.TestCase):
+    def setUp(self):
+        self.glb = Glb(SCENES / "deep.glb")
+
+    def test_the_bottom_lies_where_the_scenario_says_and_faces_up(self):
+        for _, positions, _, triangles in self.glb.primitives("seabed"):
+            self.assertTrue(all(-130 < p[2] < -108 for p in positions))
+            self.assertTrue(all(face(positions, t)[2] > 0 for t in triangles))
+
+    def test_the_fish_are_point_targets_about_their_school(self):
+        fish = [node for name, node in self.glb.nodes.items() if name.startswith("fish_")]
+        self.assertEqual(len(fish), 60)
+        for node in fish:
+            self.assertEqual(node["extras"], {"sonar": {"target_strength_db": -38.0}})
+            x, z, y = node["translation"]
+            self.assertTrue(abs(x) <= 3 and abs(y) <= 7 and abs(z) <= 4)
 
 
 def corner_first(triangles):

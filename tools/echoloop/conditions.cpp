@@ -120,6 +120,8 @@ std::string clock_text(const Scenario& scenario) {
     if (scenario.clock == ClockMode::real) return "real";
     if (scenario.clock == ClockMode::scaled)
         return "scaled: " + plain(scenario.clock_rate, 3) + " s of the run in one real second";
+    if (scenario.clock == ClockMode::free)
+        return "free: as fast as this machine renders; the scenario's own drivers speak, and no port is open";
     return "stepped: time stands still until a simulator sends {\"now\": SECONDS} to " +
            (scenario.step_input.empty() ? scenario.pose_input : scenario.step_input);
 }

@@ -19,6 +19,21 @@
 namespace echoloop::cli {
 namespace {
 
+std::string driver_text(const ScenarioDevice& device) {
+    if (device.script.empty()) return "no driver says anything to it";
+    return "a driver of the scenario has " + counted(device.script.size(), "line") + " for it";
+}
+
+/// s, of real time or of the run; a free run has to end by itself.
+std::optional<double> duration_of(const Arguments& arguments, const Scenario& scenario) {
+    if (arguments.has("--duration")) return arguments.number("--duration", 0, 0, 1e9);
+    if (scenario.clock == ClockMode::free && !scenario.duration)
+        throw StartError(Exit::usage,
+                         "a free run has to end by itself; give --duration SECONDS of the run, or add "
+                         "clock.duration to the scenario");
+    return scenario.duration;
+}
+
 void print_start(const Runtime& runtime, std::optional<double> duration) {
     const Scenario& scenario = runtime.scenario();
     const auto line = [](const std::string& name, const std::string& text) {
@@ -32,7 +47,10 @@ void print_start(const Runtime& runtime, std::optional<double> duration) {
     if (!scenario.trajectory.empty()) line("vehicle", "moves by " + scenario.trajectory.string());
     for (const auto& device : scenario.devices) {
         line(device.name, device.model->title);
-        for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
+        if (scenario.clock == ClockMode::free)
+            std::printf("  %s\n", driver_text(device).c_str());
+        else
+            for (const auto& place : wire_places(device)) std::printf("  %s\n", place_line(place).c_str());
     }
     for (const RunningDevice& device : runtime.devices())
         for (const std::string& networks : device.open_to)
@@ -43,9 +61,10 @@ void print_start(const Runtime& runtime, std::optional<double> duration) {
         line("control", scenario.control + ", token " + token);
     else if (!scenario.control.empty())
         line("control", scenario.control);
-    std::printf("For a driver: %s endpoints %s --format ros1 (or ros2, moos, rock, sitl)\n",
-                program_invocation_name, scenario.file.c_str());
-    const bool stepped = scenario.clock == ClockMode::stepped;
+    if (scenario.clock != ClockMode::free)
+        std::printf("For a driver: %s endpoints %s --format ros1 (or ros2, moos, rock, sitl)\n",
+                    program_invocation_name, scenario.file.c_str());
+    const bool stepped = scenario.clock == ClockMode::stepped || scenario.clock == ClockMode::free;
     const std::string end =
         duration ? " for " + plain(*duration, 1) + (stepped ? " s of the run" : " s") : "";
     std::printf("running%s; Ctrl-C ends it\n", end.c_str());
@@ -100,8 +119,7 @@ Scenario with_control(Scenario scenario, const Arguments& arguments) {
 
 int run_scenario(const Arguments& arguments) {
     const Scenario scenario = with_control(scenario_from(arguments), arguments);
-    std::optional<double> duration;
-    if (arguments.has("--duration")) duration = arguments.number("--duration", 0, 0, 1e9);
+    const std::optional<double> duration = duration_of(arguments, scenario);
     auto recording = recording_from(arguments);
     const auto truth =
         arguments.has("--truth") ? std::make_unique<TruthFile>(arguments.text("--truth")) : nullptr;

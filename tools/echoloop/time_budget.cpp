@@ -16,7 +16,7 @@ class DryRun {
     DryRun(const ScenarioDevice& entry, bool turns) : device_(entry.model->make(entry.config)) {
         take(device_->started(now_));
         if (entry.model->requests == nullptr) return;
-        for (const Bytes& request : entry.model->requests(entry.config, turns)) {
+        for (const Bytes& request : entry.model->requests(entry.config, 2, turns)) {
             if (ping_) hear();
             asked_ = now_;
             if (!request.empty()) take(device_->received({0, request, {}}, now_));

@@ -71,6 +71,7 @@ Verb render_verb();
 Verb record_verb();
 Verb replay_verb();
 Verb run_verb();
+Verb sweep_verb();
 Verb validate_verb();
 
 /// The arguments that many verbs share.

@@ -20,6 +20,8 @@ SOURCES = {
     "poses_rosbridge": ["tools/poses/rosbridge/*.cpp"],
     "devices-norbit-wbms": ["emulator/devices/norbit-wbms/*", "protocols/norbit/*"],
     "devices-kongsberg-kmall": ["emulator/devices/kongsberg-kmall/*", "protocols/kmall/*"],
+    "devices-dvl-a50": ["emulator/devices/waterlinked-dvl/*", "protocols/waterlinked/*", "protocols/http/*.cpp"],
+    "devices-dvl-a125": ["emulator/devices/waterlinked-dvl/*", "protocols/waterlinked/*", "protocols/http/*.cpp"],
     "devices-sonar-3d-15": ["emulator/devices/sonar-3d-15/*", "protocols/http/*.cpp"],
 }
 

@@ -21,6 +21,7 @@ class Node:
     yaw: float = 0.0                           # rad about the vertical, counter-clockwise from east
     pitch: float = 0.0                         # rad about the body's y axis; positive lowers the nose
     children: list = field(default_factory=list)
+    strength: float | None = None              # dB re 1 m^2: the node is a point target, too
 
 
 def y_up(p):
@@ -41,7 +42,7 @@ def rotation(yaw, pitch):
 
 class Writer:
     def __init__(self, materials):
-        self.materials = materials  # name -> mu_db
+        self.materials = materials  # name -> extras.sonar
         self.used = []
         self.binary = bytearray()
         self.json = {"asset": {"version": "2.0", "generator": "tools/make_scenes.py"}, "scene": 0,
@@ -78,7 +79,7 @@ class Writer:
     def material(self, name):
         if name not in self.used:
             self.used.append(name)
-            self.append("materials", {"name": name, "extras": {"sonar": {"mu_db": self.materials[name]}}})
+            self.append("materials", {"name": name, "extras": {"sonar": self.materials[name]}})
         return self.used.index(name)
 
     def primitive(self, material, mesh):
@@ -95,13 +96,15 @@ class Writer:
         if node.parts:
             primitives = [self.primitive(*part) for part in node.parts]
             entry["mesh"] = self.append("meshes", {"name": node.name, "primitives": primitives})
+        if node.strength is not None:
+            entry["extras"] = {"sonar": {"target_strength_db": node.strength}}
         if node.children:
             entry["children"] = [self.node(child) for child in node.children]
         return self.append("nodes", entry)
 
 
 def glb(nodes, materials):
-    """The bytes of a .glb file; `materials` maps each material name to its mu in dB."""
+    """The bytes of a .glb file; `materials` maps each material name to its `extras.sonar`."""
     writer = Writer(materials)
     writer.json["scenes"][0]["nodes"] = [writer.node(node) for node in nodes]
     writer.json["buffers"] = [{"byteLength": len(writer.binary)}]

@@ -9,20 +9,21 @@ from .mesh import Mesh
 LENGTH, WIDTH, DEPTH, THICKNESS = 12.0, 8.0, 4.0, 0.25
 
 
-def slab(name, centre, size, material="concrete"):
+def slab(name, centre, size, material):
     mesh = Mesh()
     mesh.box((0.0, 0.0, 0.0), size)
     return Node(name, [(material, mesh)], position=centre)
 
 
-def walls():
-    x, y, z = (LENGTH + THICKNESS) / 2, (WIDTH + THICKNESS) / 2, -DEPTH / 2
-    long_side = LENGTH + 2 * THICKNESS
-    return [slab("wall_east", (x, 0, z), (THICKNESS, WIDTH, DEPTH)),
-            slab("wall_west", (-x, 0, z), (THICKNESS, WIDTH, DEPTH)),
-            slab("wall_north", (0, y, z), (long_side, THICKNESS, DEPTH)),
-            slab("wall_south", (0, -y, z), (long_side, THICKNESS, DEPTH)),
-            slab("floor", (0, 0, -DEPTH - THICKNESS / 2), (long_side, WIDTH + 2 * THICKNESS, THICKNESS))]
+def walls(length=LENGTH, width=WIDTH, depth=DEPTH, material="concrete"):
+    """Four walls and a floor about the origin whose inner faces enclose length x width x depth, open at z = 0."""
+    x, y, z = (length + THICKNESS) / 2, (width + THICKNESS) / 2, -depth / 2
+    long_side = length + 2 * THICKNESS
+    return [slab("wall_east", (x, 0, z), (THICKNESS, width, depth), material),
+            slab("wall_west", (-x, 0, z), (THICKNESS, width, depth), material),
+            slab("wall_north", (0, y, z), (long_side, THICKNESS, depth), material),
+            slab("wall_south", (0, -y, z), (long_side, THICKNESS, depth), material),
+            slab("floor", (0, 0, -depth - THICKNESS / 2), (long_side, width + 2 * THICKNESS, THICKNESS), material)]
 
 
 def lattice(columns=6, rows=4, across=0.6, up=0.8, radius=0.04):

@@ -63,7 +63,7 @@ void describe_carrier(Carrier& c, const std::string& which, FigureList& f) {
     f.number(c.pulse_limit, which + "_pulse_limit", "us", 5, 80, "the longest pulse");
 }
 
-void describe_profile(Acoustics& a, FigureList& f) {
+void describe_profile(Acoustics& a, std::uint32_t serial, FigureList& f) {
     f.degrees(a.fan_height, "fan_height", 0.5, 60, "vertical, -3 dB full width");
     f.number(a.energy_limit, "energy_limit", "us/s", 1, 10000,
              "the most time of transmission: pulse length times frame rate");
@@ -77,7 +77,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
     describe_carrier(a.low, "low", f);
     describe_carrier(a.high, "high", f);
     f.common(a.horizontal, a.vertical, a.receiver);
-    f.stave_errors(a.errors);
+    f.stave_errors(a.errors, std::to_string(serial));
     a.low.directivity_index = a.receiver.directivity_index;
 }
 
@@ -88,7 +88,7 @@ std::uint32_t read_ipv4(const std::string& text) { return parse_endpoint("udp-li
 void describe(Settings& s, OptionList& o, FigureList& f) {
     describe_words(s, o);
     describe_frames(s, o);
-    describe_profile(s.acoustics, f);
+    describe_profile(s.acoustics, s.serial, f);
 }
 
 Settings read_settings(const DeviceConfig& config, const Variant& variant) {

@@ -63,9 +63,11 @@ void describe_pace(Settings& s, OptionList& o) {
              "maker's data sheet of 2006: better than 20 frames per second");
     o.number(s.processing_time, "processing_time", "s", 0, 1, "from the end of the range to the datagram",
              own);
+    o.whole(s.serial, "serial", "", 0, 4294967295.0,
+            "serial number, which no datagram has; tells whose staves they are", own);
 }
 
-void describe(Acoustics& a, FigureList& f) {
+void describe(Acoustics& a, std::uint32_t serial, FigureList& f) {
     f.number(a.frequency, "frequency", "Hz", 10e3, 10e6, "of the pulse; in the 83P as kHz");
     f.number(a.source_level, "source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis");
     f.degrees(a.fan_height, "fan_height", 0.1, 60, "-3 dB full width of the transmit beam, along track");
@@ -73,7 +75,7 @@ void describe(Acoustics& a, FigureList& f) {
              "level after gain that reads 65535");
     multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
-    f.stave_errors(a.errors);
+    f.stave_errors(a.errors, std::to_string(serial));
 }
 
 }  // namespace
@@ -82,7 +84,7 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
     describe_start(s.start, o);
     describe_profile(s, o);
     describe_pace(s, o);
-    describe(s.acoustics, f);
+    describe(s.acoustics, s.serial, f);
 }
 
 Settings read_settings(const DeviceConfig& config) {

@@ -37,6 +37,7 @@ struct Settings {
     double processing_time = 0.01;  ///< s from the end of the window to the datagram
     bool tvg = true, pulse = true;  ///< the effects of that name
     double unix_start = 0;          ///< s
+    std::uint32_t serial = 1001;
     Sensors sensors;
 };
 

@@ -33,7 +33,7 @@ std::string line(std::string_view name, const std::string& value) {
 /// A reader that finds no processing unit takes the whole text for broken. Names, type and versions are those
 /// of real ones (an EM 2040P with CPU 5.4.0); the serial numbers are as long as theirs, and ours.
 std::string processing_unit(const Settings& s) {
-    const std::string head = std::to_string(2000 + s.system_id);
+    const std::string head = std::to_string(s.head_serial());
     return "PU_0,\nSN=10" + std::to_string(100 + s.system_id) +
            ",\nIP=127.0.0.1:0xff000000,\nUDP=1997,\nTYPE=CON_TECH_PP_B12_SMP_CPU,\n" +
            "VERSIONS:,\nCPU:5.4.0 2022-05-06,\nVXW:6.9 SMP Aug 10 2022,\nVERSIONS-END,\nSERIALno:\nTX:" +

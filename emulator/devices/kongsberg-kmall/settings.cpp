@@ -72,7 +72,7 @@ void describe_profile(Settings& s, FigureList& f) {
              "level after gain and its offset that reads 0 dB in #MWC");
     multibeam::list_figures(s.detection, f);
     f.common(s.horizontal, s.vertical, s.receiver);
-    f.stave_errors(s.errors);
+    f.stave_errors(s.errors, std::to_string(s.head_serial()));
 }
 
 }  // namespace

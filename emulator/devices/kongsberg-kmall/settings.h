@@ -52,6 +52,8 @@ struct Settings {
     double unix_start = 0;      ///< s
     Sensors sensors;
 
+    /// Of transmitter and receiver: as long as those of real ones, and ours.
+    int head_serial() const { return 2000 + system_id; }
     /// Another frequency: beams widen, and the array gathers less noise from around, below the one before.
     void tune(double hertz);
 };

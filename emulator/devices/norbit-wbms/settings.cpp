@@ -58,7 +58,7 @@ void describe_answers(Settings& s, OptionList& o) {
              "own choice: from the last echo to the packets; 60 Hz is reached up to 5 m");
 }
 
-void describe_profile(Acoustics& a, FigureList& f) {
+void describe_profile(Acoustics& a, std::string_view serial, FigureList& f) {
     f.number(a.reference_frequency, "reference_frequency", "Hz", 80e3, 1e6,
              "at which the beam widths are given");
     f.degrees(a.receive_beam_width, "receive_beam_width", 0.05, 20, "-3 dB full width across track");
@@ -71,7 +71,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.number(a.largest_gain, "largest_gain", "dB", 0, 120, "digital");
     multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
-    f.stave_errors(a.errors);
+    f.stave_errors(a.errors, serial);
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
 void describe(Settings& s, OptionList& o, FigureList& f) {
     describe_packets(s, o);
     describe_answers(s, o);
-    describe_profile(s.acoustics, f);
+    describe_profile(s.acoustics, s.serial, f);
 }
 
 Settings read_settings(const DeviceConfig& config) {

@@ -89,7 +89,7 @@ void describe_mode(ModeFigures& m, const std::string& mode, FigureList& f) {
              "reads full scale at 0 % gain without time-varied gain");
 }
 
-void describe_profile(Acoustics& a, FigureList& f) {
+void describe_profile(Acoustics& a, std::uint16_t device_id, FigureList& f) {
     f.number(a.pulse_length, "pulse_length", "s", 1e-6, 1e-2, "of the chirp");
     f.number(a.shortest_range, "shortest_range", "m", 0.05, 5, "that can be set");
     f.whole(a.rows, "rows", 16, 4096, "the most of an image");
@@ -103,7 +103,7 @@ void describe_profile(Acoustics& a, FigureList& f) {
     describe_mode(a.low, "low", f);
     describe_mode(a.high, "high", f);
     f.common(a.horizontal, a.vertical, a.receiver);
-    f.stave_errors(a.errors);
+    f.stave_errors(a.errors, std::to_string(device_id));
     a.low.directivity_index = a.receiver.directivity_index;
     a.low.self_noise = a.receiver.self_noise;
 }
@@ -117,7 +117,7 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
     std::uint16_t part_number = 0;
     f.whole(part_number, "part_number", 1, 65535, "in the status");
     if (s.part_number == 0) s.part_number = part_number;
-    describe_profile(s.acoustics, f);
+    describe_profile(s.acoustics, s.device_id, f);
 }
 
 Settings read_settings(const DeviceConfig& config) {

@@ -20,9 +20,9 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     return shot;
 }
 
-std::vector<Bytes> requests(const DeviceConfig&, bool) {
+std::vector<Bytes> requests(const DeviceConfig&, std::size_t pings, bool) {
     constexpr std::uint16_t profile = 1300;
-    return {ping::encode(ping::Message(ping::GeneralRequest{profile}))};
+    return {pings, ping::encode(ping::Message(ping::GeneralRequest{profile}))};
 }
 
 }  // namespace

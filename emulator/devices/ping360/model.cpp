@@ -23,11 +23,14 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     return shot;
 }
 
-std::vector<Bytes> requests(const DeviceConfig&, bool turns) {
+std::vector<Bytes> requests(const DeviceConfig&, std::size_t pings, bool turns) {
     const auto transducer = [](std::uint16_t angle) {
         return ping::encode(ping::Message(ping::Transducer{1, 0, angle, 11, 88, 750, 1200, 1, 0}));
     };
-    return {transducer(0), transducer(turns ? 1 : 0)};
+    std::vector<Bytes> words;
+    for (std::size_t i = 0; i < pings; ++i)
+        words.push_back(transducer(static_cast<std::uint16_t>(turns ? i % circle : 0)));
+    return words;
 }
 
 std::vector<KnownDriver> drivers() {

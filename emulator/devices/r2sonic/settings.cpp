@@ -83,7 +83,7 @@ void describe_wire(Settings& s, OptionList& o) {
              "from the last sample to BTH0, not before the products", "a recorded 2022: 10.8 to 11.5 ms");
 }
 
-void describe(Acoustics& a, FigureList& f) {
+void describe(Acoustics& a, std::string_view serial, FigureList& f) {
     f.number(a.reference_frequency, "reference_frequency", "Hz", 10e3, 10e6,
              "at which beam widths and directivity index are given");
     f.degrees(a.receive_beam_width, "receive_beam_width", 0.05, 20, "-3 dB full width across track, one way");
@@ -97,7 +97,7 @@ void describe(Acoustics& a, FigureList& f) {
              "level after gain that reads 65535 in I1, WCD0, SNI0 and TPX0");
     multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
-    f.stave_errors(a.errors);
+    f.stave_errors(a.errors, serial);
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ void describe(Acoustics& a, FigureList& f) {
 void describe(Settings& s, OptionList& o, FigureList& f, const Variant& variant) {
     describe(s.start, o, variant);
     describe_wire(s, o);
-    describe(s.acoustics, f);
+    describe(s.acoustics, s.serial.view(), f);
 }
 
 Settings read_settings(const DeviceConfig& config, const Variant& variant) {

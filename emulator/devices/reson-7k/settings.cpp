@@ -56,7 +56,7 @@ void describe_head(Acoustics& a, FigureList& f) {
     f.number(a.most_rate, "most_rate", "Hz", 1, 100, "that can be set");
 }
 
-void describe_levels(Acoustics& a, FigureList& f) {
+void describe_levels(Acoustics& a, std::uint64_t serial, FigureList& f) {
     f.number(a.ping_pause, "ping_pause", "s", 0, 1, "from the end of the range to the next ping");
     f.number(a.spreading, "tvg_spreading", "dB per decade of range", 0, 60, "time-varied gain");
     f.number(a.absorption, "tvg_absorption", "dB/km", 0, 500, "time-varied gain, one way");
@@ -64,7 +64,7 @@ void describe_levels(Acoustics& a, FigureList& f) {
              "after gain and time-varied gain: reads full scale");
     multibeam::list_figures(a.detection, f);
     f.common(a.horizontal, a.vertical, a.receiver);
-    f.stave_errors(a.errors);
+    f.stave_errors(a.errors, std::to_string(serial));
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ void describe_levels(Acoustics& a, FigureList& f) {
 void describe(Settings& s, OptionList& o, FigureList& f) {
     describe(s, o);
     describe_head(s.acoustics, f);
-    describe_levels(s.acoustics, f);
+    describe_levels(s.acoustics, s.serial, f);
 }
 
 Settings read_settings(const DeviceConfig& config) {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "emulator/contract/endpoint.h"
-#include "emulator/devices/sonar-3d-15/clock_text.h"
+#include "emulator/devices/family/waterlinked/clock_text.h"
 
 namespace echoloop::sonar_3d_15 {
 namespace {
@@ -20,6 +20,7 @@ constexpr std::array<int, 3> always{0, 0, 0};
 constexpr double slowest = 1000, fastest = 2000;  // m/s, by hand
 
 using Json = nlohmann::ordered_json;
+using waterlinked_family::is_host, waterlinked_family::read_rfc3339, waterlinked_family::rfc3339;
 
 /// The member of an object, or the value itself where `name` is empty; nothing if it is not of type T.
 template <class T>

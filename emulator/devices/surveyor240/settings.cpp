@@ -26,9 +26,11 @@ void describe_options(Settings& s, OptionList& o) {
     describe(s.identity, o);
     o.number(s.processing_time, "processing_time", "s", 0, 1,
              "from the last range step to the points and the next ping", own);
+    o.whole(s.serial, "serial", "", 0, 4294967295.0,
+            "serial number, which no message has; tells whose staves they are", own);
 }
 
-void describe_profile(Acoustics& a, FigureList& f) {
+void describe_profile(Acoustics& a, std::uint32_t serial, FigureList& f) {
     f.number(a.source_level, "source_level", "dB re 1 uPa at 1 m", 100, 240, "on the axis");
     f.degrees(a.swath, "swath", 10, 160, "from the first direction to the last");
     f.whole(a.directions, "directions", 2, 256, "number of directions within the swath");
@@ -40,14 +42,14 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.number(a.longest_range, "longest_range", "m", 10, 200,
              "the longest that a host may set, and that following the bottom uses");
     f.common(a.horizontal, a.vertical, a.receiver);
-    f.stave_errors(a.errors);
+    f.stave_errors(a.errors, std::to_string(serial));
 }
 
 }  // namespace
 
 void describe(Settings& s, OptionList& o, FigureList& f) {
     describe_options(s, o);
-    describe_profile(s.acoustics, f);
+    describe_profile(s.acoustics, s.serial, f);
 }
 
 Settings read_settings(const DeviceConfig& config) {

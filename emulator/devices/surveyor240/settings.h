@@ -35,6 +35,7 @@ struct Settings {
     bool pressure_sensor = false;
     double processing_time = 5e-3;  ///< s from the last range step to the points
     bool pulse = true;              ///< the effect of that name: echoes are as long as the pulse
+    std::uint32_t serial = 1001;
     Sensors sensors;
     Acoustics acoustics;
 };

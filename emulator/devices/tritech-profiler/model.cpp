@@ -35,7 +35,7 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
 }
 
 /// 20 ms for a ping, 15 m; a pass of one, or of two 0.9 deg apart at 250 us for each 1/16 gradian.
-std::vector<Bytes> requests(const DeviceConfig&, bool turns) {
+std::vector<Bytes> requests(const DeviceConfig&, std::size_t pings, bool turns) {
     seanet::ProfilerCommand command;
     seanet::ProfilerParameters& p = command.parameters;
     p.hd_ctrl = seanet::profiler_ctrl::hasmot | seanet::profiler_ctrl::scanright;
@@ -46,9 +46,12 @@ std::vector<Bytes> requests(const DeviceConfig&, bool turns) {
     p.right_limit = 3200 + 16;
     p.motor_time = 25;
     p.scan_time = 200;
-    std::vector<Bytes> words{seanet::encode(seanet::Message(command)),
-                             seanet::encode(seanet::Message(seanet::SendData{}), {seanet::nodes::profiler})};
-    if (turns) words.emplace_back();  // the second ping of a pass comes unasked
+    std::vector<Bytes> words{seanet::encode(seanet::Message(command))};
+    for (std::size_t i = 0; i < pings; ++i)
+        if (turns && i % 2 == 1)
+            words.emplace_back();  // the second ping of a pass comes unasked
+        else
+            words.push_back(seanet::encode(seanet::Message(seanet::SendData{}), {seanet::nodes::profiler}));
     return words;
 }
 

@@ -54,6 +54,36 @@ TEST(Profiles, FiguresReachThePing) {
     EXPECT_EQ(other.vertical.shape, ApertureShape::piston);
 }
 
+/// The option that holds the serial number of a model's units, or what it follows from.
+std::string serial_option(const Model& model) {
+    for (const char* name : {"serial", "device_id", "system_id"})
+        if (std::ranges::find(model.options, name, &Option::name) != model.options.end()) return name;
+    return "";
+}
+
+TEST(Profiles, StavesAreThoseOfTheUnitWithThatSerialNumber) {
+    int arrays = 0;
+    for (const Model& model : models()) {
+        if (std::ranges::find(model.figures, "stave_phase_error", &FigureRow::name) == model.figures.end())
+            continue;
+        ++arrays;
+        const auto unit = [&](DeviceConfig config) { return model.default_shot(config, 0, 0).errors.unit; };
+        const DeviceConfig config = make_config(model);
+        DeviceConfig elsewhere = config, other = config;
+        elsewhere.name = "another", elsewhere.random_key = 4711;
+        auto& serial = other.options.at(serial_option(model));
+        if (auto* text = std::get_if<std::string>(&serial))
+            *text += "1";
+        else
+            serial = std::get<std::int64_t>(serial) + 1;
+        EXPECT_NE(unit(config), 0U) << model.name
+                                    << ": the scenario's seed and the device's name would count";
+        EXPECT_EQ(unit(config), unit(elsewhere)) << model.name;
+        EXPECT_NE(unit(config), unit(other)) << model.name;
+    }
+    EXPECT_GE(arrays, 14);
+}
+
 TEST(Profiles, TheSonicHearsWithTheArrayAndSendsWithTheProjector) {
     const Model& model = *find_model("r2sonic-2024");
     DeviceConfig config = make_config(model);

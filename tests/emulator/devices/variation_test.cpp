@@ -31,7 +31,7 @@ std::vector<Bytes> first_words(const Model& model, const DeviceConfig& config) {
     if (model.name == "omniscan450") return {frame(OmniscanParams{})};
     if (model.name == "s500") return {frame(S500Params{})};
     if (model.name == "surveyor240") return {frame(Set{})};
-    return model.requests != nullptr ? model.requests(config, false) : std::vector<Bytes>{};
+    return model.requests != nullptr ? model.requests(config, 2, false) : std::vector<Bytes>{};
 }
 
 /// All that it says within 3 s, and when its pings are due; hosts say what a plain driver says.

@@ -35,6 +35,11 @@ Effects mean_levels() {
 /// A model's plain ping above a floor that the axis of its middle beam meets half way down its window.
 struct OverFloor {
     explicit OverFloor(const Model& model) : shot(model.default_shot(make_config(model), 0, 0)) {
+        if (!shot.sides.empty()) {  // arrays of one beam each: one stands for all
+            shot.bearings = {0};
+            shot.source_level = shot.sides[0].source_level;
+            shot.sides.clear();
+        }
         const double window = shot.first_bin_time + shot.bin_interval * static_cast<double>(shot.bins);
         axis_range = true_speed / 2 * (shot.first_bin_time + window) / 2;
         altitude = axis_range * std::sin(grazing);

@@ -135,7 +135,8 @@ std::vector<WireCase> wire_cases() {
              {{0, hex("42522400cf0b000000000000102700000080bb44ffff6400"
                       "000000010000000180a90300900100000000c03f6808")}}},
             {"delta t", "imagenex-deltat", {}, {}},
-            {"sonar 3d", "sonar-3d-15", {{"acoustics", true}}, {}}};
+            {"sonar 3d", "sonar-3d-15", {{"acoustics", true}}, {}},
+            {"dvl", "dvl-a50", {}, {}}};
 }
 
 }  // namespace echoloop::bench

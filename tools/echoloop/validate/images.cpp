@@ -15,7 +15,7 @@ Mesh mirror_of(Mesh mesh, double reflection, double roughness = 0, double slope 
     mesh.material.reflection = reflection;
     mesh.material.roughness = roughness;
     mesh.material.slope = slope;
-    mesh.material.mu_db = -120;
+    mesh.material.mu_db = -120, mesh.material.lobe = true;
     return mesh;
 }
 

@@ -10,7 +10,7 @@
 namespace echoloop::imagenex_head {
 namespace {
 
-std::vector<Bytes> requests(const DeviceConfig& config, bool turns) {
+std::vector<Bytes> requests(const DeviceConfig& config, std::size_t pings, bool turns) {
     imagenex::SwitchCommand command;
     command.head_id = static_cast<std::uint8_t>(integer(config.options, "head_id"));
     command.range = 10;
@@ -20,7 +20,7 @@ std::vector<Bytes> requests(const DeviceConfig& config, bool turns) {
     command.pulse_length = 10;
     command.data_points = 25;
     command.data_bits = 8;
-    return std::vector<Bytes>(2, imagenex::encode(imagenex::Message(command)));
+    return std::vector<Bytes>(pings, imagenex::encode(imagenex::Message(command)));
 }
 
 }  // namespace

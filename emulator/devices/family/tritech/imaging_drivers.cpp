@@ -5,7 +5,7 @@
 namespace echoloop::tritech {
 
 /// 200 bins of 25 mm, a step of 0.9 deg at 250 us for each 1/16 gradian.
-std::vector<Bytes> imaging_requests(const DeviceConfig&, bool turns) {
+std::vector<Bytes> imaging_requests(const DeviceConfig&, std::size_t pings, bool turns) {
     seanet::HeadCommand command;
     seanet::HeadParameters& p = command.parameters;
     p.hd_ctrl = seanet::hd_ctrl::adc8on | seanet::hd_ctrl::cont | seanet::hd_ctrl::scanright |
@@ -20,7 +20,9 @@ std::vector<Bytes> imaging_requests(const DeviceConfig&, bool turns) {
     p.bins = 200;
     p.max_ad_buffer = 1000;
     const Bytes ask = seanet::encode(seanet::Message(seanet::SendData{}));
-    return {seanet::encode(seanet::Message(command)), ask, ask};
+    std::vector<Bytes> words(1 + pings, ask);
+    words.front() = seanet::encode(seanet::Message(command));
+    return words;
 }
 
 /// iSonar takes each setting from its block and has no defaults: without NBINS it shows nothing.

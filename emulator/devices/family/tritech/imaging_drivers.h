@@ -9,7 +9,7 @@
 namespace echoloop::tritech {
 
 /// See Model::requests and Model::drivers.
-std::vector<Bytes> imaging_requests(const DeviceConfig& config, bool turns);
+std::vector<Bytes> imaging_requests(const DeviceConfig& config, std::size_t pings, bool turns);
 std::vector<KnownDriver> imaging_drivers(Family family);
 
 }  // namespace echoloop::tritech

@@ -1,11 +1,11 @@
-#include "emulator/devices/sonar-3d-15/clock_text.h"
+#include "emulator/devices/family/waterlinked/clock_text.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 
-namespace echoloop::sonar_3d_15 {
+namespace echoloop::waterlinked_family {
 namespace {
 
 using namespace std::chrono;
@@ -63,4 +63,4 @@ bool is_host(const std::string& text) {
     });
 }
 
-}  // namespace echoloop::sonar_3d_15
+}  // namespace echoloop::waterlinked_family

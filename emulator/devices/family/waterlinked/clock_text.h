@@ -1,10 +1,10 @@
-// Times as the Sonar 3D-15's HTTP interface writes them (RFC 3339), and who serves them. Pure functions.
+// Times as Water Linked's sonars write them (RFC 3339), and who serves them. Pure functions.
 #pragma once
 
 #include <optional>
 #include <string>
 
-namespace echoloop::sonar_3d_15 {
+namespace echoloop::waterlinked_family {
 
 /// "2026-08-17T10:00:00.250000Z" from s since 1970.
 std::string rfc3339(double unix_time);
@@ -13,4 +13,4 @@ std::optional<double> read_rfc3339(const std::string& text);
 /// A name or an address: letters, digits, dots, colons and dashes.
 bool is_host(const std::string& text);
 
-}  // namespace echoloop::sonar_3d_15
+}  // namespace echoloop::waterlinked_family

@@ -1,0 +1,113 @@
+#include "emulator/devices/waterlinked-dvl/echo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "emulator/devices/waterlinked-dvl/beams.h"
+
+namespace echoloop::waterlinked_dvl {
+namespace {
+
+double time_of(const Shot& shot, std::size_t bin) {
+    return shot.first_bin_time + (static_cast<double>(bin) + 0.5) * shot.bin_interval;
+}
+
+/// The bin of the strongest echo, if one stands out of the noise.
+std::optional<std::size_t> peak_of(const Echogram& e, std::size_t beam, double detection) {
+    const auto powers = e.beam(beam);
+    const double least = e.noise_power * std::pow(10, detection / 10);
+    std::optional<std::size_t> best;
+    double strongest = 0;
+    for (std::size_t bin = 0; bin < powers.size(); ++bin) {
+        const double power = static_cast<double>(powers[bin]) - e.noise_power;
+        const double time = time_of(e.shot, bin);
+        const double strength = power * time * time;
+        if (static_cast<double>(powers[bin]) <= least || strength <= strongest) continue;
+        strongest = strength;
+        best = bin;
+    }
+    return best;
+}
+
+/// Bins of one beam around a time, weighed by their power above the noise.
+struct Around {
+    const Echogram& echogram;
+    std::size_t beam;
+
+    /// Mean of `value(bin)` within `half` s of `time`; nothing where there is no power.
+    template <class Value>
+    std::optional<double> mean(double time, double half, const Value& value) const {
+        const Shot& shot = echogram.shot;
+        const auto place = [&](double t) {
+            const double bin = std::floor((t - shot.first_bin_time) / shot.bin_interval);
+            return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(shot.bins)));
+        };
+        const auto powers = echogram.beam(beam);
+        double sum = 0, weights = 0;
+        const std::size_t end = std::min(place(time + half) + 1, shot.bins);
+        for (std::size_t bin = place(time - half); bin < end; ++bin) {
+            const double weight = static_cast<double>(powers[bin]) - echogram.noise_power;
+            const double one = value(bin);
+            if (!(weight > 0) || std::isnan(one)) continue;
+            sum += weight * one;
+            weights += weight;
+        }
+        return weights > 0 ? std::optional(sum / weights) : std::nullopt;
+    }
+};
+
+}  // namespace
+
+Plan make_plan(const ModeFigures& mode, double speed, const Settings& settings) {
+    constexpr double margin = 1.15;  // for a vehicle that is not level, and slopes; own choice
+    constexpr double share = 0.1;    // of the way to the nearest bottom that a pulse is long; own choice
+    const Acoustics& a = settings.acoustics;
+    Plan plan{.mode = mode};
+    plan.pulse = std::clamp(share * 2 * mode.nearest / speed, a.shortest_pulse, a.longest_pulse);
+    plan.window = 2 * margin * mode.farthest / std::cos(tilt) / speed;
+    plan.period = std::max(1 / mode.rate, plan.window + settings.processing_time);
+    return plan;
+}
+
+Shot make_shot(const Plan& plan, const Settings& settings, std::uint64_t number) {
+    constexpr double bins_per_pulse = 4, quarter = std::numbers::pi / 4;
+    const Acoustics& a = settings.acoustics;
+    Shot shot;
+    shot.ping = number;
+    shot.bearings = {-3 * quarter, -quarter, quarter, 3 * quarter};
+    shot.sides.assign(transducers, {std::numbers::pi / 2 - tilt, a.source_level});
+    shot.beam_width = shot.fan_height = a.beam_width;
+    shot.bin_interval = plan.pulse / bins_per_pulse;
+    shot.bins = static_cast<std::size_t>(std::ceil(plan.window / shot.bin_interval));
+    shot.frequency = a.frequency;
+    shot.pulse_length = plan.pulse;
+    shot.source_level = a.source_level;
+    shot.horizontal = a.horizontal;
+    shot.vertical = a.vertical;
+    shot.receiver = a.receiver;
+    shot.receiver.bandwidth = 1 / plan.pulse;
+    shot.interval = plan.period;
+    return shot;
+}
+
+std::optional<Echo> find_bottom_echo(const Echogram& e, std::size_t beam, const Settings& settings) {
+    constexpr int steps = 4;
+    const auto peak = peak_of(e, beam, settings.acoustics.detection);
+    if (!peak) return std::nullopt;
+    const Around around{e, beam};
+    const double extent = std::tan(tilt) * settings.acoustics.beam_width;  // of the range, to either side
+    double middle = time_of(e.shot, *peak), half = 0;
+    for (int step = 0; step < steps; ++step) {
+        half = extent * middle + 0.75 * e.shot.pulse_length + e.shot.bin_interval;
+        middle =
+            around.mean(middle, half, [&](std::size_t bin) { return time_of(e.shot, bin); }).value_or(middle);
+    }
+    Echo echo;
+    // An echo begins at its range. A receiver of the pulse's bandwidth makes it half as long again.
+    echo.time = middle - 0.75 * e.shot.pulse_length;
+    echo.level = static_cast<double>(level_db(e.beam(beam)[*peak]));
+    return echo.time > 0 ? std::optional(echo) : std::nullopt;
+}
+
+}  // namespace echoloop::waterlinked_dvl
