@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/fan/patches.h"
 #include "render/fan/ping_motion.h"
 #include "render/fan/pixel_extents.h"
 
@@ -65,6 +66,9 @@ void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, con
     };
     const std::size_t first = view.first_pixel + line * view.samples, count = view.samples;
     const float *weight = &in.plan.weight[first], *coverage = &in.plan.coverage[first];
+    if (is_echo(amount) && in.patches != nullptr && !view.surround &&
+        in.patches->weigh(reader.row(), view, line, in.offset.of(view), weight, reader.weights))
+        weight = reader.weights.data();
     switch (amount) {
         case Amount::echo:
             return for_each_echo<Amount::echo>(in, gain, reader, extents, weight, count, list);
