@@ -88,7 +88,8 @@ double range_of_target(Shot shot, double speed) {
 }
 
 void check_sweep(Findings& find, const char* name, double pulse_length, double bandwidth, double bias) {
-    Shot shot = fan(2, 2, 1, 4000, 25);
+    Shot shot = fan(2, 2, 1, 1500, 25);  // bins of 1 mm from 19 m on
+    shot.first_bin_time = 2 * 19.0 / 1500, shot.bin_interval = 2e-3 / 1500;
     shot.frequency = 300e3;
     const double steady = range_of_target(shot, 0) - range_of_target(shot, 1);
     shot.pulse_length = pulse_length, shot.bandwidth = bandwidth;
