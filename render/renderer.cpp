@@ -13,6 +13,7 @@
 #include "render/fan/closing_speeds.h"
 #include "render/fan/focus.h"
 #include "render/fan/object_finder.h"
+#include "render/fan/patches.h"
 #include "render/fan/plan_cache.h"
 #include "render/fan/resting_offset.h"
 #include "render/fan/reverberation.h"
@@ -74,6 +75,7 @@ class Renderer::Impl {
           crew_((check_settings(), prepare_paths(), [this] { return gl::make_context(options_.context); }),
                 scene, options_.drawing_threads),
           plans_(options_.plans ? options_.plans : std::make_shared<PlanCache>()),
+          patches_(this->scene()),
           fan_(make_fan_summing(workers_)),
           grid_(make_grid_summing(workers_)),
           chain_(options_.effects, options_.speckle) {}
@@ -121,6 +123,7 @@ class Renderer::Impl {
         PathEchoes paths;
         std::optional<PingMotion> motion;
         std::optional<Reverberation> water;  ///< none: it is silent
+        bool patchy = false;                 ///< materials are uneven
     };
 
     const gl::SceneDrawer& drawer() const { return crew_.drawer(); }
@@ -167,6 +170,7 @@ class Renderer::Impl {
         profile_.paths += timed([&] { trace_paths(heard, out.sound_speed); });
         find_strengths(shot, out.sound_speed);
         find_water(heard, situation, out.sound_speed);
+        place_patches(heard);
         Summing& summing = summing_of(shot);
         const BinningInput input = binning_input(heard, out.sound_speed);
         profile_.bins += timed([&] {
@@ -266,6 +270,12 @@ class Renderer::Impl {
         heard.water.emplace(around, c / 2 * shot.first_bin_time, c / 2 * shot.bin_interval, shot.bins);
     }
 
+    void place_patches(Heard& heard) {
+        heard.patchy = patches_.any() && effects().has(Effect::texture);
+        if (heard.patchy)
+            patches_.place(world_from_fan(heard.array.shot, heard.array.world_from_sonar), movers_);
+    }
+
     const StrengthTable& surface_strength(double frequency, double wind) {
         return surface_tables_
             .get([&](const SurfaceStrength& known) { return known.frequency == frequency; },
@@ -299,6 +309,7 @@ class Renderer::Impl {
         const double least = 0.1 * out.noise_power / bins_at_once;
         for (const Heard& heard : arrays_) {
             const Shot& shot = heard.array.shot;
+            if (heard.patchy) patches_.place(world_from_fan(shot, heard.array.world_from_sonar), movers_);
             std::vector<std::uint16_t> objects(shot.beams() * shot.bins);
             finder_.find(summing_of(shot), binning_input(heard, out.sound_speed),
                          drawer().object_of_surface(), least, objects);
@@ -323,6 +334,7 @@ class Renderer::Impl {
                 heard.focus,
                 {},
                 heard.water ? &*heard.water : nullptr,
+                heard.patchy ? &patches_ : nullptr,
                 heard.motion ? &*heard.motion : nullptr};
     }
 
@@ -425,6 +437,7 @@ class Renderer::Impl {
     RecentlyUsed<SurfaceStrength> surface_tables_{8};
     std::vector<const StrengthTable*> strength_;  ///< of the ping at hand, per surface
     std::shared_ptr<PlanCache> plans_;
+    Patches patches_;
     Workers workers_;
     std::unique_ptr<Summing> fan_, grid_;
     ObjectFinder finder_;

@@ -13,6 +13,7 @@
 
 namespace echoloop {
 
+class Patches;
 struct PingMotion;  // render/fan/ping_motion.h
 class Reverberation;
 
@@ -32,6 +33,7 @@ struct BinningInput {
     std::span<const float> focus{};          ///< per pixel: power over that of straight rays; empty: 1
     std::span<const std::uint8_t> wanted{};  ///< per surface index, for Amount::wanted_echo: not 0, it counts
     const Reverberation* water = nullptr;    ///< null: it is silent
+    const Patches* patches = nullptr;        ///< null: even materials
     const PingMotion* motion = nullptr;      ///< null: all stands still
     /// Echoes are multiplied by this power of their closing speed plus PingMotion::fastest, which is not
     /// negative; only direct ones count then. 0: they are powers.

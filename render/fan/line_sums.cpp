@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "render/fan/far_lobes.h"
+#include "render/fan/patches.h"
 #include "render/fan/ping_motion.h"
 
 namespace echoloop {
@@ -104,13 +105,17 @@ void add_volume(const BinningInput& in, const View& view, std::size_t line, cons
     const PixelRow& row = reader.row();
     UnderWay& under_way = reader.under_way;
     under_way.reset(water);
+    if (!water.by_depth()) {
+        under_way.add(water, row.range(), row.surface(), weight, view.samples);
+        return under_way.scatter(water, steps);
+    }
     const auto rise = water.rise(view, view.x(static_cast<double>(line) + 0.5 + in.offset.level.line));
     const auto top = static_cast<float>(view.y(0.5 + in.offset.level.sample)),
                step = static_cast<float>(view.sample_height());
     for (std::size_t i = 0; i < view.samples; ++i) {
         if (!(weight[i] > 0)) continue;
         const float end = row.surface()[i] != 0 ? water.place(row.range()[i]) : nowhere;
-        under_way.add(end, water.by_depth() ? rise.at(top - static_cast<float>(i) * step) : 0, weight[i]);
+        under_way.add(end, rise.at(top - static_cast<float>(i) * step), weight[i]);
     }
     under_way.scatter(water, steps);
 }
@@ -219,6 +224,9 @@ void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, 
         weight = reader.weights.data();
     }
     find_spreads(reader.row(), view, static_cast<float>(in.bin_length), end_of(in), reader.extents);
+    if (is_echo(amount) && in.patches != nullptr &&
+        in.patches->weigh(reader.row(), view, line, in.offset.level, weight, reader.weights))
+        weight = reader.weights.data();
     if (in.motion != nullptr) weight = apply_motion(in, view, line, weight, reader);
     const float* focus = focus_of(in, view, line);
     const SurfaceSteps water = surface_steps(in, steps);

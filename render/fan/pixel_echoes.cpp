@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/fan/patches.h"
 #include "render/fan/ping_motion.h"
 #include "render/fan/pixel_extents.h"
 
@@ -66,6 +67,9 @@ void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, con
     };
     const std::size_t first = view.first_pixel + line * view.samples, count = view.samples;
     const float *weight = &in.plan.weight[first], *coverage = &in.plan.coverage[first];
+    if (is_echo(amount) && in.patches != nullptr && !view.surround &&
+        in.patches->weigh(reader.row(), view, line, in.offset.of(view), weight, reader.weights))
+        weight = reader.weights.data();
     const float* focus = focus_of(in, view, line);
     switch (amount) {
         case Amount::echo:

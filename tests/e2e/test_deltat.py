@@ -55,7 +55,7 @@ class DeltaTCase(unittest.TestCase):
             self.socket.sendto(wire.control(**settings), self.sender)
         self.fail(f"nothing of {settings} in 20 s")
 
-    def check_depths(self, profile, depth, inside=60.0, within=0.008):
+    def check_depths(self, profile, depth, inside=60.0, within=0.005):
         """Each beam within that part of the depth, and all of them without a bias. A pulse of 0.09 m, as at a range of 20 m, is
         near the nadir all of the echo: speckle moves it by the length over sqrt 12, 2.6 cm or a third of a percent of 8 m."""
         errors = []

@@ -230,6 +230,21 @@ TEST(PingMotion, WhatIsTooLittleToMatterChangesNoByte) {
     }
 }
 
+// What is everywhere sounds the same to a fan that transmits wide, however it turns.
+TEST(PingMotion, TheWaterKeepsItsLevelWhereItIsLit) {
+    Water water = test::water_of(c);
+    water.scattering = {{0, -50}};
+    RendererOptions options = patterned();
+    options.effects.set(Effect::reverberation);
+    options.surface.reset();
+    Renderer renderer(test::scene_of({test::wall_at(-500, 1, -1, 1)}), water, options);
+    const Shot shot = imaging(50);
+    const Echogram still = renderer.render(shot, {}), turned = renderer.render(shot, yawing);
+    for (std::size_t beam = 8; beam < 32; beam += 4)
+        for (const std::size_t bin : {50U, 150U, 350U})
+            EXPECT_NEAR(db(turned.beam(beam)[bin] / still.beam(beam)[bin]), 0, 0.1) << beam << ' ' << bin;
+}
+
 TEST(PingMotion, RowsOfBeamsTurnBothWays) {
     Shot shot = test::fan(40, 2, 40, 400, 45);
     for (int row = -10; row <= 10; ++row) shot.elevations.push_back(deg_to_rad(row));

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "emulator/contract/random_key.h"
 #include "emulator/scenario/scene.h"
@@ -216,9 +217,12 @@ Report heard_in(const std::filesystem::path& file) {
     return report;
 }
 
-/// Scenarios that show something else than their sonars: faults, load, movement, a clock from outside.
+/// Scenarios that show something else than their sonars: faults, load, movement, a clock from outside, waters
+/// and rooms that hide what is in them.
 bool shows_sonars(const std::string& name) {
-    return name != "faults" && name != "busy" && name != "moving" && name != "stepped";
+    static const std::set<std::string> others{"basin",   "busy",   "deep-water", "faults",
+                                              "harbour", "moving", "stepped",    "sweep"};
+    return !others.contains(name);
 }
 
 TEST(Levels, UseAThirdOfTheScaleAndAreNotPinnedInTheDemo) {

@@ -91,7 +91,7 @@ Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     keep_rasterisers_on_their_threads();
     options.surface->wind = 1.5;  // what a scenario's water is when it says nothing
     Water water;
-    water.scattering = {{0, -75}};
+    water.scattering = {{0, -95}};
     Renderer renderer(scene, water, options);
     renderer.render(shot_of(the_case, 0), pose_of(0));
     figures.start_up = wall_time() - start;

@@ -44,6 +44,7 @@ std::span<const Group> groups() {
         {"V37", "Turning within a ping", check_turn_in_flight},
         {"V38", "Doppler", check_doppler},
         {"V39", "Detection noise of a multibeam", check_detection_noise},
+        {"V40", "Patchy seabed", check_patches},
         {"R1", "R2Sonic beside 100 pings of a Sonic 2026", check_r2sonic},
         {"R2", "Oculus beside a ping of an M1200d", check_oculus},
         {"R3", "Imagenex 852 beside 177 shots", check_852},

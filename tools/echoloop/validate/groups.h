@@ -54,6 +54,7 @@ void check_ducts(Findings&);
 void check_turn_in_flight(Findings&);
 void check_doppler(Findings&);
 void check_detection_noise(Findings&);
+void check_patches(Findings&);
 void check_r2sonic(Findings&);
 void check_oculus(Findings&);
 void check_852(Findings&);
