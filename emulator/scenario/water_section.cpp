@@ -78,11 +78,11 @@ std::vector<ScatteringPoint> read_layers(const Value& value, const std::string& 
     return points;
 }
 
-/// Pure water, where the file says nothing, as that of the recordings: own choice.
+/// Nothing, where the file says nothing: right before an array the volume is too loud yet for bottom detection.
 std::vector<ScatteringPoint> read_scattering(const Section& section, Problems& problems) {
     const Value* value = section.get("scattering");
     const std::string path = section.path_of("scattering");
-    if (value == nullptr) return {{0, turbidities.front().strength}};
+    if (value == nullptr) return {};
     if (value->is_sequence()) return read_layers(*value, path, problems);
     if (value->is_scalar() && !value->quoted) {
         if (value->text == "none") return {};

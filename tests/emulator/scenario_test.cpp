@@ -163,7 +163,7 @@ TEST(Effects, speckle_may_have_a_shape) {
 TEST(WaterSection, says_what_floats_in_it) {
     using Points = std::vector<ScatteringPoint>;
     const auto of = [](const char* set) { return parse(smallest, {set}).water.scattering; };
-    EXPECT_EQ(of("water.scattering=pure"), parse(smallest).water.scattering);
+    EXPECT_EQ(parse(smallest).water.scattering, Points{});
     EXPECT_EQ(of("water.scattering=none"), Points{});
     EXPECT_EQ(of("water.scattering=-66.5"), (Points{{0, -66.5}}));
     EXPECT_EQ(of("water.scattering=[[0, -50], [10, -70]]"), (Points{{0, -50}, {10, -70}}));
