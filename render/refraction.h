@@ -1,5 +1,5 @@
-// How rays bend in layered water, and how far off the renderer's straight rays therefore are. Pure functions
-// of a profile of sound speed; bends no ray of the renderer.
+// How rays bend in layered water, and how far off straight ones therefore are. Pure functions of a profile of
+// sound speed.
 #pragma once
 
 #include <span>

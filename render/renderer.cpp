@@ -10,14 +10,19 @@
 #include "render/acoustics/rows.h"
 #include "render/acoustics/sea_surface.h"
 #include "render/fan/arrays.h"
+#include "render/fan/closing_speeds.h"
+#include "render/fan/focus.h"
 #include "render/fan/object_finder.h"
+#include "render/fan/patches.h"
 #include "render/fan/plan_cache.h"
 #include "render/fan/resting_offset.h"
 #include "render/fan/reverberation.h"
 #include "render/fan/truth.h"
 #include "render/gl/drawing_crew.h"
 #include "render/grid/summing.h"
+#include "render/ray_tables.h"
 #include "render/recently_used.h"
+#include "render/refraction.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -39,6 +44,12 @@ void validate(const Pose& pose) {
     if (!(norm(p) < 1e7)) throw std::invalid_argument("pose: position must be finite and within 1e7 m");
     if (!(std::abs(length - 1) < 1e-3))
         throw std::invalid_argument("pose: orientation must be a unit quaternion");
+}
+
+void validate(const Motion& motion) {
+    constexpr double most = 100;  // m/s and rad/s
+    if (!(norm(motion.velocity) <= most && norm(motion.turning) <= most))
+        throw std::invalid_argument("situation: velocities must be finite and within 100 m/s and rad/s");
 }
 
 /// s of wall time that `work` takes.
@@ -64,6 +75,7 @@ class Renderer::Impl {
           crew_((check_settings(), prepare_paths(), [this] { return gl::make_context(options_.context); }),
                 scene, options_.drawing_threads),
           plans_(options_.plans ? options_.plans : std::make_shared<PlanCache>()),
+          patches_(this->scene()),
           fan_(make_fan_summing(workers_)),
           grid_(make_grid_summing(workers_)),
           chain_(options_.effects, options_.speckle) {}
@@ -71,7 +83,7 @@ class Renderer::Impl {
     Echogram render(const Shot& shot, const Situation& situation) {
         const Pose& pose = situation.world_from_sonar;
         start(shot, situation);
-        Echogram out{shot, pose, options_.rule, echoloop::sound_speed(water_), {}, 0, {}, {}};
+        Echogram out{shot, pose, options_.rule, speed_, {}, 0, {}, {}};
         points_.clear(), fresh_.clear();
         for (Heard& heard : arrays_) hear(heard, situation, out);
         const FreshPower fresh{fresh_, RangeSteps::of(shot.bins).bins};
@@ -107,8 +119,11 @@ class Renderer::Impl {
         ArrayShot array;
         PlanCache::Plan plan;
         std::vector<Pixel> pixels;
+        std::vector<float> focus;  ///< as BinningInput::focus
         PathEchoes paths;
+        std::optional<PingMotion> motion;
         std::optional<Reverberation> water;  ///< none: it is silent
+        bool patchy = false;                 ///< materials are uneven
     };
 
     const gl::SceneDrawer& drawer() const { return crew_.drawer(); }
@@ -132,15 +147,30 @@ class Renderer::Impl {
         arrays_.resize(arrays.size());
         for (std::size_t i = 0; i < arrays.size(); ++i) arrays_[i].array = std::move(arrays[i]);
         profile_ = {};
+        bend(shot, situation);
+    }
+
+    /// Fills speed_ and rays_: where rays bend by half a bin or more, echoes come as they do.
+    void bend(const Shot& shot, const Situation& situation) {
+        speed_ = echoloop::sound_speed(water_), rays_ = nullptr;
+        if (!effects().has(Effect::refraction) || water_.profile.empty()) return;
+        const double surface = options_.surface.value_or(WaterSurface{}).height;
+        const double depth = surface - situation.world_from_sonar.position.z;
+        speed_ = sound_speed_at(water_.profile, depth_step(depth));
+        const double range = end_range(shot), half_bin = speed_ / 4 * shot.bin_interval;
+        rays_ = ray_tables_.of(water_.profile, depth, range, options_.surface.has_value());
+        if (rays_->straight_error(range) < half_bin) rays_ = nullptr;
     }
 
     /// Appends the array's beams to `out`, without their acoustics, and its targets to points_.
     void hear(Heard& heard, const Situation& situation, Echogram& out) {
         const Shot& shot = heard.array.shot;
         draw(heard, situation);
+        find_motion(heard, situation, out.sound_speed);
         profile_.paths += timed([&] { trace_paths(heard, out.sound_speed); });
         find_strengths(shot, out.sound_speed);
         find_water(heard, situation, out.sound_speed);
+        place_patches(heard);
         Summing& summing = summing_of(shot);
         const BinningInput input = binning_input(heard, out.sound_speed);
         profile_.bins += timed([&] {
@@ -150,6 +180,7 @@ class Renderer::Impl {
             append(std::move(values), out.values);
             append(std::move(fresh), fresh_);
             append(std::move(truth), out.truth);
+            if (shot.velocities && shot.rows() == 1) append(closing_speeds(summing, input), out.velocities);
         });
         for (PointEcho& point : summing.points(*heard.plan, heard.paths.targets)) {
             point.beam += heard.array.first_beam;
@@ -168,9 +199,35 @@ class Renderer::Impl {
     void trace_paths(Heard& heard, double c) {
         const Shot& shot = heard.array.shot;
         heard.paths.diffuse.clear(), heard.paths.targets.clear();
-        if (options_.rule == EchoRule::radiometric && tracer_.needed())
-            tracer_.trace(shot, heard.array.world_from_sonar, c, absorption(shot), end_range(shot),
-                          heard.paths, movers_);
+        if (options_.rule != EchoRule::radiometric || !tracer_.needed()) return;
+        tracer_.trace(shot, heard.array.world_from_sonar, c, absorption(shot), end_range(shot), heard.paths,
+                      movers_, heard.motion ? heard.motion->turning : Vec3{}, rays_.get());
+        if (heard.motion && heard.motion->shifts) shift_paths(*heard.motion, heard.paths);
+    }
+
+    /// Fills in the motion of what is drawn.
+    void find_motion(Heard& heard, const Situation& situation, double c) {
+        heard.motion.reset();
+        if (options_.rule != EchoRule::radiometric) return;
+        const Quat world_from_fan =
+            echoloop::world_from_fan(heard.array.shot, heard.array.world_from_sonar).orientation;
+        const Quat fan_from_sonar = conjugate(world_from_fan) * situation.world_from_sonar.orientation;
+        const Motion own{situation.velocity, rotate(fan_from_sonar, situation.turning)};
+        heard.motion = motion_of(heard.array.shot, *heard.plan,
+                                 {world_from_fan, situation.world_from_sonar.position, own, movers_,
+                                  situation.mover_motions, mover_of_surface()},
+                                 options_.effects, c);
+    }
+
+    /// As PingMoves has it.
+    const std::vector<std::uint32_t>& mover_of_surface() {
+        if (mover_of_surface_.empty() && !scene().movers().empty()) {
+            std::vector<std::uint32_t> of_object(scene().objects().size());
+            for (const SceneChunk& chunk : scene().chunks()) of_object[chunk.object] = chunk.mover;
+            for (const std::uint32_t object : drawer().object_of_surface())
+                mover_of_surface_.push_back(of_object[object]);
+        }
+        return mover_of_surface_;
     }
 
     /// Fills strength_. Facets' lobes are those of the mirrors that multipath is about.
@@ -213,6 +270,12 @@ class Renderer::Impl {
         heard.water.emplace(around, c / 2 * shot.first_bin_time, c / 2 * shot.bin_interval, shot.bins);
     }
 
+    void place_patches(Heard& heard) {
+        heard.patchy = patches_.any() && effects().has(Effect::texture);
+        if (heard.patchy)
+            patches_.place(world_from_fan(heard.array.shot, heard.array.world_from_sonar), movers_);
+    }
+
     const StrengthTable& surface_strength(double frequency, double wind) {
         return surface_tables_
             .get([&](const SurfaceStrength& known) { return known.frequency == frequency; },
@@ -231,13 +294,12 @@ class Renderer::Impl {
     }
     /// m, of the window.
     double end_range(const Shot& shot) const {
-        return echoloop::sound_speed(water_) / 2 *
-               (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
+        return speed_ / 2 * (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
     }
 
     /// m; of nothing nearer a pulse still sounds in the window.
     double begin_range(const Shot& shot) const {
-        return echoloop::sound_speed(water_) / 2 * (shot.first_bin_time - shot.pulse_length);
+        return speed_ / 2 * (shot.first_bin_time - shot.pulse_length);
     }
 
     /// Which object is in which bin. What is 10 dB below the noise is not there: nobody could hear it.
@@ -247,6 +309,7 @@ class Renderer::Impl {
         const double least = 0.1 * out.noise_power / bins_at_once;
         for (const Heard& heard : arrays_) {
             const Shot& shot = heard.array.shot;
+            if (heard.patchy) patches_.place(world_from_fan(shot, heard.array.world_from_sonar), movers_);
             std::vector<std::uint16_t> objects(shot.beams() * shot.bins);
             finder_.find(summing_of(shot), binning_input(heard, out.sound_speed),
                          drawer().object_of_surface(), least, objects);
@@ -268,8 +331,11 @@ class Renderer::Impl {
                 absorption(shot),
                 effects().has(Effect::spreading),
                 heard.paths.diffuse,
+                heard.focus,
                 {},
-                heard.water ? &*heard.water : nullptr};
+                heard.water ? &*heard.water : nullptr,
+                heard.patchy ? &patches_ : nullptr,
+                heard.motion ? &*heard.motion : nullptr};
     }
 
     /// The paper's rule has no acoustics.
@@ -307,6 +373,10 @@ class Renderer::Impl {
         if (!(situation.density >= 0.1 && situation.density <= 1))
             throw std::invalid_argument("situation: density must be within 0.1..1");
         place_movers(situation);
+        validate(Motion{situation.velocity, situation.turning});
+        if (situation.mover_motions.size() > movers_.size())
+            throw std::invalid_argument("movers: there are motions for more than the scene has");
+        for (const Motion& motion : situation.mover_motions) validate(motion);
     }
 
     /// Fills in the picture and the plan that it follows.
@@ -323,8 +393,14 @@ class Renderer::Impl {
                     .movers = movers_,
                     .end_range = end_range(shot),
                     .begin_range = background ? begin_range(shot) : 0,
-                    .offset = offset_of(heard.array)},
+                    .offset = offset_of(heard.array),
+                    .rays = rays_,
+                    .sag = speed_ / 8 * shot.bin_interval},
                    heard.pixels);
+        heard.focus.clear();
+        if (rays_ && rays_->focuses() && effects().has(Effect::spreading))
+            find_focus(*heard.plan, offset_of(heard.array),
+                       world_from_fan(shot, heard.array.world_from_sonar), *rays_, heard.pixels, heard.focus);
         const gl::DrawProfile& drawn = crew_.profile();
         profile_.cull += drawn.cull, profile_.draw += drawn.draw, profile_.read_back += drawn.read_back;
         profile_.triangles += drawn.triangles, profile_.chunks += drawn.chunks;
@@ -361,6 +437,7 @@ class Renderer::Impl {
     RecentlyUsed<SurfaceStrength> surface_tables_{8};
     std::vector<const StrengthTable*> strength_;  ///< of the ping at hand, per surface
     std::shared_ptr<PlanCache> plans_;
+    Patches patches_;
     Workers workers_;
     std::unique_ptr<Summing> fan_, grid_;
     ObjectFinder finder_;
@@ -369,6 +446,10 @@ class Renderer::Impl {
     std::vector<PointEcho> points_;  ///< the same, of all its beams
     std::vector<float> fresh_;       ///< the same, see FreshPower
     std::vector<Pose> movers_;       ///< the same
+    std::vector<std::uint32_t> mover_of_surface_;
+    RayTables ray_tables_;
+    double speed_ = 1500;                   ///< m/s, of the ping at hand: ranges are times at this speed
+    std::shared_ptr<const RayTable> rays_;  ///< of the ping at hand; null: they are straight
     RenderProfile profile_;
 };
 

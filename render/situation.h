@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "render/pose.h"
+#include "render/motion.h"
 
 namespace echoloop {
 
@@ -20,7 +20,8 @@ struct Situation {
     /// world_from_object of Scene::movers(), in their order; what is missing at the end is where the file
     /// puts it.
     std::vector<Pose> movers;
-    bool objects = false;  ///< Echogram::objects is wanted
+    std::vector<Motion> mover_motions;  ///< of the same; what is missing at the end is at rest
+    bool objects = false;               ///< Echogram::objects is wanted
     /// Factor on the number of pixels, 0.1..1: less will do for a faint background. Below 1 the echogram's
     /// truth tells of no surface nearer than the window.
     double detail = 1;

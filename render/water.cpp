@@ -82,10 +82,6 @@ double absorption_db_per_km(const Water& water, double frequency) {
            water_viscosity_term(t) * viscous_p * f * f;
 }
 
-double doppler_shift(double frequency, double closing_speed, double sound_speed) {
-    return 2 * closing_speed * frequency / sound_speed;
-}
-
 double ainslie_mccolm_db_per_km(const Water& water, double frequency) {
     const double f = frequency / 1e3, t = water.temperature, s = water.salinity, z = water.depth / 1e3;
     const double boric_f = 0.78 * std::sqrt(s / 35) * std::exp(t / 26);

@@ -21,8 +21,8 @@ struct ScatteringPoint {
     friend bool operator==(const ScatteringPoint&, const ScatteringPoint&) = default;
 };
 
-/// The water that the sonar works in. Rays are straight; refraction.h says how wrong that is in layered
-/// water.
+/// The water that the sonar works in. A profile bends rays and times echoes (ray_table.h) where the effect
+/// `refraction` is on.
 struct Water {
     double temperature = 10;  ///< degrees Celsius
     double salinity = 35;     ///< practical salinity, g/kg
@@ -61,10 +61,6 @@ double absorption_db_per_km(const Water& water, double frequency);
 
 /// Ainslie & McColm, JASA 103 (1998) 1671: the same in dB/km, to check the other by.
 double ainslie_mccolm_db_per_km(const Water& water, double frequency);
-
-/// Hz; shift of an echo from something that comes nearer at `closing_speed` m/s: 2 v f / c, to first order in
-/// v / c.
-double doppler_shift(double frequency, double closing_speed, double sound_speed);
 
 /// True above the 1 MHz to which Francois & Garrison fitted their data.
 constexpr bool absorption_is_extrapolated(double frequency) { return frequency > 1e6; }

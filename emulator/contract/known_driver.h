@@ -20,11 +20,11 @@ struct Destination {
 ///     {port} {rate}       the serial port that the driver opens, and its bit/s; {kbaud}: in kbit/s
 ///     {host} {number}     address and port of the device's first endpoint; {host 2} {number 2}: of its
 ///     second {images}            the port that a Destination of this name has {sitl}              the line
-///     as ArduPilot's SITL calls it
+///     as ArduPilot's SITL calls it {serial}            the option of that name
 /// A driver does not fit where a word stands for nothing: an endpoint that is not there, or that SITL cannot
 /// reach.
 struct KnownDriver {
-    std::string format;  ///< "ros1", "ros2", "moos", "rock", "dune", "sitl", "python"
+    std::string format;  ///< "ros1", "ros2", "moos", "rock", "dune", "sitl", "python", "maker"
     std::string name;    ///< of the project
     std::vector<std::string> lines;
     std::string note{};

@@ -6,13 +6,15 @@
 
 namespace echoloop {
 
+inline Vec3 enu_from_ned(Vec3 v) { return {v.y, v.x, -v.z}; }
+inline Vec3 flu_from_frd(Vec3 v) { return {v.x, -v.y, -v.z}; }
+
 /// ENU and FLU from north-east-down and forward-right-down.
 inline Pose enu_from_ned(const Pose& ned_from_frd) {
     const double half = std::sqrt(0.5);
-    const Quat enu_from_ned{0, half, half, 0};  // half a turn about the line between north and east
+    const Quat swap{0, half, half, 0};  // half a turn about the line between north and east
     const Quat frd_from_flu{0, 1, 0, 0};
-    const Vec3 p = ned_from_frd.position;
-    return {{p.y, p.x, -p.z}, enu_from_ned * ned_from_frd.orientation * frd_from_flu};
+    return {enu_from_ned(ned_from_frd.position), swap * ned_from_frd.orientation * frd_from_flu};
 }
 
 }  // namespace echoloop

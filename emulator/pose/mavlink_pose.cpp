@@ -18,16 +18,44 @@ Quat to_quat(const std::array<float, 4>& q) { return {q[0], q[1], q[2], q[3]}; }
 
 Quat enu_attitude(Quat ned_from_frd) { return enu_from_ned({{}, ned_from_frd}).orientation; }
 
+/// Empty where a number of it is none, which is how a sender says that it does not know.
+std::optional<Vec3> known(Vec3 rate) {
+    return std::isnan(rate.x + rate.y + rate.z) ? std::nullopt : std::optional(rate);
+}
+
+/// rad/s of any message, about the axes of the body.
+template <class M>
+std::optional<Vec3> turning_of(const M& m) {
+    return known(flu_from_frd({m.roll_speed, m.pitch_speed, m.yaw_speed}));
+}
+
 /// Makes the attitude a unit quaternion. Written so that numbers that are none are found as well.
 std::string fault_of(PoseMessage& message) {
     if (message.time && !(*message.time <= longest)) return "a time that cannot be";
     if (message.position && !(norm(*message.position) < farthest)) return "a position that cannot be";
+    for (const auto* rate : {&message.velocity, &message.turning})
+        if (*rate && !(norm(**rate) < swiftest)) return "a velocity that cannot be";
     if (!message.attitude) return {};
     Quat& q = *message.attitude;
     const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     if (!(std::abs(length - 1) < 0.01)) return "an attitude that cannot be";
     q = {q.w / length, q.x / length, q.y / length, q.z / length};
     return {};
+}
+
+struct Rates {
+    Vec3 velocity, turning;  ///< in the frame, about the body's axes; not numbers where nothing is told
+};
+
+/// They are told in the child's frame: the body's axes, or the frame itself.
+Rates rates_of(const mavlink::Odometry& m, Quat frame_from_body) {
+    namespace frames = mavlink::frames;
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const Vec3 velocity{m.vx, m.vy, m.vz}, turning{m.roll_speed, m.pitch_speed, m.yaw_speed};
+    for (const auto body : {frames::body_ned, frames::body_frd, frames::body_flu})
+        if (m.child_frame_id == body) return {rotate(frame_from_body, velocity), turning};
+    if (m.child_frame_id == m.frame_id) return {velocity, rotate(conjugate(frame_from_body), turning)};
+    return {{none, none, none}, {none, none, none}};
 }
 
 /// Of an odometry that is told in no frame of the world.
@@ -61,8 +89,8 @@ PoseText MavlinkPose::add(const mavlink::Message& message, std::uint8_t system, 
     place_is_rounded_ = false;
     PoseMessage told = std::visit([this](const auto& m) { return read(m); }, message);
     const int rank_of_place = place_is_rounded_ ? Rank::rounded : rank_;
-    if (rank_of_place < position_rank_) told.position.reset();
-    if (rank_ < attitude_rank_) told.attitude.reset();
+    if (rank_of_place < position_rank_) told.position.reset(), told.velocity.reset();
+    if (rank_ < attitude_rank_) told.attitude.reset(), told.turning.reset();
     if (!told.position && !told.attitude) return {};
     if (const auto fault = fault_of(told); !fault.empty()) return {{}, fault};
     if (told.position) {
@@ -104,24 +132,29 @@ Vec3 MavlinkPose::from_first(const Place& place, double altitude) const {
 
 PoseMessage MavlinkPose::read(const mavlink::Attitude& m) {
     rank_ = angles;
-    return {seconds(m.time_boot_ms), {}, enu_attitude(from_rpy(m.roll, m.pitch, m.yaw))};
+    return {seconds(m.time_boot_ms), {}, enu_attitude(from_rpy(m.roll, m.pitch, m.yaw)), {}, turning_of(m)};
 }
 
 PoseMessage MavlinkPose::read(const mavlink::AttitudeQuaternion& m) {
     rank_ = quaternion;
-    return {seconds(m.time_boot_ms), {}, enu_attitude(to_quat(m.q))};
+    return {seconds(m.time_boot_ms), {}, enu_attitude(to_quat(m.q)), {}, turning_of(m)};
 }
 
 PoseMessage MavlinkPose::read(const mavlink::LocalPositionNed& m) {
     rank_ = local;
-    return {seconds(m.time_boot_ms), Vec3{m.y, m.x, -m.z}, {}};
+    return {seconds(m.time_boot_ms),
+            enu_from_ned(Vec3{m.x, m.y, m.z}),
+            {},
+            known(enu_from_ned(Vec3{m.vx, m.vy, m.vz}))};
 }
 
 PoseMessage MavlinkPose::read(const mavlink::GlobalPositionInt& m) {
     rank_ = global;
     if (position_rank_ > global) return {};  // or its place would be the first
-    return {
-        seconds(m.time_boot_ms), near_first(m.latitude * 1e-7, m.longitude * 1e-7, m.altitude * 1e-3), {}};
+    return {seconds(m.time_boot_ms),
+            near_first(m.latitude * 1e-7, m.longitude * 1e-7, m.altitude * 1e-3),
+            {},
+            enu_from_ned(Vec3{m.vx * 1e-2, m.vy * 1e-2, m.vz * 1e-2})};
 }
 
 /// It tells no time. In single precision degrees are rounded to a metre or more.
@@ -129,11 +162,14 @@ PoseMessage MavlinkPose::read(const mavlink::SimState& m) {
     rank_ = simulator;
     if (!std::isfinite(m.latitude) || !std::isfinite(m.longitude)) return {};
     place_is_rounded_ = m.exact_latitude == 0 && m.exact_longitude == 0;
-    const Quat attitude = enu_attitude(to_quat(m.q));
+    PoseMessage told{{}, {}, enu_attitude(to_quat(m.q)), known(enu_from_ned(Vec3{m.vn, m.ve, m.vd}))};
+    told.turning =
+        known(flu_from_frd({m.acceleration_gyro[3], m.acceleration_gyro[4], m.acceleration_gyro[5]}));
     if (!place_is_rounded_)
-        return {{}, near_first(m.exact_latitude * 1e-7, m.exact_longitude * 1e-7, m.altitude), attitude};
-    if (position_rank_ > rounded) return {{}, {}, attitude};
-    return {{}, near_first(m.latitude, m.longitude, m.altitude), attitude};
+        told.position = near_first(m.exact_latitude * 1e-7, m.exact_longitude * 1e-7, m.altitude);
+    else if (position_rank_ <= rounded)
+        told.position = near_first(m.latitude, m.longitude, m.altitude);
+    return told;
 }
 
 PoseMessage MavlinkPose::read(const mavlink::Odometry& m) {
@@ -141,10 +177,11 @@ PoseMessage MavlinkPose::read(const mavlink::Odometry& m) {
     rank_ = odometry;
     const double time = static_cast<double>(m.time_usec) * 1e-6;
     const Pose pose{{m.x, m.y, m.z}, to_quat(m.q)};
+    const auto [velocity, turning] = rates_of(m, pose.orientation);
     if (m.frame_id == frames::local_enu || m.frame_id == frames::local_flu)  // these have the body up as well
-        return {time, pose.position, pose.orientation};
+        return {time, pose.position, pose.orientation, known(velocity), known(turning)};
     const Pose up = enu_from_ned(pose);
-    return {time, up.position, up.orientation};
+    return {time, up.position, up.orientation, known(enu_from_ned(velocity)), known(flu_from_frd(turning))};
 }
 
 }  // namespace echoloop

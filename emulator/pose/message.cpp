@@ -39,6 +39,14 @@ Vec3 position(const Json& object) {
     return {x, y, z};
 }
 
+/// In m/s or rad/s, if it is there.
+std::optional<Vec3> rate(const Json& object, const char* key) {
+    if (!object.contains(key)) return {};
+    const auto [x, y, z] = numbers<3>(object, key);
+    if (norm({x, y, z}) > swiftest) throw Refusal{std::string(key) + ": more than 100 m/s or rad/s"};
+    return Vec3{x, y, z};
+}
+
 Quat read_quaternion(const Json& object, const char* key) {
     constexpr double tolerance = 0.01;
     const auto [w, x, y, z] = numbers<4>(object, key);
@@ -73,11 +81,18 @@ PoseMessage of_ardupilot(const Json& object) {
         ned_from_frd.orientation = from_rpy(roll, pitch, yaw);
     }
     const Pose pose = enu_from_ned(ned_from_frd);
-    return {time(object, "timestamp"), pose.position, pose.orientation, subject(object), true};
+    PoseMessage message{time(object, "timestamp"), pose.position, pose.orientation};
+    if (const auto v = rate(object, "velocity")) message.velocity = enu_from_ned(*v);
+    if (object.contains("imu") && object.at("imu").is_object())
+        if (const auto w = rate(object.at("imu"), "gyro")) message.turning = flu_from_frd(*w);
+    message.object = subject(object), message.own_clock = true;
+    return message;
 }
 
 PoseMessage of_echoloop(const Json& object) {
-    PoseMessage message{time(object, "t"), position(object), Quat{}, subject(object)};
+    PoseMessage message{time(object, "t"), position(object), Quat{}};
+    message.object = subject(object);
+    message.velocity = rate(object, "velocity"), message.turning = rate(object, "angular_velocity");
     if (object.contains("orientation")) message.attitude = read_quaternion(object, "orientation");
     if (object.contains("rpy_deg")) {
         if (object.contains("orientation")) throw Refusal{"orientation and rpy_deg: give one of them"};

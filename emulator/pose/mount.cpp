@@ -17,6 +17,16 @@ Pose swung(const MountSwing& swing, Time time) {
                      about(MountSwing::Axis::yaw))};
 }
 
+/// It swings about one of its own axes, so that the axis stays.
+Motion swinging(const MountSwing& swing, Time time) {
+    if (swing.angle == 0) return {};
+    const double pace = 2 * std::numbers::pi / swing.period;
+    const double rate = swing.angle * pace * std::cos(pace * to_seconds(time));
+    const auto about = [&](MountSwing::Axis axis) { return swing.axis == axis ? rate : 0; };
+    return {{},
+            {about(MountSwing::Axis::roll), about(MountSwing::Axis::pitch), about(MountSwing::Axis::yaw)}};
+}
+
 }  // namespace
 
 Mount::Mount(const Scenario& scenario, const ScenarioDevice& device, Clock& clock, StepServer* steps)
@@ -44,6 +54,12 @@ Pose Mount::body_from_sonar(Time time) const {
     if (const auto* track = std::get_if<Track>(&source_)) return track->at(time)->pose;
     if (const auto* where = std::get_if<Whereabouts>(&source_)) return where->at(time).pose;
     return rest_ * swung(std::get<MountSwing>(source_), time);
+}
+
+Motion Mount::motion(Time time) const {
+    if (const auto* track = std::get_if<Track>(&source_)) return track->motion(time);
+    if (const auto* where = std::get_if<Whereabouts>(&source_)) return where->motion(time);
+    return swinging(std::get<MountSwing>(source_), time);
 }
 
 std::optional<PoseSummary> Mount::summary() const {

@@ -22,6 +22,8 @@ class Mount {
     /// A stepped run moves on.
     void step(Time from, Time to);
     Pose body_from_sonar(Time time) const;
+    /// On the vehicle.
+    Motion motion(Time time) const;
     /// Empty unless poses come from outside.
     std::optional<PoseSummary> summary() const;
 

@@ -67,27 +67,45 @@ void Movers::step(Time from, Time to) {
 }
 
 std::vector<Pose> Movers::at(Time time) {
+    for (std::size_t i = 0; i < sources_.size(); ++i)
+        if (auto* told = std::get_if<Told>(&sources_[i]);
+            told != nullptr && told->where.at(time).stale && told->stale_pings++ == 0)
+            spdlog::warn("object {}: no pose for more than a second; it is assumed to stand still",
+                         scene_->movers()[i].name);
+    return poses(time);
+}
+
+std::vector<Pose> Movers::poses(Time time) const {
     std::vector<std::optional<Pose>> told;
     told.reserve(sources_.size());
-    for (std::size_t i = 0; i < sources_.size(); ++i) {
-        Source& source = sources_[i];
+    for (const Source& source : sources_) {
         if (const auto* track = std::get_if<Track>(&source))
             told.push_back(track->at(time)->pose);
         else if (const auto* pose = std::get_if<Pose>(&source))
             told.push_back(*pose);
-        else if (auto* by = std::get_if<Told>(&source); by != nullptr && (by->placed || !by->where.unknown()))
-            told.push_back(pose_of(*by, scene_->movers()[i].name, time));
+        else if (const auto* by = std::get_if<Told>(&source);
+                 by != nullptr && (by->placed || !by->where.unknown()))
+            told.push_back(by->where.at(time).pose);
         else
             told.push_back(std::nullopt);
     }
     return mover_poses(scene_->movers(), to_seconds(time), playback_, told);
 }
 
-Pose Movers::pose_of(Told& told, const std::string& name, Time time) const {
-    const auto [pose, stale] = told.where.at(time);
-    if (stale && told.stale_pings++ == 0)
-        spdlog::warn("object {}: no pose for more than a second; it is assumed to stand still", name);
-    return pose;
+/// An animation that begins anew, and a thing that is put elsewhere, are faster than anything moves.
+std::vector<Motion> Movers::motions(Time time) const {
+    constexpr Time shortly = std::chrono::milliseconds(50);
+    constexpr double fastest = TrackRules{}.fastest;
+    std::vector<Motion> out;
+    if (sources_.empty()) return out;
+    const Time earlier = std::max(Time{}, time - shortly);
+    if (earlier >= time) return out;
+    const std::vector<Pose> before = poses(earlier), now = poses(time);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const Motion motion = motion_between(before[i], now[i], to_seconds(time - earlier));
+        out.push_back(norm(motion.velocity) > fastest ? Motion{} : motion);
+    }
+    return out;
 }
 
 std::map<std::string, PoseSummary> Movers::summary() const {

@@ -36,6 +36,8 @@ class Movers {
 
     /// world_from_object of all movers of the scene.
     std::vector<Pose> at(Time time);
+    /// How they move in the world: by where they were shortly before. At rest exactly 0.
+    std::vector<Motion> motions(Time time) const;
     /// m, from each mover's origin to its farthest point.
     std::vector<double> reach() const;
 
@@ -51,7 +53,7 @@ class Movers {
     /// Of one mover; std::monostate: an animation, or nothing.
     using Source = std::variant<std::monostate, Pose, Track, Told>;
 
-    Pose pose_of(Told& told, const std::string& name, Time time) const;
+    std::vector<Pose> poses(Time time) const;
 
     std::shared_ptr<const Scene> scene_;
     Playback playback_;

@@ -129,7 +129,8 @@ class Parser {
     Track track_{{.extrapolation = 0,
                   .stale_after = std::numeric_limits<double>::infinity(),
                   .fastest = std::numeric_limits<double>::infinity(),
-                  .most = most_rows}};
+                  .most = most_rows,
+                  .stretch = MotionStretch::around}};
 };
 
 }  // namespace

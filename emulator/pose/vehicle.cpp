@@ -48,6 +48,12 @@ Pose Vehicle::world_from_body(Time time) {
     return pose;
 }
 
+Motion Vehicle::motion(Time time) const {
+    if (const auto* track = std::get_if<Track>(&source_)) return track->motion(time);
+    const auto* where = std::get_if<Whereabouts>(&source_);
+    return where != nullptr ? where->motion(time) : Motion{};
+}
+
 std::optional<PoseSummary> Vehicle::summary() const {
     const auto* where = std::get_if<Whereabouts>(&source_);
     if (where == nullptr) return {};

@@ -25,6 +25,8 @@ class Vehicle {
     void step(Time from, Time to);
     /// For a ping at that time; counts those with a stale pose.
     Pose world_from_body(Time time);
+    /// In the world.
+    Motion motion(Time time) const;
     /// Empty unless poses come from outside.
     std::optional<PoseSummary> summary() const;
 

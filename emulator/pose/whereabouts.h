@@ -27,6 +27,9 @@ class Whereabouts {
         bool stale = false;  ///< the last position is too old to be trusted
     };
     Answer at(Time time) const;
+    /// As it is told, for a second after the last word, or else by the change of its pose. A velocity of
+    /// exactly 0 tells nothing, since senders that know none fill in zeros; who rests does not change.
+    Motion motion(Time time) const;
     /// Nobody has told anything yet.
     bool unknown() const { return positions_.empty() && attitudes_.empty(); }
     std::uint64_t jumps() const { return jumps_; }
@@ -35,7 +38,10 @@ class Whereabouts {
 
   private:
     Pose before_;
+    static void tell_rate(Track& track, Time time, const std::optional<Vec3>& rate);
+
     Track positions_, attitudes_;
+    Track velocities_, turnings_;  ///< as positions, of those that are told
     PoseMessage next_;
     std::uint64_t jumps_ = 0, told_ = 0;
 };

@@ -265,8 +265,14 @@ class Runtime::Impl {
         sessions_.push_back(std::make_unique<Session>(
             io_, *clock_, render_threads_, water_, entry.name, std::move(device), std::move(transports),
             [this, mount](Time time) {
-                Situation situation(vehicle_.world_from_body(time) * mount->body_from_sonar(time));
+                const Pose world_from_body = vehicle_.world_from_body(time),
+                           body_from_sonar = mount->body_from_sonar(time);
+                Situation situation(world_from_body * body_from_sonar);
+                const Motion motion =
+                    together(world_from_body, vehicle_.motion(time), body_from_sonar, mount->motion(time));
+                situation.velocity = motion.velocity, situation.turning = motion.turning;
                 situation.movers = movers_.at(time);
+                situation.mover_motions = movers_.motions(time);
                 return situation;
             }));
         if (records.truth != nullptr)

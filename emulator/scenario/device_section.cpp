@@ -8,6 +8,7 @@
 #include "emulator/scenario/file.h"
 #include "emulator/scenario/mount_section.h"
 #include "emulator/scenario/profile_section.h"
+#include "render/refraction.h"
 
 namespace echoloop::scenario {
 namespace {
@@ -29,6 +30,17 @@ bool is_name(std::string_view text) {
                c == '-';
     };
     return !text.empty() && text.size() <= longest_name && std::ranges::all_of(text, letter);
+}
+
+/// m/s, where a sonar is at the start: what its own sensor measures.
+double speed_at_sonar(const Scenario& scenario, const Pose& body_from_sonar) {
+    const Water& water = scenario.water;
+    const RendererOptions& render = scenario.render;
+    if (water.profile.empty() || render.rule == EchoRule::cerqueira2016 ||
+        !render.effects.has(Effect::refraction))
+        return sound_speed(water);
+    const double surface = render.surface.value_or(WaterSurface{}).height;
+    return sound_speed_at(water.profile, surface - (scenario.world_from_body * body_from_sonar).position.z);
 }
 
 class DeviceReader {
@@ -238,7 +250,7 @@ void DeviceReader::read(const Value& value, std::size_t index) {
     device.config.profile = read_profile(section, *device.model);
     device.config.effects = scenario_.render.effects;
     device.config.peers = scenario_.peers;
-    device.config.sound_speed = sound_speed(scenario_.water);
+    device.config.sound_speed = speed_at_sonar(scenario_, device.body_from_sonar);
     if (problems_.count() == before) try_make(device, value.place);
     if (problems_.count() == before) read_driver(section, scenario_, device, problems_);
     devices_.push_back(std::move(device));

@@ -46,11 +46,14 @@ struct Turbidity {
     double strength;  ///< Sv, dB re 1 m^-1
 };
 /// Middles of the ranges for 0.3 to 1 MHz, of the order of Medwin & Clay, Fundamentals of Acoustical
-/// Oceanography (1998), and Wiebe et al. (1997); that it is the middle is an own choice.
-constexpr std::array<Turbidity, 3> turbidities{{{"clear", -75}, {"coastal", -62}, {"turbid", -48}}};
+/// Oceanography (1998), and Wiebe et al. (1997); that it is the middle is an own choice. Pure is as much as
+/// the zeros between echoes leave that an Imagenex 852 recorded in a lake.
+constexpr std::array<Turbidity, 4> turbidities{
+    {{"pure", -95}, {"clear", -75}, {"coastal", -62}, {"turbid", -48}}};
 constexpr Range strengths{-150, 0, "dB"};
 constexpr const char* scattering_example =
-    "expected clear, coastal, turbid or none, or dB, as in -70, or a list of depths in m and dB, as in [[0, "
+    "expected pure, clear, coastal, turbid or none, or dB, as in -70, or a list of depths in m and dB, as in "
+    "[[0, "
     "-50], [10, -70]]";
 
 std::vector<ScatteringPoint> read_layers(const Value& value, const std::string& path, Problems& problems) {
@@ -75,12 +78,11 @@ std::vector<ScatteringPoint> read_layers(const Value& value, const std::string& 
     return points;
 }
 
-/// Clear water, where the file says nothing: own choice. In coastal water what floats in it is louder than
-/// the bottom that an imaging sonar sees at grazing incidence.
+/// Nothing, where the file says nothing: right before an array the volume is too loud yet for bottom detection.
 std::vector<ScatteringPoint> read_scattering(const Section& section, Problems& problems) {
     const Value* value = section.get("scattering");
     const std::string path = section.path_of("scattering");
-    if (value == nullptr) return {{0, turbidities.front().strength}};
+    if (value == nullptr) return {};
     if (value->is_sequence()) return read_layers(*value, path, problems);
     if (value->is_scalar() && !value->quoted) {
         if (value->text == "none") return {};

@@ -10,6 +10,7 @@ void DeviceTruth::heard(const Transmission& transmission, const Situation& situa
     truth.due = due;
     truth.unix_time = unix_time;
     truth.movers = situation.movers;
+    truth.sonar = {situation.velocity, situation.turning};
     truth.faults = std::move(faults);
     truth.world_from_body = transmission.world_from_sonar * inverse(body_from_sonar_(transmission.time));
     truth.echo.shot = echogram.shot;

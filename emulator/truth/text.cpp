@@ -69,6 +69,9 @@ class Json {
         key(name);
         pose(value);
     }
+    void vector(const char* name, Vec3 v) {
+        list(name, std::initializer_list<double>{v.x, v.y, v.z}, [this](double value) { number(value); });
+    }
     void open() { text_ += '{'; }
     void close() { text_ += '}'; }
 
@@ -160,6 +163,8 @@ void append_truth_line(const PingTruth& ping, std::string& text) {
     json.number("due", to_seconds(ping.due));
     json.pose("world_from_body", ping.world_from_body);
     json.pose("world_from_sonar", echo.world_from_sonar);
+    json.vector("sonar_velocity", ping.sonar.velocity);
+    json.vector("sonar_turning", ping.sonar.turning);
     json.list("movers", ping.movers, [&](const Pose& pose) { json.pose(pose); });
     json.number("sound_speed", echo.sound_speed);
     json.number("noise_power", echo.noise_power);

@@ -8,7 +8,7 @@
 
 #include "emulator/capture/background_file.h"
 #include "emulator/contract/device.h"
-#include "render/pose.h"
+#include "render/motion.h"
 
 namespace echoloop {
 
@@ -33,6 +33,7 @@ struct PingTruth {
     double unix_time = 0;      ///< s since 1970, of the transmission
     std::vector<Pose> movers;  ///< Situation::movers
     Pose world_from_body;
+    Motion sonar;                     ///< Situation::velocity and ::turning
     Echogram echo;                    ///< without its values
     std::vector<std::string> faults;  ///< kinds and numbers of those that were on when it was heard
 };

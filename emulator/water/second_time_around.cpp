@@ -89,6 +89,7 @@ std::optional<Shot> late_shot(const Shot& shot, const Water& water, const Effect
     // The ping that hears it has noise of its own: this one gets next to none, in the same band.
     late.receiver = Receiver{.bandwidth = shot.receiver.bandwidth, .directivity_index = 400};
     late.errors.unit = unit_of(shot);
+    late.velocities = false;
     late.random_key = split_mix(shot.random_key);
     return late;
 }

@@ -70,7 +70,8 @@ struct Odometry {
 
 /// MAV_FRAME of Odometry.
 namespace frames {
-inline constexpr std::uint8_t local_ned = 1, local_enu = 4, body_frd = 12, local_frd = 20, local_flu = 21;
+inline constexpr std::uint8_t local_ned = 1, local_enu = 4, body_ned = 8, body_frd = 12, body_flu = 13,
+                              local_frd = 20, local_flu = 21;
 }
 
 using Message =

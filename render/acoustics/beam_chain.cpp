@@ -49,6 +49,8 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
     if (effects.has(Effect::saturation))
         power_limit = static_cast<float>(power_of(shot.receiver.saturation_level));
     const BinRule rule = shot.receiver.bins;
+    Shot upright = shot;
+    upright.horizontal = shot.vertical;
     if (pulse) {
         power = power_filter(shape, bin_length);
         power_gain = shape.energy_until(shape.end()) / bin_length;
@@ -58,12 +60,14 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
     }
     if (speckle) {
         echo.kernel = echo_kernel(shot, echo.looks);
+        echo.upright = echo_kernel(upright, echo.looks);
         echo.law = bin_law(rule, echo.looks);
         texture_shape = options.shape;
         if (textured()) texture = gamma_law(texture_shape);
     }
     if (noise_power > 0) {
         noise.kernel = noise_kernel(shot, noise.looks);
+        noise.upright = noise_kernel(upright, noise.looks);
         noise.law = bin_law(rule, noise.looks);
     }
 }
@@ -74,6 +78,11 @@ void BeamChain::start(const ChainPlan& plan, const ChainPing& ping) {
     for (Fields& fields : fields_) {
         for (Field& field : fields.of_cells) field.cell = ~0U;
         fields.heard.resize(plan.bins);
+    }
+    if (ping.rows.empty()) return;
+    for (RowFields& fields : of_rows_) {
+        if (ping.first_row) fields.clear();
+        fields.keep_from(ping.rows.front().share.row);
     }
 }
 

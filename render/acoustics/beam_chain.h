@@ -16,6 +16,7 @@
 #include "render/acoustics/random.h"
 #include "render/acoustics/range_correlation.h"
 #include "render/acoustics/ring_down.h"
+#include "render/acoustics/row_fields.h"
 #include "render/acoustics/view.h"
 
 namespace echoloop {
@@ -26,6 +27,7 @@ struct Scatter {
     LineFilter bins;        ///< over range
     double neighbours = 0;  ///< correlation of what it makes, one bin on
     BeamKernel kernel;      ///< over directions
+    BeamKernel upright;     ///< over rows of cells
     BinLaw law;
 };
 
@@ -57,18 +59,27 @@ struct ChainPlan {
     InterferencePlan interference;
 };
 
+/// A row of cells, and how the sonar sees it.
+struct CellRow {
+    RowShare share;
+    View view;
+    float echo, noise;  ///< weights, whose squares each add up to 1 over the rows that a row of beams hears
+};
+
 /// What changes from ping to ping.
 struct ChainPing {
     std::uint64_t key = 0, ping = 0;
     View view;
     double pan = 0;
     std::span<const double> bearings;
-    double source_level = 0;  ///< dB re 1 uPa at 1 m
+    double source_level = 0;      ///< dB re 1 uPa at 1 m
+    std::vector<CellRow> rows{};  ///< of cells, that a row of beams hears; none: one of its own
+    bool first_row = false;       ///< of a ping
 };
 
 class BeamChain {
   public:
-    /// Drops what it kept of the ping before.
+    /// Drops what it kept of the ping before, or of the row of beams before what the next does not need.
     void start(const ChainPlan& plan, const ChainPing& ping);
     /// Mean power of one beam's bins after the pulse.
     void spread(std::span<const float> values, std::span<float> means);
@@ -98,7 +109,11 @@ class BeamChain {
     };
     const float* field_of(Kind kind, std::uint32_t cell);
     void fill(Kind kind, std::uint32_t cell, std::vector<float>& out);
-    void fill_layers(Kind kind, std::uint32_t cell, std::size_t before, std::size_t count);
+    void fill_from(const View& view, std::uint64_t key, Kind kind, std::uint32_t cell,
+                   std::vector<float>& out);
+    void fill_layers(const View& view, std::uint64_t key, Kind kind, std::uint32_t cell, std::size_t before,
+                     std::size_t count);
+    void mix_rows(Kind kind, std::uint32_t cell, std::vector<float>& out);
     void hear(Kind kind, double place, Part part);
     void hear_leaning(double place, Part part);
     const float* speckle_of(std::size_t beam, double place, std::span<const float> means);
@@ -113,6 +128,7 @@ class BeamChain {
     const ChainPlan* plan_ = nullptr;
     ChainPing ping_;
     std::array<Fields, kinds> fields_;
+    std::array<RowFields, kinds> of_rows_;
     std::uint64_t uses_ = 0;
     std::vector<float> points_real_, points_imaginary_;  ///< amplitude of the point echoes, sqrt(uPa^2)
     std::vector<float> places_, energy_, cosines_, padded_, white_, next_white_, scratch_, fresh_;

@@ -32,6 +32,31 @@ const float* BeamChain::field_of(Kind kind, std::uint32_t cell) {
 }
 
 void BeamChain::fill(Kind kind, std::uint32_t cell, std::vector<float>& out) {
+    if (ping_.rows.empty())
+        fill_from(ping_.view, ping_.key, kind, cell, out);
+    else
+        mix_rows(kind, cell, out);
+}
+
+/// What a row of beams hears of the rows of cells around it.
+void BeamChain::mix_rows(Kind kind, std::uint32_t cell, std::vector<float>& out) {
+    const float* fields[most_cells];
+    float weights[most_cells];
+    std::size_t used = 0;
+    for (const CellRow& row : ping_.rows) {
+        const float weight = kind == noise ? row.noise : row.echo;
+        if (weight == 0) continue;
+        std::vector<float>& field = of_rows_[kind].of(row.share.row, cell);
+        if (field.empty()) fill_from(row.view, row.share.key, kind, cell, field);
+        fields[used] = field.data();
+        weights[used++] = weight;
+    }
+    out.resize(plan_->bins);
+    kernels::weighted_sum(fields, weights, used, plan_->bins, out.data());
+}
+
+void BeamChain::fill_from(const View& view, std::uint64_t key, Kind kind, std::uint32_t cell,
+                          std::vector<float>& out) {
     const LineFilter& filter = (kind == noise ? plan_->noise : plan_->echo).bins;
     const bool filters = !filter.is_identity();
     const std::size_t before = filters ? filter.before() : 0, count = before + plan_->bins;
@@ -39,10 +64,10 @@ void BeamChain::fill(Kind kind, std::uint32_t cell, std::vector<float>& out) {
     out.resize(plan_->bins);
     if (kind == noise || kind == fresh_speckle) {
         white_.resize(normals_room(count));
-        const std::size_t at = normals({ping_.key, ping_.ping, cell, kind}, 0, count, white_.data());
+        const std::size_t at = normals({key, ping_.ping, cell, kind}, 0, count, white_.data());
         std::copy_n(white_.data() + at, count, padded_.data());
     } else {
-        fill_layers(kind, cell, before, count);
+        fill_layers(view, key, kind, cell, before, count);
     }
     if (filters)
         filter.apply(padded_, plan_->bins, out.data(), scratch_);
@@ -51,15 +76,16 @@ void BeamChain::fill(Kind kind, std::uint32_t cell, std::vector<float>& out) {
 }
 
 /// White numbers at ranges fixed to the world, between two layers of them; into padded_.
-void BeamChain::fill_layers(Kind kind, std::uint32_t cell, std::size_t before, std::size_t count) {
-    const CellView view = ping_.view.of(cell, cell * plan_->grid.cell_width());
+void BeamChain::fill_layers(const View& sonar, std::uint64_t key, Kind kind, std::uint32_t cell,
+                            std::size_t before, std::size_t count) {
+    const CellView view = sonar.of(cell, cell * plan_->grid.cell_width());
     const double place = (plan_->first_range + view.shift) / plan_->bin_length;
     const double whole = std::floor(place), share = place - whole, rest = 1 - share;
     const auto first = static_cast<std::int64_t>(whole) - static_cast<std::int64_t>(before);
     white_.resize(normals_room(count + 1));
     next_white_.resize(normals_room(count + 1));
     const auto layer = [&](std::uint64_t number) {
-        return RandomStream{ping_.key, mix(ping_.view.key(), number), cell, kind};
+        return RandomStream{key, mix(sonar.key(), number), cell, kind};
     };
     const std::size_t at = normals(layer(view.layer), first, count + 1, white_.data());
     normals(layer(view.layer + 1), first, count + 1, next_white_.data());

@@ -14,8 +14,8 @@ namespace {
 bool same_geometry(const Shot& a, const Shot& b) {
     return a.bins == b.bins && a.bin_interval == b.bin_interval && a.first_bin_time == b.first_bin_time &&
            a.pulse_length == b.pulse_length && a.bandwidth == b.bandwidth && a.frequency == b.frequency &&
-           a.beam_width == b.beam_width && a.horizontal == b.horizontal && a.receiver == b.receiver &&
-           a.bearings == b.bearings;
+           a.beam_width == b.beam_width && a.horizontal == b.horizontal && a.vertical == b.vertical &&
+           a.receiver == b.receiver && a.bearings == b.bearings;
 }
 
 struct CachedPlan {
@@ -43,10 +43,16 @@ class AcousticChain::Impl {
     Impl(Effects effects, SpeckleOptions speckle) : effects_(effects), speckle_(speckle) {}
 
     double apply(const Shot& shot, const Pose& pose, double sound_speed, std::span<const PointEcho> points,
-                 std::span<float> values, FreshPower fresh) {
+                 std::span<float> values, FreshPower fresh, const RowShares* rows) {
         const ChainPlan& plan = plan_for(shot, sound_speed);
-        const ChainPing ping{shot.random_key, shot.ping,     View(shot, pose, sound_speed / shot.frequency),
-                             shot.pan,        shot.bearings, shot.source_level};
+        const ChainPing ping{shot.random_key,
+                             shot.ping,
+                             View(shot, pose, sound_speed / shot.frequency),
+                             shot.pan,
+                             shot.bearings,
+                             shot.source_level,
+                             rows_of(rows, plan, shot, pose, sound_speed),
+                             rows != nullptr && rows->first};
         points_.assign(points.begin(), points.end());
         std::ranges::stable_sort(points_, {}, [](const PointEcho& point) { return point.beam; });
         const std::size_t beams = shot.bearings.size();
@@ -75,6 +81,28 @@ class AcousticChain::Impl {
   private:
     static constexpr std::size_t worth_a_thread = 16'384, most_plans = 64;
 
+    /// With the view and the weights of each row of cells.
+    static std::vector<CellRow> rows_of(const RowShares* rows, const ChainPlan& plan, Shot shot,
+                                        const Pose& pose, double sound_speed) {
+        std::vector<CellRow> out;
+        if (rows == nullptr) return out;
+        double echo = 0, noise = 0;  // sums of squares
+        for (const RowShare& share : rows->shares) {
+            shot.tilt = share.tilt;
+            const double of_echo = plan.echo.upright.weight(share.distance),
+                         of_noise = plan.noise.upright.weight(share.distance);
+            echo += of_echo * of_echo;
+            noise += of_noise * of_noise;
+            out.push_back({share, View(shot, pose, sound_speed / shot.frequency), static_cast<float>(of_echo),
+                           static_cast<float>(of_noise)});
+        }
+        for (CellRow& row : out) {
+            row.echo /= static_cast<float>(std::sqrt(echo));
+            row.noise /= static_cast<float>(std::sqrt(noise));
+        }
+        return out;
+    }
+
     const ChainPlan& plan_for(const Shot& shot, double sound_speed) {
         const auto fits = [&](const CachedPlan& cached) {
             return cached.sound_speed == sound_speed && same_geometry(cached.shot, shot);
@@ -101,8 +129,9 @@ AcousticChain::~AcousticChain() = default;
 AcousticChain::AcousticChain(AcousticChain&&) noexcept = default;
 
 double AcousticChain::apply(const Shot& shot, const Pose& world_from_sonar, double sound_speed,
-                            std::span<const PointEcho> points, std::span<float> values, FreshPower fresh) {
-    return impl_->apply(shot, world_from_sonar, sound_speed, points, values, fresh);
+                            std::span<const PointEcho> points, std::span<float> values, FreshPower fresh,
+                            const RowShares* rows) {
+    return impl_->apply(shot, world_from_sonar, sound_speed, points, values, fresh, rows);
 }
 
 }  // namespace echoloop

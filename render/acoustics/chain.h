@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -35,6 +36,19 @@ struct SpeckleOptions {
     double shape = std::numeric_limits<double>::infinity();
 };
 
+/// One of the rows of white numbers that a row of beams hears, as it hears cells along its beams.
+struct RowShare {
+    std::uint32_t row = 0;  ///< number of the row of cells
+    std::uint64_t key = 0;  ///< of its random numbers
+    double tilt = 0;        ///< rad, where it lies
+    double distance = 0;    ///< from the row of beams, in heights of a cell
+};
+/// Which of them a row of beams hears; rows of one ping one after the other, `first` beginning anew.
+struct RowShares {
+    bool first = true;
+    std::vector<RowShare> shares;
+};
+
 class AcousticChain {
   public:
     explicit AcousticChain(Effects effects, SpeckleOptions speckle = {});
@@ -44,7 +58,7 @@ class AcousticChain {
     /// Turns `values` (beams x bins of the shot, beam-major; each the sum of the echo power that arrives
     /// within the bin as if the pulse were infinitely short and of unit height, uPa^2) into the mean
     /// intensity of the receiver's output over each bin, or what else its BinRule says, uPa^2, in place.
-    /// Returns the mean noise power in it, uPa^2.
+    /// Returns the mean noise power in it, uPa^2. `rows`: of a row of beams among others.
     ///
     /// Pulse on: convolved with the pulse's shape of unit height, so that area scattering has the insonified
     /// length c tau / 2 (CW) or c / (2 B) (chirp), whatever the bin size; off: left as it is. A CW echo
@@ -52,7 +66,8 @@ class AcousticChain {
     /// a function of shot.random_key and of the pose: the same view gives the same speckle, one moved a
     /// little nearly the same (see View). Noise, and speckle of `fresh`, are keyed by shot.ping as well.
     double apply(const Shot& shot, const Pose& world_from_sonar, double sound_speed,
-                 std::span<const PointEcho> points, std::span<float> values, FreshPower fresh = {});
+                 std::span<const PointEcho> points, std::span<float> values, FreshPower fresh = {},
+                 const RowShares* rows = nullptr);
 
   private:
     class Impl;

@@ -1,9 +1,11 @@
 #include "render/fan/beam_sums.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
+#include "render/fan/ping_motion.h"
 #include "render/fan/weighted_rows.h"
 
 namespace echoloop {
@@ -108,17 +110,115 @@ void BeamSums::sum_beams(const FanPlan& plan, std::size_t first, std::size_t cou
     sum_rows(rows, gain, bins, count, out);
 }
 
-void BeamSums::sum(const FanPlan& plan, PixelOffset offset, std::size_t bins, LineSums& lines,
-                   const std::vector<float>& gain, Workers& workers, std::vector<float>& values) {
+void BeamSums::find_stretches(const BinningInput& in) {
+    const double step = std::min(0.1 * in.plan.geometry.beam_width, deg_to_rad(0.05));
+    constexpr std::size_t whole = 16;  // bins that the loops take at once
+    stretches_.clear();
+    if (in.motion == nullptr || in.motion->turning.z == 0 || bearings_.empty()) return;
+    lobe_ = TurnedLobe(in.plan);
+    const double first = in.first_range, bin = in.bin_length;
+    const auto turned = [&](double range) { return in.motion->turning.z * in.motion->flight(range); };
+    const double all = std::abs(turned(first + static_cast<double>(in.bins) * bin) - turned(first));
+    const double wished = std::ceil(all / step) + 1;
+    const auto most = static_cast<std::size_t>(static_cast<double>(in.bins) / wished);
+    const std::size_t length = std::max(most / whole * whole, whole);
+    for (std::size_t begin = 0; begin < in.bins; begin += length) {
+        const std::size_t end = std::min(begin + length, in.bins);
+        const double middle = first + static_cast<double>(begin + end) / 2 * bin;
+        stretches_.push_back({begin, end, static_cast<float>(turned(middle))});
+    }
+    add_steps_of_water(in);
+}
+
+/// A few stretches of steps; the volume's echo and the surface's change little.
+void BeamSums::add_steps_of_water(const BinningInput& in) {
+    if (in.water == nullptr) return;
+    constexpr std::size_t at_once = 8;
+    const RangeSteps& steps = in.water->steps();
+    for (std::size_t kind = 0; kind < 2; ++kind)
+        for (std::size_t step = 0; step < steps.count; step += at_once) {
+            const std::size_t end = std::min(step + at_once, steps.count);
+            const double middle = static_cast<double>((step + end) * steps.bins) / 2;
+            const double range = in.first_range + middle * in.bin_length;
+            const std::size_t behind = in.bins + kind * steps.count;
+            stretches_.push_back({behind + step, behind + end,
+                                  static_cast<float>(in.motion->turning.z * in.motion->flight(range))});
+        }
+}
+
+/// The lines as far to both sides of where a beam looks by then, or half-way there, as `own` are before.
+BeamLines BeamSums::turned_lines(const FanPlan& plan, const BeamLines& own, float turned) const {
+    const float shift = plan.geometry.horizontal.ways == 2 ? -turned / 2 : -turned;
+    const auto line_at = [this](float bearing) {
+        return static_cast<std::size_t>(std::ranges::lower_bound(bearings_, bearing) - bearings_.begin());
+    };
+    BeamLines out = own;
+    out.first_line = line_at(bearings_[own.first_line] + shift);
+    out.lines = line_at(bearings_[own.first_line + own.lines - 1] + shift) - out.first_line;
+    return out;
+}
+
+/// As sum_beams(), of a fan that turns.
+void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
+                          LineSums& lines, const float* gain, float* out) const {
+    thread_local std::vector<WeightedRow> rows;
+    thread_local std::vector<float> sums;
+    thread_local std::array<std::vector<float>, sums_at_once> weights;
+    for (const auto& [begin, end, turned] : stretches_) {
+        rows.clear();
+        std::array<BeamLines, sums_at_once> own{};
+        std::size_t from = plan.lines, to = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            own[k] = turned_lines(plan, plan.beams[first + k], turned);
+            lobe_.weigh(std::span(bearings_).subspan(own[k].first_line, own[k].lines),
+                        static_cast<float>(own[k].bearing), turned, weights[k]);
+            from = std::min(from, own[k].first_line), to = std::max(to, own[k].first_line + own[k].lines);
+        }
+        const std::size_t length = end - begin;
+        const auto add = [&](const float* values, std::size_t low, std::size_t high) -> WeightedRow& {
+            return rows.emplace_back(
+                WeightedRow{values + begin, std::max(low, begin) - begin, std::min(high, end) - begin, {}});
+        };
+        for (std::size_t line = from; line < to; ++line) {
+            const LineBins& bins_of_line = lines.line(line);
+            const bool of_water = begin >= bins - 2 * lines.steps();
+            if (!of_water && (bins_of_line.end() <= begin || bins_of_line.begin() >= end)) continue;
+            WeightedRow& row = of_water
+                                   ? add(lines.line_values(line), begin, end)
+                                   : add(lines.line_values(line), bins_of_line.begin(), bins_of_line.end());
+            for (std::size_t k = 0; k < count; ++k) {
+                if (line < own[k].first_line || line >= own[k].first_line + own[k].lines) continue;
+                row.weights[k] = weights[k][line - own[k].first_line];
+            }
+        }
+        const std::size_t near_rows = rows.size();
+        for (std::size_t k = 0; k < count && plan.far_lobes.sectors > 0; ++k)
+            add_far(plan, first + k, k, bins, rows);
+        for (WeightedRow& row : std::span(rows).subspan(near_rows)) row.values += begin, row.end = length;
+        sums.resize(count * length);
+        sum_rows(rows, gain != nullptr ? gain + begin : nullptr, length, count, sums.data());
+        for (std::size_t k = 0; k < count; ++k)
+            std::copy_n(&sums[k * length], length, out + k * bins + begin);
+    }
+}
+
+void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
+                   std::vector<float>& values) {
+    const FanPlan& plan = in.plan;
+    const std::size_t bins = lines.stride();
     values.resize(plan.beams.size() * bins);
     sum_sectors(plan, lines);
-    find_bearings(plan, offset);
+    find_bearings(plan, in.offset.level);
+    find_stretches(in);
     if (plan.far_lobes.sectors > 0) sum_nodes(plan.far_lobes, bins, lines, workers);
     const std::size_t beams = plan.beams.size();
     workers.run((beams + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
         const std::size_t first = piece * sums_at_once, count = std::min(sums_at_once, beams - first);
-        sum_beams(plan, first, count, bins, lines, gain.empty() ? nullptr : gain.data(),
-                  &values[first * bins]);
+        const float* factors = gain.empty() ? nullptr : gain.data();
+        if (stretches_.empty())
+            sum_beams(plan, first, count, bins, lines, factors, &values[first * bins]);
+        else
+            sum_turned(plan, first, count, bins, lines, factors, &values[first * bins]);
     });
 }
 

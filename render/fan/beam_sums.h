@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/fan/line_sums.h"
+#include "render/fan/turned_lobe.h"
 #include "render/fan/weighted_rows.h"
 #include "render/workers.h"
 
@@ -12,19 +13,32 @@ namespace echoloop {
 
 class BeamSums {
   public:
-    /// `offset`: where in the pixels the ping sampled; a line that lies off its middle is weighed there, so
-    /// that the mean over pings has the pattern itself. Fills `values` (beams x bins); multiplies each bin
-    /// with `gain` unless that is empty. `bins`: LineSums::stride(), with the steps behind the bins.
-    void sum(const FanPlan& plan, PixelOffset offset, std::size_t bins, LineSums& lines,
-             const std::vector<float>& gain, Workers& workers, std::vector<float>& values);
+    /// Fills `values` (beams x LineSums::stride(), with the steps behind the bins); multiplies each bin with
+    /// `gain` unless that is empty. A line that was sampled off its middle is weighed there, so that the mean
+    /// over pings has the pattern itself. Beams of a fan that turns about its upright axis weigh lines by
+    /// where they come from when they arrive, in stretches of range over which that changes by a tenth of a
+    /// beam, or 0.05 deg. The far sectors are not turned.
+    void sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
+             std::vector<float>& values);
 
   private:
     void sum_sectors(const FanPlan& plan, LineSums& lines);
     void sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines, Workers& workers);
     void add_far(const FanPlan& plan, std::size_t beam, std::size_t k, std::size_t bins,
                  std::vector<WeightedRow>& rows) const;
+    /// Bins begin..end - 1, and where in bearing, rad, what comes from ahead arrives.
+    struct Stretch {
+        std::size_t begin, end;
+        float turned;
+    };
+
+    void find_stretches(const BinningInput& in);
+    void add_steps_of_water(const BinningInput& in);
     void sum_beams(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
                    LineSums& lines, const float* gain, float* out) const;
+    void sum_turned(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
+                    LineSums& lines, const float* gain, float* out) const;
+    BeamLines turned_lines(const FanPlan& plan, const BeamLines& own, float turned) const;
 
     static void push(WeightedRow row, const LineSums& lines, std::size_t bins,
                      std::vector<WeightedRow>& rows);
@@ -32,8 +46,10 @@ class BeamSums {
     void find_bearings(const FanPlan& plan, PixelOffset offset);
     float weight_of(const FanPlan& plan, const BeamLines& own, std::size_t i) const;
 
-    std::vector<float> bearings_;  ///< rad, where each level line was sampled
-    std::vector<float> nodes_;     ///< nodes x bins
+    std::vector<float> bearings_;     ///< rad, where each level line was sampled
+    TurnedLobe lobe_;                 ///< where anything turns
+    std::vector<Stretch> stretches_;  ///< empty: nothing turns
+    std::vector<float> nodes_;        ///< nodes x bins
 };
 
 }  // namespace echoloop

@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "render/fan/far_lobes.h"
+#include "render/fan/patches.h"
+#include "render/fan/ping_motion.h"
 
 namespace echoloop {
 namespace {
@@ -77,7 +79,7 @@ SurfaceSteps surface_steps(const BinningInput& in, float* steps) {
 /// falls as R^-2, cos(i) as R^-1.
 template <Amount amount>
 void add_level(const BinningInput& in, const BinGain& gain, const LineReader& reader, const float* weight,
-               LineBins& bins, SurfaceSteps steps) {
+               const float* focus, LineBins& bins, SurfaceSteps steps) {
     LineBins local = bins;  // its limits stay in registers
     const RangeScale scale(in, gain);
     const PixelRow& row = reader.row();
@@ -88,6 +90,7 @@ void add_level(const BinningInput& in, const BinGain& gain, const LineReader& re
                     far = scale.bin(reader.extents.far[i]), length = far - near;
         float value = weight[i] * strength_of<amount>(in, surface, row.cosine()[i] * range, range);
         if (is_echo(amount)) value *= scale.correction(range, length);
+        if (is_echo(amount) && focus != nullptr) value *= focus[i];
         const float steepest = 1.8F / length;  // beyond, the density at the far end would be negative
         local.deposit(near, far, value, std::max(-3 / (range * scale.per_metre), -steepest));
         if (surface == steps.number) steps.deposit(near, far, value);
@@ -102,13 +105,17 @@ void add_volume(const BinningInput& in, const View& view, std::size_t line, cons
     const PixelRow& row = reader.row();
     UnderWay& under_way = reader.under_way;
     under_way.reset(water);
+    if (!water.by_depth()) {
+        under_way.add(water, row.range(), row.surface(), weight, view.samples);
+        return under_way.scatter(water, steps);
+    }
     const auto rise = water.rise(view, view.x(static_cast<double>(line) + 0.5 + in.offset.level.line));
     const auto top = static_cast<float>(view.y(0.5 + in.offset.level.sample)),
                step = static_cast<float>(view.sample_height());
     for (std::size_t i = 0; i < view.samples; ++i) {
         if (!(weight[i] > 0)) continue;
         const float end = row.surface()[i] != 0 ? water.place(row.range()[i]) : nowhere;
-        under_way.add(end, water.by_depth() ? rise.at(top - static_cast<float>(i) * step) : 0, weight[i]);
+        under_way.add(end, rise.at(top - static_cast<float>(i) * step), weight[i]);
     }
     under_way.scatter(water, steps);
 }
@@ -175,27 +182,63 @@ void LineReader::read(const BinningInput& in, const View& view, std::size_t line
     first_ = first, last_ = last;
 }
 
+namespace {
+
+/// Shifts the extents of the row that was read, and returns its weights, times the closing speeds that are
+/// asked for.
+const float* apply_motion(const BinningInput& in, const View& view, std::size_t line, const float* weight,
+                          LineReader& reader) {
+    const PingMotion& motion = *in.motion;
+    if (!motion.shifts && in.moment == 0) return weight;
+    find_closing(motion, view, in.offset.of(view), line, reader.row().surface(), reader.closing);
+    if (motion.shifts) {
+        shift_ranges(motion, reader.closing, reader.extents.near);
+        shift_ranges(motion, reader.closing, reader.extents.far);
+    }
+    if (in.moment == 0) return weight;
+    reader.weights.resize(view.samples);
+    for (std::size_t i = 0; i < view.samples; ++i) {
+        const float speed = reader.closing[i] + static_cast<float>(motion.fastest);
+        reader.weights[i] = weight[i] * (in.moment == 1 ? speed : speed * speed);
+    }
+    return reader.weights.data();
+}
+
+}  // namespace
+
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
                     std::size_t line, LineReader& reader, LineBins& bins, float* steps) {
     reader.read_alone(in, view, line);
     const std::size_t first = view.first_pixel + line * view.samples;
     const float* weight = is_echo(amount) ? &in.plan.weight[first] : &in.plan.coverage[first];
+    const float* plain = weight;
     if (is_echo(amount) && !in.plan.beside.empty()) {
-        weigh_beside(in, view, line, weight, reader.weights);
+        weigh_beside(in, view, line, plain, reader.weights);
+        weight = reader.weights.data();
+    }
+    if (steps != nullptr) add_volume(in, view, line, weight, reader, steps);
+    if (is_echo(amount) && in.motion != nullptr && in.motion->turning != Vec3{} &&
+        (!in.plan.beside.empty() || !in.motion->upwards.empty())) {
+        weigh_turned(in.plan, *in.motion, view, in.offset.level, line, reader.row().range(),
+                     reader.row().surface(), plain, reader.weights);
         weight = reader.weights.data();
     }
     find_spreads(reader.row(), view, static_cast<float>(in.bin_length), end_of(in), reader.extents);
-    if (steps != nullptr) add_volume(in, view, line, weight, reader, steps);
+    if (is_echo(amount) && in.patches != nullptr &&
+        in.patches->weigh(reader.row(), view, line, in.offset.level, weight, reader.weights))
+        weight = reader.weights.data();
+    if (in.motion != nullptr) weight = apply_motion(in, view, line, weight, reader);
+    const float* focus = focus_of(in, view, line);
     const SurfaceSteps water = surface_steps(in, steps);
     switch (amount) {
         case Amount::echo:
-            return add_level<Amount::echo>(in, gain, reader, weight, bins, water);
+            return add_level<Amount::echo>(in, gain, reader, weight, focus, bins, water);
         case Amount::wanted_echo:
-            return add_level<Amount::wanted_echo>(in, gain, reader, weight, bins, water);
+            return add_level<Amount::wanted_echo>(in, gain, reader, weight, focus, bins, water);
         case Amount::paper_echo:
-            return add_level<Amount::paper_echo>(in, gain, reader, weight, bins, water);
+            return add_level<Amount::paper_echo>(in, gain, reader, weight, focus, bins, water);
         case Amount::paper_share:
-            return add_level<Amount::paper_share>(in, gain, reader, weight, bins, water);
+            return add_level<Amount::paper_share>(in, gain, reader, weight, focus, bins, water);
     }
 }
 
@@ -240,7 +283,11 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
     const SectorSums sectors(in.plan, in.offset.surround);
     const std::size_t first = view.first_pixel + line * view.samples;
     const SurroundPixel* pixels = &in.plan.surround[first - in.plan.first_surround_pixel];
-    const float* weight = &in.plan.weight[first];
+    const float *weight = &in.plan.weight[first], *focus = focus_of(in, view, line);
+    const bool moves = in.motion != nullptr;
+    if (moves)
+        reader.weights.assign(view.samples, 1.0F),
+            apply_motion(in, view, line, reader.weights.data(), reader);
     const auto top = static_cast<float>(view.y(0.5 + in.offset.surround.sample)),
                step = static_cast<float>(view.sample_height());
     const double x = view.x(static_cast<double>(line) + 0.5 + in.offset.surround.line);
@@ -257,8 +304,10 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
         if (surface == 0 || weight[i] == 0) continue;
         if (only_wanted && !counts<Amount::wanted_echo>(in, surface)) continue;
         const float near = scale.bin(reader.extents.near[i]), far = scale.bin(reader.extents.far[i]);
-        const float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
-                               scale.correction(range, far - near);
+        float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
+                         scale.correction(range, far - near);
+        if (focus != nullptr) strength *= focus[i];
+        if (moves) strength *= reader.weights[i];
         sectors.share(pixel, strength, [&](std::size_t s, float value) {
             sums.sector(s).deposit(near, far, value);
             if (surface == water_surface) surface_steps(in, sums.sector_steps(s)).deposit(near, far, value);

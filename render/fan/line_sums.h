@@ -49,7 +49,8 @@ class LineReader {
     const PixelRow& after() const { return last_ ? rows_[1] : rows_[2]; }
 
     Extents extents;             ///< what the reader of the line makes of it
-    std::vector<float> weights;  ///< of the line's samples in a single beam
+    std::vector<float> weights;  ///< of the line's samples, where they are not those of the plan
+    std::vector<float> closing;  ///< m/s, of the line's samples, where something moves
     UnderWay under_way;          ///< what of the line no surface has met
 
   private:

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/fan/patches.h"
+#include "render/fan/ping_motion.h"
 #include "render/fan/pixel_extents.h"
 
 namespace echoloop {
@@ -21,7 +23,7 @@ inline float amount_of(const BinningInput& in, const PixelRow& row, std::size_t 
 /// weight.
 template <Amount amount, typename Deposit>
 void for_each_echo(const BinningInput& in, const BinGain& gain, const LineReader& reader,
-                   const PixelExtents& extents, const float* weight, std::size_t samples,
+                   const PixelExtents& extents, const float* weight, const float* focus, std::size_t samples,
                    const Deposit& deposit) {
     const auto per_metre = static_cast<float>(1 / in.bin_length),
                start = static_cast<float>(in.first_range / in.bin_length),
@@ -39,6 +41,7 @@ void for_each_echo(const BinningInput& in, const BinGain& gain, const LineReader
         const float near = near_edge[i] * per_metre - start, far = far_edge[i] * per_metre - start;
         float value = amount_of<amount>(in, row, i, middle, weight[i]);
         if (is_echo(amount) && middle < near_limit && far - near < 1) value *= gain.correction(middle);
+        if (is_echo(amount) && focus != nullptr) value *= focus[i];
         // Along a plane seen at grazing incidence the solid angle of a slice of range falls as R^-2, cos(i)
         // as R^-1.
         const float steepest = 1.8F / (far - near);  // beyond, the density at the far end would be negative
@@ -64,15 +67,34 @@ void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, con
     };
     const std::size_t first = view.first_pixel + line * view.samples, count = view.samples;
     const float *weight = &in.plan.weight[first], *coverage = &in.plan.coverage[first];
+    if (is_echo(amount) && in.patches != nullptr && !view.surround &&
+        in.patches->weigh(reader.row(), view, line, in.offset.of(view), weight, reader.weights))
+        weight = reader.weights.data();
+    const float* focus = focus_of(in, view, line);
     switch (amount) {
         case Amount::echo:
-            return for_each_echo<Amount::echo>(in, gain, reader, extents, weight, count, list);
+            return for_each_echo<Amount::echo>(in, gain, reader, extents, weight, focus, count, list);
         case Amount::wanted_echo:
-            return for_each_echo<Amount::wanted_echo>(in, gain, reader, extents, weight, count, list);
+            return for_each_echo<Amount::wanted_echo>(in, gain, reader, extents, weight, focus, count, list);
         case Amount::paper_echo:
-            return for_each_echo<Amount::paper_echo>(in, gain, reader, extents, coverage, count, list);
+            return for_each_echo<Amount::paper_echo>(in, gain, reader, extents, coverage, focus, count, list);
         case Amount::paper_share:
-            return for_each_echo<Amount::paper_share>(in, gain, reader, extents, coverage, count, list);
+            return for_each_echo<Amount::paper_share>(in, gain, reader, extents, coverage, focus, count,
+                                                      list);
+    }
+}
+
+void shift_echoes(const BinningInput& in, const View& view, std::size_t line, LineReader& reader,
+                  std::vector<PixelEcho>& echoes) {
+    if (!in.motion->shifts) return;
+    find_closing(*in.motion, view, in.offset.of(view), line, reader.row().surface(), reader.closing);
+    const auto first = static_cast<float>(in.first_range), length = static_cast<float>(in.bin_length),
+               slowness = static_cast<float>(in.motion->slowness),
+               sweep = static_cast<float>(in.motion->sweep);
+    for (PixelEcho& echo : echoes) {
+        const float range = first + 0.5F * (echo.near + echo.far) * length;
+        const float nearer = reader.closing[echo.sample] * (range * slowness + sweep) / length;
+        echo.near -= nearer, echo.far -= nearer;
     }
 }
 

@@ -18,4 +18,9 @@ struct PixelEcho {
 void list_echoes(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
                  std::size_t line, LineReader& reader, std::vector<PixelEcho>& echoes);
 
+/// Moves what list_echoes() found to the ranges at which it appears where BinningInput::motion says that
+/// those shift. `reader`: that has read the line.
+void shift_echoes(const BinningInput& in, const View& view, std::size_t line, LineReader& reader,
+                  std::vector<PixelEcho>& echoes);
+
 }  // namespace echoloop

@@ -102,6 +102,27 @@ void UnderWay::reset_alike(const Reverberation& water) {
     met_.assign(row_, 0.0F);
 }
 
+/// Neighbours mostly end in one step, so sums stay in registers as long as they do.
+void UnderWay::add(const Reverberation& water, const float* range, const float* surface, const float* weight,
+                   std::size_t count) {
+    const float last = static_cast<float>(row_ - 1);
+    int step = 1;
+    float within = 0, before = 0;
+    const auto flush = [&] {
+        met_[static_cast<std::size_t>(step)] += within;
+        met_[static_cast<std::size_t>(step) - 1] += before;
+        within = before = 0;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const float at = surface[i] != 0 ? std::min(std::max(water.place(range[i]) + 1, 1.0F), last) : last;
+        const int whole = static_cast<int>(at);
+        const float heard = weight[i] > 0 ? weight[i] : 0, part = heard * (at - static_cast<float>(whole));
+        if (whole != step) flush(), step = whole;
+        within += part, before += heard - part;
+    }
+    flush();
+}
+
 void UnderWay::scatter(const Reverberation& water, float* steps) {
     for (std::size_t cell = 0; cell < cells_; ++cell) scatter_row(cell, water.strengths(cell), steps);
 }

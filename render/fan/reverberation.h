@@ -92,6 +92,10 @@ class UnderWay {
         add_to(lower, end, weight * (1 - share));
         add_to(lower + 1, end, weight * share);
     }
+    /// The same for a row of directions of weights > 0 that meet `range`, in m, or where `surface` is 0
+    /// nothing.
+    void add(const Reverberation& water, const float* range, const float* surface, const float* weight,
+             std::size_t count);
     /// Adds what it scatters to the steps, and resets.
     void scatter(const Reverberation& water, float* steps);
     /// The same of directions that are nearly the same, of one cell of the water.

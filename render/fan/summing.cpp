@@ -59,19 +59,17 @@ class FanSumming final : public Summing {
         if (in.rule == EchoRule::radiometric) {
             add_levels(in, gain, Amount::echo);
             add_surround(in, gain);
-            add_paths(in, gain);
-            if (in.water == nullptr)
-                return beams_.sum(in.plan, in.offset.level, in.bins, sums_, gain.values(), workers_, values);
+            if (in.moment == 0) add_paths(in, gain);
+            if (in.water == nullptr) return beams_.sum(in, sums_, gain.values(), workers_, values);
             const RangeSteps& steps = in.water->steps();
-            beams_.sum(in.plan, in.offset.level, sums_.stride(), sums_, with_steps(gain.values(), steps),
-                       workers_, rows_);
+            beams_.sum(in, sums_, with_steps(gain.values(), steps), workers_, rows_);
             finish_reverberation(steps, in.bins, gain.values(), rows_, values, fresh);
             return;
         }
         add_levels(in, gain, Amount::paper_share);
-        beams_.sum(in.plan, in.offset.level, in.bins, sums_, {}, workers_, shares_);
+        beams_.sum(in, sums_, {}, workers_, shares_);
         add_levels(in, gain, Amount::paper_echo);
-        beams_.sum(in.plan, in.offset.level, in.bins, sums_, {}, workers_, values);
+        beams_.sum(in, sums_, {}, workers_, values);
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = shares_[i] > 0 ? values[i] / shares_[i] : 0;
     }
@@ -96,7 +94,7 @@ class FanSumming final : public Summing {
             const View& view = view_with(in.plan, line);
             add_surround_line(in, gain, true, view, line - view.first_line, reader, sums_);
         }
-        beams_.sum(in.plan, in.offset.level, in.bins, sums_, gain.values(), workers_, wanted_);
+        beams_.sum(in, sums_, gain.values(), workers_, wanted_);
         everywhere_ = {0, wanted_.size()};
         return {wanted_, {&everywhere_, 1}};
     }

@@ -81,4 +81,11 @@ bool find_visible(const Scene& scene, NodeRange range, const View& view, const P
     return wanted;
 }
 
+bool reaches_into(const Bounds& box, const View& view, const Pose& frame_from_fan, const ViewLimits& limits) {
+    const auto planes = side_planes(view, frame_from_fan, limits.margin);
+    const Vec3 eye = frame_from_fan.position;
+    return distance_to(box, eye) <= limits.end_range &&
+           std::none_of(planes.begin(), planes.end(), [&](Vec3 normal) { return behind(box, eye, normal); });
+}
+
 }  // namespace echoloop::gl

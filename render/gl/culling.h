@@ -31,4 +31,7 @@ struct NodeRange {
 bool find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
                   const ViewLimits& limits, std::vector<std::uint32_t>& nodes);
 
+/// Whether a box may reach into the view.
+bool reaches_into(const Bounds& box, const View& view, const Pose& frame_from_fan, const ViewLimits& limits);
+
 }  // namespace echoloop::gl

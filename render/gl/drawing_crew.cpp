@@ -49,10 +49,10 @@ class DrawingCrew::Helper {
 
     /// The arguments live until end().
     void begin(std::span<const SeenView* const> views, std::size_t samples, SampleOffsets offset,
-               Pixel* image) {
+               Pixel* image, const Bending& bending) {
         {
             const std::lock_guard lock(mutex_);
-            work_ = [=](SceneDrawer& drawer) { return drawer.draw(views, samples, offset, image); };
+            work_ = [=](SceneDrawer& drawer) { return drawer.draw(views, samples, offset, image, bending); };
         }
         changed_.notify_one();
     }
@@ -95,7 +95,7 @@ class DrawingCrew::Helper {
 };
 
 DrawingCrew::DrawingCrew(const MakeContext& make, std::shared_ptr<const Scene> scene, std::size_t threads)
-    : own_(make(), scene) {
+    : own_(make(), scene), split_(scene) {
     if (own_.context().draws_beside_others())
         while (helpers_.size() + 1 < threads) helpers_.push_back(std::make_unique<Helper>(make, scene));
     shares_.resize(1 + helpers_.size());
@@ -125,6 +125,8 @@ void DrawingCrew::draw(const Picture& picture, const Outlook& outlook, std::vect
     };
     const auto begin = Clock::now();
     find_seen(own_.scene(), picture, outlook, seen_);
+    if (outlook.rays) split_.split(outlook, seen_);
+    const Bending bending{outlook.rays, &split_};
     share_out();
     profile_ = {since(begin), 0, 0, 0, 0, 0};
     for (const SeenView& view : seen_) {
@@ -136,7 +138,7 @@ void DrawingCrew::draw(const Picture& picture, const Outlook& outlook, std::vect
     pixels.resize(picture.image_lines * picture.samples);
     for (std::size_t i = 0; i < helpers_.size(); ++i)
         if (!shares_[i + 1].views.empty())
-            helpers_[i]->begin(shares_[i + 1].views, picture.samples, outlook.offset, pixels.data());
+            helpers_[i]->begin(shares_[i + 1].views, picture.samples, outlook.offset, pixels.data(), bending);
     std::exception_ptr fault;
     const auto take = [&](const auto& read_back) {
         try {
@@ -145,7 +147,8 @@ void DrawingCrew::draw(const Picture& picture, const Outlook& outlook, std::vect
             fault = std::current_exception();
         }
     };
-    take([&] { return own_.draw(shares_[0].views, picture.samples, outlook.offset, pixels.data()); });
+    take(
+        [&] { return own_.draw(shares_[0].views, picture.samples, outlook.offset, pixels.data(), bending); });
     for (std::size_t i = 0; i < helpers_.size(); ++i)
         if (!shares_[i + 1].views.empty()) take([&] { return helpers_[i]->end(); });
     if (fault) std::rethrow_exception(fault);

@@ -42,6 +42,7 @@ class DrawingCrew {
     void share_out();
 
     SceneDrawer own_;
+    SplitScene split_;
     std::vector<std::unique_ptr<Helper>> helpers_;
     std::vector<SeenView> seen_;
     std::vector<Share> shares_;  ///< the caller's first

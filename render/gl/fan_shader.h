@@ -26,6 +26,44 @@ void main() {
 }
 )";
 
+/// The same where rays bend. A point is drawn where its ray leaves the sonar, as far off as it is in time, so
+/// that what is left to draw is straight; and its normal is turned with it, so that it meets the ray as it
+/// does in truth.
+inline constexpr const char* bent_vertex_shader = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in float surface;
+uniform mat3 view_from_world;
+uniform vec3 eye;
+uniform vec4 window;
+uniform vec3 up;               // in the view
+uniform vec4 place;            // RayTable: columns per m; a, b and first of its rows
+uniform sampler2D rays;        // RayTable::cells()
+out vec3 seen;
+out vec4 seen_normal;
+const float near = 0.01;
+void main() {
+    vec3 line = view_from_world * (position - eye);
+    float height = dot(line, up);
+    vec3 level = line - height * up;
+    float x = length(level);
+    vec3 ahead = level / max(x, 1e-6);
+    float u = 2.0 * abs(height) / (place.y + sqrt(place.y * place.y + 4.0 * place.z * abs(height)));
+    vec2 cell = vec2(x * place.x, (height > 0.0 ? -u : u) - place.w);
+    vec4 ray = textureLod(rays, (cell + 0.5) / vec2(textureSize(rays, 0)), 0.0);
+    float s = sin(ray.x), c = cos(ray.x);
+    seen = (1.0 + ray.y) * ((x * c - height * s) * ahead + (x * s + height * c) * up);
+    vec3 n = view_from_world * normal;
+    float n_ahead = dot(n, ahead), n_up = dot(n, up);
+    s = sin(ray.z), c = cos(ray.z);
+    n += (n_ahead * (c - 1.0) + n_up * s) * ahead + (n_up * (c - 1.0) - n_ahead * s) * up;
+    seen_normal = vec4(n, surface + 0.25);
+    vec2 image = (seen.xy - window.xy * seen.z) * window.zw;
+    gl_Position = vec4(-image.y, image.x, near, seen.z);
+    gl_ClipDistance[0] = ray.w;
+}
+)";
+
 /// The mean echo of a rough surface is that of its mean normal and more: facets that lean towards us scatter
 /// more and show more of themselves, E[(n v)^2] / E[n v].
 ///

@@ -15,6 +15,7 @@ namespace echoloop::gl {
     X(PFNGLBINDBUFFERPROC, BindBuffer)                                   \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                         \
     X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                       \
+    X(PFNGLBINDTEXTUREPROC, BindTexture)                                 \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                         \
     X(PFNGLBUFFERDATAPROC, BufferData)                                   \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)           \
@@ -28,6 +29,7 @@ namespace echoloop::gl {
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                             \
     X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)                 \
     X(PFNGLDELETESHADERPROC, DeleteShader)                               \
+    X(PFNGLDELETETEXTURESPROC, DeleteTextures)                           \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                   \
     X(PFNGLDEPTHFUNCPROC, DepthFunc)                                     \
     X(PFNGLDISABLEPROC, Disable)                                         \
@@ -38,6 +40,7 @@ namespace echoloop::gl {
     X(PFNGLGENBUFFERSPROC, GenBuffers)                                   \
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                         \
     X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                       \
+    X(PFNGLGENTEXTURESPROC, GenTextures)                                 \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                         \
     X(PFNGLGETERRORPROC, GetError)                                       \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                                 \
@@ -54,6 +57,8 @@ namespace echoloop::gl {
     X(PFNGLREADPIXELSPROC, ReadPixels)                                   \
     X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                 \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                               \
+    X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                   \
+    X(PFNGLTEXPARAMETERIPROC, TexParameteri)                             \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                                     \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                                     \
     X(PFNGLUNIFORM4FPROC, Uniform4f)                                     \

@@ -55,6 +55,20 @@ Buffer::Buffer(const Functions& gl, GLenum target, const void* data, std::size_t
     if (!gl.reads_our_memory()) gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
 }
 
+FloatTexture::FloatTexture(const Functions& gl) : gl_(gl) {
+    gl.GenTextures(1, &id_);
+    bind();
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        gl.TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
+}
+
+void FloatTexture::fill(int width, int height, const void* data) {
+    bind();
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, data);
+}
+
 FloatTarget::FloatTarget(const Functions& gl, int width, int height) : gl_(gl) {
     gl.GenFramebuffers(1, &framebuffer_);
     gl.GenRenderbuffers(2, renderbuffers_);

@@ -56,6 +56,23 @@ class VertexArray {
     GLuint id_ = 0;
 };
 
+/// A table of four 32-bit floats in each cell, linear between them.
+class FloatTexture {
+  public:
+    explicit FloatTexture(const Functions& gl);
+    FloatTexture(const FloatTexture&) = delete;
+    FloatTexture& operator=(const FloatTexture&) = delete;
+    ~FloatTexture() { gl_.DeleteTextures(1, &id_); }
+
+    void bind() const { gl_.BindTexture(GL_TEXTURE_2D, id_); }
+    /// Copies `data`, row by row.
+    void fill(int width, int height, const void* data);
+
+  private:
+    const Functions& gl_;
+    GLuint id_ = 0;
+};
+
 /// An off-screen target of four 32-bit floats per pixel and 32-bit float depth.
 class FloatTarget {
   public:

@@ -14,24 +14,6 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// By how much a coarse stand-in may be off at most; in the root mean square it is a third of that. Pixels of
-/// more than a degree show what side lobes hear: first of all the nearest bottom, whose first return shifts
-/// with it, so near stand-ins are finer.
-ViewLimits limits_of(const View& view, const Outlook& outlook) {
-    const double pixel =
-        std::max(view.line_width() * view.usual_width, view.sample_height() * view.usual_height);
-    const bool background = outlook.begin_range > 0, coarse = pixel > deg_to_rad(1);
-    return {.end_range = outlook.end_range,
-            .margin = pixel,
-            .tolerance = (background ? 1.5
-                          : coarse   ? 1.0
-                                     : 0.4) *
-                         pixel,
-            .full_tolerance_range = coarse && !background ? 0.45 * outlook.end_range : 0,
-            .begin_range = outlook.begin_range,
-            .hiding_tolerance = 4 * pixel};
-}
-
 /// Makes the context current before the members that need it are built.
 Context& current(Context& context) {
     context.make_current();
@@ -50,44 +32,31 @@ void set_vertex_layout(const Functions& gl) {
     attribute(2, 1, offsetof(SceneVertex, surface));
 }
 
-/// Finds what a view sees of the still scene and of every mover: nothing, where all of it would only hide.
-void find_seen(const Scene& scene, const Outlook& outlook, SeenView& seen) {
-    const ViewLimits limits = limits_of(*seen.view, outlook);
-    bool wanted = false;
-    const auto find = [&](SeenNodes& to, NodeRange range, const Pose& frame_from_fan) {
-        to.frame_from_fan = frame_from_fan;
-        wanted |= find_visible(scene, range, *seen.view, frame_from_fan, limits, to.nodes);
-    };
-    find(seen.parts[0], {0, scene.still_nodes()}, outlook.world_from_fan);
-    // Seen from a mover's own frame nothing of it has moved: neither its buffers nor its bounds.
-    for (std::size_t m = 0; m < outlook.movers.size(); ++m)
-        find(seen.parts[m + 1], {scene.movers()[m].first_node, scene.movers()[m].last_node},
-             inverse(outlook.movers[m]) * outlook.world_from_fan);
-    seen.triangles = seen.chunks = 0;
-    for (SeenNodes& part : seen.parts) {
-        if (!wanted) part.nodes.clear();
-        seen.chunks += part.nodes.size();
-        for (const std::uint32_t node : part.nodes) seen.triangles += scene.nodes()[node].indices / 3;
-    }
-}
-
 }  // namespace
 
-void find_seen(const Scene& scene, const Picture& picture, const Outlook& outlook,
-               std::vector<SeenView>& seen) {
-    seen.resize(picture.views.size());
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        seen[i].view = &picture.views[i];
-        seen[i].parts.resize(1 + outlook.movers.size());
-        find_seen(scene, outlook, seen[i]);
-    }
-}
+struct SceneDrawer::BentDrawing {
+    explicit BentDrawing(const Functions& gl)
+        : program(gl, bent_vertex_shader, fan_fragment_shader),
+          table(gl),
+          patches{Patches(gl), Patches(gl)} {}
+
+    Program program;
+    Uniforms uniforms;
+    FloatTexture table;
+    std::shared_ptr<const RayTable> rays;  ///< in the table
+    struct Patches {
+        explicit Patches(const Functions& gl) : array(gl) {}
+        VertexArray array;
+        std::unique_ptr<Buffer> vertices, indices;
+        std::uint64_t version = 0;  ///< of the split mesh
+    };
+    std::array<Patches, 2> patches;  ///< as SplitScene::mesh()
+};
 
 SceneDrawer::SceneDrawer(std::unique_ptr<Context> context, std::shared_ptr<const Scene> scene)
     : context_(std::move(context)), scene_(std::move(scene)), gl_(current(*context_)) {
     program_ = std::make_unique<Program>(gl_, fan_vertex_shader, fan_fragment_shader);
-    uniforms_ = {program_->uniform("view_from_world"), program_->uniform("eye"), program_->uniform("window"),
-                 program_->uniform("pixel")};
+    straight_uniforms_ = uniforms_of(*program_);
     array_ = std::make_unique<VertexArray>(gl_);
     upload();
     gl_.check("upload of the scene");
@@ -114,7 +83,8 @@ void SceneDrawer::upload() {
     indices_ = std::make_unique<Buffer>(gl_, GL_ELEMENT_ARRAY_BUFFER, indices.data(), indices.size_bytes());
 }
 
-void SceneDrawer::set_view(const View& view, const Pose& frame_from_fan, SampleOffsets offset) const {
+void SceneDrawer::set_view(const View& view, const SeenNodes& part, SampleOffsets offset) const {
+    const Pose& frame_from_fan = part.frame_from_fan;
     const Quat q = frame_from_fan.orientation * view.fan_from_view();
     const Vec3 axes[3] = {rotate(q, {0, -1, 0}), rotate(q, {0, 0, 1}), rotate(q, {1, 0, 0})};
     GLfloat rows[9];
@@ -124,6 +94,9 @@ void SceneDrawer::set_view(const View& view, const Pose& frame_from_fan, SampleO
         rows[3 * i + 2] = static_cast<float>(axes[i].z);
     }
     gl_.UniformMatrix3fv(uniforms_.view_from_world, 1, GL_TRUE, rows);
+    if (bends_)
+        gl_.Uniform3f(uniforms_.up, static_cast<float>(dot(axes[0], part.up)),
+                      static_cast<float>(dot(axes[1], part.up)), static_cast<float>(dot(axes[2], part.up)));
     const Vec3 eye = frame_from_fan.position;
     gl_.Uniform3f(uniforms_.eye, static_cast<float>(eye.x), static_cast<float>(eye.y),
                   static_cast<float>(eye.z));
@@ -137,6 +110,68 @@ void SceneDrawer::set_view(const View& view, const Pose& frame_from_fan, SampleO
                   static_cast<float>(view.sample_height()), static_cast<float>(view.usual_width),
                   static_cast<float>(view.usual_height));
     gl_.Viewport(0, 0, static_cast<GLsizei>(view.samples), static_cast<GLsizei>(view.lines));
+}
+
+SceneDrawer::Uniforms SceneDrawer::uniforms_of(const Program& program) const {
+    return {program.uniform("view_from_world"), program.uniform("eye"), program.uniform("window"),
+            program.uniform("pixel"),           program.uniform("up"),  program.uniform("place")};
+}
+
+void SceneDrawer::begin_straight() {
+    bends_ = false;
+    program_->use();
+    uniforms_ = straight_uniforms_;
+}
+
+void SceneDrawer::begin_bent(const Bending& bending) {
+    bends_ = true;
+    if (!bent_) {
+        bent_ = std::make_unique<BentDrawing>(gl_);
+        bent_->uniforms = uniforms_of(bent_->program);
+        array_->bind();
+    }
+    bent_->program.use();
+    uniforms_ = bent_->uniforms;
+    const RayTable& rays = *bending.rays;
+    if (bent_->rays != bending.rays)
+        bent_->table.fill(static_cast<int>(RayTable::columns), static_cast<int>(RayTable::rows),
+                          rays.cells().data());
+    bent_->rays = bending.rays;
+    bent_->table.bind();
+    const RayTable::Rows& rows = rays.row_places();
+    gl_.Uniform4f(uniforms_.place, static_cast<float>(1 / rays.column_step()), static_cast<float>(rows.a),
+                  static_cast<float>(rows.b), static_cast<float>(rows.first));
+    for (const bool surround : {false, true}) {
+        const SplitMesh& mesh = bending.split->mesh(surround);
+        BentDrawing::Patches& to = bent_->patches[surround];
+        if (to.version == mesh.version() || mesh.indices().empty()) continue;
+        to.version = mesh.version();
+        to.array.bind();
+        const auto vertices = mesh.vertices();
+        to.vertices = std::make_unique<Buffer>(gl_, GL_ARRAY_BUFFER, vertices.data(), vertices.size_bytes());
+        set_vertex_layout(gl_);
+        const auto indices = mesh.indices();
+        to.indices =
+            std::make_unique<Buffer>(gl_, GL_ELEMENT_ARRAY_BUFFER, indices.data(), indices.size_bytes());
+        array_->bind();
+    }
+    if (rays.has_shadow()) gl_.Enable(GL_CLIP_DISTANCE0);
+}
+
+void SceneDrawer::draw_patches(const View& view, const SeenNodes& part) {
+    bent_->patches[view.surround].array.bind();
+    for (const bool double_sided : {false, true}) {
+        DrawList& list = lists_[0];
+        list.clear();
+        for (const SeenPatch& patch : part.patches)
+            if (patch.double_sided == double_sided) {
+                list.counts.push_back(static_cast<GLsizei>(patch.count));
+                list.offsets.push_back(reinterpret_cast<const void*>(patch.first * sizeof(std::uint32_t)));
+                list.bases.push_back(0);
+            }
+        submit(list, double_sided, GL_UNSIGNED_INT);
+    }
+    array_->bind();
 }
 
 void SceneDrawer::DrawList::clear() {
@@ -154,10 +189,10 @@ void SceneDrawer::list(const SceneNode& node) {
     to.bases.push_back(static_cast<GLint>(vertex + node.first_vertex));
 }
 
-void SceneDrawer::submit(const DrawList& list, bool double_sided) const {
+void SceneDrawer::submit(const DrawList& list, bool double_sided, GLenum index) const {
     if (list.counts.empty()) return;
     double_sided ? gl_.Disable(GL_CULL_FACE) : gl_.Enable(GL_CULL_FACE);
-    gl_.MultiDrawElementsBaseVertex(GL_TRIANGLES, list.counts.data(), GL_UNSIGNED_SHORT, list.offsets.data(),
+    gl_.MultiDrawElementsBaseVertex(GL_TRIANGLES, list.counts.data(), index, list.offsets.data(),
                                     static_cast<GLsizei>(list.counts.size()), list.bases.data());
 }
 
@@ -178,12 +213,13 @@ void SceneDrawer::bind_target(int width, int height) {
 }
 
 void SceneDrawer::draw_part(const View& view, const SeenNodes& part, SampleOffsets offset) {
-    if (part.nodes.empty()) return;
+    if (part.nodes.empty() && part.patches.empty()) return;
     for (DrawList& list : lists_) list.clear();
     for (const std::uint32_t node : part.nodes) list(scene_->nodes()[node]);
-    set_view(view, part.frame_from_fan, offset);
+    set_view(view, part, offset);
     submit(lists_[0], false);
     submit(lists_[1], true);
+    if (!part.patches.empty()) draw_patches(view, part);
 }
 
 void SceneDrawer::draw_view(const SeenView& seen, SampleOffsets offset) {
@@ -198,9 +234,9 @@ void SceneDrawer::draw_view(const SeenView& seen, SampleOffsets offset) {
 /// Every view on a target of its own size, as llvmpipe clears and walks through all of a target; and where a
 /// vertex falls among the pixels is rounded there, whoever draws the other views.
 double SceneDrawer::draw(std::span<const SeenView* const> views, std::size_t samples, SampleOffsets offset,
-                         Pixel* image) {
+                         Pixel* image, const Bending& bending) {
     context_->make_current();
-    program_->use();
+    bending.rays ? begin_bent(bending) : begin_straight();
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_GREATER);
@@ -214,6 +250,7 @@ double SceneDrawer::draw(std::span<const SeenView* const> views, std::size_t sam
                        GL_FLOAT, image + view.first_line * samples);
         read_back += seconds_since(drawn);
     }
+    if (bends_) gl_.Disable(GL_CLIP_DISTANCE0);
     gl_.check("drawing a fan");
     return read_back;
 }

@@ -7,42 +7,19 @@
 #include <utility>
 #include <vector>
 
-#include "render/gl/culling.h"
 #include "render/gl/objects.h"
+#include "render/gl/split_scene.h"
 #include "render/pixel.h"
 #include "render/recently_used.h"
 #include "render/scene/scene.h"
-#include "render/view.h"
 
 namespace echoloop::gl {
 
-/// What a view sees of the trees in one frame.
-struct SeenNodes {
-    Pose frame_from_fan;
-    std::vector<std::uint32_t> nodes;
+/// Where rays bend: their table, and the patches in place of what has long edges.
+struct Bending {
+    std::shared_ptr<const RayTable> rays{};  ///< null: they are straight
+    const SplitScene* split = nullptr;
 };
-
-/// What is drawn of one view.
-struct SeenView {
-    const View* view = nullptr;
-    std::vector<SeenNodes> parts;
-    std::size_t triangles = 0, chunks = 0;
-};
-
-/// Where a fan is, and what moves: world_from_object of every mover.
-struct Outlook {
-    Pose world_from_fan;
-    std::span<const Pose> movers{};
-    double end_range = 0;  ///< m; surfaces beyond it may be missing
-    /// m; of a faint background, else 0: nearer surfaces only hide what lies beyond and may be missing where
-    /// nothing does, and all may be coarser.
-    double begin_range = 0;
-    SampleOffsets offset{};  ///< move the sample point within every pixel
-};
-
-/// Fills `seen`, one for every view of the picture, whose places it keeps. Needs no GL.
-void find_seen(const Scene& scene, const Picture& picture, const Outlook& outlook,
-               std::vector<SeenView>& seen);
 
 class SceneDrawer {
   public:
@@ -56,7 +33,7 @@ class SceneDrawer {
     /// many samples. Returns the s of wall time that the reading took, which begins when the last pixel of a
     /// view is there.
     double draw(std::span<const SeenView* const> views, std::size_t samples, SampleOffsets offset,
-                Pixel* image);
+                Pixel* image, const Bending& bending = {});
 
     /// Index into Scene::materials() of every surface number, which is Pixel::surface - 1.
     const std::vector<std::uint32_t>& material_of_surface() const { return material_of_surface_; }
@@ -78,23 +55,32 @@ class SceneDrawer {
         int width, height;
         std::unique_ptr<FloatTarget> target;
     };
+    /// What it takes to draw with bent rays.
+    struct BentDrawing;
     struct Uniforms {
         GLint view_from_world, eye, window, pixel;
+        GLint up = -1, place = -1;  ///< of bent rays only
     };
 
     void upload();
     void bind_target(int width, int height);
     void draw_view(const SeenView& seen, SampleOffsets offset);
     void draw_part(const View& view, const SeenNodes& part, SampleOffsets offset);
-    void set_view(const View& view, const Pose& frame_from_fan, SampleOffsets offset) const;
+    void set_view(const View& view, const SeenNodes& part, SampleOffsets offset) const;
+    void draw_patches(const View& view, const SeenNodes& part);
+    void begin_straight();
+    void begin_bent(const Bending& bending);
+    Uniforms uniforms_of(const Program& program) const;
     void list(const SceneNode& node);
-    void submit(const DrawList& list, bool double_sided) const;
+    void submit(const DrawList& list, bool double_sided, GLenum index = GL_UNSIGNED_SHORT) const;
 
     std::unique_ptr<Context> context_;
     std::shared_ptr<const Scene> scene_;
     Functions gl_;
     std::unique_ptr<Program> program_;
-    Uniforms uniforms_{};
+    Uniforms uniforms_{}, straight_uniforms_{};
+    std::unique_ptr<BentDrawing> bent_;  ///< made when rays first bend
+    bool bends_ = false;                 ///< the picture at hand
     std::unique_ptr<VertexArray> array_;
     std::unique_ptr<Buffer> vertices_, indices_;
     RecentlyUsed<SizedTarget> targets_{64 << 20};

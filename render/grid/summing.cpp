@@ -197,6 +197,7 @@ class GridSumming final : public Summing {
         for (const View& view : plan.other_views())
             for (std::size_t line = 0; line < view.lines; ++line) {
                 list_echoes(in, gain, Amount::echo, view, line, reader, echoes_);
+                if (in.motion != nullptr) shift_echoes(in, view, line, reader, echoes_);
                 const std::size_t line_first = view.first_pixel + line * view.samples - first;
                 for (const PixelEcho& echo : echoes_) {
                     const std::size_t pixel = line_first + echo.sample;

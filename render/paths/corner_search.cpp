@@ -46,16 +46,18 @@ void find_corner_echoes(const PathPing& ping, std::span<const Corner> corners, s
         const double range = norm(corner.point - ping.sonar);
         if (range < 1e-2) continue;
         const Vec3 axis = 1 / range * (corner.point - ping.sonar);
-        const FanDirection seen = ping.seen(axis);
+        const auto sight = ping.sight(corner.point);
+        if (!sight) continue;
+        const FanDirection seen = ping.received(ping.seen(sight->direction), sight->length);
         if (std::abs(seen.transmit * seen.receive) < weakest_ways) continue;
         const double reflection = zone_reflection(ping, corner, axis, range);
         // A mirror at the range R is heard like the image of the sonar at 2R, so as a scatterer of (R / 2)^2.
         const double amplitude =
             ping.arrival(range, range) * range / 2 * seen.transmit * seen.receive * reflection;
         if (amplitude == 0) continue;
-        const double phase = 2 * ping.wavenumber * range + (amplitude < 0 ? std::numbers::pi : 0);
-        out.push_back({range, amplitude * amplitude, std::remainder(phase, 2 * std::numbers::pi),
-                       seen.bearing, corner.faces, seen.elevation});
+        const double phase = 2 * ping.wavenumber * sight->length + (amplitude < 0 ? std::numbers::pi : 0);
+        out.push_back({sight->length, amplitude * amplitude, std::remainder(phase, 2 * std::numbers::pi),
+                       seen.bearing, corner.faces, seen.elevation, seen.turned});
     }
 }
 

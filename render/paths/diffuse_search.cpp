@@ -83,10 +83,14 @@ class DiffuseSearch {
         if (!met) return;
         corners_.note(mirror, *met, onward);
         if (met->mu == 0) return;
-        const Way way{ping_.seen(direction), mirror.range + met->range, mirror.reflection * mirror.flatness,
+        const double line = mirror.range + met->range;
+        const double length = ping_.rays == nullptr ? line
+                                                    : ping_.leg(ping_.sonar, mirror.point) +
+                                                          ping_.leg(mirror.point, met->point);
+        const Way way{ping_.seen(direction), length, mirror.reflection * mirror.flatness,
                       -dot(onward, met->normal), 1};
         const auto stretch =
-            stretch_of(cell, Tangent(ping_, *met, mirror.point, mirror.normal, true), way.length);
+            stretch_of(cell, Tangent(ping_, *met, mirror.point, mirror.normal, true), line, length / line);
         add_same(cell, way, way, *met, stretch);
         const auto other = facing(direct_way(ping_, met->point), *met, ping_.sonar);
         if (other) add_pair(cell, way, *other, *met, stretch);
@@ -105,8 +109,10 @@ class DiffuseSearch {
         if (weight < weakest_pattern || cells_.contains(up.bearing, std::asin(in_fan.z))) return;
         const auto other = facing(surface_way(ping_, met.point), met, image);
         if (!other) return;
-        const Way way{here, met.range, 1, -dot(direction, met.normal), 0};
-        const auto stretch = stretch_of(cell, Tangent(ping_, met, on, down, false), met.range);
+        const double length = ping_.rays == nullptr ? met.range : ping_.leg(ping_.sonar, met.point);
+        const Way way{here, length, 1, -dot(direction, met.normal), 0};
+        const auto stretch =
+            stretch_of(cell, Tangent(ping_, met, on, down, false), met.range, length / met.range);
         add_pair(cell, way, *other, met, stretch);
         add_same(cell, way, *other, met, stretch);
     }
@@ -136,9 +142,12 @@ class DiffuseSearch {
         });
     }
 
-    Stretch stretch_of(const LobeCell& cell, const Tangent& tangent, double near) const {
+    /// `slowness`: of c t over straight lengths.
+    Stretch stretch_of(const LobeCell& cell, const Tangent& tangent, double near, double slowness) const {
         const auto edge = [&](double elevation) {
-            return tangent.at(rotate(ping_.world_from_fan, fan_direction(cell.bearing, elevation)), near);
+            const Lengths straight =
+                tangent.at(rotate(ping_.world_from_fan, fan_direction(cell.bearing, elevation)), near);
+            return Lengths{slowness * straight.ray, slowness * straight.other};
         };
         return {edge(cell.low), edge(cell.high)};
     }

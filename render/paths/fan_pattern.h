@@ -15,6 +15,7 @@ struct FanDirection {
     double bearing = 0;                ///< rad, relative to Shot::pan, clockwise positive
     double elevation = 0;              ///< rad, over the fan's plane
     double transmit = 0, receive = 0;  ///< amplitude relative to the axis, -1..1
+    double turned = 0;                 ///< rad, by which the sonar has turned in bearing since it sent
 };
 
 /// Which way of an axis with AxisPattern::ways == 1 is directive: horizontally the receiver (multibeam sonars

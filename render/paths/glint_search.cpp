@@ -27,15 +27,17 @@ std::optional<Glint> glint_of(const PathPing& ping, const Mirrors& mirrors, std:
     const double loudest = ping.arrival(range, range) * range / 2 * std::abs(reflection);
     if (!(loudest > ping.least)) return std::nullopt;
     const Foot foot = mirrors.foot(face, point, mirror_zone(ping.wavenumber, range, range, ping.resolution));
-    const Vec3 towards = foot.nearest - ping.sonar;
-    const double length = norm(towards);
-    const FanDirection seen = ping.seen(1 / length * towards);
+    const auto sight = ping.sight(foot.nearest);
+    if (!sight) return std::nullopt;
+    const double length = norm(foot.nearest - ping.sonar);
+    const double stretch = ping.rays != nullptr ? sight->length / length : 1;
+    const FanDirection seen = ping.received(ping.seen(sight->direction), stretch * range);
     const double amplitude = loudest * seen.transmit * seen.receive * std::abs(foot.share);
     if (!(std::abs(amplitude) > ping.least)) return std::nullopt;
-    const double phase = 2 * ping.wavenumber * range + std::arg(foot.share) +
+    const double phase = 2 * ping.wavenumber * stretch * range + std::arg(foot.share) +
                          (amplitude * reflection < 0 ? std::numbers::pi : 0);
-    return Glint{{foot.outside > 0 ? length : range, amplitude * amplitude,
-                  std::remainder(phase, 2 * std::numbers::pi), seen.bearing, 1, seen.elevation},
+    return Glint{{foot.outside > 0 ? sight->length : stretch * range, amplitude * amplitude,
+                  std::remainder(phase, 2 * std::numbers::pi), seen.bearing, 1, seen.elevation, seen.turned},
                  foot.nearest};
 }
 
@@ -66,7 +68,7 @@ void find_glints(const PathPing& ping, const Mirrors& mirrors, std::span<const s
     std::ranges::stable_sort(found, std::greater{}, [](const Glint& glint) { return glint.echo.power; });
     if (found.size() > most_glints) found.resize(most_glints);
     for (const Glint& glint : found)
-        if (!ping.space.blocked(ping.sonar, glint.point)) out.push_back(glint.echo);
+        if (!ping.hidden(glint.point)) out.push_back(glint.echo);
 }
 
 }  // namespace echoloop

@@ -167,9 +167,20 @@ class ImageSearch {
             if (foot.outside > 0) return;
             path.share *= foot.share;
         }
-        path.leaves = seen(path.points[0]), path.arrives = seen(path.points[order - 1]);
+        path.leaves = seen(path.points[0]);
+        path.arrives = ping_.received(seen(path.points[order - 1]), range);
         path.smooth = level_at(range) * reflections * bubbles * path.leaves.transmit * path.arrives.receive;
-        if (path.power() > ping_.least * ping_.least) paths_.push_back(path);
+        if (!(path.power() > ping_.least * ping_.least)) return;
+        if (ping_.rays != nullptr) path.range = sounding(path) / 2;
+        paths_.push_back(path);
+    }
+
+    /// m, of the whole path.
+    double sounding(const ImagePath& path) const {
+        double length =
+            ping_.leg(ping_.sonar, path.points[0]) + ping_.leg(path.points[path.order - 1], ping_.sonar);
+        for (std::size_t i = 1; i < path.order; ++i) length += ping_.leg(path.points[i - 1], path.points[i]);
+        return length;
     }
 
     FanDirection seen(Vec3 point) const {
@@ -193,7 +204,7 @@ class ImageSearch {
                                  (path.smooth < 0 ? std::numbers::pi : 0);
             targets.push_back({path.range, power * path.coherent * std::norm(path.share),
                                std::remainder(phase, 2 * std::numbers::pi), path.arrives.bearing,
-                               static_cast<int>(path.order), path.arrives.elevation});
+                               static_cast<int>(path.order), path.arrives.elevation, path.arrives.turned});
         }
         if (1 - path.coherent > faintest_part) add_chain(path, power * (1 - path.coherent), diffuse);
     }
@@ -233,11 +244,11 @@ class ImageSearch {
         for (int part = 0; part < parts; ++part) sum += weight_of(off_of(part));
         for (int part = 0; part < parts; ++part) {
             const double off = off_of(part);
-            // What arrives by an angle x beside the axis has come farther by x^2 / 2 of its way.
-            const double near = parts > 1 ? off * off * across.variance / 2 : 0,
-                         far = near + up.variance + (parts > 1 ? 0 : across.variance);
+            // What arrives by an angle x beside the axis has come farther by x^2 / 2 of its way; how much
+            // farther by facets in between is the whole spread at every angle (own choice).
+            const double near = parts > 1 ? off * off * across.variance / 2 : 0;
             echo.near_range = static_cast<float>(path.range * (1 + near));
-            echo.far_range = static_cast<float>(path.range * (1 + far));
+            echo.far_range = static_cast<float>(path.range * (1 + near + across.variance + up.variance));
             echo.bearing = static_cast<float>(path.arrives.bearing + off * spread);
             echo.power = static_cast<float>(whole * weight_of(off) / sum);
             if (std::isnormal(echo.power)) diffuse.push_back(echo);

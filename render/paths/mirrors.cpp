@@ -62,8 +62,11 @@ bool Mirrors::holds(const SceneFace& face, const double (&at)[2]) const {
 Mirrors::Extent Mirrors::across(const SceneFace& face, int axis, const double (&at)[2]) const {
     Extent out{face.low[axis], face.high[axis]};
     each_crossing(edges(face), axis, at, [&](double where) {
-        if (where <= at[axis]) out.low = std::max(out.low, where);
-        if (where >= at[axis]) out.high = std::min(out.high, where);
+        // A point on an edge has the face on one side of it only, as in holds().
+        if (where > at[axis])
+            out.high = std::min(out.high, where);
+        else
+            out.low = std::max(out.low, where);
     });
     return out;
 }

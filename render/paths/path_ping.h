@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "render/paths/fan_pattern.h"
+#include "render/paths/lobe_cells.h"
 #include "render/paths/path_space.h"
+#include "render/ray_table.h"
 
 namespace echoloop {
 
@@ -18,12 +21,19 @@ struct Way {
     int bounces = 0;
 };
 
+/// Where a point is seen from the sonar.
+struct Sight {
+    Vec3 direction;     ///< unit, in which the ray leaves and comes back
+    double length = 0;  ///< m, of c t where rays bend
+};
+
 /// An echo of a scatterer of unit cross-section by one way there and one way back.
 struct PairEcho {
     double range = 0;      ///< m, apparent: half the length of both ways
     double amplitude = 0;  ///< uPa; negative: turned by pi
     double bearing = 0;    ///< rad, of arrival, relative to Shot::pan
     double elevation = 0;  ///< rad, the same over the fan's plane
+    double turned = 0;     ///< as TargetEcho's
 };
 
 struct PathPing {
@@ -36,12 +46,36 @@ struct PathPing {
     double wavenumber = 0;  ///< rad/m
     double end_range = 0;   ///< m
     bool spreading = true;
-    double source = 0;      ///< uPa at 1 m
-    double resolution = 0;  ///< m of range, that of the pulse
-    double least = 0;       ///< uPa, of an echo of one point that may be heard
+    double source = 0;               ///< uPa at 1 m
+    double resolution = 0;           ///< m of range, that of the pulse
+    double least = 0;                ///< uPa, of an echo of one point that may be heard
+    Vec3 turning{};                  ///< rad per m of range, about the fan's axes, until an echo is back
+    const RayTable* rays = nullptr;  ///< null: they are straight
 
     FanDirection seen(Vec3 world_direction) const {
         return pattern.at(rotate(conjugate(world_from_fan), world_direction));
+    }
+
+    /// The straight way or the first of the bent ones, whatever is between; empty in a shadow.
+    std::optional<Sight> sight(Vec3 point) const;
+    /// Whether something is between the sonar and the point, along that way.
+    bool hidden(Vec3 point) const;
+
+    /// m, the length of a leg between two points, of c t where rays bend: the leg itself stays straight.
+    double leg(Vec3 from, Vec3 to) const {
+        return norm(to - from) * (rays != nullptr ? rays->slowness(sonar.z - from.z, sonar.z - to.z) : 1);
+    }
+
+    /// How an echo that arrives from there is heard, when it has come `range` m: its reception, bearing and
+    /// elevation are those of where the sonar looks by then.
+    FanDirection received(const FanDirection& from, double range) const {
+        if (turning == Vec3{}) return from;
+        const Vec3 direction = fan_direction(from.bearing, from.elevation);
+        const Vec3 seen_then = direction - range * cross(turning, direction);
+        FanDirection out = pattern.at(1 / norm(seen_then) * seen_then);
+        out.transmit = from.transmit;
+        out.turned = std::remainder(out.bearing - from.bearing, 2 * std::numbers::pi);
+        return out;
     }
 
     /// uPa for amplitude 1 of the patterns, by ways of the lengths `there` and `back`.
@@ -55,9 +89,10 @@ struct PathPing {
     template <typename Add>
     void echo(const Way& way, Add&& add) const {
         if (way.length >= end_range) return;
-        const double patterns = way.at_sonar.transmit * way.at_sonar.receive;
+        const FanDirection back = received(way.at_sonar, way.length);
+        const double patterns = back.transmit * back.receive;
         add(PairEcho{way.length, arrival(way.length, way.length) * patterns * way.reflection * way.reflection,
-                     way.at_sonar.bearing, way.at_sonar.elevation});
+                     back.bearing, back.elevation, back.turned});
     }
 
     /// The same for two different ways: out by one and back by the other, and the reverse. Both take as long
@@ -68,17 +103,18 @@ struct PathPing {
         const double range = (a.length + b.length) / 2;
         if (range >= end_range) return;
         const double base = arrival(a.length, b.length) * a.reflection * b.reflection;
-        const double by_a = base * b.at_sonar.transmit * a.at_sonar.receive;
-        const double by_b = base * a.at_sonar.transmit * b.at_sonar.receive;
-        const double apart = std::abs(a.at_sonar.bearing - b.at_sonar.bearing);
+        const FanDirection back_a = received(a.at_sonar, range), back_b = received(b.at_sonar, range);
+        const double by_a = base * back_b.transmit * back_a.receive;
+        const double by_b = base * back_a.transmit * back_b.receive;
+        const double apart = std::abs(back_a.bearing - back_b.bearing);
         const bool in_one_row =
-            shot.rows() == 1 || std::abs(a.at_sonar.elevation - b.at_sonar.elevation) < shot.fan_height / 2;
+            shot.rows() == 1 || std::abs(back_a.elevation - back_b.elevation) < shot.fan_height / 2;
         if (shot.bearings.size() == 1 || (apart < shot.beam_width / 2 && in_one_row)) {
-            const FanDirection& from = std::abs(by_a) > std::abs(by_b) ? a.at_sonar : b.at_sonar;
-            add(PairEcho{range, by_a + by_b, from.bearing, from.elevation});
+            const FanDirection& from = std::abs(by_a) > std::abs(by_b) ? back_a : back_b;
+            add(PairEcho{range, by_a + by_b, from.bearing, from.elevation, from.turned});
         } else {
-            add(PairEcho{range, by_a, a.at_sonar.bearing, a.at_sonar.elevation});
-            add(PairEcho{range, by_b, b.at_sonar.bearing, b.at_sonar.elevation});
+            add(PairEcho{range, by_a, back_a.bearing, back_a.elevation, back_a.turned});
+            add(PairEcho{range, by_b, back_b.bearing, back_b.elevation, back_b.turned});
         }
     }
 };

@@ -28,7 +28,8 @@ class PathTracer::Impl {
     bool needed() const { return multipath() || !scene_->point_targets().empty(); }
 
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
-               double end_range, PathEchoes& out, std::span<const Pose> movers) {
+               double end_range, PathEchoes& out, std::span<const Pose> movers, Vec3 turning,
+               const RayTable* rays) {
         if (!needed()) return;
         if (prepared_.valid()) prepared_.get();
         if (!space_) space_.emplace(scene_, surface_);
@@ -51,7 +52,9 @@ class PathTracer::Impl {
                             effects_.has(Effect::spreading),
                             db_to_amplitude(shot.source_level),
                             range_resolution(shot, sound_speed),
-                            least_audible(shot)};
+                            least_audible(shot),
+                            2 / sound_speed * turning,
+                            rays};
         find_target_echoes(ping, targets_, multipath(), out.targets);
         if (!multipath()) return;
         const auto faces = faces_ahead(ping, *mirrors_);
@@ -97,8 +100,9 @@ PathTracer::PathTracer(std::shared_ptr<const Scene> scene, std::optional<WaterSu
 PathTracer::~PathTracer() = default;
 
 void PathTracer::trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
-                       double end_range, PathEchoes& out, std::span<const Pose> movers) {
-    impl_->trace(shot, world_from_sonar, sound_speed, absorption, end_range, out, movers);
+                       double end_range, PathEchoes& out, std::span<const Pose> movers, Vec3 turning,
+                       const RayTable* rays) {
+    impl_->trace(shot, world_from_sonar, sound_speed, absorption, end_range, out, movers, turning, rays);
 }
 void PathTracer::prepare() { impl_->prepare(); }
 bool PathTracer::needed() const { return impl_->needed(); }

@@ -14,6 +14,8 @@
 
 namespace echoloop {
 
+class RayTable;
+
 /// The water's surface, a flat and pressure-releasing plane: reflection -1 times exp(-2 (k s sin g)^2), one
 /// way.
 struct WaterSurface {
@@ -47,6 +49,7 @@ struct TargetEcho {
     int bounces = 0;     ///< reflections on the way there and back
     double elevation =
         0;  ///< rad, over the fan's plane; where the shot has rows, its vertical pattern is left out too
+    double turned = 0;  ///< rad, of `bearing`: what the sonar has turned by since the transmission
 };
 
 struct PathEchoes {
@@ -62,9 +65,11 @@ class PathTracer {
 
     /// Adds the echoes of one ping to `out`. `movers`: world_from_object of all that the scene has.
     /// `absorption` in Np/m (0 when off), `end_range` in m. Cost is bounded: a fixed number of rays, placed
-    /// by the low-discrepancy sequence of the ping's number.
+    /// by the low-discrepancy sequence of the ping's number. `turning`: rad/s, of the sonar about the fan's
+    /// axes: echoes arrive where it looks by then. `rays`: null where they are straight.
     void trace(const Shot& shot, const Pose& world_from_sonar, double sound_speed, double absorption,
-               double end_range, PathEchoes& out, std::span<const Pose> movers = {});
+               double end_range, PathEchoes& out, std::span<const Pose> movers = {}, Vec3 turning = {},
+               const RayTable* rays = nullptr);
 
     /// Begins to build that tree on a thread of its own, if it is needed, so that trace() need not wait for
     /// all of it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,6 +42,12 @@ RTCRay embree_ray(Vec3 origin, Vec3 direction, double near, double far) {
     return ray;
 }
 
+RTCRayHit embree_query(Vec3 origin, Vec3 direction, double near, double far) {
+    RTCRayHit query{embree_ray(origin, direction, near, far), {}};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    return query;
+}
+
 /// Triangles that are there from one side only, or from both.
 struct TriangleSet {
     std::vector<std::uint32_t> corners;          ///< three per triangle
@@ -49,9 +56,10 @@ struct TriangleSet {
 };
 
 /// Of what stands still (`mover` 0), or of a mover in its own frame.
-TriangleSet collect(const Scene& scene, std::uint32_t mover, bool double_sided) {
+TriangleSet collect(const Scene& scene, std::span<const SceneChunk> chunks, std::uint32_t mover,
+                    bool double_sided) {
     TriangleSet set;
-    for (const SceneChunk& chunk : scene.chunks()) {
+    for (const SceneChunk& chunk : chunks) {
         if (chunk.mover != mover || scene.materials()[chunk.material].double_sided != double_sided) continue;
         set.first.push_back(static_cast<std::uint32_t>(set.corners.size() / 3));
         set.material.push_back(chunk.material);
@@ -72,8 +80,23 @@ double skin_of(const Bounds& bounds) {
 
 }  // namespace
 
+using Device = Handle<RTCDevice, rtcReleaseDevice>;
 using Geometry = Handle<RTCGeometry, rtcReleaseGeometry>;
 using Tree = Handle<RTCScene, rtcReleaseScene>;
+
+/// One thread: trees made by several can differ, and with them which of two equal hits is taken.
+Device new_device() {
+    Device device(rtcNewDevice("threads=1"));
+    if (!device)
+        throw std::runtime_error(std::string("paths: Embree cannot start; install ") + embree_package);
+    return device;
+}
+
+void check_tree_of(const Device& device) {
+    if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
+        throw std::runtime_error("paths: Embree cannot build its tree, error " + std::to_string(error) +
+                                 "; is there enough memory?");
+}
 
 /// What moves together: all that stands still, or one mover.
 struct Group {
@@ -86,16 +109,21 @@ struct Group {
 class RayScene::Impl {
   public:
     explicit Impl(std::shared_ptr<const Scene> scene)
-        // One thread: trees made by several can differ, and with them which of two equal hits is taken.
-        : scene_(std::move(scene)), skin_(skin_of(scene_->bounds())), device_(rtcNewDevice("threads=1")) {
-        if (!device_)
-            throw std::runtime_error(std::string("paths: Embree cannot start; install ") + embree_package);
+        : scene_(std::move(scene)), skin_(skin_of(scene_->bounds())), device_(new_device()) {
+        const auto chunks = scene_->chunks();
+        const std::size_t half = is_large() ? still_chunks() / 2 : 0;
+        auto rest = std::async(half > 0 ? std::launch::async : std::launch::deferred, [&] {
+            if (half == 0) return;
+            second_device_ = new_device();
+            build(second_, second_device_.get(), chunks.first(half), 0);
+        });
         groups_.resize(1 + scene_->movers().size());
-        for (std::uint32_t mover = 0; mover < groups_.size(); ++mover) build(mover);
+        for (std::uint32_t mover = 0; mover < groups_.size(); ++mover)
+            build(groups_[mover], device_.get(), chunks.subspan(half), mover);
         if (groups_.size() > 1) join();
-        if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
-            throw std::runtime_error("paths: Embree cannot build its tree, error " + std::to_string(error) +
-                                     "; is there enough memory?");
+        rest.get();
+        check_tree_of(device_);
+        if (second_device_) check_tree_of(second_device_);
     }
 
     void place(std::span<const Pose> movers) {
@@ -113,16 +141,21 @@ class RayScene::Impl {
     }
 
     std::optional<RayHit> hit(Vec3 origin, Vec3 direction, double end) const {
-        RTCRayHit query{embree_ray(origin, direction, skin_, end), {}};
-        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        RTCRayHit query = embree_query(origin, direction, skin_, end);
         first_hit(tree(), query);
-        if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-        const Group& group = groups_[all_ ? query.hit.instID[0] : 0];
+        const Group* group = nullptr;
+        if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) group = &groups_[all_ ? query.hit.instID[0] : 0];
+        if (second_.tree) {
+            RTCRayHit nearer = embree_query(origin, direction, skin_, double{query.ray.tfar});
+            first_hit(second_.tree.get(), nearer);
+            if (nearer.hit.geomID != RTC_INVALID_GEOMETRY_ID) query = nearer, group = &second_;
+        }
+        if (group == nullptr) return std::nullopt;
         Vec3 normal{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
-        if (all_) normal = rotate(group.world_from_group, normal);
+        if (all_) normal = rotate(group->world_from_group, normal);
         const double twice_area = norm(normal);
         normal = (dot(normal, direction) > 0 ? -1 : 1) / twice_area * normal;
-        const TriangleSet& set = group.sets[query.hit.geomID];
+        const TriangleSet& set = group->sets[query.hit.geomID];
         const std::size_t chunk = chunk_of(set, query.hit.primID);
         return RayHit{query.ray.tfar, normal, set.material[chunk],
                       std::max(twice_area / longest_side(set, query.hit.primID), double{set.facet[chunk]})};
@@ -133,6 +166,7 @@ class RayScene::Impl {
         if (length <= 2 * skin_) return false;
         RTCRay ray = embree_ray(from, 1 / length * (to - from), skin_, length - skin_);
         any_hit(tree(), ray);
+        if (second_.tree && !(ray.tfar < 0)) any_hit(second_.tree.get(), ray);
         return ray.tfar < 0;
     }
 
@@ -141,13 +175,22 @@ class RayScene::Impl {
   private:
     RTCScene tree() const { return all_ ? all_.get() : groups_[0].tree.get(); }
 
-    /// Large scenes in a third of the memory, where a ray takes a third longer.
-    void build(std::uint32_t mover) {
-        constexpr std::size_t large = 500'000;  // triangles
-        groups_[mover].tree.reset(rtcNewScene(device_.get()));
-        if (scene_->triangles() > large) rtcSetSceneFlags(groups_[mover].tree.get(), RTC_SCENE_FLAG_COMPACT);
-        for (const bool double_sided : {false, true}) attach(mover, double_sided);
-        rtcCommitScene(groups_[mover].tree.get());
+    /// Large scenes are kept in a third of the memory, where a ray takes a third longer, and half of what
+    /// stands still in a tree of its own, which another thread makes.
+    bool is_large() const { return scene_->triangles() > 500'000; }
+    std::size_t still_chunks() const {
+        return static_cast<std::size_t>(std::ranges::count(scene_->chunks(), 0U, &SceneChunk::mover));
+    }
+
+    void build(Group& group, RTCDevice device, std::span<const SceneChunk> chunks,
+               std::uint32_t mover) const {
+        group.tree.reset(rtcNewScene(device));
+        if (is_large()) rtcSetSceneFlags(group.tree.get(), RTC_SCENE_FLAG_COMPACT);
+        for (const bool double_sided : {false, true}) {
+            group.sets[double_sided] = collect(*scene_, chunks, mover, double_sided);
+            attach(group, device, double_sided);
+        }
+        rtcCommitScene(group.tree.get());
     }
 
     /// Groups keep their own trees, so that only the tree above them is made anew when something has moved.
@@ -176,11 +219,10 @@ class RayScene::Impl {
         group.world_from_group = pose.orientation;
     }
 
-    void attach(std::uint32_t mover, bool double_sided) {
-        TriangleSet& set = groups_[mover].sets[double_sided];
-        set = collect(*scene_, mover, double_sided);
+    void attach(Group& group, RTCDevice device, bool double_sided) const {
+        const TriangleSet& set = group.sets[double_sided];
         if (set.corners.empty()) return;
-        const Geometry mesh(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+        const Geometry mesh(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
         // The position is followed by the normal, so that reading 16 bytes for a vertex stays within it.
         rtcSetSharedGeometryBuffer(mesh.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                    scene_->vertices().data(), 0, sizeof(SceneVertex),
@@ -192,7 +234,7 @@ class RayScene::Impl {
             rtcSetGeometryOccludedFilterFunction(mesh.get(), reject_from_behind);
         }
         rtcCommitGeometry(mesh.get());
-        rtcAttachGeometryByID(groups_[mover].tree.get(), mesh.get(), double_sided);
+        rtcAttachGeometryByID(group.tree.get(), mesh.get(), double_sided);
     }
 
     double longest_side(const TriangleSet& set, std::uint32_t triangle) const {
@@ -214,9 +256,10 @@ class RayScene::Impl {
 
     std::shared_ptr<const Scene> scene_;
     double skin_;
-    Handle<RTCDevice, rtcReleaseDevice> device_;
+    Device device_, second_device_;
     std::vector<Group> groups_;
-    Tree all_;  ///< nullptr where nothing moves
+    Group second_;  ///< of a large scene the first half of what stands still
+    Tree all_;      ///< nullptr where nothing moves
 };
 
 RayScene::RayScene(std::shared_ptr<const Scene> scene) : impl_(std::make_unique<Impl>(std::move(scene))) {}

@@ -34,7 +34,7 @@ void find_target_echoes(const PathPing& ping, std::span<const PointTarget> targe
                         2 * ping.wavenumber * echo.range + (amplitude < 0 ? std::numbers::pi : 0);
                     out.push_back({echo.range, amplitude * amplitude,
                                    std::remainder(phase, 2 * std::numbers::pi), echo.bearing,
-                                   ways[i].bounces + ways[j].bounces, echo.elevation});
+                                   ways[i].bounces + ways[j].bounces, echo.elevation, echo.turned});
                 };
                 if (i == j)
                     ping.echo(ways[i], add);

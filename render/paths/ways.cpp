@@ -25,8 +25,10 @@ std::optional<MirrorWay> by_mirror(Vec3 sonar, Vec3 point, const MirrorPlane& pl
     return MirrorWay{direction, sonar + to_mirror * direction, to_mirror, length};
 }
 
-Way way_by(const PathPing& ping, const MirrorWay& found, double reflection) {
-    return {ping.seen(found.direction), found.length, reflection, 1, 1};
+Way way_by(const PathPing& ping, const MirrorWay& found, Vec3 point, double reflection) {
+    const double length =
+        ping.rays == nullptr ? found.length : ping.leg(ping.sonar, found.at) + ping.leg(found.at, point);
+    return {ping.seen(found.direction), length, reflection, 1, 1};
 }
 
 /// Aims at the image in the plane of the triangle that was met last, until the ray meets it where it should.
@@ -49,10 +51,45 @@ std::optional<MirrorWay> settle(const PathPing& ping, Vec3 point, MirrorPlane pl
 
 }  // namespace
 
+std::optional<Sight> PathPing::sight(Vec3 point) const {
+    const Vec3 line = point - sonar;
+    const double length = norm(line);
+    if (rays == nullptr) return Sight{1 / length * line, length};
+    const double across = std::hypot(line.x, line.y);
+    const BentRay ray = rays->at(across, -line.z);
+    if (ray.clearance < 0) return std::nullopt;
+    const double elevation = std::atan2(line.z, across) + ray.turn;
+    const Vec3 ahead = across > 0 ? 1 / across * Vec3{line.x, line.y, 0} : Vec3{1, 0, 0};
+    return Sight{std::cos(elevation) * ahead + std::sin(elevation) * Vec3{0, 0, 1},
+                 length * (1 + ray.stretch)};
+}
+
+/// A bent ray is taken for the cubic that leaves and arrives as it does, in pieces.
+bool PathPing::hidden(Vec3 point) const {
+    if (rays == nullptr) return space.blocked(sonar, point);
+    constexpr int pieces = 8;
+    const Vec3 line = point - sonar;
+    const double length = norm(line), across = std::hypot(line.x, line.y);
+    const BentRay ray = rays->at(across, -line.z);
+    const Vec3 ahead = across > 0 ? 1 / across * Vec3{line.x, line.y, 0} : Vec3{};
+    const Vec3 upwards = 1 / length * (across * Vec3{0, 0, 1} - line.z * ahead);
+    Vec3 from = sonar;
+    for (int piece = 1; piece <= pieces; ++piece) {
+        const double s = static_cast<double>(piece) / pieces;
+        const double up =
+            length * s * (1 - s) * ((1 - s) * std::tan(ray.turn) - s * std::tan(ray.turn + ray.bow));
+        const Vec3 to = piece < pieces ? sonar + s * line + up * upwards : point;
+        if (space.blocked(from, to)) return true;
+        from = to - 1e-3 * (to - from);  // pieces overlap, since nothing is seen right at their ends
+    }
+    return false;
+}
+
 std::optional<Way> direct_way(const PathPing& ping, Vec3 point) {
-    const double length = norm(point - ping.sonar);
-    if (length < 1e-3 || ping.space.blocked(ping.sonar, point)) return std::nullopt;
-    return Way{ping.seen(1 / length * (point - ping.sonar)), length, 1, 1, 0};
+    if (norm(point - ping.sonar) < 1e-3) return std::nullopt;
+    const auto sight = ping.sight(point);
+    if (!sight || ping.hidden(point)) return std::nullopt;
+    return Way{ping.seen(sight->direction), sight->length, 1, 1, 0};
 }
 
 std::optional<Way> surface_way(const PathPing& ping, Vec3 point) {
@@ -63,7 +100,7 @@ std::optional<Way> surface_way(const PathPing& ping, Vec3 point) {
     const double reflection = ping.space.surface_reflection(way->direction.z);
     if (std::abs(reflection) < weakest_mirror) return std::nullopt;
     if (ping.space.blocked(ping.sonar, way->at) || ping.space.blocked(way->at, point)) return std::nullopt;
-    return way_by(ping, *way, reflection);
+    return way_by(ping, *way, point, reflection);
 }
 
 std::vector<Way> scene_ways(const PathPing& ping, Vec3 point) {
@@ -80,7 +117,7 @@ std::vector<Way> scene_ways(const PathPing& ping, Vec3 point) {
         for (const Vec3 other : known) is_new = is_new && norm(other - way->at) > 1e-2 * (1 + way->length);
         if (!is_new) continue;
         known.push_back(way->at);
-        ways.push_back(way_by(ping, *way, reflection));
+        ways.push_back(way_by(ping, *way, point, reflection));
     }
     return ways;
 }

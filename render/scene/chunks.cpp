@@ -69,13 +69,14 @@ class TreeMaker {
 
   private:
     void add_children(std::size_t first, std::size_t count) {
-        const std::size_t large = large_ones(first, count);
+        const Axis longest = longest_axis(items_.subspan(first, count));
+        const std::size_t large = large_ones(first, count, longest);
         if (large > 0) {
             add_node(first, large);
             add_node(first + large, count - large);
             return;
         }
-        const std::size_t half = split(first, count);
+        const std::size_t half = split(first, count, longest);
         if (count < worth_a_thread) {
             add_halves(first, half);
             add_halves(first + half, count - half);
@@ -91,7 +92,7 @@ class TreeMaker {
     }
 
     void add_halves(std::size_t first, std::size_t count) {
-        const std::size_t half = split(first, count);
+        const std::size_t half = split(first, count, longest_axis(items_.subspan(first, count)));
         add_node(first, half);
         add_node(first + half, count - half);
     }
@@ -108,9 +109,9 @@ class TreeMaker {
     /// Moves the few triangles that are as large as half of the node or larger to the front and returns how
     /// many there are: a wall among the small triangles of a seabed would make every chunk that has a part of
     /// it as large as the wall.
-    std::size_t large_ones(std::size_t first, std::size_t count) {
+    std::size_t large_ones(std::size_t first, std::size_t count, Axis longest) {
         const Items items = items_.subspan(first, count);
-        const float limit = longest_axis(items).length / 2;
+        const float limit = longest.length / 2;
         const auto is_large = [&](const Item& item) { return item.extent >= limit; };
         const auto large = static_cast<std::size_t>(std::ranges::count_if(items, is_large));
         if (large == 0 || large > count / 8) return 0;
@@ -119,9 +120,9 @@ class TreeMaker {
     }
 
     /// Moves the lower half along the longest axis to the front and returns its size.
-    std::size_t split(std::size_t first, std::size_t count) {
+    std::size_t split(std::size_t first, std::size_t count, Axis longest) {
         const Items items = items_.subspan(first, count);
-        const std::size_t axis = longest_axis(items).index, half = count / 2;
+        const std::size_t axis = longest.index, half = count / 2;
         std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
                          [axis](const Item& a, const Item& b) {
                              return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]

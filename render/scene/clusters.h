@@ -96,12 +96,15 @@ class Clusters {
         NormalSum normals;
     };
 
-    std::uint32_t shade_in(std::uint32_t place, std::uint32_t side);
-    std::array<std::uint32_t, 3> corners_of(const Mesh& mesh, const std::uint32_t* corners,
-                                            const Vec3* borders, std::span<const std::uint32_t> cell_of);
+    struct Corner;
+
+    std::uint32_t shade_in(std::uint32_t place, std::uint32_t side, std::vector<Shade>& shades);
+    std::uint32_t add_corner(const Corner& corner, std::uint32_t index, std::vector<Shade>& shades);
+    void add_share(std::size_t share, const Mesh& mesh, std::span<const std::uint32_t> indices,
+                   std::span<const Vec3> borders, std::span<const std::uint32_t> cell_of,
+                   std::vector<Shade>& shades);
     std::vector<std::uint32_t> number_cells(const Mesh& mesh, std::span<const std::uint32_t> indices);
-    /// Unless it has none left.
-    void add_triangle(const MergedTriangle& triangle);
+    void list_triangles(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> cell_of);
 
     double cell_;  ///< m
     Vec3 middle_;

@@ -30,16 +30,56 @@ Contraction::Contraction(const Clusters& clusters)
       places_(clusters.places()),
       ages_(clusters.places()),
       parent_(clusters.places()),
-      left_(clusters.triangles().size(), true) {
+      left_(clusters.triangles().size(), 1),
+      loops_(clusters.places()) {
     std::iota(parent_.begin(), parent_.end(), 0U);
-    positions_.reserve(places_.size());
-    for (std::size_t i = 0; i < places_.size(); ++i) {
+    positions_.resize(places_.size());
+    loops_.each(places_.size(), [&](std::size_t i) {
         places_[i].merged = clusters.place(i);
-        positions_.push_back(places_[i].merged.position());
-    }
+        positions_[i] = places_[i].merged.position();
+    });
     list_shades(clusters);
     list_triangles(clusters);
-    for (std::uint32_t place = 0; place < places_.size(); ++place) propose_around(place, place);
+    find_homes();
+    in_pieces([&](std::uint8_t piece) {
+        const std::size_t first = std::size_t{piece} * places_a_piece_;
+        for (std::size_t i = first; i < std::min(first + places_a_piece_, places_.size()); ++i)
+            propose_around(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i), piece);
+    });
+}
+
+void Contraction::find_homes() {
+    constexpr std::size_t worth_pieces = 20'000;
+    const std::size_t pieces = places_.size() < worth_pieces ? 1 : most_pieces;
+    places_a_piece_ = static_cast<std::uint32_t>(places_.size() / pieces + 1);
+    home_.resize(places_.size());
+    for (std::uint32_t i = 0; i < places_.size(); ++i) home_[i] = piece_of(i);
+    for (const auto& corners : corners_) {
+        const std::uint8_t piece = piece_of(corners[0]);
+        if (piece == piece_of(corners[1]) && piece == piece_of(corners[2])) continue;
+        for (const std::uint32_t corner : corners) home_[corner] = shared;
+    }
+}
+
+template <typename Work>
+void Contraction::in_pieces(const Work& work) {
+    loops_.parts(most_pieces, [&](std::size_t piece) { work(static_cast<std::uint8_t>(piece)); });
+    for (Piece& piece : pieces_)
+        for (const Merger& merger : std::exchange(piece.across, {})) pieces_[shared].mergers.push(merger);
+}
+
+void Contraction::push(const Merger& merger, std::uint8_t from) {
+    const std::uint8_t home = home_of(merger);
+    if (home == from || from == shared)
+        pieces_[home].mergers.push(merger);
+    else
+        pieces_[from].across.push_back(merger);
+}
+
+double Contraction::next_error() {
+    double least = std::numeric_limits<double>::infinity();
+    for (Piece& piece : pieces_) least = std::min(least, piece.mergers.least_cost());
+    return least;
 }
 
 void Contraction::list_shades(const Clusters& clusters) {
@@ -101,12 +141,12 @@ double Contraction::Queue::least_cost() {
     return std::numeric_limits<double>::infinity();
 }
 
-void Contraction::propose(std::uint32_t a, std::uint32_t b) {
+void Contraction::propose(std::uint32_t a, std::uint32_t b, std::uint8_t from) {
     if (a > b) std::swap(a, b);
     MergedPlace both = places_[a].merged;
     both.add(places_[b].merged);
     const double cost = both.error(both.position()) + evenness * length(a, b);
-    mergers_.push({static_cast<float>(cost), a, b, ages_of(a, b)});
+    push({static_cast<float>(cost), a, b, ages_of(a, b)}, from);
 }
 
 /// Whether too many triangles meet at one of the places.
@@ -143,7 +183,7 @@ void Contraction::merge(std::uint32_t a, std::uint32_t b, Vec3 position) {
         if (!left_[t]) continue;
         auto& corners = corners_[t];
         if (has(corners, a)) {
-            left_[t] = false;
+            left_[t] = 0;
             for (const std::uint32_t corner : corners) --places_[corner].left;
             continue;
         }
@@ -168,25 +208,44 @@ void Contraction::merge_shades(std::uint32_t a, std::uint32_t b) {
 }
 
 /// With those of `lowest` and above.
-void Contraction::propose_around(std::uint32_t a, std::uint32_t lowest) {
-    neighbours_.clear();
+void Contraction::propose_around(std::uint32_t a, std::uint32_t lowest, std::uint8_t from) {
+    std::vector<std::uint32_t>& neighbours = pieces_[from].neighbours;
+    neighbours.clear();
     for (const std::uint32_t t : places_[a].around)
         for (const std::uint32_t place : corners_[t])
-            if (place != a && place >= lowest) neighbours_.push_back(place);
-    std::ranges::sort(neighbours_);
-    neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()), neighbours_.end());
-    for (const std::uint32_t place : neighbours_) propose(a, place);
+            if (place != a && place >= lowest) neighbours.push_back(place);
+    std::ranges::sort(neighbours);
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    for (const std::uint32_t place : neighbours) propose(a, place, from);
+}
+
+/// What was merged with a place of another piece has triangles with others there.
+void Contraction::share_neighbours(std::uint32_t place) {
+    home_[place] = shared;
+    for (const std::uint32_t t : places_[place].around)
+        for (const std::uint32_t corner : corners_[t])
+            if (piece_of(corner) != piece_of(place)) home_[corner] = shared;
+}
+
+void Contraction::until(double limit) {
+    in_pieces([&](std::uint8_t piece) { contract(piece, limit); });
+    contract(shared, limit);
 }
 
 /// Mergers that turn triangles over wait until the limit is as large as what moves; those at hubs, until
 /// mergers around them have left less there.
-void Contraction::until(double limit) {
-    while (mergers_.least_cost() <= limit) {
-        Merger m = mergers_.pop();
+void Contraction::contract(std::uint8_t piece, double limit) {
+    Queue& mergers = pieces_[piece].mergers;
+    while (mergers.least_cost() <= limit) {
+        Merger m = mergers.pop();
         if (!is_current(m)) continue;
+        if (piece != shared && home_of(m) != piece) {
+            push(m, piece);
+            continue;
+        }
         if (is_hub(m)) {
             m.cost = 2 * std::max(m.cost, cheapest);
-            mergers_.push(m);
+            mergers.push(m);
             continue;
         }
         MergedPlace both = places_[m.a].merged;
@@ -195,11 +254,12 @@ void Contraction::until(double limit) {
         if (m.ages < forced && (turns_over(m.a, m.b, to) || turns_over(m.b, m.a, to))) {
             m.cost = std::max(m.cost, static_cast<float>(length(m.a, m.b)));
             m.ages |= forced;
-            mergers_.push(m);
+            mergers.push(m);
             continue;
         }
         merge(m.a, m.b, to);
-        propose_around(m.a, 0);
+        if (piece == shared) share_neighbours(m.a);
+        propose_around(m.a, 0, piece);
     }
 }
 

@@ -1,6 +1,6 @@
 // Makes a mesh coarser by contracting its edges, the one that changes the surface least first (Garland and
-// Heckbert 1997), so that flat parts become few large triangles and bends keep theirs. Deterministic; knows
-// no chunks.
+// Heckbert 1997), so that flat parts become few large triangles and bends keep theirs. Deterministic with any
+// number of threads; knows no chunks.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/scene/clusters.h"
+#include "render/scene/mesh_loops.h"
 
 namespace echoloop {
 
@@ -19,7 +20,7 @@ class Contraction {
     /// Merges places as long as the surface gets at most about `limit` m off there.
     void until(double limit);
     /// m, how far the next merger would bring the surface off, or more; infinite where there is none.
-    double next_error() { return mergers_.least_cost(); }
+    double next_error();
 
     /// Of the clusters.
     std::size_t places() const { return places_.size(); }
@@ -80,11 +81,32 @@ class Contraction {
         std::size_t cheapest_ = 0;  ///< no merger is in a bucket before
     };
 
+    /// Large meshes are contracted in pieces, ranges of their places, each on one thread: mergers of places
+    /// of which all triangles lie within the piece. All others follow on one thread.
+    struct Piece {
+        Queue mergers;
+        std::vector<Merger> across;  ///< on their way to across_
+        std::vector<std::uint32_t> neighbours;
+    };
+
     static constexpr std::uint32_t forced = 1U << 31U, none = ~0U;
+    static constexpr std::uint8_t most_pieces = 8, shared = most_pieces;
 
     void list_triangles(const Clusters& clusters);
     void list_shades(const Clusters& clusters);
-    void propose(std::uint32_t a, std::uint32_t b);
+    void find_homes();
+    std::uint8_t piece_of(std::uint32_t place) const {
+        return static_cast<std::uint8_t>(place / places_a_piece_);
+    }
+    std::uint8_t home_of(const Merger& m) const { return home_[m.a] == home_[m.b] ? home_[m.a] : shared; }
+    /// On the thread of `from`.
+    void push(const Merger& merger, std::uint8_t from);
+    /// Calls work(number) of all pieces, and takes what goes across them.
+    template <typename Work>
+    void in_pieces(const Work& work);
+    void contract(std::uint8_t piece, double limit);
+    void share_neighbours(std::uint32_t place);
+    void propose(std::uint32_t a, std::uint32_t b, std::uint8_t from);
     /// It grows with each change of either.
     std::uint32_t ages_of(std::uint32_t a, std::uint32_t b) const { return (ages_[a] + ages_[b]) & ~forced; }
     double length(std::uint32_t a, std::uint32_t b) const { return norm(positions_[a] - positions_[b]); }
@@ -94,7 +116,7 @@ class Contraction {
     void merge(std::uint32_t a, std::uint32_t b, Vec3 position);
     void merge_shades(std::uint32_t a, std::uint32_t b);
     std::uint32_t shade_at(std::uint32_t place, std::uint32_t side) const;
-    void propose_around(std::uint32_t a, std::uint32_t lowest);
+    void propose_around(std::uint32_t a, std::uint32_t lowest, std::uint8_t from);
 
     Vec3 middle_;
     std::vector<Place> places_;
@@ -105,9 +127,11 @@ class Contraction {
     std::vector<std::uint32_t> parent_;  ///< the place into which each was merged, a lower one; or itself
     std::vector<std::array<std::uint32_t, 3>> corners_;
     std::vector<std::array<std::uint8_t, 3>> sides_;  ///< of the corners' normals
-    std::vector<bool> left_;
-    Queue mergers_;
-    std::vector<std::uint32_t> neighbours_;
+    std::vector<std::uint8_t> left_;
+    MeshLoops loops_;
+    std::uint32_t places_a_piece_ = 1;
+    std::vector<std::uint8_t> home_;             ///< of each place: its piece, or shared
+    std::array<Piece, most_pieces + 1> pieces_;  ///< the last one: what goes across
 };
 
 }  // namespace echoloop

@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
-#include "render/scene/numbering.h"
+#include "render/scene/neighbours.h"
 #include "render/scene/outline.h"
 
 namespace echoloop {
@@ -13,100 +14,58 @@ namespace {
 
 constexpr double same_plane_cosine = 0.99996192;  ///< of half a degree
 constexpr double smooth_cosine = 0.96592583;      ///< of 15 deg
-constexpr double same_place = 1e-6;               ///< m, poles of a sphere are one place
 constexpr double off_plane = 0.25e-3;             ///< m, an eighth of a wavelength at 750 kHz
 constexpr double smooth_share = 0.4;  ///< of an outline; own choice: strips of a cylinder have half and more
 constexpr double smaller_area = 0.125;  ///< of a neighbour that goes on as the same curve; own choice
 constexpr double least_area = 1e-4;     ///< m^2
-constexpr std::uint32_t none = ~0U;
-constexpr std::uint32_t most_at_a_place = 64;  ///< triangles; beyond, a fan has no neighbours
-
-struct Place {
-    std::int64_t x = 0, y = 0, z = 0;
-    bool operator==(const Place&) const = default;
-    std::size_t hash() const {
-        return mix(static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y),
-                   static_cast<std::uint64_t>(z));
-    }
-};
-
-/// Triangles by their corners' places, whatever vertices the file repeats.
-class Neighbours {
-  public:
-    Neighbours(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
-        Numbering<Place> number(positions.size());
-        std::vector<std::uint32_t> place_of(positions.size(), none);
-        corners_.reserve(indices.size());
-        for (const std::uint32_t vertex : indices) {
-            std::uint32_t& place = place_of[vertex];
-            const Vec3 p = positions[vertex];
-            if (place == none)
-                place = number({std::llround(p.x / same_place), std::llround(p.y / same_place),
-                                std::llround(p.z / same_place)});
-            corners_.push_back(place);
-        }
-        first_at_.assign(number.keys().size() + 1, 0);
-        for (const std::uint32_t place : corners_) ++first_at_[place + 1];
-        std::partial_sum(first_at_.begin(), first_at_.end(), first_at_.begin());
-        at_place_.resize(corners_.size());
-        std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
-        for (std::uint32_t i = 0; i < corners_.size(); ++i) at_place_[next[corners_[i]]++] = i / 3;
-    }
-
-    std::uint32_t corner(std::uint32_t triangle, unsigned side) const {
-        return corners_[3 * std::size_t{triangle} + side % 3];
-    }
-    /// Beyond the edge from corner `side` to the next: of those wound the same way the one that bends least.
-    std::uint32_t beyond(std::uint32_t triangle, unsigned side, std::span<const Vec3> normals) const {
-        const std::uint32_t a = corner(triangle, side), b = corner(triangle, side + 1);
-        const std::uint32_t place = count_at(a) < count_at(b) ? a : b;
-        if (count_at(place) > most_at_a_place) return none;
-        std::uint32_t best = none;
-        double straightest = -2;
-        for (std::uint32_t i = first_at_[place]; i < first_at_[place + 1]; ++i) {
-            const std::uint32_t other = at_place_[i];
-            if (other == triangle || !has_edge(other, b, a)) continue;
-            const double cosine = dot(normals[triangle], normals[other]);
-            if (cosine > straightest) straightest = cosine, best = other;
-        }
-        return best;
-    }
-
-  private:
-    std::uint32_t count_at(std::uint32_t place) const { return first_at_[place + 1] - first_at_[place]; }
-    bool has_edge(std::uint32_t triangle, std::uint32_t from, std::uint32_t to) const {
-        for (unsigned side = 0; side < 3; ++side)
-            if (corner(triangle, side) == from && corner(triangle, side + 1) == to) return true;
-        return false;
-    }
-
-    std::vector<std::uint32_t> corners_, first_at_, at_place_;
-};
+constexpr std::uint32_t none = Neighbours::none;
+constexpr std::size_t shares = 16;  ///< of the patches, among threads
 
 /// Triangles in one plane while they are collected.
+class PlaneSum {
+  public:
+    void add(double area, Vec3 normal, Vec3 middle) {
+        moment_ = moment_ + area * middle;
+        area_normal_ = area_normal_ + area * normal;
+        area_ += area;
+        normal_ = 1 / norm(area_normal_) * area_normal_;
+        middle_ = 1 / area_ * moment_;
+    }
+    double area() const { return area_; }
+    Vec3 normal() const { return normal_; }
+    Vec3 middle() const { return middle_; }
+
+  private:
+    Vec3 moment_, area_normal_;  ///< sums of area times middle, and times normal
+    double area_ = 0;            ///< m^2
+    Vec3 normal_, middle_;
+};
+
+/// Triangles in one plane.
 struct Patch {
-    Vec3 moment;                     ///< sum of area times middle
-    Vec3 area_normal;                ///< sum of area times normal
     double area = 0;                 ///< m^2
     double outline = 0, smooth = 0;  ///< m
     bool curved = false;
-
-    Vec3 normal() const { return 1 / norm(area_normal) * area_normal; }
-    Vec3 middle() const { return 1 / area * moment; }
 };
+
+/// Square of an angle of which the cosine is near 1, in rad^2, within 1e-6 of itself up to 15 deg (the series
+/// of arccos).
+double squared_angle(double cosine) {
+    const double d = 1 - cosine;
+    return d * (2 + d * (1.0 / 3 + d * (4.0 / 45 + d / 35)));
+}
 
 class SurfaceFinder {
   public:
     SurfaceFinder(std::span<const Vec3> positions, std::span<const std::uint32_t> indices)
-        : positions_(positions), indices_(indices), neighbours_(positions, indices) {
+        : positions_(positions), indices_(indices), loops_(indices.size() / 3) {
         const std::size_t count = indices.size() / 3;
-        normals_.reserve(count), areas_.reserve(count);
-        for (std::uint32_t t = 0; t < count; ++t) {
-            const Vec3 doubled = cross(at(t, 1) - at(t, 0), at(t, 2) - at(t, 0));
-            const double length = norm(doubled);
-            normals_.push_back(1 / length * doubled);
-            areas_.push_back(length / 2);
-        }
+        normals_.resize(count);
+        loops_.each(count, [&](std::size_t t) {
+            const Vec3 doubled = doubled_area_of(static_cast<std::uint32_t>(t));
+            normals_[t] = 1 / norm(doubled) * doubled;
+        });
+        neighbours_.emplace(positions, indices, normals_, loops_);
         patch_of_.assign(count, none);
         for (std::uint32_t t = 0; t < count; ++t)
             if (patch_of_[t] == none) grow_patch(t);
@@ -117,8 +76,11 @@ class SurfaceFinder {
         MeshSurfaces out;
         out.mesh_slope = mesh_slope();
         std::vector<std::uint32_t> flat;
+        const auto is_curved = [this](std::uint32_t patch) { return patches_[patch].curved; };
+        const auto curved_ones = static_cast<std::size_t>(std::ranges::count_if(patch_of_, is_curved));
+        out.curved.reserve(3 * curved_ones), out.flat.reserve(indices_.size() - 3 * curved_ones);
         for (std::uint32_t t = 0; t < patch_of_.size(); ++t) {
-            const bool curved = patches_[patch_of_[t]].curved;
+            const bool curved = is_curved(patch_of_[t]);
             auto& part = curved ? out.curved : out.flat;
             part.insert(part.end(), &indices_[std::size_t{3} * t], &indices_[std::size_t{3} * t] + 3);
             if (!curved) flat.push_back(t);
@@ -140,65 +102,82 @@ class SurfaceFinder {
         return positions_[indices_[std::size_t{3} * triangle + corner % 3]];
     }
 
-    bool joins(const Patch& patch, std::uint32_t triangle) const {
-        const Vec3 normal = patch.normal(), middle = patch.middle();
-        if (dot(normals_[triangle], normal) < same_plane_cosine) return false;
+    Vec3 doubled_area_of(std::uint32_t triangle) const {
+        return cross(at(triangle, 1) - at(triangle, 0), at(triangle, 2) - at(triangle, 0));
+    }
+
+    bool joins(const PlaneSum& plane, std::uint32_t triangle) const {
+        if (dot(normals_[triangle], plane.normal()) < same_plane_cosine) return false;
         for (unsigned corner = 0; corner < 3; ++corner)
-            if (std::abs(dot(at(triangle, corner) - middle, normal)) > off_plane) return false;
+            if (std::abs(dot(at(triangle, corner) - plane.middle(), plane.normal())) > off_plane)
+                return false;
         return true;
     }
 
-    void take(std::uint32_t triangle) {
-        Patch& patch = patches_.back();
-        const double area = areas_[triangle];
-        patch.moment = patch.moment + area / 3 * (at(triangle, 0) + at(triangle, 1) + at(triangle, 2));
-        patch.area_normal = patch.area_normal + area * normals_[triangle];
-        patch.area += area;
-        patch_of_[triangle] = static_cast<std::uint32_t>(patches_.size() - 1);
-        queue_.push_back(triangle);
+    void add_to(PlaneSum& plane, std::uint32_t triangle) const {
+        plane.add(norm(doubled_area_of(triangle)) / 2, normals_[triangle],
+                  1.0 / 3 * (at(triangle, 0) + at(triangle, 1) + at(triangle, 2)));
     }
 
     void grow_patch(std::uint32_t seed) {
-        patches_.emplace_back();
+        const auto patch = static_cast<std::uint32_t>(patches_.size());
+        PlaneSum plane;
+        const auto take = [&](std::uint32_t triangle) {
+            add_to(plane, triangle);
+            patch_of_[triangle] = patch;
+            queue_.push_back(triangle);
+        };
         queue_.clear();
         take(seed);
         for (std::size_t next = 0; next < queue_.size(); ++next)
             for (unsigned side = 0; side < 3; ++side) {
-                const std::uint32_t other = neighbours_.beyond(queue_[next], side, normals_);
-                if (other != none && patch_of_[other] == none && joins(patches_.back(), other)) take(other);
+                const std::uint32_t other = neighbours_->beyond(queue_[next], side);
+                if (other != none && patch_of_[other] == none && joins(plane, other)) take(other);
             }
+        patches_.push_back({plane.area()});
     }
 
-    /// Calls use(length, patch, the other one or none, cosine between them) for all edges of patches.
+    /// Calls use(length, patch, the other one or none, cosine between them) for all edges of the patches of
+    /// one of `shares`, in the order of the triangles.
     template <typename Use>
-    void each_edge(const Use& use) const {
-        for (std::uint32_t t = 0; t < patch_of_.size(); ++t)
+    void each_edge(std::size_t share, const Use& use) const {
+        const Share own(share, shares, patches_.size());
+        for (std::uint32_t t = 0; t < patch_of_.size(); ++t) {
+            const std::uint32_t patch = patch_of_[t];
+            if (!own.has(patch)) continue;
             for (unsigned side = 0; side < 3; ++side) {
-                const std::uint32_t other = neighbours_.beyond(t, side, normals_);
-                if (other != none && patch_of_[other] == patch_of_[t]) continue;
+                const std::uint32_t other = neighbours_->beyond(t, side);
+                if (other != none && patch_of_[other] == patch) continue;
                 const double cosine = other == none ? -1 : dot(normals_[t], normals_[other]);
-                use(norm(at(t, side + 1) - at(t, side)), patch_of_[t],
-                    other == none ? none : patch_of_[other], cosine);
+                use(norm(at(t, side + 1) - at(t, side)), patch, other == none ? none : patch_of_[other],
+                    cosine);
             }
+        }
     }
 
     void measure_outlines() {
-        each_edge([this](double length, std::uint32_t patch, std::uint32_t other, double cosine) {
-            patches_[patch].outline += length;
-            if (cosine > smooth_cosine && patches_[other].area > smaller_area * patches_[patch].area)
-                patches_[patch].smooth += length;
+        loops_.parts(shares, [this](std::size_t share) {
+            each_edge(share, [this](double length, std::uint32_t patch, std::uint32_t other, double cosine) {
+                patches_[patch].outline += length;
+                if (cosine > smooth_cosine && patches_[other].area > smaller_area * patches_[patch].area)
+                    patches_[patch].smooth += length;
+            });
         });
         for (Patch& patch : patches_) patch.curved = patch.smooth > smooth_share * patch.outline;
     }
 
-    double mesh_slope() const {
-        double sum = 0, weight = 0;
-        each_edge([&](double length, std::uint32_t patch, std::uint32_t other, double cosine) {
-            if (cosine < smooth_cosine || !patches_[patch].curved || !patches_[other].curved) return;
-            const double half = std::acos(std::min(cosine, 1.0)) / 2;
-            sum += length * half * half, weight += length;
+    double mesh_slope() {
+        std::array<double, shares> sums{}, weights{};
+        loops_.parts(shares, [&](std::size_t share) {
+            double sum = 0, weight = 0;
+            each_edge(share, [&](double length, std::uint32_t patch, std::uint32_t other, double cosine) {
+                if (cosine < smooth_cosine || !patches_[patch].curved || !patches_[other].curved) return;
+                sum += length * squared_angle(cosine) / 4, weight += length;
+            });
+            sums[share] = sum, weights[share] = weight;
         });
-        return weight > 0 ? std::sqrt(sum / weight) : 0;
+        const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
+        return weight > 0 ? std::sqrt(std::accumulate(sums.begin(), sums.end(), 0.0) / weight) : 0;
     }
 
     /// Returns the smaller side.
@@ -207,14 +186,17 @@ class SurfaceFinder {
         const Patch& patch = patches_[number];
         if (patch.area < least_area) return static_cast<float>(std::sqrt(patch.area));
         std::vector<OutlineEdge> edges;
-        for (const std::uint32_t t : triangles)
+        PlaneSum plane;
+        for (const std::uint32_t t : triangles) {
+            add_to(plane, t);
             for (unsigned side = 0; side < 3; ++side) {
-                const std::uint32_t other = neighbours_.beyond(t, side, normals_);
+                const std::uint32_t other = neighbours_->beyond(t, side);
                 if (other == none || patch_of_[other] != number)
-                    edges.push_back({neighbours_.corner(t, side), neighbours_.corner(t, side + 1),
+                    edges.push_back({neighbours_->corner(t, side), neighbours_->corner(t, side + 1),
                                      at(t, side), at(t, side + 1)});
             }
-        OutlinedFace out = outlined(patch.middle(), patch.normal(), edges);
+        }
+        OutlinedFace out = outlined(plane.middle(), plane.normal(), edges);
         out.face.area = patch.area;
         const double smaller =
             std::min(out.face.high[0] - out.face.low[0], out.face.high[1] - out.face.low[1]);
@@ -224,9 +206,9 @@ class SurfaceFinder {
 
     std::span<const Vec3> positions_;
     std::span<const std::uint32_t> indices_;
-    Neighbours neighbours_;
+    MeshLoops loops_;
     std::vector<Vec3> normals_;
-    std::vector<double> areas_;
+    std::optional<Neighbours> neighbours_;
     std::vector<std::uint32_t> patch_of_, queue_;
     std::vector<Patch> patches_;
 };

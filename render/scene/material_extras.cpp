@@ -35,6 +35,7 @@ void set_surface(const SurfaceProperties& surface, Material& out) {
     out.roughness = surface.roughness;
     out.slope = surface.slope;
     out.lobe = surface.lobe;
+    out.patchiness = surface.patchiness;
 }
 
 void read_named(const JsonView& value, Material& out) {
@@ -55,6 +56,7 @@ void read_seabed(const JsonView& value, Material& out) {
     out.reflection = seabed->reflection;
     out.roughness = seabed->roughness;
     out.slope = seabed->slope;
+    out.patchiness = surface_by_name(value.text()).value_or(SurfaceProperties{}).patchiness;
 }
 
 void read_curve(const JsonView& value, Material& out) {
@@ -88,6 +90,11 @@ void read_slope(const JsonView& value, Material& out) {
     out.lobe = true;
 }
 
+void read_patchiness(const JsonView& value, Material& out) {
+    out.patchiness =
+        within(value, 0, 6, "0..6 dB", "give the standard deviation of its patches, for example 2");
+}
+
 /// What both keys say together; where only one is given, the scene gives way to it.
 void check_energy(const JsonView& sonar, const Material& material) {
     if (!sonar.find("mu_db") || !sonar.find("reflection")) return;
@@ -104,13 +111,14 @@ struct Key {
 };
 
 /// In this order, so that what is more particular wins.
-constexpr std::array<Key, 7> material_keys{{{"material", read_named},
+constexpr std::array<Key, 8> material_keys{{{"material", read_named},
                                             {"mu_db", read_mu_db},
                                             {"seabed", read_seabed},
                                             {"backscatter_db", read_curve},
                                             {"reflection", read_reflection},
                                             {"roughness", read_roughness},
-                                            {"slope", read_slope}}};
+                                            {"slope", read_slope},
+                                            {"patchiness_db", read_patchiness}}};
 
 void check_material_keys(const JsonView& sonar) {
     if (!sonar.value().is_object())
@@ -131,7 +139,9 @@ Material read_material(const JsonView& material) {
     Material out;
     if (const auto name = material.find("name")) out.name = name->text().substr(0, 256);
     if (const auto sided = material.find("doubleSided")) out.double_sided = sided->boolean();
-    set_surface(surface_by_name(out.name).value_or(*surface_by_name("sand")), out);
+    const auto surface = surface_by_name(out.name);
+    set_surface(surface.value_or(*surface_by_name("sand")), out);
+    if (!surface) out.patchiness = 0;  // nobody knows what it is
     const auto extras = material.find("extras");
     if (!extras || !extras->value().is_object()) return out;
     const auto sonar = extras->find("sonar");

@@ -16,6 +16,7 @@ struct Row {
     double roughness;   ///< m, rms height within a few centimetres
     double slope;       ///< rms slope of its facets in one direction
     bool lobe;          ///< what facets mirror adds to Lambert's law
+    double patchiness;  ///< dB; 0: even
 };
 
 // Sediments and rock: Jensen, Kuperman, Porter & Schmidt, Computational Ocean Acoustics (2011), table 1.3, re
@@ -23,28 +24,29 @@ struct Row {
 // speed, re 1500 m/s. Roughness and slope: own choice, of the order of the grains or of the finish. Slopes of
 // sediments after Jackson & Richardson, High-Frequency Seafloor Acoustics (2007). No lobe of sediments and
 // rock: the intensities of a Sonic 2026 at the nadir are 3 dB above what Lambert's constant alone gives, and
-// a lobe of sand with any slope is 13 dB above it or flattens the outer beams.
+// a lobe of sand with any slope is 13 dB above it or flattens the outer beams. Patchiness of sediments and
+// rock: own choice within 1.5 to 3 dB, the K distributions of shape 2 to 8 that sonars show of seabeds.
 constexpr Row table[] = {
-    {"sand sandy", 1.9, 1.1, 0.005, 0.15, false},                           // Jensen: sand
-    {"mud muddy clay", 1.5, 1.0, 0.002, 0.075, false},                      // Jensen: clay
-    {"silt silty sediment", 1.7, 1.05, 0.003, 0.1, false},                  // Jensen: silt
-    {"gravel pebble pebbles cobble cobbles", 2.0, 1.2, 0.01, 0.35, false},  // Jensen: gravel
-    {"moraine", 2.1, 1.3, 0.02, 0.35, false},                               // Jensen: moraine
-    {"chalk", 2.2, 1.6, 0.005, 0.2, false},                                 // Jensen: chalk
-    {"limestone coral reef", 2.4, 2.0, 0.01, 0.3, false},                   // Jensen: limestone
-    {"rock rocks rocky basalt stone boulder boulders granite", 2.7, 3.5, 0.02, 0.35,
-     false},                                                                      // Jensen: basalt
-    {"concrete cement", 2.6, 3100.0 / 1500, 0.0003, 0.1, true},                   // Kinsler: concrete
-    {"steel metal metallic iron chain", 7.7, 6100.0 / 1500, 0.0001, 0.05, true},  // Kinsler: steel
-    {"aluminium aluminum", 2.7, 6300.0 / 1500, 0.0001, 0.05, true},               // Kinsler: aluminium
-    {"brass bronze", 8.5, 4700.0 / 1500, 0.0001, 0.05, true},                     // Kinsler: brass
-    {"copper", 8.9, 5000.0 / 1500, 0.0001, 0.05, true},                           // Kinsler: copper
-    {"lead", 11.3, 2050.0 / 1500, 0.0001, 0.05, true},                            // Kinsler: lead
-    {"glass", 2.3, 5600.0 / 1500, 0.0001, 0.03, true},                            // Kinsler: Pyrex glass
-    {"plastic acrylic perspex", 1.2, 2650.0 / 1500, 0.0001, 0.03, true},          // Kinsler: Lucite
-    {"ice", 0.92, 3200.0 / 1500, 0.001, 0.1, true},                               // Kinsler: ice
-    {"wood wooden timber oak", 0.72, 4000.0 / 1500, 0.0003, 0.1, true},           // Kinsler: oak
-    {"rubber neoprene", 1.1, 2400.0 / 1500, 0.0001, 0.05, true},                  // Kinsler: hard rubber
+    {"sand sandy", 1.9, 1.1, 0.005, 0.15, false, 2.0},                            // Jensen: sand
+    {"mud muddy clay", 1.5, 1.0, 0.002, 0.075, false, 1.5},                       // Jensen: clay
+    {"silt silty sediment", 1.7, 1.05, 0.003, 0.1, false, 1.5},                   // Jensen: silt
+    {"gravel pebble pebbles cobble cobbles", 2.0, 1.2, 0.01, 0.35, false, 2.36},  // Jensen: gravel
+    {"moraine", 2.1, 1.3, 0.02, 0.35, false, 3.0},                                // Jensen: moraine
+    {"chalk", 2.2, 1.6, 0.005, 0.2, false, 2.0},                                  // Jensen: chalk
+    {"limestone coral reef", 2.4, 2.0, 0.01, 0.3, false, 3.0},                    // Jensen: limestone
+    {"rock rocks rocky basalt stone boulder boulders granite", 2.7, 3.5, 0.02, 0.35, false,
+     3.0},                                                                           // Jensen: basalt
+    {"concrete cement", 2.6, 3100.0 / 1500, 0.0003, 0.1, true, 0},                   // Kinsler: concrete
+    {"steel metal metallic iron chain", 7.7, 6100.0 / 1500, 0.0001, 0.05, true, 0},  // Kinsler: steel
+    {"aluminium aluminum", 2.7, 6300.0 / 1500, 0.0001, 0.05, true, 0},               // Kinsler: aluminium
+    {"brass bronze", 8.5, 4700.0 / 1500, 0.0001, 0.05, true, 0},                     // Kinsler: brass
+    {"copper", 8.9, 5000.0 / 1500, 0.0001, 0.05, true, 0},                           // Kinsler: copper
+    {"lead", 11.3, 2050.0 / 1500, 0.0001, 0.05, true, 0},                            // Kinsler: lead
+    {"glass", 2.3, 5600.0 / 1500, 0.0001, 0.03, true, 0},                            // Kinsler: Pyrex glass
+    {"plastic acrylic perspex", 1.2, 2650.0 / 1500, 0.0001, 0.03, true, 0},          // Kinsler: Lucite
+    {"ice", 0.92, 3200.0 / 1500, 0.001, 0.1, true, 0},                               // Kinsler: ice
+    {"wood wooden timber oak", 0.72, 4000.0 / 1500, 0.0003, 0.1, true, 0},           // Kinsler: oak
+    {"rubber neoprene", 1.1, 2400.0 / 1500, 0.0001, 0.05, true, 0},                  // Kinsler: hard rubber
 };
 
 double reflection(const Row& row) {
@@ -96,7 +98,11 @@ std::optional<SurfaceProperties> surface_by_name(std::string_view name) {
     for (const auto& word : words_of(name.substr(0, 256)))
         if (const Row* row = row_of(word))
             return SurfaceProperties{default_mu_db + 20 * std::log10(reflection(*row) / reflection(table[0])),
-                                     reflection(*row), row->roughness, row->slope, row->lobe};
+                                     reflection(*row),
+                                     row->roughness,
+                                     row->slope,
+                                     row->lobe,
+                                     row->patchiness};
     return std::nullopt;
 }
 

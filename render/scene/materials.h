@@ -28,6 +28,7 @@ struct SurfaceProperties {
     double roughness = 0;   ///< m, rms height; own choice, see the table
     double slope = 0;       ///< rms slope of its facets in one direction; own choice, see the table
     bool lobe = false;      ///< as Material's
+    double patchiness = 0;  ///< dB, as Material's; own choice, see the table
 };
 
 /// Of the first word in `name` that names a known material, as for mu_db_by_name().

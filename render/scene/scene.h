@@ -52,6 +52,9 @@ struct Material {
     double slope = 0.15;        ///< rms slope of its facets in one direction (sand's)
     /// What its facets mirror adds to Lambert's law; of sediments it is in their constant already.
     bool lobe = false;
+    /// dB: how unlike its patches are, the standard deviation of the level of what is smaller than they; 0:
+    /// even
+    double patchiness = 0;
     /// rms slope of the triangles that stand for a curved surface; 0: flat. A SceneBuilder sets it.
     double mesh_slope = 0;
 

@@ -30,7 +30,9 @@ int first_exponent(const Mesh& mesh, std::span<const std::uint32_t> indices) {
     std::array<Amount, largest - smallest + 1> by_size;  // those that a cell is just too small for
     for (std::size_t i = 0; i < indices.size(); i += 3) {
         const double area = norm(doubled_area(mesh, &indices[i])) / 2;
-        const int exponent = static_cast<int>(std::ceil(0.5 * std::log2(2 * area)));
+        int exponent = 0;  // so that 4^exponent is just twice the area or more
+        if (std::frexp(2 * area, &exponent) == 0.5) --exponent;
+        exponent = (exponent + 1) >> 1;
         Amount& same = by_size[static_cast<std::size_t>(std::clamp(exponent, smallest, largest) - smallest)];
         same.area += area;
         same.count += 1;
@@ -93,15 +95,12 @@ struct StandIn {
     std::uint32_t first, last;  ///< of the triangles before the contraction, and behind the last
 };
 
-/// Writes stand-ins from the mesh as it is at some stage of its contraction.
+/// Writes stand-ins from the mesh as it is at some stage of its contraction, one after the other.
 class StandInWriter {
   public:
-    StandInWriter(const Contraction& contraction, float surface, std::vector<SceneVertex>& vertices,
-                  std::vector<std::uint16_t>& indices)
+    StandInWriter(const Contraction& contraction, float surface)
         : contraction_(contraction),
           surface_(surface),
-          vertices_(vertices),
-          indices_(indices),
           local_(contraction.vertices()),
           written_(contraction.triangles()),
           seen_(contraction.places()) {}
@@ -133,6 +132,18 @@ class StandInWriter {
         node.first_index = static_cast<std::uint32_t>(first_index);
         node.indices = static_cast<std::uint32_t>(count);
         node.error = static_cast<float>(error_);
+        nodes_.push_back(&node);
+    }
+
+    /// Appends what was written since, and tells its nodes.
+    void append_to(std::vector<SceneVertex>& vertices, std::vector<std::uint16_t>& indices) {
+        for (SceneNode* node : nodes_) {
+            node->first_vertex += static_cast<std::uint32_t>(vertices.size());
+            node->first_index += static_cast<std::uint32_t>(indices.size());
+        }
+        vertices.insert(vertices.end(), vertices_.begin(), vertices_.end());
+        indices.insert(indices.end(), indices_.begin(), indices_.end());
+        vertices_ = {}, indices_ = {}, nodes_ = {};
     }
 
   private:
@@ -167,8 +178,9 @@ class StandInWriter {
 
     const Contraction& contraction_;
     const float surface_;
-    std::vector<SceneVertex>& vertices_;
-    std::vector<std::uint16_t>& indices_;
+    std::vector<SceneVertex> vertices_;
+    std::vector<std::uint16_t> indices_;
+    std::vector<SceneNode*> nodes_;               ///< whose stand-ins these are
     std::vector<std::uint32_t> local_, touched_;  ///< 1 + number within the node, or 0
     std::vector<std::uint32_t> written_, seen_;   ///< the node that had a triangle, a place last
     std::uint32_t node_ = 0;
@@ -239,16 +251,22 @@ void add_stand_ins(const Mesh& mesh, std::span<const std::uint32_t> mesh_indices
     const NodePlaces places(tree, std::exchange(corners, {}), clusters->places());
     Contraction contraction(*clusters);
     Waiting waiting(tree, place_of, clusters->triangles());
-    StandInWriter writer(contraction, surface, vertices, indices);
     clusters.reset();
+    MeshLoops loops(tree.triangles.size());
+    std::vector<StandInWriter> writers(loops.threads(), StandInWriter(contraction, surface));
     for (double limit = first_limit; !waiting.empty();
          limit = step * std::max(limit, contraction.next_error())) {
         contraction.until(limit);
         const auto ready = waiting.take(contraction);
         if (!ready.empty()) {
             const auto into = contraction.into();
-            for (const StandIn& one : ready)
-                writer.write(one, places.of(tree.nodes[one.node]), into, nodes[one.place]);
+            loops.parts(writers.size(), [&](std::size_t part) {
+                const Share own(part, writers.size(), ready.size());
+                for (std::uint32_t i = own.first; i < own.last; ++i)
+                    writers[part].write(ready[i], places.of(tree.nodes[ready[i].node]), into,
+                                        nodes[ready[i].place]);
+            });
+            for (StandInWriter& writer : writers) writer.append_to(vertices, indices);
         }
         if (!std::isfinite(contraction.next_error())) break;
     }

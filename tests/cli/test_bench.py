@@ -5,8 +5,8 @@ import unittest
 
 from program import PROGRAM, ROOT, ProgramTest
 
-NAMES = ["fls-simple", "fls-big100k", "fls-big2m", "fls-one2m", "scanning-simple", "scanning-big100k", "scanning-big2m",
-         "imaging512-big100k", "scanning1200-big100k", "sidescan-big100k"]
+NAMES = ["fls-simple", "fls-big100k", "fls-big2m", "fls-one2m", "fls-terrain", "fls-stones", "scanning-simple",
+         "scanning-big100k", "scanning-big2m", "scanning-terrain", "scanning-stones", "imaging512-big100k", "scanning1200-big100k", "sidescan-big100k"]
 SPLIT = {"cull", "draw", "read_back", "bins", "paths", "acoustics"}
 
 
@@ -19,7 +19,7 @@ class Bench(ProgramTest):
     def test_every_case_is_rendered_with_both_rules(self):
         report = self.json("bench", "--pings", "2")
         self.assertEqual([c["case"] for c in report["cases"]], NAMES * 2)
-        self.assertEqual([c["rule"] for c in report["cases"]], ["radiometric"] * 10 + ["cerqueira2016"] * 10)
+        self.assertEqual([c["rule"] for c in report["cases"]], ["radiometric"] * 14 + ["cerqueira2016"] * 14)
         for case in report["cases"]:
             for times in (case["wall_ms"], case["cpu_ms"]):
                 self.assertTrue(0 < times["minimum"] <= times["median"] <= times["p99"], case)
@@ -79,6 +79,17 @@ class Bench(ProgramTest):
         one, four = (self.json("bench", "--pings", "1", "--cases", "fls-simple", "--pixels", x)["cases"][0]["pixels"]
                      for x in ("1", "4"))
         self.assertAlmostEqual(four / one, 4, delta=0.5)
+
+    def test_fans_at_once_tell_what_was_shed(self):
+        """The more fans, the later: how late depends on the machine, and is not judged."""
+        told = self.json("bench", "--fans", "3", "--seconds", "1")["fans"]
+        self.assertEqual([f["fans"] for f in told], [1, 2, 3])
+        for f in told:
+            self.assertTrue(0 < f["pings"], f)
+            self.assertTrue(0 < f["cpu_s"], f)
+            self.assertTrue(f["coarse_pings"] <= f["spared_pings"] <= f["pings"] + 2 * f["fans"], f)
+            self.assertTrue(0 <= f["p99_lateness_s"] <= f["worst_lateness_s"] + 0.01, f)
+        self.assertRegex(self.good("bench", "--fans", "1", "--seconds", "0.5"), r"(?m)^ +1 +[\d.]+ +[\d.]+")
 
     def test_the_way_to_the_wire_is_told_by_model(self):
         lines = self.good("bench", "--wire", "--pings", "2", "--cases", "oculus").splitlines()[2:]

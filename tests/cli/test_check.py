@@ -55,7 +55,8 @@ class Check(ProgramTest):
     def test_layered_water_prints_how_far_off_straight_rays_are(self):
         self.assertNotIn("rays", self.good("check", TANK))
         # Constant gradient of -0.5 /s: a level ray drops by 0.067 m at 20 m, on an arc of 3000 m.
-        layers = ("--set", "water.profile=[[0, 1501], [300, 1351]]", "--set", "water.sound_speed=1500")
+        layers = ("--set", "water.profile=[[0, 1501], [300, 1351]]", "--set", "water.sound_speed=1500",
+                  "--set", "effects.refraction=off")
         self.assertRegex(self.good("check", TANK, *layers),
                          r"(?m)^rays +micron: straight; an echo is shown at most 0\.0\d+ m from its true place")
         bound = self.json("check", TANK, *layers)["straight_rays"][0]
@@ -63,8 +64,17 @@ class Check(ProgramTest):
         self.assertAlmostEqual(bound["range_m"], 20, delta=0.1)
         self.assertAlmostEqual(bound["error_m"], 0.067, delta=0.01)
 
+    def test_rays_that_bend_are_no_error_and_a_sound_speed_beside_a_profile_is_told_of(self):
+        layers = ("--set", "water.profile=[[0, 1501], [300, 1351]]")
+        text = self.good("check", TANK, *layers)
+        self.assertNotRegex(text, r"(?m)^(rays|warning)")
+        self.assertEqual(self.json("check", TANK, *layers)["straight_rays"], [])
+        text = self.good("check", TANK, *layers, "--set", "water.sound_speed=1500")
+        self.assertRegex(text, r"(?m)^warning +water\.sound_speed times no echo, since rays bend by water\.profile")
+        self.assertRegex(self.good("check", TANK, *layers, "--set", "render.rule=cerqueira2016"), r"(?m)^rays +micron: straight")
+
     def test_a_sound_speed_that_is_not_the_profiles_counts_among_what_straight_rays_are_off(self):
-        layers = ("--set", "water.profile=[[0, 1450]]", "--set", "water.sound_speed=1600")
+        layers = ("--set", "water.profile=[[0, 1450]]", "--set", "water.sound_speed=1600", "--set", "effects.refraction=off")
         bound = self.json("check", TANK, *layers)["straight_rays"][0]
         self.assertAlmostEqual(bound["error_m"], bound["range_m"] * (1 - 1450 / 1600), delta=0.01)
 

@@ -108,6 +108,12 @@ class Endpoints(ProgramTest):
             ini.read_string(text)
             self.assertEqual(ini[section][key], port)
 
+    def test_sample_program_of_the_maker(self):
+        aris = str(Path(DEMO).with_name("aris.yaml"))
+        text = self.good("endpoints", aris, "--format", "maker", "--set", "devices.aris.options.serial=24")
+        self.assertIn("\n./connect 24\n", text)
+        self.assertEqual(text.count("./connect "), 3)
+
     def test_where_no_driver_is_known_it_says_so(self):
         for name in ("dune", "sitl"):
             text = self.good("endpoints", DEMO, "--format", name)

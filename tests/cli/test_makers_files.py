@@ -136,6 +136,12 @@ class Xtf(Makers):
         self.assertEqual(len(self.inspected(self.file(bytes(hurt), "a.xtf"), f"the first at byte {begin};")), 4)
 
 
+    def test_without_a_sounder_of_that_maker_it_says_what_is_missing(self):
+        path = self.file(made.xtf([made.xtf_packet(0, bytes(50)), made.attitude()]), "side.xtf")
+        text = self.bad(65, "inspect", path)
+        self.assertIn("none of its 2 packets is one (types 65, 66, 68, 69)", text)
+
+
 class Oculus(Makers):
     def file_of(self, compressed=0):
         return made.oculus([item for i, result in enumerate(self.recorded_results()) for item in (

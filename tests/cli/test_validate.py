@@ -8,7 +8,7 @@ import unittest
 
 from program import PROGRAM, ROOT, ProgramTest, run
 
-IDS = [f"V{n}" for n in (*range(1, 25), *range(27, 33), 39)] + ["R1", "R2", "R3"]
+IDS = [f"V{n}" for n in (*range(1, 33), 37, 38, 39)] + [f"R{n}" for n in range(1, 7)]
 HEADINGS = ("id", "quantity", "unit", "published", "ours", "tolerance", "pass", "kind", "source")
 DATA = ROOT.parent / "shared" / "data"
 
@@ -94,14 +94,17 @@ class Validate(ProgramTest):
             if os.environ.get("CI") == "true":
                 self.fail(f"{DATA} is missing and CI is true")
             self.skipTest(f"{DATA} is missing: no recordings to compare with")
-        quantities = json.loads(self.good("validate", "--only", "R1,R2,R3", "--recordings", DATA, "--json"))["quantities"]
-        for name in ("three_pings_8bit.raw", "hydroball.852", "r2sonic_bth0_20.pcap"):
+        quantities = json.loads(self.good("validate", "--only", "R1,R2,R3,R6", "--recordings", DATA, "--json"))["quantities"]
+        for name in ("three_pings_8bit.raw", "hydroball.852", "r2sonic_bth0_20.pcap", "ship_short.sonar"):
             self.assertTrue([q for q in quantities if name in q["source"]], name)
         found = {q["quantity"]: q for q in quantities}
         # The figure of the specification for 100 pings and the same of the 20 that are here.
         for angle, figure in ((5, 0.087), (15, 0.075), (25, 0.071), (45, 0.023)):
             self.assertAlmostEqual(found[f"noise beside the file, {angle} deg"]["published"] / figure, 1, delta=0.15)
         self.assertAlmostEqual(found["noise of the file, neighbouring beams"]["published"], 0.53, delta=0.03)
+        self.assertAlmostEqual(found["flips of the file"]["published"], 0.23, delta=0.01)
+        self.assertAlmostEqual(found["isolated returns of the file"]["published"], 0.038, delta=0.002)
+        self.assertAlmostEqual(found["variation behind the bottom's edge of the file"]["published"], 0.55, delta=0.02)
 
     def test_wrong_usage(self):
         self.assertIn("--recordings: there is no folder", self.bad(66, "validate", "--recordings", "/nowhere"))

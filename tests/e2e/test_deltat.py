@@ -56,7 +56,8 @@ class DeltaTCase(unittest.TestCase):
         self.fail(f"nothing of {settings} in 20 s")
 
     def check_depths(self, profile, depth, inside=60.0, within=0.005):
-        """Each beam within that part of the depth, and all of them without a bias."""
+        """Each beam within that part of the depth, and all of them without a bias. A pulse of 0.09 m, as at a range of 20 m, is
+        near the nadir all of the echo: speckle moves it by the length over sqrt 12, 2.6 cm or a third of a percent of 8 m."""
         errors = []
         for beam in range(profile.beams):
             angle = profile.angle(beam)
@@ -89,7 +90,7 @@ class FlatFloor(DeltaTCase):
         self.start()
         narrow = self.first_with(lambda p: p.sector == 60, range=30, sector=60, beams=120, beam_width=2, gain=6)
         self.assertEqual((narrow.range, narrow.beams, narrow.increment), (30, 120, 0.5))
-        self.check_depths(narrow, 8.0, within=0.01)  # speckle moves an echo within its pulse
+        self.check_depths(narrow, 8.0, within=0.01)  # its pulse is 0.135 m long: 3.9 cm
         self.assertLess(max(abs(x) for x, _ in narrow.points()), 8 * math.tan(math.radians(30.3)))
         wide = self.first_with(lambda p: p.beams == 480, range=20, beams=480, beam_width=1)
         self.assertEqual(len(wide.ranges), 480)
@@ -98,6 +99,7 @@ class FlatFloor(DeltaTCase):
         edge = math.degrees(math.acos(8 / 10))
         beyond = [near.ranges[beam] for beam in range(near.beams) if abs(near.angle(beam)) > edge + 2]
         self.assertGreater(len(beyond), 70)
+        # The staves' errors of 32 staves hear the nadir 21 dB down in every beam, where there is no other bottom: 75 of 85 beams.
         through_side_lobes = [r for r in beyond if r > 0]
         self.assertGreater(min(through_side_lobes, default=8), 7.7, "out of range, but for the bottom below")
         self.assertGreater(len(near.points()), 120)

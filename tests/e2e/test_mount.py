@@ -50,6 +50,10 @@ class MovingMount(unittest.TestCase):
             angle = 30 * math.sin(2 * math.pi * ping["t"] / 2)  # beyond straight down it looks astern
             self.assertAlmostEqual(math.degrees(math.atan2(-x, -z)), angle, delta=0.1)
             tilts.append(angle)
+            turning = math.radians(30) * math.pi * math.cos(2 * math.pi * ping["t"] / 2)
+            for found, expected in zip(ping["sonar_turning"], (0, turning, 0)):
+                self.assertAlmostEqual(found, expected, delta=1e-6)
+            self.assertEqual(ping["sonar_velocity"], [0, 0, 0])
         self.assertGreater(max(tilts) - min(tilts), 40)
 
     def test_lines_move_it(self):
@@ -57,7 +61,8 @@ class MovingMount(unittest.TestCase):
         self.start(f"input: 'udp-listen://127.0.0.1:{port}'")
         wait_for_lines(self.truth, 2)
         half = math.radians(60) / 2
-        line = json.dumps({"position": [1, 0, 0], "orientation": [math.cos(half), 0, math.sin(half), 0]})
+        line = json.dumps({"position": [1, 0, 0], "orientation": [math.cos(half), 0, math.sin(half), 0],
+                           "velocity": [0.2, 0, -0.1], "angular_velocity": [0, 0.3, 0]})
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as told:
             for count in range(3, 60):
                 told.sendto(line.encode() + b"\n", ("127.0.0.1", port))
@@ -66,6 +71,8 @@ class MovingMount(unittest.TestCase):
                     break
         x, _, z = axis_of(pings[-1]["world_from_sonar"])
         self.assertAlmostEqual(math.degrees(math.atan2(-z, x)), 60, delta=0.1)
+        self.assertEqual(pings[-1]["sonar_velocity"], [0.2, 0, -0.1])
+        self.assertEqual(pings[-1]["sonar_turning"], [0, 0.3, 0])
 
 
 if __name__ == "__main__":

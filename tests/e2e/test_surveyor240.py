@@ -243,6 +243,7 @@ class Gain(SurveyorCase):
         host.set(end_mm=100000, msec_per_ping=0)
         self.check_depths(host.pings(4)[-1], 75.0)
         left = host.first_ping(end_mm=100000, msec_per_ping=0, gain_index=0).points
+        # 16 elements make a beam's steps 12 dB finer than a converter's own: with those it were 8 points within 25 deg.
         self.assertLess(len(left), 20)
         for y, z in left:
             self.assertLess(abs(math.atan2(y, -z)), math.radians(40), "only the mirror-like middle is loud enough")

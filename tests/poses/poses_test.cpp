@@ -33,6 +33,17 @@ TEST(PoseLine, IsWhatTheEmulatorReads) {
     EXPECT_EQ(read.message->time, 12e-9);
 }
 
+TEST(PoseLine, TellsVelocitiesThatTheEmulatorReads) {
+    const auto read = parse_pose_line(pose_line({}, "", "t", 12, {Vec3{1, 2, 3}, Vec3{0.1, 0.2, 0.3}}));
+    ASSERT_TRUE(read.message) << read.reason;
+    EXPECT_EQ(read.message->velocity, (Vec3{1, 2, 3}));
+    EXPECT_EQ(read.message->turning, (Vec3{0.1, 0.2, 0.3}));
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const auto half = parse_pose_line(pose_line({}, "", "t", 12, {Vec3{1e9, 2, 3}, Vec3{none, 0, 0}}));
+    ASSERT_TRUE(half.message) << half.reason;
+    EXPECT_FALSE(half.message->velocity || half.message->turning);
+}
+
 TEST(PoseLine, RefusesWhatTheEmulatorWould) {
     EXPECT_EQ(fault_of({{1, 2, 3}, {1, 0, 0, 0}}), "");
     EXPECT_NE(fault_of({{1, 2, 3}, {0, 0, 0, 0}}).find("not filled it in"), std::string::npos);
@@ -115,7 +126,8 @@ TEST(Rosbridge, HearsBothGenerations) {
         return read_rosbridge(
             R"({"op": "publish", "topic": "/odom", "msg": {"child_frame_id": "base", "header": {"stamp": )" +
             stamp + R"(, "frame_id": "odom"}, "pose": {"pose": {"position": {)" + place +
-            R"(}, "orientation": {)" + turn + "}}}}}");
+            R"(}, "orientation": {)" + turn + R"(}}}, "twist": {"twist": {"linear": {)" + place +
+            R"(}, "angular": {"x": 4, "y": 5, "z": null}}}}})");
     };
     for (const char* stamp : {R"({"secs": 3, "nsecs": 7})", R"({"sec": 3, "nanosec": 7})"}) {
         const auto heard = said(stamp);
@@ -125,6 +137,8 @@ TEST(Rosbridge, HearsBothGenerations) {
         EXPECT_EQ(heard.bodies[0].name, "base");
         EXPECT_EQ(heard.bodies[0].parent, "odom");
         EXPECT_EQ(heard.bodies[0].position, (std::array<double, 3>{1, 2, 3}));
+        EXPECT_EQ(heard.bodies[0].velocity, (std::array<double, 3>{1, 2, 3}));
+        EXPECT_FALSE(heard.bodies[0].turning) << "null is no number";
         EXPECT_EQ(heard.bodies[0].orientation, (std::array<double, 4>{1, 0, 0, 0}));
     }
     EXPECT_NE(said("{}").reason, "");

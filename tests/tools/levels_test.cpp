@@ -1,13 +1,14 @@
-// No model uses less than a third of its words' dynamic range, or sits pinned at an end, in its own demo
-// scene: a default reference that was never held against anything shows here. Words are all arrays of whole
-// numbers of 8 or 16 bits in a model's messages that change when the water gets louder; which messages there
-// are, the scenarios in config/ and the cases of `echoloop bench --wire` say.
+// No model uses less than a third of its words' dynamic range, or sits pinned at an end, in any demo scene: a
+// default reference that was never held against anything shows here. Words are all arrays of whole numbers of
+// 8 or 16 bits in a model's messages that change when the water gets louder; which messages there are, the
+// scenarios in config/ and the cases of `echoloop bench --wire` say.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "emulator/contract/random_key.h"
 #include "emulator/scenario/scene.h"
@@ -216,31 +217,31 @@ Report heard_in(const std::filesystem::path& file) {
     return report;
 }
 
-/// One kind of words in the scene where it has the most of its scale: others may hold nothing within reach.
-struct Best {
-    double used = 0, low = 1, high = 1;
-};
+/// Scenarios that show something else than their sonars: faults, load, movement, a clock from outside, waters
+/// and rooms that hide what is in them.
+bool shows_sonars(const std::string& name) {
+    static const std::set<std::string> others{"basin",   "busy",   "deep-water", "faults",
+                                              "harbour", "moving", "stepped",    "sweep"};
+    return !others.contains(name);
+}
 
 TEST(Levels, UseAThirdOfTheScaleAndAreNotPinnedInTheDemo) {
-    std::map<std::string, Best> all;
     std::string seen;
     for (const auto& entry : std::filesystem::directory_iterator(ECHOLOOP_SOURCE_DIR "/config")) {
-        if (entry.path().extension() != ".yaml") continue;
+        const std::string scenario = entry.path().stem();
+        if (entry.path().extension() != ".yaml" || !shows_sonars(scenario)) continue;
         for (const ScenarioDevice& device : load_scenario(entry.path(), {}, models()).devices)
             seen += device.model->name + "\n";
         for (const auto& [name, words] : heard_in(entry.path())) {
             if (words.changed * 20 < words.values.size()) continue;  // no words of levels
-            Best& best = all[name];
-            if (words.used() <= best.used) continue;
-            best = {words.used(), words.part(words.lowest()), words.part(words.highest())};
+            const std::string what = scenario + ": " + name;
+            const double low = words.part(words.lowest()), high = words.part(words.highest());
+            std::printf("%-80s used %3.0f %%, lowest %5.1f %%, highest %5.2f %%\n", what.c_str(),
+                        100 * words.used(), 100 * low, 100 * high);
+            EXPECT_GE(words.used(), 1.0 / 3) << what;
+            EXPECT_LE(low, 0.98) << what << ": pinned below; water without an echo may read 0, not all";
+            EXPECT_LE(high, 0.1) << what << ": pinned above";
         }
-    }
-    for (const auto& [name, best] : all) {
-        std::printf("%-70s used %3.0f %%, lowest %5.1f %%, highest %5.2f %%\n", name.c_str(), 100 * best.used,
-                    100 * best.low, 100 * best.high);
-        EXPECT_GE(best.used, 1.0 / 3) << name;
-        EXPECT_LE(best.low, 0.98) << name << ": pinned below; water without an echo may read 0, not all";
-        EXPECT_LE(best.high, 0.1) << name << ": pinned above";
     }
     for (const Model& model : models())
         EXPECT_NE(seen.find(model.name + "\n"), seen.npos) << model.name << " has no scenario in config/";

@@ -1,5 +1,8 @@
 #include "tools/capture/container.h"
 
+#include "emulator/contract/error.h"
+#include "emulator/scenario/value.h"
+
 namespace echoloop::capture {
 namespace {
 
@@ -29,6 +32,7 @@ std::optional<CaptureEvent> ContainerFile::next() {
         const ByteView rest = ByteView(pending_).subspan(at_);
         if (rest.empty() && ended_) {
             end();
+            refuse_others();
             return {};
         }
         Entry entry = rest.empty() ? Entry{} : container_->look(rest, ended_);
@@ -52,6 +56,11 @@ void ContainerFile::end() {
                     std::to_string(place_ - damaged_) + " on, are no whole record";
     counts_.damaged_bytes -= damaged_;
     damaged_ = 0;
+}
+
+void ContainerFile::refuse_others() const {
+    const std::string others = counts_.packets == 0 ? container_->others() : "";
+    if (!others.empty()) throw StartError(Exit::data, scenario::in_quotes(input_.name()) + ": " + others);
 }
 
 void ContainerFile::keep(Entry entry) {

@@ -29,6 +29,8 @@ class Container {
     /// What `pending`, not empty, begins with. `last`: the file ends behind it, so that what is not whole is
     /// damaged.
     virtual Entry look(ByteView pending, bool last) = 0;
+    /// Of a file in which no record held a message: what it holds instead; "": nothing is known.
+    virtual std::string others() const { return {}; }
 };
 
 /// Where in `bytes` `begins(rest)` is true, from byte 1 on. Else what to pass over so that a beginning of up
@@ -60,6 +62,7 @@ class ContainerFile final : public CaptureReader {
     ContainerFile(Input& input, std::unique_ptr<Container> container, std::string line, Speech speech,
                   std::uint64_t begin = 0);
 
+    /// Throws StartError (data) behind a file of which only its Container's others() are known.
     std::optional<CaptureEvent> next() override;
     CaptureCounts counts() const override { return counts_; }
     /// Datagrams are those of a port of a device.
@@ -69,6 +72,7 @@ class ContainerFile final : public CaptureReader {
     bool read_more();
     void keep(Entry entry);
     void end();
+    void refuse_others() const;
 
     Input& input_;
     std::unique_ptr<Container> container_;

@@ -56,12 +56,22 @@ class XtfFile final : public Container {
         if (!lost) return {};
         if (*lost > 0) return {.size = *lost, .damaged = true};
         Entry entry{.size = size};
+        ++packets_;
         if (!is_r2sonic(pending[2]) || size < ping_header) return entry;
         const ByteView packet = pending.first(size), datagram = datagram_in(packet);
         entry.time = ping_time(packet);
         if (!datagram.empty()) entry.said.emplace_back(datagram.begin(), datagram.end());
         return entry;
     }
+
+    std::string others() const override {
+        if (packets_ == 0) return {};
+        return "of XTF, the datagrams of R2Sonic sounders are read, and none of its " +
+               std::to_string(packets_) + " packets is one (types 65, 66, 68, 69)";
+    }
+
+  private:
+    std::uint64_t packets_ = 0;
 };
 
 }  // namespace

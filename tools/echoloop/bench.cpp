@@ -5,8 +5,10 @@
 
 #include "emulator/contract/error.h"
 #include "emulator/machine/scheduling.h"
+#include "tools/echoloop/bench/fans.h"
 #include "tools/echoloop/bench/report.h"
 #include "tools/echoloop/bench/wire.h"
+#include "tools/echoloop/example_files.h"
 #include "tools/echoloop/json_line.h"
 #include "tools/echoloop/json_output.h"
 #include "tools/echoloop/terminal.h"
@@ -96,8 +98,49 @@ int run_wire(const Arguments& arguments) {
     return 0;
 }
 
+void print_fans(const bench::FansFigures& f) {
+    std::printf("%4zu %9.1f %13.1f %6.0f %9.0f %9.0f %13.0f %7.0f\n", f.fans, f.pings_a_second(),
+                f.pings / f.cpu, 100 * f.late / std::max(f.pings, 1.0), 1e3 * f.p99_lateness,
+                1e3 * f.worst_lateness, 100 * f.spared / std::max(f.pings, 1.0),
+                100 * f.coarse / std::max(f.pings, 1.0));
+    std::fflush(stdout);
+}
+
+nlohmann::ordered_json fans_json(const bench::FansFigures& f) {
+    return {{"fans", f.fans},           {"seconds", f.seconds},
+            {"pings", f.pings},         {"cpu_s", f.cpu},
+            {"late_pings", f.late},     {"p99_lateness_s", f.p99_lateness},
+            {"spared_pings", f.spared}, {"worst_lateness_s", f.worst_lateness},
+            {"coarse_pings", f.coarse}};
+}
+
+/// 1, 2, 4, ... fans at once, and as many as asked for.
+int run_fans(const Arguments& arguments) {
+    keep_freed_memory();  // as `echoloop run` does
+    const auto most = static_cast<std::size_t>(arguments.number("--fans", 16, 1, 64));
+    const double seconds = arguments.number("--seconds", 10, 0.5, 3600);
+    const auto example = file_or_example("demo");
+    const bool json = arguments.has("--json");
+    nlohmann::ordered_json figures = nlohmann::ordered_json::array();
+    if (!json)
+        std::printf(
+            "%.1f s each. Of the pings, in %%: late, without late echoes, coarse; lateness in ms\n"
+            "fans   pings/s   a CPU second   late       p99     worst  without late   coarse\n",
+            seconds);
+    for (std::size_t fans = 1;; fans = std::min(2 * fans, most)) {
+        const bench::FansFigures f = bench::measure_fans(fans, seconds, example);
+        if (f.failure[0] != '\0')
+            throw StartError(Exit::unavailable, std::to_string(fans) + " fans: " + f.failure);
+        json ? figures.push_back(fans_json(f)) : print_fans(f);
+        if (fans == most) break;
+    }
+    if (json) std::printf("%s\n", line_of({{"fans", figures}}).c_str());
+    return 0;
+}
+
 int run_bench(const Arguments& arguments) {
     if (arguments.has("--wire")) return run_wire(arguments);
+    if (arguments.has("--fans")) return run_fans(arguments);
     const auto settings = settings_of(arguments);
     const auto report = measured(settings, cases_of(arguments, settings));
     const bool json = arguments.has("--json");
@@ -115,6 +158,9 @@ Verb bench_verb() {
               "only these cases, sonars or scenes; with --wire: beginnings of model names"},
              {Kind::value, "--scene", "FILE", "measure every sonar over this scene (.gltf, .glb) instead"},
              {Kind::flag, "--wire", "", "measure the time from echogram to bytes instead, for each model"},
+             {Kind::value, "--fans", "N",
+              "measure 1, 2, 4 and so on up to N multibeams at once instead, as run serves them"},
+             {Kind::value, "--seconds", "S", "with --fans: how long each; default 10"},
              {Kind::value, "--pings", "N", "pings for each case, 1 to 100000; default 100"},
              {Kind::value, "--pixels", "FACTOR", "factor on the number of pixels, 0.1 to 64"},
              {Kind::value, "--context", "NAME", "GL context: auto, osmesa, egl-surfaceless or egl-device"},
@@ -122,6 +168,7 @@ Verb bench_verb() {
             "  echoloop bench\n"
             "  echoloop bench --cases fls,scanning-simple --pings 1000\n"
             "  echoloop bench --wire\n"
+            "  echoloop bench --fans 16\n"
             "  echoloop bench --scene config/scenes/tank.glb --json",
             run_bench};
 }

@@ -11,6 +11,10 @@ namespace {
 
 bool by_paper(const Scenario& scenario) { return scenario.render.rule == EchoRule::cerqueira2016; }
 
+bool bends_rays(const Scenario& scenario) {
+    return !by_paper(scenario) && scenario.render.effects.has(Effect::refraction);
+}
+
 /// Lowest and highest elevation in the world of a device's rays, rad, over a whole turn.
 std::pair<double, double> elevations(const Scenario& scenario, const ScenarioDevice& device) {
     const Pose world_from_sonar = scenario.world_from_body * device.body_from_sonar;
@@ -63,7 +67,7 @@ std::vector<std::string_view> effects_off(const Scenario& scenario) {
 
 std::vector<RayBound> ray_bounds(const Scenario& scenario) {
     std::vector<RayBound> bounds;
-    if (scenario.water.profile.empty()) return bounds;
+    if (scenario.water.profile.empty() || bends_rays(scenario)) return bounds;
     for (const auto& device : scenario.devices) {
         const Shot shot = device.model->default_shot(device.config, 0, 0);
         const double end = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
@@ -106,6 +110,10 @@ std::vector<std::string> deafened(const Scenario& scenario) {
 
 std::vector<std::string> warnings(const Scenario& scenario) {
     std::vector<std::string> all = deafened(scenario);
+    if (!scenario.water.profile.empty() && scenario.water.sound_speed && bends_rays(scenario))
+        all.emplace_back(
+            "water.sound_speed times no echo, since rays bend by water.profile; leave it out, or switch the "
+            "effect refraction off");
     if (by_paper(scenario) || !scenario.render.effects.has(Effect::absorption)) return all;
     for (const auto& device : scenario.devices) {
         const double frequency = device.model->default_shot(device.config, 0, 0).frequency;

@@ -37,6 +37,9 @@ Words words_of(const ScenarioDevice& device, const Endpoint& end, const SerialPo
                 {"{kbaud}", std::to_string(port.rate / 1000)},
                 {"{host}", end.host},
                 {"{number}", std::to_string(end.port)}};
+    const auto serial = device.config.options.find("serial");
+    if (serial != device.config.options.end() && std::holds_alternative<std::int64_t>(serial->second))
+        words.emplace_back("{serial}", std::to_string(std::get<std::int64_t>(serial->second)));
     if (const auto line = sitl_line(end, port); !line.empty()) words.emplace_back("{sitl}", line);
     for (std::size_t i = 1; i < device.config.endpoints.size(); ++i) {
         const std::string which = " " + std::to_string(i + 1) + "}";
@@ -92,8 +95,8 @@ DriverHint hint_of(const KnownDriver& driver, const Endpoint& end, const SerialP
 
 std::string title_of(const std::string& format) {
     static const std::map<std::string, std::string> titles{
-        {"ros1", "ROS 1"}, {"ros2", "ROS 2"},     {"moos", "MOOS"},    {"rock", "Rock"},
-        {"dune", "DUNE"},  {"sitl", "ArduPilot"}, {"python", "Python"}};
+        {"ros1", "ROS 1"}, {"ros2", "ROS 2"},     {"moos", "MOOS"},     {"rock", "Rock"},
+        {"dune", "DUNE"},  {"sitl", "ArduPilot"}, {"python", "Python"}, {"maker", "the maker"}};
     return titles.at(format);
 }
 
@@ -129,7 +132,8 @@ DriverHint no_driver(const ScenarioDevice& device, const std::string& format) {
 }  // namespace
 
 const std::vector<std::string>& driver_formats() {
-    static const std::vector<std::string> formats{"ros1", "ros2", "moos", "rock", "dune", "sitl", "python"};
+    static const std::vector<std::string> formats{"ros1", "ros2", "moos",   "rock",
+                                                  "dune", "sitl", "python", "maker"};
     return formats;
 }
 

@@ -124,9 +124,14 @@ class Job {
 
     Situation situation(Way& way, Time moment) const {
         Pose world_from_body = scenario_.world_from_body;
-        if (way.trajectory) world_from_body = way.trajectory->at(moment)->pose;
+        Motion moving;
+        if (way.trajectory)
+            world_from_body = way.trajectory->at(moment)->pose, moving = way.trajectory->motion(moment);
         Situation situation(world_from_body * device_.body_from_sonar);
+        moving = together(world_from_body, moving, device_.body_from_sonar, {});
+        situation.velocity = moving.velocity, situation.turning = moving.turning;
         situation.movers = way.movers.at(moment);
+        situation.mover_motions = way.movers.motions(moment);
         return situation;
     }
 

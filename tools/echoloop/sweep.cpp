@@ -135,8 +135,8 @@ void write_text(const fs::path& file, const std::string& text) {
 std::string values_json(const Sweep& sweep, std::uint64_t index) {
     nlohmann::ordered_json json{{"index", index}};
     for (const auto& [path, value] : sweep.values(index)) {
-        auto number = nlohmann::ordered_json::parse(value, nullptr, false);
-        json["values"][path] = number.is_number() ? std::move(number) : value;
+        const auto number = nlohmann::ordered_json::parse(value, nullptr, false);
+        json["values"][path] = number.is_number() ? number : nlohmann::ordered_json(value);
     }
     return json.dump();
 }

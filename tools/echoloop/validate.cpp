@@ -91,7 +91,7 @@ Verb validate_verb() {
             "compare levels, times and patterns with published values and recordings",
             {{Kind::value, "--only", "V1,...", "run only these checks"},
              {Kind::value, "--recordings", "DIR",
-              "also read real devices' recordings there: r2sonic, oculus, imagenex852"},
+              "also read real devices' recordings there: r2sonic, oculus, imagenex852, sonar-3d-15"},
              {Kind::value, "--report", "FILE.md", "also write the table and its pictures there"},
              json_argument()},
             "  echoloop validate                     exit status 1 if a required quantity is out of its "

@@ -89,6 +89,14 @@ Model row(const std::string& name, const std::string& title) {
     m.default_shot = default_shot<variant>;
     m.family = "aris";
     m.sends = {{.what = "frames", .words = "the controller, or the receiver that it names"}};
+    m.drivers = {{"maker",
+                  "Sound Metrics' sample program connect-command (ARIS Integration SDK, MIT)",
+                  {"./connect {serial}"},
+                  "it finds the sonar by the beacon on UDP 56124 and takes frames for half a minute; it is "
+                  "written for "
+                  "protobuf-c's code of proto2: give the SDK's .proto files optional fields, and the type of "
+                  "a command "
+                  "required; no driver of a framework is public"}};
     return m;
 }
 

@@ -145,7 +145,9 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     const Shot& shot = echogram.shot;
     const multibeam::TimeGate window{0, static_cast<double>(shot.bins) * shot.bin_interval};
     const std::vector<multibeam::TimeGate> gates(echogram.beams(), window);
+    settings_.sound_speed = echogram.sound_speed;  // of the head's own sensor, where it is now
     Settings s = ping_settings_;
+    s.sound_speed = echogram.sound_speed;
     s.sound_speed = s.sensors.read("sound speed", s.sound_speed, stray::sound_speed, now);
     const auto detections = multibeam::detect(echogram, gates, s.detection.with(s.echoes_last));
     const kmall::Mrz bathymetry = make_mrz(ping_, s, echogram, detections);

@@ -67,6 +67,19 @@ TxSector sector(const Settings& s, std::span<const Detection> detections) {
     return t;
 }
 
+/// What is told anew of each ping, though nobody set it: within 0.0033 dB and 0.006 dB/km in 25 pings of an
+/// EM 2040.
+void add_measured(Mrz& m, Time time, const Settings& s) {
+    const auto read = s.sensors.at(time);
+    const float level = read("source level", 0, {.drift = 0.0005, .noise = 0.001}),
+                absorption = read("absorption", 0, {.drift = 0.001, .noise = 0.002});
+    for (TxSector& sector : m.sectors) sector.source_level += level;
+    for (Sounding& one : m.soundings) {
+        one.source_level += level;
+        one.absorption += absorption;
+    }
+}
+
 /// Outermost of the valid soundings: angles positive to port like all, metres to starboard like y.
 void add_coverage(Mrz& m) {
     const auto port = std::find_if(m.soundings.begin(), m.soundings.end(), is_valid);
@@ -137,6 +150,7 @@ Mrz make_mrz(const PingRecord& ping, const Settings& settings, const Echogram& e
     add_coverage(m);
     add_extra_detections(m, settings, echogram, detections);
     add_backscatter(m, settings, echogram, detections);
+    add_measured(m, from_seconds(ping.time - settings.unix_start), settings);
     return m;
 }
 

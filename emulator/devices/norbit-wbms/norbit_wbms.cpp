@@ -110,6 +110,7 @@ Actions NorbitWbms::heard(const Echogram& echogram, Time now) {
     if (!expected) return take_actions();
     pacer_.end(now, {});
     ++counters_.pings;
+    settings_.sound_speed = echogram.sound_speed;  // of the head's own sensor, where it is now
     if (ping_.controls.mode != 0)
         send(bathymetry_port, bathymetry_packet(ping_, settings_, echogram, time_stamp(now)));
     if (takes_image()) {

@@ -58,9 +58,10 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
                      static_cast<std::uint32_t>(step + 1));
 }
 
-/// The gamma and the flags of a recorded ping: range in m, simple replies, gain assistance.
+/// The gamma and the flags of a recorded ping: range in m, simple replies, gain assistance; as far as the
+/// manifold of the demo scene.
 std::vector<Bytes> requests(const DeviceConfig&, std::size_t pings, bool) {
-    const oculus::Fire fire{.gamma = 127, .flags = 0x19, .range = 10, .gain = 50};
+    const oculus::Fire fire{.gamma = 127, .flags = 0x19, .range = 20, .gain = 50};
     return {pings, oculus::encode(oculus::Message(fire))};
 }
 

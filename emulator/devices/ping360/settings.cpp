@@ -79,6 +79,8 @@ void describe(Acoustics& a, FigureList& f) {
     f.number(a.full_scale, "full_scale", "dB", 10, 120, "from 0 to 255");
     f.number(a.gain_step, "gain_step", "dB", 0, 40, "from low to normal and from normal to high gain");
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.number(a.receiver.bandwidth, "receiver_bandwidth", "Hz", 1e3, 1e6,
+             "for noise, and for the echoes of shorter pulses; longer ones have a filter that fits them");
 }
 
 /// The address to announce, 0 for none.
@@ -151,6 +153,7 @@ Shot shot_from(const ping::DeviceData& settings, int angle, const Settings& opti
     shot.horizontal = a.horizontal;
     shot.vertical = a.vertical;
     shot.receiver = a.receiver;
+    shot.receiver.bandwidth = std::min(a.receiver.bandwidth, 1 / shot.pulse_length);
     return shot;
 }
 

@@ -34,6 +34,17 @@ double centre_of(std::span<const float> levels, std::size_t peak) {
     return moment / sum;
 }
 
+/// Mean power that beams of the same row hear in that bin, its own among them.
+double around(const Echogram& echogram, std::size_t beam, std::size_t bin) {
+    constexpr std::size_t reach = 10;  // beams to either side
+    const std::size_t column = beam % width, row = beam - column;
+    const std::size_t first = row + std::max(column, reach) - reach,
+                      last = row + std::min(column + reach, width - 1);
+    double sum = 0;
+    for (std::size_t other = first; other <= last; ++other) sum += echogram.beam(other)[bin];
+    return sum / static_cast<double>(last - first + 1);
+}
+
 double gain(double range, const Plan& plan, const Settings& settings) {
     if (!settings.tvg) return 0;
     const double r = std::max(range, 1.0);
@@ -88,6 +99,8 @@ std::optional<Pixel> strongest(const Echogram& echogram, std::size_t beam, const
     if (echogram.rule != EchoRule::cerqueira2016) {
         const double noise = echogram.noise_power;
         if (noise > 0 && 10 * std::log10(power / noise) < settings.acoustics.detection) return std::nullopt;
+        if (10 * std::log10(around(echogram, beam, peak) / power) > settings.acoustics.neighbours)
+            return std::nullopt;
         const double db =
             10 * std::log10(power) + gain(distance, plan, settings) - settings.acoustics.reference_level;
         strength = strength_per_db * db;

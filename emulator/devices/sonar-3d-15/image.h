@@ -30,7 +30,8 @@ struct Pixel {
     std::uint8_t strength = 0;  ///< 1..255
 };
 
-/// The strongest echo of a beam; nothing if it does not stand out of the noise or reads no strength.
+/// The strongest echo of a beam; nothing if it does not stand out of the noise, lies too far below what beams
+/// beside it hear at its range, or reads no strength.
 std::optional<Pixel> strongest(const Echogram& echogram, std::size_t beam, const Plan& plan,
                                const Settings& settings);
 

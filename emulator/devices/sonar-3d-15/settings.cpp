@@ -76,6 +76,8 @@ void describe_profile(Acoustics& a, FigureList& f) {
     f.number(a.finest_bin, "finest_bin", "m", 0.001, 1, "of range, before the peak is interpolated");
     f.whole(a.bins, "bins", 16, 2048, "of range, the most");
     f.number(a.detection, "detection_level", "dB", 0, 60, "how far above the noise an echo must be to count");
+    f.number(a.neighbours, "neighbour_level", "dB", 0, 120,
+             "how far below the mean of 10 beams to either side an echo may lie and still count");
     f.number(a.high.directivity_index, "high_directivity_index", "dB", 0, 60,
              "of the receiver in the high mode; directivity_index is the low one");
     f.number(a.reference_level, "reference_level", "dB re 1 uPa", 0, 300, "reads strength 0 at 1 m");

@@ -33,6 +33,7 @@ struct Acoustics {
     double finest_bin = 0;       ///< m
     std::size_t bins = 0;        ///< the most
     double detection = 0;        ///< dB above the noise that an echo must have
+    double neighbours = 0;       ///< dB below the mean of beams beside it, at most
     double reference_level = 0;  ///< dB re 1 uPa, reads strength 0
     double tvg_spreading = 0;    ///< dB per decade of range
 };

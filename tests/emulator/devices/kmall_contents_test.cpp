@@ -49,6 +49,31 @@ TEST(KmallContents, QualitiesAndUncertaintiesVaryAsRealOnesDo) {
     }
 }
 
+// 25 pings of an EM 2040: source levels from 198.9755 to 198.9788 dB, absorption from 90.598 to 90.604 dB/km.
+TEST(KmallContents, EachPingTellsItsSourceLevelAndAbsorptionAnew) {
+    const Model& model = *find_model("kongsberg-kmall");
+    DeviceConfig config = make_config(model);
+    config.effects.set(Effect::sensor_noise);
+    Bench bench(model.make(config));
+    bench.run_to(0ns);
+    std::set<float> levels, absorptions;
+    for (int n = 0; n < 25; ++n) {
+        while (!bench.ping) bench.run_to(bench.wake);
+        Echogram echo = bottom_echo(bench.ping->shot, flat(8), {});
+        echo.world_from_sonar = {{0, 0, -12}, from_rpy(0, deg_to_rad(90), 0)};
+        bench.hear(echo);
+        for (const Send& send : of_type(bench.sent(), "#MRZ")) {
+            levels.insert(f32(send.bytes, first + 60));
+            absorptions.insert(f32(send.bytes, first + 44));
+            EXPECT_EQ(f32(send.bytes, first + 60), f32(send.bytes, ping + 152 + 12)) << "that of its sector";
+        }
+    }
+    EXPECT_GT(levels.size(), 10U);
+    EXPECT_LT(*levels.rbegin() - *levels.begin(), 0.01);
+    EXPECT_GT(absorptions.size(), 10U);
+    EXPECT_LT(*absorptions.rbegin() - *absorptions.begin(), 0.02);
+}
+
 TEST(KmallContents, ReflectivitiesDifferAndHaveTheirMeans) {
     const Bytes b = over_floor().at(0).bytes;
     EXPECT_GT(column(b, 48).distinct, 100U);

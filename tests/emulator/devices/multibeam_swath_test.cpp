@@ -121,6 +121,16 @@ TEST(MultibeamSmoothing, AveragesSoManySoundingsByPhase) {
     EXPECT_NEAR(scatter(swath, 5), 1e-3 / 5, 2e-5);
 }
 
+TEST(MultibeamSmoothing, BeginsWhereAmplitudeIsFarAway) {
+    FlatSwath swath;
+    for (std::size_t beam = 0; beam < 20; ++beam)
+        swath.detections[beam].time = swath.right(beam) * (1 + (beam % 2 == 0 ? 1e-3 : -1e-3));
+    swath.detections[2].method = Method::magnitude;
+    multibeam::smooth_by_phase(swath.detections, swath.angles, 5);
+    for (const std::size_t beam : {4U, 8U, 12U}) EXPECT_NEAR(swath.error_now(beam), 1e-3, 1e-9) << beam;
+    for (const std::size_t beam : {13U, 17U}) EXPECT_LT(swath.error_now(beam), 4e-4) << beam;
+}
+
 TEST(MultibeamSmoothing, LeavesWhatIsReallyThereAndWhatWasHeardByMagnitude) {
     FlatSwath swath;
     for (std::size_t beam = 0; beam < 20; ++beam) swath.detections[beam].time = swath.right(beam);

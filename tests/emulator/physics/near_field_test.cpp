@@ -194,6 +194,30 @@ TEST(NearField, OfAn852Over50m) {
     for (std::size_t bin = 0; bin < 7; ++bin) EXPECT_LT(std_of(lines, bin), 3.5) << bin;
 }
 
+// No recording: an own estimate, which has to clip at first and to be over at the least distance of the data
+// sheet.
+TEST(NearField, OfAPing1DClipsAndIsOverAtItsLeastDistance) {
+    const auto profile = [](const Effects& effects) {
+        // Profile of 1 m, the shortest pulse, a gain of 5.5; bin by bin of 5 mm.
+        Bench bench(make_device(
+            "ping1d", {},
+            {{"mode_auto", false}, {"scan_length", std::int64_t{1000}}, {"gain", std::int64_t{2}}}));
+        bench.run_to(1ms);
+        while (!bench.ping) bench.run_to(bench.now + 1ms);
+        bench.hear(still_water(bench.ping->shot, bench.shots.size(), effects));
+        bench.sent();
+        bench.say(frame(1300));
+        const Bytes sent = bench.sent().at(0).bytes;
+        return std::vector<int>(sent.begin() + 34, sent.end() - 2);
+    };
+    const auto rings = profile({}), silent = profile(Effects().set(Effect::ring_down, false));
+    ASSERT_EQ(rings.size(), 200U);
+    EXPECT_EQ(rings[1], 255) << "clips";
+    EXPECT_GT(rings[20], 100) << "0.1 m";
+    EXPECT_LT(rings[62], 60) << "0.31 m, with the pulse's length";
+    EXPECT_LT(silent[1], 60);
+}
+
 /// A ping's rows in place of bins, its beams in place of lines.
 std::vector<Lines> oculus_images(int count) {
     OculusBench bench({{"gain_echo", std::string("plain")}});

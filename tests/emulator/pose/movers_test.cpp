@@ -48,6 +48,8 @@ TEST(Movers, ATrajectoryMovesItsNode) {
     EXPECT_NEAR(scene->movers()[0].rest.position.x, -3, 1e-6) << "where the file puts it";
     Movers movers(scenario, scene);
     EXPECT_NEAR(movers.at(from_seconds(5)).at(0).position.x, 2.5, 1e-9);
+    EXPECT_NEAR(movers.motions(from_seconds(5)).at(0).velocity.x, 0.3, 1e-6);
+    EXPECT_EQ(movers.motions(from_seconds(11)).at(0), Motion{});
     EXPECT_NEAR(movers.reach().at(0), 0.4, 0.3) << "a ball of 0.4 m: the corner of its box at most";
 }
 

@@ -65,6 +65,18 @@ TEST(PoseLine, ArduPilotSpeaksNorthEastDown) {
     expect_near(nose(same.attitude.value()), nose(east.attitude.value()));
 }
 
+TEST(PoseLine, MayTellVelocities) {
+    const auto own =
+        good(R"({"position": [0, 0, 0], "velocity": [1, 2, 3], "angular_velocity": [0.1, 0.2, 0.3]})");
+    expect_near(own.velocity.value(), {1, 2, 3});
+    expect_near(own.turning.value(), {0.1, 0.2, 0.3});
+    const auto ned = good(R"({"timestamp": 7, "imu": {"gyro": [0.1, 0.2, 0.3], "accel_body": [0, 0, -9.8]},
+                              "position": [0, 0, 0], "attitude": [0, 0, 0], "velocity": [1, 2, 3]})");
+    expect_near(ned.velocity.value(), {2, 1, -3});
+    expect_near(ned.turning.value(), {0.1, -0.2, -0.3});
+    EXPECT_FALSE(good(R"({"position": [0, 0, 0]})").velocity);
+}
+
 TEST(PoseLine, RefusesWithAReason) {
     const std::pair<const char*, const char*> lines[] = {
         {"", "no JSON"},
@@ -81,6 +93,9 @@ TEST(PoseLine, RefusesWithAReason) {
         {R"({"position": [0, 0, 0], "t": "now"})", "finite number"},
         {R"({"position": [0, 0, 0], "t": 1e300})", "no time"},
         {R"({"position": [0, 0, 0], "attitude": [0, 0]})", "3 numbers"},
+        {R"({"position": [0, 0, 0], "velocity": 3})", "velocity: expected a list of 3 numbers"},
+        {R"({"position": [0, 0, 0], "angular_velocity": [0, 0, 200]})", "angular_velocity: more than 100"},
+        {R"({"position": [0, 0, 0], "attitude": [0, 0, 0], "imu": {"gyro": [1]}})", "gyro: expected"},
     };
     for (const auto& [line, reason] : lines) {
         const PoseText text = parse_pose_line(line);

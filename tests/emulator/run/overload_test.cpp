@@ -15,8 +15,10 @@ void hear(Overload& overload, int pings, Time waited) {
 TEST(Overload, SparesNothingForSinglePingsThatAreLate) {
     Overload overload;
     for (int i = 0; i < 1000; ++i) {
-        hear(overload, 4, 1s);
+        hear(overload, 4, 200ms);
         hear(overload, 1, 20ms);
+        hear(overload, 1, 10s);
+        hear(overload, 1, 0s);
         ASSERT_TRUE(overload.late_echoes());
         ASSERT_EQ(overload.density(), 1);
     }
@@ -29,6 +31,16 @@ TEST(Overload, SparesLateEchoesFirstAndPixelsThen) {
     EXPECT_EQ(overload.density(), 1);
     hear(overload, 5, 21ms);
     EXPECT_FALSE(overload.late_echoes());
+    EXPECT_EQ(overload.density(), 0.25);
+}
+
+// Sixteen sonars that wait for each other are not to wait for five pings of each.
+TEST(Overload, SparesSoonWherePingsAreVeryLate) {
+    Overload overload;
+    hear(overload, 2, 201ms);
+    EXPECT_FALSE(overload.late_echoes());
+    EXPECT_EQ(overload.density(), 1);
+    hear(overload, 2, 201ms);
     EXPECT_EQ(overload.density(), 0.25);
 }
 

@@ -21,6 +21,7 @@ PingTruth some_ping() {
     ping.transmitted = from_seconds(1.5);
     ping.due = from_seconds(1.625);
     ping.world_from_body = {{1, 2, -3}, axis_angle({0, 0, 1}, 0.5)};
+    ping.sonar = {{0.5, 0, -0.25}, {0, 0, 2}};
     ping.movers = {{{4, 5, 6}, {}}};
     ping.echo.shot.ping = 7;
     ping.echo.shot.bins = 6;
@@ -60,6 +61,8 @@ TEST(TruthLine, SaysWhatIsKnownOfAPing) {
     EXPECT_EQ(line["sound_speed"], 1466.25);
     EXPECT_EQ(line["world_from_body"]["position"], Json({1, 2, -3}));
     EXPECT_EQ(line["world_from_body"]["orientation"][3], std::sin(0.25));
+    EXPECT_EQ(line["sonar_velocity"], Json({0.5, 0.0, -0.25}));
+    EXPECT_EQ(line["sonar_turning"], Json({0.0, 0.0, 2.0}));
     EXPECT_EQ(line["movers"][0]["position"], Json({4, 5, 6}));
     EXPECT_EQ(line["beams"], Json({-0.25, 0.25}));
     EXPECT_EQ(line["axis_range"], Json({6.5, nullptr})) << "nothing on that axis";

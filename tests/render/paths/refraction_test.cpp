@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "render/pose.h"
+#include "render/motion.h"
 
 namespace echoloop {
 namespace {
@@ -108,10 +108,18 @@ TEST(Water, RefusesProfilesThatAreNone) {
     EXPECT_NO_THROW(validate(water));
 }
 
-// V15 of the reference values.
-TEST(Doppler, OneMetrePerSecondAt750kHz) {
-    EXPECT_DOUBLE_EQ(doppler_shift(750e3, 1, 1500), 1000);
-    EXPECT_DOUBLE_EQ(doppler_shift(750e3, -2, 1500), -2000);
+// V15 and V38 of the reference values; 2 v f / c is the first order of it.
+TEST(Doppler, ShiftsWhatComesNearer) {
+    EXPECT_NEAR(doppler_shift(750e3, 1, 1500), 1000, 1);
+    EXPECT_NEAR(doppler_shift(750e3, -2, 1500), -2000, 3);
+    EXPECT_NEAR(doppler_shift(600e3, 2, 1500), 1602.1, 0.1);
+}
+
+TEST(Doppler, SweepsAreTakenForNearer) {
+    EXPECT_NEAR(sweep_bias(300e3, 12e-3, 10e3), 0.360, 1e-9);
+    EXPECT_NEAR(sweep_bias(300e3, 4e-3, 40e3), 0.0300, 1e-9);
+    EXPECT_EQ(sweep_bias(300e3, 100e-6, 40e3), 0) << "too little to tell";
+    EXPECT_EQ(sweep_bias(300e3, 4e-3, 0), 0) << "no sweep";
 }
 
 }  // namespace

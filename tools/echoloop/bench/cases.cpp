@@ -100,9 +100,13 @@ std::vector<Case> all_cases() {
             forward_looking_case("big100k", Target{4, 8, authors("26-50")}),
             forward_looking_case("big2m", Target{8, 16, twice}),
             forward_looking_case("one2m", Target{8, 16, twice}),
+            forward_looking_case("terrain"),
+            forward_looking_case("stones"),
             scanning_case("simple", Target{0.2, 0.4, authors("1.8-3")}),
             scanning_case("big100k", Target{0.4, 0.8, authors("3.9-5.7")}),
             scanning_case("big2m", Target{0.8, 1.6, twice}),
+            scanning_case("terrain"),
+            scanning_case("stones"),
             imaging_case("big100k"),
             long_scan_case("big100k"),
             side_scan_case("big100k")};

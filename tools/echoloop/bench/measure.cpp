@@ -1,28 +1,20 @@
 #include "tools/echoloop/bench/measure.h"
 
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstdio>
-#include <cstring>
 #include <ctime>
-#include <exception>
 #include <fstream>
-#include <type_traits>
 
-#include "emulator/contract/error.h"
 #include "emulator/machine/scheduling.h"
 #include "emulator/water/render_threads.h"
+#include "tools/echoloop/bench/child_process.h"
 #include "tools/echoloop/bench/scenes.h"
 
 namespace echoloop::bench {
 namespace {
-
-static_assert(std::is_trivially_copyable_v<Figures>);  // they cross a pipe
 
 constexpr std::uint64_t warm_up = 5;  ///< pings that only fill caches
 
@@ -48,11 +40,6 @@ double peak_mb() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     return static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;
-}
-
-template <std::size_t Size>
-void copy_text(char (&to)[Size], const std::string& text) {
-    std::snprintf(to, Size, "%s", text.c_str());
 }
 
 std::shared_ptr<const Scene> make_scene(const Case& the_case, const Settings& settings) {
@@ -104,7 +91,7 @@ Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     keep_rasterisers_on_their_threads();
     options.surface->wind = 1.5;  // what a scenario's water is when it says nothing
     Water water;
-    water.scattering = {{0, -75}};
+    water.scattering = {{0, -95}};
     Renderer renderer(scene, water, options);
     renderer.render(shot_of(the_case, 0), pose_of(0));
     figures.start_up = wall_time() - start;
@@ -124,40 +111,6 @@ Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     return figures;
 }
 
-Figures run_or_say_why(const Case& the_case, EchoRule rule, const Settings& settings) {
-    Figures figures;
-    try {
-        return run(the_case, rule, settings);
-    } catch (const std::exception& error) {
-        copy_text(figures.failure, error.what());
-    }
-    return figures;
-}
-
-void send(int pipe, const Figures& figures) {
-    const char* bytes = reinterpret_cast<const char*>(&figures);
-    for (std::size_t sent = 0; sent < sizeof figures;) {
-        const ssize_t n = ::write(pipe, bytes + sent, sizeof figures - sent);
-        if (n < 0 && errno != EINTR) return;
-        if (n > 0) sent += static_cast<std::size_t>(n);
-    }
-}
-
-bool receive(int pipe, Figures& figures) {
-    char* bytes = reinterpret_cast<char*>(&figures);
-    std::size_t got = 0;
-    while (got < sizeof figures) {
-        const ssize_t n = ::read(pipe, bytes + got, sizeof figures - got);
-        if (n == 0 || (n < 0 && errno != EINTR)) return false;
-        if (n > 0) got += static_cast<std::size_t>(n);
-    }
-    return true;
-}
-
-[[noreturn]] void cannot(const char* what) {
-    throw StartError(Exit::unavailable, std::string("bench: ") + what + ": " + std::strerror(errno));
-}
-
 }  // namespace
 
 Spread spread_of(std::vector<double> values) {
@@ -170,28 +123,7 @@ Spread spread_of(std::vector<double> values) {
 }
 
 Figures measure(const Case& the_case, EchoRule rule, const Settings& settings) {
-    int ends[2];
-    if (::pipe(ends) != 0) cannot("no pipe to the process of a case");
-    const pid_t child = ::fork();
-    if (child < 0) cannot("no process for a case");
-    if (child == 0) {
-        ::close(ends[0]);
-        send(ends[1], run_or_say_why(the_case, rule, settings));
-        ::_exit(0);
-    }
-    ::close(ends[1]);
-    Figures figures;
-    const bool complete = receive(ends[0], figures);
-    ::close(ends[0]);
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (!complete) {
-        figures = {};
-        copy_text(figures.failure, "its process ended without a result (status " + std::to_string(status) +
-                                       "); out of memory?");
-    }
-    return figures;
+    return in_child_process<Figures>([&] { return run(the_case, rule, settings); });
 }
 
 }  // namespace echoloop::bench

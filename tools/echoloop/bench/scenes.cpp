@@ -4,12 +4,18 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 namespace echoloop::bench {
 namespace {
 
-constexpr std::array<SceneRow, 4> rows{
-    {{"simple", 1, 0}, {"big100k", 224, 0.25}, {"big2m", 1000, 0.25}, {"one2m", 1000, 0.25, true}}};
+using Kind = SceneRow::Kind;
+constexpr std::array<SceneRow, 6> rows{{{"simple", 1, 0},
+                                        {"big100k", 224, 0.25},
+                                        {"big2m", 1000, 0.25},
+                                        {"one2m", 1000, 0.25, Kind::one_mesh},
+                                        {"terrain", 700, 0.9, Kind::terrain},
+                                        {"stones", 224, 0.25, Kind::stones}}};
 constexpr double half = 60, depth = 6;
 
 struct Box {
@@ -112,6 +118,76 @@ Mesh objects() {
     return mesh;
 }
 
+/// -1..1, the same on every machine.
+double chance(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+    std::uint64_t h = a * 0x9E3779B97F4A7C15U + b * 0xC2B2AE3D27D4EB4FU + c * 0x165667B19E3779F9U + 1;
+    for (int i = 0; i < 2; ++i) h = (h ^ (h >> 29U)) * 0xBF58476D1CE4E5B9U;
+    return static_cast<double>(h >> 11U) / static_cast<double>(1ULL << 52U) - 1;
+}
+
+/// Smooth between the chances at the corners of unit squares; x and y are positive.
+double value_noise(std::uint64_t octave, double x, double y) {
+    const double column = std::floor(x), row = std::floor(y);
+    const auto eased = [](double t) { return t * t * (3 - 2 * t); };
+    const double u = eased(x - column), v = eased(y - row);
+    const auto corner = [&](int right, int up) {
+        return chance(octave, static_cast<std::uint64_t>(column) + static_cast<std::uint64_t>(right),
+                      static_cast<std::uint64_t>(row) + static_cast<std::uint64_t>(up));
+    };
+    return (1 - v) * ((1 - u) * corner(0, 0) + u * corner(1, 0)) +
+           v * ((1 - u) * corner(0, 1) + u * corner(1, 1));
+}
+
+/// Hills of tens of metres down to ripples of decimetres, as surveys find them: heights fall nearly as fast
+/// as lengths (value noise in nine octaves).
+double terrain_height(double amplitude, double x, double y) {
+    double height = 0, size = 48;
+    for (std::uint64_t octave = 0; octave < 9; ++octave, size /= 2, amplitude *= 0.55)
+        height += amplitude * value_noise(octave, (x + 2 * half) / size, (y + 2 * half) / size);
+    return height - depth;
+}
+
+/// Its vertices lie on no lattice.
+Mesh terrain(const SceneRow& row) {
+    Mesh mesh = mesh_of("terrain");
+    constexpr double step = 0.02;
+    const double cell = 2 * half / row.cells;
+    for (int r = 0; r <= row.cells; ++r)
+        for (int c = 0; c <= row.cells; ++c) {
+            const auto i = static_cast<std::uint64_t>(r), j = static_cast<std::uint64_t>(c);
+            const bool border = r == 0 || c == 0 || r == row.cells || c == row.cells;
+            const double off = border ? 0 : 0.35 * cell;
+            const double x = -half + cell * c + off * chance(100, i, j),
+                         y = -half + cell * r + off * chance(101, i, j);
+            const auto height = [&](double dx, double dy) {
+                return terrain_height(row.amplitude, x + dx, y + dy);
+            };
+            mesh.positions.push_back({x, y, height(0, 0)});
+            mesh.normals.push_back(
+                unit({height(-step, 0) - height(step, 0), height(0, -step) - height(0, step), 2 * step}));
+        }
+    add_lattice(mesh, 0, row.cells, row.cells);
+    return mesh;
+}
+
+/// A thousand boxes and balls of 0.1 to 0.5 m on the bottom, each an object of its own.
+void add_stones(std::vector<Mesh>& meshes) {
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        const auto between = [&](std::uint64_t what, double low, double high) {
+            return low + (high - low) * (chance(200, i, what) + 1) / 2;
+        };
+        meshes.push_back(mesh_of(("stone" + std::to_string(i)).c_str()));
+        meshes.back().material.name = "rock";
+        const Vec3 centre{between(0, -29, 29), between(1, -29, 29), -depth};
+        const double size = between(2, 0.1, 0.5);
+        if (i % 3 == 0)
+            add_ball(meshes.back(), centre, size / 2);
+        else
+            add_box(meshes.back(),
+                    {centre, {size, between(3, 0.1, 0.5), between(4, 0.3, 0.8)}, between(5, 0, 3)});
+    }
+}
+
 /// As one mesh, as scanners and CAD programs export.
 void join(std::vector<Mesh>& meshes) {
     Mesh& all = meshes.front();
@@ -131,8 +207,10 @@ std::span<const SceneRow> scene_rows() { return rows; }
 std::vector<Mesh> scene_meshes(std::string_view name) {
     for (const SceneRow& row : rows)
         if (row.name == name) {
+            if (row.kind == Kind::terrain) return {terrain(row)};
             std::vector<Mesh> meshes{seabed(row), objects()};
-            if (row.one_mesh) join(meshes);
+            if (row.kind == Kind::one_mesh) join(meshes);
+            if (row.kind == Kind::stones) add_stones(meshes);
             return meshes;
         }
     throw std::invalid_argument("bench: there is no scene " + std::string(name));

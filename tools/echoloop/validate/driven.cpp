@@ -56,6 +56,7 @@ Driven::Driven(const Setup& setup)
         device_->reconnected(port);
         take(device_->connected(port, host, now_));
     }
+    for (const Bytes& command : setup.once) take(device_->received({0, command, host}, now_));
 }
 
 void Driven::take(Actions actions) {

@@ -17,6 +17,7 @@ namespace echoloop::validation {
 struct Setup {
     std::string model;
     Options options{};          ///< other than their defaults
+    std::vector<Bytes> once{};  ///< said on its first port as soon as a host is there
     std::vector<Bytes> asks{};  ///< said on its first port whenever it has no ping to make
     std::shared_ptr<const Scene> scene;
     Water water{};

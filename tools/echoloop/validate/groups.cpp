@@ -38,10 +38,19 @@ std::span<const Group> groups() {
         {"V30", "Speckle moves with the sonar", check_moving_speckle},
         {"V31", "Looks in a bin", check_looks},
         {"V32", "Texture over range", check_range_texture},
+        {"V34", "Rays in an even gradient", check_constant_gradient},
+        {"V35", "A bottom below a thermocline", check_thermocline},
+        {"V36", "Ducts and the deep ocean", check_ducts},
+        {"V37", "Turning within a ping", check_turn_in_flight},
+        {"V38", "Doppler", check_doppler},
         {"V39", "Detection noise of a multibeam", check_detection_noise},
+        {"V40", "Patchy seabed", check_patches},
         {"R1", "R2Sonic beside 100 pings of a Sonic 2026", check_r2sonic},
         {"R2", "Oculus beside a ping of an M1200d", check_oculus},
         {"R3", "Imagenex 852 beside 177 shots", check_852},
+        {"R4", "Micron beside turns of two heads", check_micron},
+        {"R5", "Ping360 beside 99 lines", check_ping360},
+        {"R6", "Sonar 3D-15 beside three shots", check_sonar_3d},
     });
     return table;
 }

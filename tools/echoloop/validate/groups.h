@@ -48,9 +48,18 @@ void check_stave_errors(Findings&);
 void check_moving_speckle(Findings&);
 void check_looks(Findings&);
 void check_range_texture(Findings&);
+void check_constant_gradient(Findings&);
+void check_thermocline(Findings&);
+void check_ducts(Findings&);
+void check_turn_in_flight(Findings&);
+void check_doppler(Findings&);
 void check_detection_noise(Findings&);
+void check_patches(Findings&);
 void check_r2sonic(Findings&);
 void check_oculus(Findings&);
 void check_852(Findings&);
+void check_micron(Findings&);
+void check_ping360(Findings&);
+void check_sonar_3d(Findings&);
 
 }  // namespace echoloop::validation

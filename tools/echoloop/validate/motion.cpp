@@ -1,7 +1,7 @@
 // V15: Doppler, and a scanning head on a vehicle that yaws.
 #include <cmath>
 
-#include "render/water.h"
+#include "render/motion.h"
 #include "tools/echoloop/validate/groups.h"
 #include "tools/echoloop/validate/world.h"
 

@@ -1,6 +1,7 @@
 // R2, R3: an Oculus and an Imagenex 852 under the settings of recorded pings, above a flat floor or, for
 // noise, in open water. What is compared is the receiver: what it hears of nothing, of its own pulse, and the
 // texture of an echo that fills it.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -47,6 +48,8 @@ Grid image_of(const inspect::Message& result) {
 Grid our_oculus(std::shared_ptr<const Scene> scene) {
     Setup setup;
     setup.model = "oculus-m1200d";
+    setup.options = {
+        {"gain_echo", std::string("plain")}};  // the file's gain is taken for that of the receiver
     const oculus::Fire fire{.mode = oculus::Mode::high_frequency,
                             .network_speed = 25,
                             .gamma = 127,
@@ -94,6 +97,32 @@ std::vector<double> bins_of(const std::vector<std::vector<double>>& shots, std::
     for (const auto& shot : shots)
         for (std::size_t bin = first; bin < std::min(last, shot.size()); ++bin) all.push_back(shot[bin]);
     return all;
+}
+
+/// From the bottom's edge on, the first word above half of the scale, 12 words of each shot.
+Grid bottoms_of(const std::vector<std::vector<double>>& shots) {
+    constexpr std::size_t first = 11, length = 12;
+    Grid all{length, {}};
+    for (const auto& shot : shots) {
+        const auto edge = std::find_if(shot.begin() + first, shot.end(), [](double w) { return w > 63; });
+        if (static_cast<std::size_t>(shot.end() - edge) >= length)
+            all.words.insert(all.words.end(), edge, edge + length);
+    }
+    return all;
+}
+
+std::vector<double> column_of(const Grid& grid, std::size_t column) {
+    std::vector<double> words;
+    for (std::size_t row = 0; row < grid.rows(); ++row)
+        words.push_back(grid.words[row * grid.columns + column]);
+    return words;
+}
+
+/// Mean over the bins 4 to 11 behind the bottom's edge.
+double variation_behind_edge(const Grid& bottoms) {
+    double sum = 0;
+    for (std::size_t bin = 4; bin < bottoms.columns; ++bin) sum += variation(column_of(bottoms, bin)) / 8;
+    return sum;
 }
 
 }  // namespace
@@ -152,6 +181,10 @@ void check_852(Findings& find) {
     for (std::size_t bin = 0; bin < first_bins.size(); ++bin)
         means.push_back(moments(bins_of(ours, bin, bin + 1)).mean);
     find.at_most("mean of bins 0 to 6, rms distance", "", 8, rms(means, first_bins));
+    const Grid bottoms = bottoms_of(ours);
+    find.source("the same shots, a rough bottom at 7.4 to 9.4 m; here a flat one", Kind::recording);
+    find.within("coefficient of variation behind the bottom's edge", "", 0.55, 0.055,
+                variation_behind_edge(bottoms));
     if (find.recordings().empty()) return;
     const auto file = find.recordings() / "imagenex852" / "hydroball.852";
     std::vector<std::vector<double>> real;
@@ -160,6 +193,12 @@ void check_852(Findings& find) {
                 Kind::recording);
     find.at_most("distance of noise, bins 420-499", "", 0.25,
                  histogram_distance(noise, bins_of(real, 420, 500), 4));
+    const Grid recorded_bottoms = bottoms_of(real);
+    find.at_most("distance of the bottom, 12 bins from its edge", "", 0.25,
+                 histogram_distance(bottoms.words, recorded_bottoms.words, 4));
+    find.source("the same figure of " + file.filename().string(), Kind::recording);
+    find.within("variation behind the bottom's edge of the file", "", variation_behind_edge(recorded_bottoms),
+                0.1 * variation_behind_edge(recorded_bottoms), variation_behind_edge(bottoms));
 }
 
 }  // namespace echoloop::validation

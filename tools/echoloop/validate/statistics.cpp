@@ -56,26 +56,36 @@ double histogram_distance(std::span<const double> a, std::span<const double> b, 
     return std::sqrt(std::max(0.0, divergence));
 }
 
-Grid texture(const Grid& grid) {
-    constexpr std::size_t reach = 10;
+Grid texture(const Grid& grid, std::size_t reach) {
     const std::size_t rows = grid.rows(), columns = grid.columns;
-    std::vector<double> sums((rows + 1) * (columns + 1));  // of all words above and to the left
-    const auto sum = [&](std::size_t row, std::size_t column) -> double& {
+    struct Sum {
+        double words = 0, count = 0;
+    };
+    std::vector<Sum> sums((rows + 1) * (columns + 1));  // of all words above and to the left
+    const auto sum = [&](std::size_t row, std::size_t column) -> Sum& {
         return sums[row * (columns + 1) + column];
     };
-    for (std::size_t row = 0; row < rows; ++row)
-        for (std::size_t column = 0; column < columns; ++column)
-            sum(row + 1, column + 1) = grid.words[row * columns + column] + sum(row, column + 1) +
-                                       sum(row + 1, column) - sum(row, column);
+    for (std::size_t row = 0; row < rows; ++row) {
+        Sum line;
+        for (std::size_t column = 0; column < columns; ++column) {
+            const double word = grid.words[row * columns + column];
+            if (!std::isnan(word)) line.words += word, ++line.count;
+            const Sum& above = sum(row, column + 1);
+            sum(row + 1, column + 1) = {above.words + line.words, above.count + line.count};
+        }
+    }
     Grid out{columns, std::vector<double>(grid.words.size())};
     for (std::size_t row = 0; row < rows; ++row)
         for (std::size_t column = 0; column < columns; ++column) {
             const std::size_t top = row - std::min(row, reach), end = std::min(row + reach + 1, rows);
             const std::size_t left = column - std::min(column, reach),
                               right = std::min(column + reach + 1, columns);
-            const double all = sum(end, right) - sum(top, right) - sum(end, left) + sum(top, left);
+            const auto within = [&](double Sum::*part) {
+                return sum(end, right).*part - sum(top, right).*part - sum(end, left).*part +
+                       sum(top, left).*part;
+            };
             const std::size_t i = row * columns + column;
-            out.words[i] = grid.words[i] - all / static_cast<double>((end - top) * (right - left));
+            out.words[i] = grid.words[i] - within(&Sum::words) / within(&Sum::count);
         }
     return out;
 }
@@ -84,8 +94,11 @@ double likeness(const Grid& grid, std::size_t rows, std::size_t columns) {
     std::vector<double> here, there;
     for (std::size_t row = 0; row + rows < grid.rows(); ++row)
         for (std::size_t column = 0; column + columns < grid.columns; ++column) {
-            here.push_back(grid.words[row * grid.columns + column]);
-            there.push_back(grid.words[(row + rows) * grid.columns + column + columns]);
+            const double word = grid.words[row * grid.columns + column],
+                         other = grid.words[(row + rows) * grid.columns + column + columns];
+            if (std::isnan(word) || std::isnan(other)) continue;
+            here.push_back(word);
+            there.push_back(other);
         }
     return correlation(here, there);
 }

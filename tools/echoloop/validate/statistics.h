@@ -25,16 +25,16 @@ double distance_from_exponential(std::vector<double> samples);
 /// ones, 1 for two that share nothing. tests/hosts/words.py computes the same.
 double histogram_distance(std::span<const double> a, std::span<const double> b, double width);
 
-/// Words of several rows of one length, row by row.
+/// Words of several rows of one length, row by row; NaN: there is none.
 struct Grid {
     std::size_t columns = 0;
     std::vector<double> words;
     std::size_t rows() const { return columns > 0 ? words.size() / columns : 0; }
 };
-/// Each word less the mean of those within 10 rows and columns, so that a gain over range or a lit patch is
-/// no likeness.
-Grid texture(const Grid& grid);
-/// Correlation of words so many rows and columns apart.
+/// Each word less the mean of those within so many rows and columns, so that a gain over range or a lit patch
+/// is no likeness.
+Grid texture(const Grid& grid, std::size_t reach = 10);
+/// Correlation of words so many rows and columns apart, where both are there.
 double likeness(const Grid& grid, std::size_t rows, std::size_t columns);
 
 }  // namespace echoloop::validation

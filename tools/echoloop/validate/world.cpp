@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace echoloop::validation {
 namespace {
@@ -37,6 +38,24 @@ Mesh floor_at(double z, double half_side, int cells, double mu_db) {
         for (int j = 0; j < cells; ++j) {
             const double x = -half_side + i * step, y = -half_side + j * step;
             add_quad(mesh, {x, y, z}, {x + step, y, z}, {x + step, y + step, z}, {x, y + step, z});
+        }
+    return mesh;
+}
+
+Mesh rough_floor_at(double z, double half_x, double half_y, double cell, double height) {
+    Mesh mesh = mesh_of("floor", -27);
+    std::mt19937_64 random(7);
+    const auto columns = static_cast<std::uint32_t>(2 * half_x / cell) + 1,
+               rows = static_cast<std::uint32_t>(2 * half_y / cell) + 1;
+    for (std::uint32_t row = 0; row < rows; ++row)
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            double up = 0;  // twelve even numbers are normal enough, and the same with every library
+            for (int i = 0; i < 12; ++i) up += static_cast<double>(random() >> 11) * 0x1p-53 - 0.5;
+            mesh.positions.push_back({column * cell - half_x, row * cell - half_y, z + height * up});
+            if (row + 1 == rows || column + 1 == columns) continue;
+            const std::uint32_t first = row * columns + column, above = first + columns;
+            for (const std::uint32_t corner : {first, first + 1, above + 1, first, above + 1, above})
+                mesh.indices.push_back(corner);
         }
     return mesh;
 }

@@ -17,6 +17,8 @@ struct BodyPose {
     std::optional<Nanoseconds> stamp;               ///< empty: not told, or zero
     std::array<double, 3> position{};               ///< m, x y z in the parent
     std::array<double, 4> orientation{1, 0, 0, 0};  ///< parent_from_body, w x y z
+    /// m/s and rad/s, both in the axes of the body (a twist in its child frame); empty: not told
+    std::optional<std::array<double, 3>> velocity{}, turning{};
 };
 
 /// Where the pose of one body comes from.

@@ -37,6 +37,17 @@ const BodyPose* chosen(const Source& source, const std::vector<BodyPose>& bodies
     return nullptr;
 }
 
+Rates rates_of(const BodyPose& body, Quat world_from_body, bool ned) {
+    const auto flu = [ned](const std::array<double, 3>& v) {
+        const Vec3 told{v[0], v[1], v[2]};
+        return ned ? flu_from_frd(told) : told;
+    };
+    Rates rates;
+    if (body.velocity) rates.velocity = rotate(world_from_body, flu(*body.velocity));
+    if (body.turning) rates.turning = flu(*body.turning);
+    return rates;
+}
+
 void print_count(const std::string& what, std::uint64_t number, const std::string& words) {
     std::printf("%-16s %8" PRIu64 " %s\n", what.c_str(), number, words.c_str());
 }
@@ -64,15 +75,17 @@ void Feed::heard(const Source& source, const BodyPose& body) {
     const Pose told{{x, y, z}, {qw, qx, qy, qz}};
     if (const auto fault = fault_of(told); !fault.empty()) return refused(source.topic, fault);
     const Pose pose = options_.ned ? enu_from_ned(told) : told;
+    const Rates rates = rates_of(body, pose.orientation, options_.ned);
     const bool steps = options_.step && options_.clock.empty() && source.object.empty();
     if (options_.step && !body.stamp)
         return refused(source.topic, "it has no time stamp, and --step needs one");
     awaited_.erase(source.topic);
     ++sent_[name_of(source)];
     const auto time = options_.step ? run_time(*body.stamp) : body.stamp;
-    if (steps && time >= now_.value_or(0)) return step(pose_line(pose, source.object, "now", time), *time);
+    if (steps && time >= now_.value_or(0))
+        return step(pose_line(pose, source.object, "now", time, rates), *time);
     late_ += steps;
-    if (!sender_.send(pose_line(pose, source.object, "t", time))) ++lost_;
+    if (!sender_.send(pose_line(pose, source.object, "t", time, rates))) ++lost_;
 }
 
 void Feed::clock(Nanoseconds time) {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "emulator/pose/limits.h"
+
 namespace echoloop::poses {
 namespace {
-
-constexpr double farthest = 1e6;  // m, as far as the emulator takes it
 
 /// The shortest text that means this number.
 std::string number(double value) {
@@ -41,7 +41,7 @@ std::string seconds_text(Nanoseconds time) {
 }
 
 std::string pose_line(const Pose& pose, const std::string& object, const std::string& key,
-                      std::optional<Nanoseconds> time) {
+                      std::optional<Nanoseconds> time, const Rates& rates) {
     std::string line = "{";
     if (time) line += '"' + key + "\": " + seconds_text(*time) + ", ";
     if (!object.empty())
@@ -49,7 +49,13 @@ std::string pose_line(const Pose& pose, const std::string& object, const std::st
                 nlohmann::json(object).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + ", ";
     const auto& [w, x, y, z] = pose.orientation;
     line += "\"position\": " + list({pose.position.x, pose.position.y, pose.position.z});
-    return line + ", \"orientation\": " + list({w, x, y, z}) + "}";
+    line += ", \"orientation\": " + list({w, x, y, z});
+    const auto add = [&line](const char* name, const std::optional<Vec3>& rate) {
+        if (rate && norm(*rate) < swiftest)  // false for numbers that are none
+            line += std::string(", \"") + name + "\": " + list({rate->x, rate->y, rate->z});
+    };
+    add("velocity", rates.velocity), add("angular_velocity", rates.turning);
+    return line + "}";
 }
 
 std::string step_line(Nanoseconds now) { return "{\"now\": " + seconds_text(now) + "}"; }

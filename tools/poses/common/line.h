@@ -12,10 +12,15 @@ namespace echoloop::poses {
 /// "12.5": exact, in seconds.
 std::string seconds_text(Nanoseconds time);
 
+/// m/s in the world, and rad/s about the body's axes.
+struct Rates {
+    std::optional<Vec3> velocity, turning;
+};
+
 /// One line without its end. `key`: what the time is called, "t" or "now". `object`: a node of the scene;
-/// empty: the vehicle. Numbers keep every bit.
+/// empty: the vehicle. Numbers keep every bit; rates that the emulator would refuse are left out.
 std::string pose_line(const Pose& world_from_body, const std::string& object, const std::string& key,
-                      std::optional<Nanoseconds> time);
+                      std::optional<Nanoseconds> time, const Rates& rates = {});
 
 /// {"now": 12.5}
 std::string step_line(Nanoseconds now);

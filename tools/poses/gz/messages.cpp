@@ -55,7 +55,14 @@ BodyPose body(const msgs::Pose& pose, const msgs::Header& outer) {
 }
 
 std::vector<BodyPose> bodies(const msgs::Pose& m) { return {body(m, m.header())}; }
-std::vector<BodyPose> bodies(const msgs::Odometry& m) { return {body(m.pose(), m.header())}; }
+std::vector<BodyPose> bodies(const msgs::Odometry& m) {
+    BodyPose told = body(m.pose(), m.header());
+    if (m.has_twist() && m.twist().has_linear() && m.twist().has_angular()) {
+        const auto &v = m.twist().linear(), &w = m.twist().angular();
+        told.velocity = {v.x(), v.y(), v.z()}, told.turning = {w.x(), w.y(), w.z()};
+    }
+    return {told};
+}
 std::vector<BodyPose> bodies(const msgs::Pose_V& m) {
     std::vector<BodyPose> all;
     all.reserve(static_cast<std::size_t>(m.pose_size()));

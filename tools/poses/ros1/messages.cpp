@@ -40,7 +40,10 @@ std::vector<BodyPose> bodies(const geometry_msgs::PoseWithCovarianceStamped& m) 
     return {body(m.header, body(m.pose.pose))};
 }
 std::vector<BodyPose> bodies(const nav_msgs::Odometry& m) {
-    return {body(m.header, body(m.pose.pose), m.child_frame_id)};
+    BodyPose told = body(m.header, body(m.pose.pose), m.child_frame_id);
+    const auto &v = m.twist.twist.linear, &w = m.twist.twist.angular;
+    told.velocity = {v.x, v.y, v.z}, told.turning = {w.x, w.y, w.z};
+    return {told};
 }
 std::vector<BodyPose> bodies(const geometry_msgs::TransformStamped& m) { return {body(m)}; }
 std::vector<BodyPose> bodies(const tf2_msgs::TFMessage& m) {

@@ -56,6 +56,15 @@ BodyPose body(const Json& place, const Json& q) {
             {number(q, "w"), number(q, "x"), number(q, "y"), number(q, "z")}};
 }
 
+/// Of a twist, in the axes of the body; null stands for numbers that are none.
+std::optional<std::array<double, 3>> rate(const Json& twist, const char* key) {
+    if (!twist.is_object() || !twist.contains(key)) return {};
+    const Json& v = twist[key];
+    for (const char* axis : {"x", "y", "z"})
+        if (!member(v, axis).is_number()) return {};
+    return {{number(v, "x"), number(v, "y"), number(v, "z")}};
+}
+
 BodyPose of_pose(const Json& pose) { return body(member(pose, "position"), member(pose, "orientation")); }
 
 BodyPose with_header(BodyPose body, const Json& message) {
@@ -92,6 +101,11 @@ void read_message(const Json& message, RosbridgeHeard& heard) {
         const Json& pose = message["pose"];
         const bool with_covariance = pose.is_object() && pose.contains("pose");
         heard.bodies = {with_header(of_pose(with_covariance ? pose["pose"] : pose), message)};
+        if (message.contains("twist") && message["twist"].is_object() && message["twist"].contains("twist")) {
+            const Json& twist = message["twist"]["twist"];
+            heard.bodies[0].velocity = rate(twist, "linear");
+            heard.bodies[0].turning = rate(twist, "angular");
+        }
     } else if (message.contains("position")) {
         heard.bodies = {of_pose(message)};
     } else if (message.contains("clock")) {

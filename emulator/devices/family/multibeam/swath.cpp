@@ -140,8 +140,14 @@ void smooth_by_phase(std::span<Detection> detections, std::span<const double> an
     const auto by_phase = [&](std::size_t beam) {
         return beam < points.size() && detections[beam].method == Method::phase;
     };
+    // Own fit: at 45 deg, where a sounding in 25 is still by amplitude, those of a real Sonic 2026 scatter as
+    // phase alone does; at 55 deg, as five averaged ones.
+    const std::size_t settled = 2 * beams;
+    std::vector<std::size_t> others(points.size() + 1);  // how many beams before are not by phase
+    for (std::size_t n = 0; n < points.size(); ++n) others[n + 1] = others[n] + !by_phase(n);
     for (std::size_t n = 0; n < points.size(); ++n) {
-        if (!by_phase(n)) continue;
+        const std::size_t from = n - std::min(n, settled), to = std::min(n + settled + 1, points.size());
+        if (others[to] != others[from]) continue;
         std::size_t side = 0;
         while (side < beams / 2 && side < n && by_phase(n - side - 1) && by_phase(n + side + 1)) ++side;
         const auto line = side > 0 ? line_around(points, n, side, true) : std::nullopt;

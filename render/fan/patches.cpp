@@ -1,0 +1,209 @@
+#include "render/fan/patches.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/acoustics/random.h"
+#include "render/acoustics/vector_math.h"
+#include "render/simd.h"
+
+namespace echoloop {
+namespace {
+
+constexpr double neper_per_db = 0.2302585;  // of power: 1 / 4.343
+constexpr std::uint32_t all_cells =
+    static_cast<std::uint32_t>(PatchNoise::size * PatchNoise::size * PatchNoise::size) - 1;
+
+/// Turned against the world and each other, so that the noise does not repeat along a wall or a track.
+Quat turn_of_scale(std::size_t scale) {
+    return scale == 0 ? axis_angle({0.48, 0.6, 0.64}, 0.7) : axis_angle({-0.64, 0.48, 0.6}, 1.9);
+}
+
+double cell_of_scale(std::size_t scale) { return Patches::lengths[scale] / PatchNoise::length; }
+
+/// A point in cells of a scale, within the noise's period.
+Vec3 in_cells(Vec3 point, std::size_t scale) {
+    const Vec3 turned = 1 / cell_of_scale(scale) * rotate(turn_of_scale(scale), point);
+    const auto within = [](double v) { return v - PatchNoise::size * std::floor(v / PatchNoise::size); };
+    return {within(turned.x), within(turned.y), within(turned.z)};
+}
+
+std::uint32_t key_of(const std::string& name) {
+    std::uint64_t key = 0;
+    for (const char c : name) key = mix(key, static_cast<unsigned char>(c));
+    return static_cast<std::uint32_t>(key) & all_cells;
+}
+
+/// A line of directions in cells of a scale: the eye, and what a metre adds towards (1, x, 0) and for y.
+struct LineOfCells {
+    std::array<float, 3> eye, ahead, up;
+    float width, height;  ///< of a usual pixel on the image plane, in correlation lengths per metre of range
+};
+
+struct LineShape {
+    float x_square, top, sample_height;
+};
+
+/// The cell of each pixel, and the share of the noise that a pixel of that size leaves.
+ECHOLOOP_SIMD
+void find_cells(const LineOfCells line, const LineShape shape, const float* __restrict range,
+                const float* __restrict cosine, std::size_t count, std::uint32_t* __restrict cell,
+                float* __restrict share) {
+    constexpr float positive = 262144, root_pi = 1.7724539F;
+    constexpr auto mask = static_cast<std::int32_t>(PatchNoise::size - 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float y = shape.top - static_cast<float>(static_cast<int>(i)) * shape.sample_height;
+        const float r = std::min(range[i], 5000.0F), way = r / std::sqrt(1 + shape.x_square + y * y);
+        const auto along = [&](int axis) {
+            const auto a = static_cast<std::size_t>(axis);
+            const float place = line.eye[a] + way * (line.ahead[a] + y * line.up[a]);
+            return static_cast<std::int32_t>(place + positive) & mask;
+        };
+        cell[i] = static_cast<std::uint32_t>(along(0) +
+                                             PatchNoise::size * (along(1) + PatchNoise::size * along(2)));
+        const float wide = line.width * r / root_pi,
+                    deep = line.height * r / (root_pi * std::max(cosine[i], 0.02F));
+        share[i] = 1 / std::sqrt(std::sqrt((1 + wide * wide) * (1 + deep * deep)));
+    }
+}
+
+/// out = weight exp(s n - s^2 v / 2).
+ECHOLOOP_SIMD
+void multiply_by_patches(const float* weight, const float* __restrict strength, const float* __restrict noise,
+                         const float* __restrict variance, std::size_t count, float* out) {
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = weight[i] * vector_math::exp(strength[i] * (noise[i] - 0.5F * strength[i] * variance[i]));
+}
+
+/// One axis of a cube that repeats, with taps about the middle.
+void smooth(std::vector<float>& cube, std::size_t stride, const std::vector<float>& taps) {
+    constexpr std::size_t size = PatchNoise::size;
+    const std::size_t reach = taps.size() / 2;
+    std::array<float, size> line{};
+    for (std::size_t start = 0; start < cube.size(); ++start) {
+        if (start / stride % size != 0) continue;
+        for (std::size_t i = 0; i < size; ++i) line[i] = cube[start + i * stride];
+        for (std::size_t i = 0; i < size; ++i) {
+            float sum = 0;
+            for (std::size_t k = 0; k < taps.size(); ++k)
+                sum += taps[k] * line[(i + size + k - reach) % size];
+            cube[start + i * stride] = sum;
+        }
+    }
+}
+
+}  // namespace
+
+PatchNoise::PatchNoise() {
+    std::vector<float> cube(all_cells + 1);
+    for (std::size_t i = 0; i < cube.size(); ++i)
+        cube[i] = static_cast<float>(static_cast<double>(mix(i, 0x9A7C) >> 11U) * 0x1p-53 - 0.5);
+    // exp(-x^2 / (2 sigma^2)) with itself has the correlation exp(-x^2 / (4 sigma^2)).
+    constexpr double sigma = length / 2;
+    std::vector<float> taps;
+    for (int k = -10; k <= 10; ++k)
+        taps.push_back(static_cast<float>(std::exp(-k * k / (2 * sigma * sigma))));
+    for (const std::size_t stride : {1U, 64U, 64U * 64U}) smooth(cube, stride, taps);
+    double mean = 0, square = 0;
+    for (const float v : cube) mean += v, square += double{v} * v;
+    mean /= static_cast<double>(cube.size());
+    const double deviation = std::sqrt(square / static_cast<double>(cube.size()) - mean * mean);
+    for (const float v : cube)
+        values_.push_back(static_cast<std::int8_t>(
+            std::clamp(std::round((v - mean) / deviation / double{scale}), -127.0, 127.0)));
+}
+
+const PatchNoise& PatchNoise::shared() {
+    static const PatchNoise noise;
+    return noise;
+}
+
+Patches::Patches(const Scene& scene) {
+    for (const SceneSurface& surface : scene.surfaces()) {
+        const Material& material = scene.materials()[surface.material];
+        surfaces_.push_back(
+            {static_cast<float>(material.patchiness * neper_per_db), key_of(material.name), 0});
+        any_ |= material.patchiness > 0;
+    }
+    if (!any_) return;
+    PatchNoise::shared();
+    const auto movers = scene.movers();
+    for (std::size_t m = 0; m < movers.size(); ++m)
+        for (std::uint32_t n = movers[m].first_node; n < movers[m].last_node; ++n)
+            for (std::size_t s = 0; s < surfaces_.size(); ++s)
+                if (scene.surfaces()[s].object == scene.nodes()[n].object &&
+                    scene.surfaces()[s].material == scene.nodes()[n].material)
+                    surfaces_[s].frame = m + 1;
+}
+
+void Patches::place(const Pose& world_from_fan, std::span<const Pose> movers) {
+    frame_from_fan_.assign(1, world_from_fan);
+    for (const Pose& mover : movers) frame_from_fan_.push_back(inverse(mover) * world_from_fan);
+}
+
+bool Patches::weigh(const PixelRow& row, const View& view, std::size_t line, PixelOffset offset,
+                    const float* weight, std::vector<float>& out) const {
+    static thread_local std::vector<float> strength, noise, variance, share;
+    static thread_local std::vector<std::uint32_t> cells;
+    static thread_local std::vector<std::uint8_t> frames;
+    const std::size_t count = view.samples;
+    strength.assign(count, 0.0F);
+    frames.assign(frame_from_fan_.size(), 0);
+    bool any = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto surface = static_cast<std::size_t>(row.surface()[i]);
+        if (surface == 0 || surface > surfaces_.size()) continue;
+        const Surface& seen = surfaces_[surface - 1];
+        if (!(seen.strength > 0)) continue;
+        strength[i] = seen.strength, frames[seen.frame] = 1, any = true;
+    }
+    if (!any) return false;
+    noise.assign(count, 0.0F), variance.assign(count, 0.0F), share.resize(count), cells.resize(count);
+    const double x = view.x(static_cast<double>(line) + 0.5 + offset.line);
+    const LineShape shape{static_cast<float>(x * x), static_cast<float>(view.y(0.5 + offset.sample)),
+                          static_cast<float>(view.sample_height())};
+    const auto floats = [](Vec3 v) {
+        return std::array{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+    };
+    const PatchNoise& table = PatchNoise::shared();
+    for (std::size_t frame = 0; frame < frames.size(); ++frame)
+        for (std::size_t scale = 0; scale < 2 && frames[frame] != 0; ++scale) {
+            const Pose& from_fan = frame_from_fan_[frame];
+            const Quat q = turn_of_scale(scale) * from_fan.orientation * view.fan_from_view();
+            const double per_cell = 1 / cell_of_scale(scale);
+            const LineOfCells of{
+                floats(in_cells(from_fan.position, scale)), floats(per_cell * rotate(q, {1, -x, 0})),
+                floats(per_cell * rotate(q, {0, 0, 1})),
+                static_cast<float>(view.usual_width * view.line_width() / lengths[scale]),
+                static_cast<float>(view.usual_height * view.sample_height() / lengths[scale])};
+            find_cells(of, shape, row.range(), row.cosine(), count, cells.data(), share.data());
+            for (std::size_t i = 0; i < count; ++i) {
+                if (strength[i] == 0) continue;
+                const Surface& seen = surfaces_[static_cast<std::size_t>(row.surface()[i]) - 1];
+                if (seen.frame != frame) continue;
+                constexpr float half = 0.70710678F * PatchNoise::scale;
+                noise[i] += half * share[i] * static_cast<float>(table.at((cells[i] + seen.key) & all_cells));
+                variance[i] += 0.5F * share[i] * share[i];
+            }
+        }
+    out.resize(count);
+    multiply_by_patches(weight, strength.data(), noise.data(), variance.data(), count, out.data());
+    return true;
+}
+
+double Patches::factor(const Material& material, Vec3 point) {
+    double noise = 0;
+    for (std::size_t scale = 0; scale < 2; ++scale) {
+        const Vec3 at = in_cells(point, scale);
+        const auto cell = static_cast<std::uint32_t>(
+            static_cast<int>(at.x) +
+            PatchNoise::size * (static_cast<int>(at.y) + PatchNoise::size * static_cast<int>(at.z)));
+        noise += std::sqrt(0.5) * double{PatchNoise::scale} *
+                 PatchNoise::shared().at((cell + key_of(material.name)) & all_cells);
+    }
+    const double s = material.patchiness * neper_per_db;
+    return std::exp(s * noise - s * s / 2);
+}
+
+}  // namespace echoloop

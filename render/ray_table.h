@@ -1,0 +1,104 @@
+// Where a sonar in layered water sees what: for points around one depth of the sonar, the launch angle, the
+// travel time and the angle of arrival of the first ray there, beside those of a straight line; and how rays
+// spread. Built from exact arcs. Pure functions of a profile; knows no scene and no GL.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "render/water.h"
+
+namespace echoloop {
+
+/// What the first ray to a point differs in from the straight line there.
+struct BentRay {
+    double turn = 0;     ///< rad, launch elevation over the line's
+    double stretch = 0;  ///< c t over the line's length, less 1, with c the sound speed at the sonar
+    double bow = 0;      ///< rad, elevation of arrival over that of launch
+    /// m of water over the highest point of the ray, or less; negative: no ray goes there below the surface.
+    double clearance = 0;
+};
+
+class RayTable {
+  public:
+    /// Of rays from `depth` m, to `range` m of c t. `surface`: rays do not go beyond the depth 0; else water
+    /// goes on above. Takes some milliseconds. The profile has a point at least.
+    RayTable(std::span<const SoundSpeedPoint> profile, double depth, double range, bool surface);
+
+    /// The first ray to the point that is `distance` m off horizontally and `below` m deeper than the sonar.
+    /// Between the table's points it is linear, beyond them as at their edge.
+    BentRay at(double distance, double below) const;
+
+    /// Power per area at the end of the ray's length `length` m (of c t) that leaves with the sine `up` of
+    /// elevation, over that at the end of a straight one: the spreading G of Jensen et al. (2011,
+    /// section 3.3) times length^2. Within 0.1..10, since a ray tube says too much near a caustic.
+    float focus(float up, float length) const {
+        const float row = (up + 1) * (0.5F * (focus_rows - 1)), column = length * focus_per_metre_;
+        const auto r = static_cast<int>(row + 0.5F),
+                   c = static_cast<int>(std::min(column, focus_columns - 1.F) + 0.5F);
+        return focus_[static_cast<std::size_t>(r * focus_columns + c)];
+    }
+    /// Whether that differs from 1 by more than 2 % anywhere within the range.
+    bool focuses() const { return focuses_; }
+
+    /// c t over the length of a straight line between two depths, m below the sonar. By Fermat's principle a
+    /// bent ray between its ends takes as long, but for the second order of its bend.
+    double slowness(double below_1, double below_2) const;
+
+    double depth() const { return depth_; }  ///< m
+    double range() const { return range_; }  ///< m, of c t
+    double speed() const { return speed_; }  ///< m/s, at the sonar
+
+    /// m, by how much straight rays are off at most, up to the range `range` m; infinite where there is a
+    /// shadow.
+    double straight_error(double range) const;
+    double most_turn() const { return most_turn_; }        ///< rad
+    double most_stretch() const { return most_stretch_; }  ///< |stretch|
+    bool has_shadow() const { return has_shadow_; }
+    double steepest() const { return steepest_; }  ///< 1/s, the greatest gradient of sound speed
+
+    static constexpr std::size_t columns = 128, rows = 128;
+    /// Rows x columns of turn, stretch, bow and clearance: columns by distance from 0, rows by depth.
+    std::span<const std::array<float, 4>> cells() const { return cells_; }
+    double column_step() const { return column_step_; }  ///< m
+    /// Rows lie closer near the sonar's depth: row r is a u + b u |u| m below it, with u = r + first.
+    struct Rows {
+        double a = 1, b = 0, first = 0;
+        double below(double row) const {
+            const double u = row + first;
+            return (a + b * std::abs(u)) * u;
+        }
+        double row(double below) const {
+            const double u = 2 * std::abs(below) / (a + std::sqrt(a * a + 4 * b * std::abs(below)));
+            return std::copysign(u, below) - first;
+        }
+    };
+    const Rows& row_places() const { return places_; }
+
+  private:
+    static constexpr int focus_rows = 129, focus_columns = 64;
+
+    void shoot(std::span<const SoundSpeedPoint> profile, bool surface);
+    void close_gaps();
+    void find_errors(bool surface);
+    void find_focus(std::span<const SoundSpeedPoint> profile);
+    double plumb(double below) const;
+
+    double depth_, range_, speed_;
+    double column_step_ = 1;
+    Rows places_;
+    std::vector<std::array<float, 4>> cells_;
+    std::array<double, rows> plumb_{};  ///< m of c t, down from the first row
+    std::vector<float> focus_;
+    float focus_per_metre_ = 0;
+    std::array<double, columns> error_{};  ///< m, within that many steps of range
+    double most_turn_ = 0, most_stretch_ = 0;
+    double steepest_ = 0;
+    bool focuses_ = false, has_shadow_ = false;
+};
+
+}  // namespace echoloop

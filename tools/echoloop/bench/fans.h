@@ -1,0 +1,24 @@
+// How `echoloop run` serves several multibeams at once: how many pings a second, how late, and what they are
+// spared where it is too many.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+namespace echoloop::bench {
+
+struct FansFigures {
+    char failure[512] = {};
+    std::size_t fans = 0;
+    double seconds = 0, cpu = 0;                  ///< s: of the run; that all its threads computed meanwhile
+    double pings = 0, late = 0;                   ///< of all fans together
+    double spared = 0, coarse = 0;                ///< pings, as SessionSummary has them
+    double p99_lateness = 0, worst_lateness = 0;  ///< s, of the fan that has the largest
+    double pings_a_second() const { return pings / seconds; }
+};
+
+/// `fans` multibeams of 256 beams with bathymetry and image at 10 Hz, in front of the manifold, each at a
+/// loopback address of its own. `example`: a file beside whose scenes/manifold.glb it could lie.
+FansFigures measure_fans(std::size_t fans, double seconds, const std::filesystem::path& example);
+
+}  // namespace echoloop::bench
