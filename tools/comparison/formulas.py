@@ -84,7 +84,7 @@ def stonefish(pixels, grid, rng, multiplicative=0.01, additive=0.02):
 def holoocean(pixels, grid, rng, multiplicative=0.2, additive=0.15):
     """HoloOcean's imaging sonar (Potokar et al. 2022) without its clusters of multipath: the mean of cos(incidence)
     times 0.5 + normal noise, plus Rayleigh noise that grows with the range squared and by half in the middle. The
-    deviations are those of its documentation's example."""
+    deviations are those of one user's configuration."""
     total, count = grid.sums(pixels, lambda _, cosine: cosine)
     degrees, spread = math.degrees(grid.aperture), math.degrees(grid.aperture) / 64
 
