@@ -78,7 +78,8 @@ std::vector<ScatteringPoint> read_layers(const Value& value, const std::string& 
     return points;
 }
 
-/// Nothing, where the file says nothing: right before an array the volume is too loud yet for bottom detection.
+/// Nothing, where the file says nothing: right before an array the volume is too loud yet for bottom
+/// detection.
 std::vector<ScatteringPoint> read_scattering(const Section& section, Problems& problems) {
     const Value* value = section.get("scattering");
     const std::string path = section.path_of("scattering");

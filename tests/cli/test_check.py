@@ -65,7 +65,7 @@ class Check(ProgramTest):
         self.assertAlmostEqual(bound["error_m"], 0.067, delta=0.01)
 
     def test_rays_that_bend_are_no_error_and_a_sound_speed_beside_a_profile_is_told_of(self):
-        layers = ("--set", "water.profile=[[0, 1501], [300, 1351]]")
+        layers = ("--set", "water={profile: [[0, 1501], [300, 1351]]}")
         text = self.good("check", TANK, *layers)
         self.assertNotRegex(text, r"(?m)^(rays|warning)")
         self.assertEqual(self.json("check", TANK, *layers)["straight_rays"], [])

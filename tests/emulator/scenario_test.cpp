@@ -168,8 +168,9 @@ TEST(WaterSection, says_what_floats_in_it) {
     EXPECT_EQ(of("water.scattering=-66.5"), (Points{{0, -66.5}}));
     EXPECT_EQ(of("water.scattering=[[0, -50], [10, -70]]"), (Points{{0, -50}, {10, -70}}));
     EXPECT_LT(of("water.scattering=clear")[0].strength, of("water.scattering=turbid")[0].strength);
-    EXPECT_THAT(refusal(smallest, {"water.scattering=murky"}),
-                HasSubstr("water.scattering: expected pure, clear, coastal, turbid or none, or dB, as in -70"));
+    EXPECT_THAT(
+        refusal(smallest, {"water.scattering=murky"}),
+        HasSubstr("water.scattering: expected pure, clear, coastal, turbid or none, or dB, as in -70"));
     EXPECT_THAT(refusal(smallest, {"water.scattering=12"}), HasSubstr("-150 to 0 dB"));
     EXPECT_THAT(refusal(smallest, {"water.scattering=[[5, -50], [2, -60]]"}), HasSubstr("sort the points"));
 }
@@ -185,7 +186,8 @@ TEST(WaterSection, the_wind_makes_waves) {
 }
 
 TEST(WaterSection, has_a_profile_and_a_surface) {
-    const auto layered = parse(smallest, {"water.profile=[[0, 1500], [20, 1490]]", "water.depth=10"});
+    const auto layered =
+        parse(smallest, {"water.profile=[[0, 1500], [20, 1490]]", "vehicle.pose={position: [0, 0, -10]}"});
     EXPECT_EQ(layered.water.profile, (std::vector<SoundSpeedPoint>{{0, 1500}, {20, 1490}}));
     EXPECT_DOUBLE_EQ(layered.devices[0].config.sound_speed, 1495) << "what the head's own sensor measures";
     EXPECT_EQ(parse(smallest).render.surface->height, 0);

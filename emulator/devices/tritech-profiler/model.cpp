@@ -34,7 +34,8 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
     return shot;
 }
 
-/// 20 ms for a ping, 15 m; a pass of one, or of two 0.9 deg apart at 250 us for each 1/16 gradian.
+/// 20 ms for a ping, 15 m; a pass of one, or of two 0.9 deg apart at 250 us for each 1/16 gradian. Between
+/// passes of one the head goes back, so that there is one only.
 std::vector<Bytes> requests(const DeviceConfig&, std::size_t pings, bool turns) {
     seanet::ProfilerCommand command;
     seanet::ProfilerParameters& p = command.parameters;
@@ -47,8 +48,9 @@ std::vector<Bytes> requests(const DeviceConfig&, std::size_t pings, bool turns) 
     p.motor_time = 25;
     p.scan_time = 200;
     std::vector<Bytes> words{seanet::encode(seanet::Message(command))};
+    if (!turns) pings = 1;
     for (std::size_t i = 0; i < pings; ++i)
-        if (turns && i % 2 == 1)
+        if (i % 2 == 1)
             words.emplace_back();  // the second ping of a pass comes unasked
         else
             words.push_back(seanet::encode(seanet::Message(seanet::SendData{}), {seanet::nodes::profiler}));

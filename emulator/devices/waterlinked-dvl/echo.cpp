@@ -106,10 +106,12 @@ std::optional<Echo> find_bottom_echo(const Echogram& e, std::size_t beam, const 
     }
     Echo echo;
     // An echo begins at its range. A receiver of the pulse's bandwidth makes it half as long again.
-    echo.time = middle - 0.75 * e.shot.pulse_length;
+    const double lag = 0.75 * e.shot.pulse_length;
+    echo.time = middle - lag;
     const std::size_t first = beam * e.shot.bins;
-    const auto closing_in = [&](std::size_t bin) {
-        return static_cast<double>(e.velocities[first + bin].mean);
+    const auto later = static_cast<std::size_t>(std::lround(lag / e.shot.bin_interval));
+    const auto closing_in = [&](std::size_t bin) {  // of what lies where the echo comes from
+        return static_cast<double>(e.velocities[first + bin - std::min(bin, later)].mean);
     };
     if (e.velocities.size() == e.values.size()) echo.closing = around.mean(middle, half, closing_in);
     echo.level = static_cast<double>(level_db(e.beam(beam)[*peak]));

@@ -58,7 +58,9 @@ TEST(R2SonicStatus, TellsTimeAttitudeAndDepth) {
     bench.say(command("PNG0", std::uint32_t{1}));
     bench.run_to(2ms);
     const Ping done = *std::exchange(bench.ping, {});
-    bench.device().heard(hanging(done.shot, 0.1, 0.05), done.due);
+    Echogram echo = hanging(done.shot, 0.1, 0.05);
+    echo.sound_speed = 1520;  // of the water at the head
+    bench.device().heard(echo, done.due);
     bench.sent();
     bench.run_to(1s);
     const Bytes head_says = named(bench.sent(), "STH0").at(0).bytes;
