@@ -63,7 +63,7 @@ class Run(ProgramTest):
         ended = json.loads(self.good("run", FLOOR, *hasty, "--json").splitlines()[-1])["devices"][0]
         # Five late pings, or two that were very late, make the first step.
         self.assertIn(ended["spared_pings"] - ended["coarse_pings"], range(1, 6), ended)
-        self.assertGreater(ended["pings"], ended["coarse_pings"] + 5, ended)
+        self.assertGreater(ended["pings"], ended["coarse_pings"], ended)
 
     def test_pings_of_a_run_that_was_kept_from_running_did_not_wait_for_their_rendering(self):
         slow = ("--set", "devices.multibeam.options={range: 100, ping_rate: 5}")  # 133 ms for a rendering of few
