@@ -1,18 +1,13 @@
 #include "emulator/scenario/sweep.h"
 
 #include <algorithm>
-#include <array>
-#include <boost/math/special_functions/erf.hpp>
-#include <boost/random/sobol.hpp>
-#include <charconv>
-#include <cmath>
 #include <optional>
 
-#include "emulator/contract/random_key.h"
 #include "emulator/scenario/file.h"
 #include "emulator/scenario/number.h"
 #include "emulator/scenario/override.h"
 #include "emulator/scenario/section.h"
+#include "emulator/scenario/variation.h"
 #include "emulator/scenario/yaml.h"
 #include "emulator/scenario/yaml_text.h"
 
@@ -24,64 +19,6 @@ using namespace scenario;
 constexpr std::size_t most_paths = 200;
 constexpr std::uint64_t most_runs = 1'000'000'000;
 constexpr Range any_number{-1e12, 1e12, ""};
-
-enum class Way { list, grid, choice, uniform, normal, log_uniform, sobol };
-
-struct WayRow {
-    Way way;
-    std::string_view name;
-};
-constexpr std::array<WayRow, 7> ways{{{Way::list, "list"},
-                                      {Way::grid, "grid"},
-                                      {Way::choice, "choice"},
-                                      {Way::uniform, "uniform"},
-                                      {Way::normal, "normal"},
-                                      {Way::log_uniform, "log_uniform"},
-                                      {Way::sobol, "sobol"}}};
-
-/// One path and how its value comes about.
-struct Variation {
-    std::string path;
-    Place place;
-    Way way = Way::list;
-    std::vector<std::string> items;  ///< list, grid, choice: as flow text
-    double first = 0, second = 1;    ///< bounds; normal: mean and standard deviation
-    std::size_t dimension = 0;       ///< of Sobol's sequence
-};
-
-/// The shortest text that is the number again.
-std::string shortest(double value) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
-}
-
-std::uint64_t spread(std::uint64_t seed, const std::string& key, std::uint64_t index) {
-    return split_mix(random_key(seed, key) ^ split_mix(index));
-}
-
-/// 0 < u < 1, 53 bits.
-double fraction(std::uint64_t bits) { return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53; }
-
-/// One coordinate of Sobol's sequence (Joe & Kuo's numbers, by Boost), shifted by a number of the seed and
-/// the key, so that other seeds give other points.
-double sobol_point(const Variation& v, std::uint64_t seed, std::uint64_t index, std::size_t dimensions) {
-    boost::random::sobol sequence(dimensions);
-    sequence.discard(index * dimensions + v.dimension);
-    const std::uint64_t point = sequence();
-    return fraction(point ^ spread(seed, v.path, 0));
-}
-
-std::string drawn(const Variation& v, double u) {
-    switch (v.way) {
-        case Way::log_uniform:
-            return shortest(v.first * std::pow(v.second / v.first, u));
-        case Way::normal:
-            return shortest(v.first + v.second * std::sqrt(2.0) * boost::math::erf_inv(2 * u - 1));
-        default:
-            return shortest(v.first + (v.second - v.first) * u);
-    }
-}
 
 std::string in_words(const std::vector<std::string_view>& names) {
     std::string text;
@@ -215,25 +152,9 @@ struct Sweep::Impl {
         for (std::size_t i = 0; i < variations.size(); ++i) {
             const Variation& v = variations[i];
             seeded = seeded || v.path == "seed";
-            const std::uint64_t bits = spread(seed, v.path, index), items = v.items.size();
-            switch (v.way) {
-                case Way::list:
-                    all.emplace_back(v.path, v.items[index % items]);
-                    break;
-                case Way::grid:
-                    all.emplace_back(v.path, v.items[digits[i]]);
-                    break;
-                case Way::choice:
-                    all.emplace_back(v.path, v.items[bits % items]);
-                    break;
-                case Way::sobol:
-                    all.emplace_back(v.path, drawn(v, sobol_point(v, seed, index, dimensions())));
-                    break;
-                default:
-                    all.emplace_back(v.path, drawn(v, fraction(bits)));
-            }
+            all.emplace_back(v.path, value_of_run(v, seed, index, digits[i], dimensions()));
         }
-        if (!seeded) all.emplace_back("seed", std::to_string(spread(seed, "seed", index)));
+        if (!seeded) all.emplace_back("seed", std::to_string(bits_of_run(seed, "seed", index)));
         return all;
     }
 
