@@ -118,9 +118,9 @@ class ThingsInTheWater(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        scenario = SCENARIO.replace("scenes/flat.glb", "school.gltf").replace("range: 25,", "range: 16, power: -30, extra_detections: 90,")
+        scenario = SCENARIO.replace("scenes/flat.glb", "school.gltf").replace("range: 25,", "range: 16, power: -30, extra_detections: 512,")
         scenario = scenario.replace("pose: {position: [0, 0, -12], rpy_deg: [0, 0, 0]}", "trajectory: boat.csv")
-        cls.pings, cls.columns = capture(cls, scenario, 16, {"school.gltf": school(), "boat.csv": boat()})
+        cls.pings, cls.columns = capture(cls, scenario, 12, {"school.gltf": school(), "boat.csv": boat()})
 
     def test_extra_detections_vary(self):
         def of_all(field):
@@ -134,6 +134,7 @@ class ThingsInTheWater(unittest.TestCase):
         self.assertGreater(len(set(factors)), 100)
         self.assertGreater(len(set(of_all("confidence"))), 10)
         self.assertGreater(len(set(of_all("rejection2"))), 2)
+        self.assertGreater(len({p["rx.extra_detections"] for p in self.pings}), 3)
         self.assertGreater(len({p["rx.alarm"] for p in self.pings}), 1)
         self.assertGreater(len({str(p["classes.detections"]) for p in self.pings}), 1)
 

@@ -23,8 +23,22 @@ struct Echo {
     std::size_t beam = 0, bin = 0;
 };
 
-/// Power 0: there is nothing.
-Echo strongest(const Echogram& echogram, std::size_t beam, const Detection& bottom) {
+/// What any beam hears in each bin, less 25 dB (own choice): what is below it may be a side lobe of that
+/// beam.
+std::vector<float> side_lobes(const Echogram& echogram) {
+    constexpr float suppression = 3.16e-3F;
+    std::vector<float> most(echogram.shot.bins);
+    for (std::size_t n = 0; n < echogram.beams(); ++n) {
+        const auto power = echogram.beam(n);
+        for (std::size_t bin = 0; bin < most.size(); ++bin)
+            most[bin] = std::max(most[bin], suppression * power[bin]);
+    }
+    return most;
+}
+
+/// Power 0: there is nothing that stands out.
+Echo strongest(const Echogram& echogram, std::size_t beam, const Detection& bottom,
+               std::span<const float> lobes) {
     const Shot& shot = echogram.shot;
     const auto power = echogram.beam(beam);
     const double around = bottom.end - bottom.begin;
@@ -36,9 +50,13 @@ Echo strongest(const Echogram& echogram, std::size_t beam, const Detection& bott
         if (bottom.found() && time > bottom.begin - around && time < bottom.end + around) continue;
         sum += power[bin];
         ++bins;
-        if (power[bin] > echo.power) echo.power = power[bin], echo.bin = bin;
+        if (power[bin] > echo.power && power[bin] > lobes[bin]) echo.power = power[bin], echo.bin = bin;
     }
-    if (echo.power > 0) echo.contrast = 10 * std::log10(echo.power * static_cast<float>(bins) / f(sum));
+    if (!(sum > 0)) return echo;
+    echo.contrast = f(10 * std::log10(echo.power * static_cast<double>(bins) / sum));
+    // Of so many looks at nothing the strongest is on average this far above their mean: no echo at all.
+    constexpr double euler = 0.5772;
+    if (echo.contrast < 10 * std::log10(std::log(static_cast<double>(bins)) + euler)) echo.power = 0;
     return echo;
 }
 
@@ -90,9 +108,10 @@ kmall::Sounding sounding_of(const Echo& echo, bool lonely, const kmall::Mrz& m, 
 void add_extra_detections(kmall::Mrz& m, const Settings& s, const Echogram& echogram,
                           std::span<const Detection> detections) {
     if (s.extra_detections == 0) return;
+    const std::vector<float> lobes = side_lobes(echogram);
     std::vector<Echo> of_beams;
     for (std::size_t n = 0; n < detections.size(); ++n)
-        of_beams.push_back(strongest(echogram, n, detections[n]));
+        of_beams.push_back(strongest(echogram, n, detections[n], lobes));
     std::vector<Echo> echoes = of_beams;
     std::erase_if(echoes, [](const Echo& echo) { return !(echo.power > 0); });
     std::ranges::stable_sort(echoes, std::greater(), &Echo::contrast);

@@ -169,13 +169,15 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     return take_actions();
 }
 
-/// The parts of a big datagram are spread over time, but never beyond the next ping.
+/// The parts of a big datagram are spread over time, but never beyond the next ping. The next datagram comes
+/// behind the last part: readers drop a whole whose parts another datagram parts.
 void Kongsberg::send(const kmall::Datagram& datagram, Time now) {
     const std::size_t before = actions_.send.size();
     for (Bytes& part : kmall::divided(kmall::serialise(datagram), settings_.largest_part))
         actions_.send.push_back({0, std::move(part), wiring_.host, {}});
-    spread(std::span(actions_.send).subspan(before), now, from_seconds(settings_.datagram_gap),
-           now + from_seconds(0.8 * ping_period(settings_)));
+    sent_until_ =
+        spread(std::span(actions_.send).subspan(before), std::max(now, sent_until_),
+               from_seconds(settings_.datagram_gap), now + from_seconds(0.8 * ping_period(settings_)));
 }
 
 Actions Kongsberg::woken(Time now) {

@@ -59,6 +59,7 @@ class Kongsberg final : public Device {
     Time next_texts_ = Time::max();
     /// Real rates are 23.96 to 24.18 Hz, so that intervals differ by 0.4 ms.
     PingPacer pacer_{settings_.sensors, {std::chrono::microseconds(10), 19}};
+    Time sent_until_{};  ///< what is under way to the readers of datagrams
     Actions actions_;
     DeviceCounters counters_;
 };

@@ -196,6 +196,17 @@ TEST(KmallContents, ALongOneIsSplit) {
     EXPECT_TRUE(kmall::parse(whole));
 }
 
+TEST(KmallContents, ALongOneIsNotParted) {
+    Time before{};
+    const auto sent = over_floor({{"largest_part", std::int64_t{20000}}, {"water_column", true}});
+    for (const Send& send : sent) {
+        EXPECT_GE(send.not_before, before) << "the water column comes behind the soundings";
+        before = send.not_before;
+    }
+    EXPECT_GT(of_type(sent, "#MWC").size(), 3U);
+    EXPECT_GT(of_type(sent, "#MWC").front().not_before, of_type(sent, "#MRZ").back().not_before);
+}
+
 const std::string profile =
     "$MVS01,00000,0003,221320,14,11,2023,0.00,1500.0,10.00,35.00,\r\n10.00,1498.0,9.50,35.00,\r\n"
     "12000.00,1700.0,2.00,34.70,\r\n5924.00,N,1030.00,E,0.0,,Source: echoloop,*57\\\r\n";
