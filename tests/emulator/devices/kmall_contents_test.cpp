@@ -178,6 +178,17 @@ TEST(KmallContents, ExtraDetectionsHaveTheClassesOfTheirRanges) {
     EXPECT_EQ(alone, 1U);
 }
 
+TEST(KmallContents, TheRuntimeParametersHaveTheTableOfClasses) {
+    for (const std::int64_t most : {0, 90}) {
+        const auto sent = of_type(over_floor({{"extra_detections", most}}, {"$KSSIS,454,2040"}), "#IOP");
+        ASSERT_EQ(sent.size(), 1U);
+        const std::string said(sent[0].bytes.begin(), sent[0].bytes.end());
+        EXPECT_NE(said.find(most > 0 ? "Extra detection: On" : "Extra detection: Off"), said.npos);
+        const bool row = said.find("7  Off   110.0   200.0   1.0   -60.0   10.0   5\n") != said.npos;
+        EXPECT_EQ(row, most > 0) << "as an EM 2040P's";
+    }
+}
+
 TEST(KmallContents, WithoutExtraDetectionsThereAreNoClasses) {
     const Bytes b = over_floor().at(0).bytes;
     EXPECT_EQ(u16(b, rx + 28), 0);
