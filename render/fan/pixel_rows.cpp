@@ -1,5 +1,7 @@
 #include "render/fan/pixel_rows.h"
 
+#include <cstdint>
+
 #include "render/simd.h"
 
 namespace echoloop {
@@ -13,6 +15,25 @@ void extents_of(const PixelArrays row, const EchoSpread spread, int count, float
         near[i] = std::max(r - half, r * row.cosine[i]);  // no point of the plane is nearer than its foot
         far[i] = r + half;
     }
+}
+
+ECHOLOOP_SIMD
+void take_apart(const Pixel* __restrict pixels, std::size_t count, float* __restrict range,
+                float* __restrict cosine, float* __restrict footprint, float* __restrict surface) {
+    for (std::size_t i = 0; i < count; ++i) {
+        range[i] = pixels[i].range;
+        cosine[i] = pixels[i].cosine;
+        footprint[i] = pixels[i].footprint;
+        surface[i] = pixels[i].surface;
+    }
+}
+
+/// Number of zeros.
+ECHOLOOP_SIMD
+std::int32_t count_zeros(const float* values, std::size_t count) {
+    std::int32_t zeros = 0;
+    for (std::size_t i = 0; i < count; ++i) zeros += values[i] == 0 ? 1 : 0;
+    return zeros;
 }
 
 ECHOLOOP_SIMD
@@ -58,14 +79,10 @@ void PixelRow::go_on_beyond(float end, std::size_t missing, std::size_t nearest,
 
 void PixelRow::load(const Pixel* pixels, std::size_t count, float end, const PlaneOfLine* plane) {
     for (auto* row : {&range_, &cosine_, &footprint_, &surface_}) row->resize(count + 2);
-    for (std::size_t i = 0; i < count; ++i) {
-        range_[i + 1] = pixels[i].range;
-        cosine_[i + 1] = pixels[i].cosine;
-        footprint_[i + 1] = pixels[i].footprint;
-        surface_[i + 1] = pixels[i].surface;
-    }
+    take_apart(pixels, count, &range_[1], &cosine_[1], &footprint_[1], &surface_[1]);
     if (plane != nullptr) show_plane(*plane, count, &range_[1], &cosine_[1], &footprint_[1], &surface_[1]);
-    for (std::size_t i = 1; i <= count; ++i) {
+    const bool gaps = count_zeros(&surface_[1], count) > 0;
+    for (std::size_t i = 1; gaps && i <= count; ++i) {
         if (surface_[i] != 0) continue;
         if (i + 2 <= count && pixels[i].surface != 0) go_on_beyond(end, i, i + 1, i + 2);
         if (i > 2 && pixels[i - 2].surface != 0) go_on_beyond(end, i, i - 1, i - 2);

@@ -197,7 +197,7 @@ void SceneDrawer::submit(const DrawList& list, bool double_sided, GLenum index) 
 }
 
 /// Views of nearly the same size share a target.
-void SceneDrawer::bind_target(int width, int height) {
+void SceneDrawer::clear_target(int width, int height) {
     constexpr int step = 8;  // pixels
     width = (width + step - 1) / step * step;
     height = (height + step - 1) / step * step;
@@ -205,11 +205,11 @@ void SceneDrawer::bind_target(int width, int height) {
         return target.width == width && target.height == height;
     };
     const auto make = [&] {
-        constexpr std::size_t bytes = 20;  // four floats of colour and one of depth
+        constexpr std::size_t bytes = 36;  // four floats of colour, twice, and one of depth
         return std::pair(SizedTarget{width, height, std::make_unique<FloatTarget>(gl_, width, height)},
                          static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * bytes);
     };
-    targets_.get(fits, make).target->bind();
+    targets_.get(fits, make).target->clear();
 }
 
 void SceneDrawer::draw_part(const View& view, const SeenNodes& part, SampleOffsets offset) {
@@ -223,10 +223,7 @@ void SceneDrawer::draw_part(const View& view, const SeenNodes& part, SampleOffse
 }
 
 void SceneDrawer::draw_view(const SeenView& seen, SampleOffsets offset) {
-    bind_target(static_cast<int>(seen.view->samples), static_cast<int>(seen.view->lines));
-    const GLfloat nothing[4] = {0, 0, 0, 0};  // surface 0, and the depth of infinity
-    gl_.ClearBufferfv(GL_COLOR, 0, nothing);
-    gl_.ClearBufferfv(GL_DEPTH, 0, nothing);
+    clear_target(static_cast<int>(seen.view->samples), static_cast<int>(seen.view->lines));
     for (const SeenNodes& part : seen.parts) draw_part(*seen.view, part, offset);
     gl_.Finish();  // costs nothing, as the next call would wait, and tells drawing from reading
 }

@@ -63,7 +63,7 @@ class SceneDrawer {
     };
 
     void upload();
-    void bind_target(int width, int height);
+    void clear_target(int width, int height);
     void draw_view(const SeenView& seen, SampleOffsets offset);
     void draw_part(const View& view, const SeenNodes& part, SampleOffsets offset);
     void set_view(const View& view, const SeenNodes& part, SampleOffsets offset) const;
