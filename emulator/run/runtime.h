@@ -25,6 +25,7 @@ struct RunningDevice {
 };
 
 class BackgroundFile;
+class Dataset;
 class KeptScene;
 class Recording;
 class TruthFile;
@@ -40,6 +41,7 @@ struct RunRecords {
     bool remarks = false;              ///< in the recording each ping says where its sonar was
     TruthFile* truth = nullptr;        ///< gets what is really there at every ping
     BackgroundFile* labels = nullptr;  ///< gets a line for every fault that is made
+    Dataset* dataset = nullptr;        ///< gets every ping with its truth and its bytes
 };
 
 class Runtime {
