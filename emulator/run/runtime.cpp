@@ -8,6 +8,7 @@
 #include "emulator/capture/watched.h"
 #include "emulator/contract/error.h"
 #include "emulator/contract/random_key.h"
+#include "emulator/dataset/dataset.h"
 #include "emulator/machine/scheduling.h"
 #include "emulator/machine/service_manager.h"
 #include "emulator/machine/steal.h"
@@ -108,6 +109,7 @@ class Runtime::Impl {
         movers_.name_places(scenario_);
         vehicle_.name_places(scenario_);
         if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
+        dataset_ = records.dataset;
         const bool faulty = !scenario.faults.empty() || !scenario.control.empty() || records.live_faults;
         for (ScenarioDevice& device : scenario_.devices) add(device, records, faulty);
         for (const Fault& fault : scenario.faults) faults_.add(fault);
@@ -120,6 +122,7 @@ class Runtime::Impl {
         for (auto& session : faulty_sessions_) session->close();
         for (auto& session : sessions_) session->close();
         join_device_threads();
+        if (dataset_ != nullptr) dataset_->forget_run();
     }
 
     const Scenario& scenario() const { return scenario_; }
@@ -147,6 +150,7 @@ class Runtime::Impl {
             lock_memory();
         }
         stolen_ = echoloop::stolen_seconds();
+        begin_dataset();
         clock_->begin();
         vehicle_.start();
         movers_.start();
@@ -289,9 +293,10 @@ class Runtime::Impl {
                 situation.mover_motions = movers_.motions(time);
                 return situation;
             }));
-        if (records.truth != nullptr)
+        if (records.truth != nullptr || dataset_ != nullptr)
             sessions_.back()->tell(std::make_unique<DeviceTruth>(
-                *records.truth, entry.name, [mount](Time time) { return mount->body_from_sonar(time); }));
+                records.truth, entry.name, [mount](Time time) { return mount->body_from_sonar(time); }));
+        if (dataset_ != nullptr) sessions_.back()->keep_in(*dataset_, sessions_.size() - 1);
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         if (records.remarks) sessions_.back()->remark_pings();
         if (records.watch != nullptr) sessions_.back()->be_watched(*records.watch);
@@ -328,11 +333,28 @@ class Runtime::Impl {
                            .scene = scenario.scene.string(),
                            .seed = scenario.seed,
                            .unix_start = clock_->unix_start(),
-                           .objects = {scene_->objects().begin(), scene_->objects().end()}};
+                           .objects = {scene_->objects().begin(), scene_->objects().end()},
+                           .water = scenario.water};
         for (const SceneMover& mover : scene_->movers()) header.movers.push_back(mover.name);
         for (const ScenarioDevice& device : scenario.devices)
             header.devices.push_back({device.name, device.model->name, device.body_from_sonar});
         return header;
+    }
+
+    /// A run that nobody watches ends where its data set does.
+    void begin_dataset() {
+        if (dataset_ == nullptr) return;
+        DatasetStart start{
+            .header = truth_header(scenario_),
+            .turns = {},
+            .scene = scene_,
+            .straight = water_.water.profile.empty() || !water_.effects.has(Effect::refraction),
+            .waits = stepped_ != nullptr};
+        for (const ScenarioDevice& device : scenario_.devices)
+            start.turns.push_back(device.model->turn_steps > 1);
+        if (scenario_.clock == ClockMode::free)
+            start.failed = [this] { asio::post(io_, [this] { stop(); }); };
+        dataset_->begin(std::move(start));
     }
 
     Scenario scenario_;  ///< as Runtime's
@@ -359,6 +381,7 @@ class Runtime::Impl {
     ControlDesk desk_;
     std::unique_ptr<Control> control_;  ///< nullptr without a place
     std::vector<RunningDevice> running_;
+    Dataset* dataset_ = nullptr;  ///< nullptr: nobody asks
     RenderThreads
         render_threads_;  // last: joined first, so that no ping comes back to a session that is gone
 };

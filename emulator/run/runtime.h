@@ -26,6 +26,7 @@ struct RunningDevice {
 };
 
 class BackgroundFile;
+class Dataset;
 class KeptScene;
 class Recording;
 class TruthFile;
@@ -42,6 +43,7 @@ struct RunRecords {
     bool remarks = false;              ///< in the recording each ping says where its sonar was
     TruthFile* truth = nullptr;        ///< gets what is really there at every ping
     BackgroundFile* labels = nullptr;  ///< gets a line for every fault that is made
+    Dataset* dataset = nullptr;        ///< gets every ping with its truth and its bytes
     Watch* watch = nullptr;            ///< sees every ping that it wants, and all bytes
     bool live_faults = false;          ///< ask() may ask for them, though there is no control place
 };

@@ -27,7 +27,9 @@
 
 namespace echoloop {
 
+class Dataset;
 class DeviceTruth;
+struct PingTruth;
 class Watch;
 
 /// What the sessions of a run share: the water that they all ping in.
@@ -57,6 +59,8 @@ class Session {
 
     /// Before start(). `truth` gets every ping from then on.
     void tell(std::unique_ptr<DeviceTruth> truth);
+    /// Before start(), after tell(): `dataset` gets every ping, and what is said for it, as `sonar`'s.
+    void keep_in(Dataset& dataset, std::size_t sonar) { dataset_ = &dataset, number_in_it_ = sonar; }
     /// Before start(): who is told which ping is heard and sent. It outlives this.
     void tell_of_pings(PingLog& log) { log_ = &log; }
 
@@ -128,7 +132,8 @@ class Session {
         std::vector<ForeignPulse> foreign;
         std::uint64_t sequence;
         Time now;
-        std::optional<Seen> seen;
+        std::optional<Seen> seen{};
+        std::shared_ptr<PingTruth> kept{};  ///< for the data set; nullptr: there is none
     };
     Actions hear_all(Heard& heard);
     /// On another thread, which this session outlives.
@@ -157,6 +162,8 @@ class Session {
     SituationAt situation_at_;
     RenderThreads& renderers_;
     std::unique_ptr<DeviceTruth> truth_;  ///< nullptr: nobody asks
+    Dataset* dataset_ = nullptr;          ///< the same
+    std::size_t number_in_it_ = 0;
 
     std::multimap<Time, Mail> outbox_;  ///< by not_before; equal times keep their order
     std::size_t outbox_bytes_ = 0, outbox_memory_ = 0;

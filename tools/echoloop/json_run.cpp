@@ -74,8 +74,8 @@ std::string run_started_json(const Runtime& runtime, const std::string& view) {
 }
 
 std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Runtime& runtime,
-                             const Recording* recording, const TruthFile* truth,
-                             const BackgroundFile* labels) {
+                             const Recording* recording, const TruthFile* truth, const BackgroundFile* labels,
+                             const Dataset* dataset) {
     Json devices = Json::array();
     for (const auto& s : sessions) {
         Json device{{"name", s.name}};
@@ -114,6 +114,11 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
         const BackgroundFileSummary s = labels->summary();
         ended["labels"] = {
             {"file", labels->file().string()}, {"lines", s.lines}, {"lost", s.lost}, {"stopped", s.stopped}};
+    }
+    if (dataset != nullptr) {
+        const DatasetSummary s = dataset->summary();
+        ended["dataset"] = {
+            {"folder", dataset->folder().string()}, {"pings", s.pings}, {"bytes", s.bytes}, {"lost", s.lost}};
     }
     return line_of(ended);
 }
