@@ -23,6 +23,19 @@ double weight_of(ApertureShape shape, std::size_t stave, std::size_t staves) {
     return 0.54 - 0.46 * std::cos(2 * pi * static_cast<double>(stave) / static_cast<double>(staves - 1));
 }
 
+/// A filter of unit energy that makes white numbers alike by exp(-(k / `staves`)^2), k staves apart.
+std::vector<double> shares_of_neighbours(double staves) {
+    const auto side = static_cast<int>(std::ceil(2 * staves));
+    std::vector<double> shares;
+    double energy = 0;
+    for (int k = -side; k <= side; ++k) {
+        shares.push_back(k == 0 ? 1 : std::exp(-2 * std::pow(k / staves, 2)));
+        energy += shares.back() * shares.back();
+    }
+    for (double& share : shares) share /= std::sqrt(energy);
+    return shares;
+}
+
 /// Complex numbers that turn by an angle of their own at every step. In lanes, which vectorise.
 class Phasors {
   public:
@@ -56,12 +69,16 @@ class Phasors {
 
 }  // namespace
 
-StaveErrors::StaveErrors(const AperturePattern& ideal, std::size_t staves, const ArrayErrors& errors)
+StaveErrors::StaveErrors(const AperturePattern& ideal, std::size_t staves, const ArrayErrors& errors,
+                         double alike)
     : ideal_(ideal) {
     const double length = ideal.length_in_wavelengths();
     if (staves < 2) staves = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(2 * length)));
-    std::vector<float> numbers(normals_room(2 * staves));  // an amplitude's and a phase's for each stave
-    const float* z = numbers.data() + normals({errors.unit, 0, 0, stave_kind}, 0, 2 * staves, numbers.data());
+    const std::vector<double> shares = shares_of_neighbours(alike * static_cast<double>(staves) / length);
+    const std::size_t sources = staves + shares.size() - 1;
+    std::vector<float> numbers(normals_room(2 * sources));  // an amplitude's and a phase's for each
+    const float* z =
+        numbers.data() + normals({errors.unit, 0, 0, stave_kind}, 0, 2 * sources, numbers.data());
 
     const auto half = static_cast<std::size_t>(std::ceil(values_per_lobe * length));
     step_ = 1 / static_cast<double>(half);
@@ -70,8 +87,11 @@ StaveErrors::StaveErrors(const AperturePattern& ideal, std::size_t staves, const
     for (std::size_t n = 0; n < staves; ++n) {
         const double weight = weight_of(ideal.shape(), n, staves);
         sum += weight, squares += weight * weight;
-        const double level = errors.amplitude * static_cast<double>(z[2 * n]),
-                     angle = errors.phase * static_cast<double>(z[2 * n + 1]);
+        double level = 0, angle = 0;
+        for (std::size_t k = 0; k < shares.size(); ++k) {
+            level += errors.amplitude * shares[k] * static_cast<double>(z[2 * (n + k)]);
+            angle += errors.phase * shares[k] * static_cast<double>(z[2 * (n + k) + 1]);
+        }
         const std::complex<double> wrong = weight * (std::polar(std::pow(10, level / 20), angle) - 1.0);
         const double place = (static_cast<double>(n) - 0.5 * static_cast<double>(staves - 1)) * length /
                              static_cast<double>(staves);

@@ -23,7 +23,7 @@ const Model& model_of(const Setup& setup) {
     return *model;
 }
 
-std::unique_ptr<Device> make_device(const Setup& setup) {
+DeviceConfig config_of(const Setup& setup) {
     const Model& model = model_of(setup);
     DeviceConfig config;
     config.name = setup.model;
@@ -33,7 +33,7 @@ std::unique_ptr<Device> make_device(const Setup& setup) {
     config.sound_speed = setup.water.sound_speed.value_or(config.sound_speed);
     config.random_key = random_key(1, setup.model);
     for (const auto& [name, value] : setup.options) config.options.at(name) = value;
-    return model.make(config);
+    return config;
 }
 
 const inspect::Field& field_of(const inspect::Message& message, std::string_view name) {
@@ -46,9 +46,15 @@ const inspect::Field& field_of(const inspect::Message& message, std::string_view
 
 }  // namespace
 
+Shot plain_shot(const Setup& setup, double range) {
+    Shot shot = model_of(setup).default_shot(config_of(setup), 0, range);
+    shot.random_key = random_key(1, setup.model);
+    return shot;
+}
+
 Driven::Driven(const Setup& setup)
     : setup_(setup),
-      device_(make_device(setup)),
+      device_(model_of(setup).make(config_of(setup))),
       family_(inspect::find_family(model_of(setup).family)),
       renderer_(setup.scene, setup.water) {
     take(device_->started(now_));

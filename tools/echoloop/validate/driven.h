@@ -24,6 +24,9 @@ struct Setup {
     std::function<Pose(double)> pose;  ///< world_from_sonar at s since the start
 };
 
+/// The ping of a plain start over `range` m, as the renderer wants it.
+Shot plain_shot(const Setup& setup, double range);
+
 class Driven {
   public:
     explicit Driven(const Setup& setup);

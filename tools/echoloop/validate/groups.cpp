@@ -51,6 +51,7 @@ std::span<const Group> groups() {
         {"R4", "Micron beside turns of two heads", check_micron},
         {"R5", "Ping360 beside 99 lines", check_ping360},
         {"R6", "Sonar 3D-15 beside three shots", check_sonar_3d},
+        {"R7", "EM 2040 beside water columns", check_em2040},
     });
     return table;
 }

@@ -61,5 +61,6 @@ void check_852(Findings&);
 void check_micron(Findings&);
 void check_ping360(Findings&);
 void check_sonar_3d(Findings&);
+void check_em2040(Findings&);
 
 }  // namespace echoloop::validation

@@ -67,6 +67,25 @@ Grid our_oculus(std::shared_ptr<const Scene> scene) {
     throw std::runtime_error("validate: an Oculus sent no image");
 }
 
+/// <I^2> / <I>^2 of intensities, the fourth power of words, in windows of 25 x 15: their median.
+double scintillation(const Grid& image) {
+    constexpr std::size_t high = 25, wide = 15;
+    std::vector<double> all;
+    for (std::size_t row = 0; row + high <= image.rows(); row += high)
+        for (std::size_t column = 0; column + wide <= image.columns; column += wide) {
+            double sum = 0, squares = 0;
+            for (std::size_t i = 0; i < high; ++i)
+                for (std::size_t k = 0; k < wide; ++k) {
+                    const double power = std::pow(image.words[(row + i) * image.columns + column + k], 4);
+                    sum += power, squares += power * power;
+                }
+            if (sum > 0) all.push_back(high * wide * squares / (sum * sum));
+        }
+    const auto median = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), median, all.end());
+    return all.empty() ? 0 : *median;
+}
+
 Bytes sounder_command() {
     imagenex::SwitchCommand command;
     command.head_id = 0x11, command.range = 50, command.mode = imagenex::mode::all, command.start_gain = 12;
@@ -147,7 +166,9 @@ void check_oculus(Findings& find) {
     find.within("lit echo, two beams apart", "", 0.28, 0.1, likeness(lit_texture, 0, 2));
     find.within("lit echo, three beams apart", "", 0.16, 0.1, likeness(lit_texture, 0, 3));
     find.within("lit echo, correlation of neighbouring rows", "", 0.22, 0.1, likeness(lit_texture, 1, 0));
+    find.within("lit echo, scintillation, median of windows", "", 2.6, 0.26, scintillation(lit));
     find.source("the same ping", Kind::recording);
+    find.within("mean of rows 20 to 119", "", 9.1, 0.91, moments(rows_of(open_water, 20, 120).words).mean);
     constexpr std::array<double, 8> first_rows{40, 42, 12, 17, 19, 19, 14, 10};
     std::vector<double> means;
     for (std::size_t row = 0; row < first_rows.size(); ++row)

@@ -17,7 +17,7 @@ double stave_floor(std::size_t staves, double amplitude_db, double phase_deg) {
     double sum = 0;
     for (int unit = 1; unit <= units; ++unit) {
         const StaveErrors array(ideal, staves,
-                                {amplitude_db, deg_to_rad(phase_deg), static_cast<std::uint64_t>(unit)});
+                                {amplitude_db, deg_to_rad(phase_deg), static_cast<std::uint64_t>(unit)}, 0);
         for (int i = 0; i < angles; ++i) {
             const double angle = std::asin(first + (0.98 - first) * (i + 0.5) / angles);
             sum += array.power(angle) - std::pow(ideal.amplitude(angle), 2);
