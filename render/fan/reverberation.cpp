@@ -69,8 +69,14 @@ Reverberation::Reverberation(const WaterAround& around, double first_range, doub
             const double range = first_range + (static_cast<double>(k) + 0.5) * step;
             const double sine =
                 cells_ > 1 ? 2 * static_cast<double>(cell) / static_cast<double>(cells_ - 1) - 1 : 0;
+            double height = sine * range, focus = 1;
+            if (around.rays != nullptr && varies) {
+                const auto up = static_cast<float>(sine), length = static_cast<float>(range);
+                height = range * static_cast<double>(around.rays->place(up, length).height(up));
+                focus = static_cast<double>(around.rays->focus(up, length));
+            }
             strengths_.push_back(static_cast<float>(
-                points.empty() ? 0 : bin_length * scattering_at(points, around.depth - sine * range)));
+                points.empty() ? 0 : focus * bin_length * scattering_at(points, around.depth - height)));
         }
 }
 
@@ -85,12 +91,14 @@ Reverberation::Rise Reverberation::rise(const View& view, double x) const {
 
 bool Reverberation::find_plane(const View& view, std::size_t line, PixelOffset offset,
                                PlaneOfLine& plane) const {
+    const RayTable* rays =
+        around_.rays != nullptr && !around_.rays->surfacing().inverse.empty() ? around_.rays : nullptr;
     if (!(around_.surface < end_)) return false;
     const Vec3 up = rotate(conjugate(view.fan_from_view()), around_.up);
     const double x = view.x(static_cast<double>(line) + 0.5 + offset.line), upright = up.x - x * up.y;
     const double least = std::min(view.bottom, view.top) - view.sample_height();
     const double most = std::max(view.bottom, view.top) + view.sample_height();
-    if (!(std::max(upright + up.z * least, upright + up.z * most) > 0)) return false;
+    if (rays == nullptr && !(std::max(upright + up.z * least, upright + up.z * most) > 0)) return false;
     const auto f = [](double value) { return static_cast<float>(value); };
     plane = {f(around_.surface),
              f(upright),
@@ -102,7 +110,9 @@ bool Reverberation::find_plane(const View& view, std::size_t line, PixelOffset o
              f(view.usual_width * view.line_width()),
              f(view.usual_height * view.sample_height()),
              f(2 * end_),
-             around_.surface_number};
+             around_.surface_number,
+             rays == nullptr ? nullptr : &rays->surfacing(),
+             rays == nullptr ? 1.0F : f(around_.surface / rays->depth())};
     return true;
 }
 

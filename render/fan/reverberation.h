@@ -9,6 +9,7 @@
 
 #include "render/fan/pixel_rows.h"
 #include "render/pose.h"
+#include "render/ray_table.h"
 #include "render/view.h"
 #include "render/water.h"
 
@@ -29,6 +30,7 @@ struct WaterAround {
     double surface = std::numeric_limits<double>::infinity();  ///< m, of the surface above; infinite: none
     float surface_number = 0;                                  ///< as Pixel::surface: what it scatters
     std::span<const ScatteringPoint> scattering{};
+    const RayTable* rays = nullptr;  ///< null: they are straight
 };
 
 /// From m to steps: range * per_metre - start.

@@ -113,8 +113,13 @@ void SceneDrawer::set_view(const View& view, const SeenNodes& part, SampleOffset
 }
 
 SceneDrawer::Uniforms SceneDrawer::uniforms_of(const Program& program) const {
-    return {program.uniform("view_from_world"), program.uniform("eye"), program.uniform("window"),
-            program.uniform("pixel"),           program.uniform("up"),  program.uniform("place")};
+    return {program.uniform("view_from_world"),
+            program.uniform("eye"),
+            program.uniform("window"),
+            program.uniform("pixel"),
+            program.uniform("up"),
+            program.uniform("columns"),
+            program.uniform("rows")};
 }
 
 void SceneDrawer::begin_straight() {
@@ -139,8 +144,14 @@ void SceneDrawer::begin_bent(const Bending& bending) {
     bent_->rays = bending.rays;
     bent_->table.bind();
     const RayTable::Rows& rows = rays.row_places();
-    gl_.Uniform4f(uniforms_.place, static_cast<float>(1 / rays.column_step()), static_cast<float>(rows.a),
-                  static_cast<float>(rows.b), static_cast<float>(rows.first));
+    constexpr auto across = static_cast<double>(RayTable::columns),
+                   deep = static_cast<double>(RayTable::rows);
+    const double middle = rows.a / (2 * rows.b);  // u = sqrt(middle^2 + |below| / b) - middle
+    gl_.Uniform4f(uniforms_.columns, static_cast<float>(1 / (rays.column_step() * across)),
+                  static_cast<float>(0.5 / across), static_cast<float>(1 / deep),
+                  static_cast<float>((0.5 - rows.first) / deep));
+    gl_.Uniform3f(uniforms_.rows, static_cast<float>(middle * middle), static_cast<float>(1 / rows.b),
+                  static_cast<float>(middle));
     for (const bool surround : {false, true}) {
         const SplitMesh& mesh = bending.split->mesh(surround);
         BentDrawing::Patches& to = bent_->patches[surround];

@@ -59,7 +59,7 @@ class SceneDrawer {
     struct BentDrawing;
     struct Uniforms {
         GLint view_from_world, eye, window, pixel;
-        GLint up = -1, place = -1;  ///< of bent rays only
+        GLint up = -1, columns = -1, rows = -1;  ///< of bent rays only
     };
 
     void upload();
