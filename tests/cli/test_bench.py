@@ -6,7 +6,8 @@ import unittest
 from program import PROGRAM, ROOT, ProgramTest
 
 NAMES = ["fls-simple", "fls-big100k", "fls-big2m", "fls-one2m", "fls-terrain", "fls-stones", "scanning-simple",
-         "scanning-big100k", "scanning-big2m", "scanning-terrain", "scanning-stones", "imaging512-big100k", "scanning1200-big100k", "sidescan-big100k"]
+         "scanning-big100k", "scanning-big2m", "scanning-terrain", "scanning-stones", "imaging512-big100k", "scanning1200-big100k", "sidescan-big100k",
+         *(f"{sonar}-big100k-thermocline" for sonar in ("fls", "scanning", "imaging512", "scanning1200", "sidescan"))]
 SPLIT = {"cull", "draw", "read_back", "bins", "paths", "acoustics"}
 
 
@@ -18,8 +19,8 @@ class Bench(ProgramTest):
 
     def test_every_case_is_rendered_with_both_rules(self):
         report = self.json("bench", "--pings", "2")
-        self.assertEqual([c["case"] for c in report["cases"]], NAMES * 2)
-        self.assertEqual([c["rule"] for c in report["cases"]], ["radiometric"] * 14 + ["cerqueira2016"] * 14)
+        self.assertEqual([c["case"] for c in report["cases"]], NAMES + NAMES[:14])
+        self.assertEqual([c["rule"] for c in report["cases"]], ["radiometric"] * 19 + ["cerqueira2016"] * 14)
         for case in report["cases"]:
             for times in (case["wall_ms"], case["cpu_ms"]):
                 self.assertTrue(0 < times["minimum"] <= times["median"] <= times["p99"], case)
@@ -31,7 +32,10 @@ class Bench(ProgramTest):
         self.assertEqual(shapes["scanning1200-big100k"], (1, 1200))
         self.assertEqual(shapes["sidescan-big100k"], (2, 2000))
         self.assertEqual(shapes["fls-simple"], (256, 500))
-        self.assertEqual(len(report["limits"]), 4)
+        bending = [x for x in report["limits"] if "over that of straight rays" in x["what"]]
+        self.assertEqual((len(report["limits"]), len(bending)), (9, 5))
+        for limit in bending:
+            self.assertTrue(0.3 < limit["ours"] < 10 and limit["most"] == 1.2, limit)
         drawn = {c["case"]: c["triangles"] for c in report["cases"] if c["rule"] == "radiometric"}
         # A file with everything in one mesh costs little more than the same in two.
         self.assertLess(drawn["fls-one2m"], 1.3 * drawn["fls-big2m"])
@@ -63,7 +67,7 @@ class Bench(ProgramTest):
             return [c["case"] for c in self.json("bench", "--pings", "1", "--cases", words)["cases"]][:3]
 
         self.assertEqual(names("simple"), ["fls-simple", "scanning-simple", "fls-simple"])
-        self.assertEqual(names("scanning1200,fls-simple"), ["fls-simple", "scanning1200-big100k", "fls-simple"])
+        self.assertEqual(names("scanning1200,fls-simple"), ["fls-simple", "scanning1200-big100k", "scanning1200-big100k-thermocline"])
 
     def test_a_scene_of_ones_own(self):
         tank = ROOT / "config" / "scenes" / "tank.glb"
