@@ -8,6 +8,7 @@ from program import PROGRAM, ROOT, ProgramTest
 NAMES = ["fls-simple", "fls-big100k", "fls-big2m", "fls-one1m", "fls-one2m", "fls-terrain", "fls-stones", "scanning-simple",
          "scanning-big100k", "scanning-big2m", "scanning-one1m", "scanning-one2m", "scanning-terrain", "scanning-stones",
          "imaging512-big100k", "scanning1200-big100k", "sidescan-big100k"]
+BENT = [f"{sonar}-big100k-thermocline" for sonar in ("fls", "scanning", "imaging512", "scanning1200", "sidescan")]
 SPLIT = {"cull", "draw", "read_back", "bins", "paths", "acoustics"}
 
 
@@ -20,8 +21,9 @@ class Bench(ProgramTest):
     def test_every_case_is_rendered_with_both_rules(self):
         parts = [self.json("bench", "--pings", "2", "--cases", words)  # a run of all takes a minute
                  for words in ("fls", "scanning,imaging512,scanning1200,sidescan")]
-        cases = [c for rule in ("radiometric", "cerqueira2016") for part in parts for c in part["cases"] if c["rule"] == rule]
-        self.assertEqual([c["case"] for c in cases], NAMES * 2)
+        cases = [c for part in parts for c in part["cases"]]
+        of_rule = {rule: sorted(c["case"] for c in cases if c["rule"] == rule) for rule in ("radiometric", "cerqueira2016")}
+        self.assertEqual(of_rule, {"radiometric": sorted(NAMES + BENT), "cerqueira2016": sorted(NAMES)})
         for case in cases:
             for times in (case["wall_ms"], case["cpu_ms"]):
                 self.assertTrue(0 < times["minimum"] <= times["median"] <= times["p99"], case)
@@ -33,7 +35,10 @@ class Bench(ProgramTest):
         self.assertEqual(shapes["scanning1200-big100k"], (1, 1200))
         self.assertEqual(shapes["sidescan-big100k"], (2, 2000))
         self.assertEqual(shapes["fls-simple"], (256, 500))
-        self.assertEqual([len(part["limits"]) for part in parts], [4, 4])
+        bending = [x for part in parts for x in part["limits"] if "over that of straight rays" in x["what"]]
+        self.assertEqual((len(bending), [len(part["limits"]) for part in parts]), (5, [5, 8]))
+        for limit in bending:
+            self.assertTrue(0.3 < limit["ours"] < 10 and limit["most"] == 1.2, limit)
         drawn = {c["case"]: c["triangles"] for c in cases if c["rule"] == "radiometric"}
         # A file with everything in one mesh costs little more than the same in two.
         self.assertLess(drawn["fls-one2m"], 1.3 * drawn["fls-big2m"])
@@ -65,7 +70,7 @@ class Bench(ProgramTest):
             return [c["case"] for c in self.json("bench", "--pings", "1", "--cases", words)["cases"]][:3]
 
         self.assertEqual(names("simple"), ["fls-simple", "scanning-simple", "fls-simple"])
-        self.assertEqual(names("scanning1200,fls-simple"), ["fls-simple", "scanning1200-big100k", "fls-simple"])
+        self.assertEqual(names("scanning1200,fls-simple"), ["fls-simple", "scanning1200-big100k", "scanning1200-big100k-thermocline"])
 
     def test_a_scene_of_ones_own(self):
         tank = ROOT / "config" / "scenes" / "tank.glb"

@@ -154,6 +154,7 @@ Json bench_row(const bench::Row& row) {
                  {"resident_mb", f.resident},
                  {"peak_mb", f.peak},
                  {"context", f.context}});
+    if (f.straight_cpu > 0) json["straight_cpu_ms"] = f.straight_cpu;
     if (const auto& target = row.the_case.target)
         json["target"] = {{"aim_ms", target->aim},
                           {"least_ms", target->least},

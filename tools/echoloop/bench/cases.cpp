@@ -82,6 +82,13 @@ Case long_scan_case(std::string scene) {
 }
 Case side_scan_case(std::string scene) { return {"sidescan", std::move(scene), side_scan(), 0}; }
 
+/// V35's thermocline with the sonar right above it, where it bends rays most: level ones drop by 2 m in 60.
+Case behind_thermocline(Case of) {
+    of.profile = {{0, 1515}, {10, 1515}, {20, 1485}};
+    of.target.reset();
+    return of;
+}
+
 std::string no_such_case(const std::vector<Case>& cases, const std::string& word) {
     std::vector<std::string> names;
     for (const Case& c : cases) names.push_back(c.name());
@@ -112,7 +119,12 @@ std::vector<Case> all_cases() {
             scanning_case("stones"),
             imaging_case("big100k"),
             long_scan_case("big100k"),
-            side_scan_case("big100k")};
+            side_scan_case("big100k"),
+            behind_thermocline(forward_looking_case("big100k")),
+            behind_thermocline(scanning_case("big100k")),
+            behind_thermocline(imaging_case("big100k")),
+            behind_thermocline(long_scan_case("big100k")),
+            behind_thermocline(side_scan_case("big100k"))};
 }
 
 std::vector<Case> cases_of_scene(const std::string& scene) {

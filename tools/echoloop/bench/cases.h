@@ -24,13 +24,18 @@ struct Case {
     Shot shot;
     double turn = 0;  ///< rad that the head turns from ping to ping
     std::optional<Target> target{};
+    /// Sound speeds over the depth of the scene's water, which bend rays; empty: the same everywhere.
+    std::vector<SoundSpeedPoint> profile{};
 
-    std::string name() const { return sonar + "-" + scene; }
+    std::string name() const { return sonar + "-" + scene + (profile.empty() ? "" : "-thermocline"); }
 };
 
 /// The fixed cases; with `scene` every sonar once, over the scene of that name.
 std::vector<Case> all_cases();
 std::vector<Case> cases_of_scene(const std::string& scene);
+
+/// m, of the sonar below the surface where there is a profile.
+inline constexpr double depth_of_profiles = 8;
 
 /// Cases whose name, sonar or scene is one of the comma-separated `words`. Throws StartError (usage) with
 /// what is known for a word that fits none.

@@ -92,18 +92,31 @@ Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     options.surface->wind = 1.5;  // what a scenario's water is when it says nothing
     Water water;
     water.scattering = {{0, -95}};
+    std::optional<Renderer> straight;  // takes turns, since the speed of a machine varies
+    if (!the_case.profile.empty()) {
+        options.surface->height = depth_of_profiles;
+        straight.emplace(scene, water, options);
+        water.profile = the_case.profile;
+    }
     Renderer renderer(scene, water, options);
     renderer.render(shot_of(the_case, 0), pose_of(0));
     figures.start_up = wall_time() - start;
     figures.start_up_cpu = cpu_time() - start_cpu;
     Series series;
+    std::vector<double> straight_cpu;
     for (std::uint64_t ping = 1; ping <= warm_up + settings.pings; ++ping) {
         const Shot shot = shot_of(the_case, ping);
+        if (straight) {
+            const double cpu = cpu_time();
+            straight->render(shot, pose_of(ping));
+            if (ping > warm_up) straight_cpu.push_back(1e3 * (cpu_time() - cpu));
+        }
         const double wall = wall_time(), cpu = cpu_time();
         const Echogram echogram = renderer.render(shot, pose_of(ping));
         if (ping > warm_up) series.add(wall_time() - wall, cpu_time() - cpu, renderer.profile());
     }
     series.write_to(figures);
+    figures.straight_cpu = spread_of(straight_cpu).median;
     figures.resident = resident_mb();
     figures.peak = peak_mb();
     figures.scene_triangles = static_cast<double>(scene->triangles());

@@ -23,7 +23,8 @@ Spread spread_of(std::vector<double> values);
 struct Figures {
     char failure[512] = {};  ///< why there are none; empty: all is well
     char context[160] = {};
-    Spread wall, cpu;                                                              ///< ms per ping
+    Spread wall, cpu;         ///< ms per ping
+    double straight_cpu = 0;  ///< ms, median of the same pings without the profile; 0: there is none
     double cull = 0, draw = 0, read_back = 0, bins = 0, paths = 0, acoustics = 0;  ///< ms, medians
     double start_up = 0;               ///< s: scene, renderer and first ping
     double start_up_cpu = 0;           ///< s that all threads computed meanwhile

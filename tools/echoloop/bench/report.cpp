@@ -11,7 +11,7 @@
 namespace echoloop::bench {
 namespace {
 
-constexpr double most_start_up = 1, most_memory = 200, most_growth = 2;
+constexpr double most_start_up = 1, most_memory = 200, most_growth = 2, most_bending = 1.2;
 
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
     char buffer[512];
@@ -94,7 +94,7 @@ std::vector<Limit> limits_of(const Report& report) {
     std::vector<Limit> limits;
     double start_up = 0, memory = 0;
     for (const Row& row : report.rows) {
-        if (row.the_case.scene != "big100k") continue;
+        if (row.the_case.scene != "big100k" || !row.the_case.profile.empty()) continue;
         start_up = std::max(start_up, row.figures.start_up);
         memory = std::max(memory, row.figures.resident);
     }
@@ -104,6 +104,10 @@ std::vector<Limit> limits_of(const Report& report) {
     }
     add_growth(report, "fls", limits);
     add_growth(report, "scanning", limits);
+    for (const Row& row : report.rows)
+        if (row.figures.straight_cpu > 0)
+            limits.push_back({row.the_case.name() + ": time over that of straight rays",
+                              row.figures.cpu.median / row.figures.straight_cpu, most_bending, "times"});
     return limits;
 }
 
@@ -113,7 +117,7 @@ std::string text_of(const Report& report) {
                report.settings.pings);
     for (const Row& row : report.rows) text += text_of(row);
     for (const Limit& limit : limits_of(report))
-        text += cli::padded(limit.what + ":", 44) +
+        text += cli::padded(limit.what + ":", 60) +
                 format("%.2f %s, at most %s: %s\n", limit.ours, limit.unit.c_str(),
                        cli::plain(limit.most, 2).c_str(), limit.met() ? "yes" : "no");
     if (!report.rows.empty())

@@ -30,7 +30,7 @@ struct Report {
 /// "aim", "least" or "no" for the median wall time; empty without a target.
 std::string reached(const Row& row);
 
-/// Start-up, memory, and how the time grows with the triangles; only what the rows tell.
+/// Start-up, memory, how the time grows with the triangles, and what bent rays add; only what the rows tell.
 std::vector<Limit> limits_of(const Report& report);
 
 std::string rule_name(EchoRule rule);
