@@ -4,7 +4,7 @@
       |            '---------> render           render      knows no protocol and no emulator
       '--> protocols, render                    emulator    rooms with arrows of their own, see ROOMS
 
-    run -> {faults, pose, replay, truth, water} -> {capture, machine, scenario, transport} -> {clock, contract}
+    run -> {dataset, faults, pose, replay, truth, water} -> {capture, machine, scenario, transport} -> {clock, contract}
     devices -> contract, protocols
 
 A rule says which of the project's files and which libraries a file may include; the first rule that fits counts.
@@ -16,7 +16,7 @@ from dataclasses import dataclass
 MODULES = ("protocols", "render", "emulator", "tools", "tests")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 
-PURE = r"render/(echogram|effects|pose|simd|acoustics/(ring_down|interference))\.h"
+PURE = r"render/(echogram|effects|geographic|pose|simd|acoustics/(ring_down|interference))\.h"
 STANDARD = r"[a-z0-9_]+"  # <vector>; any other library has a slash or a suffix
 GRAPHICS = r"(GL|EGL|glvnd|glm|embree\d?)/.*|tiny_gltf\.h"
 NETWORK = r"boost/.*|libserialport\.h|pcap.*"
@@ -49,11 +49,13 @@ ROOMS = {
     "transport": (("contract", "clock"), "", NETWORK),
     "capture": (("contract", "clock", "transport"), "", ""),
     "truth": (("contract", "capture"), "render/.*", ""),
+    "dataset": (("contract", "capture", "truth"), "render/.*", ""),
     "faults": (("contract", "clock", "scenario", "transport", "capture"), "protocols/.*", ""),
     "pose": (("contract", "clock", "scenario", "transport"), "(render|protocols)/.*", ""),
     "replay": (("contract", "clock", "transport", "capture"), "protocols/.*", ""),
     "water": (("contract", "clock", "machine"), "render/.*", ""),
-    "run": (("contract", "clock", "machine", "scenario", "transport", "capture", "truth", "faults", "pose", "water"),
+    "run": (("contract", "clock", "machine", "scenario", "transport", "capture", "truth", "dataset", "faults", "pose",
+             "water"),
             "render/.*", NETWORK),
 }
 
@@ -69,7 +71,7 @@ def room_rule(room):
 
 RULES = [
     Rule(r"protocols/.*", r"protocols/.*", STANDARD),
-    Rule(r"render/(echogram|effects|pose|simd)\.h", r"render/pose\.h", STANDARD),
+    Rule(r"render/(echogram|effects|geographic|pose|simd)\.h", r"render/pose\.h", STANDARD),
     Rule(r"render/(?!renderer|shot_check)[a-z_]+\.(h|cpp)", RENDER_ROOT, f"{STANDARD}|{SYSTEM}"),
     render_room("scene", libraries=rf"{SYSTEM}|(glm|nlohmann)/.*|tiny_gltf\.h"),
     render_room("gl", "scene", rf"{SYSTEM}|(GL|EGL|glvnd)/.*"),
