@@ -6,6 +6,7 @@
 #include <cctype>
 #include <limits>
 
+#include "tools/import/fault.h"
 #include "tools/import/terrain/raster.h"
 
 namespace echoloop::worlds {
@@ -65,7 +66,7 @@ class Reading {
 
   private:
     [[noreturn]] void fail(const std::string& reason, const std::string& remedy) const {
-        throw TerrainError(file_, reason, remedy);
+        throw Fault(file_, reason, remedy);
     }
     void note(const std::string& text) { out_.notes.push_back(text); }
 
