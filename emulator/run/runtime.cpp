@@ -5,8 +5,10 @@
 #include <mutex>
 
 #include "emulator/capture/recorded.h"
+#include "emulator/capture/watched.h"
 #include "emulator/contract/error.h"
 #include "emulator/contract/random_key.h"
+#include "emulator/dataset/dataset.h"
 #include "emulator/machine/scheduling.h"
 #include "emulator/machine/service_manager.h"
 #include "emulator/machine/steal.h"
@@ -53,6 +55,16 @@ std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io
     return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
 }
 
+Around around_wires(const RunRecords& records, const std::string& device) {
+    Around recorder;
+    if (records.recording != nullptr) recorder = PortRecorder(*records.recording, device);
+    if (records.watch == nullptr) return recorder;
+    return [recorder, watch = records.watch, device](std::unique_ptr<Transport> wire, const Port& port) {
+        if (recorder) wire = recorder(std::move(wire), port);
+        return std::make_unique<Watched>(std::move(wire), *watch, device, port.name);
+    };
+}
+
 SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers) {
     const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
     const Effects effects = knows_effects ? scenario.render.effects : Effects::none();
@@ -87,6 +99,7 @@ class Runtime::Impl {
           water_(shared_water(scenario, *scene_, movers_)),
           faults_(scenario.seed, scenario.file.string(), records.labels,
                   [this] { return clock_->unix_time(); }),
+          desk_(*clock_, faults_, scenario.devices, [this] { return summary(); }),
           render_threads_([this, &scenario] { return make_renderer(scenario); },
                           RenderThreads::useful(scenario.devices.size())) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
@@ -98,12 +111,12 @@ class Runtime::Impl {
         movers_.name_places(scenario_);
         vehicle_.name_places(scenario_);
         if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
-        const bool faulty = !scenario.faults.empty() || !scenario.control.empty();
+        dataset_ = records.dataset;
+        const bool faulty = !scenario.faults.empty() || !scenario.control.empty() || records.live_faults;
         for (ScenarioDevice& device : scenario_.devices) add(device, records, faulty);
         for (const Fault& fault : scenario.faults) faults_.add(fault);
         if (scenario.control.empty()) return;
-        control_ = std::make_unique<Control>(*clock_, parse_control_place(scenario.control), faults_,
-                                             scenario_.devices, [this] { return summary(); });
+        control_ = std::make_unique<Control>(*clock_, parse_control_place(scenario.control), desk_);
         scenario_.control = control_->describe();
     }
 
@@ -111,6 +124,7 @@ class Runtime::Impl {
         for (auto& session : faulty_sessions_) session->close();
         for (auto& session : sessions_) session->close();
         join_device_threads();
+        if (dataset_ != nullptr) dataset_->forget_run();
     }
 
     const Scenario& scenario() const { return scenario_; }
@@ -138,6 +152,7 @@ class Runtime::Impl {
             lock_memory();
         }
         stolen_ = echoloop::stolen_seconds();
+        begin_dataset();
         clock_->begin();
         vehicle_.start();
         movers_.start();
@@ -171,7 +186,11 @@ class Runtime::Impl {
         return steps_ ? std::optional(steps_->summary()) : std::nullopt;
     }
     double stolen() const { return stepped_ == nullptr ? stolen_ : 0; }
-    std::size_t triangles() const { return scene_->triangles(); }
+    std::shared_ptr<const Scene> scene() const { return scene_; }
+    void ask(std::string line, std::function<void(std::string)> answer) {
+        asio::post(
+            io_, [this, line = std::move(line), answer = std::move(answer)] { answer(desk_.answer(line)); });
+    }
     const std::string& renderer_description() const { return renderer_description_; }
 
   private:
@@ -244,8 +263,7 @@ class Runtime::Impl {
 
     /// Writes the numbers of its ports into `entry`.
     void add(ScenarioDevice& entry, const RunRecords& records, bool faulty) {
-        const auto around =
-            records.recording != nullptr ? Around(PortRecorder(*records.recording, entry.name)) : Around();
+        const auto around = around_wires(records, entry.name);
         OpenPorts open =
             open_ports(*clock_, entry,
                        scenario_.clock == ClockMode::free ? Drivers::scripted : Drivers::outside, around);
@@ -278,11 +296,13 @@ class Runtime::Impl {
                 situation.mover_motions = movers_.motions(time);
                 return situation;
             }));
-        if (records.truth != nullptr)
+        if (records.truth != nullptr || dataset_ != nullptr)
             sessions_.back()->tell(std::make_unique<DeviceTruth>(
-                *records.truth, entry.name, [mount](Time time) { return mount->body_from_sonar(time); }));
+                records.truth, entry.name, [mount](Time time) { return mount->body_from_sonar(time); }));
+        if (dataset_ != nullptr) sessions_.back()->keep_in(*dataset_, sessions_.size() - 1);
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         if (records.remarks) sessions_.back()->remark_pings();
+        if (records.watch != nullptr) sessions_.back()->be_watched(*records.watch);
         running_.push_back({entry.name, entry.model, std::move(open.places), {}, {}});
     }
 
@@ -316,11 +336,28 @@ class Runtime::Impl {
                            .scene = scenario.scene.string(),
                            .seed = scenario.seed,
                            .unix_start = clock_->unix_start(),
-                           .objects = {scene_->objects().begin(), scene_->objects().end()}};
+                           .objects = {scene_->objects().begin(), scene_->objects().end()},
+                           .water = scenario.water};
         for (const SceneMover& mover : scene_->movers()) header.movers.push_back(mover.name);
         for (const ScenarioDevice& device : scenario.devices)
             header.devices.push_back({device.name, device.model->name, device.body_from_sonar});
         return header;
+    }
+
+    /// A run that nobody watches ends where its data set does.
+    void begin_dataset() {
+        if (dataset_ == nullptr) return;
+        DatasetStart start{
+            .header = truth_header(scenario_),
+            .turns = {},
+            .scene = scene_,
+            .straight = water_.water.profile.empty() || !water_.effects.has(Effect::refraction),
+            .waits = stepped_ != nullptr};
+        for (const ScenarioDevice& device : scenario_.devices)
+            start.turns.push_back(device.model->turn_steps > 1);
+        if (scenario_.clock == ClockMode::free)
+            start.failed = [this] { asio::post(io_, [this] { stop(); }); };
+        dataset_->begin(std::move(start));
     }
 
     Scenario scenario_;  ///< as Runtime's
@@ -344,8 +381,10 @@ class Runtime::Impl {
     Faults faults_;
     std::vector<std::unique_ptr<FaultySession>> faulty_sessions_;  ///< as sessions_, or none
     std::vector<std::unique_ptr<Session>> sessions_;
+    ControlDesk desk_;
     std::unique_ptr<Control> control_;  ///< nullptr without a place
     std::vector<RunningDevice> running_;
+    Dataset* dataset_ = nullptr;  ///< nullptr: nobody asks
     RenderThreads
         render_threads_;  // last: joined first, so that no ping comes back to a session that is gone
 };
@@ -355,7 +394,11 @@ Runtime::Runtime(const Scenario& scenario, RunRecords records, Punctuality punct
 Runtime::~Runtime() = default;
 const Scenario& Runtime::scenario() const { return impl_->scenario(); }
 std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
-std::size_t Runtime::triangles() const { return impl_->triangles(); }
+std::shared_ptr<const Scene> Runtime::scene() const { return impl_->scene(); }
+std::size_t Runtime::triangles() const { return impl_->scene()->triangles(); }
+void Runtime::ask(std::string line, std::function<void(std::string)> answer) {
+    impl_->ask(std::move(line), std::move(answer));
+}
 std::string Runtime::renderer() const { return impl_->renderer_description(); }
 std::optional<PoseSummary> Runtime::poses() const { return impl_->poses(); }
 std::map<std::string, PoseSummary> Runtime::objects() const { return impl_->objects(); }

@@ -4,7 +4,9 @@
 #include <spdlog/spdlog.h>
 
 #include "emulator/capture/remark.h"
+#include "emulator/capture/watch.h"
 #include "emulator/contract/random_key.h"
+#include "emulator/dataset/dataset.h"
 #include "emulator/truth/device_truth.h"
 
 namespace echoloop {
@@ -126,6 +128,9 @@ void Session::post_mail(Send send) {
             spdlog::warn("{}: more is asked for than can be said; messages are dropped", name_);
         return;
     }
+    if (dataset_ != nullptr)
+        dataset_->said(number_in_it_, mail.send.port,
+                       {reinterpret_cast<const char*>(mail.send.bytes.data()), mail.send.bytes.size()});
     count_mail(mail, true);
     const Time when = mail.send.not_before;
     const bool first = outbox_.empty() || when < outbox_.begin()->first;
@@ -174,7 +179,8 @@ void Session::transmit(Ping ping, Time time) {
     summary_.spared_pings += spared;
     summary_.coarse_pings += situation.density < 1;
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
-    situation.objects = truth_ != nullptr;
+    const bool watched = watch_ != nullptr && watch_->wants_ping(name_, ping.shot);
+    situation.objects = truth_ != nullptr || watched;  // a data set has truth_, too
     auto echoes = render(ping.due, ping.shot, situation);
     situation.objects = false;
     situation.detail = late_detail;
@@ -182,7 +188,7 @@ void Session::transmit(Ping ping, Time time) {
     const double unix_time = clock_.unix_time() - to_seconds(clock_.now() - time);
     asio::co_spawn(io_,
                    deliver({std::move(transmission), sequence_, ping.due, std::move(echoes),
-                            std::move(late_before), std::move(situation), unix_time, power_cuts_}),
+                            std::move(late_before), std::move(situation), unix_time, power_cuts_, watched}),
                    Serving(name_));
 }
 
@@ -221,17 +227,25 @@ void Session::hear(UnderWay& ping) {
     overload_.heard(ping.waited);
     ++summary_.pings;
     auto heard =
-        std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, {}, ping.sequence, now});
+        std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, {}, ping.sequence, now, {}});
     if (ping.late_before) heard->late_before = std::move(*ping.late_before->echogram);
     Echogram& echogram = heard->echogram;
     heard->foreign = water_.cross_talk.pulses_in(echogram, ping.transmission);
     heard_ = ping.sequence;
     if (log_ != nullptr) log_->hears(heard_);
     if (remarks_) remark_ = remark_of(ping.transmission, ping.sequence);
+    if (ping.watched)
+        heard->seen = Seen{ping.transmission.time, now - ping.due, echogram.objects, ping.situation.movers};
     auto faults = truth_ && log_ != nullptr ? log_->on(now) : std::vector<std::string>{};
-    if (truth_)
-        truth_->heard(ping.transmission, ping.situation, ping.unix_time, ping.due, std::move(faults),
-                      echogram);
+    if (truth_) {
+        PingTruth truth = truth_->of(ping.transmission, ping.situation, ping.unix_time, ping.due,
+                                     std::move(faults), echogram);
+        if (dataset_ != nullptr) {
+            heard->kept = std::make_shared<PingTruth>(truth);
+            heard->kept->echo.objects = echogram.objects;
+        }
+        truth_->heard(std::move(truth), std::move(echogram.objects));
+    }
     before_hearing_(now);
     const bool large = echogram.values.size() >= worth_a_thread;
     if (large && water_.device_threads) return hear_elsewhere(std::move(heard));
@@ -242,7 +256,18 @@ Actions Session::hear_all(Heard& heard) {
     water_.cross_talk.add(heard.foreign, heard.echogram);
     if (heard.late_before) late_echoes_.keep(heard.sequence - 1, std::move(*heard.late_before));
     late_echoes_.add_to(heard.sequence, heard.echogram);
-    return device_->heard(heard.echogram, heard.now);
+    if (heard.seen) {
+        heard.echogram.objects = std::move(heard.seen->objects);
+        watch_->ping({name_, heard.sequence, heard.seen->transmitted, heard.seen->late, heard.echogram,
+                      heard.seen->movers});
+    }
+    Actions actions = device_->heard(heard.echogram, heard.now);
+    if (heard.kept) {
+        heard.kept->echo.values = std::move(heard.echogram.values);
+        heard.kept->echo.rule = heard.echogram.rule;
+        dataset_->heard(number_in_it_, std::move(*heard.kept));
+    }
+    return actions;
 }
 
 void Session::hear_elsewhere(std::shared_ptr<Heard> heard) {

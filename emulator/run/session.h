@@ -27,7 +27,10 @@
 
 namespace echoloop {
 
+class Dataset;
 class DeviceTruth;
+struct PingTruth;
+class Watch;
 
 /// What the sessions of a run share: the water that they all ping in.
 struct SharedWater {
@@ -56,8 +59,13 @@ class Session {
 
     /// Before start(). `truth` gets every ping from then on.
     void tell(std::unique_ptr<DeviceTruth> truth);
+    /// Before start(), after tell(): `dataset` gets every ping, and what is said for it, as `sonar`'s.
+    void keep_in(Dataset& dataset, std::size_t sonar) { dataset_ = &dataset, number_in_it_ = sonar; }
     /// Before start(): who is told which ping is heard and sent. It outlives this.
     void tell_of_pings(PingLog& log) { log_ = &log; }
+
+    /// Before start(): who looks on. It outlives this.
+    void be_watched(Watch& watch) { watch_ = &watch; }
 
     /// Before start(): the first packet of each ping gets a comment that says where the sonar was.
     void remark_pings() { remarks_ = true; }
@@ -95,9 +103,10 @@ class Session {
         Situation situation;
         double unix_time;       ///< s since 1970, of the transmission
         std::uint64_t powered;  ///< power_cuts_ when it was sent
-        Time woken{};           ///< when it was seen to be due
-        Time overslept{};       ///< by then
-        Time waited{};          ///< from then on, for its rendering
+        bool watched;
+        Time woken{};      ///< when it was seen to be due
+        Time overslept{};  ///< by then
+        Time waited{};     ///< from then on, for its rendering
     };
     /// A message, and the number of the ping that the device had heard last.
     struct Mail {
@@ -110,6 +119,12 @@ class Session {
     Task<void> deliver(UnderWay ping);
     void hear(UnderWay& ping);
     void count_late(const UnderWay& ping, Time now);
+    /// What a watch is told beside the echogram.
+    struct Seen {
+        Time transmitted, late;
+        std::vector<std::uint16_t> objects;
+        std::vector<Pose> movers;
+    };
     /// What the device is about to hear; nothing else touches its late echoes meanwhile.
     struct Heard {
         Echogram echogram;
@@ -117,6 +132,8 @@ class Session {
         std::vector<ForeignPulse> foreign;
         std::uint64_t sequence;
         Time now;
+        std::optional<Seen> seen{};
+        std::shared_ptr<PingTruth> kept{};  ///< for the data set; nullptr: there is none
     };
     Actions hear_all(Heard& heard);
     /// On another thread, which this session outlives.
@@ -145,6 +162,8 @@ class Session {
     SituationAt situation_at_;
     RenderThreads& renderers_;
     std::unique_ptr<DeviceTruth> truth_;  ///< nullptr: nobody asks
+    Dataset* dataset_ = nullptr;          ///< the same
+    std::size_t number_in_it_ = 0;
 
     std::multimap<Time, Mail> outbox_;  ///< by not_before; equal times keep their order
     std::size_t outbox_bytes_ = 0, outbox_memory_ = 0;
@@ -164,6 +183,7 @@ class Session {
     std::function<Actions(Actions, Time)> after_hearing_ = [](Actions actions, Time) { return actions; };
     std::deque<std::function<void()>> waiting_;
     PingLog* log_ = nullptr;  ///< nullptr: nobody asks
+    Watch* watch_ = nullptr;  ///< nullptr: nobody looks
     std::uint64_t power_cuts_ = 0;
     std::uint64_t heard_ = 0;  ///< number of the ping heard last, from 1
 

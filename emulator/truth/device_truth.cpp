@@ -2,8 +2,8 @@
 
 namespace echoloop {
 
-void DeviceTruth::heard(const Transmission& transmission, const Situation& situation, double unix_time,
-                        Time due, std::vector<std::string> faults, Echogram& echogram) {
+PingTruth DeviceTruth::of(const Transmission& transmission, const Situation& situation, double unix_time,
+                          Time due, std::vector<std::string> faults, const Echogram& echogram) const {
     PingTruth truth;
     truth.device = device_;
     truth.transmitted = transmission.time;
@@ -18,8 +18,13 @@ void DeviceTruth::heard(const Transmission& transmission, const Situation& situa
     truth.echo.sound_speed = echogram.sound_speed;
     truth.echo.noise_power = echogram.noise_power;
     truth.echo.truth = echogram.truth;
-    truth.echo.objects = std::move(echogram.objects);
-    file_.add(std::move(truth));
+    return truth;
+}
+
+void DeviceTruth::heard(PingTruth truth, std::vector<std::uint16_t> objects) {
+    if (file_ == nullptr) return;
+    truth.echo.objects = std::move(objects);
+    file_->add(std::move(truth));
 }
 
 }  // namespace echoloop

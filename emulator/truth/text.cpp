@@ -114,6 +114,22 @@ void append_shot(Json& json, const Shot& shot) {
     json.close();
 }
 
+void append_water(Json& json, const Water& water) {
+    json.key("water");
+    json.open();
+    json.number("temperature", water.temperature);
+    json.number("salinity", water.salinity);
+    json.number("ph", water.ph);
+    json.number("depth", water.depth);
+    json.number("sound_speed", sound_speed(water));
+    if (!water.profile.empty())
+        json.list("profile", water.profile, [&](const SoundSpeedPoint& point) {
+            json.list(std::initializer_list<double>{point.depth, point.speed},
+                      [&](double value) { json.number(value); });
+        });
+    json.close();
+}
+
 void append_objects(Json& json, const Echogram& echo) {
     if (echo.objects.empty()) return;
     std::vector<std::vector<Run>> beams;
@@ -146,6 +162,7 @@ std::string truth_header_line(const TruthHeader& header) {
         json.pose("body_from_sonar", device.body_from_sonar);
         json.close();
     });
+    append_water(json, header.water);
     json.list("objects", header.objects, words);
     json.list("movers", header.movers, words);
     json.close();
@@ -176,6 +193,11 @@ void append_truth_line(const PingTruth& ping, std::string& text) {
     json.list("axis_range", echo.truth, [&](const BeamTruth& truth) { json.number(truth.axis_range); });
     json.list("nearest_range", echo.truth, [&](const BeamTruth& truth) { json.number(truth.nearest_range); });
     append_objects(json, echo);
+    if (!ping.visible.empty())
+        json.list("visible", ping.visible, [&](const auto& object) {
+            json.list(std::initializer_list<double>{static_cast<double>(object.first), object.second},
+                      [&](double value) { json.number(value); });
+        });
     json.list("faults", ping.faults, [&](const std::string& fault) { json.words(fault); });
     json.close();
 }

@@ -9,6 +9,7 @@
 #include "emulator/capture/background_file.h"
 #include "emulator/contract/device.h"
 #include "render/motion.h"
+#include "render/water.h"
 
 namespace echoloop {
 
@@ -24,6 +25,7 @@ struct TruthHeader {
     std::vector<std::string> objects{};  ///< by their numbers in the lines, from 1 on
     std::vector<std::string> movers{};   ///< things that move, in the order of Situation::movers
     std::vector<Device> devices{};
+    Water water{};
 };
 
 /// What a line is made of.
@@ -33,8 +35,11 @@ struct PingTruth {
     double unix_time = 0;      ///< s since 1970, of the transmission
     std::vector<Pose> movers;  ///< Situation::movers
     Pose world_from_body;
-    Motion sonar;                     ///< Situation::velocity and ::turning
-    Echogram echo;                    ///< without its values
+    Motion sonar;   ///< Situation::velocity and ::turning
+    Echogram echo;  ///< without its values
+    /// For who asks: objects within the main lobes, by their numbers in the lines, and how much of each no
+    /// other hides, 0..1.
+    std::vector<std::pair<std::uint32_t, double>> visible{};
     std::vector<std::string> faults;  ///< kinds and numbers of those that were on when it was heard
 };
 

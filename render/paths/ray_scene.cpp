@@ -50,9 +50,10 @@ RTCRayHit embree_query(Vec3 origin, Vec3 direction, double near, double far) {
 
 /// Triangles that are there from one side only, or from both.
 struct TriangleSet {
-    std::vector<std::uint32_t> corners;          ///< three per triangle
-    std::vector<std::uint32_t> first, material;  ///< of each chunk: its first triangle, its material
-    std::vector<float> facet;                    ///< of each chunk, as SceneChunk has it
+    std::vector<std::uint32_t> corners;  ///< three per triangle
+    /// Of each chunk: its first triangle, its material, its object.
+    std::vector<std::uint32_t> first, material, object;
+    std::vector<float> facet;  ///< of each chunk, as SceneChunk has it
 };
 
 /// Of what stands still (`mover` 0), or of a mover in its own frame.
@@ -63,6 +64,7 @@ TriangleSet collect(const Scene& scene, std::span<const SceneChunk> chunks, std:
         if (chunk.mover != mover || scene.materials()[chunk.material].double_sided != double_sided) continue;
         set.first.push_back(static_cast<std::uint32_t>(set.corners.size() / 3));
         set.material.push_back(chunk.material);
+        set.object.push_back(chunk.object);
         set.facet.push_back(chunk.facet);
         for (const std::uint16_t corner : scene.indices().subspan(chunk.first_index, chunk.indices))
             set.corners.push_back(chunk.first_vertex + corner);
@@ -157,7 +159,7 @@ class RayScene::Impl {
         normal = (dot(normal, direction) > 0 ? -1 : 1) / twice_area * normal;
         const TriangleSet& set = group->sets[query.hit.geomID];
         const std::size_t chunk = chunk_of(set, query.hit.primID);
-        return RayHit{query.ray.tfar, normal, set.material[chunk],
+        return RayHit{query.ray.tfar, normal, set.material[chunk], set.object[chunk],
                       std::max(twice_area / longest_side(set, query.hit.primID), double{set.facet[chunk]})};
     }
 

@@ -13,6 +13,7 @@ struct RayHit {
     double range = 0;            ///< m, along the ray
     Vec3 normal;                 ///< of the triangle, unit, towards the ray's origin
     std::uint32_t material = 0;  ///< in Scene::materials()
+    std::uint32_t object = 0;    ///< in Scene::objects()
     double height = 0;  ///< m, of the triangle over its longest side, or of the flat face that it is part of
 };
 

@@ -4,7 +4,7 @@
       |            '---------> render           render      knows no protocol and no emulator
       '--> protocols, render                    emulator    rooms with arrows of their own, see ROOMS
 
-    run -> {faults, pose, replay, truth, water} -> {capture, machine, scenario, transport} -> {clock, contract}
+    run -> {dataset, faults, pose, replay, truth, water} -> {capture, machine, scenario, transport} -> {clock, contract}
     devices -> contract, protocols
 
 A rule says which of the project's files and which libraries a file may include; the first rule that fits counts.
@@ -49,11 +49,13 @@ ROOMS = {
     "transport": (("contract", "clock"), "", NETWORK),
     "capture": (("contract", "clock", "transport"), "", ""),
     "truth": (("contract", "capture"), "render/.*", ""),
+    "dataset": (("contract", "capture", "truth"), "render/.*", ""),
     "faults": (("contract", "clock", "scenario", "transport", "capture"), "protocols/.*", ""),
     "pose": (("contract", "clock", "scenario", "transport"), "(render|protocols)/.*", ""),
     "replay": (("contract", "clock", "transport", "capture"), "protocols/.*", ""),
     "water": (("contract", "clock", "machine"), "render/.*", ""),
-    "run": (("contract", "clock", "machine", "scenario", "transport", "capture", "truth", "faults", "pose", "water"),
+    "run": (("contract", "clock", "machine", "scenario", "transport", "capture", "truth", "dataset", "faults", "pose",
+             "water"),
             "render/.*", NETWORK),
 }
 

@@ -54,7 +54,7 @@ void tell_places(Json& started, const Runtime& runtime) {
 
 }  // namespace
 
-std::string run_started_json(const Runtime& runtime) {
+std::string run_started_json(const Runtime& runtime, const std::string& view) {
     const Scenario& scenario = runtime.scenario();
     Json devices = Json::array();
     const auto running = runtime.devices();
@@ -69,12 +69,13 @@ std::string run_started_json(const Runtime& runtime) {
                  {"clock", clock_text(scenario)},
                  {"devices", devices}};
     tell_places(started, runtime);
+    if (!view.empty()) started["view"] = view;
     return line_of(started);
 }
 
 std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Runtime& runtime,
-                             const Recording* recording, const TruthFile* truth,
-                             const BackgroundFile* labels) {
+                             const Recording* recording, const TruthFile* truth, const BackgroundFile* labels,
+                             const Dataset* dataset) {
     Json devices = Json::array();
     for (const auto& s : sessions) {
         Json device{{"name", s.name}};
@@ -113,6 +114,11 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
         const BackgroundFileSummary s = labels->summary();
         ended["labels"] = {
             {"file", labels->file().string()}, {"lines", s.lines}, {"lost", s.lost}, {"stopped", s.stopped}};
+    }
+    if (dataset != nullptr) {
+        const DatasetSummary s = dataset->summary();
+        ended["dataset"] = {
+            {"folder", dataset->folder().string()}, {"pings", s.pings}, {"bytes", s.bytes}, {"lost", s.lost}};
     }
     return line_of(ended);
 }

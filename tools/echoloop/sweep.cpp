@@ -1,17 +1,16 @@
 // echoloop sweep: many runs of one scenario, each with values of its own, into one folder for each.
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "emulator/capture/recording.h"
+#include "emulator/dataset/dataset.h"
 #include "emulator/run/kept_scene.h"
 #include "emulator/run/runtime.h"
 #include "emulator/scenario/number.h"
@@ -80,56 +79,13 @@ std::string folder_name(std::uint64_t index) {
     return name.data();
 }
 
-StartError cannot(const std::string& what, const fs::path& path, const std::error_code& why) {
-    return {Exit::io, "cannot " + what + " " + path.string() + ": " + why.message()};
-}
-
-/// A folder that becomes the run's when it is whole. One process at a time has it; what a killed one left is
-/// thrown away.
-class Aside {
-  public:
-    Aside(const fs::path& out, std::uint64_t index)
-        : whole_(out / folder_name(index)), aside_(out / ("." + folder_name(index) + ".part")) {
-        std::error_code error;
-        fs::create_directories(aside_, error);
-        if (error) throw cannot("make", aside_, error);
-        lock_ = ::open(aside_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        if (lock_ < 0) throw cannot("open", aside_, {errno, std::generic_category()});
-        mine_ = ::flock(lock_, LOCK_EX | LOCK_NB) == 0;
-        if (!mine_) return;
-        for (const auto& left : fs::directory_iterator(aside_, error)) fs::remove_all(left.path(), error);
-        if (error) throw cannot("clear", aside_, error);
-    }
-    ~Aside() {
-        if (mine_ && !done_) {
-            std::error_code ignored;
-            fs::remove_all(aside_, ignored);
-        }
-        if (lock_ >= 0) ::close(lock_);
-    }
-    Aside(const Aside&) = delete;
-    Aside& operator=(const Aside&) = delete;
-
-    bool mine() const { return mine_; }
-    fs::path file(const char* name) const { return aside_ / name; }
-    void finish() {
-        std::error_code error;
-        fs::rename(aside_, whole_, error);
-        if (error) throw cannot("make", whole_, error);
-        done_ = true;
-    }
-
-  private:
-    fs::path whole_, aside_;
-    int lock_ = -1;
-    bool mine_ = false, done_ = false;
-};
-
 void write_text(const fs::path& file, const std::string& text) {
     std::ofstream out(file, std::ios::binary);
     out << text << '\n';
     out.close();
-    if (!out) throw cannot("write", file, {errno, std::generic_category()});
+    if (!out)
+        throw StartError(Exit::io, "cannot write " + file.string() + ": " + std::strerror(errno) +
+                                       "; make room there and start it again");
 }
 
 std::string values_json(const Sweep& sweep, std::uint64_t index) {
@@ -151,17 +107,23 @@ double duration_of(const Scenario& scenario) {
 }
 
 /// One run as a whole, or nothing of it; false: another process is at it.
-bool make_run(const Sweep& sweep, std::uint64_t index, const fs::path& out, KeptScene& kept) {
-    Aside aside(out, index);
+bool make_run(const Sweep& sweep, std::uint64_t index, const fs::path& out, bool with_dataset,
+              KeptScene& kept) {
+    AsideFolder aside(out / folder_name(index));
     if (!aside.mine()) return false;
     const Scenario scenario = sweep.scenario(index);
     const double duration = duration_of(scenario);
-    Recording recording(aside.file("capture.pcapng"));
-    TruthFile truth(aside.file("truth.jsonl"));
+    Recording recording(aside.path() / "capture.pcapng");
+    TruthFile truth(aside.path() / "truth.jsonl");
     std::optional<BackgroundFile> labels;
-    if (!scenario.faults.empty()) labels.emplace(aside.file("labels.jsonl"), "the labels");
+    if (!scenario.faults.empty()) labels.emplace(aside.path() / "labels.jsonl", "the labels");
+    std::optional<Dataset> dataset;
+    if (with_dataset) dataset.emplace(aside.path() / "dataset");
     Runtime runtime(scenario,
-                    {.recording = &recording, .truth = &truth, .labels = labels ? &*labels : nullptr},
+                    {.recording = &recording,
+                     .truth = &truth,
+                     .labels = labels ? &*labels : nullptr,
+                     .dataset = dataset ? &*dataset : nullptr},
                     Punctuality::ordinary, &kept);
     runtime.run(duration);
     recording.finish();
@@ -169,13 +131,23 @@ bool make_run(const Sweep& sweep, std::uint64_t index, const fs::path& out, Kept
     if (labels) labels->finish();
     if (runtime.interrupted())
         throw StartError(Exit::late, "run " + std::to_string(index) + " was interrupted; start it again");
+    if (dataset) dataset->finish();
     const RecordingSummary recorded = recording.summary();
     if (recorded.lost > 0 || recorded.stopped || truth.summary().lost > 0 || truth.summary().stopped)
         throw StartError(Exit::io, "run " + std::to_string(index) +
                                        " is not whole: the disk is full or too slow; make room in " +
                                        out.string() + " and start it again");
-    write_text(aside.file("values.json"), values_json(sweep, index));
+    write_text(aside.path() / "values.json", values_json(sweep, index));
     aside.finish();
+    return true;
+}
+
+/// Throws StartError if it is, without the data set that is wanted.
+bool is_there(const fs::path& run, bool with_dataset) {
+    if (!fs::exists(run)) return false;
+    if (with_dataset && !fs::exists(run / "dataset"))
+        throw StartError(Exit::cannot_create,
+                         run.string() + ": was made without --dataset; name another folder with --out");
     return true;
 }
 
@@ -191,15 +163,16 @@ int run_sweep(const Arguments& arguments) {
         throw StartError(Exit::usage, "give --out DIR, a folder for the runs, or --print");
     const fs::path out = arguments.text("--out");
     duration_of(sweep.scenario(part.first));
+    const bool with_dataset = arguments.has("--dataset");
     KeptScene kept;
     std::uint64_t made = 0, there = 0, elsewhere = 0, done = 0;
     const std::uint64_t all =
         part.first >= sweep.runs() ? 0 : (sweep.runs() - part.first - 1) / part.step + 1;
     Progress progress("runs", all);
     for (std::uint64_t index = part.first; index < sweep.runs(); index += part.step) {
-        if (fs::exists(out / folder_name(index)))
+        if (is_there(out / folder_name(index), with_dataset))
             ++there;
-        else if (make_run(sweep, index, out, kept))
+        else if (make_run(sweep, index, out, with_dataset, kept))
             ++made;
         else
             ++elsewhere;
@@ -222,6 +195,7 @@ Verb sweep_verb() {
          set_argument(),
          {Kind::value, "--out", "DIR",
           "folder that gets a folder for each run; those that are there are not made again"},
+         {Kind::flag, "--dataset", "", "each run's folder gets a data set too (docs/datasets.md)"},
          {Kind::value, "--index", "N", "one run alone, counted from 0"},
          {Kind::value, "--shard", "I/N",
           "every Nth run from the Ith on, I from 0; task/N takes I from SLURM_ARRAY_TASK_ID or "
@@ -230,6 +204,7 @@ Verb sweep_verb() {
         "  echoloop sweep dive.yaml --out runs\n"
         "  echoloop sweep dive.yaml --index 17 --print\n"
         "  echoloop sweep dive.yaml --shard task/100 --out runs\n"
+        "  echoloop sweep dive.yaml --out runs --dataset\n"
         "Exit status: 0, all is there; 74 and 75, try again (disk, interrupted, another process is at it);\n"
         "64, 65, 66, 78: the command line, a file or the scenario is wrong, and trying again will not "
         "help.\n",

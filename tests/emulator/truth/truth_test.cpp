@@ -132,11 +132,11 @@ TEST(DeviceTruth, KnowsWhereTheVehicleIsFromItsSonar) {
     TruthFile truth(file.path);
     const Pose world_from_body{{10, 20, -5}, axis_angle({0, 0, 1}, 1)},
         body_from_sonar{{0.4, 0, 0.1}, from_rpy(0, 1, 0)};
-    DeviceTruth device(truth, "sonar", body_from_sonar);
+    DeviceTruth device(&truth, "sonar", body_from_sonar);
     Echogram echogram;
     echogram.world_from_sonar = world_from_body * body_from_sonar;
-    echogram.objects = {1};
-    device.heard({{}, 0, echogram.world_from_sonar, {}}, {}, 0, {}, {"bit_flips 3"}, echogram);
+    device.heard(device.of({{}, 0, echogram.world_from_sonar, {}}, {}, 0, {}, {"bit_flips 3"}, echogram),
+                 {1});
     truth.finish();
     const Json line = Json::parse(lines_of(file.path).at(0));
     const double wanted[] = {10, 20, -5};
