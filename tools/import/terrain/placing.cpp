@@ -3,6 +3,8 @@
 #include <ogr_spatialref.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "render/scene/limits.h"
 #include "tools/import/fault.h"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "tools/import/fault.h"
 #include "tools/import/terrain/delaunay.h"
