@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "emulator/contract/network.h"
 #include "emulator/contract/profile.h"
 #include "render/effects.h"
+#include "render/geographic.h"
 
 namespace echoloop {
 
@@ -45,7 +47,8 @@ struct DeviceConfig {
     double sound_speed = 1500;     ///< m/s, the true one
     std::vector<Network> peers{};  ///< that may be sent to; none: the interfaces' own networks
     double unix_start = 0;  ///< s, Unix time at the start of the run, for devices that send wall-clock time
-    std::uint64_t random_key = 0;  ///< of seed and device, for its sensors
+    std::optional<GeoPlace> origin{};  ///< of the world on the Earth, if that is known
+    std::uint64_t random_key = 0;      ///< of seed and device, for its sensors
 };
 
 struct Model {

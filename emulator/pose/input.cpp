@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "emulator/contract/endpoint.h"
+#include "emulator/pose/limits.h"
 #include "emulator/scenario/problems.h"
 #include "emulator/transport/make.h"
 #include "emulator/transport/standard_streams.h"
@@ -41,7 +42,8 @@ Time SenderClock::run_time(double sender_seconds, Time arrival) {
 }
 
 PoseInput::PoseInput(Clock& clock, const std::string& endpoint, std::span<const Network> peers,
-                     Whereabouts* where, StepServer* steps, ObjectWhereabouts objects)
+                     Whereabouts* where, StepServer* steps, ObjectWhereabouts objects,
+                     std::optional<GeoPlace> origin)
     : clock_(clock),
       transport_(in_step(clock, open(clock.io(), endpoint, peers))),
       place_(transport_->describe()),
@@ -50,7 +52,9 @@ PoseInput::PoseInput(Clock& clock, const std::string& endpoint, std::span<const 
       datagrams_(transport_->wire().kind == Wire::Kind::udp),
       where_(where),
       objects_(std::move(objects)),
-      steps_(steps) {}
+      steps_(steps),
+      origin_(origin),
+      mavlink_pose_(origin) {}
 
 void PoseInput::start() {
     transport_->start({.received = [this](ByteView bytes, Address from) { received(bytes, from); },
@@ -76,7 +80,7 @@ void PoseInput::begin() {
     lines_.clear();
     begun_ = false;
     framer_.clear();
-    mavlink_pose_ = {};
+    mavlink_pose_ = MavlinkPose(origin_);
 }
 
 void PoseInput::received(ByteView bytes, Address from) {
@@ -109,6 +113,7 @@ void PoseInput::line(std::string_view text, Address from) {
     if (!text.empty()) read = parse_pose_line(text);
     if (read.now && steps_ == nullptr)
         read = {{}, "now: the clock of this run is not stepped; that needs clock: {mode: stepped}", read.now};
+    place_in_world(read);
     const std::string object = read.message ? read.message->object : "";
     if (!object.empty() && !objects_.contains(object)) read = {{}, why_unknown(object), {}};
     if (read.message && object.empty() && where_ == nullptr)
@@ -116,6 +121,20 @@ void PoseInput::line(std::string_view text, Address from) {
     if (steps_ == nullptr) return take_unstepped(read, from);
     has_stepped_ = has_stepped_ || read.now;
     steps_->add({std::move(read), this, from, connection_});
+}
+
+void PoseInput::place_in_world(PoseText& read) const {
+    if (!read.message || !read.message->place) return;
+    if (!origin_) {
+        read = {{},
+                "latitude: nothing says where the world lies on the Earth; add origin: {latitude: ..., "
+                "longitude: ...} to the scenario",
+                read.now};
+        return;
+    }
+    read.message->position = enu_from_place(*origin_, *read.message->place);
+    if (!(norm(*read.message->position) <= farthest))
+        read = {{}, "latitude, longitude: more than 1000 km from the world's origin", read.now};
 }
 
 /// Who waits for an answer gets one, at most one at a time.

@@ -47,9 +47,10 @@ class PoseInput final : public LineSource {
   public:
     /// `endpoint`: as in a scenario, or standard_input. `where` is told the poses; nullptr: nobody asks for
     /// them, and lines that tell some are refused. `steps`: of a stepped run, else nullptr. All outlive this.
+    /// `origin`: of the world on the Earth, if that is known.
     /// Throws StartError if the endpoint cannot be opened.
     PoseInput(Clock& clock, const std::string& endpoint, std::span<const Network> peers, Whereabouts* where,
-              StepServer* steps, ObjectWhereabouts objects = {});
+              StepServer* steps, ObjectWhereabouts objects = {}, std::optional<GeoPlace> origin = {});
 
     void start();
     void close() { transport_->close(); }
@@ -66,6 +67,7 @@ class PoseInput final : public LineSource {
     void mavlink(ByteView bytes);
     void take_unstepped(const PoseText& text, Address from);
     void tell(const PoseMessage& message);
+    void place_in_world(PoseText& read) const;
     std::string why_unknown(const std::string& object) const;
     void begin();
     void end();
@@ -78,6 +80,7 @@ class PoseInput final : public LineSource {
     Whereabouts* where_;
     ObjectWhereabouts objects_;
     StepServer* steps_;
+    std::optional<GeoPlace> origin_;
     bool has_stepped_ = false;
     bool answering_ = false;  ///< that it is not stepped
     SenderClock sender_;

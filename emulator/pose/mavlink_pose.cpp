@@ -105,29 +105,19 @@ PoseText MavlinkPose::add(const mavlink::Message& message, std::uint8_t system, 
     return {told, ""};
 }
 
-/// Along the ellipsoid WGS 84, whose radii of curvature at the first place make metres of angles. Not finite
-/// for a place that is none on the globe.
-Vec3 MavlinkPose::near_first(double latitude_deg, double longitude_deg, double altitude) {
-    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-    if (!(std::abs(latitude_deg) <= 90) || !(std::abs(longitude_deg) <= 360))
-        return {nowhere, nowhere, nowhere};
-    const Place place{deg_to_rad(latitude_deg), deg_to_rad(longitude_deg)};
-    if (!first_) first_ = place;
-    const Vec3 moved = from_first(place, altitude);
+/// Not finite for a place that is none on the globe.
+Vec3 MavlinkPose::in_world(const GeoPlace& place) {
+    if (origin_) return enu_from_place(*origin_, place);
+    if (!(std::abs(place.latitude) <= 90) || !(std::abs(place.longitude) <= 360))
+        return enu_from_place({}, place);
+    const GeoPlace here{place.latitude, place.longitude, 0};
+    if (!first_) first_ = here;
+    const Vec3 moved = enu_from_place(*first_, place);
     const bool no_fix_yet =
         first_->latitude == 0 && first_->longitude == 0;  // what autopilots say until then
     if (!no_fix_yet || norm(moved) < farthest) return moved;
-    first_ = place;
-    return from_first(place, altitude);
-}
-
-Vec3 MavlinkPose::from_first(const Place& place, double altitude) const {
-    constexpr double equator = 6378137.0, eccentricity2 = 6.69437999014e-3;
-    const double s = std::sin(first_->latitude), root = std::sqrt(1 - eccentricity2 * s * s);
-    const double meridian = equator * (1 - eccentricity2) / (root * root * root), normal = equator / root;
-    const double turn = std::remainder(place.longitude - first_->longitude, 2 * std::numbers::pi);
-    return {turn * normal * std::cos(first_->latitude), (place.latitude - first_->latitude) * meridian,
-            altitude};
+    first_ = here;
+    return enu_from_place(*first_, place);
 }
 
 PoseMessage MavlinkPose::read(const mavlink::Attitude& m) {
@@ -152,7 +142,7 @@ PoseMessage MavlinkPose::read(const mavlink::GlobalPositionInt& m) {
     rank_ = global;
     if (position_rank_ > global) return {};  // or its place would be the first
     return {seconds(m.time_boot_ms),
-            near_first(m.latitude * 1e-7, m.longitude * 1e-7, m.altitude * 1e-3),
+            in_world({m.latitude * 1e-7, m.longitude * 1e-7, m.altitude * 1e-3}),
             {},
             enu_from_ned(Vec3{m.vx * 1e-2, m.vy * 1e-2, m.vz * 1e-2})};
 }
@@ -166,9 +156,9 @@ PoseMessage MavlinkPose::read(const mavlink::SimState& m) {
     told.turning =
         known(flu_from_frd({m.acceleration_gyro[3], m.acceleration_gyro[4], m.acceleration_gyro[5]}));
     if (!place_is_rounded_)
-        told.position = near_first(m.exact_latitude * 1e-7, m.exact_longitude * 1e-7, m.altitude);
+        told.position = in_world({m.exact_latitude * 1e-7, m.exact_longitude * 1e-7, m.altitude});
     else if (position_rank_ <= rounded)
-        told.position = near_first(m.latitude, m.longitude, m.altitude);
+        told.position = in_world({m.latitude, m.longitude, m.altitude});
     return told;
 }
 

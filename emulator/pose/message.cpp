@@ -47,6 +47,24 @@ std::optional<Vec3> rate(const Json& object, const char* key) {
     return Vec3{x, y, z};
 }
 
+/// Of a fix: the altitude of a NavSatFix, or a depth below the same level.
+GeoPlace place(const Json& object) {
+    for (const char* const key : {"latitude", "longitude"})
+        if (!object.contains(key)) throw Refusal{std::string(key) + " is missing"};
+    if (object.contains("position")) throw Refusal{"position and latitude: give one of them"};
+    if (object.contains("altitude") == object.contains("depth"))
+        throw Refusal{"latitude: \"altitude\" or \"depth\" in m belongs to it, one of them"};
+    const double latitude = number(object.at("latitude"), "latitude");
+    const double longitude = number(object.at("longitude"), "longitude");
+    if (std::abs(latitude) > 90) throw Refusal{"latitude: not within 90 degrees"};
+    if (std::abs(longitude) > 360) throw Refusal{"longitude: not within 360 degrees"};
+    const bool has_depth = object.contains("depth");
+    return {latitude, longitude,
+            has_depth ? -number(object.at("depth"), "depth") : number(object.at("altitude"), "altitude")};
+}
+
+bool tells_place(const Json& object) { return object.contains("latitude") || object.contains("longitude"); }
+
 Quat read_quaternion(const Json& object, const char* key) {
     constexpr double tolerance = 0.01;
     const auto [w, x, y, z] = numbers<4>(object, key);
@@ -90,7 +108,11 @@ PoseMessage of_ardupilot(const Json& object) {
 }
 
 PoseMessage of_echoloop(const Json& object) {
-    PoseMessage message{time(object, "t"), position(object), Quat{}};
+    PoseMessage message{time(object, "t"), {}, {}};
+    if (tells_place(object))
+        message.place = place(object);
+    else
+        message.position = position(object), message.attitude = Quat{};
     message.object = subject(object);
     message.velocity = rate(object, "velocity"), message.turning = rate(object, "angular_velocity");
     if (object.contains("orientation")) message.attitude = read_quaternion(object, "orientation");
@@ -104,7 +126,8 @@ PoseMessage of_echoloop(const Json& object) {
 
 /// Or a part of one, which is a mistake.
 bool tells_pose(const Json& object) {
-    constexpr std::array keys{"position", "orientation", "rpy_deg", "attitude", "quaternion"};
+    constexpr std::array keys{"position",   "orientation", "rpy_deg",  "attitude",
+                              "quaternion", "latitude",    "longitude"};
     return std::ranges::any_of(keys, [&object](const char* key) { return object.contains(key); });
 }
 
@@ -117,8 +140,10 @@ PoseText parse_pose_line(std::string_view line) {
     try {
         const auto now = time(object, "now");
         if (now && !tells_pose(object)) return {{}, "", now};
-        if (!object.contains("position")) return {{}, "\"position\": [x, y, z] is missing", {}};
-        const bool ardupilot = object.contains("attitude") || object.contains("quaternion");
+        if (!object.contains("position") && !tells_place(object))
+            return {{}, "\"position\": [x, y, z] is missing", {}};
+        const bool ardupilot =
+            !tells_place(object) && (object.contains("attitude") || object.contains("quaternion"));
         return {ardupilot ? of_ardupilot(object) : of_echoloop(object), "", now};
     } catch (const Refusal& refusal) {
         return {{}, refusal.reason, {}};

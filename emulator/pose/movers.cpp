@@ -18,7 +18,7 @@ Movers::Movers(const Scenario& scenario, std::shared_ptr<const Scene> scene)
         Source& source = sources_[static_cast<std::size_t>(mover - scene_->movers().begin())];
         const bool lines = object.input.empty() && !object.pose;
         if (!object.trajectory.empty())
-            source = read_trajectory(object.trajectory);
+            source = read_trajectory(object.trajectory, scenario.origin);
         else if (object.pose && object.input.empty())
             source = *object.pose;
         else
@@ -33,8 +33,8 @@ void Movers::open_inputs(const Scenario& scenario, Clock& clock, StepServer* ste
         if (object.input.empty()) continue;
         const auto mover = std::ranges::find(scene_->movers(), object.node, &SceneMover::name);
         auto& told = std::get<Told>(sources_[static_cast<std::size_t>(mover - scene_->movers().begin())]);
-        inputs_.push_back(
-            std::make_unique<PoseInput>(clock, object.input, scenario.peers, &told.where, steps));
+        inputs_.push_back(std::make_unique<PoseInput>(clock, object.input, scenario.peers, &told.where, steps,
+                                                      ObjectWhereabouts{}, scenario.origin));
         told.input = inputs_.back().get();
     }
 }

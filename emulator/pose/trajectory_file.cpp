@@ -22,7 +22,9 @@ using Row = std::array<double, columns>;         // t x y z qw qx qy qz
 using Order = std::array<std::size_t, columns>;  // place of each column of a file in a Row
 constexpr Order csv_order{0, 1, 2, 3, 4, 5, 6, 7};
 constexpr Order tum_order{0, 1, 2, 3, 5, 6, 7, 4};
-constexpr std::array<std::string_view, columns> names{"t", "x", "y", "z", "qw", "qx", "qy", "qz"};
+using Names = std::array<std::string_view, columns>;
+constexpr Names metric_names{"t", "x", "y", "z", "qw", "qx", "qy", "qz"};
+constexpr Names geographic_names{"t", "latitude", "longitude", "altitude", "qw", "qx", "qy", "qz"};
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blanks = " \t\r";
@@ -50,7 +52,7 @@ bool is_number(std::string_view text) {
 
 class Parser {
   public:
-    explicit Parser(const std::string& name) : name_(name) {}
+    Parser(const std::string& name, const std::optional<GeoPlace>& origin) : name_(name), origin_(origin) {}
 
     void line(std::string_view text) {
         ++number_;
@@ -76,6 +78,12 @@ class Parser {
     }
 
     void read_header(const std::vector<std::string_view>& fields) {
+        on_globe_ = std::ranges::find(fields, "latitude") != fields.end();
+        if (on_globe_ && !origin_)
+            fail(
+                "nothing says where the world lies on the Earth; add origin: {latitude: ..., longitude: ...} "
+                "to the scenario");
+        const Names& names = on_globe_ ? geographic_names : metric_names;
         if (fields.size() != columns)
             fail("the header must name the columns t,x,y,z,qw,qx,qy,qz and no others; it names " +
                  std::to_string(fields.size()));
@@ -83,8 +91,9 @@ class Parser {
         for (std::size_t i = 0; i < columns; ++i) {
             const auto found = std::ranges::find(names, fields[i]);
             if (found == names.end() || std::ranges::count(fields, fields[i]) != 1)
-                fail("the header must name each of t,x,y,z,qw,qx,qy,qz once; it has '" +
-                     std::string(fields[i].substr(0, 40)) + "'");
+                fail(std::string("the header must name each of ") +
+                     (on_globe_ ? "t,latitude,longitude,altitude,qw,qx,qy,qz" : "t,x,y,z,qw,qx,qy,qz") +
+                     " once; it has '" + std::string(fields[i].substr(0, 40)) + "'");
             order[i] = static_cast<std::size_t>(found - names.begin());
         }
         order_ = order;
@@ -108,12 +117,13 @@ class Parser {
     void add(const Row& row) {
         if (track_.empty()) start_ = row[0];
         const double time = row[0] - start_;
-        const Vec3 position{row[1], row[2], row[3]};
+        const Vec3 position =
+            on_globe_ ? enu_from_place(*origin_, {row[1], row[2], row[3]}) : Vec3{row[1], row[2], row[3]};
         const double length =
             std::sqrt(row[4] * row[4] + row[5] * row[5] + row[6] * row[6] + row[7] * row[7]);
         if (!track_.empty() && time <= last_) fail("the time must be later than that of the row before");
         if (time > farthest * 1e3) fail("the time is too far from that of the first row");
-        if (norm(position) > farthest) fail("the position is more than 1000 km from the origin");
+        if (!(norm(position) <= farthest)) fail("the position is more than 1000 km from the origin");
         if (std::abs(length - 1) > 0.01) fail("the quaternion's length is not 1");
         if (track_.size() >= most_rows) fail("more than ten million rows");
         last_ = time;
@@ -122,6 +132,8 @@ class Parser {
     }
 
     const std::string& name_;
+    const std::optional<GeoPlace>& origin_;
+    bool on_globe_ = false;  ///< its places are latitude, longitude and altitude
     std::size_t number_ = 0;
     std::optional<Order> order_;
     double start_ = 0, last_ = 0;
@@ -135,8 +147,9 @@ class Parser {
 
 }  // namespace
 
-Track parse_trajectory(std::string_view text, const std::string& name) {
-    Parser parser(name);
+Track parse_trajectory(std::string_view text, const std::string& name,
+                       const std::optional<GeoPlace>& origin) {
+    Parser parser(name, origin);
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // spreadsheets write it
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     while (!text.empty()) {
@@ -147,7 +160,7 @@ Track parse_trajectory(std::string_view text, const std::string& name) {
     return parser.finish();
 }
 
-Track read_trajectory(const std::filesystem::path& file) {
+Track read_trajectory(const std::filesystem::path& file, const std::optional<GeoPlace>& origin) {
     if (const auto fault = scenario::file_fault(file))
         throw StartError(fault->kind == Problem::Kind::no_permission ? Exit::no_permission : Exit::no_input,
                          file.string() + ": " + fault->message);
@@ -155,7 +168,7 @@ Track read_trajectory(const std::filesystem::path& file) {
         throw StartError(Exit::data, file.string() + ": larger than 2 GiB; split it");
     std::ostringstream text;
     text << std::ifstream(file, std::ios::binary).rdbuf();
-    return parse_trajectory(text.view(), file.string());
+    return parse_trajectory(text.view(), file.string(), origin);
 }
 
 }  // namespace echoloop

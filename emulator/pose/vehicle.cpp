@@ -9,16 +9,16 @@ namespace echoloop {
 Vehicle::Vehicle(const Scenario& scenario, Clock& clock, StepServer* steps, const ObjectWhereabouts& objects)
     : source_(scenario.world_from_body) {
     if (!scenario.trajectory.empty())
-        source_ = read_trajectory(scenario.trajectory);
+        source_ = read_trajectory(scenario.trajectory, scenario.origin);
     else if (!scenario.pose_input.empty() || steps != nullptr)
         source_ = Whereabouts(scenario.world_from_body, steps != nullptr);
     auto* const where = std::get_if<Whereabouts>(&source_);
     if (!scenario.pose_input.empty())
-        inputs_.push_back(
-            std::make_unique<PoseInput>(clock, scenario.pose_input, scenario.peers, where, steps, objects));
+        inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.pose_input, scenario.peers, where,
+                                                      steps, objects, scenario.origin));
     if (!scenario.step_input.empty() && scenario.step_input != scenario.pose_input)
-        inputs_.push_back(
-            std::make_unique<PoseInput>(clock, scenario.step_input, scenario.peers, where, steps, objects));
+        inputs_.push_back(std::make_unique<PoseInput>(clock, scenario.step_input, scenario.peers, where,
+                                                      steps, objects, scenario.origin));
 }
 
 void Vehicle::name_places(Scenario& scenario) const {

@@ -34,9 +34,11 @@ const Scenario& with_memory_at_hand(const Scenario& scenario) {
     return scenario;
 }
 
-std::shared_ptr<const Scene> loaded(const Scenario& scenario, KeptScene* kept) {
+/// The scenario gets the scene's origin where it states none of its own.
+std::shared_ptr<const Scene> loaded(Scenario& scenario, KeptScene* kept) {
     auto scene = kept != nullptr ? kept->scene_of(scenario) : load_scene(scenario);
     return_freed_memory();
+    scenario.origin = origin_of(scenario, *scene);
     return scene;
 }
 
@@ -83,7 +85,7 @@ class Runtime::Impl {
   public:
     Impl(const Scenario& scenario, const RunRecords& records, Punctuality punctuality, KeptScene* kept)
         : scenario_(with_memory_at_hand(scenario)),
-          scene_(loaded(scenario, kept)),
+          scene_(loaded(scenario_, kept)),
           plans_(kept != nullptr ? kept->plans() : std::make_shared<PlanCache>()),
           real_time_(claim(punctuality)),
           signals_(io_),
@@ -92,8 +94,8 @@ class Runtime::Impl {
           clock_(make_clock(scenario, io_)),
           stepped_(dynamic_cast<SteppedClock*>(clock_.get())),
           steps_(scenario.clock == ClockMode::stepped ? make_step_server() : nullptr),
-          movers_(scenario, scene_),
-          vehicle_(scenario, *clock_, steps_.get(), movers_.by_lines()),
+          movers_(scenario_, scene_),
+          vehicle_(scenario_, *clock_, steps_.get(), movers_.by_lines()),
           water_(shared_water(scenario, *scene_, movers_)),
           faults_(scenario.seed, scenario.file.string(), records.labels,
                   [this] { return clock_->unix_time(); }),
@@ -105,7 +107,7 @@ class Runtime::Impl {
         if (stepped_ != nullptr && records.recording != nullptr)
             records.recording->follow(
                 [this, start = from_seconds(clock_->unix_start())] { return start + clock_->now(); });
-        movers_.open_inputs(scenario, *clock_, steps_.get());
+        movers_.open_inputs(scenario_, *clock_, steps_.get());
         movers_.name_places(scenario_);
         vehicle_.name_places(scenario_);
         if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
@@ -268,6 +270,7 @@ class Runtime::Impl {
         entry.config.endpoints = std::move(open.endpoints);
         DeviceConfig config = entry.config;
         config.unix_start = clock_->unix_start();
+        config.origin = scenario_.origin;
         config.random_key = random_key(water_.seed, entry.name);
         const auto make = [config, model = entry.model] { return model->make(config); };
         FaultySession* faults = nullptr;

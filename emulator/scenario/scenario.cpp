@@ -47,6 +47,19 @@ std::filesystem::path read_scene(const Section& top, const std::filesystem::path
     return scene;
 }
 
+std::optional<GeoPlace> read_origin(const Section& top, Problems& problems) {
+    const Value* value = top.get("origin");
+    if (value == nullptr) return {};
+    const Section origin(value, "origin", {"latitude", "longitude", "height"}, problems);
+    for (const char* const key : {"latitude", "longitude"})
+        if (value->is_map() && origin.get(key) == nullptr)
+            problems.add(value->place, "origin." + std::string(key) +
+                                           ": is missing, as in origin: {latitude: 59.4, longitude: 10.5}");
+    return GeoPlace{origin.number("latitude", 0, {-geographic::steepest, geographic::steepest, "deg"}),
+                    origin.number("longitude", 0, {-180, 180, "deg"}),
+                    origin.number("height", 0, {-geographic::highest, geographic::highest, "m"})};
+}
+
 std::uint64_t read_seed(const Section& top, Problems& problems) {
     const Value* value = top.get("seed");
     if (value == nullptr) return 1;
@@ -132,13 +145,14 @@ Scenario parse_scenario(const std::string& text, const std::filesystem::path& fi
     Value root = parse_tree(text, problems);
     apply_overrides(root, set_arguments, problems);
     const Section top(&root, "",
-                      {"scene", "seed", "water", "vehicle", "objects", "animations", "clock", "render",
-                       "effects", "peers", "devices", "faults", "control", "sweep"},
+                      {"scene", "origin", "seed", "water", "vehicle", "objects", "animations", "clock",
+                       "render", "effects", "peers", "devices", "faults", "control", "sweep"},
                       problems);
     if (!root.is_map() && root.kind != Value::Kind::null) problems.throw_if_any();
     Scenario scenario;
     scenario.file = file;
     scenario.scene = read_scene(top, file, problems);
+    scenario.origin = read_origin(top, problems);
     scenario.seed = read_seed(top, problems);
     read_vehicle(top, scenario, problems);
     scenario.objects = read_objects(top.get("objects"), scenario, problems);

@@ -13,6 +13,7 @@
 #include "emulator/contract/model.h"
 #include "emulator/scenario/fault.h"
 #include "emulator/scenario/problems.h"
+#include "render/geographic.h"
 #include "render/pose.h"
 #include "render/renderer.h"
 #include "render/water.h"
@@ -61,8 +62,9 @@ enum class ClockMode {
 };
 
 struct Scenario {
-    std::filesystem::path file;   ///< as given
-    std::filesystem::path scene;  ///< absolute, or relative to the working directory as `file` is
+    std::filesystem::path file;      ///< as given
+    std::filesystem::path scene;     ///< absolute, or relative to the working directory as `file` is
+    std::optional<GeoPlace> origin;  ///< of the world on the Earth; empty: as the scene says, if it does
     std::uint64_t seed = 1;
     Water water;           ///< depth defaults to the vehicle's depth below the surface
     Pose world_from_body;  ///< with an input: until its first message; with a trajectory: nothing yet

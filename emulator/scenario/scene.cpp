@@ -25,6 +25,10 @@ void check_nodes(const Scenario& scenario, const Scene& scene) {
 
 }  // namespace
 
+std::optional<GeoPlace> origin_of(const Scenario& scenario, const Scene& scene) {
+    return scenario.origin ? scenario.origin : scene.origin();
+}
+
 std::shared_ptr<const Scene> load_scene(const Scenario& scenario) {
     SceneOptions options{.animations = scenario.animations != Animations::off};
     for (const ScenarioObject& object : scenario.objects) options.movable.push_back(object.node);

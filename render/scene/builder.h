@@ -24,6 +24,7 @@ class SceneBuilder {
     /// What is added from here on belongs to `mover` and is in its frame; what stands still comes first.
     void begin(const SceneMover& mover);
     void add_name(const std::string& node) { scene_->node_names_.push_back(node); }
+    void set_origin(const std::optional<GeoPlace>& origin) { scene_->origin_ = origin; }
     void add_note(const std::string& note) { scene_->notes_.push_back(note); }
     /// Throws SceneFault when there is no triangle.
     std::shared_ptr<const Scene> finish();

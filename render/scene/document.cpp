@@ -101,6 +101,8 @@ SceneDocument check_document(const SceneContainer& container, const SceneFolder&
     clean["nodes"] = check_each(root, "nodes", counts, check_node);
     clean["scenes"] = check_each(root, "scenes", counts, check_scene);
     if (const auto scene = root.find("scene")) clean["scene"] = scene->index(counts.scenes, "scenes");
+    if (const auto scenes = root.elements_of("scenes", elements); !scenes.empty())
+        out.origin = read_origin(scenes[clean.value("scene", std::size_t{0})]);
     for (const auto& material : root.elements_of("materials", elements))
         out.materials.push_back(read_material(material));
     for (const auto& node : root.elements_of("nodes", elements))

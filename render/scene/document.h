@@ -24,6 +24,7 @@ struct SceneDocument {
     std::vector<Material> materials;                      ///< in the order of the file
     std::vector<bool> sparse;                             ///< per accessor
     std::vector<std::optional<double>> target_strengths;  ///< dB, per node; empty: no target
+    std::optional<GeoPlace> origin{};                     ///< of the scene that is shown
     std::vector<DocumentChannel> channels;                ///< of animations, in the order of the file
     std::size_t channels_left_out = 0;                    ///< of scale and morph weights
 };

@@ -32,4 +32,7 @@ Material read_material(const JsonView& material);
 /// extras.sonar is a fault.
 std::optional<double> read_target_strength(const JsonView& node);
 
+/// From extras.sonar.origin of a scene; empty where there is none. Any other key there is a fault.
+std::optional<GeoPlace> read_origin(const JsonView& scene);
+
 }  // namespace echoloop

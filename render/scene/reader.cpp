@@ -101,6 +101,7 @@ std::shared_ptr<const Scene> read_scene(std::span<const unsigned char> bytes, co
     }
     for (const auto& node : placed) builder.add_name(node.object);
     for (const auto& note : plan.notes) builder.add_note(note);
+    builder.set_origin(document.origin);
     return builder.finish();
 }
 

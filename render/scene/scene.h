@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "render/geographic.h"
 #include "render/pose.h"
 #include "render/scene/motion.h"
 
@@ -173,6 +175,8 @@ class Scene {
     std::uint32_t still_nodes() const { return still_nodes_; }
     /// Of all nodes in the file's scene, depth first; one may be there several times.
     std::span<const std::string> node_names() const { return node_names_; }
+    /// Where the world's origin lies on the Earth, if the file says so.
+    const std::optional<GeoPlace>& origin() const { return origin_; }
     /// What of the file is left out that somebody might miss.
     std::span<const std::string> notes() const { return notes_; }
     std::size_t triangles() const { return fine_indices_ / 3; }
@@ -195,6 +199,7 @@ class Scene {
     std::vector<SceneMover> movers_;
     std::uint32_t still_nodes_ = 0;
     std::vector<std::string> node_names_, notes_;
+    std::optional<GeoPlace> origin_;
 };
 
 }  // namespace echoloop

@@ -85,8 +85,8 @@ class Bathymetry(KmallCase):
         port = ping["soundings"][0]
         self.assertLess(port["y"], 0)
         # To port of a bow at 50 deg is north-west: 320 deg.
-        self.assertAlmostEqual(port["dlat"] * 111120, -port["y"] * math.cos(math.radians(320)), delta=0.05)
-        self.assertAlmostEqual(port["dlon"] * 55560, -port["y"] * math.sin(math.radians(320)), delta=0.05)
+        self.assertAlmostEqual(port["dlat"] * 111412, -port["y"] * math.cos(math.radians(320)), delta=0.05)
+        self.assertAlmostEqual(port["dlon"] * 55800, -port["y"] * math.sin(math.radians(320)), delta=0.05)
 
     def test_equal_distances_and_another_mode(self):
         self.start("range: 25, beam_spacing: equidistant, frequency: 400e3, mrz_version: \"0\", ping_rate: 10")

@@ -117,6 +117,16 @@ TEST_F(SceneFile, MaterialsByNameAndByExtras) {
     EXPECT_EQ(load(document)->materials()[0].mu_db, -27);
 }
 
+TEST_F(SceneFile, MaySayWhereItLiesOnTheEarth) {
+    EXPECT_FALSE(load(document)->origin());
+    document["scenes"][0]["extras"] = {{"other program", 1}};
+    EXPECT_FALSE(load(document)->origin());
+    document["scenes"][0]["extras"]["sonar"]["origin"] = {{"latitude", 59.4}, {"longitude", -10.5}};
+    EXPECT_EQ(load(document)->origin(), (GeoPlace{59.4, -10.5, 0}));
+    document["scenes"][0]["extras"]["sonar"]["origin"]["height"] = 3.5;
+    EXPECT_EQ(load(document)->origin(), (GeoPlace{59.4, -10.5, 3.5}));
+}
+
 TEST_F(SceneFile, MaterialsReflectAsTheirNamesSay) {
     EXPECT_NEAR(load(document)->materials()[0].reflection, 0.938, 0.001);  // steel
     document["materials"][0] = {{"extras", {{"sonar", {{"material", "mud"}, {"roughness", 0.01}}}}}};

@@ -225,6 +225,32 @@ class Formats(ImportCase):
         self.assertAlmostEqual(x[1] - x[3], -1113.850, delta=0.5)
 
 
+class WithAWorld(ImportCase):
+    WORLD = """<sdf version="1.7"><world name="sea">
+<spherical_coordinates><surface_model>EARTH_WGS84</surface_model><latitude_deg>59.41</latitude_deg>
+<longitude_deg>10.48</longitude_deg><elevation>0</elevation><heading_deg>%s</heading_deg></spherical_coordinates>
+<model name="box"><static>true</static><link name="l"><visual name="v"><geometry><box><size>1 1 1</size></box></geometry>
+</visual></link></model></world></sdf>"""
+
+    def test_survey_lies_about_the_worlds_origin(self):
+        (self.folder / "sea.sdf").write_text(self.WORLD % 0)
+        tif = grids.write_geotiff(self.folder, grids.samples())
+        scene = self.scene_of(self.folder / "sea.sdf", tif)
+        self.assertEqual((scene["origin"]["latitude"], scene["origin"]["longitude"]), (59.41, 10.48))
+        self.assertIn("box", scene["names"])
+        self.assertEqual(scene["names"][-1], "bottom")
+        middle = [(min(p[i] for p in scene["points"]) + max(p[i] for p in scene["points"])) / 2 for i in (0, 1)]
+        self.assertAlmostEqual(middle[0], 1136.146, delta=2)  # PROJ 9.1, as above
+        self.assertAlmostEqual(middle[1], -1113.850, delta=2)
+
+    def test_a_world_that_is_turned_has_no_origin(self):
+        (self.folder / "sea.sdf").write_text(self.WORLD % 30)
+        tif = grids.write_geotiff(self.folder, grids.samples())
+        scene = self.scene_of(self.folder / "sea.sdf", tif)
+        self.assertAlmostEqual(scene["origin"]["latitude"], 59.4, delta=1e-6)
+        self.assertIn("heading_deg", self.told)
+
+
 class Hostile(ImportCase):
     def test_damaged_files(self):
         tif = grids.write_geotiff(self.folder, grids.samples())

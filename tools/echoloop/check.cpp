@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "emulator/pose/movers.h"
+#include "emulator/scenario/scene.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
 #include "tools/echoloop/declared_materials.h"
@@ -68,8 +69,9 @@ void print_devices(const Scenario& scenario) {
 
 int run_check(const Arguments& arguments) {
     try {
-        const Scenario scenario = scenario_from(arguments);
+        Scenario scenario = scenario_from(arguments);
         const auto scene = scene_of(scenario);
+        scenario.origin = origin_of(scenario, *scene);
         Movers(scenario, scene);  // reads what moves them
         if (arguments.has("--json")) {
             std::printf("%s\n", check_json(scenario, *scene).c_str());
@@ -77,6 +79,10 @@ int run_check(const Arguments& arguments) {
         }
         std::printf("%s%s: good\n", padded("scenario", 12).c_str(), scenario.file.c_str());
         print_scene(scenario, *scene);
+        if (const auto& origin = scenario.origin)
+            std::printf("%slatitude %s, longitude %s deg, height %s m\n", padded("origin", 12).c_str(),
+                        plain(origin->latitude, 7).c_str(), plain(origin->longitude, 7).c_str(),
+                        plain(origin->height, 2).c_str());
         std::printf("%s%s\n", padded("water", 12).c_str(), water_line(scenario.water).c_str());
         for (const auto& [name, text] : conditions(scenario))
             std::printf("%s%s\n", padded(name, 12).c_str(), text.c_str());

@@ -18,7 +18,7 @@ using worlds::ImportOption;
 std::vector<Argument> rows() {
     std::vector<Argument> out;
     for (const ImportOption& option : worlds::options) {
-        const auto kind = option.kind == ImportOption::Kind::world   ? Argument::Kind::positional
+        const auto kind = option.kind == ImportOption::Kind::world   ? Argument::Kind::words
                           : option.kind == ImportOption::Kind::flag  ? Argument::Kind::flag
                           : option.kind == ImportOption::Kind::value ? Argument::Kind::value
                                                                      : Argument::Kind::repeated;
@@ -36,7 +36,8 @@ std::vector<std::string> words_of(const Arguments& arguments) {
         for (const std::string& value : arguments.all(option.name))
             out.push_back(std::string(option.name) + "=" + value);
     }
-    out.insert(out.end(), {"--", arguments.text("WORLD")});
+    out.emplace_back("--");
+    for (const std::string& world : arguments.all("WORLD")) out.push_back(world);
     return out;
 }
 
@@ -62,8 +63,9 @@ int run_import(const Arguments& arguments) {
 }  // namespace
 
 Verb import_verb() {
-    return {"import", "make a scene of a Gazebo world (SDF) or a robot (URDF)", rows(),
+    return {"import", "make a scene of a Gazebo world (SDF), a robot (URDF), a survey of the bottom", rows(),
             "  echoloop import wreck.world --out wreck.glb --model-path ~/models\n"
+            "  echoloop import survey.tif --out bottom.glb --error 0.05\n"
             "  echoloop import harbour.sdf --out harbour.glb --materials map.yaml --without rexrov",
             run_import};
 }

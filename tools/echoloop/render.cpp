@@ -8,6 +8,7 @@
 #include "emulator/pose/movers.h"
 #include "emulator/pose/trajectory_file.h"
 #include "emulator/scenario/problems.h"
+#include "emulator/scenario/scene.h"
 #include "render/renderer.h"
 #include "render/view.h"
 #include "tools/draw/draw.h"
@@ -89,6 +90,7 @@ class Job {
 
     RenderReport run() {
         const auto scene = scene_of(scenario_);
+        scenario_.origin = origin_of(scenario_, *scene);
         Renderer renderer(scene, scenario_.water, scenario_.render);
         RenderReport report{
             out_.string(), device_.name, device_.model->name, renderer.context_description(), {}};
@@ -107,7 +109,8 @@ class Job {
     /// Where the vehicle and what else moves are.
     struct Way {
         Way(const Scenario& scenario, const std::shared_ptr<const Scene>& scene) : movers(scenario, scene) {
-            if (!scenario.trajectory.empty()) trajectory.emplace(read_trajectory(scenario.trajectory));
+            if (!scenario.trajectory.empty())
+                trajectory.emplace(read_trajectory(scenario.trajectory, scenario.origin));
         }
         std::optional<Track> trajectory;
         Movers movers;

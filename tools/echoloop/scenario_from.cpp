@@ -6,11 +6,26 @@
 
 namespace echoloop::cli {
 
+namespace {
+
+/// A trajectory on the globe may need the scene's origin, which is read only then.
+Track trajectory_of(const Scenario& scenario) {
+    try {
+        return read_trajectory(scenario.trajectory, scenario.origin);
+    } catch (const StartError&) {
+        if (scenario.origin) throw;
+        const auto origin = scene_of(scenario)->origin();
+        if (!origin) throw;
+        return read_trajectory(scenario.trajectory, origin);
+    }
+}
+
+}  // namespace
+
 Scenario scenario_from(const Arguments& arguments) {
     Scenario scenario =
         load_scenario(file_or_example(arguments.text("FILE")), arguments.all("--set"), models());
-    if (!scenario.trajectory.empty())
-        scenario.world_from_body = read_trajectory(scenario.trajectory).at({})->pose;
+    if (!scenario.trajectory.empty()) scenario.world_from_body = trajectory_of(scenario).at({})->pose;
     return scenario;
 }
 

@@ -59,10 +59,9 @@ class Document {
     void add_scene() {
         Json scene = {{"nodes", world_.roots}};
         if (world_.origin)
-            scene["extras"] = {{"origin",
-                                {{"latitude", world_.origin->latitude},
-                                 {"longitude", world_.origin->longitude},
-                                 {"height", world_.origin->height}}}};
+            scene["extras"]["sonar"]["origin"] = {{"latitude", world_.origin->latitude},
+                                                  {"longitude", world_.origin->longitude},
+                                                  {"height", world_.origin->height}};
         json_["scenes"] = Json::array({scene});
     }
 

@@ -17,6 +17,7 @@
 #include "tools/import/glb.h"
 #include "tools/import/options.h"
 #include "tools/import/sdf_world.h"
+#include "tools/import/terrain/given.h"
 
 namespace echoloop::worlds {
 namespace {
@@ -50,6 +51,8 @@ Given parse(int argc, char** argv) {
         };
         CLI::Option* added = app.add_option(option.name, keep, option.help);
         added->type_name(option.what)->expected(1)->required(option.required);
+        if (option.kind == ImportOption::Kind::world)
+            added->expected(1, 1000)->take_all()->allow_extra_args();
         if (option.kind == ImportOption::Kind::repeated)
             added->expected(1, 1000)->take_all()->allow_extra_args(false);
     }
@@ -114,10 +117,37 @@ std::string text(const Given& given, const char* name) {
     return values.empty() ? "" : values.front();
 }
 
-/// What runs in the child: reads, writes the scene to `file`, prints the table.
-void convert(const Given& given, const fs::path& scratch, const fs::path& file, Stage& stage) {
-    const auto start = std::chrono::steady_clock::now();
-    const fs::path path = text(given, "WORLD");
+/// What WORLD names: at most one that is no survey.
+struct Inputs {
+    fs::path world;  ///< empty: surveys only
+    std::vector<fs::path> surveys;
+    TerrainOptions terrain;
+};
+
+Inputs inputs_of(const Given& given) {
+    Inputs out;
+    out.terrain = terrain_options([&](const char* name) { return text(given, name); },
+                                  [&](const char* name) { return given.contains(name); });
+    for (const fs::path file : all(given, "WORLD")) {
+        std::error_code ec;
+        if (!fs::is_regular_file(file, ec))
+            throw StartError(Exit::no_input, printable(file.string()) +
+                                                 ": is no file that can be read; name an .sdf, .world or "
+                                                 ".urdf file, or a survey (.tif, .asc, .grd, .nc, .xyz)");
+        if (is_survey(file)) {
+            out.surveys.push_back(file);
+            continue;
+        }
+        if (!out.world.empty())
+            throw StartError(Exit::usage, printable(file.string()) +
+                                              ": is a second world; name one, and surveys beside it");
+        out.world = file;
+    }
+    return out;
+}
+
+void add_world(const Given& given, const fs::path& path, const fs::path& scratch, World& world,
+               Report& report, Stage& stage) {
     stage.set(printable(path.string()));
     std::vector<std::string> folders = all(given, "--model-path");
     for (const std::string& folder : folders_of_environment()) folders.push_back(folder);
@@ -127,19 +157,44 @@ void convert(const Given& given, const fs::path& scratch, const fs::path& file, 
                        .allow_missing = given.contains("--allow-missing")};
     if (given.contains("--materials")) choices.rules = read_material_rules(text(given, "--materials"));
     const Sources sources = collect_sources(path, paths, scratch, choices.allow_missing);
-    World world;
-    Report report;
     {
         const Hush hush;
         add_sdf(sources, paths, choices, world, report, stage);
     }
     for (const MaterialRule& rule : choices.rules)
         if (!rule.used) report.notes.push_back(rule.place + ": the rule fits nothing");
+}
+
+void add_surveys(const Given& given, const Inputs& inputs, World& world, Report& report, Stage& stage) {
+    for (const fs::path& survey : inputs.surveys) {
+        const std::string name = printable(survey.string());
+        stage.set(name);
+        for (const std::string& note : add_terrain(world, survey, inputs.terrain))
+            report.notes.push_back(name + ": " + printable(note));
+        report.add({.model = world.nodes.back().name,
+                    .material = inputs.terrain.material,
+                    .from = given.contains("--material") ? "--material" : "nothing said",
+                    .guessed = !given.contains("--material"),
+                    .meshes = 1,
+                    .triangles = world.meshes.back().surfaces.back().indices.size() / 3});
+        ++report.models;
+    }
+}
+
+/// What runs in the child: reads, writes the scene to `file`, prints the table.
+void convert(const Given& given, const Inputs& inputs, const fs::path& scratch, const fs::path& file,
+             Stage& stage) {
+    const auto start = std::chrono::steady_clock::now();
+    World world;
+    Report report;
+    if (!inputs.world.empty()) add_world(given, inputs.world, scratch, world, report, stage);
+    add_surveys(given, inputs, world, report, stage);
     stage.set("writing the scene");
     if (world.meshes.empty()) {
         std::string lines;
         for (const std::string& line : report.left_out) lines += "left out: " + line + "\n";
-        throw Fault("", lines + printable(path.string()) + ": nothing is left that a sonar could hear",
+        throw Fault("",
+                    lines + printable(inputs.world.string()) + ": nothing is left that a sonar could hear",
                     "keep what was left out with --keep, or name where it is with --model-path");
     }
     try {
@@ -153,12 +208,8 @@ void convert(const Given& given, const fs::path& scratch, const fs::path& file, 
 }
 
 int import(const Given& given) {
-    const fs::path world = text(given, "WORLD"), out = text(given, "--out");
-    std::error_code ec;
-    if (!fs::is_regular_file(world, ec))
-        throw StartError(Exit::no_input, printable(world.string()) +
-                                             ": is no file that can be read; name an .sdf, "
-                                             ".world or .urdf file");
+    const Inputs inputs = inputs_of(given);
+    const fs::path out = text(given, "--out");
     if (out.extension() != ".glb")
         throw StartError(Exit::usage,
                          "--out: " + printable(out.string()) + " does not end in .glb; name it so");
@@ -169,7 +220,7 @@ int import(const Given& given) {
         cli::write_whole(out, [&](const fs::path& file) {
             result = run_guarded({}, [&](Stage& stage) {
                 try {
-                    convert(given, scratch.path(), file, stage);
+                    convert(given, inputs, scratch.path(), file, stage);
                     return 0;
                 } catch (const Fault& fault) {
                     print_error(fault.what());

@@ -3,6 +3,7 @@
 #include <sdf/sdf.hh>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -168,9 +169,14 @@ class Converter {
     }
 
     void add_world(const sdf::World& world) {
-        if (const auto* place = world.SphericalCoordinates())
+        const auto* const place = world.SphericalCoordinates();
+        const bool is_enu = place != nullptr && std::abs(place->HeadingOffset().Degree()) < 1e-9;
+        if (is_enu)
             world_.origin = Origin{place->LatitudeReference().Degree(), place->LongitudeReference().Degree(),
                                    place->ElevationReference()};
+        else if (place != nullptr)
+            report_.notes.push_back(
+                "spherical_coordinates are left out: with a heading_deg the world's x is not east");
         for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
             const sdf::Model& model = *world.ModelByIndex(i);
             add_model(model, "", resolved(model.SemanticPose(), model.Name()), std::nullopt);

@@ -41,14 +41,15 @@ PingInfo transmission(const PingRecord& ping, const Settings& s) {
 void add_pose(PingInfo& p, const Pose& pose, const Surface& surface, Time time, const Settings& s) {
     const auto read = s.sensors.at(time);
     const double heading = rad_to_deg(surface.heading);
-    const Degrees moved = degrees_of(read("east", pose.position.x, stray::position),
-                                     read("north", pose.position.y, stray::position), s);
+    const GeoPlace place = place_from_enu(
+        {s.latitude, s.longitude},
+        {read("east", pose.position.x, stray::position), read("north", pose.position.y, stray::position), 0});
     p.heading =
         f(s.sensors.read_bearing("compass", heading < 0 ? heading + 360 : heading, stray::heading, time));
     p.transducer_depth = read("depth", -pose.position.z, stray::depth);
     p.water_level = 0 - p.transducer_depth;
-    p.latitude = s.latitude + moved.latitude;
-    p.longitude = s.longitude + moved.longitude;
+    p.latitude = place.latitude;
+    p.longitude = place.longitude;
     p.height = read("height", pose.position.z, stray::position);
 }
 

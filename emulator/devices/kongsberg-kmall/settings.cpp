@@ -51,7 +51,8 @@ void describe_words(Settings& s, OptionList& o) {
     o.whole(s.system_id, "system_id", "", 0, 255,
             "distinguishes sounders of the same number; ends the sounder's name",
             "default of a known driver: EM2040_40");
-    o.number(s.latitude, "latitude", "deg", -89, 89, "of the scene's origin", own);
+    o.number(s.latitude, "latitude", "deg", -89, 89,
+             "of the scene's origin; where both are 0, as the scene says", own);
     o.number(s.longitude, "longitude", "deg", -180, 180, "of the scene's origin", own);
     o.choice(s.values_as_xml, "values_text", {"401", "814"},
              "number of the text that answers 261 and 262: 401 is JSON, 814 is the XML of later controllers",
@@ -97,6 +98,8 @@ Settings read_settings(const DeviceConfig& config) {
     s.echoes_last = config.effects.has(Effect::pulse);
     s.sound_speed = config.sound_speed;
     s.unix_start = config.unix_start;
+    if (config.origin && s.latitude == 0 && s.longitude == 0)
+        s.latitude = config.origin->latitude, s.longitude = config.origin->longitude;
     return s;
 }
 

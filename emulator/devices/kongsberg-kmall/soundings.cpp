@@ -10,8 +10,6 @@ namespace {
 using kmall::Sounding;
 using multibeam::Detection;
 
-constexpr double metres_per_degree = 60 * 1852;
-
 // Of real soundings: rejectionInfo1 of an EM 2042's rejected ones, rejectionInfo2 and the confidence of an EM
 // 2040P.
 constexpr std::uint8_t no_bottom = 15, rejected = 40, by_amplitude = 88, by_phase = 98, confidence = 12;
@@ -51,7 +49,8 @@ double depth_between(std::span<const std::size_t> valid, std::size_t n, std::spa
 }  // namespace
 
 Degrees degrees_of(double east, double north, const Settings& s) {
-    return {north / metres_per_degree, east / (metres_per_degree * std::cos(deg_to_rad(s.latitude)))};
+    const auto radii = geographic::radii_at(s.latitude);
+    return {rad_to_deg(north / radii.meridian), rad_to_deg(east / radii.circle)};
 }
 
 Sounding beam(const Settings& s, std::size_t index, double bearing, Vec3 direction) {

@@ -7,13 +7,14 @@
 #include "emulator/devices/family/multibeam/bottom.h"
 #include "emulator/devices/kongsberg-kmall/ping.h"
 #include "protocols/kmall/messages.h"
+#include "render/geographic.h"
 
 namespace echoloop::kongsberg_kmall {
 
 inline float f(double value) { return static_cast<float>(value); }
 inline bool is_valid(const kmall::Sounding& sounding) { return sounding.type == 0; }
 
-/// Metres to starboard to degrees of longitude, and so on; on a sphere whose minutes are 1852 m (own choice).
+/// Metres east and north to degrees, near the place of the settings.
 struct Degrees {
     double latitude = 0, longitude = 0;
 };

@@ -77,12 +77,13 @@ TEST(Kmall, PositionAndHeadingAreThoseOfTheHead) {
     EXPECT_NEAR(f32(b, ping + 96), 60, 1e-3);
     EXPECT_NEAR(f32(b, ping + 104), 12, 1e-5);
     EXPECT_NEAR(f32(b, ping + 108), -12, 1e-5);
-    EXPECT_NEAR(at<double>(b, ping + 124), 60 + 2 / 60.0, 1e-9);
-    EXPECT_NEAR(at<double>(b, ping + 132), 5 + 2 / 60.0, 1e-9) << "a minute is half as wide at 60 deg";
+    // PROJ 9.1, +proj=ortho +ellps=WGS84 about the origin.
+    EXPECT_NEAR(at<double>(b, ping + 124), 60.0332416280, 1e-9);
+    EXPECT_NEAR(at<double>(b, ping + 132), 5.0332233005, 1e-9);
     // The port-most point: y metres to the left of the heading.
     const double y = f32(b, first + 100), heading = deg_to_rad(60);
-    EXPECT_NEAR(f32(b, first + 88), -y * std::sin(heading) / 111120, 1e-7);
-    EXPECT_NEAR(f32(b, first + 92), y * std::cos(heading) / 55560, 1e-7);
+    EXPECT_NEAR(f32(b, first + 88), -y * std::sin(heading) * 8.9757e-6, 1e-7);
+    EXPECT_NEAR(f32(b, first + 92), y * std::cos(heading) * 1.79212e-5, 1e-7);
 }
 
 TEST(Kmall, WhereThereIsNoEchoSoundingsAreRejected) {

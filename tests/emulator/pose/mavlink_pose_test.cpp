@@ -105,6 +105,17 @@ TEST(MavlinkPose, ZeroZeroIsWhatAnAutopilotSaysBeforeItsFirstFix) {
     EXPECT_EQ(pose.add(place(0, 0), 1, now).reason, "a position that cannot be");  // the fix is lost again
 }
 
+TEST(MavlinkPose, PlacesAreInTheWorldWhereItsOriginIsKnown) {
+    MavlinkPose pose(GeoPlace{59.4, 10.5, 2});
+    const auto fix = pose.add(place(593900000, 105100000), 1, now);
+    ASSERT_TRUE(fix.message) << fix.reason;
+    // PROJ 9.1, +proj=ortho about the origin; the fix is at an altitude of -5 m.
+    EXPECT_NEAR(fix.message->position->x, 568.24015, 1e-4);
+    EXPECT_NEAR(fix.message->position->y, -1113.97675, 1e-4);
+    EXPECT_NEAR(fix.message->position->z, -7, 1e-9);
+    EXPECT_EQ(pose.add(place(0, 0), 1, now).reason, "a position that cannot be") << "no fix yet";
+}
+
 TEST(MavlinkPose, WhatHasFallenSilentMakesRoomForLesserMessages) {
     MavlinkPose pose;
     mavlink::LocalPositionNed local;

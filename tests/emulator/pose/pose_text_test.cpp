@@ -34,6 +34,46 @@ TEST(PoseLine, OwnWords) {
     expect_near(nose(angles.attitude.value()), {0, 0, -1});
 }
 
+TEST(PoseLine, PlacesOnTheGlobe) {
+    const auto fix = good(R"({"t": 1, "latitude": 59.4, "longitude": -10.5, "altitude": -3})");
+    EXPECT_EQ(fix.place, (GeoPlace{59.4, -10.5, -3}));
+    EXPECT_FALSE(fix.position);
+    EXPECT_FALSE(fix.attitude) << "a fix knows none";
+    const auto whole = good(R"({"latitude": 1, "longitude": 2, "depth": 30, "rpy_deg": [0, 90, 0]})");
+    EXPECT_EQ(whole.place, (GeoPlace{1, 2, -30}));
+    expect_near(nose(whole.attitude.value()), {0, 0, -1});
+    for (const auto& [line, reason] : {
+             std::pair{R"({"latitude": 59.4, "altitude": 0})", "longitude is missing"},
+             {R"({"longitude": 59.4, "altitude": 0})", "latitude is missing"},
+             {R"({"latitude": 59.4, "longitude": 1})", "\"altitude\" or \"depth\""},
+             {R"({"latitude": 59.4, "longitude": 1, "depth": 1, "altitude": 1})", "one of them"},
+             {R"({"latitude": 91, "longitude": 1, "depth": 1})", "within 90"},
+             {R"({"latitude": 1, "longitude": 361, "depth": 1})", "within 360"},
+             {R"({"latitude": "1N", "longitude": 361, "depth": 1})", "finite number"},
+             {R"({"latitude": 1, "longitude": 1, "depth": 1, "position": [1, 2, 3]})", "give one of them"},
+         })
+        EXPECT_THAT(parse_pose_line(line).reason, HasSubstr(reason)) << line;
+}
+
+TEST(Trajectory, OnTheGlobe) {
+    const std::string text =
+        "t,latitude,longitude,altitude,qw,qx,qy,qz\n0,59.4,10.5,-3,1,0,0,0\n1,59.39,10.51,-4,1,0,0,0\n";
+    const Track track = parse_trajectory(text, "way.csv", GeoPlace{59.4, 10.5, 0});
+    EXPECT_LT(norm(track.at(Time{0})->pose.position - Vec3{0, 0, -3}), 1e-9);
+    // PROJ 9.1, +proj=ortho about the origin.
+    EXPECT_LT(norm(track.at(std::chrono::seconds(1))->pose.position - Vec3{568.24015, -1113.97675, -4}),
+              1e-4);
+    try {
+        parse_trajectory(text, "way.csv");
+        ADD_FAILURE() << "nobody knows where that is";
+    } catch (const StartError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("way.csv:1: nothing says where the world lies"));
+    }
+    EXPECT_THROW(parse_trajectory("t,latitude,longitude,altitude,qw,qx,qy,qz\n0,95,10.5,-3,1,0,0,0\n",
+                                  "way.csv", GeoPlace{59.4, 10.5, 0}),
+                 StartError);
+}
+
 TEST(PoseLine, MayNameAnObjectOfTheScene) {
     EXPECT_EQ(good(R"({"position": [0, 0, 0]})").object, "");
     EXPECT_EQ(good(R"({"object": "auv", "position": [0, 0, 0], "rpy_deg": [0, 0, 90]})").object, "auv");

@@ -197,7 +197,7 @@ class Places(ImportTest):
         scene, _ = self.convert("<spherical_coordinates><surface_model>EARTH_WGS84</surface_model>"
                                 "<latitude_deg>59.5</latitude_deg><longitude_deg>10.25</longitude_deg>"
                                 "<elevation>12</elevation></spherical_coordinates>" + model("b", visual(BOX)))
-        origin = scene.json["scenes"][0]["extras"]["origin"]
+        origin = scene.json["scenes"][0]["extras"]["sonar"]["origin"]
         self.assertEqual([round(origin[key], 9) for key in ("latitude", "longitude", "height")], [59.5, 10.25, 12])
 
 

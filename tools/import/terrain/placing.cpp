@@ -3,8 +3,11 @@
 #include <ogr_spatialref.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "render/scene/limits.h"
+#include "tools/import/fault.h"
 #include "tools/import/terrain/raster.h"
 
 namespace echoloop::worlds {
@@ -25,7 +28,7 @@ Placing::Placing(const std::filesystem::path& file, const Survey& survey, std::o
         crs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     projection_->to_globe.reset(OGRCreateCoordinateTransformation(&projection_->crs, &projection_->globe));
     if (!projection_->to_globe)
-        throw TerrainError(
+        throw Fault(
             file,
             "has coordinates that cannot be turned into latitude and longitude (" + Raster::complaint() + ")",
             "say which they are with --crs");
@@ -35,7 +38,7 @@ Placing::Placing(const std::filesystem::path& file, const Survey& survey, std::o
     const auto& a = survey.affine;
     double longitude = a[0] + a[1] * x + a[2] * y, latitude = a[3] + a[4] * x + a[5] * y;
     if (!projection_->to_globe->Transform(1, &longitude, &latitude))
-        throw TerrainError(file, "has its middle at no place on the globe", "say where it is with --crs");
+        throw Fault(file, "has its middle at no place on the globe", "say where it is with --crs");
     constexpr double digits = 1e6;  // a decimetre: what a person can type again
     origin_->latitude = std::round(latitude * digits) / digits;
     origin_->longitude = std::round(std::remainder(longitude, 360) * digits) / digits;
@@ -77,11 +80,10 @@ std::vector<Vec3> Placing::place(const Heights& heights, std::span<const GridPoi
     for (std::size_t i = 0; i < out.size(); ++i) {
         out[i].z = heights.at(points[i]) - (origin_ ? origin_->height : 0);
         if (std::hypot(out[i].x, out[i].y) <= scene_limits::extent) continue;
-        throw TerrainError(
-            file_, "lies beyond 100 km from the world's origin",
-            survey_.crs.empty()
-                ? "say which coordinates it has with --crs, or shift it with gdal_translate -a_ullr"
-                : "choose --origin nearer, or cut out what is needed with gdal_translate -projwin");
+        throw Fault(file_, "lies beyond 100 km from the world's origin",
+                    survey_.crs.empty()
+                        ? "say which coordinates it has with --crs, or shift it with gdal_translate -a_ullr"
+                        : "choose --origin nearer, or cut out what is needed with gdal_translate -projwin");
     }
     return out;
 }

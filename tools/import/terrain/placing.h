@@ -15,12 +15,12 @@ namespace echoloop::worlds {
 class Placing {
   public:
     /// `origin`: of the world; empty: the middle of the survey, or no place on the globe for local
-    /// coordinates. `file` is for messages. Throws TerrainError.
+    /// coordinates. `file` is for messages. Throws Fault.
     Placing(const std::filesystem::path& file, const Survey& survey, std::optional<GeoPlace> origin);
     ~Placing();
 
     const std::optional<GeoPlace>& origin() const { return origin_; }
-    /// ENU, with the heights of the samples, from the origin's. Throws TerrainError for samples that are
+    /// ENU, with the heights of the samples, from the origin's. Throws Fault for samples that are
     /// beyond 100 km.
     std::vector<Vec3> place(const Heights& heights, std::span<const GridPoint> points) const;
     /// Samples between corners that keep all between them within `error` m of where they are: the globe is

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "tools/import/fault.h"
 #include "tools/import/terrain/delaunay.h"
 #include "tools/import/terrain/survey.h"
 
@@ -66,10 +68,10 @@ GDALDatasetUniquePtr Raster::open(const std::string& name) const {
     GDALDatasetUniquePtr data(
         GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data()));
     if (data) return data;
-    throw TerrainError(file_, "is no grid that can be read (" + complaint() + ")",
-                       std::string(formats) +
-                           "; soundings that are no regular grid: make one of them with "
-                           "GDAL's gdal_grid");
+    throw Fault(file_, "is no grid that can be read (" + complaint() + ")",
+                std::string(formats) +
+                    "; soundings that are no regular grid: make one of them with "
+                    "GDAL's gdal_grid");
 }
 
 std::string Raster::layer_name(const std::string& layer) const {
@@ -79,15 +81,14 @@ std::string Raster::layer_name(const std::string& layer) const {
     };
     if (!layer.empty()) {
         if (const auto found = named(layer); found != layers.end()) return *found;
-        throw TerrainError(
-            file_, "has no layer \"" + layer + "\"",
-            layers.empty() ? "it has one only: leave out --layer" : "it has " + list_of(layers));
+        throw Fault(file_, "has no layer \"" + layer + "\"",
+                    layers.empty() ? "it has one only: leave out --layer" : "it has " + list_of(layers));
     }
     if (data_->GetRasterCount() > 0) return {};
     for (const char* const name : height_names)
         if (const auto found = named(name); found != layers.end()) return *found;
-    throw TerrainError(file_, "holds no layer that is called as heights are",
-                       layers.empty() ? std::string(formats) : "choose one with --layer: " + list_of(layers));
+    throw Fault(file_, "holds no layer that is called as heights are",
+                layers.empty() ? std::string(formats) : "choose one with --layer: " + list_of(layers));
 }
 
 Raster::Raster(const std::filesystem::path& file, const std::string& layer) : file_(file) {
@@ -95,21 +96,21 @@ Raster::Raster(const std::filesystem::path& file, const std::string& layer) : fi
     std::error_code fault;
     const auto path = std::filesystem::canonical(file, fault);
     if (fault || !std::filesystem::is_regular_file(path))
-        throw TerrainError(file, "is not there, or is no file", "name the file of a survey");
+        throw Fault(file, "is not there, or is no file", "name the file of a survey");
     data_ = open(path.string());
     if (const std::string name = layer_name(layer); !name.empty()) data_ = open(name);
     const std::int64_t width = data_->GetRasterXSize(), height = data_->GetRasterYSize();
     if (data_->GetRasterCount() < 1 || width < 2 || height < 2)
-        throw TerrainError(file, "holds no grid of 2 x 2 samples or more", formats);
+        throw Fault(file, "holds no grid of 2 x 2 samples or more", formats);
     int block_width = 0, block_height = 0;
     band().GetBlockSize(&block_width, &block_height);
     if (width * height > most_samples || std::max(width, height) > GridDelaunay::most_samples ||
         std::int64_t{block_width} * block_height > most_samples)
-        throw TerrainError(file,
-                           "has " + std::to_string(width) + " x " + std::to_string(height) +
-                               " samples, more than 67 million or 28,000 on a side",
-                           "cut out what is needed with gdal_translate -projwin, or make it coarser with "
-                           "gdalwarp -tr");
+        throw Fault(file,
+                    "has " + std::to_string(width) + " x " + std::to_string(height) +
+                        " samples, more than 67 million or 28,000 on a side",
+                    "cut out what is needed with gdal_translate -projwin, or make it coarser with "
+                    "gdalwarp -tr");
 }
 
 }  // namespace echoloop::worlds

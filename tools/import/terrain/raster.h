@@ -11,7 +11,7 @@ namespace echoloop::worlds {
 
 class Raster {
   public:
-    /// `layer`: of several; "": the one whose name says that it holds heights. Throws TerrainError.
+    /// `layer`: of several; "": the one whose name says that it holds heights. Throws Fault.
     Raster(const std::filesystem::path& file, const std::string& layer);
 
     GDALDataset& data() const { return *data_; }

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 
+#include "tools/import/fault.h"
 #include "tools/import/terrain/raster.h"
 
 namespace echoloop::worlds {
@@ -65,7 +68,7 @@ class Reading {
 
   private:
     [[noreturn]] void fail(const std::string& reason, const std::string& remedy) const {
-        throw TerrainError(file_, reason, remedy);
+        throw Fault(file_, reason, remedy);
     }
     void note(const std::string& text) { out_.notes.push_back(text); }
 

@@ -5,20 +5,12 @@
 #include <array>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "tools/import/terrain/heights.h"
 
 namespace echoloop::worlds {
-
-/// what() names the file, the reason and the remedy.
-class TerrainError : public std::runtime_error {
-  public:
-    TerrainError(const std::filesystem::path& file, const std::string& reason, const std::string& remedy)
-        : std::runtime_error(file.string() + ": " + reason + "; " + remedy) {}
-};
 
 /// What the user says of a survey. What is empty is taken from the file.
 struct SurveyOptions {
@@ -39,7 +31,7 @@ struct Survey {
     std::vector<std::string> notes{};  ///< what was taken, and what was guessed
 };
 
-/// Throws TerrainError.
+/// Throws Fault.
 Survey read_survey(const std::filesystem::path& file, const SurveyOptions& options);
 
 }  // namespace echoloop::worlds

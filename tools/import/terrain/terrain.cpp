@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "tools/import/fault.h"
 #include "tools/import/terrain/placing.h"
 #include "tools/import/terrain/triangulation.h"
 
@@ -27,13 +28,13 @@ Triangulation simplify(const std::filesystem::path& file, Heights& heights, cons
     TriangulationRules rules{options.error, options.triangles, placing.lattice(options.error / 4)};
     Triangulation out = triangulate(heights, rules);
     if (out.triangles.empty() && out.needed <= options.triangles)
-        throw TerrainError(file, "has no four neighbouring samples that all have a value",
-                           "fill small holes with gdal_fillnodata.py");
+        throw Fault(file, "has no four neighbouring samples that all have a value",
+                    "fill small holes with gdal_fillnodata.py");
     if (out.triangles.empty())
-        throw TerrainError(file,
-                           "needs " + std::to_string(out.needed) + " triangles for the edges of its holes" +
-                               (rules.lattice > 0 ? " and the curvature of the Earth" : "") + " alone",
-                           "raise --triangles, or fill small holes with gdal_fillnodata.py");
+        throw Fault(file,
+                    "needs " + std::to_string(out.needed) + " triangles for the edges of its holes" +
+                        (rules.lattice > 0 ? " and the curvature of the Earth" : "") + " alone",
+                    "raise --triangles, or fill small holes with gdal_fillnodata.py");
     return out;
 }
 
@@ -42,8 +43,8 @@ void refuse_specks(const std::filesystem::path& file, const std::vector<Vec3>& p
     const auto [west, east] = std::ranges::minmax(positions, {}, &Vec3::x);
     const auto [south, north] = std::ranges::minmax(positions, {}, &Vec3::y);
     if (std::max(east.x - west.x, north.y - south.y) >= 0.1) return;
-    throw TerrainError(file, text("is %.3g m wide", east.x - west.x),
-                       "if its coordinates are degrees, say so with --crs EPSG:4326");
+    throw Fault(file, text("is %.3g m wide", east.x - west.x),
+                "if its coordinates are degrees, say so with --crs EPSG:4326");
 }
 
 /// Seen from above counter-clockwise, whichever way the rows go.

@@ -15,7 +15,7 @@ struct TerrainOptions {
 };
 
 /// A node that is called as the file is, without its ending. Gives the world an origin if it has none.
-/// Returns what was taken and what was guessed. Throws TerrainError; the world is then as it was.
+/// Returns what was taken and what was guessed. Throws Fault; the world is then as it was.
 std::vector<std::string> add_terrain(World& world, const std::filesystem::path& file,
                                      const TerrainOptions& options);
 
