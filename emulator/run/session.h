@@ -29,6 +29,7 @@ namespace echoloop {
 
 class Dataset;
 class DeviceTruth;
+class Watch;
 struct PingTruth;
 
 /// What the sessions of a run share: the water that they all ping in.
@@ -62,6 +63,9 @@ class Session {
     void keep_in(Dataset& dataset, std::size_t sonar) { dataset_ = &dataset, number_in_it_ = sonar; }
     /// Before start(): who is told which ping is heard and sent. It outlives this.
     void tell_of_pings(PingLog& log) { log_ = &log; }
+
+    /// Before start(): who looks on. It outlives this.
+    void be_watched(Watch& watch) { watch_ = &watch; }
 
     /// Before start(): the first packet of each ping gets a comment that says where the sonar was.
     void remark_pings() { remarks_ = true; }
@@ -99,9 +103,10 @@ class Session {
         Situation situation;
         double unix_time;       ///< s since 1970, of the transmission
         std::uint64_t powered;  ///< power_cuts_ when it was sent
-        Time woken{};           ///< when it was seen to be due
-        Time overslept{};       ///< by then
-        Time waited{};          ///< from then on, for its rendering
+        bool watched;
+        Time woken{};      ///< when it was seen to be due
+        Time overslept{};  ///< by then
+        Time waited{};     ///< from then on, for its rendering
     };
     /// A message, and the number of the ping that the device had heard last.
     struct Mail {
@@ -114,6 +119,12 @@ class Session {
     Task<void> deliver(UnderWay ping);
     void hear(UnderWay& ping);
     void count_late(const UnderWay& ping, Time now);
+    /// What a watch is told beside the echogram.
+    struct Seen {
+        Time transmitted, late;
+        std::vector<std::uint16_t> objects;
+        std::vector<Pose> movers;
+    };
     /// What the device is about to hear; nothing else touches its late echoes meanwhile.
     struct Heard {
         Echogram echogram;
@@ -122,6 +133,7 @@ class Session {
         std::uint64_t sequence;
         Time now;
         std::shared_ptr<PingTruth> kept{};  ///< for the data set; nullptr: there is none
+        std::optional<Seen> seen;
     };
     Actions hear_all(Heard& heard);
     /// On another thread, which this session outlives.
@@ -171,6 +183,7 @@ class Session {
     std::function<Actions(Actions, Time)> after_hearing_ = [](Actions actions, Time) { return actions; };
     std::deque<std::function<void()>> waiting_;
     PingLog* log_ = nullptr;  ///< nullptr: nobody asks
+    Watch* watch_ = nullptr;  ///< nullptr: nobody looks
     std::uint64_t power_cuts_ = 0;
     std::uint64_t heard_ = 0;  ///< number of the ping heard last, from 1
 

@@ -15,6 +15,7 @@
 #include "tools/echoloop/driver.h"
 #include "tools/echoloop/faults_output.h"
 #include "tools/echoloop/json_run.h"
+#include "tools/echoloop/live_view.h"
 #include "tools/echoloop/run_summary.h"
 
 namespace echoloop::cli {
@@ -35,7 +36,7 @@ std::optional<double> duration_of(const Arguments& arguments, const Scenario& sc
     return scenario.duration;
 }
 
-void print_start(const Runtime& runtime, std::optional<double> duration) {
+void print_start(const Runtime& runtime, std::optional<double> duration, const std::string& view) {
     const Scenario& scenario = runtime.scenario();
     const auto line = [](const std::string& name, const std::string& text) {
         std::printf("%s%s\n", padded(name, 16).c_str(), text.c_str());
@@ -62,6 +63,7 @@ void print_start(const Runtime& runtime, std::optional<double> duration) {
         line("control", scenario.control + ", token " + token);
     else if (!scenario.control.empty())
         line("control", scenario.control);
+    if (!view.empty()) line("view", view);
     if (scenario.clock != ClockMode::free)
         std::printf("For a driver: %s endpoints %s --format ros1 (or ros2, moos, rock, sitl)\n",
                     program_invocation_name, scenario.file.c_str());
@@ -143,22 +145,28 @@ int run_scenario(const Arguments& arguments) {
     const auto labels = labels_from(arguments);
     const auto dataset =
         arguments.has("--dataset") ? std::make_unique<Dataset>(arguments.text("--dataset")) : nullptr;
+    LiveView live_view(arguments);
     try {
         Runtime runtime(scenario,
                         {.recording = recording.get(),
                          .remarks = arguments.has("--record-truth"),
                          .truth = truth.get(),
                          .labels = labels.get(),
-                         .dataset = dataset.get()},
+                         .dataset = dataset.get(),
+                         .watch = live_view.watch(),
+                         .live_faults = live_view.control()},
                         arguments.has("--realtime") ? Punctuality::real_time : Punctuality::ordinary);
+        auto page = live_view.serve(runtime);
+        const std::string link = page ? page->link() : "";
         const bool json = arguments.has("--json");
         if (json) {
-            std::printf("%s\n", run_started_json(runtime).c_str());
+            std::printf("%s\n", run_started_json(runtime, link).c_str());
             std::fflush(stdout);
         } else {
-            print_start(runtime, duration);
+            print_start(runtime, duration, link);
         }
         runtime.run(duration);
+        page.reset();
         if (recording) recording->finish();
         if (truth) truth->finish();
         if (labels) labels->finish();
@@ -215,6 +223,11 @@ Verb run_verb() {
          {Argument::Kind::value, "--dataset", "DIR",
           "write echograms, pictures, labels, truth and bytes of every ping into a new folder "
           "(docs/datasets.md)"},
+         {Argument::Kind::flag, "--view", "",
+          "show the run on a page in a browser; its link is printed (docs/view.md)"},
+         {Argument::Kind::value, "--view-at", "ADDRESS:PORT",
+          "where the page is, instead of a free port of 127.0.0.1; others on the network need the link, too"},
+         {Argument::Kind::flag, "--view-control", "", "let the page ask for faults"},
          {Argument::Kind::value, "--control", "PLACE",
           "accept commands for faults at unix:/PATH or tcp-listen://127.0.0.1:PORT; see echoloop fault"},
          {Argument::Kind::value, "--labels", "FILE", "write one line of JSON for every fault"},
@@ -226,6 +239,7 @@ Verb run_verb() {
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop run demo\n"
+        "  echoloop run demo --view\n"
         "  echoloop run tank --duration 60 --record dive.pcapng\n"
         "  echoloop run tank --truth dive.jsonl\n"
         "  echoloop run sweep --dataset turn\n"
