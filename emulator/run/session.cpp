@@ -227,7 +227,7 @@ void Session::hear(UnderWay& ping) {
     overload_.heard(ping.waited);
     ++summary_.pings;
     auto heard =
-        std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, {}, ping.sequence, now, {}});
+        std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, {}, ping.sequence, now, {}, {}});
     if (ping.late_before) heard->late_before = std::move(*ping.late_before->echogram);
     Echogram& echogram = heard->echogram;
     heard->foreign = water_.cross_talk.pulses_in(echogram, ping.transmission);
