@@ -265,7 +265,8 @@ class Renderer::Impl {
                 rotate(conjugate(world_from_fan(shot, heard.array.world_from_sonar).orientation), {0, 0, 1}),
             .depth = surface ? surface->height - z : water_.depth,
             .surface_number = static_cast<float>(strength_.size()),
-            .scattering = water_.scattering};
+            .scattering = water_.scattering,
+            .near = near_ranges(shot, c / shot.frequency)};
         if (surface) around.surface = surface->height - z;
         heard.water.emplace(around, c / 2 * shot.first_bin_time, c / 2 * shot.bin_interval, shot.bins);
     }
