@@ -71,6 +71,7 @@ RayTable::RayTable(std::span<const SoundSpeedPoint> profile, double depth, doubl
     close_gaps();
     find_errors(surface);
     find_focus(whole);
+    if (surface && depth > 0) find_surface(whole);
     constexpr int parts = 16;  // of a row
     for (std::size_t row = 1; row < rows; ++row) {
         const double above = places_.below(static_cast<double>(row - 1)),
@@ -181,35 +182,27 @@ void RayTable::find_errors(bool surface) {
             most_turn_ = std::max(most_turn_, std::abs(turn));
             most_stretch_ = std::max(most_stretch_, std::abs(stretch));
             has_shadow_ |= cell[3] < 0;
-            double& error =
-                error_[std::min(columns - 1, static_cast<std::size_t>(std::ceil(length / column_step_)))];
-            error = std::max(error, cell[3] < 0 ? unreached : length * std::hypot(turn, stretch));
+            const std::size_t step =
+                std::min(columns - 1, static_cast<std::size_t>(std::ceil(length / column_step_)));
+            error_[step] =
+                std::max(error_[step], cell[3] < 0 ? unreached : length * std::hypot(turn, stretch));
+            if (column > 0) find_lift(step, static_cast<double>(column) * column_step_, below, turn);
         }
-    for (std::size_t i = 1; i < columns; ++i) error_[i] = std::max(error_[i], error_[i - 1]);
+    for (std::size_t i = 1; i < columns; ++i) {
+        error_[i] = std::max(error_[i], error_[i - 1]);
+        for (auto& lift : lifts_) lift[i] = std::max(lift[i], lift[i - 1]);
+    }
 }
 
-/// Ray tubes between neighbours half a milliradian apart: what spreads over cos(e) at the sonar's distance of
-/// 1 m spreads over the distance times the width of the tube.
-void RayTable::find_focus(std::span<const SoundSpeedPoint> profile) {
-    constexpr double apart = 5e-4;
-    focus_.assign(static_cast<std::size_t>(focus_rows * focus_columns), 1.0F);
-    focus_per_metre_ = static_cast<float>((focus_columns - 1) / range_);
-    const double step = range_ / (focus_columns - 1) / speed_;  // s
-    for (int row = 0; row < focus_rows; ++row) {
-        const double up = 2.0 * row / (focus_rows - 1) - 1;
-        const double elevation = std::clamp(std::asin(up), -1.57, 1.57);
-        RayPoint lower{0, depth_, elevation - apart / 2}, upper{0, depth_, elevation + apart / 2};
-        for (int column = 1; column < focus_columns; ++column) {
-            lower = ray_after(profile, lower, step), upper = ray_after(profile, upper, step);
-            const double length = step * speed_ * column, x = (lower.distance + upper.distance) / 2;
-            const double width =
-                std::hypot(upper.distance - lower.distance, upper.depth - lower.depth) / apart;
-            const double spread = x * width / std::cos(elevation);
-            const auto focus = static_cast<float>(std::clamp(length * length / spread, 0.1, 10.0));
-            focus_[static_cast<std::size_t>(row * focus_columns + column)] = focus;
-            focuses_ |= std::abs(focus - 1) > 0.02F;
-        }
-    }
+/// A point in the direction of the horizontal unit vector h, with h' = h n, is seen at the elevation e' above
+/// the plane where tan e' n + h' >= 0; so at its own elevation e its sine over the plane, cos e (tan e n +
+/// h'), is at least cos e n (tan e - tan e') = -n sin(e' - e) / cos e'.
+void RayTable::find_lift(std::size_t step, double distance, double below, double turn) {
+    constexpr double linear_between_cells = 1.05;
+    const double launch = std::atan2(-below, distance) + turn;
+    const double lift = linear_between_cells * std::sin(turn) / std::max(std::cos(launch), 1e-3);
+    for (const bool down : {false, true})
+        lifts_[down ? 1 : 0][step] = std::max(lifts_[down ? 1 : 0][step], down ? -lift : lift);
 }
 
 BentRay RayTable::at(double distance, double below) const {

@@ -45,6 +45,40 @@ class RayTable {
     /// Whether that differs from 1 by more than 2 % anywhere within the range.
     bool focuses() const { return focuses_; }
 
+    /// Where the ray is then that leaves in the direction d with the sine `up` of elevation: at length times
+    /// (along d + rise w) from the sonar, with w upwards. For a straight ray 1 and 0. The other way round
+    /// from at(); linear between 1/64 of sine and of range.
+    struct Place {
+        float along = 1, rise = 0;
+        float height(float up) const { return along * up + rise; }  ///< over the length
+    };
+    Place place(float up, float length) const {
+        const float row = std::clamp((up + 1) * (0.5F * (focus_rows - 1)), 0.0F, focus_rows - 1.001F),
+                    column = std::clamp(length * focus_per_metre_, 0.0F, focus_columns - 1.001F);
+        const auto r = static_cast<int>(row), c = static_cast<int>(column);
+        const float fr = row - static_cast<float>(r), fc = column - static_cast<float>(c);
+        const Place* upper = &ends_[static_cast<std::size_t>(r * focus_columns + c)];
+        const Place* lower = upper + focus_columns;
+        const auto between = [&](float Place::*m) {
+            const float a = upper[0].*m + fc * (upper[1].*m - upper[0].*m),
+                        b = lower[0].*m + fc * (lower[1].*m - lower[0].*m);
+            return a + fr * (b - a);
+        };
+        return {between(&Place::along), between(&Place::rise)};
+    }
+
+    /// The water's surface as rays meet it, by the sine of elevation with which they leave: `places` of its
+    /// root, with its sign, from -1 to 1. Linear in the sine between them, as 1 / length is for straight
+    /// rays.
+    struct Surfacing {
+        static constexpr int half = 128, places = 2 * half + 1;
+        std::vector<float> inverse;  ///< 1/m, of the length in c t; 0: it never does
+        std::vector<float> sine;     ///< of the elevation with which it arrives
+        std::vector<float> slope;    ///< -d log(length) / d log(up): 1 for a straight ray
+    };
+    /// Empty where there is no surface over the sonar.
+    const Surfacing& surfacing() const { return surfacing_; }
+
     /// c t over the length of a straight line between two depths, m below the sonar. By Fermat's principle a
     /// bent ray between its ends takes as long, but for the second order of its bend.
     double slowness(double below_1, double below_2) const;
@@ -56,7 +90,15 @@ class RayTable {
     /// m, by how much straight rays are off at most, up to the range `range` m; infinite where there is a
     /// shadow.
     double straight_error(double range) const;
-    double most_turn() const { return most_turn_; }        ///< rad
+    double most_turn() const { return most_turn_; }  ///< rad
+    /// What crosses a plane through the sonar because rays bend: a point up to `range` m off that a straight
+    /// line would show at the sine s of elevation over a plane whose unit normal has the part n upwards is
+    /// seen above it only if s >= -n lift (downwards: -n and the other lift).
+    double lift(double range, bool down) const {
+        const auto step =
+            static_cast<std::size_t>(std::ceil(range / column_step_)) + 2;  // it is interpolated
+        return lifts_[down ? 1 : 0][std::min(step, columns - 1)];
+    }
     double most_stretch() const { return most_stretch_; }  ///< |stretch|
     bool has_shadow() const { return has_shadow_; }
     double steepest() const { return steepest_; }  ///< 1/s, the greatest gradient of sound speed
@@ -85,7 +127,9 @@ class RayTable {
     void shoot(std::span<const SoundSpeedPoint> profile, bool surface);
     void close_gaps();
     void find_errors(bool surface);
+    void find_lift(std::size_t step, double distance, double below, double turn);
     void find_focus(std::span<const SoundSpeedPoint> profile);
+    void find_surface(std::span<const SoundSpeedPoint> profile);
     double plumb(double below) const;
 
     double depth_, range_, speed_;
@@ -94,8 +138,11 @@ class RayTable {
     std::vector<std::array<float, 4>> cells_;
     std::array<double, rows> plumb_{};  ///< m of c t, down from the first row
     std::vector<float> focus_;
+    std::vector<Place> ends_;  ///< in the same places
+    Surfacing surfacing_;
     float focus_per_metre_ = 0;
-    std::array<double, columns> error_{};  ///< m, within that many steps of range
+    std::array<double, columns> error_{};                 ///< m, within that many steps of range
+    std::array<std::array<double, columns>, 2> lifts_{};  ///< the same
     double most_turn_ = 0, most_stretch_ = 0;
     double steepest_ = 0;
     bool focuses_ = false, has_shadow_ = false;

@@ -28,6 +28,12 @@ class RayTables {
             });
     }
 
+    /// That of a depth at most half a metre off, for what need not be made anew in every decimetre.
+    std::shared_ptr<const RayTable> nearby(std::span<const SoundSpeedPoint> profile, double depth,
+                                           double range, bool surface) {
+        return of(profile, std::round(depth), range, surface);
+    }
+
   private:
     RecentlyUsed<std::shared_ptr<const RayTable>> tables_{24};
 };

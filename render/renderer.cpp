@@ -159,7 +159,10 @@ class Renderer::Impl {
         speed_ = sound_speed_at(water_.profile, depth_step(depth));
         const double range = end_range(shot), half_bin = speed_ / 4 * shot.bin_interval;
         rays_ = ray_tables_.of(water_.profile, depth, range, options_.surface.has_value());
-        if (rays_->straight_error(range) < half_bin) rays_ = nullptr;
+        if (rays_->straight_error(range) < half_bin)
+            rays_ = nullptr;
+        else
+            rays_nearby_ = ray_tables_.nearby(water_.profile, depth, range, options_.surface.has_value());
     }
 
     /// Appends the array's beams to `out`, without their acoustics, and its targets to points_.
@@ -266,7 +269,8 @@ class Renderer::Impl {
             .depth = surface ? surface->height - z : water_.depth,
             .surface_number = static_cast<float>(strength_.size()),
             .scattering = water_.scattering,
-            .near = near_ranges(shot, c / shot.frequency)};
+            .near = near_ranges(shot, c / shot.frequency),
+            .rays = rays_.get()};
         if (surface) around.surface = surface->height - z;
         heard.water.emplace(around, c / 2 * shot.first_bin_time, c / 2 * shot.bin_interval, shot.bins);
     }
@@ -274,7 +278,7 @@ class Renderer::Impl {
     void place_patches(Heard& heard) {
         heard.patchy = patches_.any() && effects().has(Effect::texture);
         if (heard.patchy)
-            patches_.place(world_from_fan(heard.array.shot, heard.array.world_from_sonar), movers_);
+            patches_.place(world_from_fan(heard.array.shot, heard.array.world_from_sonar), movers_, rays_);
     }
 
     const StrengthTable& surface_strength(double frequency, double wind) {
@@ -310,7 +314,8 @@ class Renderer::Impl {
         const double least = 0.1 * out.noise_power / bins_at_once;
         for (const Heard& heard : arrays_) {
             const Shot& shot = heard.array.shot;
-            if (heard.patchy) patches_.place(world_from_fan(shot, heard.array.world_from_sonar), movers_);
+            if (heard.patchy)
+                patches_.place(world_from_fan(shot, heard.array.world_from_sonar), movers_, rays_);
             std::vector<std::uint16_t> objects(shot.beams() * shot.bins);
             finder_.find(summing_of(shot), binning_input(heard, out.sound_speed),
                          drawer().object_of_surface(), least, objects);
@@ -396,6 +401,7 @@ class Renderer::Impl {
                     .begin_range = background ? begin_range(shot) : 0,
                     .offset = offset_of(heard.array),
                     .rays = rays_,
+                    .rays_nearby = rays_nearby_,
                     .sag = speed_ / 8 * shot.bin_interval},
                    heard.pixels);
         heard.focus.clear();
@@ -451,6 +457,7 @@ class Renderer::Impl {
     RayTables ray_tables_;
     double speed_ = 1500;                   ///< m/s, of the ping at hand: ranges are times at this speed
     std::shared_ptr<const RayTable> rays_;  ///< of the ping at hand; null: they are straight
+    std::shared_ptr<const RayTable> rays_nearby_;  ///< as Outlook::rays_nearby
     RenderProfile profile_;
 };
 

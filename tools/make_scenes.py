@@ -3,7 +3,7 @@
 
     tools/make_scenes.py                 writes config/scenes/{manifold,tank,flat,basin,harbour,deep}.glb
     tools/make_scenes.py --check         writes nothing; exit status 1 if a committed file differs
-    tools/make_scenes.py --bench DIR     writes DIR/{simple,big100k,big2m,one2m}.glb
+    tools/make_scenes.py --bench DIR     writes DIR/{simple,big100k,big2m,one1m,one2m}.glb
 """
 import argparse
 import os

@@ -1,7 +1,6 @@
 #include "emulator/run/control.h"
 
 #include <spdlog/spdlog.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -39,21 +38,6 @@ bool is_left_over(asio::io_context& io, const fs::path& path) {
     error_code refused;
     probe.connect(Local::endpoint(path.string()), refused);
     return refused == asio::error::connection_refused;
-}
-
-/// 128 random bits as hexadecimal digits.
-std::string random_token() {
-    constexpr char digits[] = "0123456789abcdef";
-    std::array<std::uint8_t, 16> random{};
-    if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size()))
-        throw StartError(Exit::unavailable,
-                         std::string("no random numbers for a token: ") + std::strerror(errno));
-    std::string token;
-    for (const std::uint8_t byte : random) {
-        token += digits[byte >> 4];
-        token += digits[byte & 15];
-    }
-    return token;
 }
 
 StartError cannot_make(const std::string& path, const std::string& reason) {
@@ -137,12 +121,9 @@ class Control::Listener {
     struct stat made_ {};  ///< the socket file
 };
 
-Control::Control(Clock& clock, const ControlPlace& place, Faults& faults, std::vector<ScenarioDevice> devices,
-                 Summaries summaries)
+Control::Control(Clock& clock, const ControlPlace& place, ControlDesk& desk)
     : clock_(clock),
-      faults_(faults),
-      devices_(std::move(devices)),
-      summaries_(std::move(summaries)),
+      desk_(desk),
       token_(place.path.empty() ? random_token() : ""),
       listener_(std::make_unique<Listener>(clock.io(), place)) {}
 
@@ -209,13 +190,14 @@ Task<void> Control::serve(std::shared_ptr<Client> client) {
              from = end + 1) {
             const auto line = std::string_view(client->waiting).substr(from, end - from);
             if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-            const std::string reply = (client->trusted ? answer(line) : admit(*client, line)) + "\n";
+            const std::string reply = (client->trusted ? desk_.answer(line) : admit(*client, line)) + "\n";
             co_await asio::async_write(client->socket, asio::buffer(reply), into(ec));
             if (!client->trusted) co_return;
         }
         client->waiting.erase(0, from);
         if (client->waiting.size() <= longest_control_line) continue;
-        const std::string reply = (client->trusted ? answer(client->waiting) : admit(*client, "")) + "\n";
+        const std::string reply =
+            (client->trusted ? desk_.answer(client->waiting) : admit(*client, "")) + "\n";
         co_await asio::async_write(client->socket, asio::buffer(reply), into(ec));
         co_return;
     }
@@ -231,7 +213,11 @@ std::string Control::admit(Client& client, std::string_view line) const {
         "start, or give it to echoloop fault --token; a control place of the kind unix:/PATH needs none");
 }
 
-std::string Control::answer(std::string_view line) {
+ControlDesk::ControlDesk(Clock& clock, Faults& faults, std::vector<ScenarioDevice> devices,
+                         Summaries summaries)
+    : clock_(clock), faults_(faults), devices_(std::move(devices)), summaries_(std::move(summaries)) {}
+
+std::string ControlDesk::answer(std::string_view line) {
     using What = ControlRequest::What;
     const Time now = clock_.now();
     const auto [request, reason] = parse_control_line(line, devices_, now);

@@ -1,5 +1,5 @@
-// The control socket of a run: lines of JSON in, a line of JSON back for each. It asks for faults and tells
-// of them; nobody can reach it from another machine.
+// The control of a run: lines of JSON in, a line of JSON back for each. They ask for faults and for how it
+// goes; nobody can reach its socket from another machine.
 #pragma once
 
 #include <memory>
@@ -12,15 +12,30 @@
 
 namespace echoloop {
 
-class Control {
+/// Who answers the lines, wherever they come from. On the thread of the wires.
+class ControlDesk {
   public:
     using Summaries = std::function<std::vector<SessionSummary>()>;
 
+    /// What is referred to outlives this.
+    ControlDesk(Clock& clock, Faults& faults, std::vector<ScenarioDevice> devices, Summaries summaries);
+    /// Without the end of the line.
+    std::string answer(std::string_view line);
+
+  private:
+    Clock& clock_;
+    Faults& faults_;
+    std::vector<ScenarioDevice> devices_;
+    Summaries summaries_;
+};
+
+/// Its socket.
+class Control {
+  public:
     /// Binds the place; a socket file is the user's alone (0600) and replaces one that nobody serves. By TCP
     /// every user of the machine could ask, and every web page: so a client's first line is
     /// {"token": token()}. Throws StartError. What is referred to outlives this.
-    Control(Clock& clock, const ControlPlace& place, Faults& faults, std::vector<ScenarioDevice> devices,
-            Summaries summaries);
+    Control(Clock& clock, const ControlPlace& place, ControlDesk& desk);
     ~Control();
 
     void start();
@@ -38,12 +53,9 @@ class Control {
     Task<void> accept();
     Task<void> serve(std::shared_ptr<Client> client);
     std::string admit(Client& client, std::string_view line) const;
-    std::string answer(std::string_view line);
 
     Clock& clock_;
-    Faults& faults_;
-    std::vector<ScenarioDevice> devices_;
-    Summaries summaries_;
+    ControlDesk& desk_;
     std::string token_;
     std::unique_ptr<Listener> listener_;
     std::vector<std::weak_ptr<Client>> clients_;

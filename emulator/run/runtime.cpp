@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "emulator/capture/recorded.h"
+#include "emulator/capture/watched.h"
 #include "emulator/contract/error.h"
 #include "emulator/contract/random_key.h"
 #include "emulator/machine/scheduling.h"
@@ -51,6 +52,16 @@ std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io
     return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
 }
 
+Around around_wires(const RunRecords& records, const std::string& device) {
+    Around recorder;
+    if (records.recording != nullptr) recorder = PortRecorder(*records.recording, device);
+    if (records.watch == nullptr) return recorder;
+    return [recorder, watch = records.watch, device](std::unique_ptr<Transport> wire, const Port& port) {
+        if (recorder) wire = recorder(std::move(wire), port);
+        return std::make_unique<Watched>(std::move(wire), *watch, device, port.name);
+    };
+}
+
 SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers) {
     const bool knows_effects = scenario.render.rule == EchoRule::radiometric;
     const Effects effects = knows_effects ? scenario.render.effects : Effects::none();
@@ -85,6 +96,7 @@ class Runtime::Impl {
           water_(shared_water(scenario, *scene_, movers_)),
           faults_(scenario.seed, scenario.file.string(), records.labels,
                   [this] { return clock_->unix_time(); }),
+          desk_(*clock_, faults_, scenario.devices, [this] { return summary(); }),
           render_threads_([this, &scenario] { return make_renderer(scenario); },
                           RenderThreads::useful(scenario.devices.size())) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.
@@ -96,12 +108,11 @@ class Runtime::Impl {
         movers_.name_places(scenario_);
         vehicle_.name_places(scenario_);
         if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
-        const bool faulty = !scenario.faults.empty() || !scenario.control.empty();
+        const bool faulty = !scenario.faults.empty() || !scenario.control.empty() || records.live_faults;
         for (ScenarioDevice& device : scenario_.devices) add(device, records, faulty);
         for (const Fault& fault : scenario.faults) faults_.add(fault);
         if (scenario.control.empty()) return;
-        control_ = std::make_unique<Control>(*clock_, parse_control_place(scenario.control), faults_,
-                                             scenario_.devices, [this] { return summary(); });
+        control_ = std::make_unique<Control>(*clock_, parse_control_place(scenario.control), desk_);
         scenario_.control = control_->describe();
     }
 
@@ -169,7 +180,11 @@ class Runtime::Impl {
         return steps_ ? std::optional(steps_->summary()) : std::nullopt;
     }
     double stolen() const { return stepped_ == nullptr ? stolen_ : 0; }
-    std::size_t triangles() const { return scene_->triangles(); }
+    std::shared_ptr<const Scene> scene() const { return scene_; }
+    void ask(std::string line, std::function<void(std::string)> answer) {
+        asio::post(
+            io_, [this, line = std::move(line), answer = std::move(answer)] { answer(desk_.answer(line)); });
+    }
     const std::string& renderer_description() const { return renderer_description_; }
 
   private:
@@ -242,8 +257,7 @@ class Runtime::Impl {
 
     /// Writes the numbers of its ports into `entry`.
     void add(ScenarioDevice& entry, const RunRecords& records, bool faulty) {
-        const auto around =
-            records.recording != nullptr ? Around(PortRecorder(*records.recording, entry.name)) : Around();
+        const auto around = around_wires(records, entry.name);
         OpenPorts open =
             open_ports(*clock_, entry,
                        scenario_.clock == ClockMode::free ? Drivers::scripted : Drivers::outside, around);
@@ -280,6 +294,7 @@ class Runtime::Impl {
                 *records.truth, entry.name, [mount](Time time) { return mount->body_from_sonar(time); }));
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         if (records.remarks) sessions_.back()->remark_pings();
+        if (records.watch != nullptr) sessions_.back()->be_watched(*records.watch);
         running_.push_back({entry.name, entry.model, std::move(open.places), {}, {}});
     }
 
@@ -341,6 +356,7 @@ class Runtime::Impl {
     Faults faults_;
     std::vector<std::unique_ptr<FaultySession>> faulty_sessions_;  ///< as sessions_, or none
     std::vector<std::unique_ptr<Session>> sessions_;
+    ControlDesk desk_;
     std::unique_ptr<Control> control_;  ///< nullptr without a place
     std::vector<RunningDevice> running_;
     RenderThreads
@@ -352,7 +368,11 @@ Runtime::Runtime(const Scenario& scenario, RunRecords records, Punctuality punct
 Runtime::~Runtime() = default;
 const Scenario& Runtime::scenario() const { return impl_->scenario(); }
 std::vector<RunningDevice> Runtime::devices() const { return impl_->devices(); }
-std::size_t Runtime::triangles() const { return impl_->triangles(); }
+std::shared_ptr<const Scene> Runtime::scene() const { return impl_->scene(); }
+std::size_t Runtime::triangles() const { return impl_->scene()->triangles(); }
+void Runtime::ask(std::string line, std::function<void(std::string)> answer) {
+    impl_->ask(std::move(line), std::move(answer));
+}
 std::string Runtime::renderer() const { return impl_->renderer_description(); }
 std::optional<PoseSummary> Runtime::poses() const { return impl_->poses(); }
 std::map<std::string, PoseSummary> Runtime::objects() const { return impl_->objects(); }

@@ -2,6 +2,7 @@
 // Prints nothing; the command line does.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,6 +29,7 @@ class BackgroundFile;
 class KeptScene;
 class Recording;
 class TruthFile;
+class Watch;
 struct PoseSummary;
 struct StepSummary;
 
@@ -40,6 +42,8 @@ struct RunRecords {
     bool remarks = false;              ///< in the recording each ping says where its sonar was
     TruthFile* truth = nullptr;        ///< gets what is really there at every ping
     BackgroundFile* labels = nullptr;  ///< gets a line for every fault that is made
+    Watch* watch = nullptr;            ///< sees every ping that it wants, and all bytes
+    bool live_faults = false;          ///< ask() may ask for them, though there is no control place
 };
 
 class Runtime {
@@ -55,6 +59,7 @@ class Runtime {
     /// As it was given, with the numbers of ports that it left to the program.
     const Scenario& scenario() const;
     std::vector<RunningDevice> devices() const;  ///< as in scenario()
+    std::shared_ptr<const Scene> scene() const;
     std::size_t triangles() const;
     std::string renderer() const;  ///< e.g. "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe"
 
@@ -62,6 +67,9 @@ class Runtime {
     /// the run where the clock is stepped or free. Stepped, the first step powers the devices up; free, the
     /// duration is the run's only end.
     void run(std::optional<double> duration = {});
+    /// What a client of the control place would say; from any thread, during run(). `answer` is called with
+    /// what it would hear, on the thread of the wires, or never where the run is over.
+    void ask(std::string line, std::function<void(std::string)> answer);
     /// By a signal, before its time was over.
     bool interrupted() const;
     std::vector<SessionSummary> summary() const;

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "emulator/capture/remark.h"
+#include "emulator/capture/watch.h"
 #include "emulator/contract/random_key.h"
 #include "emulator/truth/device_truth.h"
 
@@ -174,7 +175,8 @@ void Session::transmit(Ping ping, Time time) {
     summary_.spared_pings += spared;
     summary_.coarse_pings += situation.density < 1;
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
-    situation.objects = truth_ != nullptr;
+    const bool watched = watch_ != nullptr && watch_->wants_ping(name_, ping.shot);
+    situation.objects = truth_ != nullptr || watched;
     auto echoes = render(ping.due, ping.shot, situation);
     situation.objects = false;
     situation.detail = late_detail;
@@ -182,7 +184,7 @@ void Session::transmit(Ping ping, Time time) {
     const double unix_time = clock_.unix_time() - to_seconds(clock_.now() - time);
     asio::co_spawn(io_,
                    deliver({std::move(transmission), sequence_, ping.due, std::move(echoes),
-                            std::move(late_before), std::move(situation), unix_time, power_cuts_}),
+                            std::move(late_before), std::move(situation), unix_time, power_cuts_, watched}),
                    Serving(name_));
 }
 
@@ -221,13 +223,15 @@ void Session::hear(UnderWay& ping) {
     overload_.heard(ping.waited);
     ++summary_.pings;
     auto heard =
-        std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, {}, ping.sequence, now});
+        std::make_shared<Heard>(Heard{std::move(*ping.echoes->echogram), {}, {}, ping.sequence, now, {}});
     if (ping.late_before) heard->late_before = std::move(*ping.late_before->echogram);
     Echogram& echogram = heard->echogram;
     heard->foreign = water_.cross_talk.pulses_in(echogram, ping.transmission);
     heard_ = ping.sequence;
     if (log_ != nullptr) log_->hears(heard_);
     if (remarks_) remark_ = remark_of(ping.transmission, ping.sequence);
+    if (ping.watched)
+        heard->seen = Seen{ping.transmission.time, now - ping.due, echogram.objects, ping.situation.movers};
     auto faults = truth_ && log_ != nullptr ? log_->on(now) : std::vector<std::string>{};
     if (truth_)
         truth_->heard(ping.transmission, ping.situation, ping.unix_time, ping.due, std::move(faults),
@@ -242,6 +246,11 @@ Actions Session::hear_all(Heard& heard) {
     water_.cross_talk.add(heard.foreign, heard.echogram);
     if (heard.late_before) late_echoes_.keep(heard.sequence - 1, std::move(*heard.late_before));
     late_echoes_.add_to(heard.sequence, heard.echogram);
+    if (heard.seen) {
+        heard.echogram.objects = std::move(heard.seen->objects);
+        watch_->ping({name_, heard.sequence, heard.seen->transmitted, heard.seen->late, heard.echogram,
+                      heard.seen->movers});
+    }
     return device_->heard(heard.echogram, heard.now);
 }
 

@@ -28,6 +28,7 @@
 namespace echoloop {
 
 class DeviceTruth;
+class Watch;
 
 /// What the sessions of a run share: the water that they all ping in.
 struct SharedWater {
@@ -58,6 +59,9 @@ class Session {
     void tell(std::unique_ptr<DeviceTruth> truth);
     /// Before start(): who is told which ping is heard and sent. It outlives this.
     void tell_of_pings(PingLog& log) { log_ = &log; }
+
+    /// Before start(): who looks on. It outlives this.
+    void be_watched(Watch& watch) { watch_ = &watch; }
 
     /// Before start(): the first packet of each ping gets a comment that says where the sonar was.
     void remark_pings() { remarks_ = true; }
@@ -95,9 +99,10 @@ class Session {
         Situation situation;
         double unix_time;       ///< s since 1970, of the transmission
         std::uint64_t powered;  ///< power_cuts_ when it was sent
-        Time woken{};           ///< when it was seen to be due
-        Time overslept{};       ///< by then
-        Time waited{};          ///< from then on, for its rendering
+        bool watched;
+        Time woken{};      ///< when it was seen to be due
+        Time overslept{};  ///< by then
+        Time waited{};     ///< from then on, for its rendering
     };
     /// A message, and the number of the ping that the device had heard last.
     struct Mail {
@@ -110,6 +115,12 @@ class Session {
     Task<void> deliver(UnderWay ping);
     void hear(UnderWay& ping);
     void count_late(const UnderWay& ping, Time now);
+    /// What a watch is told beside the echogram.
+    struct Seen {
+        Time transmitted, late;
+        std::vector<std::uint16_t> objects;
+        std::vector<Pose> movers;
+    };
     /// What the device is about to hear; nothing else touches its late echoes meanwhile.
     struct Heard {
         Echogram echogram;
@@ -117,6 +128,7 @@ class Session {
         std::vector<ForeignPulse> foreign;
         std::uint64_t sequence;
         Time now;
+        std::optional<Seen> seen;
     };
     Actions hear_all(Heard& heard);
     /// On another thread, which this session outlives.
@@ -164,6 +176,7 @@ class Session {
     std::function<Actions(Actions, Time)> after_hearing_ = [](Actions actions, Time) { return actions; };
     std::deque<std::function<void()>> waiting_;
     PingLog* log_ = nullptr;  ///< nullptr: nobody asks
+    Watch* watch_ = nullptr;  ///< nullptr: nobody looks
     std::uint64_t power_cuts_ = 0;
     std::uint64_t heard_ = 0;  ///< number of the ping heard last, from 1
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "render/simd.h"
+
 namespace echoloop {
 
 /// A row of bins that it does not own, and which of them hold anything.
@@ -20,6 +22,11 @@ class LineBins {
     /// Spreads `amount` over low..high, counted in bins from the leading edge of bin 0, with a density that
     /// changes by the share `slope` per bin and has its mean in the middle.
     void deposit(float low, float high, float amount, float slope = 0) {
+        deposit_inline(low, high, amount, slope);
+    }
+
+    /// The same for the innermost loop, where the call would cost as much as the work.
+    ECHOLOOP_INLINE void deposit_inline(float low, float high, float amount, float slope) {
         if (!(high >= 0 && low < last_)) return;  // false for NaN
         const float from = std::max(low, 0.0F), to = std::min(high, last_);
         // int: before AVX-512 no instruction turns a float into a std::size_t, or back.
@@ -31,13 +38,14 @@ class LineBins {
             values_[first] += width > 0 ? amount * ((to - from) / width) : amount;
             return;
         }
-        const float density = amount / width, middle = 0.5F * (low + high);
+        const float density = amount / width, middle = 0.5F * (low + high), change = density * slope;
         const auto piece = [&](float left, float right) {
-            return density * (right - left) * (1 + slope * (0.5F * (left + right) - middle));
+            return (right - left) * (density + change * (0.5F * (left + right) - middle));
         };
-        values_[first] += piece(from, static_cast<float>(first + 1));
-        for (int i = first + 1; i < last; ++i)
-            values_[i] += density * (1 + slope * (static_cast<float>(i) + 0.5F - middle));
+        const auto second = static_cast<float>(first + 1);
+        values_[first] += piece(from, second);
+        float value = density + change * (second + 0.5F - middle);  // most echoes cover two to five bins
+        for (int i = first + 1; i < last; ++i) values_[i] += value, value += change;
         values_[last] += piece(static_cast<float>(last), to);
     }
 

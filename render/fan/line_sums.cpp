@@ -15,21 +15,9 @@ float end_of(const BinningInput& in) {
     return static_cast<float>(in.first_range + static_cast<double>(in.bins) * in.bin_length);
 }
 
-/// What a pixel sends back per weight. `plane`: m, distance of its surface's plane, which is cos(i) times R
-/// anywhere on it.
-template <Amount amount>
-inline float strength_of(const BinningInput& in, float surface, float plane, float range) {
-    if constexpr (amount == Amount::paper_share) return 1;
-    const float cosine = std::min(plane / range, 1.0F);
-    if constexpr (amount == Amount::paper_echo) return cerqueira_sigmoid(cosine);
-    return in.strength[static_cast<std::size_t>(surface) - 1]->at(cosine);
-}
-
-template <Amount amount>
-inline bool counts(const BinningInput& in, float surface) {
+bool is_wanted(const BinningInput& in, float surface) {
     const auto index = static_cast<std::size_t>(surface) - 1;  // the water's surface has none
-    if constexpr (amount == Amount::wanted_echo) return index < in.wanted.size() && in.wanted[index] != 0;
-    return true;
+    return index < in.wanted.size() && in.wanted[index] != 0;
 }
 
 /// From m to bins, and what the gain of a whole bin leaves out.
@@ -42,6 +30,8 @@ class RangeScale {
           near_limit_(static_cast<float>(gain.near_limit())) {}
 
     float bin(float range) const { return range * per_metre - start_; }
+    bool is_near(float range) const { return range < near_limit_; }
+    BinScale scale() const { return {per_metre, start_}; }
     /// `length`: bins, over which the echo is spread.
     float correction(float range, float length) const {
         return range < near_limit_ && length < 1 ? gain_.correction(range) : 1;
@@ -75,27 +65,33 @@ SurfaceSteps surface_steps(const BinningInput& in, float* steps) {
             1 / static_cast<float>(of.bins)};
 }
 
-/// `weight`: of each sample. Along a plane seen at grazing incidence the solid angle of a slice of range
-/// falls as R^-2, cos(i) as R^-1.
-template <Amount amount>
-void add_level(const BinningInput& in, const BinGain& gain, const LineReader& reader, const float* weight,
-               const float* focus, LineBins& bins, SurfaceSteps steps) {
-    LineBins local = bins;  // its limits stay in registers
-    const RangeScale scale(in, gain);
-    const PixelRow& row = reader.row();
-    for (std::size_t i = 0; i < reader.extents.near.size(); ++i) {
-        const float surface = row.surface()[i];
-        if (surface == 0 || !(weight[i] > 0) || !counts<amount>(in, surface)) continue;
-        const float range = row.range()[i], near = scale.bin(reader.extents.near[i]),
-                    far = scale.bin(reader.extents.far[i]), length = far - near;
-        float value = weight[i] * strength_of<amount>(in, surface, row.cosine()[i] * range, range);
-        if (is_echo(amount)) value *= scale.correction(range, length);
-        if (is_echo(amount) && focus != nullptr) value *= focus[i];
-        const float steepest = 1.8F / length;  // beyond, the density at the far end would be negative
-        local.deposit(near, far, value, std::max(-3 / (range * scale.per_metre), -steepest));
-        if (surface == steps.number) steps.deposit(near, far, value);
+/// The paper's rule as a strength, which a table holds over the cosine.
+const StrengthTable& sigmoid_table() {
+    static const StrengthTable table(
+        [](double cosine) { return cosine * double{cerqueira_sigmoid(static_cast<float>(cosine))}; });
+    return table;
+}
+
+/// `weight`: of each sample.
+void find_amounts(const BinningInput& in, Amount amount, const PixelRow& row, const float* weight,
+                  std::size_t samples, LineEchoes& out) {
+    switch (amount) {
+        case Amount::echo:
+            return find_amounts(row.arrays(), weight, in.strength, {}, samples, out);
+        case Amount::wanted_echo:
+            return find_amounts(row.arrays(), weight, in.strength, in.wanted, samples, out);
+        case Amount::paper_echo:
+            return find_amounts_alike(row.arrays(), weight, &sigmoid_table(), samples, out);
+        case Amount::paper_share:
+            return find_amounts_alike(row.arrays(), weight, nullptr, samples, out);
     }
-    bins = local;
+}
+
+/// Close to the sonar the gain of a whole bin leaves something out.
+void correct_near(const RangeScale& scale, const float* range, std::size_t samples, LineEchoes& echoes) {
+    for (std::size_t i = 0; i < samples; ++i)
+        if (scale.is_near(range[i]) && echoes.amount[i] > 0)
+            echoes.amount[i] *= scale.correction(range[i], echoes.high[i] - echoes.low[i]);
 }
 
 /// What of a line is still under way.
@@ -228,18 +224,21 @@ void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, 
         in.patches->weigh(reader.row(), view, line, in.offset.level, weight, reader.weights))
         weight = reader.weights.data();
     if (in.motion != nullptr) weight = apply_motion(in, view, line, weight, reader);
-    const float* focus = focus_of(in, view, line);
-    const SurfaceSteps water = surface_steps(in, steps);
-    switch (amount) {
-        case Amount::echo:
-            return add_level<Amount::echo>(in, gain, reader, weight, focus, bins, water);
-        case Amount::wanted_echo:
-            return add_level<Amount::wanted_echo>(in, gain, reader, weight, focus, bins, water);
-        case Amount::paper_echo:
-            return add_level<Amount::paper_echo>(in, gain, reader, weight, focus, bins, water);
-        case Amount::paper_share:
-            return add_level<Amount::paper_share>(in, gain, reader, weight, focus, bins, water);
-    }
+    LineEchoes& echoes = reader.echoes;
+    const RangeScale scale(in, gain);
+    const PixelRow& row = reader.row();
+    const std::size_t samples = view.samples;
+    echoes.resize(samples);
+    find_amounts(in, amount, row, weight, samples, echoes);
+    find_places(row.arrays(), reader.extents, scale.scale(), samples, echoes);
+    if (is_echo(amount)) correct_near(scale, row.range(), samples, echoes);
+    if (const float* focus = focus_of(in, view, line); focus != nullptr && is_echo(amount))
+        multiply(focus, samples, echoes.amount.data());
+    deposit_line(echoes, samples, bins);
+    SurfaceSteps water = surface_steps(in, steps);
+    for (std::size_t i = 0; steps != nullptr && i < samples; ++i)
+        if (row.surface()[i] == water.number && echoes.amount[i] > 0)
+            water.deposit(echoes.low[i], echoes.high[i], echoes.amount[i]);
 }
 
 namespace {
@@ -302,9 +301,10 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
             sectors.share(pixel, 1, [&](std::size_t s, float heard) { under_way[s].add(end, sine, heard); });
         }
         if (surface == 0 || weight[i] == 0) continue;
-        if (only_wanted && !counts<Amount::wanted_echo>(in, surface)) continue;
+        if (only_wanted && !is_wanted(in, surface)) continue;
         const float near = scale.bin(reader.extents.near[i]), far = scale.bin(reader.extents.far[i]);
-        float strength = strength_of<Amount::echo>(in, surface, row.cosine()[i] * range, range) *
+        const float cosine = std::min(row.cosine()[i], 1.0F);
+        float strength = in.strength[static_cast<std::size_t>(surface) - 1]->at(cosine) *
                          scale.correction(range, far - near);
         if (focus != nullptr) strength *= focus[i];
         if (moves) strength *= reader.weights[i];

@@ -6,6 +6,7 @@
 
 #include "render/fan/bin_gain.h"
 #include "render/fan/line_bins.h"
+#include "render/fan/line_echoes.h"
 #include "render/fan/pixel_rows.h"
 #include "render/fan/reverberation.h"
 #include "render/fan/spreads.h"
@@ -51,6 +52,7 @@ class LineReader {
     Extents extents;             ///< what the reader of the line makes of it
     std::vector<float> weights;  ///< of the line's samples, where they are not those of the plan
     std::vector<float> closing;  ///< m/s, of the line's samples, where something moves
+    LineEchoes echoes;           ///< of the line's samples
     UnderWay under_way;          ///< what of the line no surface has met
 
   private:

@@ -35,9 +35,10 @@ std::uint32_t key_of(const std::string& name) {
     return static_cast<std::uint32_t>(key) & all_cells;
 }
 
-/// A line of directions in cells of a scale: the eye, and what a metre adds towards (1, x, 0) and for y.
+/// A line of directions in cells of a scale: the eye, and what a metre adds towards (1, x, 0) and for y; and
+/// upwards in the world.
 struct LineOfCells {
-    std::array<float, 3> eye, ahead, up;
+    std::array<float, 3> eye, ahead, up, upwards;
     float width, height;  ///< of a usual pixel on the image plane, in correlation lengths per metre of range
 };
 
@@ -45,11 +46,31 @@ struct LineShape {
     float x_square, top, sample_height;
 };
 
-/// The cell of each pixel, and the share of the noise that a pixel of that size leaves.
-ECHOLOOP_SIMD
-void find_cells(const LineOfCells line, const LineShape shape, const float* __restrict range,
-                const float* __restrict cosine, std::size_t count, std::uint32_t* __restrict cell,
-                float* __restrict share) {
+/// Where the rays of a line lead: RayTable::Place of each pixel, or none where they are straight.
+struct BentLine {
+    std::vector<float> along, rise;
+
+    void find(const RayTable& rays, const Quat& world_from_view, double x, const LineShape& shape,
+              const float* range, std::size_t count) {
+        along.resize(count), rise.resize(count);
+        const auto up_of = [&](Vec3 axis) { return static_cast<float>(rotate(world_from_view, axis).z); };
+        const float base = up_of({1, -x, 0}), up = up_of({0, 0, 1});
+        for (std::size_t i = 0; i < count; ++i) {
+            const float y = shape.top - static_cast<float>(static_cast<int>(i)) * shape.sample_height;
+            const RayTable::Place place =
+                rays.place((base + y * up) / std::sqrt(1 + shape.x_square + y * y), range[i]);
+            along[i] = place.along, rise[i] = place.rise;
+        }
+    }
+};
+
+/// The cell of each pixel, and the share of the noise that a pixel of that size leaves. `along`, `rise`: as
+/// BentLine has them.
+template <bool bent>
+ECHOLOOP_INLINE void find_cells(const LineOfCells& line, const LineShape& shape,
+                                const float* __restrict range, const float* __restrict cosine,
+                                const float* __restrict along_ray, const float* __restrict rise,
+                                std::size_t count, std::uint32_t* __restrict cell, float* __restrict share) {
     constexpr float positive = 262144, root_pi = 1.7724539F;
     constexpr auto mask = static_cast<std::int32_t>(PatchNoise::size - 1);
     for (std::size_t i = 0; i < count; ++i) {
@@ -57,7 +78,9 @@ void find_cells(const LineOfCells line, const LineShape shape, const float* __re
         const float r = std::min(range[i], 5000.0F), way = r / std::sqrt(1 + shape.x_square + y * y);
         const auto along = [&](int axis) {
             const auto a = static_cast<std::size_t>(axis);
-            const float place = line.eye[a] + way * (line.ahead[a] + y * line.up[a]);
+            const float place = bent ? line.eye[a] + way * along_ray[i] * (line.ahead[a] + y * line.up[a]) +
+                                           r * rise[i] * line.upwards[a]
+                                     : line.eye[a] + way * (line.ahead[a] + y * line.up[a]);
             return static_cast<std::int32_t>(place + positive) & mask;
         };
         cell[i] = static_cast<std::uint32_t>(along(0) +
@@ -66,6 +89,21 @@ void find_cells(const LineOfCells line, const LineShape shape, const float* __re
                     deep = line.height * r / (root_pi * std::max(cosine[i], 0.02F));
         share[i] = 1 / std::sqrt(std::sqrt((1 + wide * wide) * (1 + deep * deep)));
     }
+}
+
+ECHOLOOP_SIMD
+void find_cells(const LineOfCells line, const LineShape shape, const float* __restrict range,
+                const float* __restrict cosine, std::size_t count, std::uint32_t* __restrict cell,
+                float* __restrict share) {
+    find_cells<false>(line, shape, range, cosine, nullptr, nullptr, count, cell, share);
+}
+
+ECHOLOOP_SIMD
+void find_bent_cells(const LineOfCells line, const LineShape shape, const float* __restrict range,
+                     const float* __restrict cosine, const float* __restrict along_ray,
+                     const float* __restrict rise, std::size_t count, std::uint32_t* __restrict cell,
+                     float* __restrict share) {
+    find_cells<true>(line, shape, range, cosine, along_ray, rise, count, cell, share);
 }
 
 /// out = weight exp(s n - s^2 v / 2).
@@ -137,7 +175,9 @@ Patches::Patches(const Scene& scene) {
                     surfaces_[s].frame = m + 1;
 }
 
-void Patches::place(const Pose& world_from_fan, std::span<const Pose> movers) {
+void Patches::place(const Pose& world_from_fan, std::span<const Pose> movers,
+                    std::shared_ptr<const RayTable> rays) {
+    rays_ = std::move(rays);
     frame_from_fan_.assign(1, world_from_fan);
     for (const Pose& mover : movers) frame_from_fan_.push_back(inverse(mover) * world_from_fan);
 }
@@ -167,17 +207,28 @@ bool Patches::weigh(const PixelRow& row, const View& view, std::size_t line, Pix
         return std::array{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
     };
     const PatchNoise& table = PatchNoise::shared();
+    const Quat world_from_fan = frame_from_fan_.front().orientation;
+    static thread_local BentLine bent;
+    if (rays_) bent.find(*rays_, world_from_fan * view.fan_from_view(), x, shape, row.range(), count);
     for (std::size_t frame = 0; frame < frames.size(); ++frame)
         for (std::size_t scale = 0; scale < 2 && frames[frame] != 0; ++scale) {
             const Pose& from_fan = frame_from_fan_[frame];
             const Quat q = turn_of_scale(scale) * from_fan.orientation * view.fan_from_view();
             const double per_cell = 1 / cell_of_scale(scale);
             const LineOfCells of{
-                floats(in_cells(from_fan.position, scale)), floats(per_cell * rotate(q, {1, -x, 0})),
+                floats(in_cells(from_fan.position, scale)),
+                floats(per_cell * rotate(q, {1, -x, 0})),
                 floats(per_cell * rotate(q, {0, 0, 1})),
+                floats(per_cell *
+                       rotate(turn_of_scale(scale) * from_fan.orientation * conjugate(world_from_fan),
+                              {0, 0, 1})),
                 static_cast<float>(view.usual_width * view.line_width() / lengths[scale]),
                 static_cast<float>(view.usual_height * view.sample_height() / lengths[scale])};
-            find_cells(of, shape, row.range(), row.cosine(), count, cells.data(), share.data());
+            if (rays_)
+                find_bent_cells(of, shape, row.range(), row.cosine(), bent.along.data(), bent.rise.data(),
+                                count, cells.data(), share.data());
+            else
+                find_cells(of, shape, row.range(), row.cosine(), count, cells.data(), share.data());
             for (std::size_t i = 0; i < count; ++i) {
                 if (strength[i] == 0) continue;
                 const Surface& seen = surfaces_[static_cast<std::size_t>(row.surface()[i]) - 1];

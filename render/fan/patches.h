@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "render/fan/pixel_rows.h"
 #include "render/pose.h"
+#include "render/ray_table.h"
 #include "render/scene/scene.h"
 #include "render/view.h"
 
@@ -39,8 +41,10 @@ class Patches {
     explicit Patches(const Scene& scene);
     /// Whether any surface has patches.
     bool any() const { return any_; }
-    /// Where the fan is in the world, and the movers: world_from_object.
-    void place(const Pose& world_from_fan, std::span<const Pose> movers);
+    /// Where the fan is in the world, and the movers: world_from_object. `rays`: null where they are
+    /// straight.
+    void place(const Pose& world_from_fan, std::span<const Pose> movers,
+               std::shared_ptr<const RayTable> rays = nullptr);
 
     /// Multiplies the weights of a line's pixels; false, and `out` as it was, where it shows no patches.
     bool weigh(const PixelRow& row, const View& view, std::size_t line, PixelOffset offset,
@@ -58,6 +62,7 @@ class Patches {
     };
     std::vector<Surface> surfaces_;
     std::vector<Pose> frame_from_fan_;
+    std::shared_ptr<const RayTable> rays_;
     bool any_ = false;
 };
 

@@ -1,5 +1,7 @@
 #include "render/fan/pixel_rows.h"
 
+#include <cstdint>
+
 #include "render/simd.h"
 
 namespace echoloop {
@@ -13,6 +15,25 @@ void extents_of(const PixelArrays row, const EchoSpread spread, int count, float
         near[i] = std::max(r - half, r * row.cosine[i]);  // no point of the plane is nearer than its foot
         far[i] = r + half;
     }
+}
+
+ECHOLOOP_SIMD
+void take_apart(const Pixel* __restrict pixels, std::size_t count, float* __restrict range,
+                float* __restrict cosine, float* __restrict footprint, float* __restrict surface) {
+    for (std::size_t i = 0; i < count; ++i) {
+        range[i] = pixels[i].range;
+        cosine[i] = pixels[i].cosine;
+        footprint[i] = pixels[i].footprint;
+        surface[i] = pixels[i].surface;
+    }
+}
+
+/// Number of zeros.
+ECHOLOOP_SIMD
+std::int32_t count_zeros(const float* values, std::size_t count) {
+    std::int32_t zeros = 0;
+    for (std::size_t i = 0; i < count; ++i) zeros += values[i] == 0 ? 1 : 0;
+    return zeros;
 }
 
 ECHOLOOP_SIMD
@@ -44,6 +65,39 @@ void show_plane(const PlaneOfLine plane, std::size_t count, float* __restrict ra
     }
 }
 
+/// The same where rays bend. `inverse`, `sine`, `slope`: of RayTable::Surfacing.
+ECHOLOOP_SIMD
+void show_bent_plane(const PlaneOfLine plane, const float* __restrict inverse, const float* __restrict sine,
+                     const float* __restrict slope, std::size_t count, float* __restrict range,
+                     float* __restrict cosine, float* __restrict footprint, float* __restrict surface) {
+    constexpr float half = RayTable::Surfacing::half, inside = 0.999999F * half;  // of the last place
+    for (std::size_t i = 0; i < count; ++i) {
+        const float y = plane.top - static_cast<float>(static_cast<int>(i)) * plane.sample_height;
+        const float rise = plane.upright + plane.per_sample * y, square = plane.x * plane.x + y * y + 1;
+        const float up = rise / std::sqrt(square);
+        const int first = static_cast<int>(half + inside * std::copysign(std::sqrt(std::abs(up)), up));
+        const int next = first + 1;
+        const float before = static_cast<float>(first) - half, after = before + 1;
+        const float from = before * std::abs(before), to = after * std::abs(after);
+        const float part = (half * half * up - from) / (to - from);
+        const float way = plane.deeper / (inverse[first] + part * (inverse[next] - inverse[first]));
+        const bool met = (way > 0) & (way < plane.farthest) & ((surface[i] == 0) | (way < range[i]));
+        const float change = way * std::abs(slope[first] + part * (slope[next] - slope[first])),
+                    per_rise = 1 / (std::abs(rise) > 1e-6F ? rise : 1e-6F);
+        const float along_sample =
+            plane.usual_sample * change * std::abs(y / square - plane.per_sample * per_rise);
+        const float along_line =
+            plane.usual_line * change * std::abs(plane.x / square - plane.per_line * per_rise);
+        const float size = std::min(std::max(along_line, along_sample), 0.5F * way);
+        const float size_and_way = along_sample >= along_line ? size : -size;
+        const float arrival = std::min(sine[first] + part * (sine[next] - sine[first]), 1.0F);
+        range[i] = met ? way : range[i];
+        cosine[i] = met ? arrival : cosine[i];
+        footprint[i] = met ? size_and_way : footprint[i];
+        surface[i] = met ? plane.number : surface[i];
+    }
+}
+
 }  // namespace
 
 /// Places are those of the arrays.
@@ -58,14 +112,15 @@ void PixelRow::go_on_beyond(float end, std::size_t missing, std::size_t nearest,
 
 void PixelRow::load(const Pixel* pixels, std::size_t count, float end, const PlaneOfLine* plane) {
     for (auto* row : {&range_, &cosine_, &footprint_, &surface_}) row->resize(count + 2);
-    for (std::size_t i = 0; i < count; ++i) {
-        range_[i + 1] = pixels[i].range;
-        cosine_[i + 1] = pixels[i].cosine;
-        footprint_[i + 1] = pixels[i].footprint;
-        surface_[i + 1] = pixels[i].surface;
-    }
-    if (plane != nullptr) show_plane(*plane, count, &range_[1], &cosine_[1], &footprint_[1], &surface_[1]);
-    for (std::size_t i = 1; i <= count; ++i) {
+    take_apart(pixels, count, &range_[1], &cosine_[1], &footprint_[1], &surface_[1]);
+    if (plane != nullptr && plane->surfacing == nullptr)
+        show_plane(*plane, count, &range_[1], &cosine_[1], &footprint_[1], &surface_[1]);
+    else if (plane != nullptr)
+        show_bent_plane(*plane, plane->surfacing->inverse.data(), plane->surfacing->sine.data(),
+                        plane->surfacing->slope.data(), count, &range_[1], &cosine_[1], &footprint_[1],
+                        &surface_[1]);
+    const bool gaps = count_zeros(&surface_[1], count) > 0;
+    for (std::size_t i = 1; gaps && i <= count; ++i) {
         if (surface_[i] != 0) continue;
         if (i + 2 <= count && pixels[i].surface != 0) go_on_beyond(end, i, i + 1, i + 2);
         if (i > 2 && pixels[i - 2].surface != 0) go_on_beyond(end, i, i - 1, i - 2);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/fan/binning.h"
+#include "render/ray_table.h"
 
 namespace echoloop {
 
@@ -27,6 +28,8 @@ struct PlaneOfLine {
     float usual_line, usual_sample;       ///< size of a usual pixel on the image plane
     float farthest;                       ///< m; beyond, nothing is drawn
     float number;                         ///< as Pixel::surface
+    const RayTable::Surfacing* surfacing = nullptr;  ///< null: rays are straight
+    float deeper = 1;                                ///< the height over that of the rays' surface
 };
 
 /// A line's pixels, one array per quantity, with a neighbour at both ends that goes on as the line does.

@@ -9,7 +9,14 @@
 namespace echoloop {
 namespace {
 
-constexpr double lowest_step = deg_to_rad(0.2);  ///< finer samples show nothing but finer outlines
+/// A sample moves a surface at 45 deg by `bins` at the window's end, but by no less than `least` rad, since
+/// finer samples show nothing but finer outlines. A line of a fan is heard together with its neighbours by
+/// every beam, which evens out what coarser samples scatter (render/README.md); a single beam has its own
+/// only.
+struct ElevationStep {
+    double bins, least;
+};
+constexpr ElevationStep step_of_fan{2.7, deg_to_rad(0.27)}, step_of_single_beam{2, deg_to_rad(0.2)};
 
 Lobe lobe_of(const FanGeometry& g, AxisPattern axis, double width, double edge_power) {
     return g.patterns ? Lobe::pattern(axis, width, edge_power) : Lobe::box(width);
@@ -61,10 +68,12 @@ FanGeometry geometry_of(const Shot& shot, const Effects& effects) {
     const double end = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
     const bool patterns = effects.has(Effect::beam_pattern);
     const bool side_lobes = patterns && effects.has(Effect::side_lobes);
-    FanGeometry geometry{
-        shot.bearings,   shot.beam_width, shot.fan_height, std::max(2 * shot.bin_interval / end, lowest_step),
-        shot.horizontal, shot.vertical,   patterns,        side_lobes,
-        shot.elevations};
+    const ElevationStep step = shot.bearings.size() > 1 ? step_of_fan : step_of_single_beam;
+    FanGeometry geometry{shot.bearings,   shot.beam_width,
+                         shot.fan_height, std::max(step.bins * shot.bin_interval / end, step.least),
+                         shot.horizontal, shot.vertical,
+                         patterns,        side_lobes,
+                         shot.elevations};
     const bool has_errors = shot.errors.amplitude > 0 || shot.errors.phase > 0;
     if (side_lobes && has_errors && effects.has(Effect::array_errors) && shot.bearings.size() > 1 &&
         shot.rows() == 1) {

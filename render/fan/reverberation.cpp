@@ -41,6 +41,20 @@ double near_range(const AxisPattern& pattern, double width, double wavelength) {
     return length * wavelength / width / 2;
 }
 
+/// The step in which each direction ends, and how much of its weight is under way in that step and up to it.
+ECHOLOOP_SIMD
+void find_steps(const StepScale scale, const float* __restrict range, const float* __restrict surface,
+                const float* __restrict weight, float last, std::size_t count, std::int32_t* __restrict end,
+                float* __restrict within, float* __restrict before) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float met = std::min(std::max(range[i] * scale.per_metre - scale.start + 1, 1.0F), last);
+        const float at = surface[i] != 0 ? met : last;
+        const auto whole = static_cast<std::int32_t>(at);
+        const float heard = weight[i] > 0 ? weight[i] : 0.0F, part = heard * (at - static_cast<float>(whole));
+        end[i] = whole, within[i] = part, before[i] = heard - part;
+    }
+}
+
 }  // namespace
 
 std::array<double, 2> near_ranges(const Shot& shot, double wavelength) {
@@ -57,7 +71,7 @@ Reverberation::Reverberation(const WaterAround& around, double first_range, doub
                              std::size_t bins)
     : around_(around), steps_(RangeSteps::of(bins)) {
     const double step = bin_length * static_cast<double>(steps_.bins);
-    per_metre_ = static_cast<float>(1 / step), start_ = static_cast<float>(first_range / step);
+    scale_ = {static_cast<float>(1 / step), static_cast<float>(first_range / step)};
     end_ = first_range + bin_length * static_cast<double>(bins);
     const auto points = around.scattering;
     const bool varies = std::ranges::any_of(
@@ -68,8 +82,14 @@ Reverberation::Reverberation(const WaterAround& around, double first_range, doub
             const double range = first_range + (static_cast<double>(k) + 0.5) * step;
             const double sine =
                 cells_ > 1 ? 2 * static_cast<double>(cell) / static_cast<double>(cells_ - 1) - 1 : 0;
+            double height = sine * range, focus = 1;
+            if (around.rays != nullptr && varies) {
+                const auto up = static_cast<float>(sine), length = static_cast<float>(range);
+                height = range * static_cast<double>(around.rays->place(up, length).height(up));
+                focus = static_cast<double>(around.rays->focus(up, length));
+            }
             strengths_.push_back(static_cast<float>(
-                points.empty() ? 0 : bin_length * scattering_at(points, around.depth - sine * range)));
+                points.empty() ? 0 : focus * bin_length * scattering_at(points, around.depth - height)));
         }
     nearness_.resize(bins);
     for (std::size_t bin = 0; bin < bins; ++bin) {
@@ -91,12 +111,14 @@ Reverberation::Rise Reverberation::rise(const View& view, double x) const {
 
 bool Reverberation::find_plane(const View& view, std::size_t line, PixelOffset offset,
                                PlaneOfLine& plane) const {
+    const RayTable* rays =
+        around_.rays != nullptr && !around_.rays->surfacing().inverse.empty() ? around_.rays : nullptr;
     if (!(around_.surface < end_)) return false;
     const Vec3 up = rotate(conjugate(view.fan_from_view()), around_.up);
     const double x = view.x(static_cast<double>(line) + 0.5 + offset.line), upright = up.x - x * up.y;
     const double least = std::min(view.bottom, view.top) - view.sample_height();
     const double most = std::max(view.bottom, view.top) + view.sample_height();
-    if (!(std::max(upright + up.z * least, upright + up.z * most) > 0)) return false;
+    if (rays == nullptr && !(std::max(upright + up.z * least, upright + up.z * most) > 0)) return false;
     const auto f = [](double value) { return static_cast<float>(value); };
     plane = {f(around_.surface),
              f(upright),
@@ -108,7 +130,9 @@ bool Reverberation::find_plane(const View& view, std::size_t line, PixelOffset o
              f(view.usual_width * view.line_width()),
              f(view.usual_height * view.sample_height()),
              f(2 * end_),
-             around_.surface_number};
+             around_.surface_number,
+             rays == nullptr ? nullptr : &rays->surfacing(),
+             rays == nullptr ? 1.0F : f(around_.surface / rays->depth())};
     return true;
 }
 
@@ -125,7 +149,9 @@ void UnderWay::reset_alike(const Reverberation& water) {
 /// Neighbours mostly end in one step, so sums stay in registers as long as they do.
 void UnderWay::add(const Reverberation& water, const float* range, const float* surface, const float* weight,
                    std::size_t count) {
-    const float last = static_cast<float>(row_ - 1);
+    ends_.resize(count), within_.resize(count), before_.resize(count);
+    find_steps(water.scale(), range, surface, weight, static_cast<float>(row_ - 1), count, ends_.data(),
+               within_.data(), before_.data());
     int step = 1;
     float within = 0, before = 0;
     const auto flush = [&] {
@@ -134,11 +160,8 @@ void UnderWay::add(const Reverberation& water, const float* range, const float* 
         within = before = 0;
     };
     for (std::size_t i = 0; i < count; ++i) {
-        const float at = surface[i] != 0 ? std::min(std::max(water.place(range[i]) + 1, 1.0F), last) : last;
-        const int whole = static_cast<int>(at);
-        const float heard = weight[i] > 0 ? weight[i] : 0, part = heard * (at - static_cast<float>(whole));
-        if (whole != step) flush(), step = whole;
-        within += part, before += heard - part;
+        if (ends_[i] != step) flush(), step = ends_[i];
+        within += within_[i], before += before_[i];
     }
     flush();
 }

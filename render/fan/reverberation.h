@@ -11,6 +11,7 @@
 #include "render/echogram.h"
 #include "render/fan/pixel_rows.h"
 #include "render/pose.h"
+#include "render/ray_table.h"
 #include "render/view.h"
 #include "render/water.h"
 
@@ -39,7 +40,13 @@ struct WaterAround {
     double surface = std::numeric_limits<double>::infinity();  ///< m, of the surface above; infinite: none
     float surface_number = 0;                                  ///< as Pixel::surface: what it scatters
     std::span<const ScatteringPoint> scattering{};
-    std::array<double, 2> near{};  ///< see near_ranges()
+    std::array<double, 2> near{};    ///< see near_ranges()
+    const RayTable* rays = nullptr;  ///< null: they are straight
+};
+
+/// From m to steps: range * per_metre - start.
+struct StepScale {
+    float per_metre, start;
 };
 
 /// Of one array's ping.
@@ -77,12 +84,13 @@ class Reverberation {
     /// Of each bin: the volume's power over what a beam formed at once would hear, 0..1.
     const std::vector<float>& nearness() const { return nearness_; }
     /// Steps from the window's beginning to a range in m.
-    float place(float range) const { return range * per_metre_ - start_; }
+    float place(float range) const { return range * scale_.per_metre - scale_.start; }
+    StepScale scale() const { return scale_; }
 
   private:
     WaterAround around_;
     RangeSteps steps_;
-    float per_metre_, start_;
+    StepScale scale_{};
     double end_;  ///< m
     std::size_t cells_ = 1;
     std::vector<float> strengths_, nearness_;
@@ -128,7 +136,9 @@ class UnderWay {
     void scatter_row(std::size_t number, const float* strength, float* steps);
 
     std::size_t cells_ = 1, row_ = 0;
-    std::vector<float> met_;  ///< cells x (steps + 2), by where directions end
+    std::vector<float> met_;              ///< cells x (steps + 2), by where directions end
+    std::vector<std::int32_t> ends_;      ///< of the row at hand
+    std::vector<float> within_, before_;  ///< the same
 };
 
 /// Takes apart what was summed in rows of bins and, behind them, steps of volume and of surface echo:

@@ -31,12 +31,26 @@ double farthest_in(const Bounds& box, Vec3 p) {
     return std::sqrt(squares);
 }
 
-/// True when the box lies wholly on the negative side of the plane through `eye`.
-bool behind(const Bounds& box, Vec3 eye, Vec3 normal) {
+/// True when the box lies wholly more than `shift` m times the normal's length on the negative side of the
+/// plane through `eye`.
+bool behind(const Bounds& box, Vec3 eye, Vec3 normal, double shift) {
     const Vec3 farthest{normal.x > 0 ? at(box.max, 0) : at(box.min, 0),
                         normal.y > 0 ? at(box.max, 1) : at(box.min, 1),
                         normal.z > 0 ? at(box.max, 2) : at(box.min, 2)};
-    return dot(farthest - eye, normal) < 0;
+    return dot(farthest - eye, normal) + shift < 0;
+}
+
+/// Whether a box that is no farther than that may be seen between those planes.
+bool within(const Bounds& box, const std::array<Vec3, 4>& planes, Vec3 eye, Vec3 up, const RayTable* rays) {
+    double range = 0, lift[2] = {0, 0};
+    if (rays != nullptr) {
+        range = farthest_in(box, eye);
+        lift[0] = rays->lift(range, false), lift[1] = rays->lift(range, true);
+    }
+    return std::none_of(planes.begin(), planes.end(), [&](Vec3 normal) {
+        const double upwards = dot(normal, up);
+        return behind(box, eye, normal, range * (upwards > 0 ? upwards * lift[0] : -upwards * lift[1]));
+    });
 }
 
 /// Inward normals of the four sides of the view's pyramid, in the world.
@@ -57,7 +71,7 @@ double tolerance_at(const ViewLimits& limits, double distance) {
 }  // namespace
 
 bool find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
-                  const ViewLimits& limits, std::vector<std::uint32_t>& nodes) {
+                  const ViewLimits& limits, std::vector<std::uint32_t>& nodes, Vec3 up) {
     const auto planes = side_planes(view, frame_from_fan, limits.margin);
     const Vec3 eye = frame_from_fan.position;
     std::vector<std::pair<float, std::uint32_t>> found;
@@ -65,9 +79,7 @@ bool find_visible(const Scene& scene, NodeRange range, const View& view, const P
     for (std::uint32_t i = range.first; i < range.last;) {
         const SceneNode& node = scene.nodes()[i];
         const double distance = distance_to(node.bounds, eye);
-        const bool seen = distance <= limits.end_range &&
-                          std::none_of(planes.begin(), planes.end(),
-                                       [&](Vec3 normal) { return behind(node.bounds, eye, normal); });
+        const bool seen = distance <= limits.end_range && within(node.bounds, planes, eye, up, limits.rays);
         const bool hides = seen && farthest_in(node.bounds, eye) < limits.begin_range;
         const double tolerance = hides ? limits.hiding_tolerance : tolerance_at(limits, distance);
         const bool good = static_cast<double>(node.error) <= tolerance * distance;  // also chunks
@@ -81,11 +93,11 @@ bool find_visible(const Scene& scene, NodeRange range, const View& view, const P
     return wanted;
 }
 
-bool reaches_into(const Bounds& box, const View& view, const Pose& frame_from_fan, const ViewLimits& limits) {
+bool reaches_into(const Bounds& box, const View& view, const Pose& frame_from_fan, const ViewLimits& limits,
+                  Vec3 up) {
     const auto planes = side_planes(view, frame_from_fan, limits.margin);
     const Vec3 eye = frame_from_fan.position;
-    return distance_to(box, eye) <= limits.end_range &&
-           std::none_of(planes.begin(), planes.end(), [&](Vec3 normal) { return behind(box, eye, normal); });
+    return distance_to(box, eye) <= limits.end_range && within(box, planes, eye, up, limits.rays);
 }
 
 }  // namespace echoloop::gl

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/ray_table.h"
 #include "render/scene/scene.h"
 #include "render/view.h"
 
@@ -17,7 +18,8 @@ struct ViewLimits {
     double full_tolerance_range =
         0;                   ///< m, from where on it may be that; nearer, it falls with the square of range
     double begin_range = 0;  ///< m, nothing nearer is wanted but for what it hides
-    double hiding_tolerance = 0;  ///< rad, the tolerance of that
+    double hiding_tolerance = 0;     ///< rad, the tolerance of that
+    const RayTable* rays = nullptr;  ///< null: they are straight
 };
 
 /// Nodes [first, last) of a scene: whole trees in one frame.
@@ -26,12 +28,13 @@ struct NodeRange {
 };
 
 /// Indices of nodes in `range` that reach into the view and together hold everything that it sees of them,
-/// nearest first. `frame_from_fan`: in the frame of those nodes. Returns whether any of them may reach into
-/// the ranges that are wanted.
+/// nearest first. `frame_from_fan`, `up`: in the frame of those nodes. Returns whether any of them may reach
+/// into the ranges that are wanted.
 bool find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
-                  const ViewLimits& limits, std::vector<std::uint32_t>& nodes);
+                  const ViewLimits& limits, std::vector<std::uint32_t>& nodes, Vec3 up = {0, 0, 1});
 
 /// Whether a box may reach into the view.
-bool reaches_into(const Bounds& box, const View& view, const Pose& frame_from_fan, const ViewLimits& limits);
+bool reaches_into(const Bounds& box, const View& view, const Pose& frame_from_fan, const ViewLimits& limits,
+                  Vec3 up);
 
 }  // namespace echoloop::gl

@@ -28,7 +28,8 @@ void main() {
 
 /// The same where rays bend. A point is drawn where its ray leaves the sonar, as far off as it is in time, so
 /// that what is left to draw is straight; and its normal is turned with it, so that it meets the ray as it
-/// does in truth.
+/// does in truth. Both turn in the upright plane of the line, so they take a share of the line and one of
+/// what is upwards. Angles are small: sines and cosines are their series, to 2e-4 at 1 rad.
 inline constexpr const char* bent_vertex_shader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -37,7 +38,8 @@ uniform mat3 view_from_world;
 uniform vec3 eye;
 uniform vec4 window;
 uniform vec3 up;               // in the view
-uniform vec4 place;            // RayTable: columns per m; a, b and first of its rows
+uniform vec4 columns;          // RayTable: places in the texture per m, and of the first; of its rows likewise
+uniform vec3 rows;             // rows: sqrt(x + |height| y) - z from the sonar's depth
 uniform sampler2D rays;        // RayTable::cells()
 out vec3 seen;
 out vec4 seen_normal;
@@ -48,15 +50,15 @@ void main() {
     vec3 level = line - height * up;
     float x = length(level);
     vec3 ahead = level / max(x, 1e-6);
-    float u = 2.0 * abs(height) / (place.y + sqrt(place.y * place.y + 4.0 * place.z * abs(height)));
-    vec2 cell = vec2(x * place.x, (height > 0.0 ? -u : u) - place.w);
-    vec4 ray = textureLod(rays, (cell + 0.5) / vec2(textureSize(rays, 0)), 0.0);
-    float s = sin(ray.x), c = cos(ray.x);
-    seen = (1.0 + ray.y) * ((x * c - height * s) * ahead + (x * s + height * c) * up);
+    float u = sqrt(rows.x + abs(height) * rows.y) - rows.z;
+    vec4 ray = textureLod(rays, vec2(x, height > 0.0 ? -u : u) * columns.xz + columns.yw, 0.0);
+    vec2 q = ray.xz * ray.xz;
+    vec2 s = ray.xz - ray.xz * q * (1.0 / 6.0 - q * (1.0 / 120.0));
+    vec2 v = q * (0.5 - q * (1.0 / 24.0 - q * (1.0 / 720.0)));  // 1 - cosine
+    seen = (1.0 + ray.y) * (line - (x * v.x + height * s.x) * ahead + (x * s.x - height * v.x) * up);
     vec3 n = view_from_world * normal;
     float n_ahead = dot(n, ahead), n_up = dot(n, up);
-    s = sin(ray.z), c = cos(ray.z);
-    n += (n_ahead * (c - 1.0) + n_up * s) * ahead + (n_up * (c - 1.0) - n_ahead * s) * up;
+    n += (n_up * s.y - n_ahead * v.y) * ahead - (n_up * v.y + n_ahead * s.y) * up;
     seen_normal = vec4(n, surface + 0.25);
     vec2 image = (seen.xy - window.xy * seen.z) * window.zw;
     gl_Position = vec4(-image.y, image.x, near, seen.z);

@@ -17,6 +17,7 @@ namespace echoloop::gl {
     X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                       \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                 \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                         \
+    X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                         \
     X(PFNGLBUFFERDATAPROC, BufferData)                                   \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)           \
     X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv)                             \

@@ -69,17 +69,22 @@ void FloatTexture::fill(int width, int height, const void* data) {
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, data);
 }
 
-FloatTarget::FloatTarget(const Functions& gl, int width, int height) : gl_(gl) {
+FloatTarget::FloatTarget(const Functions& gl, int width, int height)
+    : gl_(gl), width_(width), height_(height) {
     gl.GenFramebuffers(1, &framebuffer_);
-    gl.GenRenderbuffers(2, renderbuffers_);
-    bind();
-    const GLenum formats[2] = {GL_RGBA32F, GL_DEPTH_COMPONENT32F};
-    const GLenum attachments[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
-    for (int i = 0; i < 2; ++i) {
-        gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffers_[i]);
-        gl.RenderbufferStorage(GL_RENDERBUFFER, formats[i], width, height);
-        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, renderbuffers_[i]);
-    }
+    gl.GenFramebuffers(1, &empty_);
+    gl.GenRenderbuffers(3, renderbuffers_);
+    const auto attach = [&](GLuint framebuffer, GLenum attachment, GLuint buffer, GLenum format) {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        gl.BindRenderbuffer(GL_RENDERBUFFER, buffer);
+        gl.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+    };
+    attach(empty_, GL_COLOR_ATTACHMENT0, renderbuffers_[2], GL_RGBA32F);
+    constexpr GLfloat nothing[4] = {0, 0, 0, 0};
+    gl.ClearBufferfv(GL_COLOR, 0, nothing);
+    attach(framebuffer_, GL_COLOR_ATTACHMENT0, renderbuffers_[0], GL_RGBA32F);
+    attach(framebuffer_, GL_DEPTH_ATTACHMENT, renderbuffers_[1], GL_DEPTH_COMPONENT32F);
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("OpenGL refuses a float target of " + std::to_string(width) + " x " +
                                  std::to_string(height) + " pixels");
@@ -87,7 +92,17 @@ FloatTarget::FloatTarget(const Functions& gl, int width, int height) : gl_(gl) {
 
 FloatTarget::~FloatTarget() {
     gl_.DeleteFramebuffers(1, &framebuffer_);
-    gl_.DeleteRenderbuffers(2, renderbuffers_);
+    gl_.DeleteFramebuffers(1, &empty_);
+    gl_.DeleteRenderbuffers(3, renderbuffers_);
+}
+
+void FloatTarget::clear() const {
+    bind();
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, empty_);
+    gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    bind();
+    constexpr GLfloat farthest = 0;  // the depth of infinity
+    gl_.ClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
 }  // namespace echoloop::gl

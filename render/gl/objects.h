@@ -83,11 +83,15 @@ class FloatTarget {
     ~FloatTarget();
 
     void bind() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
+    /// All zeros; binds it. The colours are copied from an empty twin, as llvmpipe copies whole rows, but
+    /// clears 16-byte pixels one by one.
+    void clear() const;
 
   private:
     const Functions& gl_;
-    GLuint framebuffer_ = 0;
-    GLuint renderbuffers_[2]{};
+    int width_, height_;
+    GLuint framebuffer_ = 0, empty_ = 0;
+    GLuint renderbuffers_[3]{};  ///< colours, depth, the twin's colours
 };
 
 }  // namespace echoloop::gl

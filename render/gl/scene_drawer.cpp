@@ -113,8 +113,13 @@ void SceneDrawer::set_view(const View& view, const SeenNodes& part, SampleOffset
 }
 
 SceneDrawer::Uniforms SceneDrawer::uniforms_of(const Program& program) const {
-    return {program.uniform("view_from_world"), program.uniform("eye"), program.uniform("window"),
-            program.uniform("pixel"),           program.uniform("up"),  program.uniform("place")};
+    return {program.uniform("view_from_world"),
+            program.uniform("eye"),
+            program.uniform("window"),
+            program.uniform("pixel"),
+            program.uniform("up"),
+            program.uniform("columns"),
+            program.uniform("rows")};
 }
 
 void SceneDrawer::begin_straight() {
@@ -139,8 +144,14 @@ void SceneDrawer::begin_bent(const Bending& bending) {
     bent_->rays = bending.rays;
     bent_->table.bind();
     const RayTable::Rows& rows = rays.row_places();
-    gl_.Uniform4f(uniforms_.place, static_cast<float>(1 / rays.column_step()), static_cast<float>(rows.a),
-                  static_cast<float>(rows.b), static_cast<float>(rows.first));
+    constexpr auto across = static_cast<double>(RayTable::columns),
+                   deep = static_cast<double>(RayTable::rows);
+    const double middle = rows.a / (2 * rows.b);  // u = sqrt(middle^2 + |below| / b) - middle
+    gl_.Uniform4f(uniforms_.columns, static_cast<float>(1 / (rays.column_step() * across)),
+                  static_cast<float>(0.5 / across), static_cast<float>(1 / deep),
+                  static_cast<float>((0.5 - rows.first) / deep));
+    gl_.Uniform3f(uniforms_.rows, static_cast<float>(middle * middle), static_cast<float>(1 / rows.b),
+                  static_cast<float>(middle));
     for (const bool surround : {false, true}) {
         const SplitMesh& mesh = bending.split->mesh(surround);
         BentDrawing::Patches& to = bent_->patches[surround];
@@ -197,7 +208,7 @@ void SceneDrawer::submit(const DrawList& list, bool double_sided, GLenum index) 
 }
 
 /// Views of nearly the same size share a target.
-void SceneDrawer::bind_target(int width, int height) {
+void SceneDrawer::clear_target(int width, int height) {
     constexpr int step = 8;  // pixels
     width = (width + step - 1) / step * step;
     height = (height + step - 1) / step * step;
@@ -205,11 +216,11 @@ void SceneDrawer::bind_target(int width, int height) {
         return target.width == width && target.height == height;
     };
     const auto make = [&] {
-        constexpr std::size_t bytes = 20;  // four floats of colour and one of depth
+        constexpr std::size_t bytes = 36;  // four floats of colour, twice, and one of depth
         return std::pair(SizedTarget{width, height, std::make_unique<FloatTarget>(gl_, width, height)},
                          static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * bytes);
     };
-    targets_.get(fits, make).target->bind();
+    targets_.get(fits, make).target->clear();
 }
 
 void SceneDrawer::draw_part(const View& view, const SeenNodes& part, SampleOffsets offset) {
@@ -223,10 +234,7 @@ void SceneDrawer::draw_part(const View& view, const SeenNodes& part, SampleOffse
 }
 
 void SceneDrawer::draw_view(const SeenView& seen, SampleOffsets offset) {
-    bind_target(static_cast<int>(seen.view->samples), static_cast<int>(seen.view->lines));
-    const GLfloat nothing[4] = {0, 0, 0, 0};  // surface 0, and the depth of infinity
-    gl_.ClearBufferfv(GL_COLOR, 0, nothing);
-    gl_.ClearBufferfv(GL_DEPTH, 0, nothing);
+    clear_target(static_cast<int>(seen.view->samples), static_cast<int>(seen.view->lines));
     for (const SeenNodes& part : seen.parts) draw_part(*seen.view, part, offset);
     gl_.Finish();  // costs nothing, as the next call would wait, and tells drawing from reading
 }

@@ -59,11 +59,11 @@ class SceneDrawer {
     struct BentDrawing;
     struct Uniforms {
         GLint view_from_world, eye, window, pixel;
-        GLint up = -1, place = -1;  ///< of bent rays only
+        GLint up = -1, columns = -1, rows = -1;  ///< of bent rays only
     };
 
     void upload();
-    void bind_target(int width, int height);
+    void clear_target(int width, int height);
     void draw_view(const SeenView& seen, SampleOffsets offset);
     void draw_part(const View& view, const SeenNodes& part, SampleOffsets offset);
     void set_view(const View& view, const SeenNodes& part, SampleOffsets offset) const;

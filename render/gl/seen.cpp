@@ -5,10 +5,6 @@
 namespace echoloop::gl {
 namespace {
 
-/// By how much the view's pyramid grows, on the image plane, for what bent rays show that straight ones do
-/// not: a turn of the ray shifts a point 45 deg off the axis by twice as much.
-double turn_margin(const Outlook& outlook) { return outlook.rays ? 2.5 * outlook.rays->most_turn() : 0; }
-
 /// Finds what a view sees of the still scene and of every mover: nothing, where all of it would only hide.
 void find_seen(const Scene& scene, const Outlook& outlook, SeenView& seen) {
     const ViewLimits limits = limits_of(*seen.view, outlook);
@@ -16,7 +12,7 @@ void find_seen(const Scene& scene, const Outlook& outlook, SeenView& seen) {
     const auto find = [&](SeenNodes& to, NodeRange range, const Pose& frame_from_fan, Vec3 up) {
         to.frame_from_fan = frame_from_fan, to.up = up;
         to.patches.clear();
-        wanted |= find_visible(scene, range, *seen.view, frame_from_fan, limits, to.nodes);
+        wanted |= find_visible(scene, range, *seen.view, frame_from_fan, limits, to.nodes, up);
     };
     find(seen.parts[0], {0, scene.still_nodes()}, outlook.world_from_fan, {0, 0, 1});
     // Seen from a mover's own frame nothing of it has moved: neither its buffers nor its bounds.
@@ -46,14 +42,15 @@ ViewLimits limits_of(const View& view, const Outlook& outlook) {
         std::max(view.line_width() * view.usual_width, view.sample_height() * view.usual_height);
     const bool background = outlook.begin_range > 0, coarse = pixel > deg_to_rad(1);
     return {.end_range = reach_of(outlook),
-            .margin = pixel + turn_margin(outlook),
+            .margin = pixel,
             .tolerance = (background ? 1.5
                           : coarse   ? 1.0
                                      : 0.4) *
                          pixel,
             .full_tolerance_range = coarse && !background ? 0.45 * outlook.end_range : 0,
             .begin_range = outlook.begin_range,
-            .hiding_tolerance = 4 * pixel};
+            .hiding_tolerance = 4 * pixel,
+            .rays = outlook.rays.get()};
 }
 
 void find_seen(const Scene& scene, const Picture& picture, const Outlook& outlook,

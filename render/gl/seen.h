@@ -44,6 +44,8 @@ struct Outlook {
     double begin_range = 0;
     SampleOffsets offset{};                  ///< move the sample point within every pixel
     std::shared_ptr<const RayTable> rays{};  ///< null: they are straight
+    /// From nearly the same depth, for what pings at slightly other depths share; not null with `rays`.
+    std::shared_ptr<const RayTable> rays_nearby{};
     double sag = 0;  ///< m, by which straight edges may stray from what bent rays make of them
 };
 

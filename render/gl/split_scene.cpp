@@ -30,7 +30,7 @@ SceneVertex middle_of(const SceneVertex& a, const SceneVertex& b) {
 /// m, below which no edge needs to be halved: the map of straight to bent rays turns by about the gradient
 /// over the sound speed a metre, twice that for safety.
 double shortest_edge(const Outlook& outlook, double sag) {
-    const double curvature = 2 * outlook.rays->steepest() / outlook.rays->speed();
+    const double curvature = 2 * outlook.rays_nearby->steepest() / outlook.rays_nearby->speed();
     return std::max(0.5, std::sqrt(8 * sag / std::max(curvature, 1e-9)));
 }
 
@@ -199,12 +199,12 @@ void SplitScene::start(SplitMesh& mesh, const Outlook& outlook, double sag, cons
         places.push_back({rounded(part.frame_from_fan.position, lattice), 1 / norm(up) * up});
     }
     constexpr std::size_t most = 300'000;  // vertices that pile up while a sonar turns
-    if (places == mesh.places_ && mesh.rays_ == outlook.rays && mesh.sag_ == sag &&
+    if (places == mesh.places_ && mesh.rays_ == outlook.rays_nearby && mesh.sag_ == sag &&
         mesh.end_range_ == outlook.end_range && mesh.vertices_.size() < most)
         return;
     ++mesh.version_;
     mesh.vertices_.clear(), mesh.indices_.clear(), mesh.patches_.clear(), mesh.known_.clear();
-    mesh.places_ = std::move(places), mesh.rays_ = outlook.rays;
+    mesh.places_ = std::move(places), mesh.rays_ = outlook.rays_nearby;
     mesh.sag_ = sag, mesh.end_range_ = outlook.end_range;
 }
 
@@ -221,10 +221,11 @@ void SplitScene::split(const Outlook& outlook, std::vector<SeenView>& seen) {
 void SplitScene::split_view(SplitMesh& mesh, const Outlook& outlook, double sag, SeenView& view) {
     const double shortest = shortest_edge(outlook, sag);
     const ViewLimits limits = limits_of(*view.view, outlook);
+    const double reach = outlook.end_range * (1.02 + outlook.rays_nearby->most_stretch()) + lattice;
     for (std::size_t part = 0; part < view.parts.size(); ++part) {
         SeenNodes& own = view.parts[part];
-        Splitter splitter(*scene_, mesh, *outlook.rays, mesh.places_[part].eye, mesh.places_[part].up,
-                          reach_of(outlook) + lattice, sag, shortest);
+        Splitter splitter(*scene_, mesh, *outlook.rays_nearby, mesh.places_[part].eye, mesh.places_[part].up,
+                          reach, sag, shortest);
         const auto rest = std::ranges::stable_partition(
             own.nodes, [&](std::uint32_t node) { return !is_long(node, shortest); });
         for (const std::uint32_t node : rest) {
@@ -239,7 +240,7 @@ void SplitScene::split_view(SplitMesh& mesh, const Outlook& outlook, double sag,
             view.triangles -= scene_->nodes()[node].indices / 3;
             for (std::uint32_t i = stretch->second.first; i < stretch->second.last; ++i) {
                 const SplitMesh::Patch& patch = mesh.patches_[i];
-                if (!reaches_into(patch.bounds, *view.view, own.frame_from_fan, limits)) continue;
+                if (!reaches_into(patch.bounds, *view.view, own.frame_from_fan, limits, own.up)) continue;
                 own.patches.push_back({patch.first, patch.count, patch.double_sided});
                 view.triangles += patch.count / 3;
             }

@@ -53,8 +53,8 @@ class SplitScene {
     /// Takes the nodes with long edges out of `seen` and puts patches in their place: edges are halved until
     /// a bent one strays less than `outlook.sag` from a straight one, or eight times that in the surround,
     /// whose pixels are coarse. Whether an edge is halved depends on its ends alone, so surfaces stay closed.
-    /// Decided for a lattice of places near the sonar's, so that pings share the work; a function of the
-    /// outlook, not of what was split before.
+    /// Decided for a lattice of places near the sonar's, by the rays of a depth nearby, so that pings share
+    /// the work; a function of the outlook, not of what was split before.
     void split(const Outlook& outlook, std::vector<SeenView>& seen);
 
     /// What the patches of views are made of: of the surround, and of others.

@@ -14,6 +14,7 @@ struct MirrorPlane {
 struct MirrorWay {
     Vec3 direction, at;
     double to_mirror, length;
+    bool upright;  ///< the mirror, so that water is the same behind it
 };
 
 std::optional<MirrorWay> by_mirror(Vec3 sonar, Vec3 point, const MirrorPlane& plane) {
@@ -22,13 +23,20 @@ std::optional<MirrorWay> by_mirror(Vec3 sonar, Vec3 point, const MirrorPlane& pl
     const Vec3 to_image = mirrored(point, plane.on, plane.normal) - sonar;
     const double length = norm(to_image), to_mirror = length * before / (before + behind);
     const Vec3 direction = 1 / length * to_image;
-    return MirrorWay{direction, sonar + to_mirror * direction, to_mirror, length};
+    constexpr double a_degree = 0.0175;
+    return MirrorWay{direction, sonar + to_mirror * direction, to_mirror, length,
+                     std::abs(plane.normal.z) < a_degree};
 }
 
-Way way_by(const PathPing& ping, const MirrorWay& found, Vec3 point, double reflection) {
-    const double length =
-        ping.rays == nullptr ? found.length : ping.leg(ping.sonar, found.at) + ping.leg(found.at, point);
-    return {ping.seen(found.direction), length, reflection, 1, 1};
+/// Empty where bent rays do not reach the image.
+std::optional<Way> way_by(const PathPing& ping, const MirrorWay& found, Vec3 point, double reflection) {
+    if (ping.rays == nullptr) return Way{ping.seen(found.direction), found.length, reflection, 1, 1};
+    if (!found.upright)
+        return Way{ping.seen(found.direction), ping.leg(ping.sonar, found.at) + ping.leg(found.at, point),
+                   reflection, 1, 1};
+    const auto image = ping.sight(ping.sonar + found.length * found.direction);
+    if (!image) return std::nullopt;
+    return Way{ping.seen(image->direction), image->length, reflection, 1, 1};
 }
 
 /// Aims at the image in the plane of the triangle that was met last, until the ray meets it where it should.
@@ -117,7 +125,7 @@ std::vector<Way> scene_ways(const PathPing& ping, Vec3 point) {
         for (const Vec3 other : known) is_new = is_new && norm(other - way->at) > 1e-2 * (1 + way->length);
         if (!is_new) continue;
         known.push_back(way->at);
-        ways.push_back(way_by(ping, *way, point, reflection));
+        if (const auto made = way_by(ping, *way, point, reflection)) ways.push_back(*made);
     }
     return ways;
 }

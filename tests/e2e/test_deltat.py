@@ -99,9 +99,9 @@ class FlatFloor(DeltaTCase):
         edge = math.degrees(math.acos(8 / 10))
         beyond = [near.ranges[beam] for beam in range(near.beams) if abs(near.angle(beam)) > edge + 2]
         self.assertGreater(len(beyond), 70)
-        # The staves' errors of 32 staves hear the nadir 21 dB down in every beam, where there is no other bottom: 75 of 85 beams.
+        # 32 staves that differ hear the nadir 21 dB down in every beam, and there is no other bottom.
         through_side_lobes = [r for r in beyond if r > 0]
-        self.assertGreater(min(through_side_lobes, default=8), 7.7, "out of range, but for the bottom below")
+        self.assertLessEqual(len(through_side_lobes), len(beyond) / 8)
         self.assertGreater(len(near.points()), 120)
         self.assertEqual(self.first_with(lambda p: p.range == 5, range=5).points(), [])
         gated = self.first_with(lambda p: p.range == 20 and not 0 < p.ranges[120] < 12, minimum_range=12)

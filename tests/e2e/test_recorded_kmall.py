@@ -2,6 +2,7 @@
 their fields vary from sounding to sounding. The files are public and not here; their figures stand in the specification
 notes on survey records."""
 
+import math
 import socket
 import tempfile
 import unittest
@@ -11,6 +12,7 @@ from ports import free_port
 from program import ROOT, Emulator
 
 import words
+from mesh_scene import grid_triangles, mesh_scene
 
 # Of the soundings that are valid. What a real one varies with its beam pattern, its sectors and its attitude is missing.
 VARY = {"index", "method", "quality", "vertical_uncertainty", "horizontal_uncertainty", "window", "echo_length", "water_beam",
@@ -20,25 +22,32 @@ ONE_VALUE = {"sector": 0, "post_processing": 0, "detection_class": 0, "confidenc
              "angle_correction": 0, "incidence": 0}
 
 
+def capture(case, scenario, pings, files=()):
+    """The messages #MRZ and #MWC of a run of so many pings; the scenario is that of config/kmall.yaml, changed."""
+    folder = tempfile.TemporaryDirectory()
+    case.addClassCleanup(folder.cleanup)
+    file = str(Path(folder.name) / "run.pcapng")
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as host:
+        host.bind(("127.0.0.1", 0))
+        host.settimeout(20)
+        scenario = scenario.replace("127.0.0.1:14002", f"127.0.0.1:{free_port(8)}")
+        scenario = scenario.replace("127.0.0.1:6020", "127.0.0.1:%d" % host.getsockname()[1])
+        with Emulator(scenario, "--record", file, files=files) as emulator:
+            seen = 0
+            while seen < pings:
+                datagram = host.recv(65536)
+                seen += datagram[4:8] == b"#MRZ" and datagram[22:24] == b"\1\0"
+            emulator.stop()
+    return words.messages(file, "MRZ"), words.messages(file, "MWC")
+
+
+SCENARIO = (ROOT / "config" / "kmall.yaml").read_text()
+
+
 class Recorded(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        capture = str(Path(folder.name) / "run.pcapng")
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as host:
-            host.bind(("127.0.0.1", 0))
-            host.settimeout(20)
-            scenario = (ROOT / "config" / "kmall.yaml").read_text().replace("scenes/", "{scenes}/")
-            scenario = scenario.replace("127.0.0.1:14002", f"127.0.0.1:{free_port(8)}")
-            scenario = scenario.replace("127.0.0.1:6020", "127.0.0.1:%d" % host.getsockname()[1])
-            with Emulator(scenario, "--record", capture) as emulator:
-                seen = 0
-                while seen < 6:
-                    seen += host.recv(65536)[4:8] == b"#MRZ"
-                emulator.stop()
-        cls.pings = words.messages(capture, "MRZ")
-        cls.columns = words.messages(capture, "MWC")
+        cls.pings, cls.columns = capture(cls, SCENARIO.replace("scenes/", "{scenes}/"), 6)
 
     def valid(self, field):
         """Of all valid soundings."""
@@ -77,6 +86,71 @@ class Recorded(unittest.TestCase):
         for ping in self.pings:
             self.assertEqual(ping["header.version"], 3)
             self.assertEqual(ping["rx.seabed_image_rate"], ping["rx.water_column_rate"])
+
+
+def school():
+    """A floor 8 m below the boat, uneven by 0.3 m, and above it things of 0.3 m at all heights, as fish or floats are."""
+    places = [-30 + 0.5 * n for n in range(121)]
+    points = [(x, y, -20 + 0.3 * math.sin(0.9 * x) * math.cos(0.7 * y)) for y in places for x in places]
+    triangles = list(grid_triangles(121, 121))
+    for n in range(30):
+        x, y, z = -3 + 0.3 * n, -8 + (n * 37 % 160) / 10, -15 - (n * 53 % 46) / 10
+        first, size = len(points), 0.15
+        points += [(x + size, y, z), (x - size, y, z), (x, y + size, z), (x, y - size, z), (x, y, z + size), (x, y, z - size)]
+        triangles += [tuple(first + k for k in face) for face in
+                      ((0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5))]
+    return mesh_scene(points, triangles, {"mu_db": -10})
+
+
+def boat(seconds=30, step=0.05):
+    """1 m/s to the east in waves: 0.1 m up and down in 5 s, 10 deg of roll in 4 s."""
+    lines = ["t,x,y,z,qw,qx,qy,qz"]
+    for n in range(int(seconds / step)):
+        t = n * step
+        roll = math.radians(10) * math.sin(2 * math.pi * t / 4)
+        lines.append(f"{t},{t - 3},0,{-12 + 0.1 * math.sin(2 * math.pi * t / 5)},{math.cos(roll / 2)},{math.sin(roll / 2)},0,0")
+    return "\n".join(lines) + "\n"
+
+
+class ThingsInTheWater(unittest.TestCase):
+    """An EM 2040P with extra detections on: 76 to 117 of them, 444 to 479 of 512 soundings valid, alarm 1 to 3, classes 103 to
+    107, and a heave of its water columns that is new for each ping. Here beside a school, on a boat that heaves and rolls."""
+
+    @classmethod
+    def setUpClass(cls):
+        scenario = SCENARIO.replace("scenes/flat.glb", "school.gltf").replace("range: 25,", "range: 16, power: -30, extra_detections: 512,")
+        scenario = scenario.replace("pose: {position: [0, 0, -12], rpy_deg: [0, 0, 0]}", "trajectory: boat.csv")
+        cls.pings, cls.columns = capture(cls, scenario, 12, {"school.gltf": school(), "boat.csv": boat()})
+
+    def test_extra_detections_vary(self):
+        def of_all(field):
+            return [v for p in self.pings for v in p[f"soundings.{field}"][400:]]
+
+        kinds, classes, factors = of_all("type"), of_all("detection_class"), of_all("range_factor")
+        print("types", {k: kinds.count(k) for k in set(kinds)}, "classes", {k: classes.count(k) for k in set(classes)},
+              "range factor", min(factors), max(factors), "confidence", min(of_all("confidence")), max(of_all("confidence")))
+        self.assertEqual(set(kinds), {1, 2})
+        self.assertTrue(set(classes) <= set(range(100, 108)) and len(set(classes)) > 2, set(classes))
+        self.assertGreater(len(set(factors)), 100)
+        self.assertGreater(len(set(of_all("confidence"))), 10)
+        self.assertGreater(len(set(of_all("rejection2"))), 2)
+        self.assertGreater(len({p["rx.extra_detections"] for p in self.pings}), 3)
+        self.assertGreater(len({p["rx.alarm"] for p in self.pings}), 1)
+        self.assertGreater(len({str(p["classes.detections"]) for p in self.pings}), 1)
+
+    def test_lost_soundings_lower_the_count_of_valid_ones(self):
+        print("valid", [p["rx.valid"] for p in self.pings], "extra", [p["rx.extra_detections"] for p in self.pings])
+        self.assertGreater(len({p["rx.valid"] for p in self.pings}), 2)
+        for ping in self.pings:
+            self.assertEqual(ping["rx.valid"], ping["soundings.type"][:400].count(0))
+            self.assertTrue(200 <= ping["rx.valid"] <= 400)
+
+    def test_water_columns_tell_the_heave(self):
+        heaves = [c["tx.heave"] for c in self.columns]
+        print("heave", heaves)
+        self.assertGreater(len(set(heaves)), 5)
+        self.assertTrue(all(abs(h) < 0.35 for h in heaves))
+        self.assertGreater(max(heaves) - min(heaves), 0.05)
 
 
 if __name__ == "__main__":

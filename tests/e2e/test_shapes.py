@@ -39,8 +39,6 @@ C = 1500.0
 INSIDE = math.radians(60)
 
 
-# Serial numbers stand for units whose staves have no lobe that brings the nadir's ring to the grazing edge of the slope, where
-# one sounding in a hundred of other units is that ring.
 class Shapes:
     """What they have in common; points() of each gives (angle to starboard, slant range) of one ping, 0 for no bottom."""
 
@@ -129,7 +127,7 @@ class Reson(Shapes, unittest.TestCase):
 
     def start(self, scene, z, roll):
         port = free_port()
-        self.run_on(scene, z, roll, [f"tcp-listen://127.0.0.1:{port}"], "range: 50, max_ping_rate: 5, swath: 120, serial: 3")
+        self.run_on(scene, z, roll, [f"tcp-listen://127.0.0.1:{port}"], "range: 50, max_ping_rate: 5, swath: 120")
         self.host = ResonHost(("127.0.0.1", port), False)
         self.addCleanup(self.host.close)
         self.assertEqual(self.host.subscribe(reson_wire.SETTINGS, reson_wire.DETECTIONS), 0)
@@ -162,7 +160,7 @@ class DeltaT(Shapes, unittest.TestCase):
 
     def start(self, scene, z, roll):
         self.socket = self.listen()
-        self.run_on(scene, z, roll, [f"udp://127.0.0.1:{self.socket.getsockname()[1]}"], 'range: "50", serial: 2')
+        self.run_on(scene, z, roll, [f"udp://127.0.0.1:{self.socket.getsockname()[1]}"], 'range: "50"')
 
     def points(self):
         profile = deltat_wire.read_83p(self.socket.recv(65536))

@@ -4,6 +4,7 @@ import http.client
 import json
 import math
 import socket
+import statistics
 import struct
 import sys
 import time
@@ -87,8 +88,8 @@ class Host(unittest.TestCase):
     def test_a_sonar_that_looks_down_sees_the_floor_flat(self):
         self.start(pitch=90)
         image = self.shot()
-        wrong = 0
-        pixels = [(column, row) for column in range(0, 256, 8) for row in range(0, 64, 4)]
+        errors, beyond = [], []
+        pixels = [(column, row) for column in range(0, 256, 4) for row in range(0, 64, 2)]
         returns = [pixel for pixel in pixels if image.at(*pixel)]
         self.assertGreater(len(returns) / len(pixels), 0.75)  # the others faded
         for column, row in returns:
@@ -96,8 +97,12 @@ class Host(unittest.TestCase):
             pitch = math.radians(row / 63 * 40 - 20)
             truth = 2 / (math.cos(pitch) * math.cos(yaw))
             spread = truth * math.radians(1.05) * math.tan(math.acos(2 / truth))
-            wrong += abs(image.at(column, row) - truth) > 0.04 + spread
-        self.assertLess(wrong / len(returns), 0.03)
+            errors.append(image.at(column, row) - truth)
+            beyond.append(abs(errors[-1]) - spread)
+        # A speckled echo's strongest bin wanders within its pulse, so a few in a hundred lie farther off.
+        self.assertAlmostEqual(statistics.median(errors), 0, delta=0.01)
+        self.assertLess(sum(metres > 0.04 for metres in beyond) / len(returns), 0.05)
+        self.assertLess(sum(metres > 0.08 for metres in beyond) / len(returns), 0.01)
 
     def test_settings_by_http_reach_the_images(self):
         self.start()

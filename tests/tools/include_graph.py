@@ -16,7 +16,7 @@ from dataclasses import dataclass
 MODULES = ("protocols", "render", "emulator", "tools", "tests")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 
-PURE = r"render/(echogram|effects|pose|simd|acoustics/(ring_down|interference))\.h"
+PURE = r"render/(echogram|effects|geographic|pose|simd|acoustics/(ring_down|interference))\.h"
 STANDARD = r"[a-z0-9_]+"  # <vector>; any other library has a slash or a suffix
 GRAPHICS = r"(GL|EGL|glvnd|glm|embree\d?)/.*|tiny_gltf\.h"
 NETWORK = r"boost/.*|libserialport\.h|pcap.*"
@@ -69,7 +69,7 @@ def room_rule(room):
 
 RULES = [
     Rule(r"protocols/.*", r"protocols/.*", STANDARD),
-    Rule(r"render/(echogram|effects|pose|simd)\.h", r"render/pose\.h", STANDARD),
+    Rule(r"render/(echogram|effects|geographic|pose|simd)\.h", r"render/pose\.h", STANDARD),
     Rule(r"render/(?!renderer|shot_check)[a-z_]+\.(h|cpp)", RENDER_ROOT, f"{STANDARD}|{SYSTEM}"),
     render_room("scene", libraries=rf"{SYSTEM}|(glm|nlohmann)/.*|tiny_gltf\.h"),
     render_room("gl", "scene", rf"{SYSTEM}|(GL|EGL|glvnd)/.*"),

@@ -54,7 +54,7 @@ void tell_places(Json& started, const Runtime& runtime) {
 
 }  // namespace
 
-std::string run_started_json(const Runtime& runtime) {
+std::string run_started_json(const Runtime& runtime, const std::string& view) {
     const Scenario& scenario = runtime.scenario();
     Json devices = Json::array();
     const auto running = runtime.devices();
@@ -69,6 +69,7 @@ std::string run_started_json(const Runtime& runtime) {
                  {"clock", clock_text(scenario)},
                  {"devices", devices}};
     tell_places(started, runtime);
+    if (!view.empty()) started["view"] = view;
     return line_of(started);
 }
 

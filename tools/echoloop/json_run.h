@@ -11,8 +11,9 @@
 
 namespace echoloop::cli {
 
-/// All ports are bound when it is printed: what a driver says from then on is heard.
-std::string run_started_json(const Runtime& runtime);
+/// All ports are bound when it is printed: what a driver says from then on is heard. `view`: link of the
+/// page; "": none.
+std::string run_started_json(const Runtime& runtime, const std::string& view);
 /// Of a run that has ended; `recording`, `truth`, `labels`: nullptr if there is none.
 std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Runtime& runtime,
                              const Recording* recording, const TruthFile* truth,

@@ -14,6 +14,7 @@
 #include "tools/echoloop/driver.h"
 #include "tools/echoloop/faults_output.h"
 #include "tools/echoloop/json_run.h"
+#include "tools/echoloop/live_view.h"
 #include "tools/echoloop/run_summary.h"
 
 namespace echoloop::cli {
@@ -34,7 +35,7 @@ std::optional<double> duration_of(const Arguments& arguments, const Scenario& sc
     return scenario.duration;
 }
 
-void print_start(const Runtime& runtime, std::optional<double> duration) {
+void print_start(const Runtime& runtime, std::optional<double> duration, const std::string& view) {
     const Scenario& scenario = runtime.scenario();
     const auto line = [](const std::string& name, const std::string& text) {
         std::printf("%s%s\n", padded(name, 16).c_str(), text.c_str());
@@ -61,6 +62,7 @@ void print_start(const Runtime& runtime, std::optional<double> duration) {
         line("control", scenario.control + ", token " + token);
     else if (!scenario.control.empty())
         line("control", scenario.control);
+    if (!view.empty()) line("view", view);
     if (scenario.clock != ClockMode::free)
         std::printf("For a driver: %s endpoints %s --format ros1 (or ros2, moos, rock, sitl)\n",
                     program_invocation_name, scenario.file.c_str());
@@ -124,21 +126,27 @@ int run_scenario(const Arguments& arguments) {
     const auto truth =
         arguments.has("--truth") ? std::make_unique<TruthFile>(arguments.text("--truth")) : nullptr;
     const auto labels = labels_from(arguments);
+    LiveView live_view(arguments);
     try {
         Runtime runtime(scenario,
                         {.recording = recording.get(),
                          .remarks = arguments.has("--record-truth"),
                          .truth = truth.get(),
-                         .labels = labels.get()},
+                         .labels = labels.get(),
+                         .watch = live_view.watch(),
+                         .live_faults = live_view.control()},
                         arguments.has("--realtime") ? Punctuality::real_time : Punctuality::ordinary);
+        auto page = live_view.serve(runtime);
+        const std::string link = page ? page->link() : "";
         const bool json = arguments.has("--json");
         if (json) {
-            std::printf("%s\n", run_started_json(runtime).c_str());
+            std::printf("%s\n", run_started_json(runtime, link).c_str());
             std::fflush(stdout);
         } else {
-            print_start(runtime, duration);
+            print_start(runtime, duration, link);
         }
         runtime.run(duration);
+        page.reset();
         if (recording) recording->finish();
         if (truth) truth->finish();
         if (labels) labels->finish();
@@ -190,6 +198,11 @@ Verb run_verb() {
           "in the capture, give the sonar's pose in a comment on each ping's first packet"},
          {Argument::Kind::value, "--truth", "FILE",
           "write what is really there, one line of JSON for each ping (docs/truth.md)"},
+         {Argument::Kind::flag, "--view", "",
+          "show the run on a page in a browser; its link is printed (docs/view.md)"},
+         {Argument::Kind::value, "--view-at", "ADDRESS:PORT",
+          "where the page is, instead of a free port of 127.0.0.1; others on the network need the link, too"},
+         {Argument::Kind::flag, "--view-control", "", "let the page ask for faults"},
          {Argument::Kind::value, "--control", "PLACE",
           "accept commands for faults at unix:/PATH or tcp-listen://127.0.0.1:PORT; see echoloop fault"},
          {Argument::Kind::value, "--labels", "FILE", "write one line of JSON for every fault"},
@@ -201,6 +214,7 @@ Verb run_verb() {
          set_argument(),
          {Argument::Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop run demo\n"
+        "  echoloop run demo --view\n"
         "  echoloop run tank --duration 60 --record dive.pcapng\n"
         "  echoloop run tank --truth dive.jsonl\n"
         "  echoloop run faults --labels faults.jsonl --control unix:/tmp/echoloop/control\n"

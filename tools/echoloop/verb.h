@@ -64,6 +64,7 @@ Verb doctor_verb();
 Verb endpoints_verb();
 Verb examples_verb();
 Verb fault_verb();
+Verb import_verb();
 Verb inspect_verb();
 Verb list_verb();
 Verb manual_verb();

@@ -7,7 +7,7 @@ import math
 from .glb import Node
 from .mesh import Mesh, unit
 
-CELLS = {"simple": (1, 0.0), "big100k": (224, 0.25), "big2m": (1000, 0.25), "one2m": (1000, 0.25)}  # per side, height of the waves in m
+CELLS = {"simple": (1, 0.0), "big100k": (224, 0.25), "big2m": (1000, 0.25), "one1m": (707, 0.25), "one2m": (1000, 0.25)}  # per side, height of the waves in m
 HALF, FLOOR = 60.0, -6.0
 
 # centre, size, yaw
@@ -50,7 +50,7 @@ def nodes(name):
     for centre, size in WALLS:
         objects.box(centre, size)
     bed = seabed(*CELLS[name])
-    if name == "one2m":  # as one mesh, as scanners and CAD programs export
+    if name.startswith("one"):  # as one mesh, as scanners and CAD programs export
         first = len(bed.positions)
         bed.positions += objects.positions
         bed.normals += objects.normals

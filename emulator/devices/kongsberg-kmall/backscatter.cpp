@@ -88,7 +88,7 @@ void add_backscatter(kmall::Mrz& m, const Settings& s, const Echogram& echogram,
         // Real ones are -202 to -184 dB, smooth over the angle; the form is our own choice.
         out.sensitivity = f(-190 + 20 * std::log10(std::max(std::cos(deg_to_rad(out.angle)), 0.1)));
         out.reflectivity1 = out.reflectivity2 = rejected_level;
-        if (bottom && out.type != 0) continue;
+        if (out.method == 0) continue;
         if (range <= 0) continue;
         const auto sample = std::min<std::size_t>(out.water_range, echogram.shot.bins / bins_per_sample - 1);
         const double power = bottom ? detections[n].mean : sample_power(echogram, out.water_beam, sample);

@@ -1,6 +1,7 @@
 #include "emulator/devices/kongsberg-kmall/kongsberg.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "emulator/devices/kongsberg-kmall/controls.h"
@@ -139,6 +140,14 @@ void Kongsberg::transmit_if_due(Time now) {
         Ping{make_shot(settings_, pings_begun_), last_echo + from_seconds(settings_.processing_time)};
 }
 
+/// As a motion sensor's: what is slower than some seconds is no heave. The ten are our own choice.
+double Kongsberg::heave(double height) {
+    constexpr double memory = 10;  // s
+    const double usual = usual_height_.value_or(height);
+    usual_height_ = std::lerp(height, usual, std::exp(-ping_.period / memory));
+    return *usual_height_ - height;
+}
+
 Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     if (echogram.shot.ping != pings_begun_ || !pacer_.end(now, {})) return take_actions();
     ++counters_.pings;
@@ -150,6 +159,7 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     s.sound_speed = echogram.sound_speed;
     s.sound_speed = s.sensors.read("sound speed", s.sound_speed, stray::sound_speed, now);
     const auto detections = multibeam::detect(echogram, gates, s.detection.with(s.echoes_last));
+    ping_.heave = heave(echogram.world_from_sonar.position.z);
     const kmall::Mrz bathymetry = make_mrz(ping_, s, echogram, detections);
     send(bathymetry, now);
     water_level_ = echogram.world_from_sonar.position.z;
@@ -159,13 +169,15 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     return take_actions();
 }
 
-/// The parts of a big datagram are spread over time, but never beyond the next ping.
+/// The parts of a big datagram are spread over time, but never beyond the next ping. The next datagram comes
+/// behind the last part: readers drop a whole whose parts another datagram parts.
 void Kongsberg::send(const kmall::Datagram& datagram, Time now) {
     const std::size_t before = actions_.send.size();
     for (Bytes& part : kmall::divided(kmall::serialise(datagram), settings_.largest_part))
         actions_.send.push_back({0, std::move(part), wiring_.host, {}});
-    spread(std::span(actions_.send).subspan(before), now, from_seconds(settings_.datagram_gap),
-           now + from_seconds(0.8 * ping_period(settings_)));
+    sent_until_ =
+        spread(std::span(actions_.send).subspan(before), std::max(now, sent_until_),
+               from_seconds(settings_.datagram_gap), now + from_seconds(0.8 * ping_period(settings_)));
 }
 
 Actions Kongsberg::woken(Time now) {

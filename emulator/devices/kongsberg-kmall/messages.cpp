@@ -150,6 +150,7 @@ Mrz make_mrz(const PingRecord& ping, const Settings& settings, const Echogram& e
     add_coverage(m);
     add_extra_detections(m, settings, echogram, detections);
     add_backscatter(m, settings, echogram, detections);
+    classify_extra_detections(m);
     add_measured(m, from_seconds(ping.time - settings.unix_start), settings);
     return m;
 }

@@ -17,6 +17,7 @@ struct PingRecord {
     std::uint16_t number = 0;
     double time = 0;    ///< s, Unix time of the transmission
     double period = 0;  ///< s since the last one; 0: it is the first
+    double heave = 0;   ///< m, of the head, downwards
 };
 
 kmall::Mrz make_mrz(const PingRecord& ping, const Settings& settings, const Echogram& echogram,

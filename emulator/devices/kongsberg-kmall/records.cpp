@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "emulator/devices/kongsberg-kmall/controls.h"
+#include "emulator/devices/kongsberg-kmall/soundings.h"
 
 namespace echoloop::kongsberg_kmall {
 namespace {
@@ -38,6 +39,20 @@ std::string processing_unit(const Settings& s) {
            ",\nIP=127.0.0.1:0xff000000,\nUDP=1997,\nTYPE=CON_TECH_PP_B12_SMP_CPU,\n" +
            "VERSIONS:,\nCPU:5.4.0 2022-05-06,\nVXW:6.9 SMP Aug 10 2022,\nVERSIONS-END,\nSERIALno:\nTX:" +
            head + ",\nRX:" + head + ",\nSERIALno-END,\n";
+}
+
+std::string extra_detections(const Settings& s) {
+    std::string text = line("Extra detection", s.extra_detections > 0 ? "On" : "Off");
+    if (s.extra_detections == 0) return text;
+    text += "Class   Start  Stop  Quality  Ref.  Conf  Alarm\n";
+    for (std::size_t c = 0; c < extra_classes.size(); ++c) {
+        char row[96];
+        std::snprintf(row, sizeof row, "%zu  Off   %.1f   %.1f   %.1f   %.1f   %.1f   %u\n", c + 1,
+                      extra_classes[c].from, extra_classes[c].to, double(worst_quality),
+                      double(least_reflectivity), double(least_confidence), unsigned(detections_of_alarm));
+        text += row;
+    }
+    return text;
 }
 
 /// Medwin, JASA 58 (1975) 1318, m/s, for a text that has temperature and salinity only: 0 to 35 C, 0 to 45
@@ -77,7 +92,7 @@ kmall::Parameters make_runtime(kmall::Header header, const Settings& s) {
         line("Pitch stabilisation", "Off") + line("Max. Ping Freq. (Hz)", number_text("%.2f", s.ping_rate)) +
         line("External Trigger", "Off") + line("Yaw Stabilisation Mode", "Off") +
         "\nSound velocity at Transducer\n" + line("Sound Velocity source", "Probe") + "\nExtra Detections\n" +
-        line("Extra detection", "Off");
+        extra_detections(s);
     return {header, {}, padded(text)};
 }
 

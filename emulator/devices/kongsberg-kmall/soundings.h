@@ -1,6 +1,7 @@
 // The soundings of #MRZ: what each beam has found, and where that lies. Pure functions.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "emulator/devices/family/multibeam/bottom.h"
@@ -30,8 +31,23 @@ void add_place(kmall::Sounding& sounding, Vec3 place, const Surface& surface, co
 void place_rejected(kmall::Mrz& mrz, std::span<const Vec3> directions, const Surface& surface,
                     const Settings& settings);
 
-/// The strongest samples that are no bottom, as many as the settings say, behind the soundings of the bottom.
+/// Classes of extra detections, by their range in % of the bottom's in their beam, and what one of a class
+/// must have; all as an EM 2040P's #IOP tells them, and as 2384 extra detections of its #MRZ hold to.
+struct ExtraClass {
+    double from = 0, to = 0;
+};
+inline constexpr std::array<ExtraClass, 7> extra_classes{
+    {{5, 10}, {10, 30}, {30, 60}, {60, 90}, {90, 100}, {100, 110}, {110, 200}}};
+inline constexpr std::uint8_t least_confidence = 10;
+inline constexpr float least_reflectivity = -60, worst_quality = 1;  // dB, %
+inline constexpr std::uint16_t detections_of_alarm = 5;
+
+/// The echoes that stand out most beside the bottom, one of a beam, as many as the settings say, behind the
+/// soundings of the bottom.
 void add_extra_detections(kmall::Mrz& mrz, const Settings& settings, const Echogram& echogram,
                           std::span<const multibeam::Detection> detections);
+/// Gives each its class, counts them and rings the alarms; when their reflectivities are known. What fits no
+/// class stands in one more, behind the seven.
+void classify_extra_detections(kmall::Mrz& mrz);
 
 }  // namespace echoloop::kongsberg_kmall

@@ -64,6 +64,8 @@ kmall::Mwc make_mwc(const PingRecord& ping, const Settings& settings, const Echo
     kmall::Mwc m;
     m.header = make_header(ping, settings, "#MWC", mwc_version);
     m.body = make_body(ping);
+    const auto read = settings.sensors.at(from_seconds(ping.time - settings.unix_start));
+    m.tx.heave = read("heave", ping.heave, stray::depth);
     m.sectors = {{0, f(settings.frequency), f(rad_to_deg(settings.transmit_beam_width)), 0, 0}};
     m.rx.tvg = settings.tvg ? static_cast<std::uint8_t>(spreading) : std::uint8_t{0};
     m.rx.tvg_offset = settings.tvg ? constant_gain : std::int8_t{0};

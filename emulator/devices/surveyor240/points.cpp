@@ -15,18 +15,6 @@ bool is_whole(const multibeam::Detection& found, const Shot& shot) {
     return found.begin > shot.first_bin_time + edge && found.end < end - edge;
 }
 
-/// Whether another direction is so much louder at the same time that this one hears it by its side lobes: the
-/// sound arrives from there.
-bool is_drowned(const Echogram& echogram, const multibeam::Detection& found) {
-    constexpr float least_part = 1e-3F;  // 30 dB
-    const Shot& shot = echogram.shot;
-    const double at = (found.time + shot.pulse_length / 2 - shot.first_bin_time) / shot.bin_interval;
-    const auto bin = std::min(static_cast<std::size_t>(std::max(at, 0.0)), shot.bins - 1);
-    for (std::size_t n = 0; n < echogram.beams(); ++n)
-        if (found.power < least_part * echogram.beam(n)[bin]) return true;
-    return false;
-}
-
 }  // namespace
 
 std::vector<Point> find_points(const Echogram& echogram, const Settings& settings) {
@@ -39,7 +27,6 @@ std::vector<Point> find_points(const Echogram& echogram, const Settings& setting
     float strongest = 0;
     for (std::size_t n = 0; n < found.size(); ++n) {
         if (!found[n].found() || !is_whole(found[n], shot)) continue;
-        if (is_drowned(echogram, found[n])) continue;
         const std::size_t part = n * settings.points / found.size();
         if (part == last_part && found[n].power <= strongest) continue;
         if (part == last_part) points.pop_back();

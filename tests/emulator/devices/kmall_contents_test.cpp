@@ -115,21 +115,84 @@ TEST(KmallContents, TheSeabedImageLiesAroundEachSoundingWithItsReflectivity) {
     EXPECT_EQ(bare.size(), first + 400 * 120 + 4);
 }
 
-TEST(KmallContents, ExtraDetectionsStandBehindTheBottom) {
-    const Bytes b = over_floor({{"extra_detections", std::int64_t{90}}}).at(0).bytes;
+/// Where the classes of extra detections, 7 and the rest, and the extra detections stand.
+constexpr std::size_t class_size = 4, classes = first, extras = first + 8 * class_size + 400 * 120;
+
+/// An #MRZ of a floor 8 m below, in whose beams from `from` on, as many as `beams`, something stands at
+/// `share` of the floor's time.
+struct Thing {
+    std::size_t from, beams;
+    double share;
+};
+Bytes over_things(const std::vector<Thing>& things) {
+    Bench bench = sounder({{"extra_detections", std::int64_t{90}}});
+    bench.run_to(0ns);
+    Echogram echo = bottom_echo(bench.ping->shot, flat(8), {.noise = 1e4, .echo = 1e11});
+    echo.world_from_sonar = {{0, 0, -12}, from_rpy(0, deg_to_rad(90), 0)};
+    const Shot& shot = echo.shot;
+    for (const Thing& thing : things)
+        for (std::size_t n = thing.from; n < thing.from + thing.beams; ++n) {
+            const double floor = 2 * 8 / std::cos(shot.bearings[n]) / 1500;
+            const auto bin = static_cast<std::size_t>(thing.share * floor / shot.bin_interval);
+            const auto beam = std::span(echo.values).subspan(n * shot.bins, shot.bins);
+            const float loudest = *std::ranges::max_element(beam);
+            for (std::size_t i = 0; i < 4; ++i) beam[bin + i] = loudest;
+        }
+    bench.hear(echo);
+    return bench.sent().at(0).bytes;
+}
+
+// 2384 extra detections of an EM 2040P: classes by the range in % of the bottom's (60 to 90, 90 to 100, ...),
+// one more for the rest; five of a class ring its alarm. Rejected ones have no method and no quality.
+TEST(KmallContents, ExtraDetectionsHaveTheClassesOfTheirRanges) {
+    const Bytes b = over_things({{100, 6, 0.5}, {200, 3, 0.75}, {300, 1, 0.75}});
     const std::size_t extra = u16(b, rx + 26);
     EXPECT_EQ(u16(b, rx + 2), 400);
-    ASSERT_GT(extra, 0U);
+    EXPECT_EQ(u16(b, rx + 28), 8) << "classes";
+    ASSERT_GT(extra, 10U);
     EXPECT_LE(extra, 90U);
-    EXPECT_EQ(u16(b, rx + 28), 1) << "classes";
-    EXPECT_EQ(u16(b, rx + 32), extra);
-    for (std::size_t n = 400; n < 400 + extra; ++n) {
-        const std::size_t s = first + 4 + n * 120;
-        EXPECT_EQ(u16(b, s), n);
-        EXPECT_TRUE(b[s + 3] == 1 || b[s + 3] == 2);
-        EXPECT_EQ(b[s + 8], 100) << "class";
-        EXPECT_TRUE(u16(b, s + 118) == 9 && u16(b, s + 116) == 5) << "samples, centre";
+    EXPECT_EQ(u16(b, classes + 2 * class_size), 6) << "30 to 60 %";
+    EXPECT_EQ(u16(b, classes + 3 * class_size), 3) << "60 to 90 %: the one that stands alone is rejected";
+    EXPECT_EQ(u16(b, classes + 7 * class_size), extra - 9);
+    EXPECT_EQ(b[classes + 2 * class_size + 3], 1) << "its alarm";
+    EXPECT_EQ(b[classes + 3 * class_size + 3], 0);
+    EXPECT_EQ(u16(b, rx + 24), 2) << "classes with an alarm, the rest among them";
+    std::size_t alone = 0;
+    for (std::size_t n = 0; n < extra; ++n) {
+        const std::size_t s = extras + n * 120;
+        EXPECT_EQ(u16(b, s), 400 + n);
+        const float factor = f32(b, s + 12);
+        if (b[s + 3] == 1) {
+            EXPECT_EQ(b[s + 6], 80);
+            EXPECT_EQ(b[s + 4], 1) << "method";
+            EXPECT_EQ(b[s + 8], factor < 60 ? 102 : 103);
+            EXPECT_NEAR(factor, factor < 60 ? 50 : 75, 1);
+            EXPECT_GE(b[s + 9], 10) << "confidence";
+        } else {
+            EXPECT_EQ(b[s + 3], 2);
+            EXPECT_EQ(b[s + 8], 107);
+            EXPECT_TRUE(b[s + 4] == 0 && f32(b, s + 16) == 0 && f32(b, s + 48) == -100);
+            alone += b[s + 6] == 12 && u16(b, s + 36) == 300;
+        }
     }
+    EXPECT_EQ(alone, 1U);
+}
+
+TEST(KmallContents, TheRuntimeParametersHaveTheTableOfClasses) {
+    for (const std::int64_t most : {0, 90}) {
+        const auto sent = of_type(over_floor({{"extra_detections", most}}, {"$KSSIS,454,2040"}), "#IOP");
+        ASSERT_EQ(sent.size(), 1U);
+        const std::string said(sent[0].bytes.begin(), sent[0].bytes.end());
+        EXPECT_NE(said.find(most > 0 ? "Extra detection: On" : "Extra detection: Off"), said.npos);
+        const bool row = said.find("7  Off   110.0   200.0   1.0   -60.0   10.0   5\n") != said.npos;
+        EXPECT_EQ(row, most > 0) << "as an EM 2040P's";
+    }
+}
+
+TEST(KmallContents, WithoutExtraDetectionsThereAreNoClasses) {
+    const Bytes b = over_floor().at(0).bytes;
+    EXPECT_EQ(u16(b, rx + 28), 0);
+    EXPECT_EQ(u16(b, rx + 24), 1) << "alarm, as in 60 of 60 real ones";
 }
 
 TEST(KmallContents, ALongOneIsSplit) {
@@ -142,6 +205,17 @@ TEST(KmallContents, ALongOneIsSplit) {
         EXPECT_EQ(kmall::join(whole, sent[i].bytes), i + 1 == sent.size());
     }
     EXPECT_TRUE(kmall::parse(whole));
+}
+
+TEST(KmallContents, ALongOneIsNotParted) {
+    Time before{};
+    const auto sent = over_floor({{"largest_part", std::int64_t{20000}}, {"water_column", true}});
+    for (const Send& send : sent) {
+        EXPECT_GE(send.not_before, before) << "the water column comes behind the soundings";
+        before = send.not_before;
+    }
+    EXPECT_GT(of_type(sent, "#MWC").size(), 3U);
+    EXPECT_GT(of_type(sent, "#MWC").front().not_before, of_type(sent, "#MRZ").back().not_before);
 }
 
 const std::string profile =

@@ -28,12 +28,15 @@ const Row* find(const Report& report, const std::string& name, EchoRule rule) {
     return nullptr;
 }
 
-void add_growth(const Report& report, const char* sonar, std::vector<Limit>& limits) {
-    const Row* small = find(report, std::string(sonar) + "-big100k", EchoRule::radiometric);
-    const Row* large = find(report, std::string(sonar) + "-big2m", EchoRule::radiometric);
-    if (small == nullptr || large == nullptr) return;
-    limits.push_back({std::string(sonar) + ": time with twenty times the triangles",
-                      large->figures.wall.median / small->figures.wall.median, most_growth, "times"});
+void add_growth(const Report& report, const std::string& sonar, std::vector<Limit>& limits) {
+    const auto row = [&](const char* scene) { return find(report, sonar + scene, EchoRule::radiometric); };
+    const Row *simple = row("-simple"), *some = row("-big100k"), *many = row("-big2m"), *one = row("-one2m");
+    if (some != nullptr && many != nullptr)
+        limits.push_back({sonar + ": time with twenty times the triangles",
+                          many->figures.wall.median / some->figures.wall.median, most_growth, "times"});
+    if (simple != nullptr && one != nullptr)
+        limits.push_back({sonar + ": CPU, two million triangles in one mesh",
+                          one->figures.cpu.median / simple->figures.cpu.median, most_growth, "times"});
 }
 
 std::string line_of(const char* label, const Spread& s, const std::string& rest = {}) {

@@ -10,9 +10,10 @@ namespace echoloop::bench {
 namespace {
 
 using Kind = SceneRow::Kind;
-constexpr std::array<SceneRow, 6> rows{{{"simple", 1, 0},
+constexpr std::array<SceneRow, 7> rows{{{"simple", 1, 0},
                                         {"big100k", 224, 0.25},
                                         {"big2m", 1000, 0.25},
+                                        {"one1m", 707, 0.25, Kind::one_mesh},
                                         {"one2m", 1000, 0.25, Kind::one_mesh},
                                         {"terrain", 700, 0.9, Kind::terrain},
                                         {"stones", 224, 0.25, Kind::stones}}};

@@ -17,8 +17,9 @@ struct SceneRow {
     enum class Kind { two_meshes, one_mesh, terrain, stones } kind = Kind::two_meshes;
 };
 
-/// simple: 1,158 triangles; big100k: 101,508; big2m and one2m: 2,001,156; terrain: 980,000, which is nothing
-/// but hills and ripples; stones: 451,516, of which 350,008 are a thousand small objects on that of big100k.
+/// simple: 1,158 triangles; big100k: 101,508; one1m: 1,000,854; big2m and one2m: 2,001,156; terrain: 980,000,
+/// which is nothing but hills and ripples; stones: 451,516, of which 350,008 are a thousand small objects on
+/// that of big100k.
 std::span<const SceneRow> scene_rows();
 
 /// In ENU: the seabed and the objects as two meshes or one, or a mesh and many more. Throws

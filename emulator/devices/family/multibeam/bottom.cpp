@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "emulator/devices/family/multibeam/ring.h"
 #include "emulator/devices/family/multibeam/stretches.h"
 
 namespace echoloop::multibeam {
@@ -219,29 +220,6 @@ double least_power(const Echogram& echogram, double margin) {
     return echogram.noise_power * std::pow(10.0, margin / 10);
 }
 
-/// For every bin the least power (uPa^2) of what a beam itself looks at. What is fainter may come through its
-/// side lobes, as the nadir's glint comes to all beams: all that the fan hears at that time, times the mean
-/// floor of an array whose staves differ (Allen 1961: the sum of both variances over the staves) and of its
-/// design, times what the highest of its lobes has more than their mean, 5.6 to 7.2 dB.
-std::vector<float> least_by_bin(const Echogram& echogram) {
-    constexpr double above_mean = 5;                // 7 dB
-    constexpr double design = 1e-4, shaded = 0.75;  // own choice of both
-    const Shot& shot = echogram.shot;
-    std::vector<float> least(shot.bins, 0.0F);
-    if (shot.bearings.size() < 2) return least;
-    const double amplitude = shot.errors.amplitude / 8.686, phase = shot.errors.phase;
-    const double floor = design + (amplitude * amplitude + phase * phase) / (shaded * shot.receiver.staves);
-    const double spacing = (shot.bearings.back() - shot.bearings.front()) /
-                           static_cast<double>(shot.bearings.size() - 1) / shot.beam_width;
-    for (std::size_t beam = 0; beam < echogram.beams(); ++beam) {
-        const float* levels = echogram.beam(beam).data();
-        for (std::size_t bin = 0; bin < least.size(); ++bin) least[bin] += levels[bin];
-    }
-    const auto part = static_cast<float>(above_mean * floor * std::min(1.0, spacing));
-    for (float& level : least) level *= part;
-    return least;
-}
-
 /// Whether a bottom that begins around `bin` stands out of the water before it, with the gain that gives back
 /// spreading, by which the water is as loud at every range: of four places about 0.6 of the time the
 /// quietest counts, so that the nadir's ring or a shoal hides no bottom. Where only water is heard its
@@ -326,9 +304,12 @@ std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate
     std::vector<Detection> detections(std::min(echogram.beams(), gates.size()));
     Stretches stretches;
     Room room;
-    const std::vector<float> heard = least_by_bin(echogram);
+    const SideLobes lobes(echogram);
     for (std::size_t n = 0; n < detections.size(); ++n)
-        detections[n] = detect_in(echogram, n, gates[n], rule, heard, stretches, room);
+        detections[n] = detect_in(echogram, n, gates[n], rule, lobes.likely(), stretches, room);
+    lobes.leave_out(detections, [&](std::size_t n) {
+        return detect_in(echogram, n, gates[n], rule, lobes.possible(), stretches, room);
+    });
     continue_to_edges(detections, echogram.shot.bearings, echogram.shot.beam_width);
     move_to_neighbours(detections, echogram.shot.bearings, echogram.shot.beam_width);
     smooth_by_phase(detections, echogram.shot.bearings, rule.smoothed);

@@ -1,0 +1,39 @@
+// The ring: what a multibeam's beams hear of the nadir, or of anything loud, through their side lobes, at one
+// range in all of them. Pure functions of the echogram; knows no device's settings.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "emulator/devices/family/multibeam/bottom.h"
+
+namespace echoloop::multibeam {
+
+/// What may come through side lobes: all that the fan hears at a time, times the mean floor of an array whose
+/// staves differ (Allen 1961: the sum of both variances over the staves) and of its design, times what a lobe
+/// may have more than the mean. Lobes' powers are exponentially distributed.
+class SideLobes {
+  public:
+    explicit SideLobes(const Echogram& echogram);
+
+    /// uPa^2, one a bin of the window: what the highest lobe of a unit brings, 5.6 to 7.2 dB above the mean.
+    /// Fainter echoes are no bottom.
+    std::span<const float> likely() const { return likely_; }
+    /// What no lobe of any unit exceeds, of the loudest direction and of all together.
+    std::span<const float> possible() const { return possible_; }
+
+    /// Of echoes between the two, those stay that lie in line with surer neighbours or between them, as heads
+    /// keep to a gate about what they found beside. Of the others each goes for what again(n) finds above
+    /// possible() in its beam, if that lies nearer to their line or is nothing.
+    void leave_out(std::span<Detection> detections, const std::function<Detection(std::size_t)>& again) const;
+
+  private:
+    /// uPa^2, the mean of possible() over an echo.
+    double possible_in(const Detection& detection) const;
+
+    const Shot& shot_;
+    std::vector<float> likely_, possible_;
+};
+
+}  // namespace echoloop::multibeam

@@ -1,0 +1,129 @@
+#include "render/fan/line_echoes.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "render/simd.h"
+
+namespace echoloop {
+namespace {
+
+/// StrengthTable::at() of every cosine, times weights that are above 0.
+ECHOLOOP_SIMD
+void look_up(const float* __restrict values, const float* __restrict cosine, const float* __restrict weight,
+             std::size_t count, float* __restrict amount) {
+    constexpr auto last = static_cast<std::int32_t>(StrengthTable::cells - 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float place = std::min(cosine[i], 1.0F) * static_cast<float>(StrengthTable::cells);
+        const std::int32_t whole = static_cast<std::int32_t>(place), cell = whole < last ? whole : last;
+        const float share = place - static_cast<float>(cell);
+        const float strength = values[cell] + share * (values[cell + 1] - values[cell]);
+        amount[i] = weight[i] > 0 ? weight[i] * strength : 0.0F;
+    }
+}
+
+ECHOLOOP_SIMD
+void keep_weights(const float* __restrict surface, const float* __restrict weight, std::size_t count,
+                  float* __restrict amount) {
+    for (std::size_t i = 0; i < count; ++i)
+        amount[i] = (surface[i] != 0) & (weight[i] > 0) ? weight[i] : 0.0F;
+}
+
+ECHOLOOP_SIMD
+void drop_where_nothing_is(const float* __restrict surface, std::size_t count, float* __restrict amount) {
+    for (std::size_t i = 0; i < count; ++i) amount[i] = surface[i] != 0 ? amount[i] : 0.0F;
+}
+
+ECHOLOOP_SIMD
+void multiply_all(const float* __restrict factor, std::size_t count, float* __restrict amount) {
+    for (std::size_t i = 0; i < count; ++i) amount[i] *= factor[i];
+}
+
+ECHOLOOP_SIMD
+void places_of(const float* __restrict range, const float* __restrict near, const float* __restrict far,
+               BinScale scale, std::size_t count, float* __restrict low, float* __restrict high,
+               float* __restrict slope) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float from = near[i] * scale.per_metre - scale.start,
+                    to = far[i] * scale.per_metre - scale.start;
+        const float falls = 3 / (range[i] * scale.per_metre);
+        const float steepest = 1.8F / (to - from);  // beyond, the density at the far end would be negative
+        low[i] = from, high[i] = to;
+        slope[i] = -std::min(falls, steepest);
+    }
+}
+
+/// As bits, since ranges are positive, and the least of whole numbers is found in vectors.
+ECHOLOOP_SIMD
+std::int32_t nearest_bits(const Pixel* pixels, std::size_t count) {
+    std::int32_t least = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());
+    const std::int32_t nothing = least;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto range = std::bit_cast<std::int32_t>(pixels[i].range);
+        const std::int32_t seen = pixels[i].surface != 0 ? range : nothing;
+        least = seen < least ? seen : least;
+    }
+    return least;
+}
+
+/// Number of samples from the first on that show one surface.
+std::size_t alike(const float* surface, std::size_t count) {
+    std::size_t i = 1;
+    while (i < count && surface[i] == surface[0]) ++i;
+    return i;
+}
+
+}  // namespace
+
+void LineEchoes::resize(std::size_t samples) {
+    for (auto* values : {&low, &high, &amount, &slope}) values->resize(samples);
+}
+
+void find_amounts(PixelArrays row, const float* weight, std::span<const StrengthTable* const> strength,
+                  std::span<const std::uint8_t> wanted, std::size_t samples, LineEchoes& out) {
+    for (std::size_t i = 0; i < samples;) {
+        const std::size_t count = alike(row.surface + i, samples - i);
+        const auto surface = static_cast<std::size_t>(row.surface[i]);
+        const bool counts =
+            surface > 0 && (wanted.empty() || (surface <= wanted.size() && wanted[surface - 1] != 0));
+        if (counts)
+            look_up(strength[surface - 1]->values().data(), row.cosine + i, weight + i, count,
+                    &out.amount[i]);
+        else
+            std::fill_n(&out.amount[i], count, 0.0F);
+        i += count;
+    }
+}
+
+void find_amounts_alike(PixelArrays row, const float* weight, const StrengthTable* table, std::size_t samples,
+                        LineEchoes& out) {
+    if (table == nullptr) return keep_weights(row.surface, weight, samples, out.amount.data());
+    look_up(table->values().data(), row.cosine, weight, samples, out.amount.data());
+    drop_where_nothing_is(row.surface, samples, out.amount.data());
+}
+
+void multiply(const float* factor, std::size_t samples, float* amount) {
+    multiply_all(factor, samples, amount);
+}
+
+void find_places(PixelArrays row, const Extents& extents, BinScale scale, std::size_t samples,
+                 LineEchoes& out) {
+    places_of(row.range, extents.near.data(), extents.far.data(), scale, samples, out.low.data(),
+              out.high.data(), out.slope.data());
+}
+
+void deposit_line(const LineEchoes& echoes, std::size_t samples, LineBins& bins) {
+    LineBins local = bins;  // its limits stay in registers
+    const float *low = echoes.low.data(), *high = echoes.high.data(), *amount = echoes.amount.data(),
+                *slope = echoes.slope.data();
+    for (std::size_t i = 0; i < samples; ++i)
+        if (amount[i] > 0) local.deposit_inline(low[i], high[i], amount[i], slope[i]);
+    bins = local;
+}
+
+float nearest_range(const Pixel* pixels, std::size_t samples) {
+    return std::bit_cast<float>(nearest_bits(pixels, samples));
+}
+
+}  // namespace echoloop

@@ -1,0 +1,153 @@
+"""The page of a run in Debian's Chromium, driven by playwright: what a person sees and can do there."""
+
+import os
+import re
+import shutil
+import sys
+import time
+import unittest
+
+import public_driver
+
+public_driver.use("page", "playwright")
+
+from playwright.sync_api import sync_playwright  # noqa: E402
+from ports import free_port  # noqa: E402
+from program import ROOT, Emulator  # noqa: E402
+
+sys.path.insert(0, str(ROOT / "tests" / "hosts"))
+import ping360_host  # noqa: E402
+
+TANK = """
+scene: {scenes}/tank.glb
+water: {temperature: 15, salinity: 0, ph: 7, sound_speed: 1500}
+vehicle: {pose: {position: [0, 0, -2]}}
+devices:
+  - {name: head, model: ping360, endpoints: ["udp-listen://127.0.0.1:%d"]}
+"""
+LINK = re.compile(r"http://127\.0\.0\.1:\d+/#[0-9a-f]{32}")
+AHEAD, WALL = 6.0, "wall"  # m, to the tank's front wall
+
+
+def chromium():
+    for name in ("chromium", "chromium-browser", "google-chrome"):
+        if path := shutil.which(name):
+            return path
+    reason = "there is no Chromium: apt install chromium"
+    if os.environ.get("CI"):
+        raise RuntimeError(reason)
+    raise unittest.SkipTest(reason)
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.playwright = sync_playwright().start()
+        cls.addClassCleanup(cls.playwright.stop)
+        cls.browser = cls.playwright.chromium.launch(
+            executable_path=chromium(),
+            args=["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+        )
+        cls.addClassCleanup(cls.browser.close)
+
+    def start(self, *arguments, width=1280):
+        self.udp = free_port()
+        emulator = Emulator(TANK % self.udp, "--view", "--view-control", *arguments)
+        emulator.__enter__()
+        self.addCleanup(emulator.__exit__, None, None, None)
+        self.emulator = emulator
+        page = self.browser.new_page(viewport={"width": width, "height": 900})
+        self.addCleanup(page.close)
+        self.faults = []
+        page.on("pageerror", lambda error: self.faults.append(str(error)))
+        page.on("console", lambda said: said.type == "error" and self.faults.append(said.text))
+        page.goto(LINK.search(emulator.output).group())
+        page.locator("#state.live").wait_for()
+        self.awake()
+        return page
+
+    def ping(self, metres=8, angle=200):
+        """Asks as a driver does; 200 gradians look ahead."""
+        with ping360_host.Host("127.0.0.1", self.udp) as host:
+            settings = ping360_host.Settings().for_range(metres, 1500)
+            return host.ping(angle, settings)
+
+    def awake(self):
+        """Waits for the head, which is silent while it boots."""
+        with ping360_host.Host("127.0.0.1", self.udp) as host:
+            end = time.monotonic() + 30
+            while host.ask(ping360_host.DEVICE_INFORMATION, 0.5) is None and time.monotonic() < end:
+                pass
+
+    def read_at(self, page, x, y):
+        """What the card says of a dot of its 480 x 360."""
+        box = page.locator("[data-device=head] canvas").bounding_box()
+        scale = box["width"] / 480
+        page.mouse.move(box["x"] + (x + 0.5) * scale, box["y"] + (y + 0.5) * scale)
+        return page.locator("[data-device=head] .read").inner_text()
+
+    def test_the_wall_is_at_its_place_in_all_three_layers(self):
+        page = self.start()
+        card = page.locator("[data-device=head]")
+        self.ping()
+        self.ping(angle=201)  # a head that turns has a full circle
+        card.locator(".facts", has_text="circle").wait_for()
+
+        def heard(metres):
+            text = self.read_at(page, 240, 180 - metres / 8 * 172)
+            self.assertAlmostEqual(float(re.match(r"([\d.]+) m", text)[1]), metres, delta=0.1)
+            return float(re.search(r"([\d.-]+) dB", text)[1]), text
+
+        wall = max((heard(metres / 20) for metres in range(115, 126)), key=lambda found: found[0])
+        self.assertGreater(wall[0], heard(4.5)[0] + 10)
+        self.assertIn(WALL, wall[1].lower())
+        card.locator("select").select_option("said")
+
+        def said(metres):
+            return float(re.search(r"= ([\d.]+)", self.read_at(page, metres / 8 * 480, 100))[1])
+
+        self.assertGreater(max(said(metres / 20) for metres in range(115, 126)), said(4.5) + 30)
+        card.locator("select").select_option("true")
+        colours = page.evaluate(
+            """() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+                 const dot = document.querySelector('[data-device=head] canvas').getContext('2d');
+                 done([6.05, 1.2].map((metres) => dot.getImageData(240, 180 - metres / 8 * 172, 1, 1).data[0])); })))"""
+        )
+        self.assertGreater(colours[0], 0, "the wall has an object's colour")
+        self.assertEqual(colours[1], 0, "the water before wall and floor has none")
+        self.assertEqual(self.faults, [])
+
+    def test_a_drivers_range_changes_the_card(self):
+        page = self.start()
+        card = page.locator("[data-device=head] .facts")
+        self.ping(metres=8)
+        page.locator("[data-device=head] .facts", has_text=re.compile(r"to (7\.9\d*|8(\.\d+)?) m")).wait_for()
+        self.ping(metres=4)
+        page.locator("[data-device=head] .facts", has_text=re.compile(r"to (3\.9\d*|4(\.\d+)?) m")).wait_for()
+        self.assertIn("1 beam", card.inner_text())
+
+    def test_a_button_makes_a_fault_and_the_counters_tell(self):
+        page = self.start()
+        page.locator("[data-fault=silence]").click()
+        page.locator("#fault-answer", has_text="is on").wait_for()
+        with self.assertRaises(IndexError):  # the head says nothing
+            self.ping()
+        page.locator("#devices td", has_text="silence").wait_for()
+        page.locator("#fault-clear").click()
+        page.locator("#fault-answer", has_text="ended").wait_for()
+        self.ping()
+
+    def test_the_page_says_so_when_the_run_has_ended(self):
+        page = self.start()
+        self.emulator.stop()
+        page.locator("#state", has_text="has ended").wait_for()
+
+    def test_a_narrow_page_has_no_scroll_bar_across(self):
+        page = self.start(width=390)
+        self.ping()
+        page.locator("[data-device=head] .facts", has_text="ping 1").wait_for()
+        self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth"), 390)
+
+
+if __name__ == "__main__":
+    unittest.main()

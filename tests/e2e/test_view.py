@@ -1,0 +1,230 @@
+"""The page of a run, met by clients of another make: http.client and websockets."""
+
+import asyncio
+import http.client
+import json
+import re
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import websockets
+
+from ports import free_port
+from program import PROGRAM, ROOT, Emulator
+
+sys.path.insert(0, str(ROOT / "tests" / "hosts"))
+import seanet_wire  # noqa: E402
+
+TANK = """
+scene: {scenes}/tank.glb
+water: {temperature: 15, salinity: 0, ph: 7, sound_speed: 1500}
+vehicle: {pose: {position: [0, 0, -2]}}
+devices:
+  - {name: micron, model: tritech-micron, endpoints: ["tcp-listen://127.0.0.1:%d"]}
+  - {name: bottom, model: nmea-echosounder, mount: {rpy_deg: [0, 90, 0]}, endpoints: ["udp://127.0.0.1:%d"]}
+"""
+LINK = re.compile(r"http://(127\.0\.0\.1:(\d+))/#([0-9a-f]{32})")
+
+
+def picture(message):
+    """(head, levels in dB or None, objects) of a ping's message."""
+    length = struct.unpack_from("<I", message)[0]
+    head = json.loads(message[4 : 4 + length])
+    count = head["rows"] * head["beams"] * head["bins"]
+    levels = [None if b == 0 else head["floor"] + (b - 1) * head["step"] for b in message[4 + length :][:count]]
+    return head, levels, struct.unpack_from(f"<{count}H", message, 4 + length + count)
+
+
+class View(unittest.TestCase):
+    def start(self, *arguments, scenario=None):
+        text = scenario or TANK % (free_port(), free_port())
+        self.emulator = Emulator(text, "--view", *arguments)
+        self.emulator.__enter__()
+        self.addCleanup(self.emulator.__exit__, None, None, None)
+        self.host, port, self.token = LINK.search(self.emulator.output).groups()
+        self.port = int(port)
+
+    def get(self, path, method="GET", **headers):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=20)
+        self.addCleanup(connection.close)
+        connection.request(method, path, headers={name.replace("_", "-"): text for name, text in headers.items()})
+        answer = connection.getresponse()
+        return answer.status, answer.read(), dict(answer.getheaders())
+
+    def connect(self, token=None, **options):
+        return websockets.connect(
+            f"ws://{self.host}/news", subprotocols=["echoloop.view", token or self.token], max_size=None, **options
+        )
+
+    def see(self, look, **options):
+        """What `look(socket)` makes of a viewer's connection."""
+
+        async def run():
+            async with self.connect(**options) as viewer:
+                return await asyncio.wait_for(look(viewer), 30)
+
+        return asyncio.run(run())
+
+    @staticmethod
+    async def until(viewer, wanted):
+        """The first message that `wanted(message, JSON or None)` makes something of."""
+        while True:
+            message = await viewer.recv()
+            found = wanted(message, json.loads(message) if isinstance(message, str) else None)
+            if found:
+                return found
+
+    def test_an_echosounders_line_shows_the_floor_at_its_depth_and_names_it(self):
+        self.start()
+
+        async def look(viewer):
+            def floor(message, text):
+                if text is None:
+                    head, levels, objects = picture(message)
+                    return head["device"] == "bottom" and (head, levels, objects)
+
+            return await self.until(viewer, floor)
+
+        head, levels, objects = self.see(look)
+        loudest = max((b for b, level in enumerate(levels) if level), key=lambda b: levels[b])
+        self.assertAlmostEqual(head["first_range"] + (loudest + 0.5) * head["bin_size"], 2, delta=0.1)
+        scene = self.get("/scene", Authorization="Bearer " + self.token)[1]
+        names = json.loads(scene[4 : 4 + struct.unpack_from("<I", scene)[0]])["objects"]
+        self.assertIn("floor", names[objects[loudest] - 1].lower())
+
+    def test_what_a_driver_says_is_told_with_its_fields_and_what_is_refused_with_the_reason(self):
+        micron = free_port()
+        self.start(scenario=TANK % (micron, free_port()))
+
+        async def look(viewer):
+            await viewer.recv()  # hello
+            with socket.create_connection(("127.0.0.1", micron)) as driver:
+                driver.sendall(b"\x00\x01garbage")  # no message of the sonar's
+                driver.sendall(seanet_wire.build(seanet_wire.SEND_VERSION))
+
+                def told(_, text):
+                    if text and text["type"] == "messages":
+                        for one in text["messages"]:
+                            if one["device"] == "micron" and not one["sent"]:
+                                seen.append(one)
+                        return any(one["reason"] for one in seen) and any(one["name"] for one in seen)
+
+                seen = []
+                await self.until(viewer, told)
+                return seen
+
+        seen = self.see(look)
+        self.assertTrue(any(one["fields"] for one in seen if one["name"]), seen)
+
+    def test_the_scene_is_the_one_that_is_run(self):
+        self.start()
+        self.assertEqual(self.get("/scene")[0], 401)
+        status, body, _ = self.get("/scene", Authorization="Bearer " + self.token)
+        self.assertEqual(status, 200)
+        length = struct.unpack_from("<I", body)[0]
+        head = json.loads(body[4 : 4 + length])
+        corners = sum(part["corners"] for part in head["parts"])
+        self.assertEqual(corners, 3 * head["triangles"])
+        numbers = struct.unpack(f"<{3 * corners}f", body[4 + length :])
+        for axis in range(3):
+            self.assertAlmostEqual(min(numbers[axis::3]), head["bounds"][0][axis], places=4)
+            self.assertAlmostEqual(max(numbers[axis::3]), head["bounds"][1][axis], places=4)
+
+    def test_the_page_loads_from_itself_only(self):
+        self.start()
+        for path, kind in (("/", "text/html"), ("/style.css", "text/css"), ("/app.js", "text/javascript")):
+            status, body, headers = self.get(path)
+            self.assertEqual((status, headers["Content-Type"].split(";")[0]), (200, kind))
+            self.assertGreater(len(body), 500)
+            self.assertIn("default-src 'none'", headers["Content-Security-Policy"])
+            self.assertNotIn("Access-Control-Allow-Origin", headers)
+        self.assertEqual(self.get("/../etc/passwd")[0], 404)
+
+    def test_another_host_origin_method_or_token_is_refused(self):
+        self.start()
+        self.assertEqual(self.get("/", Host="evil.example")[0], 421)
+        self.assertEqual(self.get("/", Origin="http://evil.example")[0], 403)
+        self.assertEqual(self.get("/", method="POST")[0], 405)
+        for options in ({"token": "0" * 32}, {"origin": "http://evil.example"}):
+            with self.assertRaises(websockets.exceptions.InvalidStatusCode):
+                self.see(lambda viewer: viewer.recv(), **options)
+
+    def test_a_page_asks_for_faults_only_where_the_run_lets_it(self):
+        ask = json.dumps({"ask": {"fault": {"device": "micron", "kind": "loss", "rate": 0.5, "for": 5}}, "id": 7})
+
+        async def look(viewer):
+            await viewer.send(ask)
+            return await self.until(viewer, lambda _, text: text and text["type"] == "answer" and text)
+
+        self.start()
+        refused = self.see(look)
+        self.assertEqual((refused["id"], refused["answer"]["ok"]), (7, False))
+        self.assertIn("--view-control", refused["answer"]["error"])
+        self.start("--view-control")
+        self.assertEqual(self.see(look)["answer"]["ok"], True)
+
+    def test_a_hundred_connections_and_a_viewer_that_never_reads_hold_nobody_up(self):
+        self.start()
+        silent = [socket.create_connection(("127.0.0.1", self.port)) for _ in range(100)]
+        for one in silent:
+            self.addCleanup(one.close)
+        for one in silent[40:]:  # beyond what is served they are hung up on at once
+            one.settimeout(20)
+            self.assertEqual(one.recv(1), b"")
+        for one in silent:
+            one.close()
+
+        deaf = socket.create_connection(("127.0.0.1", self.port))  # a viewer that never reads
+        self.addCleanup(deaf.close)
+        deaf.sendall(
+            (
+                f"GET /news HTTP/1.1\r\nHost: {self.host}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+                "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
+                f"Sec-WebSocket-Protocol: echoloop.view, {self.token}\r\n\r\n"
+            ).encode()
+        )
+
+        async def look(viewer):
+            for _ in range(20):
+                await self.until(viewer, lambda message, _: isinstance(message, bytes))
+            return True
+
+        self.assertTrue(self.see(look))
+        status, output = self.emulator.stop()
+        self.assertEqual(status, 0, output)
+
+    def test_nobody_looks_and_nothing_changes(self):
+        """The bytes of a free run are the same with a page and without."""
+        text = """
+clock: {mode: free, duration: 3}
+seed: 7
+scene: %s/config/scenes/tank.glb
+vehicle: {pose: {position: [0, 0, -2]}}
+devices:
+  - {name: bottom, model: nmea-echosounder, mount: {rpy_deg: [0, 90, 0]}, endpoints: ["udp://127.0.0.1:9999"]}
+""" % ROOT
+        with tempfile.TemporaryDirectory() as folder:
+            place = Path(folder)
+            (place / "s.yaml").write_text(text)
+            captures = []
+            for name, more in (("a", []), ("b", ["--view"])):
+                file = place / (name + ".pcapng")
+                subprocess.run([PROGRAM, "run", str(place / "s.yaml"), "--record", str(file), *more],
+                               check=True, stdout=subprocess.DEVNULL, timeout=60)
+                captures.append(file.read_bytes())
+            self.assertEqual(captures[0], captures[1])
+
+    def test_options_of_the_page_without_it_are_refused(self):
+        for more in (["--view-control"], ["--view-at", "127.0.0.1:0"], ["--view", "--view-at", "here"]):
+            done = subprocess.run([PROGRAM, "run", "tank", *more], capture_output=True, timeout=60, check=False)
+            self.assertEqual(done.returncode, 64, more)
+            self.assertIn(b"--view", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,349 @@
+#include "tools/import/sdf_world.h"
+
+#include <sdf/sdf.hh>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <optional>
+
+#include "tools/import/fault.h"
+#include "tools/import/heightmap.h"
+#include "tools/import/materials.h"
+#include "tools/import/mesh_file.h"
+#include "tools/import/primitives.h"
+
+namespace echoloop::worlds {
+namespace {
+
+Vec3 vec(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
+
+Pose pose(const ignition::math::Pose3d& p) {
+    return {vec(p.Pos()), {p.Rot().W(), p.Rot().X(), p.Rot().Y(), p.Rot().Z()}};
+}
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename(); }
+
+/// Shapes by what they are made from, so that a mesh that is there a hundred times is read once.
+class Shapes {
+  public:
+    explicit Shapes(const ModelPaths& paths) : paths_(paths) {}
+
+    /// Of the same key, the same shape.
+    static std::string key(const sdf::Geometry& geometry) {
+        std::string out = std::to_string(static_cast<int>(geometry.Type()));
+        const auto add = [&](const auto&... values) { ((out += " " + text(values)), ...); };
+        if (const auto* s = geometry.BoxShape()) add(vec(s->Size()));
+        if (const auto* s = geometry.CylinderShape()) add(s->Radius(), s->Length());
+        if (const auto* s = geometry.SphereShape()) add(s->Radius());
+        if (const auto* s = geometry.CapsuleShape()) add(s->Radius(), s->Length());
+        if (const auto* s = geometry.EllipsoidShape()) add(vec(s->Radii()));
+        if (const auto* s = geometry.PlaneShape()) add(vec(s->Normal()), s->Size().X(), s->Size().Y());
+        if (const auto* s = geometry.MeshShape())
+            out += " " + s->Uri() + " " + s->Submesh() + " " + text(vec(s->Scale())) +
+                   (s->CenterSubmesh() ? " c" : "");
+        if (const auto* s = geometry.HeightmapShape())
+            out += " " + s->Uri() + " " + text(vec(s->Size())) + text(vec(s->Position()));
+        return out;
+    }
+
+    const Shape& get(const sdf::Geometry& geometry, const std::string& key) {
+        const auto known = shapes_.find(key);
+        return known != shapes_.end() ? known->second : shapes_.emplace(key, made(geometry)).first->second;
+    }
+
+  private:
+    static std::string text(double value) {
+        char out[32];
+        std::snprintf(out, sizeof out, "%.17g", value);
+        return out;
+    }
+    static std::string text(Vec3 v) { return text(v.x) + " " + text(v.y) + " " + text(v.z); }
+
+    Shape made(const sdf::Geometry& geometry) const {
+        if (const auto* s = geometry.BoxShape()) return box(vec(s->Size()));
+        if (const auto* s = geometry.CylinderShape()) return cylinder(s->Radius(), s->Length());
+        if (const auto* s = geometry.SphereShape()) return ellipsoid({s->Radius(), s->Radius(), s->Radius()});
+        if (const auto* s = geometry.CapsuleShape()) return capsule(s->Radius(), s->Length());
+        if (const auto* s = geometry.EllipsoidShape()) return ellipsoid(vec(s->Radii()));
+        if (const auto* s = geometry.PlaneShape())
+            return plane(vec(s->Normal()), s->Size().X(), s->Size().Y());
+        if (const auto* s = geometry.MeshShape()) return mesh(*s);
+        if (const auto* s = geometry.HeightmapShape())
+            return read_heightmap(s->Uri(), vec(s->Size()), vec(s->Position()));
+        return {};
+    }
+
+    Shape mesh(const sdf::Mesh& mesh) const {
+        const std::string& uri = mesh.Uri();
+        if (uri == "unit_box") return box(vec(mesh.Scale()));
+        if (uri == "unit_sphere") return ellipsoid(0.5 * vec(mesh.Scale()));
+        if (uri == "unit_cylinder") return cylinder(0.5 * mesh.Scale().X(), mesh.Scale().Z());
+        return read_mesh(uri, {mesh.Submesh(), mesh.CenterSubmesh(), vec(mesh.Scale())}, paths_);
+    }
+
+    const ModelPaths& paths_;
+    std::map<std::string, Shape> shapes_;
+};
+
+class Converter {
+  public:
+    Converter(const Sources& sources, const ModelPaths& paths, SdfChoices& choices, World& world,
+              Report& report, Stage& stage)
+        : sources_(sources),
+          choices_(choices),
+          world_(world),
+          report_(report),
+          stage_(stage),
+          shapes_(paths) {}
+
+    void convert() {
+        ::unsetenv("SDF_PATH");  // libsdformat looks there by itself
+        sdf::Console::Instance()->SetQuiet(true);
+        stage_.set(original(sources_.world.string()));
+        sdf::Root root;
+        check(root.Load(sources_.world));
+        if (root.WorldCount() > 0) {
+            if (root.WorldCount() > 1) report_.notes.push_back("only the first of the file's worlds is read");
+            add_world(*root.WorldByIndex(0));
+        } else if (root.Model() != nullptr) {
+            add_model(*root.Model(), "", pose(root.Model()->RawPose()), std::nullopt);
+        }
+        for (const std::string& name : choices_.without)
+            if (!std::ranges::count(seen_, name))
+                throw Fault("--without " + printable(name, 64), "no model has this name",
+                            "use one of " + all_seen());
+        for (const std::string& name : choices_.keep)
+            if (!std::ranges::count(seen_, name))
+                throw Fault("--keep " + printable(name, 64), "no model has this name",
+                            "use one of " + all_seen());
+    }
+
+  private:
+    using Place = std::optional<std::size_t>;  ///< node above
+
+    /// Names of copies in a message become those of the user's files.
+    std::string original(std::string text) const {
+        for (const auto& [folder, file] : sources_.originals)
+            for (std::size_t at; (at = text.find(folder + "/model.sdf")) != std::string::npos;)
+                text.replace(at, folder.size() + 10, file);
+        return printable(text, 1000);
+    }
+
+    std::string all_seen() const {
+        std::string out;
+        for (const std::string& name : seen_) out += (out.empty() ? "" : ", ") + printable(name, 64);
+        return out.empty() ? "none" : out;
+    }
+
+    void check(const sdf::Errors& errors) const {
+        if (errors.empty()) return;
+        std::string all;
+        for (std::size_t i = 0; i < errors.size() && i < 5; ++i) {
+            const std::string file = errors[i].FilePath() ? original(*errors[i].FilePath()) + ": " : "";
+            all += file + original(errors[i].Message()) + "\n";
+        }
+        if (!choices_.allow_missing)
+            throw Fault("", all + std::to_string(errors.size()) + " faults of the world",
+                        "mend them, or try with --allow-missing");
+        report_.notes.push_back("libsdformat found " + std::to_string(errors.size()) +
+                                " faults, the first: " + all.substr(0, all.find('\n')));
+    }
+
+    Pose resolved(const sdf::SemanticPose& semantic, const std::string& name) const {
+        ignition::math::Pose3d out;
+        const sdf::Errors errors = semantic.Resolve(out);
+        if (!errors.empty())
+            throw Fault(printable(name), "has no pose: " + original(errors[0].Message()),
+                        "mend its <pose> and relative_to");
+        if (!out.IsFinite()) throw Fault(printable(name), "has a pose that is not finite", "mend its <pose>");
+        return pose(out);
+    }
+
+    std::size_t add_node(const std::string& name, const Pose& at, Place above) {
+        world_.nodes.push_back({.name = name, .pose = at});
+        const std::size_t index = world_.nodes.size() - 1;
+        (above ? world_.nodes[*above].children : world_.roots).push_back(index);
+        return index;
+    }
+
+    void add_world(const sdf::World& world) {
+        if (const auto* place = world.SphericalCoordinates())
+            world_.origin = Origin{place->LatitudeReference().Degree(), place->LongitudeReference().Degree(),
+                                   place->ElevationReference()};
+        for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
+            const sdf::Model& model = *world.ModelByIndex(i);
+            add_model(model, "", resolved(model.SemanticPose(), model.Name()), std::nullopt);
+        }
+    }
+
+    bool is_asked_for(const std::vector<std::string>& names, const std::string& name) const {
+        return std::ranges::find(names, name) != names.end();
+    }
+
+    /// What the copies' traces say: a sensor other than one of contacts.
+    static std::string sensor_of(const sdf::Model& model) {
+        for (auto plugin = model.Element()->FindElement("plugin"); plugin;
+             plugin = plugin->GetNextElement("plugin")) {
+            const auto what = plugin->Get<std::string>("filename");
+            if (plugin->Get<std::string>("name") == trace_name && what.starts_with("sensor ") &&
+                what != "sensor contact")
+                return what;
+        }
+        return {};
+    }
+
+    /// Why a model is taken for the robot itself; empty: it is not.
+    std::string sign_of_robot(const sdf::Model& model, const std::string& name, Place above) const {
+        if (sources_.is_urdf || above || model.Static() || is_asked_for(choices_.keep, name)) return {};
+        if (const std::string sensor = sensor_of(model); !sensor.empty()) return "a " + sensor;
+        return is_name_of_robot(name) ? "its name" : "";
+    }
+
+    void add_model(const sdf::Model& model, const std::string& outer, const Pose& at, Place above) {
+        const std::string name = outer + model.Name();
+        seen_.push_back(name);
+        if (is_asked_for(choices_.without, name)) {
+            report_.left_out.push_back(printable(name) + ": --without");
+            return;
+        }
+        if (is_name_of_axes(name) && !is_asked_for(choices_.keep, name)) {
+            report_.left_out.push_back(printable(name) + ": a drawing of axes, by its name (guessed)");
+            return;
+        }
+        if (const std::string sign = sign_of_robot(model, name, above); !sign.empty()) {
+            report_.left_out.push_back(printable(name) + ": the robot itself, by " + sign +
+                                       " (guessed); --keep " + printable(name) + " keeps it");
+            return;
+        }
+        ++report_.models;
+        const std::size_t node = add_node(name, at, above);
+        if (!model.Static() && !above) report_.movers.push_back(name);
+        for (std::uint64_t i = 0; i < model.LinkCount(); ++i)
+            add_link(model, *model.LinkByIndex(i), name, node);
+        for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
+            const sdf::Model& inner = *model.ModelByIndex(i);
+            add_model(inner, name + "::", resolved(inner.SemanticPose(), name + "::" + inner.Name()), node);
+        }
+        add_joints(model, name);
+    }
+
+    void add_link(const sdf::Model& model, const sdf::Link& link, const std::string& model_name,
+                  std::size_t above) {
+        const std::string name = model_name + "::" + link.Name();
+        const std::size_t node = add_node(name, resolved(link.SemanticPose(), name), above);
+        links_[name] = node;
+        for (std::uint64_t i = 0; i < link.VisualCount(); ++i)
+            add_visual(model, link, *link.VisualByIndex(i), model_name, node);
+    }
+
+    /// A joint is a node of the link that it moves.
+    void add_joints(const sdf::Model& model, const std::string& model_name) {
+        for (std::uint64_t i = 0; i < model.JointCount(); ++i) {
+            const sdf::Joint& joint = *model.JointByIndex(i);
+            const std::string name = model_name + "::" + joint.Name();
+            std::string child;
+            ignition::math::Pose3d at;
+            if (!joint.ResolveChildLink(child).empty()) continue;  // as to the world
+            const auto link = links_.find(model_name + "::" + child);
+            if (link == links_.end() || !joint.SemanticPose().Resolve(at, joint.ChildLinkName()).empty())
+                continue;
+            add_node(name, pose(at), link->second);
+        }
+    }
+
+    static Clues clues_of(const sdf::Model& model, const std::string& model_name, const sdf::Link& link,
+                          const sdf::Visual& visual) {
+        Clues out{.model = model_name, .link = link.Name(), .visual = visual.Name()};
+        if (const auto* material = visual.Material()) out.script = material->ScriptName();
+        if (const auto* mesh = visual.Geom()->MeshShape()) out.mesh = file_name(mesh->Uri());
+        if (visual.HasLaserRetro()) out.laser_retro = visual.LaserRetro();
+        out.terrain = visual.Geom()->HeightmapShape() != nullptr;
+        for (const sdf::ElementPtr& element : {visual.Element(), link.Element(), model.Element()})
+            if (out.property.empty() && element && element->HasElement("surface_props:material"))
+                out.property = element->Get<std::string>("surface_props:material");
+        return out;
+    }
+
+    void add_visual(const sdf::Model& model, const sdf::Link& link, const sdf::Visual& visual,
+                    const std::string& model_name, std::size_t above) {
+        if (!visual.Geom() || visual.Geom()->Type() == sdf::GeometryType::EMPTY) return;
+        const std::string name = model_name + "::" + link.Name() + "::" + visual.Name();
+        stage_.set(printable(name, 500));
+        Clues clues = clues_of(model, model_name, link, visual);
+        const std::string water = sign_of_water(clues);
+        if (!water.empty() && !is_asked_for(choices_.keep, model_name) && !rule_for(clues, choices_.rules)) {
+            report_.left_out.push_back(printable(name) + ": water, by " + water + " (guessed)");
+            return;
+        }
+        const std::string key = Shapes::key(*visual.Geom());
+        if (const auto* mesh = visual.Geom()->MeshShape()) stage_.set(printable(mesh->Uri(), 1000));
+        try {
+            const Shape& shape = shapes_.get(*visual.Geom(), key);
+            const auto mesh = mesh_of(key, shape, clues);
+            if (!mesh) {
+                report_.left_out.push_back(printable(name) + ": a rule says so");
+                return;
+            }
+            const std::size_t node = add_node(name, resolved(visual.SemanticPose(), name), above);
+            world_.nodes[node].mesh = mesh;
+        } catch (const Fault& fault) {
+            if (!choices_.allow_missing) throw;
+            report_.left_out.push_back(printable(name) + ": " + fault.what());
+        }
+    }
+
+    /// The mesh of a shape with the materials that its clues give it; nothing where rules leave all of it
+    /// out.
+    std::optional<std::size_t> mesh_of(std::string key, const Shape& shape, Clues& clues) {
+        std::vector<std::pair<const ShapeSurface*, std::size_t>> parts;
+        std::set<std::string> counted;
+        for (const ShapeSurface& surface : shape) {
+            clues.surface = surface.material;
+            Choice choice = choose_material(clues, choices_.rules);
+            if (choice.leave_out) continue;
+            const std::string label = choice.material.name;
+            choice.material.double_sided = surface.double_sided;
+            if (surface.double_sided) choice.material.name += " two-sided";
+            parts.emplace_back(&surface, material_index(choice.material));
+            key += " " + std::to_string(parts.back().second);
+            report_.add({clues.model, label, choice.from, choice.guessed, parts.size() == 1 ? 1U : 0U,
+                         surface.indices.size() / 3});
+        }
+        if (parts.empty()) return std::nullopt;
+        if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
+        Mesh mesh{clues.mesh.empty() ? clues.visual : clues.mesh};
+        for (const auto& [surface, material] : parts)
+            mesh.surfaces.push_back({surface->positions, surface->indices, material});
+        world_.meshes.push_back(std::move(mesh));
+        return meshes_[key] = world_.meshes.size() - 1;
+    }
+
+    std::size_t material_index(const Material& material) {
+        const auto known = std::ranges::find(world_.materials, material);
+        if (known != world_.materials.end())
+            return static_cast<std::size_t>(known - world_.materials.begin());
+        world_.materials.push_back(material);
+        return world_.materials.size() - 1;
+    }
+
+    const Sources& sources_;
+    SdfChoices& choices_;
+    World& world_;
+    Report& report_;
+    Stage& stage_;
+    Shapes shapes_;
+    std::map<std::string, std::size_t> meshes_, links_;
+    std::vector<std::string> seen_;
+};
+
+}  // namespace
+
+void add_sdf(const Sources& sources, const ModelPaths& paths, SdfChoices& choices, World& world,
+             Report& report, Stage& stage) {
+    report.left_out.insert(report.left_out.end(), sources.left_out.begin(), sources.left_out.end());
+    report.notes.insert(report.notes.end(), sources.notes.begin(), sources.notes.end());
+    Converter(sources, paths, choices, world, report, stage).convert();
+}
+
+}  // namespace echoloop::worlds

@@ -1,0 +1,26 @@
+// Makes a world of what libsdformat reads: models, links, joints and visuals become nodes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/import/guard.h"
+#include "tools/import/material_rules.h"
+#include "tools/import/model_paths.h"
+#include "tools/import/report.h"
+#include "tools/import/sources.h"
+#include "tools/import/world.h"
+
+namespace echoloop::worlds {
+
+struct SdfChoices {
+    std::vector<std::string> without{}, keep{};  ///< names of models
+    std::vector<MaterialRule> rules{};
+    bool allow_missing = false;
+};
+
+/// Reads the copy. Nodes are named model, model::link, model::joint and model::link::visual. Throws Fault.
+void add_sdf(const Sources& sources, const ModelPaths& paths, SdfChoices& choices, World& world,
+             Report& report, Stage& stage);
+
+}  // namespace echoloop::worlds

@@ -1,0 +1,327 @@
+#include "tools/view/server.h"
+
+#include <sys/resource.h>
+
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+#include <list>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "emulator/clock/asio.h"
+#include "emulator/contract/error.h"
+#include "emulator/run/token.h"
+#include "emulator/transport/address.h"
+#include "tools/view/page.h"
+
+namespace echoloop::view {
+namespace {
+
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using Tcp = asio::ip::tcp;
+using Request = http::request<http::empty_body>;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_viewers = 32, longest_header = 8192, longest_line = 4096;
+constexpr std::chrono::seconds patience(10);            // for a request
+constexpr std::chrono::milliseconds between_news(100);  // at most ten pictures a second
+constexpr int ticks_between_status = 5;
+constexpr std::string_view protocol = "echoloop.view";
+
+std::string text_of(beast::string_view text) { return {text.data(), text.size()}; }
+
+/// A page must not be shown in another's frame, load anything from elsewhere or be read by another page.
+template <class Body>
+void secure(http::response<Body>& answer) {
+    answer.set(http::field::server, "echoloop");
+    answer.set(http::field::cache_control, "no-store");
+    answer.set("Content-Security-Policy",
+               "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' "
+               "data: blob:; "
+               "base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
+    answer.set("X-Content-Type-Options", "nosniff");
+    answer.set("Referrer-Policy", "no-referrer");
+    answer.set("Cross-Origin-Resource-Policy", "same-origin");
+}
+
+struct News {
+    bool binary = false;
+    std::string bytes;
+};
+using Batch = std::vector<std::shared_ptr<const News>>;
+
+std::shared_ptr<const News> text_news(std::string text) {
+    return std::make_shared<const News>(News{false, std::move(text)});
+}
+
+/// Below all ordinary programs: what a driver waits for goes first.
+void give_way() {
+    constexpr int nice = 10;
+    ::setpriority(PRIO_PROCESS, 0, nice);  // of this thread alone, as Linux has it
+}
+
+}  // namespace
+
+class Server::Impl {
+  public:
+    Impl(Feed& feed, ServerOptions options)
+        : feed_(feed),
+          options_(std::move(options)),
+          token_(random_token()),
+          acceptor_(io_),
+          ticker_(options_.families),
+          tick_(io_) {
+        error_code ec;
+        acceptor_.open(Tcp::v4());
+        acceptor_.set_option(asio::socket_base::reuse_address(true));
+        acceptor_.bind(to_endpoint<Tcp::endpoint>(options_.address), ec);
+        if (!ec) acceptor_.listen(asio::socket_base::max_listen_connections, ec);
+        if (ec)
+            throw StartError(Exit::unavailable, "--view: " + to_text(options_.address) + ": " + ec.message() +
+                                                    "; name another port, or 0 for any");
+        place_ = to_address(acceptor_.local_endpoint());
+        asio::co_spawn(io_, accept(), Serving("view"));
+        asio::co_spawn(io_, tell_news(), Serving("view"));
+        thread_ = std::thread([this] {
+            give_way();
+            io_.run();
+        });
+    }
+
+    ~Impl() {
+        io_.stop();
+        thread_.join();
+        feed_.look(0);
+    }
+
+    std::string link() const { return "http://" + to_text(place_) + "/#" + token_; }
+
+  private:
+    struct Viewer {
+        explicit Viewer(beast::tcp_stream&& stream) : socket(std::move(stream)) {}
+        websocket::stream<beast::tcp_stream> socket;
+        Batch waiting;  ///< what is being sent, or is to be sent next
+        bool writing = false;
+        bool closed = false;
+    };
+
+    Task<void> accept() {
+        error_code ec;
+        while (true) {
+            Tcp::socket socket = co_await acceptor_.async_accept(into(ec));
+            if (ec) {
+                asio::steady_timer breath(io_, between_news);
+                co_await breath.async_wait(into(ec));
+            } else if (connections_ < most_viewers) {
+                asio::co_spawn(io_, serve(beast::tcp_stream(std::move(socket))), Serving("view"));
+            }
+        }
+    }
+
+    /// A page of another site makes a browser ask with that site's name, or with its own for this machine.
+    bool is_for_us(const Request& request) const {
+        const auto host = request[http::field::host];
+        const std::string port = ":" + std::to_string(place_.port);
+        return host == to_text(place_) || (is_loopback(place_.ip) && host == "localhost" + port);
+    }
+    static bool is_from_here(const Request& request) {
+        const auto origin = request[http::field::origin];
+        return origin.empty() || origin == "http://" + text_of(request[http::field::host]);
+    }
+
+    Task<void> serve(beast::tcp_stream stream) {
+        const Counted counted(connections_);
+        beast::flat_buffer buffer;
+        error_code ec;
+        while (true) {
+            http::request_parser<http::empty_body> parser;
+            parser.header_limit(longest_header);
+            parser.body_limit(0);
+            stream.expires_after(patience);
+            co_await http::async_read(stream, buffer, parser, into(ec));
+            if (ec) co_return;
+            const Request request = parser.release();
+            if (websocket::is_upgrade(request) && request.target() == "/news" && is_for_us(request) &&
+                is_from_here(request) && knows_token(text_of(request[http::field::sec_websocket_protocol]))) {
+                stream.expires_never();
+                co_return co_await show(std::make_shared<Viewer>(std::move(stream)), request);
+            }
+            auto answer = answer_to(request);
+            answer.keep_alive(request.keep_alive());
+            answer.prepare_payload();
+            co_await http::async_write(stream, answer, into(ec));
+            if (ec || !answer.keep_alive()) break;
+        }
+        stream.socket().shutdown(Tcp::socket::shutdown_both, ec);
+    }
+
+    /// "echoloop.view, TOKEN": a browser can say it nowhere else.
+    bool knows_token(std::string_view offered) const {
+        return offered == std::string(protocol) + ", " + token_;
+    }
+
+    http::response<http::string_body> answer_to(const Request& request) const {
+        http::response<http::string_body> answer{http::status::ok, request.version()};
+        secure(answer);
+        const auto refuse = [&](http::status status, std::string_view reason) {
+            answer.result(status);
+            answer.set(http::field::content_type, "text/plain; charset=utf-8");
+            answer.body() = std::string(reason) + "\n";
+        };
+        if (!is_for_us(request)) {
+            refuse(http::status::misdirected_request,
+                   "Host: this page is at " + link().substr(0, link().find('#')));
+        } else if (!is_from_here(request)) {
+            refuse(http::status::forbidden, "Origin: another page may not ask");
+        } else if (request.method() != http::verb::get) {
+            refuse(http::status::method_not_allowed, "only GET is answered");
+        } else if (const PagePart* part = find_page_part(text_of(request.target()))) {
+            answer.set(http::field::content_type, std::string(part->type));
+            answer.body() = part->text;
+        } else if (request.target() == "/scene") {
+            if (request[http::field::authorization] != "Bearer " + token_)
+                refuse(http::status::unauthorized, "open the link that the run printed; its end is a token");
+            else {
+                answer.set(http::field::content_type, "application/octet-stream");
+                answer.body() = options_.scene;
+            }
+        } else if (request.target() == "/news") {
+            refuse(http::status::unauthorized, "open the link that the run printed; its end is a token");
+        } else {
+            refuse(http::status::not_found, "there is only the page itself");
+        }
+        return answer;
+    }
+
+    Task<void> show(std::shared_ptr<Viewer> viewer, const Request& request) {
+        error_code ec;
+        auto& socket = viewer->socket;
+        socket.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+        socket.set_option(websocket::stream_base::decorator([](websocket::response_type& answer) {
+            secure(answer);
+            answer.set(http::field::sec_websocket_protocol, std::string(protocol));
+        }));
+        socket.read_message_max(longest_line);
+        co_await socket.async_accept(request, into(ec));
+        if (ec) co_return;
+        viewers_.push_back(viewer);
+        feed_.look(viewers_.size());
+        offer(viewer, text_news(options_.hello));
+        beast::flat_buffer buffer;
+        while (!ec) {
+            buffer.clear();
+            co_await socket.async_read(buffer, into(ec));
+            if (!ec) hear(viewer, beast::buffers_to_string(buffer.data()));
+        }
+        viewer->closed = true;
+        viewers_.remove(viewer);
+        feed_.look(viewers_.size());
+    }
+
+    /// {"ask": {"fault": ...}, "id": 3}: what a client of the control place says, and a number for the
+    /// answer.
+    void hear(const std::shared_ptr<Viewer>& viewer, const std::string& text) {
+        const Json said = Json::parse(text, nullptr, false);
+        if (!said.is_object() || !said.contains("ask") || !said["ask"].is_object()) return;
+        const Json id = said.value("id", Json(nullptr));
+        if (!options_.control) {
+            const Json refused{
+                {"type", "answer"},
+                {"id", id},
+                {"answer",
+                 {{"ok", false},
+                  {"error",
+                   "this page only shows; start the run with --view-control to let it ask for faults"}}}};
+            return offer(viewer, text_news(refused.dump()));
+        }
+        options_.ask(said["ask"].dump(), [this, id, who = std::weak_ptr(viewer)](const std::string& answer) {
+            asio::post(io_, [this, id, who, answer] {
+                const auto there = who.lock();
+                if (!there) return;
+                const Json told{
+                    {"type", "answer"}, {"id", id}, {"answer", Json::parse(answer, nullptr, false)}};
+                offer(there, text_news(told.dump()));
+            });
+        });
+    }
+
+    Task<void> tell_news() {
+        error_code ec;
+        for (int ticks = 0;; ++ticks) {
+            tick_.expires_after(between_news);
+            co_await tick_.async_wait(into(ec));
+            if (ec) co_return;
+            if (viewers_.empty()) continue;
+            Feed::News news = feed_.take();
+            for (const auto& ping : news.pings)
+                tell(std::make_shared<const News>(News{true, view::message_of(*ping)}));
+            if (const auto text = ticker_.message_of(news.passed, news.bytes_left_out); !text.empty())
+                tell(text_news(text));
+            if (ticks % ticks_between_status == 0) ask_status();
+        }
+    }
+
+    void ask_status() {
+        options_.ask(R"({"status": true})", [this](const std::string& answer) {
+            asio::post(
+                io_, [this, answer] { tell(text_news(R"({"type": "status", "status": )" + answer + "}")); });
+        });
+    }
+
+    void tell(const std::shared_ptr<const News>& news) {
+        for (const auto& viewer : viewers_) offer(viewer, news);
+    }
+
+    /// Dropped where the viewer has not even read what it was sent before.
+    void offer(const std::shared_ptr<Viewer>& viewer, const std::shared_ptr<const News>& news) {
+        constexpr std::size_t most_waiting = 256;
+        if (viewer->closed || viewer->waiting.size() >= most_waiting) return;
+        viewer->waiting.push_back(news);
+        if (!std::exchange(viewer->writing, true)) asio::co_spawn(io_, write(viewer), Serving("view"));
+    }
+
+    Task<void> write(std::shared_ptr<Viewer> viewer) {
+        error_code ec;
+        while (!viewer->waiting.empty() && !viewer->closed && !ec)
+            for (const auto& news : std::exchange(viewer->waiting, {})) {
+                viewer->socket.binary(news->binary);
+                co_await viewer->socket.async_write(asio::buffer(news->bytes), into(ec));
+                if (ec || viewer->closed) break;
+            }
+        viewer->writing = false;
+    }
+
+    /// A connection that is open.
+    struct Counted {
+        explicit Counted(std::size_t& all) : count(all) { ++count; }
+        ~Counted() { --count; }
+        Counted(const Counted&) = delete;
+        Counted& operator=(const Counted&) = delete;
+        std::size_t& count;
+    };
+
+    Feed& feed_;
+    ServerOptions options_;
+    std::string token_;
+    std::size_t connections_ = 0;
+    asio::io_context io_;  // its coroutines, which it ends last, refer to what is above
+    std::list<std::shared_ptr<Viewer>> viewers_;
+    Tcp::acceptor acceptor_;
+    Address place_;
+    Ticker ticker_;
+    asio::steady_timer tick_;
+    std::thread thread_;
+};
+
+Server::Server(Feed& feed, ServerOptions options) : impl_(std::make_unique<Impl>(feed, std::move(options))) {}
+Server::~Server() = default;
+std::string Server::link() const { return impl_->link(); }
+
+}  // namespace echoloop::view
