@@ -269,6 +269,7 @@ class Renderer::Impl {
             .depth = surface ? surface->height - z : water_.depth,
             .surface_number = static_cast<float>(strength_.size()),
             .scattering = water_.scattering,
+            .near = near_ranges(shot, c / shot.frequency),
             .rays = rays_.get()};
         if (surface) around.surface = surface->height - z;
         heard.water.emplace(around, c / 2 * shot.first_bin_time, c / 2 * shot.bin_interval, shot.bins);

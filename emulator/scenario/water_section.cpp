@@ -45,11 +45,12 @@ struct Turbidity {
     std::string_view word;
     double strength;  ///< Sv, dB re 1 m^-1
 };
+constexpr double pure = -95, clear = -75;
 /// Middles of the ranges for 0.3 to 1 MHz, of the order of Medwin & Clay, Fundamentals of Acoustical
 /// Oceanography (1998), and Wiebe et al. (1997); that it is the middle is an own choice. Pure is as much as
 /// the zeros between echoes leave that an Imagenex 852 recorded in a lake.
 constexpr std::array<Turbidity, 4> turbidities{
-    {{"pure", -95}, {"clear", -75}, {"coastal", -62}, {"turbid", -48}}};
+    {{"pure", pure}, {"clear", clear}, {"coastal", -62}, {"turbid", -48}}};
 constexpr Range strengths{-150, 0, "dB"};
 constexpr const char* scattering_example =
     "expected pure, clear, coastal, turbid or none, or dB, as in -70, or a list of depths in m and dB, as in "
@@ -78,12 +79,14 @@ std::vector<ScatteringPoint> read_layers(const Value& value, const std::string& 
     return points;
 }
 
-/// Nothing, where the file says nothing: right before an array the volume is too loud yet for bottom
-/// detection.
-std::vector<ScatteringPoint> read_scattering(const Section& section, Problems& problems) {
+/// g/kg; below is fresh water (Venice system, 1958).
+constexpr double least_salt = 0.5;
+
+/// Where the file says nothing, fresh water is that of a tank or a lake and pure, and the sea is clear.
+std::vector<ScatteringPoint> read_scattering(const Section& section, double salinity, Problems& problems) {
     const Value* value = section.get("scattering");
     const std::string path = section.path_of("scattering");
-    if (value == nullptr) return {};
+    if (value == nullptr) return {{0, salinity < least_salt ? pure : clear}};
     if (value->is_sequence()) return read_layers(*value, path, problems);
     if (value->is_scalar() && !value->quoted) {
         if (value->text == "none") return {};
@@ -112,7 +115,7 @@ Water read_water(const Section& section, double vehicle_z, double surface_height
         water.sound_speed = section.number("sound_speed", 1500, speeds);
     if (const Value* profile = section.get("profile"))
         water.profile = read_profile(*profile, section.path_of("profile"), problems);
-    water.scattering = read_scattering(section, problems);
+    water.scattering = read_scattering(section, water.salinity, problems);
     return water;
 }
 

@@ -33,6 +33,14 @@ void add_floating(const std::array<float, 3> level, float half, float per_step, 
     }
 }
 
+/// Of one axis.
+double near_range(const AxisPattern& pattern, double width, double wavelength) {
+    constexpr double one_way = 1 / 0.72;  // width over that of both ways, of a line
+    if (pattern.ways == 2) return 0.52 * wavelength / (width * one_way * width * one_way);
+    const double length = pattern.shape == ApertureShape::hamming ? 1.30 : 0.886;  // widths of 1 / length
+    return length * wavelength / width / 2;
+}
+
 /// The step in which each direction ends, and how much of its weight is under way in that step and up to it.
 ECHOLOOP_SIMD
 void find_steps(const StepScale scale, const float* __restrict range, const float* __restrict surface,
@@ -48,6 +56,11 @@ void find_steps(const StepScale scale, const float* __restrict range, const floa
 }
 
 }  // namespace
+
+std::array<double, 2> near_ranges(const Shot& shot, double wavelength) {
+    return {near_range(shot.horizontal, shot.beam_width, wavelength),
+            near_range(shot.vertical, shot.fan_height, wavelength)};
+}
 
 RangeSteps RangeSteps::of(std::size_t bins) {
     const std::size_t each = (bins + usual - 1) / usual;
@@ -78,6 +91,13 @@ Reverberation::Reverberation(const WaterAround& around, double first_range, doub
             strengths_.push_back(static_cast<float>(
                 points.empty() ? 0 : focus * bin_length * scattering_at(points, around.depth - height)));
         }
+    nearness_.resize(bins);
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+        const double range =
+            std::max(first_range + static_cast<double>(bin) * bin_length, 0.0) + bin_length / 2;
+        nearness_[bin] = static_cast<float>(range / std::hypot(range, around.near[0]) * range /
+                                            std::hypot(range, around.near[1]));
+    }
 }
 
 std::size_t Reverberation::cell_near(double sine) const {
@@ -164,13 +184,17 @@ void UnderWay::scatter_row(std::size_t number, const float* strength, float* ste
     std::fill_n(row, row_, 0.0F);
 }
 
-void finish_reverberation(const RangeSteps& steps, std::size_t bins, const std::vector<float>& gain,
+void finish_reverberation(const Reverberation& water, const std::vector<float>& gain,
                           const std::vector<float>& rows, std::vector<float>& values,
                           std::vector<float>& fresh) {
-    const std::size_t stride = bins + 2 * steps.count, beams = rows.size() / stride;
+    const RangeSteps& steps = water.steps();
+    const std::size_t bins = water.nearness().size(), stride = bins + 2 * steps.count,
+                      beams = rows.size() / stride;
     const auto per_step = 1 / static_cast<float>(steps.bins);
     fresh.resize(beams * steps.count), values.resize(beams * bins);
-    static thread_local std::vector<float> volume;
+    static thread_local std::vector<float> volume, volume_gain;
+    volume_gain.resize(bins);
+    for (std::size_t i = 0; i < bins; ++i) volume_gain[i] = gain[i] * water.nearness()[i];
     for (std::size_t beam = 0; beam < beams; ++beam) {
         const float* from = &rows[beam * stride];
         float* to = &values[beam * bins];
@@ -181,7 +205,7 @@ void finish_reverberation(const RangeSteps& steps, std::size_t bins, const std::
         volume.front() = volume[1], volume.back() = volume[steps.count];
         for (std::size_t k = 0; k < steps.count; ++k) {
             const std::size_t middle = std::min(k * steps.bins + steps.bins / 2, bins - 1);
-            own[k] = (floating[k] + surface[k] * per_step) * gain[middle];
+            own[k] = floating[k] * volume_gain[middle] + surface[k] * per_step * gain[middle];
         }
         // Linear from the middle of a step to that of the next.
         for (std::size_t k = 0; k < steps.count; ++k) {
@@ -189,7 +213,7 @@ void finish_reverberation(const RangeSteps& steps, std::size_t bins, const std::
             const float first = 0.5F * (v[0] + v[1]), last = 0.5F * (v[1] + v[2]);
             const std::size_t begin = k * steps.bins;
             add_floating({first, v[1], last}, half, per_step, std::min(steps.bins, bins - begin),
-                         from + begin, &gain[begin], to + begin);
+                         from + begin, &volume_gain[begin], to + begin);
         }
     }
 }

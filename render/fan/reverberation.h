@@ -2,11 +2,13 @@
 // weight is under way until it meets something; no directions are added to those of the picture.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "render/echogram.h"
 #include "render/fan/pixel_rows.h"
 #include "render/pose.h"
 #include "render/ray_table.h"
@@ -23,6 +25,14 @@ struct RangeSteps {
     static RangeSteps of(std::size_t bins);
 };
 
+/// Ranges within which a beam is not formed yet, m, across its width and its height. Farther away the volume
+/// that it hears grows with range; nearer it stays as large as the array. An aperture that sends and receives
+/// hears the square of its own near field, which is as even as its face: 2/3 L^2 / wavelength for a line (own
+/// derivation; 0.68 of a piston's area over the wavelength; Fresnel's integral agrees to 0.6 dB for lines and
+/// Hamming). Where only one way is directive, all that it sends stays under way however near: half of the
+/// array's length, since no stave is nearer than that to what all of it sees.
+std::array<double, 2> near_ranges(const Shot& shot, double wavelength);
+
 /// Where the array is, and what is around it.
 struct WaterAround {
     Vec3 up;                                                   ///< of the world, in the fan's frame
@@ -30,6 +40,7 @@ struct WaterAround {
     double surface = std::numeric_limits<double>::infinity();  ///< m, of the surface above; infinite: none
     float surface_number = 0;                                  ///< as Pixel::surface: what it scatters
     std::span<const ScatteringPoint> scattering{};
+    std::array<double, 2> near{};    ///< see near_ranges()
     const RayTable* rays = nullptr;  ///< null: they are straight
 };
 
@@ -70,6 +81,8 @@ class Reverberation {
         float upright_, per_y_, square_;
     };
     Rise rise(const View& view, double x) const;
+    /// Of each bin: the volume's power over what a beam formed at once would hear, 0..1.
+    const std::vector<float>& nearness() const { return nearness_; }
     /// Steps from the window's beginning to a range in m.
     float place(float range) const { return range * scale_.per_metre - scale_.start; }
     StepScale scale() const { return scale_; }
@@ -80,7 +93,7 @@ class Reverberation {
     StepScale scale_{};
     double end_;  ///< m
     std::size_t cells_ = 1;
-    std::vector<float> strengths_;
+    std::vector<float> strengths_, nearness_;
 };
 
 /// Weight of directions that is still under way, by range.
@@ -131,7 +144,7 @@ class UnderWay {
 /// Takes apart what was summed in rows of bins and, behind them, steps of volume and of surface echo:
 /// `values` become the bins with the volume's echo, and `fresh` what is new at every ping, as the mean power
 /// of a bin in each step. `gain`: of the bins; the steps have none yet.
-void finish_reverberation(const RangeSteps& steps, std::size_t bins, const std::vector<float>& gain,
+void finish_reverberation(const Reverberation& water, const std::vector<float>& gain,
                           const std::vector<float>& rows, std::vector<float>& values,
                           std::vector<float>& fresh);
 

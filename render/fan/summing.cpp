@@ -63,7 +63,7 @@ class FanSumming final : public Summing {
             if (in.water == nullptr) return beams_.sum(in, sums_, gain.values(), workers_, values);
             const RangeSteps& steps = in.water->steps();
             beams_.sum(in, sums_, with_steps(gain.values(), steps), workers_, rows_);
-            finish_reverberation(steps, in.bins, gain.values(), rows_, values, fresh);
+            finish_reverberation(*in.water, gain.values(), rows_, values, fresh);
             return;
         }
         add_levels(in, gain, Amount::paper_share);

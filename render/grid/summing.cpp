@@ -53,7 +53,7 @@ class GridSumming final : public Summing {
         const BinGain gain(in);
         if (in.water == nullptr) return sum_rows_of(in, gain, plan, gain.values(), values);
         sum_rows_of(in, gain, plan, with_steps(gain.values(), in.water->steps()), rows_);
-        finish_reverberation(in.water->steps(), in.bins, gain.values(), rows_, values, fresh);
+        finish_reverberation(*in.water, gain.values(), rows_, values, fresh);
     }
 
     WantedPower sum_wanted(const BinningInput& in, std::span<const std::size_t> lines) override {

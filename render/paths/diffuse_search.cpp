@@ -17,6 +17,13 @@ struct Lengths {
     double ray, other;  ///< m, the way of a cell's ray and the other one
 };
 
+/// What the ray of a cell meets.
+struct Seen {
+    Vec3 direction;
+    std::optional<Encounter> first, mirrored;  ///< and behind that as its mirror
+    Vec3 onward;                               ///< from the first, where that mirrors
+};
+
 /// At the lower and the upper edge of a cell: between them lies what the cell's echo covers.
 using Stretch = std::array<Lengths, 2>;
 
@@ -55,7 +62,8 @@ class DiffuseSearch {
   public:
     DiffuseSearch(const PathPing& ping, std::vector<PathEcho>& out, std::vector<Corner>& corners)
         : ping_(ping),
-          cells_(ping.shot, ping.pattern.half_width(), ping.pattern.half_height()),
+          cells_(ping.shot, ping.pattern.half_width(), ping.pattern.half_height(),
+                 ping.pattern.across() ? &*ping.pattern.across() : nullptr),
           rows_(ping.shot.rows() > 1),
           out_(out),
           corners_(ping, corners) {
@@ -65,35 +73,59 @@ class DiffuseSearch {
     }
 
     void run() {
-        for (const LobeCell& cell : cells_.cells()) {
-            const Vec3 direction = rotate(ping_.world_from_fan, fan_direction(cell.bearing, cell.elevation));
-            const auto first = ping_.space.meet(ping_.sonar, direction, 2 * ping_.end_range);
-            if (!first) continue;
-            if (std::abs(first->reflection * first->flatness) > weakest_reflection)
-                follow_mirror(cell, direction, *first);
-            if (first->mu > 0) return_by_surface(cell, direction, *first);
+        const auto& cells = cells_.cells();
+        for (const LobeCell& cell : cells) seen_.push_back(look(cell));
+        for (own_ = 0; own_ < cells.size(); ++own_) {
+            const Seen& seen = seen_[own_];
+            if (!seen.first) continue;
+            if (seen.mirrored) follow_mirror(cells[own_], seen);
+            if (seen.first->mu > 0) return_by_surface(cells[own_], seen.direction, *seen.first);
         }
     }
 
   private:
+    Seen look(const LobeCell& cell) const {
+        Seen seen{rotate(ping_.world_from_fan, fan_direction(cell.bearing, cell.elevation)), {}, {}, {}};
+        seen.first = ping_.space.meet(ping_.sonar, seen.direction, 2 * ping_.end_range);
+        if (!seen.first || !(std::abs(seen.first->reflection * seen.first->flatness) > weakest_reflection))
+            return seen;
+        const Encounter& mirror = *seen.first;
+        seen.onward = seen.direction - 2 * dot(seen.direction, mirror.normal) * mirror.normal;
+        seen.mirrored = ping_.space.meet(mirror.point, seen.onward, 2 * ping_.end_range - mirror.range);
+        return seen;
+    }
+
     /// Mirror first, scatterer second.
-    void follow_mirror(const LobeCell& cell, Vec3 direction, const Encounter& mirror) {
-        const Vec3 onward = direction - 2 * dot(direction, mirror.normal) * mirror.normal;
-        const auto met = ping_.space.meet(mirror.point, onward, 2 * ping_.end_range - mirror.range);
-        if (!met) return;
-        corners_.note(mirror, *met, onward);
-        if (met->mu == 0) return;
-        const double line = mirror.range + met->range;
-        const double length = ping_.rays == nullptr ? line
-                                                    : ping_.leg(ping_.sonar, mirror.point) +
-                                                          ping_.leg(mirror.point, met->point);
-        const Way way{ping_.seen(direction), length, mirror.reflection * mirror.flatness,
-                      -dot(onward, met->normal), 1};
-        const auto stretch =
-            stretch_of(cell, Tangent(ping_, *met, mirror.point, mirror.normal, true), line, length / line);
-        add_same(cell, way, way, *met, stretch);
-        const auto other = facing(direct_way(ping_, met->point), *met, ping_.sonar);
-        if (other) add_pair(cell, way, *other, *met, stretch);
+    void follow_mirror(const LobeCell& cell, const Seen& seen) {
+        const Encounter &mirror = *seen.first, &met = *seen.mirrored;
+        corners_.note(mirror, met, seen.onward);
+        if (met.mu == 0) return;
+        const double line = mirror.range + met.range;
+        const double length = ping_.rays == nullptr
+                                  ? line
+                                  : ping_.leg(ping_.sonar, mirror.point) + ping_.leg(mirror.point, met.point);
+        const Way way{ping_.seen(seen.direction), length, mirror.reflection * mirror.flatness,
+                      -dot(seen.onward, met.normal), 1};
+        const auto stretch = stretch_of(cell, Tangent(ping_, met, mirror.point, mirror.normal, true),
+                                        {line, norm(met.point - ping_.sonar)}, length / line,
+                                        [&](const Seen& beside) { return behind_same(mirror, met, beside); });
+        add_same(cell, way, way, met, stretch);
+        const auto other = facing(direct_way(ping_, met.point), met, ping_.sonar);
+        if (other) add_pair(cell, way, *other, met, stretch);
+    }
+
+    static bool same_plane(const Encounter& a, const Encounter& b) {
+        constexpr double even = 0.999, near = 0.02;  // cosine, of 2.6 deg; m
+        return dot(a.normal, b.normal) > even && std::abs(dot(a.point - b.point, a.normal)) < near;
+    }
+
+    /// What a ray beside it by way of the same mirror meets on another plane, which ends the own one.
+    std::optional<Lengths> behind_same(const Encounter& mirror, const Encounter& met,
+                                       const Seen& beside) const {
+        if (!beside.mirrored || !same_plane(mirror, *beside.first) || same_plane(met, *beside.mirrored))
+            return {};
+        return Lengths{beside.first->range + beside.mirrored->range,
+                       norm(beside.mirrored->point - ping_.sonar)};
     }
 
     /// Scatterer first, and the way by the surface leaves outside the cells, so that no ray finds it.
@@ -112,7 +144,12 @@ class DiffuseSearch {
         const double length = ping_.rays == nullptr ? met.range : ping_.leg(ping_.sonar, met.point);
         const Way way{here, length, 1, -dot(direction, met.normal), 0};
         const auto stretch =
-            stretch_of(cell, Tangent(ping_, met, on, down, false), met.range, length / met.range);
+            stretch_of(cell, Tangent(ping_, met, on, down, false), {met.range, norm(met.point - image)},
+                       length / met.range, [&](const Seen& beside) -> std::optional<Lengths> {
+                           if (!beside.first || beside.first->mu == 0 || same_plane(met, *beside.first))
+                               return {};
+                           return Lengths{beside.first->range, norm(beside.first->point - image)};
+                       });
         add_pair(cell, way, *other, met, stretch);
         add_same(cell, way, *other, met, stretch);
     }
@@ -142,14 +179,27 @@ class DiffuseSearch {
         });
     }
 
-    /// `slowness`: of c t over straight lengths.
-    Stretch stretch_of(const LobeCell& cell, const Tangent& tangent, double near, double slowness) const {
-        const auto edge = [&](double elevation) {
-            const Lengths straight =
-                tangent.at(rotate(ping_.world_from_fan, fan_direction(cell.bearing, elevation)), near);
+    /// `slowness`: of c t over straight lengths. `ends_at`: what a ray beside it meets that ends the own
+    /// plane, which reaches no farther.
+    template <typename EndsAt>
+    Stretch stretch_of(const LobeCell& cell, const Tangent& tangent, const Lengths& own, double slowness,
+                       EndsAt&& ends_at) const {
+        const auto edge = [&](double elevation, std::size_t beside, bool is_beside) {
+            Lengths straight =
+                tangent.at(rotate(ping_.world_from_fan, fan_direction(cell.bearing, elevation)), own.ray);
+            const auto end = is_beside ? ends_at(seen_[beside]) : std::nullopt;
+            if (end) {
+                const auto between = [](double value, double a, double b) {
+                    return std::clamp(value, std::min(a, b), std::max(a, b));
+                };
+                straight = {between(straight.ray, own.ray, end->ray),
+                            between(straight.other, own.other, end->other)};
+            }
             return Lengths{slowness * straight.ray, slowness * straight.other};
         };
-        return {edge(cell.low), edge(cell.high)};
+        const auto& cells = cells_.cells();
+        return {edge(cell.low, own_ - 1, own_ > 0 && cells[own_ - 1].high == cell.low),
+                edge(cell.high, own_ + 1, own_ + 1 < cells.size() && cells[own_ + 1].low == cell.high)};
     }
 
     static double area(const LobeCell& cell, const Way& way) {
@@ -194,6 +244,8 @@ class DiffuseSearch {
 
     const PathPing& ping_;
     LobeCells cells_;
+    std::vector<Seen> seen_;  ///< one a cell
+    std::size_t own_ = 0;     ///< the cell that is looked at
     bool rows_;
     std::vector<PathEcho>& out_;
     CornerList corners_;

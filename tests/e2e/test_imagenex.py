@@ -28,7 +28,7 @@ devices:
 """
 FLOOR = """
 scene: {scenes}/flat.glb
-water: {temperature: 10, salinity: 35, ph: 8, sound_speed: %g}
+water: {temperature: 10, salinity: 35, ph: 8, sound_speed: %g, scattering: pure}     # as the lake of the recordings
 vehicle: {pose: {position: [0, 0, %g]}}
 devices:
   - name: sounder

@@ -100,7 +100,7 @@ class Imagenex852(Case):
     """hydroball.852: 177 shots over 50 m, 12 dB, 0.2 dB/m, 4 us; a bottom at 7.4 to 9.4 m."""
 
     def shots(self, count, surface="none"):
-        emulator = self.start("scene: bottom.gltf\nseed: 1\nwater: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500, surface: " + surface + "}\nvehicle: {trajectory: boat.csv}\ndevices:\n"
+        emulator = self.start("scene: bottom.gltf\nseed: 1\nwater: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500, scattering: pure, surface: " + surface + "}\nvehicle: {trajectory: boat.csv}\ndevices:\n"
                               "  - {name: s, model: imagenex-852, mount: {rpy_deg: [0, 90, 0]}, endpoints: ['pty:{folder}/line']}\n",
                               {"boat.csv": boat(), "bottom.gltf": rough_bottom({"material": "rock"})})
         line = open_line(str(emulator.folder / "line"))

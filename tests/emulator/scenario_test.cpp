@@ -20,7 +20,7 @@ TEST(Scenario, leaves_every_optional_key_at_its_default) {
     const auto scenario = parse(smallest);
     EXPECT_EQ(scenario.scene, "s.glb");
     EXPECT_EQ(scenario.seed, 1);
-    EXPECT_EQ(scenario.water, Water{});
+    EXPECT_EQ(scenario.water, (Water{10, 35, 8, 0, {}, {}, {{0, -75}}}));
     EXPECT_EQ(scenario.world_from_body, Pose{});
     EXPECT_EQ(scenario.clock, ClockMode::real);
     EXPECT_EQ(scenario.render.rule, EchoRule::radiometric);
@@ -40,7 +40,7 @@ TEST(Scenario, leaves_every_optional_key_at_its_default) {
 TEST(Scenario, reads_every_key) {
     const auto scenario = parse(complete);
     EXPECT_EQ(scenario.seed, 18446744073709551615ULL);
-    EXPECT_EQ(scenario.water, (Water{4.5, 0, 7, 12, 1480}));
+    EXPECT_EQ(scenario.water, (Water{4.5, 0, 7, 12, 1480, {}, {{0, -95}}}));
     EXPECT_EQ(scenario.clock, ClockMode::scaled);
     EXPECT_EQ(scenario.clock_rate, 5);
     EXPECT_EQ(scenario.render.rule, EchoRule::cerqueira2016);
@@ -163,7 +163,8 @@ TEST(Effects, speckle_may_have_a_shape) {
 TEST(WaterSection, says_what_floats_in_it) {
     using Points = std::vector<ScatteringPoint>;
     const auto of = [](const char* set) { return parse(smallest, {set}).water.scattering; };
-    EXPECT_EQ(parse(smallest).water.scattering, Points{});
+    EXPECT_EQ(parse(smallest).water.scattering, of("water.scattering=clear"));
+    EXPECT_EQ(of("water.salinity=0"), of("water.scattering=pure"));
     EXPECT_EQ(of("water.scattering=none"), Points{});
     EXPECT_EQ(of("water.scattering=-66.5"), (Points{{0, -66.5}}));
     EXPECT_EQ(of("water.scattering=[[0, -50], [10, -70]]"), (Points{{0, -50}, {10, -70}}));

@@ -62,6 +62,22 @@ TEST(Reverberation, VolumeFallsWithRangeAsUrickSays) {
         EXPECT_NEAR(level_at(e, range) - 200, volume_level(e.shot, water, -60, psi, range), 0.3) << range;
 }
 
+// Of a line that sends and receives, L long: the integral of |p|^4 over a slice of Fresnel's field of a line
+// over that of its far field, at R = 0.2, 0.5, 1 and 2 times 0.52 wavelength / (one-way width)^2.
+TEST(Reverberation, InTheNearFieldItGrowsMoreSlowly) {
+    const Water water = sea({{0, -60}});
+    Renderer renderer(open_water(), water, means());
+    Shot shot = test::fan(2.16, 25.0, 1, 300, 1.2, c);
+    shot.frequency = 700e3, shot.pulse_length = 5e-6;
+    const Echogram e = renderer.render(shot, {});
+    const double near = 0.52 * c / shot.frequency / std::pow(deg_to_rad(3.0), 2), psi = std::pow(10, -1.749);
+    const std::pair<double, double> integral[] = {{0.2, -7.13}, {0.5, -3.14}, {1, -0.90}, {2, -0.23}};
+    for (const auto& [part, less] : integral)
+        EXPECT_NEAR(level_at(e, part * near) - 200, volume_level(shot, water, -60, psi, part * near) + less,
+                    0.9)
+            << part;
+}
+
 TEST(Reverberation, BeamsOfAFanHearTheirOwnWidthOfWater) {
     const Water water = sea({{0, -60}});
     Renderer renderer(open_water(), water, means());

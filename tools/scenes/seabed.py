@@ -43,7 +43,11 @@ def slope_normal(x, y, step=0.05):
 
 
 def is_gravel(x, y):
-    return noise(x / 6 + 40, y / 6, 5) > 0.72 and rim(x, y) > 0.2
+    """In patches some metres wide with uneven edges, none of which follows the lattice of the noise."""
+    a, b = (t + 5 * (noise(x / 4, y / 4, seed) - 0.5) for t, seed in ((x, 7), (y, 8)))
+    much = noise((0.8 * a + 0.6 * b) / 6 + 40, (0.8 * b - 0.6 * a) / 6, 5)
+    fringe = 0.16 * (noise(x / 1.6, y / 1.6, 9) - 0.5)
+    return much + fringe > 0.7 + 0.4 * (1 - rim(x, y))
 
 
 def square():

@@ -56,6 +56,30 @@ TEST_P(MultibeamFloor, IsWithinHalfAPerCentInsideSixtyDegrees) {
     }
 }
 
+/// What floats in the water, heard from right before the array on: as R^-2.
+Echogram with_water(Echogram e) {
+    std::mt19937 random(7);
+    std::exponential_distribution<float> speckle(1);
+    for (std::size_t beam = 0; beam < e.beams(); ++beam)
+        for (std::size_t bin = 0; bin < e.shot.bins; ++bin) {
+            const double range = e.bin_range(bin);
+            e.values[beam * e.shot.bins + bin] += static_cast<float>(1e4 / (range * range)) * speckle(random);
+        }
+    return e;
+}
+
+TEST(MultibeamDetection, IsNotTakenInByTheWaterBeforeTheArray) {
+    const Shot shot = wide_fan(75);
+    const Echogram e = with_water(bottom_echo(shot, flat(15), {}));
+    ASSERT_GT(e.beam(0)[2], 1e6) << "louder than the bottom";
+    const auto all = detect(e);
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const double truth = 15 / std::cos(shot.bearings[n]);
+        EXPECT_NEAR(slant(all[n]), truth, 0.005 * truth) << rad_to_deg(shot.bearings[n]);
+    }
+    EXPECT_EQ(found(detect(with_water(empty_sea(shot, {})))), 0) << "water alone is no bottom";
+}
+
 INSTANTIATE_TEST_SUITE_P(Shapes, MultibeamFloor,
                          testing::Values(Floor{"flat", flat(15)}, Floor{"slope", sloping(15, deg_to_rad(15))},
                                          Floor{"slope to port", sloping(12, deg_to_rad(-20))}),

@@ -1,4 +1,5 @@
-// Stretches as long as a beam's footprint: the greatest mean is where looking at every bin finds it.
+// Stretches as long as a beam's footprint: the greatest mean, with gain over time, is where looking at every
+// bin finds it.
 #include "emulator/devices/family/multibeam/stretches.h"
 
 #include <gtest/gtest.h>
@@ -10,15 +11,20 @@ namespace {
 
 using multibeam::Stretches;
 
-/// By the sums of bins themselves, for every bin: the first with the greatest mean, and that.
-std::pair<std::size_t, double> greatest(std::span<const float> bins, const Stretches& stretches) {
+/// By the sums of bins themselves, for every bin: the first with the greatest mean times the square of its
+/// time, of those above `least`, and its mean. `first`: of the bins, in the window, which begins at 0 s.
+std::pair<std::size_t, double> greatest(std::span<const float> bins, std::size_t first,
+                                        const Stretches& stretches, double least) {
     std::pair<std::size_t, double> best{0, -1};
+    double most = -1;
     for (std::size_t i = 0; i < bins.size(); ++i) {
         const std::size_t h = stretches.half(i);
         double sum = 0;
         for (std::size_t k = i - std::min(i, h); k < std::min(i + h + 1, bins.size()); ++k) sum += bins[k];
         const double mean = sum / static_cast<double>(2 * h + 1);
-        if (mean > best.second * (1 + 1e-12)) best = {i, mean};
+        const double time = static_cast<double>(first + i) + 0.5;
+        if (mean > least && mean * time * time > most * (1 + 1e-12))
+            best = {i, mean}, most = mean * time * time;
     }
     return best;
 }
@@ -34,9 +40,14 @@ TEST(MultibeamStretches, HaveTheirGreatestMeanWhereEveryBinLookedAtHasIt) {
                                               {seed, seed + 1},
                                               {shot.bins - 300, shot.bins}}) {
                 stretches.start(noise, beam, first, last, std::vector<float>(shot.bins));
-                const auto [bin, mean] = greatest(noise.beam(beam).subspan(first, last - first), stretches);
-                EXPECT_EQ(stretches.peak(), bin) << beam << " seed " << seed << " from " << first;
-                EXPECT_NEAR(stretches.mean(stretches.peak()), mean, 1e-9 * mean);
+                for (const double least : {0.0, 1.0}) {
+                    const auto [bin, mean] =
+                        greatest(noise.beam(beam).subspan(first, last - first), first, stretches, least);
+                    EXPECT_EQ(stretches.peak(least), bin) << beam << " seed " << seed << " from " << first;
+                    if (mean > 0) {
+                        EXPECT_NEAR(stretches.mean(bin), mean, 1e-9 * mean);
+                    }
+                }
             }
     }
 }
@@ -50,7 +61,7 @@ TEST(MultibeamStretches, FindALoudBinAtEitherEndOfTheGate) {
             e.values[beam * shot.bins + loud] = 1e9F;
             stretches.start(e, beam, 100, 900, std::vector<float>(shot.bins));
             const std::size_t h = stretches.half(loud - 100);
-            EXPECT_NEAR(static_cast<double>(stretches.peak()), static_cast<double>(loud - 100),
+            EXPECT_NEAR(static_cast<double>(stretches.peak(0)), static_cast<double>(loud - 100),
                         static_cast<double>(h));
         }
     }

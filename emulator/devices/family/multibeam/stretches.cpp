@@ -53,18 +53,18 @@ greatest_difference(const double* from, const double* to, std::size_t count) {
 
 }  // namespace
 
-std::size_t Stretches::peak() const {
-    constexpr std::size_t block = 128;  // bins of which the greatest mean is found before its place
+std::size_t Stretches::peak(double least) const {
+    constexpr std::size_t block = 128;  // bins whose greatest mean tells whether they are looked at
     std::size_t best = 0;
     double most = -1;
     const auto take = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            if (const double value = mean(i); value > most) best = i, most = value;
+            if (const double power = mean(i); power > least && with_gain(power, i) > most)
+                best = i, most = with_gain(power, i);
     };
     for (std::size_t begin = 0; begin < size();) {
         const std::size_t h = half(begin), end = next_length(begin);
-        // The window's begin cuts the footprint off before these; behind them its end does, which leaves no
-        // more than the last of them has.
+        // The window's begin cuts the footprint off before these, and its end behind them.
         const std::size_t last = std::clamp(size() - std::min(size(), h), begin, end);
         const std::size_t first = std::clamp(h, begin, last);
         take(begin, first);
@@ -72,12 +72,11 @@ std::size_t Stretches::peak() const {
             const std::size_t count = std::min(block, last - at);
             const double *from = &sum_[at - h], *to = &sum_[at + h + 1];
             const double greatest = greatest_difference(from, to, count);
-            const double value = greatest / static_cast<double>(2 * h + 1);
-            if (!(value > most)) continue;
-            std::size_t i = 0;
-            while (to[i] - from[i] < greatest) ++i;
-            best = at + i, most = value;
+            const double power = greatest / static_cast<double>(2 * h + 1);
+            if (!(power > least && with_gain(power, at + count - 1) > most)) continue;
+            take(at, at + count);
         }
+        take(last, end);
         begin = end;
     }
     return best;

@@ -28,6 +28,7 @@ class Stretches {
         const Shot& shot = echogram.shot;
         const auto beam = echogram.beam(index).subspan(first, last - first);
         sum_.resize(beam.size() + 1);
+        spreads_ = echogram.rule == EchoRule::radiometric;
         add_up(beam, least.subspan(first, last - first));
         // A flat bottom's echo lasts t * beam width * tan(angle); three pulses at least, so that speckle
         // averages.
@@ -52,8 +53,10 @@ class Stretches {
         const std::size_t from = i - std::min(i, h), to = std::min(i + h + 1, size());
         return (sum_[to] - sum_[from]) / static_cast<double>(2 * h + 1);
     }
-    /// Bin around which the mean is greatest, the first of them.
-    std::size_t peak() const;
+    /// Bin around which the mean times the square of its time is greatest, the first of them, of those with a
+    /// mean above `least` (uPa^2); 0 without one. So a head's time-varied gain compares them, which gives
+    /// back what spreading takes: what floats right before the array is louder than a bottom far away.
+    std::size_t peak(double least) const;
     /// The run around a peak within 10 dB of it and clear of the noise.
     std::pair<std::size_t, std::size_t> run_around(std::size_t peak, double noise_power) const {
         const double floor = std::max(mean(peak) / 10.0, 2 * noise_power);
@@ -64,6 +67,12 @@ class Stretches {
     }
 
   private:
+    /// What the gain of bin `i` makes of a power; the paper's rule has no spreading.
+    double with_gain(double power, std::size_t i) const {
+        if (!spreads_) return power;
+        const double time = before_ + static_cast<double>(i) + 0.5;
+        return power * time * time;
+    }
     /// The first bin behind `i` whose footprint is longer than that one's; size() without one.
     std::size_t next_length(std::size_t i) const;
 
@@ -88,6 +97,7 @@ class Stretches {
     std::vector<double> sum_;
     double slope_ = 0, steep_ = 0, first_half_ = 0;
     double before_ = 0;  ///< bins from the transmission to the first
+    bool spreads_ = true;
 };
 
 }  // namespace echoloop::multibeam
