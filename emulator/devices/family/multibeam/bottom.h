@@ -54,8 +54,7 @@ struct Detection {
 /// What counts as a bottom, and what a head knows of its pulse.
 struct Rule {
     double margin = 10;  ///< dB above the echogram's noise; an echo below is no bottom
-    /// m; nearer are the pulse and the water right before the array. Of the order of the least depths of data
-    /// sheets, as 0.5 m of a Delta T and an EM 2040.
+    /// m; nearer are the pulse and the water right before the array. Own choice.
     double nearest = 0.5;
     /// Echoes last as long as the pulse: their middle comes half of it after the bottom.
     bool echoes_last = true;
