@@ -8,7 +8,7 @@ import unittest
 
 from program import PROGRAM, ROOT, ProgramTest, run
 
-IDS = [f"V{n}" for n in (*range(1, 33), *range(34, 41))] + [f"R{n}" for n in range(1, 7)]
+IDS = [f"V{n}" for n in (*range(1, 33), *range(34, 41))] + [f"R{n}" for n in range(1, 8)]
 HEADINGS = ("id", "quantity", "unit", "published", "ours", "tolerance", "pass", "kind", "source")
 DATA = ROOT.parent / "shared" / "data"
 

@@ -123,7 +123,7 @@ class Omniscan(CeruleanCase):
         for length, results in ((40000, 1200), (20000, 600)):
             host.say(wire.os_ping_params(length_mm=length, num_results=results, msec_per_ping=60))
             profile = host.settled(host.profile, lambda p: p.length == length / 1e3 and len(p.raw) == results)
-            self.assertAlmostEqual(profile.edge(below=20), nearest, delta=0.3)
+            self.assertAlmostEqual(profile.edge(below=20, beyond=1), nearest, delta=0.3)
             levels = [(profile.range_of(i), level) for i, level in enumerate(profile.levels())]
             water = [level for r, level in levels if 1 < r < nearest - 0.5]
             bottom = [level for r, level in levels if nearest + 1 < r < nearest + 5]

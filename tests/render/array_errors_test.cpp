@@ -1,6 +1,9 @@
 // A fan whose staves differ hears what is beside its beams at the floor that their variance gives.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
+#include "render/acoustics/stave_errors.h"
 #include "tests/render/meshes.h"
 #include "tests/render/shots.h"
 
@@ -19,8 +22,25 @@ Shot fan() {
     return shot;
 }
 
-/// (sa^2 + sp^2) / N_eff of these.
-const double floor_level = db((std::pow(1 / 8.686, 2) + std::pow(deg_to_rad(10), 2)) / 109);
+/// Beams beside the loud one that are heard, deg off it.
+constexpr double asides[] = {15, 20, 25, 30, 35, 40, 45, 50, 55};
+
+/// By how much errors that are alike over exp(-(x / L)^2), L in wavelengths, raise the floor at `aside`,
+/// against independent ones: the Fourier transform of that over staves half a wavelength apart.
+double coupling(double aside) {
+    const double length = StaveErrors::coupled, u = std::sin(deg_to_rad(aside));
+    const double pi = std::numbers::pi;
+    return length * std::sqrt(pi) / 0.5 * std::exp(-std::pow(pi * length * u, 2));
+}
+
+double mean_coupling() {
+    double sum = 0;
+    for (const double aside : asides) sum += coupling(aside);
+    return sum / std::size(asides);
+}
+
+/// (sa^2 + sp^2) / N_eff of these, and what of it comes out at those beams.
+const double floor_level = db((std::pow(1 / 8.686, 2) + std::pow(deg_to_rad(10), 2)) / 109 * mean_coupling());
 
 RendererOptions patterned(bool errors) {
     RendererOptions options;
@@ -39,8 +59,10 @@ double beside_of(Renderer& renderer, Shot shot = fan()) {
         shot.random_key = static_cast<std::uint64_t>(unit);
         const Echogram e = renderer.render(shot, {});
         middle += test::beam_power(e, 60) / units;
-        for (const std::size_t off : {15U, 20U, 25U, 30U, 35U, 40U, 45U, 50U, 55U})
+        for (const double aside : asides) {
+            const auto off = static_cast<std::size_t>(aside);
             beside += test::beam_power(e, 60 - off) + test::beam_power(e, 60 + off), count += 2;
+        }
     }
     return beside / count / middle;
 }

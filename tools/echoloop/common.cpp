@@ -1,6 +1,8 @@
 #include "tools/echoloop/common.h"
 
 #include <cstdio>
+#include <new>
+#include <system_error>
 
 namespace echoloop::cli {
 
@@ -28,6 +30,11 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string counted(std::uint64_t number, const std::string& noun) {
     return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+void rethrow_lack_of_memory(const std::exception& error) {
+    const auto* const told = dynamic_cast<const std::system_error*>(&error);
+    if (told != nullptr && told->code() == std::errc::resource_unavailable_try_again) throw std::bad_alloc();
 }
 
 }  // namespace echoloop::cli

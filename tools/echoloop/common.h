@@ -1,6 +1,7 @@
 // What several verbs do first: load the scenario and its scene, with errors as the program reports them.
 #pragma once
 
+#include <exception>
 #include <memory>
 
 #include "emulator/scenario/scenario.h"
@@ -27,5 +28,9 @@ std::string padded(std::string text, std::size_t width);
 
 /// "1 ping", "3 pings".
 std::string counted(std::uint64_t number, const std::string& noun);
+
+/// Throws std::bad_alloc where the system had no memory for a thread, which tells it with an error of its
+/// own.
+void rethrow_lack_of_memory(const std::exception& error);
 
 }  // namespace echoloop::cli

@@ -200,6 +200,7 @@ int run_scenario(const Arguments& arguments) {
     } catch (const std::invalid_argument& error) {
         throw StartError(Exit::config, error.what());
     } catch (const std::runtime_error& error) {
+        rethrow_lack_of_memory(error);
         throw StartError(Exit::unavailable, error.what());
     }
     return 0;

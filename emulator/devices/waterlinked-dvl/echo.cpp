@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "emulator/devices/family/sounder/water.h"
 #include "emulator/devices/waterlinked-dvl/beams.h"
 
 namespace echoloop::waterlinked_dvl {
@@ -13,7 +14,7 @@ double time_of(const Shot& shot, std::size_t bin) {
     return shot.first_bin_time + (static_cast<double>(bin) + 0.5) * shot.bin_interval;
 }
 
-/// The bin of the strongest echo, if one stands out of the noise.
+/// The bin of the strongest echo, if one stands out of the noise and of the water.
 std::optional<std::size_t> peak_of(const Echogram& e, std::size_t beam, double detection) {
     const auto powers = e.beam(beam);
     const double least = e.noise_power * std::pow(10, detection / 10);
@@ -27,6 +28,9 @@ std::optional<std::size_t> peak_of(const Echogram& e, std::size_t beam, double d
         strongest = strength;
         best = bin;
     }
+    if (best && !echosounder::stands_out_of_water(e, beam, *best, static_cast<double>(powers[*best]),
+                                                  echosounder::bin_margin))
+        return std::nullopt;
     return best;
 }
 

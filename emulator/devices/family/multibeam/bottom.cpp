@@ -6,6 +6,7 @@
 
 #include "emulator/devices/family/multibeam/ring.h"
 #include "emulator/devices/family/multibeam/stretches.h"
+#include "emulator/devices/family/sounder/water.h"
 
 namespace echoloop::multibeam {
 namespace {
@@ -220,30 +221,6 @@ double least_power(const Echogram& echogram, double margin) {
     return echogram.noise_power * std::pow(10.0, margin / 10);
 }
 
-/// Whether a bottom that begins around `bin` stands out of the water before it, with the gain that gives back
-/// spreading, by which the water is as loud at every range: of four places about 0.6 of the time the
-/// quietest counts, so that the nadir's ring or a shoal hides no bottom. Where only water is heard its
-/// speckle and the near field leave up to 12 dB.
-bool stands_out(const Echogram& echogram, std::size_t index, std::size_t bin, double power) {
-    constexpr double parts[] = {0.46, 0.54, 0.62, 0.7}, above = 32;  // 15 dB; own choice
-    if (echogram.rule != EchoRule::radiometric) return true;
-    const auto beam = echogram.beam(index);
-    const double whole = bins_until(echogram.shot, static_cast<double>(bin));
-    const std::size_t length =
-        std::min(beam.size(), static_cast<std::size_t>(std::clamp(whole / 8, 1.0, 32.0)));
-    const double before = bins_until(echogram.shot, 0);
-    double least = power;
-    for (const double place : parts) {
-        const double part = std::max(place, before / whole);  // the window may begin later
-        const auto water = beam.subspan(static_cast<std::size_t>(part * whole - before), length);
-        double sum = 0;
-        for (const float level : water) sum += level;
-        const double mean = std::max(sum / static_cast<double>(length) - echogram.noise_power, 0.0);
-        least = std::min(least, mean * part * part * above);
-    }
-    return least < power;
-}
-
 constexpr double slack =
     1.3;  // times the length that an echo should have; own choice, least scatter of 1, 1.3, 2
 
@@ -256,7 +233,9 @@ Detection detect_in(const Echogram& echogram, std::size_t index, TimeGate gate, 
     stretches.start(echogram, index, first, last, heard);
     const double least = least_power(echogram, rule.margin);
     const std::size_t peak = stretches.peak(least);
-    if (!(stretches.mean(peak) > least && stands_out(echogram, index, first + peak, stretches.mean(peak))))
+    if (!(stretches.mean(peak) > least &&
+          echosounder::stands_out_of_water(echogram, index, first + peak, stretches.mean(peak),
+                                           echosounder::footprint_margin)))
         return {};
     const auto [from, to] = stretches.run_around(peak, echogram.noise_power);
     const BinRange run{first + from, first + to};

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "emulator/devices/family/sounder/water.h"
+
 namespace echoloop::echosounder {
 namespace {
 
@@ -49,8 +51,11 @@ std::optional<Bottom> find_bottom(const Echogram& echogram, const BottomRule& ru
     const auto strength = strengths(echogram, beam, least_power(echogram, noise, rule.margin), rule);
     const auto peak = std::max_element(strength.begin(), strength.end());
     if (peak == strength.end() || *peak == silence) return std::nullopt;
-    const auto edge = std::find_if(strength.begin(), peak, [&](double s) { return s >= *peak - rule.edge; });
     const auto strongest = static_cast<std::size_t>(peak - strength.begin());
+    const double power = echogram.beam(beam)[strongest];
+    if (std::isfinite(rule.margin) && !stands_out_of_water(echogram, beam, strongest, power, bin_margin))
+        return std::nullopt;
+    const auto edge = std::find_if(strength.begin(), peak, [&](double s) { return s >= *peak - rule.edge; });
     return Bottom{static_cast<std::size_t>(edge - strength.begin()),
                   level_db(echogram.beam(beam)[strongest]) - 10 * std::log10(noise)};
 }

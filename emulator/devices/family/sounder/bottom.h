@@ -24,8 +24,8 @@ struct Bottom {
 };
 
 /// The first bin within `edge` of the strongest one among those that may be echoes; nothing if there are
-/// none. In a wide beam over a slope that is the nearest bottom, not the one on the axis, as with a real
-/// sounder.
+/// none, or the strongest is the water's own (water.h; not asked where every bin may be an echo). In a wide
+/// beam over a slope that is the nearest bottom, not the one on the axis, as with a real sounder.
 std::optional<Bottom> find_bottom(const Echogram& echogram, const BottomRule& rule, std::size_t beam = 0);
 
 /// Mean power of the noise in a beam: the receiver's own, or the background of the beam's quieter quarter,
