@@ -180,7 +180,8 @@ void R2Sonic::follow_bottom(const std::vector<multibeam::Detection>& detections)
     if (std::abs(range - in_use) > 0.05 * in_use) followed_range_ = std::clamp(range, 2.0, 1200.0);
 }
 
-/// Spread over time, since receivers lose bursts, but never beyond the next ping.
+/// Spread over time, since receivers lose bursts, but never beyond the next ping, and behind those of the
+/// last one: readers drop parts of a ping that come behind another ping's head.
 void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibeam::Detection>& detections,
                             const std::vector<multibeam::TimeGate>& gates, Time now) {
     const std::size_t first = actions_.send.size();
@@ -196,7 +197,8 @@ void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibea
     const auto datagrams = std::span(actions_.send).subspan(first);
     const Time end = now + from_seconds(0.8 * ping_period(ping_.controls, settings_));
     // Those of a millisecond leave together, so that the processor is not woken for each.
-    spread(datagrams, now, from_seconds(settings_.datagram_gap), end, std::chrono::milliseconds(1));
+    products_until_ = spread(datagrams, std::max(now, products_until_), from_seconds(settings_.datagram_gap),
+                             end, std::chrono::milliseconds(1));
     datagrams_sent_ += static_cast<std::uint32_t>(datagrams.size());
 }
 
