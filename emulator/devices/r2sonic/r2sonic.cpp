@@ -141,7 +141,9 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
         return take_actions();
     pacer_.end(now, {});
     ++counters_.pings;
-    settings_.sound_speed = echogram.sound_speed;  // of the head's own sensor, where it is now
+    // Of the head's own sensor, where it was when it last measured.
+    settings_.sound_speed =
+        probe_.of(echogram.sound_speed, settings_.sensors, stray::sound_speed, ping_.since_start);
     attitude_ = attitude_of(echogram.world_from_sonar);
     const double c = working_sound_speed(ping_.controls, settings_);
     const double window = static_cast<double>(echogram.shot.bins) * echogram.shot.bin_interval;
