@@ -1,7 +1,11 @@
 // What an altimeter's line needs besides the distance. family/sounder/talking_sounder.h has how it pings.
 #pragma once
 
-#include <cmath>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "emulator/devices/family/sounder/talking_sounder.h"
 

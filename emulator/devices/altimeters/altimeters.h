@@ -1,7 +1,9 @@
 // Altimeters on a line of their own, each in its maker's words.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "emulator/devices/altimeters/altimeter.h"

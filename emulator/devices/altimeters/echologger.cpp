@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "emulator/devices/altimeters/altimeters.h"
 #include "protocols/nmea/sentences.h"

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "emulator/devices/altimeters/altimeters.h"
 #include "protocols/nmea/sentences.h"
