@@ -150,6 +150,8 @@ devices:
         helper.stdin.write(line() + "\n")
         helper.stdin.flush()
         self.published(double, "/echoloop/sonar/truth_points")
+        double.close()
+        self.assertIn("trying to connect again", helper.stdout.readline())
 
     def test_wrong_usage(self):
         for arguments, words in ((("--server", "wss://127.0.0.1"), "forward the port by ssh"), (("--ros", "3"), "--ros")):

@@ -46,7 +46,7 @@ class Publisher {
     /// Keeps the connection; tries to get it back every second.
     void serve() {
         if (connection_.is_open()) {
-            connection_.read(0);  // what it says is of no use, but pings of the protocol are answered
+            connection_.read(1);  // ms: what it says is of no use, but its pings and its end are heard
             if (!connection_.is_open())
                 say(options_.server + ": " + connection_.why() + "; trying to connect again");
             return;
