@@ -1,9 +1,7 @@
 """echoloop bench: what it measures, and that its documents hold together. No time is judged here."""
-import os
-import subprocess
 import unittest
 
-from program import PROGRAM, ROOT, ProgramTest
+from program import ROOT, ProgramTest
 
 NAMES = ["fls-simple", "fls-big100k", "fls-big2m", "fls-one1m", "fls-one2m", "fls-terrain", "fls-stones", "scanning-simple",
          "scanning-big100k", "scanning-big2m", "scanning-one1m", "scanning-one2m", "scanning-terrain", "scanning-stones",
@@ -132,13 +130,18 @@ class Bench(ProgramTest):
         self.assertIn("context", self.bad(69, "bench", "--pings", "1", "--cases", "scanning-simple", "--context", "glx"))
 
     def test_progress_is_for_terminals(self):
-        master, slave = os.openpty()
-        subprocess.run([PROGRAM, "bench", "--pings", "1", "--cases", "scanning-simple"], stderr=slave,
-                       stdout=subprocess.DEVNULL, check=True)
-        os.close(slave)
-        text = os.read(master, 65536)
-        os.close(master)
-        self.assertIn(b"measuring [", text)
+        self.assertIn("measuring [", self.on_a_terminal("bench", "--pings", "1", "--cases", "scanning-simple"))
+        wire = self.on_a_terminal("bench", "--wire", "--pings", "1", "--cases", "oculus")
+        self.assertRegex(wire, r"measuring \[\.{40}\] 0/5.*measuring \[#{40}\] 5/5.*\r\x1b\[K$")
+
+    def test_figures_are_drawn(self):
+        for number, words in enumerate((("--cases", "scanning-simple"), ("--wire", "--cases", "s500"),
+                                        ("--fans", "1", "--seconds", "0.5"))):
+            out = self.folder / f"{number}.svg"
+            self.good("bench", "--pings", "2", "--picture", out, *words)
+            self.assertIn("</svg>", out.read_text())
+        self.assertIn("--picture: the name must end with .png, .svg or .pdf",
+                      self.bad(64, "bench", "--picture", self.folder / "a.gif"))
 
 
 if __name__ == "__main__":

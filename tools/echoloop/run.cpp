@@ -12,6 +12,7 @@
 #include "emulator/truth/truth.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
+#include "tools/echoloop/dataset_progress.h"
 #include "tools/echoloop/driver.h"
 #include "tools/echoloop/faults_output.h"
 #include "tools/echoloop/json_run.h"
@@ -133,7 +134,8 @@ void finish(Dataset& dataset, const Runtime& runtime) {
         throw StartError(Exit::late, dataset.folder().string() +
                                          ": the run was interrupted, so there is no data set; start it "
                                          "again");
-    dataset.finish();
+    Progress progress("writing the data set");
+    dataset.finish([&](std::size_t done, std::size_t of) { progress.done(done, of); });
 }
 
 int run_scenario(const Arguments& arguments) {
@@ -165,7 +167,11 @@ int run_scenario(const Arguments& arguments) {
         } else {
             print_start(runtime, duration, link);
         }
-        runtime.run(duration);
+        {
+            std::optional<DatasetProgress> progress;
+            if (dataset && scenario.clock == ClockMode::free) progress.emplace(*dataset, duration);
+            runtime.run(duration);
+        }
         page.reset();
         if (recording) recording->finish();
         if (truth) truth->finish();
