@@ -111,7 +111,7 @@ void BeamSums::sum_beams(const FanPlan& plan, std::size_t first, std::size_t cou
 }
 
 void BeamSums::find_stretches(const BinningInput& in) {
-    const double step = std::min(0.1 * in.plan.geometry.beam_width, deg_to_rad(0.05));
+    const double step = std::min(0.2 * in.plan.geometry.beam_width, deg_to_rad(0.05));
     constexpr std::size_t whole = 16;  // bins that the loops take at once
     stretches_.clear();
     if (in.motion == nullptr || in.motion->turning.z == 0 || bearings_.empty()) return;
