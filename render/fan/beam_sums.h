@@ -38,7 +38,8 @@ class BeamSums {
                    LineSums& lines, const float* gain, float* out) const;
     void sum_turned(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
                     LineSums& lines, const float* gain, float* out) const;
-    BeamLines turned_lines(const FanPlan& plan, const BeamLines& own, float turned) const;
+    BeamLines turned_lines(const FanPlan& plan, const BeamLines& own, const BeamLines& last,
+                           float turned) const;
 
     static void push(WeightedRow row, const LineSums& lines, std::size_t bins,
                      std::vector<WeightedRow>& rows);

@@ -29,8 +29,8 @@ struct Seen {
 
 /// The direction so much higher, rad.
 Vec3 lifted(Vec3 direction, double angle) {
-    const double across = std::hypot(direction.x, direction.y);
-    if (angle == 0 || across == 0) return direction;
+    if (angle == 0) return direction;
+    const double across = std::max(std::hypot(direction.x, direction.y), 1e-12);
     const double elevation = std::atan2(direction.z, across) + angle;
     return std::cos(elevation) / across * Vec3{direction.x, direction.y, 0} +
            std::sin(elevation) * Vec3{0, 0, 1};
@@ -96,20 +96,20 @@ class DiffuseSearch {
     }
 
   private:
-    /// Where rays bend, a straight one is aimed to where the cell's is by then.
+    /// Where rays bend, a straight one by way of a mirror is aimed to where the cell's is by then.
     Seen look(const LobeCell& cell) const {
         const Vec3 direction = rotate(ping_.world_from_fan, fan_direction(cell.bearing, cell.elevation));
         Seen seen = look_along(direction);
         if (ping_.rays == nullptr) return seen;
-        for (int round = 0; round < 2; ++round) {
-            const bool by_surface = seen.first && seen.first->material == nullptr,
-                       met = seen.first && (!by_surface || seen.mirrored);
+        for (int round = 0; round < 2 && seen.first; ++round) {
+            const bool by_surface = seen.first->material == nullptr, met = seen.mirrored.has_value();
+            if (!by_surface && !met) break;
             const double lift = ping_.lift(direction, met ? seen.sight.length : ping_.end_range, by_surface);
             seen = look_along(lifted(direction, lift));
             seen.lift = lift;
+            if (met) break;
         }
-        if (!seen.first) return seen;
-        const auto sight = sight_of(seen);
+        const auto sight = seen.first ? sight_of(seen) : std::nullopt;
         if (!sight) return {direction, {}, {}, {}};
         seen.sight = *sight;
         return seen;
