@@ -55,6 +55,7 @@ class Recording {
     void follow(std::function<pcapng::WallTime()> time) { time_ = std::move(time); }
 
     RecordingSummary summary() const;
+    bool is_idle() const { return idle_; }  ///< before begin(), or after finish()
     const std::filesystem::path& file() const { return file_; }
 
   private:

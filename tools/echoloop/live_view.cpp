@@ -169,7 +169,14 @@ std::unique_ptr<view::Server> LiveView::serve(Runtime& runtime) {
         const Json asked = Json::parse(line, nullptr, false);
         if (recording_ && asked.is_object() && asked.contains("record"))
             return answer(switch_recording(asked["record"] == true));
-        runtime.ask(line, std::move(answer));
+        if (!recording_ || !asked.is_object() || !asked.contains("status"))
+            return runtime.ask(line, std::move(answer));
+        const std::string file = recording_->is_idle() ? "" : recording_->file().string();
+        runtime.ask(line, [file, answer = std::move(answer)](const std::string& text) {
+            Json status = Json::parse(text, nullptr, false);
+            if (status.is_object()) status["recording"] = file;
+            answer(text_of(status));
+        });
     };
     for (const ScenarioDevice& device : scenario.devices)
         options.families[device.name] = std::string(device.model->family);

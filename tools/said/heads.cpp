@@ -47,7 +47,6 @@ Picture of_tritech_head(const Message& message) {
     }
     Picture picture = beam(message, std::move(levels), "dB");
     picture.pan = (f.number("bearing") - ahead) / circle * 2 * std::numbers::pi;
-    picture.turns = true;
     picture.bin_size = f.number("ad_interval") * 640e-9 * metres_per_second;
     picture.assumed = true;
     return picture;
@@ -77,7 +76,6 @@ Picture of_ping360(const Message& message) {
     const Fields f(message);
     Picture picture = beam(message, as_floats(f.numbers("data")), "counts");
     picture.pan = (f.number("angle") - 200) / 200 * std::numbers::pi;
-    picture.turns = true;
     picture.bin_size = f.number("sample_period") * 25e-9 * metres_per_second;
     picture.assumed = true;
     return picture;
@@ -203,7 +201,6 @@ class Heads final : public Maker {
         Picture picture = beam(message, std::move(levels), data_bits_ == 16 ? decibels_of_counts : "counts");
         const auto place_of_head = static_cast<unsigned>(f.number("head_position")) & 0x1FFFU;
         picture.pan = radians((place_of_head - 600.0) * 0.3);
-        picture.turns = true;
         const double range = f.number("range");
         place(picture, 0, range);
         constexpr double near = 5, fine = 0.002, coarse = 0.01;  // m; an 852 has coarse steps only

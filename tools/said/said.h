@@ -21,7 +21,6 @@ struct Picture {
     std::vector<double> bearings{0};    ///< rad, ascending, clockwise (starboard positive); one a column
     std::vector<double> elevations{0};  ///< rad, up; one a row
     double pan = 0;                     ///< rad, clockwise, of a head that turns
-    bool turns = false;                 ///< such a head
     bool waterfall = false;             ///< of a side-scan: one beam, or port and starboard
     bool down = false;                  ///< the middle looks down, not ahead
     double first_range = 0;             ///< m, of the leading edge of bin 0

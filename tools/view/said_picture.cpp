@@ -13,7 +13,7 @@ struct Scale {
 
 /// Counts of 8 bits as they are; decibels in half ones below the loudest.
 Scale scale_of(const said::Picture& picture) {
-    if (picture.unit == "counts") return {1, 1};
+    if (picture.unit == "counts" || picture.levels.empty()) return {1, 1};
     constexpr float half = 0.5F;  // dB
     float loudest = -1000;
     for (const float level : picture.levels)
@@ -62,7 +62,6 @@ std::string message_of(const said::Picture& picture, const std::string& device, 
                     {"bearings", rounded(picture.bearings, to.per_beam)},
                     {"elevations", rounded(picture.elevations, 1)},
                     {"pan", picture.pan},
-                    {"turns", picture.turns},
                     {"waterfall", picture.waterfall},
                     {"down", picture.down},
                     {"assumed", picture.assumed},

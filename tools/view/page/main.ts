@@ -101,6 +101,7 @@ function take(news: News | Ping, size: number): void {
       return hello(news);
     case "status":
       if (about?.control) ask({ list: true });
+      if (news.status.recording !== undefined && news.status.recording !== recording) setRecording(news.status.recording);
       for (const made of faults.made(news.status.devices)) wire.mark(made);
       return devices.take(news.status);
     case "lines":

@@ -39,7 +39,6 @@ export interface Ping extends Omit<PingHead, "type"> {
   type: "ping" | "said";
   name: string; // of the message that said it; "" of what was heard
   down: boolean; // the middle looks down
-  turns: boolean; // a head that turns; of what was heard the card finds out
   waterfall: boolean; // a side-scan
   assumed: boolean; // ranges are those at 1500 m/s
   levels: Uint8Array; // beam by beam; 0: nothing
@@ -63,7 +62,6 @@ interface SaidHead {
   bearings: number[];
   elevations: number[];
   pan: number;
-  turns: boolean;
   waterfall: boolean;
   down: boolean;
   assumed: boolean;
@@ -155,7 +153,7 @@ export type News =
   | Ping
   | { type: "messages"; left_out: number; messages: Message[]; said: Said[]; set: Setting[] }
   | { type: "lines"; t: number; lines: Line[] }
-  | { type: "status"; status: { t: number; devices: DeviceStatus[] } }
+  | { type: "status"; status: { t: number; recording?: string; devices: DeviceStatus[] } }
   | { type: "answer"; id: number; answer: Answer };
 
 export interface SceneNews {
@@ -190,7 +188,7 @@ export function pingOf(buffer: ArrayBuffer): Ping {
   const seen = head.objects ? new Uint16Array(buffer.slice(rest + count, rest + 3 * count)) : null;
   const [, , , w, x, y, z] = head.sonar;
   const down = 2 * (x * z - w * y) < -0.7; // the axis in the world
-  return { ...head, name: "", down, turns: false, waterfall: false, assumed: false, levels, seen, ranges: null };
+  return { ...head, name: "", down, waterfall: false, assumed: false, levels, seen, ranges: null };
 }
 
 /** dB of a byte; NaN for nothing. */

@@ -44,7 +44,7 @@ export class Picture {
 
   take(ping: Ping): void {
     this.pans.add(Math.round(ping.pan * 1000));
-    const kind = kindOf(ping, ping.turns || this.pans.size > 1, this.waterfall || ping.waterfall);
+    const kind = kindOf(ping, this.pans.size > 1, this.waterfall || ping.waterfall);
     const grows = kind === "profile" || kind === "depth";
     if (this.last === null || kind !== this.kind || ping.bins !== this.last.bins || (!grows && farthest(ping) !== farthest(this.last))) {
       this.lines = [];
@@ -144,7 +144,7 @@ export class Picture {
   loudest(): Spot | null {
     const ping = this.last;
     if (ping === null) return null;
-    if (ping.bins === 0) return { ping, beam: Math.floor((ping.rows * ping.beams) / 2), bin: -1 };
+    if (ping.bins === 0) return { ping, beam: Math.floor(ping.rows / 2) * ping.beams + Math.floor(ping.beams / 2), bin: -1 };
     const echo = (i: number): boolean => ping.seen === null || ping.seen[i] > 0;
     let best = 0;
     for (let i = 0; i < ping.levels.length; i++) if (echo(i) && (!echo(best) || ping.levels[i] > ping.levels[best])) best = i;
