@@ -8,6 +8,8 @@ namespace echoloop::view {
 namespace {
 
 constexpr std::chrono::milliseconds between_large(100);
+constexpr std::chrono::seconds between_late(1);  // of a sonar whose pings are late: looking costs time, too
+constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t large = 8192;           // values; smaller ones are lines of a picture, and all are kept
 constexpr std::size_t most_lines = 64;        // of a sonar, between two calls of take()
 constexpr std::size_t most_passed = 1000;     // between two calls of take()
@@ -46,10 +48,11 @@ bool Feed::wants_ping(std::string_view device, const Shot& shot) {
     if (viewers_ == 0) return false;
     if (shot.beams() * shot.bins < large) return true;
     const std::scoped_lock lock(mutex_);
-    auto& wanted = sonars_[std::string(device)].wanted;
+    Sonar& sonar = sonars_[std::string(device)];
     const auto now = std::chrono::steady_clock::now();
-    if (now - wanted < between_large) return false;
-    wanted = now;
+    const auto between = sonar.late ? std::chrono::steady_clock::duration(between_late) : between_large;
+    if (now - sonar.wanted < between) return false;
+    sonar.wanted = now;
     return true;
 }
 
@@ -57,7 +60,9 @@ void Feed::ping(const SeenPing& ping) {
     auto copy = std::make_shared<const Kept>(kept(ping));
     const std::size_t most = ping.echogram.values.size() < large ? most_lines : 1;
     const std::scoped_lock lock(mutex_);
-    auto& pings = sonars_[std::string(ping.device)].pings;
+    Sonar& sonar = sonars_[std::string(ping.device)];
+    sonar.late = ping.late > late_after;
+    auto& pings = sonar.pings;
     pings.push_back(std::move(copy));
     if (pings.size() > most) pings.pop_front();
 }

@@ -57,6 +57,7 @@ class Feed final : public Watch {
   private:
     struct Sonar {
         std::chrono::steady_clock::time_point wanted{};  ///< when a large ping was asked for last
+        bool late = false;                               ///< the last ping that was seen
         std::deque<std::shared_ptr<const Kept>> pings{};
     };
 

@@ -67,6 +67,7 @@ export class Card {
       this.offerLayers();
     }
     if (this.shown === "") this.shown = ping.name;
+    if (this.heard.last !== null) ping.down = this.heard.last.down; // as the other picture lies
     if (ping.name === this.shown) this.said.take(ping);
   }
 

@@ -55,7 +55,7 @@ function drawScale(context: CanvasRenderingContext2D, picture: Picture, look: Lo
   const counts = picture.last!.unit === "counts";
   const ranges = picture.kind === "range image";
   const high = ranges ? "0 m" : counts ? "255" : picture.top.toFixed(0) + " dB";
-  const low = ranges ? plain(picture.far) + " m" : counts ? "0" : (picture.top - look.span).toFixed(0) + " dB";
+  const low = ranges ? plain(picture.far) + " m" : counts ? "0" : picture.low(look).toFixed(0) + " dB";
   for (let i = 0; i < 100; i++) {
     const c = 3 * Math.round((i / 99) * 255);
     context.fillStyle = `rgb(${look.palette[c]},${look.palette[c + 1]},${look.palette[c + 2]})`;

@@ -18,6 +18,7 @@ export class Picture {
   kind: Kind = "fan";
   last: Ping | null = null;
   top = -Infinity; // dB
+  private bottom = Infinity; // dB, the quietest that was said
   far = 1; // m, of profiles and depths: it grows with what comes
   pointer: [number, number] | null = null;
   ruler: [number, number] | null = null; // dots, where it begins
@@ -36,6 +37,7 @@ export class Picture {
     this.last = null;
     this.lines = [];
     this.top = -Infinity;
+    this.bottom = Infinity;
     this.far = 1;
     this.pans.clear();
     this.stale = true;
@@ -49,12 +51,18 @@ export class Picture {
     if (this.last === null || kind !== this.kind || ping.bins !== this.last.bins || (!grows && farthest(ping) !== farthest(this.last))) {
       this.lines = [];
       this.top = -Infinity;
+      this.bottom = Infinity;
       this.kind = kind;
     }
     this.last = ping;
     this.far = grows ? Math.max(this.far, farthest(ping)) : farthest(ping);
     let loudest = 0;
-    for (const byte of ping.levels) if (byte > loudest) loudest = byte;
+    let quietest = 256;
+    for (const byte of ping.levels) {
+      if (byte > loudest) loudest = byte;
+      if (byte > 0 && byte < quietest) quietest = byte;
+    }
+    if (ping.type === "said" && quietest < 256) this.bottom = Math.min(this.bottom, levelOf(ping, quietest));
     this.top = Math.max(this.top - 0.2, levelOf(ping, loudest) || -Infinity); // sinks slowly
     if (kind === "circle") this.lines[slotOf(ping.pan)] = ping;
     if (kind === "echogram" || kind === "sidescan" || kind === "depth") {
@@ -62,6 +70,12 @@ export class Picture {
       if (this.lines.length > width) this.lines.shift();
     }
     this.stale = true;
+  }
+
+  /** dB that is drawn black: what was said goes no lower than its scale. */
+  low(look: Look): number {
+    const low = this.top - look.span;
+    return this.last?.type === "said" && this.bottom < this.top ? Math.max(low, this.bottom) : low;
   }
 
   /** `truth`: the object of each bin instead of its level. */
@@ -153,7 +167,7 @@ export class Picture {
 
   private image(context: CanvasRenderingContext2D, look: Look, truth: boolean): ImageData {
     const image = context.createImageData(width, height);
-    const low = this.top - look.span;
+    const low = this.low(look);
     for (let y = 0, at = 0; y < height; y++)
       for (let x = 0; x < width; x++, at += 4) {
         const spot = this.spotAt(x, y);
@@ -168,7 +182,7 @@ export class Picture {
         if (this.kind === "range image") share = 1 - rangeOf(spot) / this.far;
         else {
           const byte = ping.levels[beam * ping.bins + bin];
-          if (byte > 0) share = ping.unit === "counts" ? byte / 255 : (levelOf(ping, byte) - low) / look.span;
+          if (byte > 0) share = ping.unit === "counts" ? byte / 255 : (levelOf(ping, byte) - low) / (this.top - low);
         }
         const c = 3 * Math.max(0, Math.min(255, Math.round(share * 255)));
         for (let i = 0; i < 3; i++) image.data[at + i] = look.palette[c + i];
