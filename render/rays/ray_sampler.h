@@ -70,7 +70,7 @@ class RaySampler {
 
     std::shared_ptr<const Scene> scene_;
     embree::Device device_;
-    RecentlyUsed<KnownTree> trees_{160 << 20};
+    RecentlyUsed<KnownTree> trees_{96 << 20};
     std::vector<std::unique_ptr<World>> worlds_;  ///< of the picture at hand
     std::vector<Piece> pieces_;
     Workers workers_;
