@@ -21,7 +21,7 @@ class PlanCache;
 
 /// From so many triangles on rays are quicker for single beams than a software rasteriser. A fixed number,
 /// not the time that both take, so that the same scene gives the same bytes.
-inline constexpr std::size_t least_triangles_for_rays = 20'000;
+inline constexpr std::size_t least_triangles_for_rays = 100'000;
 
 struct RendererOptions {
     EchoRule rule = EchoRule::radiometric;

@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(Each, BenchScene, testing::Values("simple", "big100k", 
                          [](const auto& one) { return std::string(one.param); });
 
 TEST(Sampler, IsRaysForSingleBeamsInLargeScenes) {
-    const auto small = scene_of({floor_at(-5, 60)}), large = scene_of({floor_at(-5, 60, 101)});
+    const auto small = scene_of({floor_at(-5, 60)}), large = scene_of({floor_at(-5, 60, 225)});
     const auto rays_of = [](const std::shared_ptr<const Scene>& scene, const char* sampler,
                             const char* context) {
         RendererOptions options{.context = context, .sampler = sampler};
