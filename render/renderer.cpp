@@ -19,8 +19,10 @@
 #include "render/fan/reverberation.h"
 #include "render/fan/truth.h"
 #include "render/gl/drawing_crew.h"
+#include "render/gl/egl.h"
 #include "render/grid/summing.h"
 #include "render/ray_tables.h"
+#include "render/rays/ray_sampler.h"
 #include "render/recently_used.h"
 #include "render/refraction.h"
 #include "render/workers.h"
@@ -33,6 +35,8 @@ void validate(const RendererOptions& options) {
         throw std::invalid_argument("renderer: columns_per_beam must be within 1..64");
     if (!(options.pixel_density >= 0.1 && options.pixel_density <= 64))
         throw std::invalid_argument("renderer: pixel_density must be within 0.1..64");
+    if (options.sampler != "auto" && options.sampler != "raster" && options.sampler != "rays")
+        throw std::invalid_argument("renderer: sampler must be auto, raster or rays");
     if (!(options.drawing_threads >= 1 && options.drawing_threads <= 64))
         throw std::invalid_argument("renderer: drawing_threads must be within 1..64");
 }
@@ -71,14 +75,20 @@ class Renderer::Impl {
     Impl(std::shared_ptr<const Scene> scene, Water water, RendererOptions options)
         : water_(water),
           options_(std::move(options)),
-          tracer_(scene, options_.surface, options_.effects),
-          crew_((check_settings(), prepare_paths(), [this] { return gl::make_context(options_.context); }),
-                scene, options_.drawing_threads),
+          scene_((check_settings(), std::move(scene))),
+          tracer_(scene_, options_.surface, options_.effects),
           plans_(options_.plans ? options_.plans : std::make_shared<PlanCache>()),
-          patches_(this->scene()),
+          patches_(*scene_),
           fan_(make_fan_summing(workers_)),
           grid_(make_grid_summing(workers_)),
-          chain_(options_.effects, options_.speckle) {}
+          chain_(options_.effects, options_.speckle) {
+        prepare_paths();
+        choose_sampler();
+        for (const SceneSurface& surface : scene_->surfaces()) {
+            material_of_surface_.push_back(surface.material);
+            object_of_surface_.push_back(surface.object);
+        }
+    }
 
     Echogram render(const Shot& shot, const Situation& situation) {
         const Pose& pose = situation.world_from_sonar;
@@ -109,9 +119,13 @@ class Renderer::Impl {
     }
 
     const RenderProfile& profile() const { return profile_; }
-    const Scene& scene() const { return drawer().scene(); }
+    const Scene& scene() const { return *scene_; }
     const Water& water() const { return water_; }
-    std::string description() const { return drawer().description(); }
+    std::string description() const {
+        const std::string drawn = crew_ ? crew_->drawer().description() : "";
+        if (!sampler_) return drawn;
+        return rays::RaySampler::description() + (crew_ ? " for single beams, " + drawn : "");
+    }
 
   private:
     /// One array's picture, from which its beams are summed.
@@ -126,8 +140,6 @@ class Renderer::Impl {
         bool patchy = false;                 ///< materials are uneven
     };
 
-    const gl::SceneDrawer& drawer() const { return crew_.drawer(); }
-
     void check_settings() const {
         echoloop::validate(water_);
         validate(options_);
@@ -136,6 +148,24 @@ class Renderer::Impl {
     /// While contexts are made, as both take long.
     void prepare_paths() {
         if (options_.rule == EchoRule::radiometric) tracer_.prepare();
+    }
+
+    bool may_bend() const { return effects().has(Effect::refraction) && !water_.profile.empty(); }
+
+    /// Makes what finds the surfaces.
+    void choose_sampler() {
+        const bool all = options_.sampler == "rays";
+        if (!all || may_bend())
+            crew_.emplace([this] { return gl::make_context(options_.context); }, scene_,
+                          options_.drawing_threads);
+        const bool some = options_.sampler == "auto" && options_.context == "auto" &&
+                          scene_->triangles() >= least_triangles_for_rays &&
+                          crew_->drawer().context().kind() != gl::gpu_kind;
+        if (all || some) sampler_.emplace(scene_, options_.drawing_threads);
+    }
+
+    bool is_traced(const Shot& shot) const {
+        return sampler_ && !rays_ && (options_.sampler == "rays" || shot.beams() == 1);
     }
 
     Summing& summing_of(const Shot& shot) { return shot.elevations.empty() ? *fan_ : *grid_; }
@@ -153,7 +183,7 @@ class Renderer::Impl {
     /// Fills speed_ and rays_: where rays bend by half a bin or more, echoes come as they do.
     void bend(const Shot& shot, const Situation& situation) {
         speed_ = echoloop::sound_speed(water_), rays_ = nullptr;
-        if (!effects().has(Effect::refraction) || water_.profile.empty()) return;
+        if (!may_bend()) return;
         const double surface = options_.surface.value_or(WaterSurface{}).height;
         const double depth = surface - situation.world_from_sonar.position.z;
         speed_ = sound_speed_at(water_.profile, depth_step(depth));
@@ -227,7 +257,7 @@ class Renderer::Impl {
         if (mover_of_surface_.empty() && !scene().movers().empty()) {
             std::vector<std::uint32_t> of_object(scene().objects().size());
             for (const SceneChunk& chunk : scene().chunks()) of_object[chunk.object] = chunk.mover;
-            for (const std::uint32_t object : drawer().object_of_surface())
+            for (const std::uint32_t object : object_of_surface_)
                 mover_of_surface_.push_back(of_object[object]);
         }
         return mover_of_surface_;
@@ -247,8 +277,7 @@ class Renderer::Impl {
                                       })
                                  .tables;
         strength_.clear();
-        for (const std::uint32_t material : drawer().material_of_surface())
-            strength_.push_back(&tables[material]);
+        for (const std::uint32_t material : material_of_surface_) strength_.push_back(&tables[material]);
     }
 
     /// Fills heard.water, and gives the water's surface a strength behind those of the scene's. What comes
@@ -317,8 +346,8 @@ class Renderer::Impl {
             if (heard.patchy)
                 patches_.place(world_from_fan(shot, heard.array.world_from_sonar), movers_, rays_);
             std::vector<std::uint16_t> objects(shot.beams() * shot.bins);
-            finder_.find(summing_of(shot), binning_input(heard, out.sound_speed),
-                         drawer().object_of_surface(), least, objects);
+            finder_.find(summing_of(shot), binning_input(heard, out.sound_speed), object_of_surface_, least,
+                         objects);
             append(std::move(objects), out.objects);
         }
     }
@@ -394,21 +423,22 @@ class Renderer::Impl {
         heard.plan =
             plans_->plan_for(geometry, density, [&] { return summing_of(shot).plan(geometry, density); });
         const bool background = situation.detail < 1;
-        crew_.draw(*heard.plan,
-                   {.world_from_fan = world_from_fan(shot, heard.array.world_from_sonar),
-                    .movers = movers_,
-                    .end_range = end_range(shot),
-                    .begin_range = background ? begin_range(shot) : 0,
-                    .offset = offset_of(heard.array),
-                    .rays = rays_,
-                    .rays_nearby = rays_nearby_,
-                    .sag = speed_ / 8 * shot.bin_interval},
-                   heard.pixels);
+        const gl::Outlook outlook{.world_from_fan = world_from_fan(shot, heard.array.world_from_sonar),
+                                  .movers = movers_,
+                                  .end_range = end_range(shot),
+                                  .begin_range = background ? begin_range(shot) : 0,
+                                  .offset = offset_of(heard.array),
+                                  .rays = rays_,
+                                  .rays_nearby = rays_nearby_,
+                                  .sag = speed_ / 8 * shot.bin_interval};
+        const bool traced = is_traced(shot);
+        traced ? sampler_->sample(*heard.plan, outlook, heard.pixels)
+               : crew_->draw(*heard.plan, outlook, heard.pixels);
         heard.focus.clear();
         if (rays_ && rays_->focuses() && effects().has(Effect::spreading))
             find_focus(*heard.plan, offset_of(heard.array),
                        world_from_fan(shot, heard.array.world_from_sonar), *rays_, heard.pixels, heard.focus);
-        const gl::DrawProfile& drawn = crew_.profile();
+        const gl::DrawProfile& drawn = traced ? sampler_->profile() : crew_->profile();
         profile_.cull += drawn.cull, profile_.draw += drawn.draw, profile_.read_back += drawn.read_back;
         profile_.triangles += drawn.triangles, profile_.chunks += drawn.chunks;
         profile_.pixels += drawn.pixels;
@@ -430,8 +460,13 @@ class Renderer::Impl {
     Water water_;
     RendererOptions options_;
     std::thread::id thread_ = std::this_thread::get_id();
+    std::shared_ptr<const Scene> scene_;
     PathTracer tracer_;
-    gl::DrawingCrew crew_;
+    std::optional<gl::DrawingCrew> crew_;  ///< none where rays do it all
+    std::optional<rays::RaySampler> sampler_;
+    /// Index into Scene::materials() and Scene::objects() of every surface number, which is Pixel::surface
+    /// - 1.
+    std::vector<std::uint32_t> material_of_surface_, object_of_surface_;
     struct Strengths {
         double wavenumber;
         std::vector<StrengthTable> tables;  ///< per material

@@ -19,6 +19,10 @@ namespace echoloop {
 
 class PlanCache;
 
+/// From so many triangles on rays are quicker for single beams than a software rasteriser. A fixed number,
+/// not the time that both take, so that the same scene gives the same bytes.
+inline constexpr std::size_t least_triangles_for_rays = 100'000;
+
 struct RendererOptions {
     EchoRule rule = EchoRule::radiometric;
     double columns_per_beam = 1.5;  ///< rendered bearings across one beam, 1..64
@@ -27,6 +31,10 @@ struct RendererOptions {
     /// mean over pings has no error from the pixel grid; around them by resting_offset().
     bool jitter = true;
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
+    /// What finds the surfaces: "raster" (GL), "rays" (Embree), or "auto": rays for single beams where nobody
+    /// names a context, there is no GPU and the scene has at least least_triangles_for_rays. Where rays bend
+    /// it is always GL.
+    std::string sampler = "auto";
     std::size_t drawing_threads =
         1;  ///< that share a picture where the context allows it; the pixels are the same
     std::shared_ptr<PlanCache> plans{};  ///< shared by several renderers; empty: one of its own
@@ -55,8 +63,8 @@ struct ChannelImage {
 
 class Renderer {
   public:
-    /// Creates the GL context and uploads the scene. Throws std::invalid_argument for bad water or options
-    /// and std::runtime_error, with the package to install, when no GL can be had.
+    /// Creates the GL context, where one is needed, and uploads the scene. Throws std::invalid_argument for
+    /// bad water or options and std::runtime_error, with the package to install, when no GL can be had.
     Renderer(std::shared_ptr<const Scene> scene, Water water, RendererOptions options = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
@@ -74,8 +82,9 @@ class Renderer {
     const Scene& scene() const;
     const Water& water() const;
     double sound_speed() const;  ///< m/s, of the water
-    std::string context_description()
-        const;  ///< for example "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe"
+    /// For example "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe", or "Embree 3.13.5 for single beams, "
+    /// and that.
+    std::string context_description() const;
 
   private:
     class Impl;

@@ -126,12 +126,13 @@ std::vector<Network> read_peers(const Section& top, Problems& problems) {
 }
 
 RendererOptions read_render(const Section& top, Problems& problems) {
-    const Section section(top.get("render"), "render", {"rule", "context", "pixels"}, problems);
+    const Section section(top.get("render"), "render", {"rule", "context", "sampler", "pixels"}, problems);
     RendererOptions options;
     const auto rule = section.word("rule", "radiometric", {"radiometric", "cerqueira2016"});
     options.rule = rule == "radiometric" ? EchoRule::radiometric : EchoRule::cerqueira2016;
     options.context =
         section.word("context", options.context, {"auto", "osmesa", "egl-surfaceless", "egl-device"});
+    options.sampler = section.word("sampler", options.sampler, {"auto", "raster", "rays"});
     options.pixel_density =
         section.number("pixels", options.pixel_density, {0.1, 64, "times the usual number"});
     return options;

@@ -93,6 +93,20 @@ bool find_visible(const Scene& scene, NodeRange range, const View& view, const P
     return wanted;
 }
 
+std::vector<std::uint32_t> find_around(const Scene& scene, NodeRange range, Vec3 eye, double radius,
+                                       const ViewLimits& limits) {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = range.first; i < range.last;) {
+        const SceneNode& node = scene.nodes()[i];
+        const double distance = std::max(0.0, distance_to(node.bounds, eye) - radius);
+        const bool near = distance <= limits.end_range;
+        const bool good = static_cast<double>(node.error) <= tolerance_at(limits, distance) * distance;
+        if (near && good) found.push_back(i);
+        i = near && !good ? i + 1 : node.next;
+    }
+    return found;
+}
+
 bool reaches_into(const Bounds& box, const View& view, const Pose& frame_from_fan, const ViewLimits& limits,
                   Vec3 up) {
     const auto planes = side_planes(view, frame_from_fan, limits.margin);

@@ -33,6 +33,11 @@ struct NodeRange {
 bool find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
                   const ViewLimits& limits, std::vector<std::uint32_t>& nodes, Vec3 up = {0, 0, 1});
 
+/// The same for all views from within `radius` m of `eye`, whose limits know no sides, rays and near end:
+/// indices in ascending order.
+std::vector<std::uint32_t> find_around(const Scene& scene, NodeRange range, Vec3 eye, double radius,
+                                       const ViewLimits& limits);
+
 /// Whether a box may reach into the view.
 bool reaches_into(const Bounds& box, const View& view, const Pose& frame_from_fan, const ViewLimits& limits,
                   Vec3 up);

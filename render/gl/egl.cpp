@@ -97,8 +97,7 @@ std::unique_ptr<Context> first_device(bool hardware, std::string& refusals) {
         if (is_hardware(*lib, device) != hardware) continue;
         try {
             auto context = std::make_unique<EglContext>(
-                "EGL device", lib, lib->get_platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr),
-                false);
+                gpu_kind, lib, lib->get_platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr), false);
             context->make_current();  // some offer what they then cannot do
             return context;
         } catch (const std::runtime_error& error) {

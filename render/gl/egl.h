@@ -11,6 +11,9 @@ namespace echoloop::gl {
 /// std::runtime_error, naming the Debian packages, when it cannot be had.
 std::unique_ptr<Context> make_egl_surfaceless_context();
 
+/// Context::kind() of contexts on a device of EGL.
+inline constexpr const char* gpu_kind = "EGL device";
+
 /// On the first EGL device that offers OpenGL 3.3, hardware before Mesa's software device. Throws
 /// std::runtime_error when there is none.
 std::unique_ptr<Context> make_egl_device_context();

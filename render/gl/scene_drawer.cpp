@@ -72,10 +72,6 @@ SceneDrawer::~SceneDrawer() {
 }
 
 void SceneDrawer::upload() {
-    for (const SceneSurface& surface : scene_->surfaces()) {
-        material_of_surface_.push_back(surface.material);
-        object_of_surface_.push_back(surface.object);
-    }
     const auto vertices = scene_->all_vertices();
     vertices_ = std::make_unique<Buffer>(gl_, GL_ARRAY_BUFFER, vertices.data(), vertices.size_bytes());
     set_vertex_layout(gl_);

@@ -35,10 +35,6 @@ class SceneDrawer {
     double draw(std::span<const SeenView* const> views, std::size_t samples, SampleOffsets offset,
                 Pixel* image, const Bending& bending = {});
 
-    /// Index into Scene::materials() of every surface number, which is Pixel::surface - 1.
-    const std::vector<std::uint32_t>& material_of_surface() const { return material_of_surface_; }
-    /// The same into Scene::objects().
-    const std::vector<std::uint32_t>& object_of_surface() const { return object_of_surface_; }
     const Scene& scene() const { return *scene_; }
     const Context& context() const { return *context_; }
     std::string description() const;
@@ -84,7 +80,6 @@ class SceneDrawer {
     std::unique_ptr<VertexArray> array_;
     std::unique_ptr<Buffer> vertices_, indices_;
     RecentlyUsed<SizedTarget> targets_{64 << 20};
-    std::vector<std::uint32_t> material_of_surface_, object_of_surface_;
     std::array<DrawList, 2> lists_;
 };
 

@@ -47,7 +47,7 @@ ViewLimits limits_of(const View& view, const Outlook& outlook) {
                           : coarse   ? 1.0
                                      : 0.4) *
                          pixel,
-            .full_tolerance_range = coarse && !background ? 0.45 * outlook.end_range : 0,
+            .full_tolerance_range = coarse && !background ? full_tolerance_share * outlook.end_range : 0,
             .begin_range = outlook.begin_range,
             .hiding_tolerance = 4 * pixel,
             .rays = outlook.rays.get()};

@@ -52,6 +52,9 @@ struct Outlook {
 /// m, within which surfaces are wanted.
 double reach_of(const Outlook& outlook);
 
+/// Of the end range, from where on what side lobes hear may be as coarse as its pixels.
+inline constexpr double full_tolerance_share = 0.45;
+
 /// What a view draws, and how coarse that may be.
 ViewLimits limits_of(const View& view, const Outlook& outlook);
 

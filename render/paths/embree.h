@@ -1,5 +1,10 @@
-// Embree 3 or 4, whichever is installed: they differ in what a question carries beside its ray.
+// Embree 3 or 4, whichever is installed: they differ in what a question carries beside its ray. Its objects
+// as owners.
 #pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -13,6 +18,13 @@ namespace echoloop {
 inline constexpr const char* embree_package = "libembree4-4";
 inline void first_hit(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &query); }
 inline void any_hit(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray); }
+/// Of neighbouring rays; `asked`: -1 for each that counts, else 0.
+inline void first_hits(const int* asked, RTCScene scene, RTCRayHit16& query) {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect16(asked, scene, &query, &arguments);
+}
 #else
 inline constexpr const char* embree_package = "libembree3-3";
 inline void first_hit(RTCScene scene, RTCRayHit& query) {
@@ -25,6 +37,45 @@ inline void any_hit(RTCScene scene, RTCRay& ray) {
     rtcInitIntersectContext(&context);
     rtcOccluded1(scene, &context, &ray);
 }
+/// Of neighbouring rays; `asked`: -1 for each that counts, else 0.
+inline void first_hits(const int* asked, RTCScene scene, RTCRayHit16& query) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(asked, scene, &context, &query);
+}
 #endif
+
+namespace embree {
+
+template <typename T, void (*release)(T)>
+struct Releaser {
+    using pointer = T;
+    void operator()(T handle) const { release(handle); }
+};
+template <typename T, void (*release)(T)>
+using Handle = std::unique_ptr<T, Releaser<T, release>>;
+
+using Device = Handle<RTCDevice, rtcReleaseDevice>;
+using Geometry = Handle<RTCGeometry, rtcReleaseGeometry>;
+using Tree = Handle<RTCScene, rtcReleaseScene>;
+
+/// One thread: trees made by several can differ, and with them which of two equal hits is taken. Throws
+/// std::runtime_error.
+inline Device new_device() {
+    Device device(rtcNewDevice("threads=1"));
+    if (!device)
+        throw std::runtime_error(std::string("rays: Embree cannot start; install ") + embree_package);
+    return device;
+}
+
+/// Throws std::runtime_error.
+inline void check_tree_of(const Device& device) {
+    if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
+        throw std::runtime_error("rays: Embree cannot build its tree, error " + std::to_string(error) +
+                                 "; is there enough memory?");
+}
+
+}  // namespace embree
 
 }  // namespace echoloop

@@ -12,14 +12,6 @@
 namespace echoloop {
 namespace {
 
-template <typename T, void (*release)(T)>
-struct Releaser {
-    using pointer = T;
-    void operator()(T handle) const { release(handle); }
-};
-template <typename T, void (*release)(T)>
-using Handle = std::unique_ptr<T, Releaser<T, release>>;
-
 /// Embree's normal has the direction of the winding: a ray that runs along with it comes from behind.
 void reject_from_behind(const RTCFilterFunctionNArguments* arguments) {
     const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
@@ -82,23 +74,7 @@ double skin_of(const Bounds& bounds) {
 
 }  // namespace
 
-using Device = Handle<RTCDevice, rtcReleaseDevice>;
-using Geometry = Handle<RTCGeometry, rtcReleaseGeometry>;
-using Tree = Handle<RTCScene, rtcReleaseScene>;
-
-/// One thread: trees made by several can differ, and with them which of two equal hits is taken.
-Device new_device() {
-    Device device(rtcNewDevice("threads=1"));
-    if (!device)
-        throw std::runtime_error(std::string("paths: Embree cannot start; install ") + embree_package);
-    return device;
-}
-
-void check_tree_of(const Device& device) {
-    if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
-        throw std::runtime_error("paths: Embree cannot build its tree, error " + std::to_string(error) +
-                                 "; is there enough memory?");
-}
+using embree::check_tree_of, embree::Device, embree::Geometry, embree::new_device, embree::Tree;
 
 /// What moves together: all that stands still, or one mover.
 struct Group {

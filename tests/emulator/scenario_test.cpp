@@ -25,6 +25,7 @@ TEST(Scenario, leaves_every_optional_key_at_its_default) {
     EXPECT_EQ(scenario.clock, ClockMode::real);
     EXPECT_EQ(scenario.render.rule, EchoRule::radiometric);
     EXPECT_EQ(scenario.render.context, "auto");
+    EXPECT_EQ(scenario.render.sampler, "auto");
     ASSERT_EQ(scenario.devices.size(), 1);
     const auto& device = scenario.devices[0];
     EXPECT_EQ(device.model, &test_models()[2]);
@@ -45,6 +46,7 @@ TEST(Scenario, reads_every_key) {
     EXPECT_EQ(scenario.clock_rate, 5);
     EXPECT_EQ(scenario.render.rule, EchoRule::cerqueira2016);
     EXPECT_EQ(scenario.render.context, "osmesa");
+    EXPECT_EQ(scenario.render.sampler, "rays");
     EXPECT_EQ(scenario.render.pixel_density, 2);
     ASSERT_EQ(scenario.devices.size(), 2);
     const auto& options = scenario.devices[0].config.options;

@@ -33,7 +33,7 @@ water: {temperature: 4.5, salinity: 0, ph: 7, depth: 12, sound_speed: 1480}
 vehicle:
   pose: {position: [1, -2.5, -3], rpy_deg: [0, 0, 90]}
 clock: {mode: scaled, rate: 5}
-render: {rule: cerqueira2016, context: osmesa, pixels: 2}
+render: {rule: cerqueira2016, context: osmesa, sampler: rays, pixels: 2}
 devices:
   - name: front
     model: tritech-micron

@@ -30,6 +30,7 @@ bench::Settings settings_of(const Arguments& arguments) {
     settings.pings = static_cast<std::size_t>(pings);
     settings.pixel_density = arguments.number("--pixels", 1, 0.1, 64);
     settings.context = arguments.text("--context", "auto");
+    settings.sampler = arguments.text("--sampler", "auto");
     settings.scene_file = arguments.text("--scene");
     return settings;
 }
@@ -210,6 +211,7 @@ Verb bench_verb() {
              {Kind::value, "--pixels", "FACTOR", "factor on the number of pixels, 0.1 to 64"},
              {Kind::value, "--picture", "OUT", "OUT.png, OUT.svg, OUT.pdf: draw the figures as bars, too"},
              {Kind::value, "--context", "NAME", "GL context: auto, osmesa, egl-surfaceless or egl-device"},
+             {Kind::value, "--sampler", "NAME", "what finds surfaces: auto, raster or rays"},
              json_argument()},
             "  echoloop bench\n"
             "  echoloop bench --cases fls,scanning-simple --pings 1000\n"

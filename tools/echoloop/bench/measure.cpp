@@ -87,6 +87,7 @@ Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
     options.rule = rule;
     options.pixel_density = settings.pixel_density;
     options.context = settings.context;
+    options.sampler = settings.sampler;
     options.drawing_threads = RenderThreads::drawing_threads(1);
     keep_rasterisers_on_their_threads();
     options.surface->wind = 1.5;  // what a scenario's water is when it says nothing

@@ -10,7 +10,7 @@ namespace echoloop::bench {
 struct Settings {
     std::size_t pings = 100;
     double pixel_density = 1;
-    std::string context = "auto";
+    std::string context = "auto", sampler = "auto";
     std::filesystem::path scene_file{};  ///< empty: a scene of scenes.h
 };
 

@@ -1,0 +1,191 @@
+// Rays as a sampler are checked against the rasteriser: each finds the surfaces in its own way, and what is
+// heard must not tell which.
+#include "render/rays/ray_sampler.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <numeric>
+
+#include "render/fan/plan.h"
+#include "render/gl/egl.h"
+#include "render/renderer.h"
+#include "tests/render/meshes.h"
+#include "tests/render/shots.h"
+#include "tools/echoloop/bench/scenes.h"
+
+namespace echoloop {
+namespace {
+
+using namespace test;
+
+using Pixels = std::vector<Pixel>;
+
+gl::Outlook outlook_of(const Shot& shot, const Pose& pose, std::span<const Pose> movers = {}) {
+    return {.world_from_fan = pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)},
+            .movers = movers,
+            .end_range = 50,
+            .offset = {{0.2, -0.3}, {-0.1, 0.4}}};
+}
+
+Pixels drawn(const std::shared_ptr<const Scene>& scene, const Shot& shot, const gl::Outlook& outlook) {
+    gl::DrawingCrew crew([] { return gl::make_context("auto"); }, scene, 1);
+    Pixels pixels;
+    crew.draw(plan_fan(geometry_of(shot, Effects{}), {}), outlook, pixels);
+    return pixels;
+}
+
+Pixels traced(rays::RaySampler& sampler, const Shot& shot, const gl::Outlook& outlook) {
+    Pixels pixels;
+    sampler.sample(plan_fan(geometry_of(shot, Effects{}), {}), outlook, pixels);
+    return pixels;
+}
+
+Pixels traced(const std::shared_ptr<const Scene>& scene, const Shot& shot, const gl::Outlook& outlook,
+              std::size_t threads = 1) {
+    rays::RaySampler sampler(scene, threads);
+    return traced(sampler, shot, outlook);
+}
+
+bool same(const Pixels& a, const Pixels& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Pixel)) == 0;
+}
+
+bool alike(const Pixel& a, const Pixel& b) {
+    if (a.surface != b.surface) return false;
+    const float footprint = std::abs(std::abs(a.footprint) - std::abs(b.footprint));
+    return std::abs(a.range - b.range) < 2e-3F && std::abs(a.cosine - b.cosine) < 2e-3F &&
+           footprint < 2e-3F + 0.01F * std::abs(a.footprint);
+}
+
+/// The share of pixels in which both show the same; those beyond the range may be missing in either.
+double likeness(const Pixels& a, const Pixels& b) {
+    std::size_t compared = 0, same = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const bool near = (a[i].surface != 0 && a[i].range < 50) || (b[i].surface != 0 && b[i].range < 50);
+        compared += near, same += near && alike(a[i], b[i]);
+    }
+    EXPECT_GT(compared, a.size() / 10);
+    return static_cast<double>(same) / static_cast<double>(compared);
+}
+
+const std::string box_name = "box";
+
+/// Both sides of a wall, a ball with smooth normals, and a box that moves.
+std::shared_ptr<const Scene> room() {
+    Mesh screen = wall_at(12, 2, -4, 1);
+    screen.material.double_sided = true;
+    const std::vector<Mesh> meshes{floor_at(-5, 60, 8),
+                                   wall_at(30, 30, -5, 6),
+                                   wall_at(-3, 40, -5, 6),
+                                   sphere({9, 4, -3}, 1, 12),
+                                   screen,
+                                   box("box", {}, {1, 2, 1})};
+    return Scene::from_meshes(meshes, {}, std::span(&box_name, 1));
+}
+
+TEST(RaySampler, FindsThePixelsThatAreDrawn) {
+    const auto scene = room();
+    for (const Pose& box : {Pose{{6, -2, -3}, {}}, Pose{{8, 1, -2}, axis_angle({0, 0.6, 0.8}, 1)}}) {
+        const std::array movers{box};
+        for (const Shot& shot : {forward_looking(), scanning()}) {
+            const auto outlook = outlook_of(shot, {{0, 0, -1}, axis_angle({0, 0, 1}, 0.1)}, movers);
+            EXPECT_GT(likeness(drawn(scene, shot, outlook), traced(scene, shot, outlook)), 0.995);
+        }
+    }
+}
+
+TEST(RaySampler, LooksThroughTheBackOfWhatHasOneSide) {
+    const auto scene = room();
+    const std::array movers{Pose{{6, -2, -3}, {}}};
+    const Shot shot = forward_looking();
+    const auto outlook =
+        outlook_of(shot, {{-6, 0, -1}, {}}, movers);  // behind a wall that faces the other way
+    EXPECT_GT(likeness(drawn(scene, shot, outlook), traced(scene, shot, outlook)), 0.995);
+}
+
+TEST(RaySampler, FindsTheSameWithAnyThreadsAndPast) {
+    const auto scene = Scene::from_meshes(bench::scene_meshes("big100k"));
+    const Shot shot = forward_looking();
+    const auto outlook = outlook_of(shot, {{1, 2, 0}, {}});
+    const Pixels alone = traced(scene, shot, outlook);
+    EXPECT_TRUE(same(traced(scene, shot, outlook, 3), alone));
+    rays::RaySampler sampler(scene, 1);
+    for (const double x : {1.3, -20.0}) traced(sampler, shot, outlook_of(shot, {{x, 2, 0}, {}}));
+    EXPECT_TRUE(same(traced(sampler, shot, outlook), alone));
+}
+
+/// uPa^2 by tenths of the range, mean over pings; what fluctuates is left out, and what has rays of its own.
+std::array<double, 10> levels(const std::shared_ptr<const Scene>& scene, const std::string& sampler,
+                              Shot shot) {
+    RendererOptions options{.sampler = sampler};
+    for (const Effect effect : {Effect::speckle, Effect::noise, Effect::multipath, Effect::saturation})
+        options.effects.set(effect, false);
+    Renderer renderer(scene, water_of(1500), options);
+    std::array<double, 10> sums{};
+    for (shot.ping = 0; shot.ping < 16; ++shot.ping) {
+        shot.random_key = shot.ping;  // moves the samples that side lobes hear, which a sonar at rest keeps
+        if (shot.beams() == 1) shot.pan = 0.39 * static_cast<double>(shot.ping);
+        const Echogram e = renderer.render(shot, Pose{{0.1 * static_cast<double>(shot.ping), 0, 0}, {}});
+        for (std::size_t i = 0; i < e.values.size(); ++i)
+            sums[10 * (i % shot.bins) / shot.bins] += static_cast<double>(e.values[i]);
+    }
+    return sums;
+}
+
+class BenchScene : public testing::TestWithParam<const char*> {};
+
+TEST_P(BenchScene, IsHeardAsLoudByRays) {
+    const auto scene = Scene::from_meshes(bench::scene_meshes(GetParam()));
+    for (const Shot& shot : {forward_looking(), scanning()}) {
+        const auto drawn = levels(scene, "raster", shot), traced = levels(scene, "rays", shot);
+        const auto sum = [](const auto& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+        EXPECT_NEAR(db(sum(traced) / sum(drawn)), 0, 0.1) << shot.beams() << " beams";
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            if (drawn[i] < 1e-3 * *std::ranges::max_element(drawn)) continue;
+            EXPECT_NEAR(db(traced[i] / drawn[i]), 0, 0.1) << shot.beams() << " beams, tenth " << i;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, BenchScene, testing::Values("simple", "big100k", "stones", "terrain"),
+                         [](const auto& one) { return std::string(one.param); });
+
+TEST(Sampler, IsRaysForSingleBeamsInLargeScenes) {
+    const auto small = scene_of({floor_at(-5, 60)}), large = scene_of({floor_at(-5, 60, 225)});
+    const auto rays_of = [](const std::shared_ptr<const Scene>& scene, const char* sampler,
+                            const char* context) {
+        RendererOptions options{.context = context, .sampler = sampler};
+        return Renderer(scene, water_of(1500), options).context_description().starts_with("Embree");
+    };
+    const bool gpu = gl::may_have_gpu();
+    EXPECT_FALSE(rays_of(small, "auto", "auto"));
+    EXPECT_TRUE(rays_of(small, "rays", "auto"));
+    EXPECT_FALSE(rays_of(large, "raster", "auto"));
+    EXPECT_FALSE(rays_of(large, "auto", "egl-surfaceless")) << "who names a context wants it";
+    EXPECT_TRUE(gpu || rays_of(large, "auto", "auto"));
+    EXPECT_THROW(rays_of(small, "embree", "auto"), std::invalid_argument);
+
+    const auto bytes = [&](const char* sampler, const Shot& shot) {
+        return Renderer(large, water_of(1500), {.sampler = sampler}).render(shot, Pose{}).values;
+    };
+    EXPECT_EQ(bytes("auto", forward_looking()), bytes("raster", forward_looking()));
+    EXPECT_TRUE(gpu || bytes("auto", scanning()) == bytes("rays", scanning()));
+    EXPECT_NE(bytes("rays", scanning()), bytes("raster", scanning()));
+}
+
+TEST(Sampler, IsTheRasteriserWhereRaysBend) {
+    const auto scene = scene_of({floor_at(-15, 60, 101)});
+    Water water;
+    water.profile = {{0, 1520}, {9, 1520}, {11, 1500}, {40, 1500}};
+    RendererOptions drawn{.sampler = "raster"}, traced{.sampler = "rays"};
+    for (RendererOptions* options : {&drawn, &traced}) options->surface->height = 8;
+    const Shot shot = scanning();
+    const Echogram a = Renderer(scene, water, drawn).render(shot, Pose{}),
+                   b = Renderer(scene, water, traced).render(shot, Pose{});
+    EXPECT_EQ(a.values, b.values);
+}
+
+}  // namespace
+}  // namespace echoloop
