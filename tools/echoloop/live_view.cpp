@@ -6,6 +6,7 @@
 #include "emulator/scenario/fault_kinds.h"
 #include "emulator/transport/address.h"
 #include "tools/echoloop/driver.h"
+#include "tools/echoloop/run_bag.h"
 #include "tools/view/scene_message.h"
 
 namespace echoloop::cli {
@@ -78,6 +79,7 @@ std::unique_ptr<view::Server> LiveView::serve(Runtime& runtime) {
         .hello = hello(runtime, control_),
         .scene = view::scene_message(*runtime.scene(), runtime.scenario().scene.string()),
         .families = {},
+        .about = about(runtime),
         .ask =
             [&runtime](std::string line, std::function<void(std::string)> answer) {
                 runtime.ask(std::move(line), std::move(answer));

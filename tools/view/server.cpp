@@ -17,6 +17,7 @@
 #include "emulator/contract/error.h"
 #include "emulator/run/token.h"
 #include "emulator/transport/address.h"
+#include "tools/view/foxglove_hub.h"
 #include "tools/view/page.h"
 
 namespace echoloop::view {
@@ -77,6 +78,7 @@ class Server::Impl {
           token_(random_token()),
           acceptor_(io_),
           ticker_(options_.families),
+          foxglove_(io_, options_.about),
           tick_(io_) {
         error_code ec;
         acceptor_.open(Tcp::v4());
@@ -101,6 +103,7 @@ class Server::Impl {
         feed_.look(0);
     }
 
+    std::string foxglove() const { return "ws://" + to_text(place_) + "/?token=" + token_; }
     std::string link() const { return "http://" + to_text(place_) + "/#" + token_; }
 
   private:
@@ -152,6 +155,10 @@ class Server::Impl {
                 is_from_here(request) && knows_token(text_of(request[http::field::sec_websocket_protocol]))) {
                 stream.expires_never();
                 co_return co_await show(std::make_shared<Viewer>(std::move(stream)), request);
+            }
+            if (is_for_us(request) && FoxgloveHub::is_meant(request, token_)) {
+                stream.expires_never();
+                co_return co_await foxglove_.show(std::move(stream), request, [this] { look(); });
             }
             auto answer = answer_to(request);
             answer.keep_alive(request.keep_alive());
@@ -212,7 +219,7 @@ class Server::Impl {
         co_await socket.async_accept(request, into(ec));
         if (ec) co_return;
         viewers_.push_back(viewer);
-        feed_.look(viewers_.size());
+        look();
         offer(viewer, text_news(options_.hello));
         beast::flat_buffer buffer;
         while (!ec) {
@@ -222,8 +229,10 @@ class Server::Impl {
         }
         viewer->closed = true;
         viewers_.remove(viewer);
-        feed_.look(viewers_.size());
+        look();
     }
+
+    void look() { feed_.look(viewers_.size() + foxglove_.viewers()); }
 
     /// {"ask": {"fault": ...}, "id": 3}: what a client of the control place says, and a number for the
     /// answer.
@@ -258,8 +267,10 @@ class Server::Impl {
             tick_.expires_after(between_news);
             co_await tick_.async_wait(into(ec));
             if (ec) co_return;
-            if (viewers_.empty()) continue;
+            if (viewers_.empty() && foxglove_.viewers() == 0) continue;
             Feed::News news = feed_.take();
+            foxglove_.tell(news);
+            if (viewers_.empty()) continue;
             for (const auto& ping : news.pings)
                 tell(std::make_shared<const News>(News{true, view::message_of(*ping)}));
             if (const auto text = ticker_.message_of(news.passed, news.bytes_left_out); !text.empty())
@@ -316,6 +327,7 @@ class Server::Impl {
     Tcp::acceptor acceptor_;
     Address place_;
     Ticker ticker_;
+    FoxgloveHub foxglove_;
     asio::steady_timer tick_;
     std::thread thread_;
 };
@@ -323,5 +335,6 @@ class Server::Impl {
 Server::Server(Feed& feed, ServerOptions options) : impl_(std::make_unique<Impl>(feed, std::move(options))) {}
 Server::~Server() = default;
 std::string Server::link() const { return impl_->link(); }
+std::string Server::foxglove() const { return impl_->foxglove(); }
 
 }  // namespace echoloop::view
