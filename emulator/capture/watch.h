@@ -17,12 +17,12 @@ struct SeenPing {
     std::uint64_t number = 0;
     Time transmitted{};                 ///< run time
     Time late{};                        ///< after it was due
+    Time drawn{}, due{};                ///< since the transmission: when the echogram was there, and was due
     const Echogram& echogram;           ///< with its objects and all that the device hears
     const std::vector<Pose>& movers;    ///< Situation::movers
     double unix_time = 0;               ///< s since 1970, of the transmission
     Pose world_from_body{};             ///< of the vehicle, then
     Motion body{}, sonar{};             ///< in the world
-    Time due{};                         ///< run time; the device hears it `late` after
     std::vector<std::string> faults{};  ///< kinds and numbers of those that are on
 };
 
@@ -33,7 +33,7 @@ struct SeenBytes {
     bool packets = false;  ///< datagrams, each whole
     ByteView bytes;
     double line_rate = 0;  ///< bit/s, of a serial line; 0: of no line, or as fast as the other end takes it
-    double unix_time = 0;  ///< s since 1970, of what is no longer new; 0: now
+    double unix_time = 0;  ///< s since 1970, by the clock of the run or the capture; 0: now
 };
 
 /// A fault that was made, or has ended.

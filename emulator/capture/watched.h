@@ -11,9 +11,10 @@ namespace echoloop {
 
 class Watched final : public Decorator {
   public:
-    /// `watch` outlives this. `unix_time`: s since 1970, by the run's clock.
-    Watched(std::unique_ptr<Transport> transport, Watch& watch, std::string device, std::string port,
-            std::function<double()> unix_time);
+    /// `watch` outlives this. `unix_time`: s since 1970, by the run's clock; 0: now.
+    Watched(
+        std::unique_ptr<Transport> transport, Watch& watch, std::string device, std::string port,
+        std::function<double()> unix_time = [] { return 0.0; });
 
     void start(Events events) override;
     /// Seen is what really left.

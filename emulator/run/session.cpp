@@ -238,12 +238,13 @@ void Session::hear(UnderWay& ping) {
     if (ping.watched)
         heard->seen = Seen{ping.transmission.time,
                            now - ping.due,
+                           ping.echoes->finished - ping.transmission.time,
+                           ping.due - ping.transmission.time,
                            echogram.objects,
                            ping.situation.movers,
                            ping.unix_time,
                            ping.body,
                            {ping.situation.velocity, ping.situation.turning},
-                           ping.due,
                            log_ != nullptr ? log_->on(now) : std::vector<std::string>{}};
     auto faults = truth_ && log_ != nullptr ? log_->on(now) : std::vector<std::string>{};
     if (truth_) {
@@ -268,8 +269,9 @@ Actions Session::hear_all(Heard& heard) {
     if (heard.seen) {
         heard.echogram.objects = std::move(heard.seen->objects);
         const Seen& seen = *heard.seen;
-        watch_->ping({name_, heard.sequence, seen.transmitted, seen.late, heard.echogram, seen.movers,
-                      seen.unix_time, seen.body.first, seen.body.second, seen.sonar, seen.due, seen.faults});
+        watch_->ping({name_, heard.sequence, seen.transmitted, seen.late, seen.drawn, seen.due,
+                      heard.echogram, seen.movers, seen.unix_time, seen.body.first, seen.body.second,
+                      seen.sonar, seen.faults});
     }
     Actions actions = device_->heard(heard.echogram, heard.now);
     if (heard.kept) {
@@ -350,6 +352,8 @@ SessionSummary Session::summary() const {
     summary.worst_lateness = lateness_.worst();
     summary.median_lateness = lateness_.not_exceeded_by(0.5);
     summary.p99_lateness = lateness_.not_exceeded_by(0.99);
+    summary.waiting = outbox_.size();
+    summary.waiting_bytes = outbox_bytes_;
     summary.device = hearing_ ? counters_ : device_->counters();
     for (const auto& transport : transports_) {
         summary.bytes_in += transport->bytes_in();

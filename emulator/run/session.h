@@ -124,13 +124,12 @@ class Session {
     void count_late(const UnderWay& ping, Time now);
     /// What a watch is told beside the echogram.
     struct Seen {
-        Time transmitted, late;
+        Time transmitted, late, drawn, due;
         std::vector<std::uint16_t> objects;
         std::vector<Pose> movers;
         double unix_time;
         std::pair<Pose, Motion> body;
         Motion sonar;
-        Time due;
         std::vector<std::string> faults;
     };
     /// What the device is about to hear; nothing else touches its late echoes meanwhile.

@@ -1,9 +1,10 @@
 """`run --mcap` and `convert ... .mcap`, read back by mcap, mcap-ros2-support and rosbags from PyPI."""
 
-import io
+import base64
 import json
 import math
 import os
+import re
 import shutil
 import signal
 import struct
@@ -19,6 +20,7 @@ import public_driver
 public_driver.use("bag", "mcap_ros2")
 
 import numpy as np  # noqa: E402
+import websockets.sync.client as websockets  # noqa: E402
 from mcap.exceptions import EndOfFile  # noqa: E402
 from mcap.reader import make_reader  # noqa: E402
 from mcap.records import Chunk, Message  # noqa: E402
@@ -44,12 +46,12 @@ devices:
   - name: head
     model: ping360
     endpoints: ["udp-listen://127.0.0.1:%d"]
-  - {name: bottom, model: nmea-echosounder, mount: {rpy_deg: [0, 90, 0]}, endpoints: ["udp://127.0.0.1:%d"]}
+%s  - {name: bottom, model: nmea-echosounder, mount: {rpy_deg: [0, 90, 0]}, endpoints: ["udp://127.0.0.1:%d"]}
 """
 
 
-def tank(clock):
-    return TANK % (clock, free_port(), free_port(), free_port(), free_port())
+def tank(clock, pings=""):
+    return TANK % (clock, free_port(), free_port(), free_port(), pings, free_port())
 
 
 def messages(file):
@@ -75,7 +77,8 @@ class Run(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.folder, True)
         cls.file = cls.folder / "tank.mcap"
         scenario = cls.folder / "tank.yaml"
-        scenario.write_text(tank("{mode: free, duration: 1.5}").replace("{scenes}", str(ROOT / "config" / "scenes")))
+        free = tank("{mode: free, duration: 1.5}", "    pings: {interval: 0.1, count: 15}\n")
+        scenario.write_text(free.replace("{scenes}", str(ROOT / "config" / "scenes")))
         done = subprocess.run([PROGRAM, "run", str(scenario), "--mcap", str(cls.file), "--json"], capture_output=True,
                               text=True, timeout=60)
         assert done.returncode == 0, done.stderr
@@ -172,7 +175,8 @@ class Live(unittest.TestCase):
             file = Path(folder) / "killed.mcap"
             with Emulator(tank("{mode: real}"), "--mcap", str(file)) as emulator:
                 end = time.monotonic() + 20
-                while (not file.exists() or file.stat().st_size < 400_000) and time.monotonic() < end:
+                enough = (ROOT / "config" / "scenes" / "tank.glb").stat().st_size + 400_000
+                while (not file.exists() or file.stat().st_size < enough) and time.monotonic() < end:
                     time.sleep(0.05)
                 emulator.process.send_signal(signal.SIGKILL)
                 emulator.process.wait(10)
@@ -184,6 +188,50 @@ class Live(unittest.TestCase):
                         if isinstance(record, Message):
                             topics.add(record.channel_id)
             self.assertGreater(len(topics), 5)
+
+
+    def test_its_pictures_are_the_dots_of_the_page(self):
+        if shutil.which("node") is None or shutil.which("esbuild") is None:
+            self.skipTest("node and esbuild run the page's code")
+        with tempfile.TemporaryDirectory() as folder:
+            file, bundle, entry = (Path(folder) / name for name in ("seen.mcap", "page.cjs", "page.ts"))
+            page = ROOT / "tools" / "view" / "page"
+            entry.write_text("".join(f'export {{ {name} }} from "{page}/{of}";\n' for name, of in (
+                ("Picture", "picture"), ("pingOf", "news"), ("paletteOf", "palette"))))
+            subprocess.run(["esbuild", str(entry), "--bundle", "--platform=node", f"--outfile={bundle}", "--log-level=error"],
+                           check=True, timeout=60)
+            with Emulator(tank("{mode: real}"), "--mcap", str(file), "--view") as emulator:
+                link = re.search(r"http://([0-9.:]+)/#([0-9a-f]+)", emulator.output)
+                seen = {}
+                with websockets.connect(f"ws://{link[1]}/news", subprotocols=["echoloop.view", link[2]], max_size=None) as viewer:
+                    while len(seen) < 3:
+                        message = viewer.recv(30)
+                        if isinstance(message, bytes):
+                            head = json.loads(message[4:4 + struct.unpack_from("<I", message)[0]])
+                            if head["type"] == "ping" and head["device"] == "fan":
+                                seen[round(head["t"] * 1e6)] = message
+                self.assertEqual(emulator.stop()[0], 0, emulator.output)
+            found = messages(file)[0]
+            numbers = {round(json.loads(m.data)["t"] * 1e6): of.log_time for of, m in found["/fan/truth"]}
+            tops, top = {}, -math.inf
+            for of, image in found["/fan/image"]:
+                loudest = np.float32(10) * np.log10(samples(image.image).max())
+                floor = math.ceil(loudest) - 127
+                top = max(top - 0.2, floor + min(int((loudest - floor) / 0.5), 254) * 0.5)
+                tops[of.log_time] = top
+            pictures = {of.log_time: image for of, image in found["/fan/picture"]}
+            pairs = [(seen[t], numbers[t]) for t in sorted(seen) if t in numbers and numbers[t] in pictures]
+            self.assertGreaterEqual(len(pairs), 1)
+            lines = "".join(json.dumps({"message": base64.b64encode(m).decode(), "top": tops[t]}) + "\n" for m, t in pairs)
+            script = ROOT / "tests" / "drivers" / "node" / "page_picture.mjs"
+            drawn = subprocess.run(["node", str(script), str(bundle)], input=lines, capture_output=True, text=True, timeout=60)
+            self.assertEqual(drawn.returncode, 0, drawn.stderr)
+            for line, (_, t) in zip(drawn.stdout.splitlines(), pairs, strict=True):
+                theirs = np.frombuffer(base64.b64decode(line), np.uint8).reshape(360, 480, 3)
+                ours = np.frombuffer(bytes(pictures[t].data), np.uint8).reshape(360, 480, 3)
+                self.assertGreater((ours > 0).any(axis=2).mean(), 0.05)
+                other = (theirs != ours).any(axis=2).mean()  # sines of two libraries may differ in the last digit
+                self.assertLess(other, 0.001)
 
 
 class Convert(unittest.TestCase):

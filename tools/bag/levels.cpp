@@ -62,6 +62,8 @@ Levels levels_of(const Echogram& echo) {
         levels.bearings.push_back(std::round(shot.bearings[i] * digits) / digits);
     levels.pan = shot.pan, levels.beam_width = shot.beam_width;
     levels.sides = !shot.sides.empty();
+    constexpr double steep = 0.7;  // of the axis, as the page has it
+    levels.down = rotate(echo.world_from_sonar.orientation, {1, 0, 0}).z < -steep;
     levels.first_range = metres * shot.first_bin_time;
     levels.bin_size = metres * shot.bin_interval * static_cast<double>(to.per_bin);
     levels.floor = top - half_db * static_cast<float>(steps), levels.step = half_db;

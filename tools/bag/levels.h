@@ -22,7 +22,8 @@ struct Levels {
     std::size_t rows = 1, beams = 0, bins = 0;
     std::vector<double> bearings{};        ///< rad, of each beam of a row, clockwise from `pan`
     double pan = 0, beam_width = 0;        ///< rad
-    bool sides = false;                    ///< a side-scan's
+    bool sides = false;                    ///< each beam has an array of its own
+    bool waterfall = false;                ///< of a side-scan
     bool down = false;                     ///< the middle looks down, not ahead
     double first_range = 0, bin_size = 0;  ///< m
     double floor = 0, step = 1;            ///< dB, or what the device counts

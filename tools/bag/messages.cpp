@@ -110,6 +110,19 @@ Vec3 direction(const Shot& shot, double bearing, double elevation) {
     return rotate(axis_angle({0, 0, 1}, -shot.pan) * axis_angle({0, 1, 0}, -shot.tilt), in_plane);
 }
 
+Soundings empty_soundings(const Echogram& echo) {
+    const Shot& shot = echo.shot;
+    Soundings all{shot.frequency, echo.sound_speed, shot.beam_width, shot.fan_height, {}};
+    for (std::size_t row = 0; row < shot.rows(); ++row)
+        for (std::size_t i = 0; i < shot.bearings.size(); ++i) {
+            const double depression = i < shot.sides.size() ? shot.sides[i].depression : 0;
+            const double up = (shot.elevations.empty() ? 0 : shot.elevations[row]) - depression;
+            all.beams.push_back(
+                {direction(shot, shot.bearings[i], up), shot.pan + shot.bearings[i], shot.tilt + up, 0, 0});
+        }
+    return all;
+}
+
 std::string projected_image(const Stamped& head, const Echogram& echo) {
     Cdr out = begun(head);
     put_info(out, echo);

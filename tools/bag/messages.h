@@ -43,6 +43,8 @@ struct Soundings {
     double frequency = 0, sound_speed = 0, beam_width = 0, fan_height = 0;  ///< 0: not known
     std::vector<Sounding> beams{};
 };
+/// The beams of an echogram, with nothing in them yet.
+Soundings empty_soundings(const Echogram& echogram);
 std::string sonar_ranges(const Stamped& head, const Soundings& soundings);
 std::string sonar_detections(const Stamped& head, const Soundings& soundings);
 /// Of the soundings that there are: x, y, z in m and intensity.

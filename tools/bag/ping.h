@@ -12,14 +12,20 @@ namespace echoloop::bag {
 struct Ping {
     std::string device{};
     std::uint64_t number = 0;
-    Time transmitted{}, late{};
+    Time transmitted{}, late{}, drawn{}, due{};
     Echogram echogram{};
     std::vector<Pose> movers{};
     double unix_time = 0;
     Pose world_from_body{};
     Motion body{}, sonar{};
-    Time due{};
     std::vector<std::string> faults{};
+};
+
+/// As SeenFault.
+struct Fault {
+    std::string device{}, port{};
+    double unix_time = 0;
+    std::string text{};
 };
 
 inline Ping kept(const SeenPing& ping) {
@@ -27,13 +33,14 @@ inline Ping kept(const SeenPing& ping) {
             ping.number,
             ping.transmitted,
             ping.late,
+            ping.drawn,
+            ping.due,
             ping.echogram,
             ping.movers,
             ping.unix_time,
             ping.world_from_body,
             ping.body,
             ping.sonar,
-            ping.due,
             ping.faults};
 }
 

@@ -67,8 +67,10 @@ void SonarPicture::take(Levels levels, bool turns) {
     Kind kind = turns || pans_.size() > 1 ? Kind::circle : Kind::echogram;
     if (levels.rows > 1)
         kind = Kind::range_image;
-    else if (levels.sides)
+    else if (levels.waterfall || (levels.sides && levels.beams == 2))
         kind = Kind::side_scan;
+    else if (levels.sides)
+        kind = Kind::echogram;
     else if (levels.beams > 1)
         kind = Kind::fan;
     if (!last_ || kind != kind_ || levels.bins != last_->bins || levels.farthest() != last_->farthest()) {
@@ -211,9 +213,9 @@ void SonarPicture::draw_side_scan(std::string& out) const {
     for (std::size_t y = 0; y < std::min<std::size_t>(height, lines_.size()); ++y) {
         const Levels& line = lines_[lines_.size() - 1 - y];
         for (std::size_t x = 0; x < width; ++x) {
-            const bool right = x >= width / 2;
-            const std::size_t along = right ? x - width / 2 : width / 2 - 1 - x;
-            const std::size_t bin = std::min(line.bins - 1, along * line.bins / (width / 2));
+            const bool right = x >= width / 2, single = line.beams == 1;
+            const std::size_t along = single ? x : right ? x - width / 2 : width / 2 - 1 - x;
+            const std::size_t bin = std::min(line.bins - 1, along * line.bins / (single ? width : width / 2));
             put(out, y * width + x, colour(line, line.at(right ? line.beams - 1 : 0, bin)));
         }
     }

@@ -2,36 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "emulator/truth/truth.h"
+#include "tools/bag/topic_types.h"
 
 namespace echoloop::bag {
 namespace {
 
 constexpr std::uint64_t between_pictures = 100'000'000;  // ns
-constexpr const char* image_type = "sensor_msgs/msg/Image";
-constexpr const char* points_type = "sensor_msgs/msg/PointCloud2";
-constexpr const char* projected_type = "marine_acoustic_msgs/msg/ProjectedSonarImage";
-constexpr const char* raw_type = "marine_acoustic_msgs/msg/RawSonarImage";
-constexpr const char* log_type = "rcl_interfaces/msg/Log";
-
 bool is_fan(const Shot& shot) { return shot.sides.empty() && shot.bearings.size() > 1; }
-
-Soundings empty_soundings(const Echogram& echo) {
-    const Shot& shot = echo.shot;
-    Soundings all{shot.frequency, echo.sound_speed, shot.beam_width, shot.fan_height, {}};
-    for (std::size_t row = 0; row < shot.rows(); ++row)
-        for (std::size_t i = 0; i < shot.bearings.size(); ++i) {
-            const double depression = i < shot.sides.size() ? shot.sides[i].depression : 0;
-            const double up = (shot.elevations.empty() ? 0 : shot.elevations[row]) - depression;
-            all.beams.push_back(
-                {direction(shot, shot.bearings[i], up), shot.pan + shot.bearings[i], shot.tilt + up, 0, 0});
-        }
-    return all;
-}
 
 /// The loudest bin of each beam, where it stands out of the noise.
 Soundings loudest_of(const Echogram& echo) {
@@ -60,7 +41,7 @@ std::string truth_of(const Ping& ping, const std::vector<std::string>& objects) 
     PingTruth truth;
     truth.device = ping.device;
     truth.transmitted = ping.transmitted;
-    truth.due = ping.due;
+    truth.due = ping.transmitted + ping.due;
     truth.unix_time = ping.unix_time;
     truth.movers = ping.movers;
     truth.world_from_body = ping.world_from_body;
@@ -104,71 +85,6 @@ std::string hexadecimal(ByteView bytes) {
     return text + (bytes.size() > most ? "..." : "");
 }
 
-/// Counts of 8 bits as they are, decibels below the loudest.
-Levels levels_of(const said::Picture& picture) {
-    Levels levels;
-    levels.rows = picture.elevations.size(), levels.beams = picture.bearings.size();
-    levels.bearings = picture.bearings;
-    levels.pan = picture.pan, levels.sides = picture.waterfall, levels.down = picture.down;
-    levels.first_range = picture.first_range, levels.bin_size = picture.bin_size;
-    levels.bins = picture.bins;
-    if (levels.beams > 1)
-        levels.beam_width =
-            (picture.bearings.back() - picture.bearings.front()) / static_cast<double>(levels.beams - 1);
-    constexpr double most = 255;
-    const bool counts = picture.unit == "counts";
-    double top = -std::numeric_limits<double>::infinity();
-    for (const float level : picture.levels)
-        if (level > top) top = level;
-    if (counts) levels.span = most, levels.floor = 1;
-    if (!counts) levels.step = 0.5, levels.floor = std::isfinite(top) ? top - (most - 1) / 2 : 0;
-    for (const float level : picture.levels) {
-        const double byte = std::isfinite(level) ? std::round((level - levels.floor) / levels.step) + 1 : 0;
-        levels.bytes += static_cast<char>(static_cast<std::uint8_t>(std::clamp(byte, 0.0, most)));
-    }
-    return levels;
-}
-
-/// Where a message tells ranges and no levels: a dot at each.
-Levels dots_of(const said::Picture& picture) {
-    constexpr std::size_t bins = 360;
-    Levels levels = levels_of(picture);
-    const float farthest = *std::ranges::max_element(picture.ranges);
-    levels.bins = bins;
-    levels.first_range = 0, levels.bin_size = std::max(farthest, 0.1F) * 1.05 / bins;
-    levels.floor = 1, levels.step = 1, levels.span = 255;
-    levels.bytes.assign(picture.ranges.size() * bins, '\0');
-    for (std::size_t i = 0; i < picture.ranges.size(); ++i) {
-        if (!(picture.ranges[i] > 0)) continue;
-        const auto at = static_cast<std::size_t>(picture.ranges[i] / levels.bin_size);
-        for (std::size_t bin = at > 0 ? at - 1 : 0; bin <= std::min(at + 1, bins - 1); ++bin)
-            levels.bytes[i * bins + bin] = static_cast<char>(bin == at ? 255 : 200);
-    }
-    return levels;
-}
-
-/// Levels as an echogram has them, those that are not there as 0.
-Echogram echogram_of(const said::Picture& picture, double sound_speed) {
-    Echogram echo;
-    echo.sound_speed = sound_speed;
-    echo.shot.bearings = picture.bearings;
-    if (picture.elevations.size() > 1) echo.shot.elevations = picture.elevations;
-    echo.shot.pan = picture.pan;
-    echo.shot.bins = picture.bins;
-    echo.shot.first_bin_time = 2 * picture.first_range / sound_speed;
-    echo.shot.bin_interval = 2 * picture.bin_size / sound_speed;
-    echo.values = picture.levels;
-    for (float& value : echo.values)
-        if (!std::isfinite(value)) value = 0;
-    return echo;
-}
-
-/// One that looks down has z down and x ahead, as soundings have.
-Vec3 said_direction(const said::Picture& picture, const Shot& shot, const Sounding& beam) {
-    if (!picture.down) return direction(shot, beam.bearing - shot.pan, beam.elevation);
-    return {0, -std::sin(beam.bearing), -std::cos(beam.bearing)};
-}
-
 }  // namespace
 
 void Topics::draw(const std::string& topic, const Stamped& head, std::uint64_t said, Levels levels,
@@ -186,8 +102,7 @@ void Topics::ping(const Ping& ping) {
     const Echogram& echo = ping.echogram;
     const std::string name = ros_name(ping.device), topic = "/" + name;
     const Stamped head{nanoseconds(ping.unix_time), name};
-    const std::uint64_t said =
-        nanoseconds(ping.unix_time + to_seconds(ping.due + ping.late - ping.transmitted));
+    const std::uint64_t said = nanoseconds(ping.unix_time + to_seconds(ping.due + ping.late));
     if (echo.shot.rows() == 1) {
         if (is_fan(echo.shot))
             take_({topic + "/image", projected_type, said}, [&] {
@@ -215,7 +130,7 @@ void Topics::offer_truth(const Ping& ping, const std::string& topic, const Stamp
                          std::uint64_t said) {
     take_({topic + "/truth", "std_msgs/msg/String", said},
           [&] { return text_message(truth_of(ping, about_.objects)); });
-    take_({topic + "/truth/ranges", "marine_acoustic_msgs/msg/SonarRanges", said}, [&] {
+    take_({topic + "/truth/ranges", ranges_type, said}, [&] {
         return sonar_ranges({head.time, head.frame + "_fan"}, true_ranges(ping.echogram));
     });
 }
@@ -294,36 +209,6 @@ void Topics::message(const Wire& wire, const inspect::Family* family, const insp
     if (!maker) maker = said::maker_of(family->name);
     if (!maker) return;
     if (const auto picture = maker->take(one, bytes, wire.sent)) say(wire, *picture);
-}
-
-void Topics::say(const Wire& wire, const said::Picture& told) {
-    const std::string name = ros_name(wire.device), topic = "/" + name + "/said";
-    const std::uint64_t said = nanoseconds(wire.unix_time);
-    const Stamped head{said, name};
-    const Echogram echo = echogram_of(told, said::assumed_sound_speed);
-    if (!told.levels.empty()) {
-        const std::string& frame = name + "_fan";
-        if (told.elevations.size() == 1 && !told.waterfall && told.bearings.size() > 1)
-            take_({topic + "/image", projected_type, said}, [&] {
-                return projected_image({said, frame}, echo);
-            });
-        else if (told.elevations.size() == 1)
-            take_({topic + "/raw", raw_type, said}, [&] { return raw_image({said, frame}, echo); });
-    }
-    // A message of soundings, and one of levels, make a picture each.
-    draw(topic + "/" + (told.levels.empty() ? "soundings" : "picture"), head, said,
-         told.levels.empty() ? dots_of(told) : levels_of(told), told.turns);
-    if (told.ranges.empty()) return;
-    Soundings all = empty_soundings(echo);
-    all.beam_width = 0;
-    for (std::size_t i = 0; i < std::min(all.beams.size(), told.ranges.size()); ++i) {
-        all.beams[i].range = told.ranges[i];
-        all.beams[i].direction = said_direction(told, echo.shot, all.beams[i]);
-    }
-    take_({topic + "/detections", "marine_acoustic_msgs/msg/SonarDetections", said}, [&] {
-        return sonar_detections({said, name + "_fan"}, all);
-    });
-    take_({topic + "/points", points_type, said}, [&] { return point_cloud(head, all); });
 }
 
 }  // namespace echoloop::bag

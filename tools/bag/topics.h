@@ -27,12 +27,6 @@ struct Wire {
     bool gap = false;          ///< bytes are missing before these
 };
 
-struct Fault {
-    std::string device{}, port{};
-    double unix_time = 0;
-    std::string text{};
-};
-
 /// Of a run.
 struct About {
     std::map<std::string, std::string> families{};  ///< of each device; one that is missing is guessed

@@ -1,5 +1,7 @@
 #include "tools/view/feed.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace echoloop::view {
@@ -9,14 +11,36 @@ constexpr std::chrono::milliseconds between_large(100);
 constexpr std::size_t large = 8192;           // values; smaller ones are lines of a picture, and all are kept
 constexpr std::size_t most_lines = 64;        // of a sonar, between two calls of take()
 constexpr std::size_t most_passed = 1000;     // between two calls of take()
-constexpr std::size_t most_bytes = 2U << 20;  // the same
-constexpr std::size_t longest_kept = 256U << 10;  // of one message
+constexpr std::size_t most_bytes = 4U << 20;  // the same
+constexpr std::size_t longest_kept = 4U << 20;  // of one message
+constexpr std::size_t most_before = 256U << 10;
 
 double unix_now() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+Passed copied(const SeenBytes& seen, std::size_t keep) {
+    return {std::string(seen.device),
+            std::string(seen.port),
+            seen.sent,
+            seen.packets,
+            seen.unix_time > 0 ? seen.unix_time : unix_now(),
+            Bytes(seen.bytes.begin(), seen.bytes.begin() + static_cast<std::ptrdiff_t>(keep)),
+            seen.bytes.size()};
+}
+
 }  // namespace
+
+void Feed::look(std::size_t viewers) {
+    const std::scoped_lock lock(mutex_);
+    if (viewers > 0 && viewers_ == 0) {
+        passed_.assign(std::make_move_iterator(before_.begin()), std::make_move_iterator(before_.end()));
+        before_.clear();
+        before_bytes_ = 0;
+        lines_.clear();
+    }
+    viewers_ = viewers;
+}
 
 bool Feed::wants_ping(std::string_view device, const Shot& shot) {
     if (viewers_ == 0) return false;
@@ -39,17 +63,45 @@ void Feed::ping(const SeenPing& ping) {
 }
 
 void Feed::bytes(const SeenBytes& seen) {
-    if (viewers_ == 0) return;
+    if (viewers_ == 0 && seen.sent) return;
     const std::scoped_lock lock(mutex_);
+    if (viewers_ == 0) return keep_for_later(seen);
+    const Line line{std::string(seen.device), std::string(seen.port)};
+    LineCount& count = lines_[line];
+    (seen.sent ? count.out : count.in) += seen.bytes.size();
+    count.rate = seen.line_rate;
     const std::size_t keep = std::min(seen.bytes.size(), longest_kept);
     if (passed_.size() >= most_passed || passed_bytes_ + keep > most_bytes) {
         left_out_ += seen.bytes.size();
+        gaps_.insert({line, seen.sent});
         return;
     }
     passed_bytes_ += keep;
-    passed_.push_back({std::string(seen.device), std::string(seen.port), seen.sent, seen.packets, unix_now(),
-                       Bytes(seen.bytes.begin(), seen.bytes.begin() + static_cast<std::ptrdiff_t>(keep)),
-                       seen.bytes.size()});
+    passed_.push_back(copied(seen, keep));
+    passed_.back().gap = gaps_.erase({line, seen.sent}) > 0;
+}
+
+/// The oldest goes first: of a driver that says much, what it set long ago.
+void Feed::keep_for_later(const SeenBytes& seen) {
+    if (seen.bytes.size() > most_before) return;
+    before_bytes_ += seen.bytes.size();
+    before_.push_back(copied(seen, seen.bytes.size()));
+    while (before_bytes_ > most_before || before_.size() > most_passed) {
+        before_bytes_ -= before_.front().bytes.size();
+        before_.pop_front();
+    }
+}
+
+std::map<Feed::Line, LineCount> Feed::lines() const {
+    const std::scoped_lock lock(mutex_);
+    return lines_;
+}
+
+void Feed::fault(const SeenFault& seen) {
+    if (viewers_ == 0) return;
+    const std::scoped_lock lock(mutex_);
+    if (faults_.size() < most_passed)
+        faults_.push_back({std::string(seen.device), std::string(seen.port), seen.unix_time, seen.text});
 }
 
 Feed::News Feed::take() {
@@ -60,6 +112,7 @@ Feed::News Feed::take() {
         sonar.pings.clear();
     }
     news.passed = std::exchange(passed_, {});
+    news.faults = std::exchange(faults_, {});
     news.bytes_left_out = std::exchange(left_out_, 0);
     passed_bytes_ = 0;
     return news;

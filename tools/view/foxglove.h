@@ -55,6 +55,7 @@ class Foxglove {
     /// What happens in the run, for those who have subscribed to it.
     void ping(const bag::Ping& ping) { topics_.ping(ping); }
     void bytes(const bag::Wire& wire) { topics_.bytes(wire); }
+    void fault(const bag::Fault& fault) { topics_.fault(fault); }
 
   private:
     struct Channel {

@@ -28,7 +28,9 @@ void FoxgloveHub::tell(const Feed::News& news) {
                          .packets = one.packets,
                          .unix_time = one.unix_time,
                          .bytes = one.bytes,
-                         .left_out = one.size - one.bytes.size()});
+                         .left_out = one.size - one.bytes.size(),
+                         .gap = one.gap});
+    for (const bag::Fault& one : news.faults) foxglove_.fault(one);
     for (const auto& viewer : viewers_) send(viewer);
 }
 
