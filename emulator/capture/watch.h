@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "emulator/contract/device.h"
+#include "render/motion.h"
 
 namespace echoloop {
 
@@ -14,11 +15,15 @@ namespace echoloop {
 struct SeenPing {
     std::string_view device;
     std::uint64_t number = 0;
-    Time transmitted{};               ///< run time
-    Time late{};                      ///< after it was due
-    Time drawn{}, due{};              ///< since the transmission: when the echogram was there, and was due
-    const Echogram& echogram;         ///< with its objects and all that the device hears
-    const std::vector<Pose>& movers;  ///< Situation::movers
+    Time transmitted{};                 ///< run time
+    Time late{};                        ///< after it was due
+    Time drawn{}, due{};                ///< since the transmission: when the echogram was there, and was due
+    const Echogram& echogram;           ///< with its objects and all that the device hears
+    const std::vector<Pose>& movers;    ///< Situation::movers
+    double unix_time = 0;               ///< s since 1970, of the transmission
+    Pose world_from_body{};             ///< of the vehicle, then
+    Motion body{}, sonar{};             ///< in the world
+    std::vector<std::string> faults{};  ///< kinds and numbers of those that are on
 };
 
 /// Bytes that have passed over the wire of a port.
@@ -28,7 +33,14 @@ struct SeenBytes {
     bool packets = false;  ///< datagrams, each whole
     ByteView bytes;
     double line_rate = 0;  ///< bit/s, of a serial line; 0: of no line, or as fast as the other end takes it
-    double unix_time = 0;  ///< s since 1970, of what is no longer new; 0: now
+    double unix_time = 0;  ///< s since 1970, by the clock of the run or the capture; 0: now
+};
+
+/// A fault that was made, or has ended.
+struct SeenFault {
+    std::string_view device, port;  ///< port: "" for the whole device
+    double unix_time = 0;
+    std::string text;  ///< "bit_flips: byte 17, bit 3"
 };
 
 class Watch {
@@ -44,6 +56,8 @@ class Watch {
     virtual void ping(const SeenPing& ping) = 0;
     /// On the thread of the wires, as above.
     virtual void bytes(const SeenBytes& bytes) = 0;
+    /// The same.
+    virtual void fault(const SeenFault&) {}
 };
 
 }  // namespace echoloop

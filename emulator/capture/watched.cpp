@@ -5,11 +5,13 @@
 
 namespace echoloop {
 
-Watched::Watched(std::unique_ptr<Transport> transport, Watch& watch, std::string device, std::string port)
+Watched::Watched(std::unique_ptr<Transport> transport, Watch& watch, std::string device, std::string port,
+                 std::function<double()> unix_time)
     : Decorator(std::move(transport)),
       watch_(watch),
       device_(std::move(device)),
       port_(std::move(port)),
+      unix_time_(std::move(unix_time)),
       packets_(line().wire().kind == Wire::Kind::udp) {}
 
 void Watched::start(Events events) {
@@ -29,7 +31,7 @@ Task<void> Watched::write(ByteView bytes, Address to) {
 }
 
 void Watched::tell(bool sent, ByteView bytes) {
-    watch_.bytes({device_, port_, sent, packets_, bytes, line().line_rate()});
+    watch_.bytes({device_, port_, sent, packets_, bytes, line().line_rate(), unix_time_()});
 }
 
 }  // namespace echoloop

@@ -1,6 +1,7 @@
 // A transport whose traffic somebody looks at. It changes neither bytes nor times.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "emulator/capture/watch.h"
@@ -10,8 +11,10 @@ namespace echoloop {
 
 class Watched final : public Decorator {
   public:
-    /// `watch` outlives this.
-    Watched(std::unique_ptr<Transport> transport, Watch& watch, std::string device, std::string port);
+    /// `watch` outlives this. `unix_time`: s since 1970, by the run's clock; 0: now.
+    Watched(
+        std::unique_ptr<Transport> transport, Watch& watch, std::string device, std::string port,
+        std::function<double()> unix_time = [] { return 0.0; });
 
     void start(Events events) override;
     /// Seen is what really left.
@@ -22,6 +25,7 @@ class Watched final : public Decorator {
 
     Watch& watch_;
     std::string device_, port_;
+    std::function<double()> unix_time_;
     bool packets_;
 };
 

@@ -104,6 +104,8 @@ class Faults {
     std::size_t count() const;
     const std::deque<DeviceFaults>& devices() const { return devices_; }
     const FaultLabels& labels() const { return labels_; }
+    /// Before the first fault: `watch` sees each, and outlives this.
+    void show(Watch& watch) { labels_.show(watch); }
 
   private:
     std::uint64_t seed_;

@@ -27,6 +27,9 @@ FaultLabels::FaultLabels(BackgroundFile* file, std::uint64_t seed, const std::st
 void FaultLabels::add(Time now, const FaultPlace& place, const FaultEvent& event) {
     const FaultRow& row = row_of(event.kind);
     if (!event.is_end) ++counts_[place.device][static_cast<std::size_t>(event.kind)];
+    if (watch_ != nullptr)
+        watch_->fault({place.device, place.port, unix_time_(),
+                       comment_of(event) + (event.is_end ? ", which has ended" : "")});
     if (file_ == nullptr) return;
     Json json{{"t", told_seconds(now)}, {"unix", unix_time_()}, {"device", place.device}};
     if (!place.port.empty()) json["port"] = place.port;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "emulator/capture/background_file.h"
+#include "emulator/capture/watch.h"
 #include "emulator/scenario/fault.h"
 
 namespace echoloop {
@@ -45,11 +46,14 @@ class FaultLabels {
     /// `file`: nullptr for counts alone; outlives this. Its first line says what it is.
     FaultLabels(BackgroundFile* file, std::uint64_t seed, const std::string& scenario, UnixTime unix_time);
 
+    /// From now on `watch` sees each fault, too; it outlives this.
+    void show(Watch& watch) { watch_ = &watch; }
     void add(Time now, const FaultPlace& place, const FaultEvent& event);
     const std::map<std::string, FaultCounts>& counts() const { return counts_; }
 
   private:
     BackgroundFile* file_;
+    Watch* watch_ = nullptr;
     UnixTime unix_time_;
     std::map<std::string, FaultCounts> counts_;
 };

@@ -55,13 +55,15 @@ std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io
     return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
 }
 
-Around around_wires(const RunRecords& records, const std::string& device) {
+Around around_wires(const RunRecords& records, const std::string& device,
+                    const std::function<double()>& unix_time) {
     Around recorder;
     if (records.recording != nullptr) recorder = PortRecorder(*records.recording, device);
     if (records.watch == nullptr) return recorder;
-    return [recorder, watch = records.watch, device](std::unique_ptr<Transport> wire, const Port& port) {
+    return [recorder, watch = records.watch, device, unix_time](std::unique_ptr<Transport> wire,
+                                                                const Port& port) {
         if (recorder) wire = recorder(std::move(wire), port);
-        return std::make_unique<Watched>(std::move(wire), *watch, device, port.name);
+        return std::make_unique<Watched>(std::move(wire), *watch, device, port.name, unix_time);
     };
 }
 
@@ -112,6 +114,7 @@ class Runtime::Impl {
         vehicle_.name_places(scenario_);
         if (records.truth != nullptr) records.truth->begin(truth_header(scenario));
         dataset_ = records.dataset;
+        if (records.watch != nullptr) faults_.show(*records.watch);
         const bool faulty = !scenario.faults.empty() || !scenario.control.empty() || records.live_faults;
         for (ScenarioDevice& device : scenario_.devices) add(device, records, faulty);
         for (const Fault& fault : scenario.faults) faults_.add(fault);
@@ -263,7 +266,7 @@ class Runtime::Impl {
 
     /// Writes the numbers of its ports into `entry`.
     void add(ScenarioDevice& entry, const RunRecords& records, bool faulty) {
-        const auto around = around_wires(records, entry.name);
+        const auto around = around_wires(records, entry.name, [this] { return clock_->unix_time(); });
         OpenPorts open =
             open_ports(*clock_, entry,
                        scenario_.clock == ClockMode::free ? Drivers::scripted : Drivers::outside, around);
@@ -302,7 +305,10 @@ class Runtime::Impl {
         if (dataset_ != nullptr) sessions_.back()->keep_in(*dataset_, sessions_.size() - 1);
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         if (records.remarks) sessions_.back()->remark_pings();
-        if (records.watch != nullptr) sessions_.back()->be_watched(*records.watch);
+        if (records.watch != nullptr)
+            sessions_.back()->be_watched(*records.watch, [this](Time time) {
+                return std::pair(vehicle_.world_from_body(time), vehicle_.motion(time));
+            });
         running_.push_back({entry.name, entry.model, std::move(open.places), {}, {}});
     }
 

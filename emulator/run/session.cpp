@@ -188,7 +188,8 @@ void Session::transmit(Ping ping, Time time) {
     const double unix_time = clock_.unix_time() - to_seconds(clock_.now() - time);
     asio::co_spawn(io_,
                    deliver({std::move(transmission), sequence_, ping.due, std::move(echoes),
-                            std::move(late_before), std::move(situation), unix_time, power_cuts_, watched}),
+                            std::move(late_before), std::move(situation), unix_time, power_cuts_, watched,
+                            watched ? body_at_(time) : std::pair<Pose, Motion>()}),
                    Serving(name_));
 }
 
@@ -240,7 +241,11 @@ void Session::hear(UnderWay& ping) {
                            ping.echoes->finished - ping.transmission.time,
                            ping.due - ping.transmission.time,
                            echogram.objects,
-                           ping.situation.movers};
+                           ping.situation.movers,
+                           ping.unix_time,
+                           ping.body,
+                           {ping.situation.velocity, ping.situation.turning},
+                           log_ != nullptr ? log_->on(now) : std::vector<std::string>{}};
     auto faults = truth_ && log_ != nullptr ? log_->on(now) : std::vector<std::string>{};
     if (truth_) {
         PingTruth truth = truth_->of(ping.transmission, ping.situation, ping.unix_time, ping.due,
@@ -263,8 +268,10 @@ Actions Session::hear_all(Heard& heard) {
     late_echoes_.add_to(heard.sequence, heard.echogram);
     if (heard.seen) {
         heard.echogram.objects = std::move(heard.seen->objects);
-        watch_->ping({name_, heard.sequence, heard.seen->transmitted, heard.seen->late, heard.seen->drawn,
-                      heard.seen->due, heard.echogram, heard.seen->movers});
+        const Seen& seen = *heard.seen;
+        watch_->ping({name_, heard.sequence, seen.transmitted, seen.late, seen.drawn, seen.due,
+                      heard.echogram, seen.movers, seen.unix_time, seen.body.first, seen.body.second,
+                      seen.sonar, seen.faults});
     }
     Actions actions = device_->heard(heard.echogram, heard.now);
     if (heard.kept) {

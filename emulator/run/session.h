@@ -64,8 +64,10 @@ class Session {
     /// Before start(): who is told which ping is heard and sent. It outlives this.
     void tell_of_pings(PingLog& log) { log_ = &log; }
 
+    /// Where the vehicle is, and how it moves in the world.
+    using BodyAt = std::function<std::pair<Pose, Motion>(Time)>;
     /// Before start(): who looks on. It outlives this.
-    void be_watched(Watch& watch) { watch_ = &watch; }
+    void be_watched(Watch& watch, BodyAt body) { watch_ = &watch, body_at_ = std::move(body); }
 
     /// Before start(): the first packet of each ping gets a comment that says where the sonar was.
     void remark_pings() { remarks_ = true; }
@@ -104,9 +106,10 @@ class Session {
         double unix_time;       ///< s since 1970, of the transmission
         std::uint64_t powered;  ///< power_cuts_ when it was sent
         bool watched;
-        Time woken{};      ///< when it was seen to be due
-        Time overslept{};  ///< by then
-        Time waited{};     ///< from then on, for its rendering
+        std::pair<Pose, Motion> body;  ///< of the vehicle at the transmission, where it is watched
+        Time woken{};                  ///< when it was seen to be due
+        Time overslept{};              ///< by then
+        Time waited{};                 ///< from then on, for its rendering
     };
     /// A message, and the number of the ping that the device had heard last.
     struct Mail {
@@ -124,6 +127,10 @@ class Session {
         Time transmitted, late, drawn, due;
         std::vector<std::uint16_t> objects;
         std::vector<Pose> movers;
+        double unix_time;
+        std::pair<Pose, Motion> body;
+        Motion sonar;
+        std::vector<std::string> faults;
     };
     /// What the device is about to hear; nothing else touches its late echoes meanwhile.
     struct Heard {
@@ -184,6 +191,7 @@ class Session {
     std::deque<std::function<void()>> waiting_;
     PingLog* log_ = nullptr;  ///< nullptr: nobody asks
     Watch* watch_ = nullptr;  ///< nullptr: nobody looks
+    BodyAt body_at_;          ///< for it
     std::uint64_t power_cuts_ = 0;
     std::uint64_t heard_ = 0;  ///< number of the ping heard last, from 1
 

@@ -15,6 +15,18 @@ def use(folder, module):
         if (path / module).exists():
             sys.path.insert(0, str(path))
             return
+    refuse(module)
+
+
+def node(module):
+    """The folder that holds `module` of npm and others; skips and fails as use() does."""
+    folder = ROOT / "build" / "drivers" / "node"
+    if not (folder / "node_modules" / module).exists():
+        refuse(module)
+    return folder
+
+
+def refuse(module):
     reason = f"{module} is not installed: run tests/drivers/install, which needs a network"
     if os.environ.get("CI"):
         raise RuntimeError(reason)

@@ -47,7 +47,7 @@ ROOMS = {
     "machine": (("contract",), "", ""),
     "scenario": (("contract",), "render/.*", "yaml-cpp/.*|boost/(math|random)/.*"),
     "transport": (("contract", "clock"), "", NETWORK),
-    "capture": (("contract", "clock", "transport"), "", ""),
+    "capture": (("contract", "clock", "transport"), r"render/motion\.h", ""),
     "truth": (("contract", "capture"), "render/.*", ""),
     "dataset": (("contract", "capture", "truth"), "render/.*", ""),
     "faults": (("contract", "clock", "scenario", "transport", "capture"), "protocols/.*", ""),

@@ -14,6 +14,7 @@
 #include "protocols/imagenex/shot_writer.h"
 #include "tools/capture/open.h"
 #include "tools/echoloop/common.h"
+#include "tools/echoloop/convert/bag.h"
 #include "tools/echoloop/convert/from_capture.h"
 #include "tools/echoloop/output_file.h"
 #include "tools/echoloop/terminal.h"
@@ -126,19 +127,23 @@ std::string write_other(const Arguments& arguments, const std::filesystem::path&
     const convert::Source source{arguments.text("CAPTURE"), arguments.text("--line"),
                                  arguments.text("--message")};
     const auto* format = convert::format_of(out);
+    const bool is_bag = ending_of(out) == ".mcap";
     const auto written = format != nullptr ? convert::write_recording(source, *format, file)
+                         : is_bag          ? convert::write_bag(source, file)
                                            : convert::write_table(source, file);
     for (const auto& trouble : written.troubles) print_warning(trouble);
     if (written.lost > 0)
         print_warning(counted(written.lost, "message") + " of which parts are missing, not written");
-    return counted(written.count, format == nullptr ? "row" : "message");
+    return counted(written.count, format == nullptr && !is_bag ? "row" : "message");
 }
 
 void require_known_kind(const std::filesystem::path& out) {
-    if (shot_format_of(out) || convert::format_of(out) != nullptr || ending_of(out) == ".csv") return;
+    if (shot_format_of(out) || convert::format_of(out) != nullptr || ending_of(out) == ".csv" ||
+        ending_of(out) == ".mcap")
+        return;
     throw StartError(Exit::usage, "OUT: " + scenario::in_quotes(out.string()) +
                                       " names no known kind of file; end it in .852, .81A, " +
-                                      convert::endings() + " or .csv");
+                                      convert::endings() + ", .csv or .mcap");
 }
 
 int run_convert(const Arguments& arguments) {
@@ -185,7 +190,7 @@ Verb convert_verb() {
               "OUT",
               "",
               "file to write: .852 or .81A (Imagenex), .kmall, .s7k, .svlog (Cerulean), .bin (Ping Viewer), "
-              ".aris, .csv",
+              ".aris, .csv, .mcap (bag for ROS 2 and Foxglove)",
               {},
               true},
              {Kind::value, "--line", "NAME",
@@ -194,6 +199,7 @@ Verb convert_verb() {
             "  echoloop run config/imagenex-852.yaml --record dive.pcapng\n"
             "  echoloop convert dive.pcapng dive.852\n"
             "  echoloop convert survey.pcap survey.kmall\n"
+            "  echoloop convert dive.pcapng dive.mcap\n"
             "  echoloop convert dive.pcapng angles.csv --message DeviceData",
             run_convert};
 }

@@ -54,7 +54,7 @@ void tell_places(Json& started, const Runtime& runtime) {
 
 }  // namespace
 
-std::string run_started_json(const Runtime& runtime, const std::string& view) {
+std::string run_started_json(const Runtime& runtime, const std::string& view, const std::string& foxglove) {
     const Scenario& scenario = runtime.scenario();
     Json devices = Json::array();
     const auto running = runtime.devices();
@@ -70,12 +70,13 @@ std::string run_started_json(const Runtime& runtime, const std::string& view) {
                  {"devices", devices}};
     tell_places(started, runtime);
     if (!view.empty()) started["view"] = view;
+    if (!foxglove.empty()) started["foxglove"] = foxglove;
     return line_of(started);
 }
 
 std::string run_summary_json(const std::vector<SessionSummary>& sessions, const Runtime& runtime,
                              const Recording* recording, const TruthFile* truth, const BackgroundFile* labels,
-                             const Dataset* dataset) {
+                             const Dataset* dataset, const bag::Bag* bag) {
     Json devices = Json::array();
     for (const auto& s : sessions) {
         Json device{{"name", s.name}};
@@ -119,6 +120,11 @@ std::string run_summary_json(const std::vector<SessionSummary>& sessions, const 
         const DatasetSummary s = dataset->summary();
         ended["dataset"] = {
             {"folder", dataset->folder().string()}, {"pings", s.pings}, {"bytes", s.bytes}, {"lost", s.lost}};
+    }
+    if (bag != nullptr) {
+        const bag::BagSummary s = bag->summary();
+        ended["bag"] = {
+            {"file", bag->file().string()}, {"messages", s.messages}, {"bytes", s.bytes}, {"lost", s.lost}};
     }
     return line_of(ended);
 }

@@ -15,6 +15,7 @@
 #include "emulator/transport/address.h"
 #include "emulator/transport/own_folder.h"
 #include "tools/echoloop/driver.h"
+#include "tools/echoloop/run_bag.h"
 #include "tools/view/scene_message.h"
 
 namespace echoloop::cli {
@@ -165,6 +166,7 @@ std::unique_ptr<view::Server> LiveView::serve(Runtime& runtime) {
                                  {"devices", devices_of(scenario)},
                                  {"faults", kinds_of_faults()}});
     options.scene = view::scene_message(*runtime.scene(), scenario.scene.string());
+    options.about = about(runtime);
     options.ask = [this, &runtime](const std::string& line, std::function<void(std::string)> answer) {
         const Json asked = Json::parse(line, nullptr, false);
         if (recording_ && asked.is_object() && asked.contains("record"))
@@ -206,6 +208,7 @@ std::unique_ptr<view::Server> LiveView::serve(const std::string& file, const std
     options.ask = [](const std::string&, const std::function<void(std::string)>& answer) {
         answer(R"({"ok": true, "t": 0, "devices": []})");
     };
+    options.about.families = options.families;
     return std::make_unique<view::Server>(feed_, std::move(options));
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "emulator/capture/recording.h"
+#include "emulator/capture/watches.h"
 #include "emulator/dataset/dataset.h"
 #include "emulator/pose/input.h"
 #include "emulator/pose/step_server.h"
@@ -17,6 +18,7 @@
 #include "tools/echoloop/faults_output.h"
 #include "tools/echoloop/json_run.h"
 #include "tools/echoloop/live_view.h"
+#include "tools/echoloop/run_bag.h"
 #include "tools/echoloop/run_summary.h"
 
 namespace echoloop::cli {
@@ -37,7 +39,7 @@ std::optional<double> duration_of(const Arguments& arguments, const Scenario& sc
     return scenario.duration;
 }
 
-void print_start(const Runtime& runtime, std::optional<double> duration, const std::string& view) {
+void print_start(const Runtime& runtime, std::optional<double> duration, const view::Server* page) {
     const Scenario& scenario = runtime.scenario();
     const auto line = [](const std::string& name, const std::string& text) {
         std::printf("%s%s\n", padded(name, 16).c_str(), text.c_str());
@@ -64,7 +66,8 @@ void print_start(const Runtime& runtime, std::optional<double> duration, const s
         line("control", scenario.control + ", token " + token);
     else if (!scenario.control.empty())
         line("control", scenario.control);
-    if (!view.empty()) line("view", view);
+    if (page != nullptr) line("view", page->link());
+    if (page != nullptr) line("foxglove", page->foxglove());
     if (scenario.clock != ClockMode::free)
         std::printf("For a driver: %s endpoints %s --format ros1 (or ros2, moos, rock, sitl)\n",
                     program_invocation_name, scenario.file.c_str());
@@ -146,6 +149,10 @@ int run_scenario(const Arguments& arguments) {
         arguments.has("--truth") ? std::make_unique<TruthFile>(arguments.text("--truth")) : nullptr;
     const auto labels = labels_from(arguments);
     LiveView live_view(arguments);
+    const auto bag = bag_from(arguments);
+    Watches watches;
+    if (live_view.watch() != nullptr) watches.add(*live_view.watch());
+    if (bag) watches.add(*bag);
     const auto dataset =
         arguments.has("--dataset") ? std::make_unique<Dataset>(arguments.text("--dataset")) : nullptr;
     try {
@@ -155,17 +162,18 @@ int run_scenario(const Arguments& arguments) {
                          .truth = truth.get(),
                          .labels = labels.get(),
                          .dataset = dataset.get(),
-                         .watch = live_view.watch(),
+                         .watch = watches.size() > 0 ? &watches : nullptr,
                          .live_faults = live_view.control()},
                         arguments.has("--realtime") ? Punctuality::real_time : Punctuality::ordinary);
+        if (bag) begin(*bag, runtime);
         auto page = live_view.serve(runtime);
         const std::string link = page ? page->link() : "";
         const bool json = arguments.has("--json");
         if (json) {
-            std::printf("%s\n", run_started_json(runtime, link).c_str());
+            std::printf("%s\n", run_started_json(runtime, link, page ? page->foxglove() : "").c_str());
             std::fflush(stdout);
         } else {
-            print_start(runtime, duration, link);
+            print_start(runtime, duration, page.get());
         }
         {
             std::optional<DatasetProgress> progress;
@@ -177,10 +185,11 @@ int run_scenario(const Arguments& arguments) {
         if (truth) truth->finish();
         if (labels) labels->finish();
         if (dataset) finish(*dataset, runtime);
+        if (bag) bag->finish();
         const auto sessions = runtime.summary();
         if (json) {
             const auto ended = run_summary_json(sessions, runtime, recording.get(), truth.get(), labels.get(),
-                                                dataset.get());
+                                                dataset.get(), bag.get());
             std::printf("%s\n", ended.c_str());
         } else {
             print_summary(sessions);
@@ -196,6 +205,7 @@ int run_scenario(const Arguments& arguments) {
             if (truth) print_truth(*truth);
             if (labels) print_labels(*labels);
             if (dataset) print_dataset(*dataset);
+            if (bag) print_bag(*bag);
         }
         std::fflush(stdout);  // before an error
         if (arguments.has("--fail-late")) demand_punctuality(sessions);
@@ -235,6 +245,9 @@ Verb run_verb() {
          {Argument::Kind::value, "--dataset", "DIR",
           "write echograms, pictures, labels, truth and bytes of every ping into a new folder "
           "(docs/datasets.md)"},
+         {Argument::Kind::value, "--mcap", "FILE",
+          "write pictures, points, poses, truth, messages and faults into a bag for ROS 2 and Foxglove "
+          "(docs/bags.md)"},
          {Argument::Kind::value, "--control", "PLACE",
           "accept commands for faults at unix:/PATH or tcp-listen://127.0.0.1:PORT; see echoloop fault"},
          {Argument::Kind::value, "--labels", "FILE", "write one line of JSON for every fault"},
@@ -250,6 +263,7 @@ Verb run_verb() {
         "  echoloop run tank --duration 60 --record dive.pcapng\n"
         "  echoloop run tank --truth dive.jsonl\n"
         "  echoloop run sweep --dataset turn\n"
+        "  echoloop run demo --duration 60 --mcap dive.mcap\n"
         "  echoloop run faults --labels faults.jsonl --control unix:/tmp/echoloop/control\n"
         "  echoloop run demo --set devices.micron.endpoints='[\"tcp-listen://127.0.0.1:9090\"]'",
         run_scenario};

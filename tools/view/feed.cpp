@@ -102,6 +102,13 @@ std::map<Feed::Line, LineCount> Feed::lines() const {
     return lines_;
 }
 
+void Feed::fault(const SeenFault& seen) {
+    if (viewers_ == 0) return;
+    const std::scoped_lock lock(mutex_);
+    if (faults_.size() < most_passed)
+        faults_.push_back({std::string(seen.device), std::string(seen.port), seen.unix_time, seen.text});
+}
+
 Feed::News Feed::take() {
     News news;
     const std::scoped_lock lock(mutex_);
@@ -110,6 +117,7 @@ Feed::News Feed::take() {
         sonar.pings.clear();
     }
     news.passed = std::exchange(passed_, {});
+    news.faults = std::exchange(faults_, {});
     news.bytes_left_out = std::exchange(left_out_, 0);
     passed_bytes_ = 0;
     return news;

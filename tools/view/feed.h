@@ -43,11 +43,13 @@ class Feed final : public Watch {
     bool wants_ping(std::string_view device, const Shot& shot) override;
     void ping(const SeenPing& ping) override;
     void bytes(const SeenBytes& bytes) override;
+    void fault(const SeenFault& fault) override;
 
     /// What has come since the last call, oldest first; of large pictures the latest of each sonar.
     struct News {
         std::vector<std::shared_ptr<const Kept>> pings;
         std::vector<Passed> passed;
+        std::vector<bag::Fault> faults;
         std::size_t bytes_left_out = 0;  ///< there was too much to keep
     };
     News take();
@@ -71,6 +73,7 @@ class Feed final : public Watch {
     std::vector<Passed> passed_;
     std::deque<Passed> before_;  ///< what drivers said while nobody looked
     std::size_t before_bytes_ = 0;
+    std::vector<bag::Fault> faults_;
     std::size_t passed_bytes_ = 0, left_out_ = 0;
 };
 

@@ -14,6 +14,8 @@ std::string text_of(boost::beast::string_view text) { return {text.data(), text.
 
 std::string Gate::link() const { return "http://" + to_text(place_) + "/#" + token_; }
 
+std::string Gate::foxglove() const { return "ws://" + to_text(place_) + "/?token=" + token_; }
+
 bool Gate::is_for_us(const Request& request) const {
     const auto host = request[http::field::host];
     const std::string port = ":" + std::to_string(place_.port);

@@ -35,6 +35,8 @@ class Gate {
     Gate(Address place, std::string token) : place_(place), token_(std::move(token)) {}
 
     std::string link() const;
+    std::string foxglove() const;  ///< the link for its programs
+    const std::string& token() const { return token_; }
     /// A page of another site makes a browser ask with that site's name, or with its own for this machine.
     bool is_for_us(const Request& request) const;
     static bool is_from_here(const Request& request);

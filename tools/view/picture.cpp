@@ -34,16 +34,7 @@ Planes planes_of(const Echogram& echo, const Grouping& to, float floor) {
 
 }  // namespace
 
-Kept kept(const SeenPing& ping) {
-    return {std::string(ping.device),
-            ping.number,
-            ping.transmitted,
-            ping.late,
-            ping.drawn,
-            ping.due,
-            ping.echogram,
-            ping.movers};
-}
+Kept kept(const SeenPing& ping) { return bag::kept(ping); }
 
 std::string message_of(const Kept& ping) {
     const Echogram& echo = ping.echogram;

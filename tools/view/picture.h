@@ -4,18 +4,12 @@
 #include <string>
 #include <string_view>
 
-#include "emulator/capture/watch.h"
+#include "tools/bag/ping.h"
 
 namespace echoloop::view {
 
 /// What is kept of a ping until it is sent; taken on the thread that hears it, so it is a plain copy.
-struct Kept {
-    std::string device;
-    std::uint64_t number = 0;
-    Time transmitted{}, late{}, drawn{}, due{};
-    Echogram echogram;
-    std::vector<Pose> movers;
-};
+using Kept = bag::Ping;
 Kept kept(const SeenPing& ping);
 
 /// A message for the page: four bytes of length (little endian), that much JSON, then a byte for each level,

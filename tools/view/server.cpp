@@ -17,6 +17,7 @@
 #include "emulator/contract/error.h"
 #include "emulator/run/token.h"
 #include "emulator/transport/address.h"
+#include "tools/view/foxglove_hub.h"
 #include "tools/view/gate.h"
 
 namespace echoloop::view {
@@ -67,7 +68,12 @@ void give_way() {
 class Server::Impl {
   public:
     Impl(Feed& feed, ServerOptions options)
-        : feed_(feed), options_(std::move(options)), acceptor_(io_), ticker_(options_.families), tick_(io_) {
+        : feed_(feed),
+          options_(std::move(options)),
+          acceptor_(io_),
+          ticker_(options_.families),
+          foxglove_(io_, options_.about),
+          tick_(io_) {
         error_code ec;
         acceptor_.open(Tcp::v4());
         acceptor_.set_option(asio::socket_base::reuse_address(true));
@@ -93,6 +99,7 @@ class Server::Impl {
     }
 
     std::string link() const { return gate_->link(); }
+    std::string foxglove() const { return gate_->foxglove(); }
 
   private:
     struct Viewer {
@@ -132,6 +139,10 @@ class Server::Impl {
                 stream.expires_never();
                 co_return co_await show(std::make_shared<Viewer>(std::move(stream)), request);
             }
+            if (gate_->is_for_us(request) && FoxgloveHub::is_meant(request, gate_->token())) {
+                stream.expires_never();
+                co_return co_await foxglove_.show(std::move(stream), request, [this] { look(); });
+            }
             auto answer = gate_->answer_to(request, options_.scene);
             answer.keep_alive(request.keep_alive());
             answer.prepare_payload();
@@ -153,7 +164,7 @@ class Server::Impl {
         co_await socket.async_accept(request, into(ec));
         if (ec) co_return;
         viewers_.push_back(viewer);
-        feed_.look(viewers_.size());
+        look();
         offer(viewer, text_news(options_.hello));
         offer(viewer, text_news(ticker_.settings()));
         beast::flat_buffer buffer;
@@ -164,8 +175,10 @@ class Server::Impl {
         }
         viewer->closed = true;
         viewers_.remove(viewer);
-        feed_.look(viewers_.size());
+        look();
     }
+
+    void look() { feed_.look(viewers_.size() + foxglove_.viewers()); }
 
     /// {"ask": {"fault": ...}, "id": 3}: what a client of the control place says, and a number for the
     /// answer.
@@ -200,8 +213,10 @@ class Server::Impl {
             tick_.expires_after(between_news);
             co_await tick_.async_wait(into(ec));
             if (ec) co_return;
-            if (viewers_.empty()) continue;
+            if (viewers_.empty() && foxglove_.viewers() == 0) continue;
             Feed::News news = feed_.take();
+            foxglove_.tell(news);
+            if (viewers_.empty()) continue;
             for (const auto& ping : news.pings)
                 tell(std::make_shared<const News>(News{true, view::message_of(*ping)}));
             Ticker::Told told = ticker_.take(news.passed, news.bytes_left_out);
@@ -261,6 +276,7 @@ class Server::Impl {
     Tcp::acceptor acceptor_;
     std::optional<Gate> gate_;  // once the port is known
     Ticker ticker_;
+    FoxgloveHub foxglove_;
     asio::steady_timer tick_;
     std::thread thread_;
 };
@@ -268,5 +284,6 @@ class Server::Impl {
 Server::Server(Feed& feed, ServerOptions options) : impl_(std::make_unique<Impl>(feed, std::move(options))) {}
 Server::~Server() = default;
 std::string Server::link() const { return impl_->link(); }
+std::string Server::foxglove() const { return impl_->foxglove(); }
 
 }  // namespace echoloop::view

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "emulator/contract/device.h"
+#include "tools/bag/topics.h"
 #include "tools/view/feed.h"
 #include "tools/view/ticker.h"
 
@@ -18,6 +19,7 @@ struct ServerOptions {
     std::string hello;                              ///< first message to each viewer, JSON
     std::string scene;                              ///< body of GET /scene
     std::map<std::string, std::string> families{};  ///< as for Ticker
+    bag::About about{};                             ///< for those who speak Foxglove's protocol
     /// Asks the run for {"status": true}, or, where `control` is true, for what a viewer asks; `answer` may
     /// be called on any thread, or never.
     std::function<void(std::string line, std::function<void(std::string)> answer)> ask;
@@ -32,6 +34,8 @@ class Server {
     ~Server();
     /// "http://127.0.0.1:41234/#TOKEN": who has it may look.
     std::string link() const;
+    /// "ws://127.0.0.1:41234/?token=TOKEN": for Foxglove and Lichtblick.
+    std::string foxglove() const;
 
   private:
     class Impl;

@@ -1,0 +1,109 @@
+// Topics of what messages say: the pictures and soundings that are read back from the bytes on the wire.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tools/bag/topic_types.h"
+#include "tools/bag/topics.h"
+
+namespace echoloop::bag {
+namespace {
+
+/// Counts of 8 bits as they are, decibels below the loudest.
+Levels levels_of(const said::Picture& picture) {
+    Levels levels;
+    levels.rows = picture.elevations.size(), levels.beams = picture.bearings.size();
+    levels.bearings = picture.bearings;
+    levels.pan = picture.pan, levels.waterfall = picture.waterfall, levels.down = picture.down;
+    levels.first_range = picture.first_range, levels.bin_size = picture.bin_size;
+    levels.bins = picture.bins;
+    if (levels.beams > 1)
+        levels.beam_width =
+            (picture.bearings.back() - picture.bearings.front()) / static_cast<double>(levels.beams - 1);
+    constexpr double most = 255;
+    const bool counts = picture.unit == "counts";
+    double top = -std::numeric_limits<double>::infinity();
+    for (const float level : picture.levels)
+        if (level > top) top = level;
+    if (counts) levels.span = most, levels.floor = 1;
+    if (!counts) levels.step = 0.5, levels.floor = std::isfinite(top) ? top - (most - 1) / 2 : 0;
+    for (const float level : picture.levels) {
+        const double byte = std::isfinite(level) ? std::round((level - levels.floor) / levels.step) + 1 : 0;
+        levels.bytes += static_cast<char>(static_cast<std::uint8_t>(std::clamp(byte, 0.0, most)));
+    }
+    return levels;
+}
+
+/// Where a message tells ranges and no levels: a dot at each.
+Levels dots_of(const said::Picture& picture) {
+    constexpr std::size_t bins = 360;
+    Levels levels = levels_of(picture);
+    const float farthest = *std::ranges::max_element(picture.ranges);
+    levels.bins = bins;
+    levels.first_range = 0, levels.bin_size = std::max(farthest, 0.1F) * 1.05 / bins;
+    levels.floor = 1, levels.step = 1, levels.span = 255;
+    levels.bytes.assign(picture.ranges.size() * bins, '\0');
+    for (std::size_t i = 0; i < picture.ranges.size(); ++i) {
+        if (!(picture.ranges[i] > 0)) continue;
+        const auto at = static_cast<std::size_t>(picture.ranges[i] / levels.bin_size);
+        for (std::size_t bin = at > 0 ? at - 1 : 0; bin <= std::min(at + 1, bins - 1); ++bin)
+            levels.bytes[i * bins + bin] = static_cast<char>(bin == at ? 255 : 200);
+    }
+    return levels;
+}
+
+/// Levels as an echogram has them, those that are not there as 0.
+Echogram echogram_of(const said::Picture& picture, double sound_speed) {
+    Echogram echo;
+    echo.sound_speed = sound_speed;
+    echo.shot.bearings = picture.bearings;
+    if (picture.elevations.size() > 1) echo.shot.elevations = picture.elevations;
+    echo.shot.pan = picture.pan;
+    echo.shot.bins = picture.bins;
+    echo.shot.first_bin_time = 2 * picture.first_range / sound_speed;
+    echo.shot.bin_interval = 2 * picture.bin_size / sound_speed;
+    echo.values = picture.levels;
+    for (float& value : echo.values)
+        if (!std::isfinite(value)) value = 0;
+    return echo;
+}
+
+/// One that looks down has z down and x ahead, as soundings have.
+Vec3 said_direction(const said::Picture& picture, const Shot& shot, const Sounding& beam) {
+    if (!picture.down) return direction(shot, beam.bearing - shot.pan, beam.elevation);
+    return {0, -std::sin(beam.bearing), -std::cos(beam.bearing)};
+}
+
+}  // namespace
+
+void Topics::say(const Wire& wire, const said::Picture& told) {
+    const std::string name = ros_name(wire.device), topic = "/" + name + "/said";
+    const std::uint64_t said = nanoseconds(wire.unix_time);
+    const Stamped head{said, name};
+    const Echogram echo = echogram_of(told, said::assumed_sound_speed);
+    if (!told.levels.empty()) {
+        const std::string& frame = name + "_fan";
+        if (told.elevations.size() == 1 && !told.waterfall && told.bearings.size() > 1)
+            take_({topic + "/image", projected_type, said}, [&] {
+                return projected_image({said, frame}, echo);
+            });
+        else if (told.elevations.size() == 1)
+            take_({topic + "/raw", raw_type, said}, [&] { return raw_image({said, frame}, echo); });
+    }
+    // A message of soundings, and one of levels, make a picture each.
+    draw(topic + "/" + (told.levels.empty() ? "soundings" : "picture"), head, said,
+         told.levels.empty() ? dots_of(told) : levels_of(told), told.turns);
+    if (told.ranges.empty()) return;
+    Soundings all = empty_soundings(echo);
+    all.beam_width = 0;
+    for (std::size_t i = 0; i < std::min(all.beams.size(), told.ranges.size()); ++i) {
+        all.beams[i].range = told.ranges[i];
+        all.beams[i].direction = said_direction(told, echo.shot, all.beams[i]);
+    }
+    take_({topic + "/detections", detections_type, said}, [&] {
+        return sonar_detections({said, name + "_fan"}, all);
+    });
+    take_({topic + "/points", points_type, said}, [&] { return point_cloud(head, all); });
+}
+
+}  // namespace echoloop::bag
