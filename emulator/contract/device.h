@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "render/echogram.h"
+#include "render/motion.h"
 
 namespace echoloop {
 
@@ -51,10 +52,20 @@ struct Ping {
     Time due{};
 };
 
+/// Where the device is at a moment, and how it moves: what a motion sensor in it would feel.
+struct Located {
+    Time time{};
+    Pose world_from_device;
+    Motion motion;  ///< velocity in the world, turning about the device's axes
+};
+
 struct Actions {
     std::vector<Send> send;
     std::optional<Ping> ping;
     std::optional<Time> wake;  ///< replaces the pending wake-up; nullopt leaves it as it is
+    /// Moments, none of them later than now, at which it wants to know where it was: located() follows at
+    /// once. Those of a second ago are surer than those of now, where poses come from outside.
+    std::vector<Time> locate{};
 };
 
 /// What arrived on a port, and from whom: zero for a stream that has one driver only.
@@ -106,6 +117,8 @@ class Device {
     virtual Actions received(const Received& data, Time now) = 0;
     virtual Actions heard(const Echogram& echogram, Time now) = 0;
     virtual Actions woken(Time now) = 0;
+    /// What Actions::locate asked for, in its order.
+    virtual Actions located(std::span<const Located> /*places*/, Time /*now*/) { return {}; }
     /// Another driver is at the other end of a stream port: half a frame of the last one is worthless. Never
     /// called for ports of several drivers.
     virtual void reconnected(std::size_t port) = 0;

@@ -45,6 +45,8 @@ inline constexpr Stray tilt{.drift = 0.05, .noise = 0.05};
 inline constexpr Stray motion{.drift = 0.01, .noise = 0.005};
 /// m, of a satellite receiver with corrections from a base station.
 inline constexpr Stray position{.drift = 0.01, .noise = 0.005};
+/// m/s, of a satellite receiver with corrections and an inertial unit, each axis.
+inline constexpr Stray velocity{.drift = 0.005, .noise = 0.005};
 /// g, of each axis.
 inline constexpr Stray acceleration{.drift = 0.001, .noise = 0.002};
 /// m/s, of a sound-speed probe at the head: 1514.962, 1515.073, 1515.038 m/s, each for 9 pings of a Sonic

@@ -39,6 +39,10 @@ Actions FaultyDevice::received(const Received& data, Time now) {
 
 Actions FaultyDevice::woken(Time now) { return device_ ? with_faults(device_->woken(now), now) : Actions{}; }
 
+Actions FaultyDevice::located(std::span<const Located> places, Time now) {
+    return device_ ? with_faults(device_->located(places, now), now) : Actions{};
+}
+
 void FaultyDevice::reconnected(std::size_t port) {
     if (device_) device_->reconnected(port);
 }

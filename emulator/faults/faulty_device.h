@@ -29,6 +29,7 @@ class FaultyDevice final : public Device {
     Actions heard(const Echogram& echogram, Time now) override;
     Actions answered(Actions actions, Time now) { return with_faults(std::move(actions), now); }
     Actions woken(Time now) override;
+    Actions located(std::span<const Located> places, Time now) override;
     void reconnected(std::size_t port) override;
     Actions connected(std::size_t port, Address peer, Time now) override;
     Actions disconnected(std::size_t port, Address peer, Time now) override;

@@ -38,14 +38,17 @@ void Vehicle::step(Time from, Time to) {
     if (auto* const where = std::get_if<Whereabouts>(&source_)) where->step(from, to);
 }
 
-Pose Vehicle::world_from_body(Time time) {
+Pose Vehicle::world_from_body(Time time) const {
     if (const auto* track = std::get_if<Track>(&source_)) return track->at(time)->pose;
     if (const auto* pose = std::get_if<Pose>(&source_)) return *pose;
-    const auto [pose, stale] = std::get<Whereabouts>(source_).at(time);
-    if (stale && stale_pings_++ == 0)
+    return std::get<Whereabouts>(source_).at(time).pose;
+}
+
+void Vehicle::count_if_stale(Time time) {
+    const auto* where = std::get_if<Whereabouts>(&source_);
+    if (where != nullptr && where->at(time).stale && stale_pings_++ == 0)
         spdlog::warn("{}: no pose for more than a second; the vehicle is assumed to stand still",
                      inputs_.front()->summary().place);
-    return pose;
 }
 
 Motion Vehicle::motion(Time time) const {

@@ -23,8 +23,9 @@ class Vehicle {
     void close();
     /// A stepped run moves on.
     void step(Time from, Time to);
-    /// For a ping at that time; counts those with a stale pose.
-    Pose world_from_body(Time time);
+    Pose world_from_body(Time time) const;
+    /// A ping at that time; counts those with a stale pose.
+    void count_if_stale(Time time);
     /// In the world.
     Motion motion(Time time) const;
     /// Empty unless poses come from outside.

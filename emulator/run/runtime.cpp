@@ -289,16 +289,15 @@ class Runtime::Impl {
         sessions_.push_back(std::make_unique<Session>(
             io_, *clock_, render_threads_, water_, entry.name, std::move(device), std::move(transports),
             [this, mount](Time time) {
-                const Pose world_from_body = vehicle_.world_from_body(time),
-                           body_from_sonar = mount->body_from_sonar(time);
-                Situation situation(world_from_body * body_from_sonar);
-                const Motion motion =
-                    together(world_from_body, vehicle_.motion(time), body_from_sonar, mount->motion(time));
-                situation.velocity = motion.velocity, situation.turning = motion.turning;
+                vehicle_.count_if_stale(time);
+                const Located sonar = located(*mount, time);
+                Situation situation(sonar.world_from_device);
+                situation.velocity = sonar.motion.velocity, situation.turning = sonar.motion.turning;
                 situation.movers = movers_.at(time);
                 situation.mover_motions = movers_.motions(time);
                 return situation;
-            }));
+            },
+            [this, mount](Time time) { return located(*mount, time); }));
         if (records.truth != nullptr || dataset_ != nullptr)
             sessions_.back()->tell(std::make_unique<DeviceTruth>(
                 records.truth, entry.name, [mount](Time time) { return mount->body_from_sonar(time); }));
@@ -310,6 +309,13 @@ class Runtime::Impl {
                 return std::pair(vehicle_.world_from_body(time), vehicle_.motion(time));
             });
         running_.push_back({entry.name, entry.model, std::move(open.places), {}, {}});
+    }
+
+    Located located(const Mount& mount, Time time) const {
+        const Pose world_from_body = vehicle_.world_from_body(time),
+                   body_from_sonar = mount.body_from_sonar(time);
+        return {time, world_from_body * body_from_sonar,
+                together(world_from_body, vehicle_.motion(time), body_from_sonar, mount.motion(time))};
     }
 
     /// From the thread that serves the wires: while it is stuck, nothing is said.

@@ -29,7 +29,8 @@ double farthest_from(Vec3 point, const Bounds& scene) {
 
 Session::Session(asio::io_context& io, Clock& clock, RenderThreads& renderers, SharedWater& water,
                  std::string name, std::unique_ptr<Device> device,
-                 std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at)
+                 std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at,
+                 LocatedAt located_at)
     : io_(io),
       clock_(clock),
       water_(water),
@@ -38,6 +39,7 @@ Session::Session(asio::io_context& io, Clock& clock, RenderThreads& renderers, S
       device_(std::move(device)),
       transports_(std::move(transports)),
       situation_at_(std::move(situation_at)),
+      located_at_(std::move(located_at)),
       renderers_(renderers),
       bytes_for_(transports_.size()),
       mail_(clock, sonar_),
@@ -107,6 +109,13 @@ void Session::apply(Actions actions, Time time) {
         alarm_.cancel();
     }
     if (actions.ping) transmit(std::move(*actions.ping), time);
+    if (!actions.locate.empty()) locate(actions.locate, time);
+}
+
+void Session::locate(const std::vector<Time>& times, Time now) {
+    std::vector<Located> places;
+    for (const Time time : times) places.push_back(located_at_(time));
+    apply(device_->located(places, now), now);
 }
 
 std::size_t Session::Mail::memory() const {

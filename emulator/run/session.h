@@ -50,11 +50,14 @@ class Session {
   public:
     /// Where the sonar and everything that moves is at a time of the run.
     using SituationAt = std::function<Situation(Time)>;
+    /// Where the sonar alone is.
+    using LocatedAt = std::function<Located(Time)>;
 
     /// `transports`: one per port of the device, in the order of ports().
     Session(asio::io_context& io, Clock& clock, RenderThreads& renderers, SharedWater& water,
             std::string name, std::unique_ptr<Device> device,
-            std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at);
+            std::vector<std::unique_ptr<Transport>> transports, SituationAt situation_at,
+            LocatedAt located_at);
     ~Session();
 
     /// Before start(). `truth` gets every ping from then on.
@@ -95,6 +98,7 @@ class Session {
     void apply(Actions actions, Time time);
     void apply_now(Actions actions) { apply(std::move(actions), clock_.now()); }
     void transmit(Ping ping, Time time);
+    void locate(const std::vector<Time>& times, Time now);
     std::shared_ptr<Rendering> render(Time needed, Shot shot, Situation situation);
     /// A ping on its way, and its place in the row of this session's pings.
     struct UnderWay {
@@ -167,6 +171,7 @@ class Session {
     std::unique_ptr<Device> device_;
     std::vector<std::unique_ptr<Transport>> transports_;
     SituationAt situation_at_;
+    LocatedAt located_at_;
     RenderThreads& renderers_;
     std::unique_ptr<DeviceTruth> truth_;  ///< nullptr: nobody asks
     Dataset* dataset_ = nullptr;          ///< the same

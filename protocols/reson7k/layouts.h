@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocols/reson7k/names.h"
+#include "protocols/reson7k/sensor_layouts.h"
 #include "protocols/wire/layout.h"
 
 namespace echoloop::reson7k {

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "protocols/reson7k/sensors.h"
 #include "protocols/reson7k/settings.h"
 #include "protocols/wire/bytes.h"
 #include "protocols/wire/text.h"
@@ -258,9 +259,10 @@ struct FileCatalogue {  ///< 7300
     friend bool operator==(const FileCatalogue&, const FileCatalogue&) = default;
 };
 
-using Message = std::variant<SonarSettings, Configuration, BeamGeometry, Image, Beamformed, RawDetections,
-                             WaterColumn, RemoteControl, Acknowledge, NotAcknowledge, RemoteSettings,
-                             AbsorptionLoss, SpreadingLoss, FileHeader, FileCatalogue>;
+using Message =
+    std::variant<SonarSettings, Configuration, BeamGeometry, Image, Beamformed, RawDetections, WaterColumn,
+                 RemoteControl, Acknowledge, NotAcknowledge, RemoteSettings, AbsorptionLoss, SpreadingLoss,
+                 FileHeader, FileCatalogue, Position, RollPitchHeave, ShipHeading, Attitude, SoundSpeed>;
 
 /// A whole record as it came: frame, content, and checksum aside.
 struct Record {

@@ -154,5 +154,67 @@ class TheMachineThatGoesPing(unittest.TestCase):
         self.assertEqual(list(np.asarray(profile.get_svp_sound_velocities())), [1500, 1500])
 
 
+class RollingVessel(unittest.TestCase):
+    """What a host makes of raw soundings and the motion that came with them: a vessel that rolls by 5 deg within 4 s."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        track = Path(folder.name) / "rolling.csv"
+        times = np.arange(0, 60, 0.05)
+        half = np.radians(5 * np.sin(2 * np.pi * times / 4)) / 2
+        north = np.sqrt(0.5)  # a yaw of 90 deg
+        rows = [f"{t:.2f},0,0,-12,{north * np.cos(h):.9f},{north * np.sin(h):.9f},{north * np.sin(h):.9f},"
+                f"{north * np.cos(h):.9f}" for t, h in zip(times, half)]
+        track.write_text("\n".join(["t,x,y,z,qw,qx,qy,qz", *rows]) + "\n")
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.addCleanup(self.socket.close)
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
+        self.socket.bind(("127.0.0.1", 0))
+        scenario = SCENARIO.replace("pose: {position: [0, 0, -12], rpy_deg: [0, 0, 0]}", f"trajectory: {track}")
+        scenario = scenario.replace("water_column: true", "water_column: false, ping_rate: 10")
+        emulator = Emulator(scenario % (free_port(8), self.socket.getsockname()[1]))
+        self.addCleanup(emulator.__exit__, None, None, None)
+        emulator.__enter__()
+
+    def heard(self, motions):
+        """(pings, motion) until there are so many #SKM."""
+        found = {"#MRZ": [], "#SKM": [], "#SPO": []}
+        self.socket.settimeout(20)
+        while len(found["#SKM"]) < motions:
+            datagram = self.socket.recv(65536)
+            found.get(kmall_wire.header(datagram)["kind"], []).append(datagram)
+        return ([public.MRangeAndDepth.from_binary(one) for one in found["#MRZ"]],
+                [public.SKMBinary.from_binary(one) for one in found["#SKM"]],
+                [public.SPosition.from_binary(one) for one in found["#SPO"]])
+
+    def test_soundings_reduced_with_its_motion_lie_on_the_floor_and_with_a_wrong_one_do_not(self):
+        pings, motions, fixes = self.heard(3)
+        time = np.concatenate([one.get_sensor_data().get_sensor_timestamp_tensor() for one in motions])
+        roll = np.concatenate([one.get_sensor_data().get_roll_deg_tensor() for one in motions])
+        heading = np.concatenate([one.get_sensor_data().get_heading_deg_tensor() for one in motions])
+        self.assertEqual(len(time), 3 * 102)
+        np.testing.assert_allclose(np.diff(time), 0.01, atol=1e-6)
+        self.assertLess(np.abs(heading).max(), 1e-3, "a yaw of 90 deg is north")
+        for fix in fixes:
+            self.assertAlmostEqual(fix.get_corrected_lat_deg(), 59.4, delta=1e-8)
+            self.assertRegex(fix.get_pos_data_from_sensor_str(), r"^\$GPGGA,\d{6}\.\d\d,5924\.0000000,N,01030\.0000000,E,4,")
+
+        def worst(sign, latency):
+            worst = 0
+            for ping in (p for p in pings if time[0] + 0.3 < p.get_timestamp() < time[-1] - 0.3):
+                angle = np.asarray(ping.soundings.get_beam_angle_re_rx_deg_tensor())
+                travel = np.asarray(ping.soundings.get_two_way_travel_time_sec_tensor())
+                valid = np.asarray(ping.soundings.get_detection_type_tensor()) == 0
+                at = np.interp(ping.get_timestamp() + latency, time, sign * roll)
+                depth = travel * 750 * np.cos(np.radians(angle + at))  # both are positive to port and port up
+                worst = max(worst, np.quantile(np.abs(depth / 8 - 1)[valid], 0.95))
+            return worst
+
+        self.assertLess(worst(1, 0), 0.005)
+        self.assertGreater(worst(-1, 0), 0.05, "with a swapped sign")
+        self.assertGreater(worst(1, 0.2), 0.02, "with a latency of 0.2 s")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,7 +1,6 @@
 #include "emulator/devices/kongsberg-kmall/kongsberg.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "emulator/devices/kongsberg-kmall/controls.h"
@@ -33,7 +32,11 @@ bool is_named(const std::string& name, const Settings& settings) {
 }  // namespace
 
 Kongsberg::Kongsberg(const Settings& settings, const Wiring& wiring)
-    : settings_(settings), wiring_(wiring), started_(settings.pinging), profile_(even_profile(settings)) {}
+    : settings_(settings),
+      wiring_(wiring),
+      started_(settings.pinging),
+      profile_(even_profile(settings)),
+      sensors_(settings) {}
 
 std::vector<Port> Kongsberg::ports() const {
     return {{"commands", Port::Kind::datagram, wiring_.own, false}};
@@ -144,14 +147,6 @@ void Kongsberg::transmit_if_due(Time now) {
         Ping{make_shot(settings_, pings_begun_), last_echo + from_seconds(settings_.processing_time)};
 }
 
-/// As a motion sensor's: what is slower than some seconds is no heave. The ten are our own choice.
-double Kongsberg::heave(double height) {
-    constexpr double memory = 10;  // s
-    const double usual = usual_height_.value_or(height);
-    usual_height_ = std::lerp(height, usual, std::exp(-ping_.period / memory));
-    return *usual_height_ - height;
-}
-
 Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     if (echogram.shot.ping != pings_begun_ || !pacer_.end(now, {})) return take_actions();
     ++counters_.pings;
@@ -163,12 +158,15 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     Settings s = ping_settings_;
     s.sound_speed = s.sensors.read("sound speed", settings_.sound_speed, probe, now);
     const auto detections = multibeam::detect(echogram, gates, s.detection.with(s.echoes_last));
-    ping_.heave = heave(echogram.world_from_sonar.position.z);
+    ping_.heave = heave_.at(echogram.world_from_sonar.position.z, now);
     const kmall::Mrz bathymetry = make_mrz(ping_, s, echogram, detections);
     send(bathymetry, now);
     water_level_ = echogram.world_from_sonar.position.z;
     depth_ = depth_below(bathymetry);
-    if (settings_.water_column) send(make_mwc(ping_, s, echogram, detections), now);
+    if (settings_.water_column) {
+        if (settings_.sensor_datagrams) send(make_heave(ping_, s), now);
+        send(make_mwc(ping_, s, echogram, detections), now);
+    }
     plan_next_ping(now);
     return take_actions();
 }
@@ -187,11 +185,17 @@ void Kongsberg::send(const kmall::Datagram& datagram, Time now) {
 Actions Kongsberg::woken(Time now) {
     if (now >= next_texts_) tell_standing(now);
     transmit_if_due(now);
+    if (now >= sensors_.wake()) actions_.locate = sensors_.moments(now);
+    return take_actions();
+}
+
+Actions Kongsberg::located(std::span<const Located> places, Time now) {
+    for (const kmall::Datagram& datagram : sensors_.datagrams(places, settings_)) send(datagram, now);
     return take_actions();
 }
 
 Actions Kongsberg::take_actions() {
-    actions_.wake = std::min(pacer_.wake(), next_texts_);
+    actions_.wake = std::min({pacer_.wake(), next_texts_, sensors_.wake()});
     return std::exchange(actions_, {});
 }
 

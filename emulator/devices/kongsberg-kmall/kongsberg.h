@@ -7,6 +7,7 @@
 #include "emulator/contract/last_measured.h"
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/kongsberg-kmall/messages.h"
+#include "emulator/devices/kongsberg-kmall/sensors.h"
 #include "emulator/devices/kongsberg-kmall/texts.h"
 
 namespace echoloop::kongsberg_kmall {
@@ -26,6 +27,7 @@ class Kongsberg final : public Device {
     Actions received(const Received& data, Time now) override;
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
+    Actions located(std::span<const Located> places, Time now) override;
     void reconnected(std::size_t) override {}
     DeviceCounters counters() const override { return counters_; }
 
@@ -43,8 +45,6 @@ class Kongsberg final : public Device {
     double unix_time(Time now) const { return settings_.unix_start + to_seconds(now); }
     void plan_next_ping(Time now);
     void transmit_if_due(Time now);
-    /// How far the head is below where it usually is, m, when it is at this height.
-    double heave(double height);
     void send(const kmall::Datagram& datagram, Time now);
     Actions take_actions();
 
@@ -52,10 +52,11 @@ class Kongsberg final : public Device {
     Wiring wiring_;
     PingRecord ping_;  ///< the ping under way, or the last one
     std::uint64_t pings_begun_ = 0;
-    bool started_ = false;                  ///< its host has chosen it
-    kmall::SoundProfile profile_;           ///< of #SVP
-    double water_level_ = 0;                ///< m below the head, at the last ping
-    std::optional<double> usual_height_{};  ///< m, of the head, the mean of the last seconds
+    bool started_ = false;         ///< its host has chosen it
+    kmall::SoundProfile profile_;  ///< of #SVP
+    double water_level_ = 0;       ///< m below the head, at the last ping
+    ShipSensors sensors_;
+    survey::Heave heave_;
     std::optional<double> depth_{};  ///< m, of the bottom below the head; empty: the last ping found none
     Time next_texts_ = Time::max();
     /// Real rates are 23.96 to 24.18 Hz, so that intervals differ by 0.4 ms.

@@ -166,4 +166,8 @@ std::optional<double> depth_below(const Mrz& bathymetry) {
     return nearest == nullptr ? std::nullopt : std::optional<double>(nearest->z);
 }
 
+kmall::PingHeave make_heave(const PingRecord& ping, const Settings& settings) {
+    return {make_header(ping, settings, "#CHE", 0), make_body(ping), {f(ping.heave)}};
+}
+
 }  // namespace echoloop::kongsberg_kmall

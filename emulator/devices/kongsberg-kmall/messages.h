@@ -25,6 +25,9 @@ kmall::Mrz make_mrz(const PingRecord& ping, const Settings& settings, const Echo
 kmall::Mwc make_mwc(const PingRecord& ping, const Settings& settings, const Echogram& echogram,
                     std::span<const multibeam::Detection> detections);
 
+/// #CHE, which comes before a water column.
+kmall::PingHeave make_heave(const PingRecord& ping, const Settings& settings);
+
 /// z of the valid sounding nearest the vertical, m below the head.
 std::optional<double> depth_below(const kmall::Mrz& bathymetry);
 

@@ -42,6 +42,11 @@ void describe_words(Settings& s, OptionList& o) {
             "specification notes: above 64 kB; where it is cut is our own choice");
     o.flag(s.unused_point, "unused_point", "20 bytes of zeros behind the points that #SVP counts",
            "22 of 22 real datagrams");
+    o.flag(s.sensor_datagrams, "sensor_datagrams",
+           "#SPO, #CPO, #SPE, #SCL and #SVT twice a second, #SKM with 102 samples of motion at 100 Hz, and "
+           "#CHE before "
+           "a water column",
+           "files of an EM 2042; an EM 2040P tells its position five times a second");
     o.choice(
         s.later_profiles, "later_profiles", {"stored", "used", "refused"},
         "what becomes of the texts S10 to S12, which wait for the operator's consent; S00 to S02 are used",

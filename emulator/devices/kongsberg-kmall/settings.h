@@ -10,6 +10,8 @@
 
 namespace echoloop::kongsberg_kmall {
 
+inline constexpr double position_error = 0.078;  ///< m, of an EM 2042's #SPE on one day
+
 struct Settings {
     // What a host's commands change, at power-up.
     bool pinging = true;
@@ -31,6 +33,7 @@ struct Settings {
     std::size_t extra_detections = 0;
     std::size_t largest_part = 65000;  ///< B
     bool unused_point = true;          ///< behind those of #SVP
+    bool sensor_datagrams = true;
     enum class LaterProfiles { stored, used, refused } later_profiles = LaterProfiles::stored;
     std::uint16_t sounder = 2040;
     std::uint8_t system_id = 40;

@@ -24,9 +24,8 @@ double quality(double angle, double contrast, bool phase) {
 }
 
 /// Exact in real datagrams: both come from the quality, and an EM 2042 adds the error of its position to the
-/// horizontal one, here its own of one day.
+/// horizontal one.
 void add_uncertainties(Sounding& out, double contrast) {
-    constexpr double position_error = 0.078;  // m
     const double angle = std::abs(std::atan2(std::hypot(out.x, out.y), out.z));
     const double range = std::hypot(out.x, out.y, out.z);
     const double q = quality(angle, contrast, out.method == 2);

@@ -13,6 +13,21 @@ constexpr std::uint32_t centre = 7000;  // device id of the sonar's control cent
 constexpr std::uint32_t configuration = reson7k::Configuration::type;
 constexpr std::uint32_t settings_record = reson7k::RemoteSettings::type;
 
+constexpr Time sound_speed_interval = std::chrono::seconds(10);  // own choice
+
+/// All that may be subscribed to.
+std::vector<std::uint32_t> sent_records() {
+    std::vector<std::uint32_t> types(ping_records().begin(), ping_records().end());
+    types.insert(types.end(), motion_records().begin(), motion_records().end());
+    types.push_back(reson7k::SoundSpeed::type);
+    return types;
+}
+
+bool is_sent(std::uint32_t type) {
+    const auto types = sent_records();
+    return std::ranges::find(types, type) != types.end();
+}
+
 bool is_about_records(std::uint32_t command) {
     return command >= command::request && command <= command::unsubscribe;
 }
@@ -82,9 +97,15 @@ void Reson7k::hear_record(const reson7k::Record& record, const Peer& from, Time 
 Refusal Reson7k::obey(const RemoteControl& control, const Peer& from, bool named, Time now) {
     if (!named) return ErrorCode::bad_device;
     if (control.command == command::request) return check_request(control);
-    if (is_about_records(control.command)) return subscribe(control, from);
+    if (is_about_records(control.command)) {
+        const bool before = subscribers_.wanted(motion_records());
+        const Refusal refusal = subscribe(control, from);
+        if (!before && subscribers_.wanted(motion_records())) sensors_.start(now);
+        return refusal;
+    }
     const Refusal refusal = apply(control, settings_.acoustics, controls_);
     if (!refusal) plan_next_ping(now);
+    if (!refusal && control.command == command::sound_speed) next_sound_speed_ = now;
     return refusal;
 }
 
@@ -107,7 +128,7 @@ Refusal Reson7k::subscribe(const RemoteControl& control, const Peer& from) {
         case command::subscribe_range: {
             const auto first = word_at(control, 0), last = word_at(control, 4);
             if (!first || !last || *last < *first) return ErrorCode::invalid;
-            for (const std::uint32_t type : ping_records())
+            for (const std::uint32_t type : sent_records())
                 if (type >= *first && type <= *last) types.insert(type);
             break;
         }
@@ -118,6 +139,8 @@ Refusal Reson7k::subscribe(const RemoteControl& control, const Peer& from) {
         subscribers_.remove(from, types);
     else if (!types.empty() && !subscribers_.add(from, types))
         return ErrorCode::denied;
+    else if (types.contains(reson7k::SoundSpeed::type))
+        next_sound_speed_ = {};
     return types.empty() ? Refusal(ErrorCode::no_such_record) : std::nullopt;
 }
 
@@ -128,8 +151,7 @@ Refusal Reson7k::read_types(const RemoteControl& control, std::size_t at,
     if (!count || *count > (control.parameters.size() - at - 4) / 4) return ErrorCode::invalid;
     for (std::uint32_t i = 0; i < *count; ++i) {
         const std::uint32_t type = *word_at(control, at + 4 + 4 * i);
-        const auto known = ping_records();
-        if (std::find(known.begin(), known.end(), type) != known.end()) types.insert(type);
+        if (is_sent(type)) types.insert(type);
     }
     return std::nullopt;
 }
@@ -150,23 +172,24 @@ Refusal Reson7k::change_receiver(const RemoteControl& control) {
     std::set<std::uint32_t> types;
     if (const Refusal refusal = read_types(control, address_size, types)) return refusal;
     if (types.empty()) return ErrorCode::no_such_record;
+    if (types.contains(reson7k::SoundSpeed::type)) next_sound_speed_ = {};
     return subscribers_.add(peer, types) ? std::nullopt : Refusal(ErrorCode::denied);
 }
 
 Refusal Reson7k::check_request(const RemoteControl& control) const {
     const auto type = word_at(control, 0);
     if (!type) return ErrorCode::invalid;
-    if (*type == configuration || *type == settings_record || *type == reson7k::BeamGeometry::type)
+    if (*type == configuration || *type == settings_record || *type == reson7k::BeamGeometry::type ||
+        *type == reson7k::SoundSpeed::type)
         return std::nullopt;
-    const auto known = ping_records();
-    const bool streamed = std::find(known.begin(), known.end(), *type) != known.end();
-    return streamed ? ErrorCode::subscription_only : ErrorCode::no_such_record;
+    return is_sent(*type) ? ErrorCode::subscription_only : ErrorCode::no_such_record;
 }
 
 void Reson7k::answer_request(std::uint32_t type, const Peer& to, Time now) {
     const auto frame = frame_of(settings_, unix_time(now));
     if (type == configuration) return send(make_configuration(settings_), frame, to);
     if (type == reson7k::BeamGeometry::type) return send(make_geometry(controls_, settings_), frame, to);
+    if (type == reson7k::SoundSpeed::type) return send(sound_speed(now), frame, to);
     PingRecord current = ping_;
     current.controls = controls_;
     current.number = 0;
@@ -222,9 +245,43 @@ void Reson7k::publish(std::uint32_t type, const Echogram& echogram) {
                 return make_water_column(ping_, settings_, echogram);
         }
     };
-    const Bytes record = reson7k::encode(make(), frame_of(settings_, ping_.time));
+    publish(make(), ping_.time);
+}
+
+void Reson7k::publish(const reson7k::Message& message, double time) {
+    const std::uint32_t type = std::visit([](const auto& m) { return m.type; }, message);
+    const Bytes record = reson7k::encode(message, frame_of(settings_, time));
     for (const auto& entry : subscribers_.entries())
         if (entry.types.contains(type)) send_record(record, entry.peer);
+}
+
+/// What it reckons with: of its own sensor, or as a host has said.
+reson7k::SoundSpeed Reson7k::sound_speed(Time now) const {
+    return {static_cast<float>(
+                settings_.sensors.read("sound speed", controls_.sound_speed, stray::sound_speed, now)),
+            {}};
+}
+
+void Reson7k::tell_sound_speed(Time now) {
+    next_sound_speed_ = now + sound_speed_interval;
+    publish(sound_speed(now), unix_time(now));
+}
+
+/// Nothing is to be said where nobody listens.
+Time Reson7k::sensors_wake() const {
+    const bool hears_speed = subscribers_.wanted(reson7k::SoundSpeed::type);
+    return std::min(subscribers_.wanted(motion_records()) ? sensors_.wake() : Time::max(),
+                    hears_speed ? next_sound_speed_ : Time::max());
+}
+
+/// Datagrams wait behind those of a ping that is being sent, so that no record comes between the parts of
+/// another.
+Actions Reson7k::located(std::span<const Located> places, Time now) {
+    for (const SensorRecord& record : sensors_.records(places, settings_.unix_start))
+        publish(record.message, record.time);
+    for (Send& send : actions_.send)
+        if (send.port == datagram_port && datagrams_until_ > now) send.not_before = datagrams_until_;
+    return take_actions();
 }
 
 /// Spreads the datagrams of a ping to all hosts, but never beyond the next ping, however many they are. Those
@@ -253,6 +310,9 @@ void Reson7k::send_record(ByteView record, const Peer& to) {
 
 Actions Reson7k::woken(Time now) {
     if (pacer_.begin(now)) transmit(now);
+    if (subscribers_.wanted(reson7k::SoundSpeed::type) && next_sound_speed_ <= now) tell_sound_speed(now);
+    if (subscribers_.wanted(motion_records()) && sensors_.wake() <= now)
+        actions_.locate = sensors_.moments(now);
     return take_actions();
 }
 
@@ -263,7 +323,7 @@ DeviceCounters Reson7k::counters() const {
 }
 
 Actions Reson7k::take_actions() {
-    actions_.wake = pacer_.wake();
+    actions_.wake = std::min(pacer_.wake(), sensors_wake());
     return std::exchange(actions_, {});
 }
 

@@ -7,6 +7,7 @@
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/reson-7k/commands.h"
 #include "emulator/devices/reson-7k/records.h"
+#include "emulator/devices/reson-7k/ship_sensors.h"
 #include "emulator/devices/reson-7k/subscribers.h"
 #include "protocols/reson7k/framer.h"
 
@@ -22,6 +23,7 @@ class Reson7k final : public Device {
     Actions received(const Received& data, Time now) override;
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
+    Actions located(std::span<const Located> places, Time now) override;
     void reconnected(std::size_t) override {}
     Actions disconnected(std::size_t port, Address peer, Time now) override;
     DeviceCounters counters() const override;
@@ -38,6 +40,11 @@ class Reson7k final : public Device {
     void plan_next_ping(Time now);
     void transmit(Time now);
     void publish(std::uint32_t type, const Echogram& echogram);
+    /// To all who have subscribed to its type.
+    void publish(const reson7k::Message& message, double unix_time);
+    reson7k::SoundSpeed sound_speed(Time now) const;
+    void tell_sound_speed(Time now);
+    Time sensors_wake() const;
     void pace(Time now);
     void send(const reson7k::Message& message, const reson7k::RecordFrame& frame, const Peer& to);
     void send_record(ByteView record, const Peer& to);
@@ -54,6 +61,8 @@ class Reson7k final : public Device {
     Time transmitted_{};      ///< when ping_ was
     Time datagrams_until_{};  ///< when the datagrams of the last ping are out
     std::uint16_t transmission_ = 0;
+    ShipSensors sensors_{settings_.sensors, settings_.origin};
+    Time next_sound_speed_{};
     Actions actions_;
     DeviceCounters counters_;
 };

@@ -84,6 +84,7 @@ Settings read_settings(const DeviceConfig& config) {
     s.tvg = config.effects.has(Effect::tvg);
     s.pulse = config.effects.has(Effect::pulse);
     s.unix_start = config.unix_start;
+    if (config.origin) s.origin = *config.origin;
     return s;
 }
 

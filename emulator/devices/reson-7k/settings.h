@@ -5,6 +5,7 @@
 
 #include "emulator/contract/settings_list.h"
 #include "emulator/devices/family/multibeam/figures.h"
+#include "render/geographic.h"
 
 namespace echoloop::reson7k_device {
 
@@ -65,6 +66,7 @@ struct Settings {
     bool tvg = true;                   ///< the effect of that name
     bool pulse = true;                 ///< the effect of that name: echoes are as long as the pulse
     double unix_start = 0;             ///< s
+    GeoPlace origin;                   ///< of the scene
     Sensors sensors;
 };
 

@@ -41,4 +41,8 @@ bool Subscribers::wanted(std::uint32_t type) const {
                        [&](const Entry& e) { return e.types.contains(type); });
 }
 
+bool Subscribers::wanted(std::span<const std::uint32_t> types) const {
+    return std::ranges::any_of(types, [this](std::uint32_t type) { return wanted(type); });
+}
+
 }  // namespace echoloop::reson7k_device

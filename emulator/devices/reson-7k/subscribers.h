@@ -36,6 +36,7 @@ class Subscribers {
     /// False if the peer had no subscription.
     bool end(const Peer& peer);
     bool wanted(std::uint32_t type) const;
+    bool wanted(std::span<const std::uint32_t> types) const;  ///< one of them
     const std::vector<Entry>& entries() const { return entries_; }
 
   private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -126,12 +127,18 @@ class Bench {
     std::vector<Shot> shots;  ///< of the pings heard so far
     std::size_t echo_bin = static_cast<std::size_t>(-1);
     float echo_power = 0;
+    /// Where the device is at a time.
+    std::function<Located(Time)> where = [](Time time) { return Located{time, {}, {}}; };
 
   private:
     void take(Actions actions) {
         for (Send& send : actions.send) sent_.push_back(std::move(send));
         if (actions.wake) wake = *actions.wake;
         if (actions.ping) ping = std::move(actions.ping);
+        if (actions.locate.empty()) return;
+        std::vector<Located> places;
+        for (const Time time : actions.locate) places.push_back(where(time));
+        take(device_->located(places, now));
     }
 
     std::unique_ptr<Device> device_;

@@ -25,8 +25,10 @@ inline std::uint16_t u16(const Bytes& b, std::size_t offset) { return at<std::ui
 inline float f32(const Bytes& b, std::size_t offset) { return at<float>(b, offset); }
 inline std::string type(const Send& send) { return {send.bytes.begin() + 4, send.bytes.begin() + 8}; }
 
-inline Bench sounder(const Options& changes = {}) {
-    return Bench(make_device("kongsberg-kmall", {}, changes));
+/// Without the datagrams of its sensors, unless the test is about them.
+inline Bench sounder(Options changes = {}, const std::vector<std::string>& endpoints = {}) {
+    changes.try_emplace("sensor_datagrams", false);
+    return Bench(make_device("kongsberg-kmall", endpoints, changes));
 }
 inline Bytes text(const std::string& t) { return {t.begin(), t.end()}; }
 inline std::vector<Send> of_type(const std::vector<Send>& sent, const std::string& wanted) {
