@@ -1,6 +1,7 @@
 // Makes a world of what libsdformat reads: models, links, joints and visuals become nodes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SdfChoices {
     std::vector<std::string> without{}, keep{};  ///< names of models
     std::vector<MaterialRule> rules{};
     bool allow_missing = false;
+    std::optional<double> heading{};  ///< deg, of the world's x from east to north; empty: as the world says
 };
 
 /// Reads the copy. Nodes are named model, model::link, model::joint and model::link::visual. Throws Fault.
