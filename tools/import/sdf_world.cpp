@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "tools/import/fault.h"
 #include "tools/import/materials.h"
@@ -20,8 +19,6 @@ namespace {
 Pose pose(const ignition::math::Pose3d& p) {
     return {{p.Pos().X(), p.Pos().Y(), p.Pos().Z()}, {p.Rot().W(), p.Rot().X(), p.Rot().Y(), p.Rot().Z()}};
 }
-
-std::string file_name(const std::string& path) { return std::filesystem::path(path).filename(); }
 
 class Converter {
   public:
@@ -46,14 +43,12 @@ class Converter {
         } else if (root.Model() != nullptr) {
             add_model(*root.Model(), "", pose(root.Model()->RawPose()), std::nullopt);
         }
-        for (const std::string& name : choices_.without)
-            if (!std::ranges::count(seen_, name))
-                throw Fault("--without " + printable(name, 64), "no model has this name",
-                            "use one of " + all_seen());
-        for (const std::string& name : choices_.keep)
-            if (!std::ranges::count(seen_, name))
-                throw Fault("--keep " + printable(name, 64), "no model has this name",
-                            "use one of " + all_seen());
+        for (const auto& [option, names] :
+             {std::pair("--without ", &choices_.without), std::pair("--keep ", &choices_.keep)})
+            for (const std::string& name : *names)
+                if (!is_asked_for(seen_, name))
+                    throw Fault(option + printable(name, 64), "no model has this name",
+                                "use one of " + all_seen());
     }
 
   private:
@@ -210,7 +205,8 @@ class Converter {
         Clues out{.model = model_name, .link = link.Name(), .visual = visual.Name()};
         if (const auto* material = visual.Material()) out.script = material->ScriptName();
         const auto* mesh = visual.Geom()->MeshShape();
-        if (mesh && !mesh->Uri().starts_with(drawn_address)) out.mesh = file_name(mesh->Uri());
+        if (mesh && !mesh->Uri().starts_with(drawn_address))
+            out.mesh = std::filesystem::path(mesh->Uri()).filename();
         if (visual.HasLaserRetro()) out.laser_retro = visual.LaserRetro();
         out.terrain = visual.Geom()->HeightmapShape() != nullptr;
         for (const sdf::ElementPtr& element : {visual.Element(), link.Element(), model.Element()})
@@ -251,7 +247,6 @@ class Converter {
     /// out.
     std::optional<std::size_t> mesh_of(std::string key, const Shape& shape, Clues& clues) {
         std::vector<std::pair<const ShapeSurface*, std::size_t>> parts;
-        std::set<std::string> counted;
         for (const ShapeSurface& surface : shape) {
             clues.surface = surface.material;
             Choice choice = choose_material(clues, choices_.rules);

@@ -17,7 +17,6 @@ using tinyxml2::XMLElement;
 constexpr std::size_t include_depth = 32;
 constexpr std::size_t most_includes = 20'000;
 constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
-constexpr double newest_format = 1.9;  ///< of libsdformat 12
 
 /// Nothing that a sonar hears, and nothing that is needed to find out where things are.
 const std::set<std::string> dropped{"collision",    "sensor",
