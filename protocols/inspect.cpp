@@ -143,7 +143,7 @@ constexpr std::array table = {
            .rewritten = nmea::rewritten,
            .checksums = nmea::checksums},
     Family{.name = "altimeter",
-           .title = "Tritech Micron Echosounder, serial",
+           .title = "Altimeters of Tritech, Benthos, Echologger and Imagenex, serial",
            .places = {.serial = true},
            .framing = Framing::stream,
            .decode = altimeter::decode,

@@ -56,7 +56,10 @@ RayTable::Rows rows_between(double above, double below) {
 }  // namespace
 
 RayTable::RayTable(std::span<const SoundSpeedPoint> profile, double depth, double range, bool surface)
-    : depth_(depth), range_(range), speed_(sound_speed_at(profile, depth)) {
+    : profile_(profile.begin(), profile.end()),
+      depth_(depth),
+      range_(range),
+      speed_(sound_speed_at(profile, depth)) {
     const double most = 1.1 * range;  // rays may lead farther than c t, where sound is faster
     column_step_ = most / static_cast<double>(columns - 1);
     // From a little above the surface to as far down, with the sonar in the middle between two rows.

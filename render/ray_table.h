@@ -83,6 +83,7 @@ class RayTable {
     /// bent ray between its ends takes as long, but for the second order of its bend.
     double slowness(double below_1, double below_2) const;
 
+    std::span<const SoundSpeedPoint> profile() const { return profile_; }
     double depth() const { return depth_; }  ///< m
     double range() const { return range_; }  ///< m, of c t
     double speed() const { return speed_; }  ///< m/s, at the sonar
@@ -132,6 +133,7 @@ class RayTable {
     void find_surface(std::span<const SoundSpeedPoint> profile);
     double plumb(double below) const;
 
+    std::vector<SoundSpeedPoint> profile_;
     double depth_, range_, speed_;
     double column_step_ = 1;
     Rows places_;

@@ -31,6 +31,26 @@ Recording::Recording(std::filesystem::path file, RecordingLimits limits)
       start_time_(std::chrono::system_clock::now().time_since_epoch()),
       disk_(std::in_place, file_, magic) {
     prologue_ = waiting_ = pcapng::section_header("echoloop");
+    start_writing();
+}
+
+Recording::Recording(RecordingLimits limits)
+    : limits_(limits), start_time_(std::chrono::system_clock::now().time_since_epoch()), idle_(true) {
+    prologue_ = pcapng::section_header("echoloop");
+}
+
+void Recording::begin(std::filesystem::path file) {
+    finish();
+    disk_.emplace(file, magic);
+    const std::scoped_lock lock(mutex_);
+    file_ = std::move(file);
+    summary_ = {};
+    waiting_ = prologue_;
+    idle_ = false;
+    start_writing();
+}
+
+void Recording::start_writing() {
     thread_ = std::jthread([this](std::stop_token stop) { keep_writing(stop); });
 }
 
@@ -38,6 +58,7 @@ Recording::~Recording() { finish(); }
 
 void Recording::finish() {
     if (!thread_.joinable()) return;
+    idle_ = true;
     thread_.request_stop();
     thread_.join();
     disk_.reset();
@@ -48,14 +69,15 @@ std::uint32_t Recording::add_interface(pcapng::LinkType type, const std::string&
     const Bytes block = pcapng::interface_description(type, name, description);
     const std::scoped_lock lock(mutex_);
     append(prologue_, block);
-    append(waiting_, block);
+    if (!idle_) append(waiting_, block);
     return interfaces_++;
 }
 
 void Recording::add(const pcapng::Packet& packet, ByteView bytes) {
+    if (idle_) return;
     const Bytes block = pcapng::enhanced_packet(packet, bytes);
     const std::scoped_lock lock(mutex_);
-    if (summary_.stopped) return;
+    if (summary_.stopped || idle_) return;
     if (waiting_.size() + block.size() > limits_.most_waiting) {
         ++summary_.lost;
         return;

@@ -2,6 +2,7 @@
 // a slow disk delays nobody; a full one ends the recording and never the emulation.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <filesystem>
 #include <functional>
@@ -32,16 +33,21 @@ class Recording {
     /// Overwrites `file`; further ones are called `file`-2.pcapng and so on. Throws StartError if it cannot
     /// be made.
     explicit Recording(std::filesystem::path file, RecordingLimits limits = {});
+    /// Of nothing, and at no cost, until begin() names a file.
+    explicit Recording(RecordingLimits limits);
     ~Recording();
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
 
+    /// Records from now on into `file`; what was recorded before is finished. On one thread with finish().
+    /// Throws StartError if the file cannot be made.
+    void begin(std::filesystem::path file);
     /// Before the first packet. Returns the number for Packet::interface.
     std::uint32_t add_interface(pcapng::LinkType type, const std::string& name,
                                 const std::string& description);
     /// From any thread.
     void add(const pcapng::Packet& packet, ByteView bytes);
-    /// Writes what still waits; nothing is added after it.
+    /// Writes what still waits; nothing is added after it, unless begin() follows.
     void finish();
     /// Never goes backwards, whatever happens to the system's clock during a run.
     pcapng::WallTime now() const;
@@ -49,9 +55,11 @@ class Recording {
     void follow(std::function<pcapng::WallTime()> time) { time_ = std::move(time); }
 
     RecordingSummary summary() const;
+    bool is_idle() const { return idle_; }  ///< before begin(), or after finish()
     const std::filesystem::path& file() const { return file_; }
 
   private:
+    void start_writing();
     void open_file();
     void keep_writing(std::stop_token stop);
     void write(const Bytes& blocks);
@@ -63,6 +71,7 @@ class Recording {
     pcapng::WallTime start_time_;
     std::function<pcapng::WallTime()> time_;  ///< empty: the system's
 
+    std::atomic<bool> idle_{false};
     mutable std::mutex mutex_;  // of all that follows up to summary_
     std::condition_variable_any more_;
     Bytes prologue_, waiting_;  ///< blocks that every file begins with; blocks for the disk

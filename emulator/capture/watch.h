@@ -16,6 +16,7 @@ struct SeenPing {
     std::uint64_t number = 0;
     Time transmitted{};               ///< run time
     Time late{};                      ///< after it was due
+    Time drawn{}, due{};              ///< since the transmission: when the echogram was there, and was due
     const Echogram& echogram;         ///< with its objects and all that the device hears
     const std::vector<Pose>& movers;  ///< Situation::movers
 };
@@ -26,6 +27,8 @@ struct SeenBytes {
     bool sent = false;     ///< by the device
     bool packets = false;  ///< datagrams, each whole
     ByteView bytes;
+    double line_rate = 0;  ///< bit/s, of a serial line; 0: of no line, or as fast as the other end takes it
+    double unix_time = 0;  ///< s since 1970, of what is no longer new; 0: now
 };
 
 class Watch {

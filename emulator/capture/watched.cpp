@@ -28,6 +28,8 @@ Task<void> Watched::write(ByteView bytes, Address to) {
     if (gone > 0) tell(true, bytes.first(std::min<std::size_t>(bytes.size(), gone)));
 }
 
-void Watched::tell(bool sent, ByteView bytes) { watch_.bytes({device_, port_, sent, packets_, bytes}); }
+void Watched::tell(bool sent, ByteView bytes) {
+    watch_.bytes({device_, port_, sent, packets_, bytes, line().line_rate()});
+}
 
 }  // namespace echoloop

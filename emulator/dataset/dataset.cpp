@@ -2,6 +2,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <chrono>
+
 #include "emulator/contract/error.h"
 #include "emulator/dataset/writer.h"
 
@@ -56,6 +59,10 @@ void Dataset::forget_run() {
 
 void Dataset::heard(std::size_t sonar, PingTruth ping) {
     const std::size_t bytes = sizeof ping + ping.echo.values.size() * (sizeof(float) + sizeof(std::uint16_t));
+    {
+        const std::scoped_lock lock(mutex_);
+        summary_.reached = ping.transmitted;
+    }
     const auto kept = std::make_shared<PingTruth>(std::move(ping));
     left_out_[sonar] =
         !add(bytes, true, [sonar, kept](DatasetWriter& writer) { writer.heard(sonar, std::move(*kept)); });
@@ -122,8 +129,21 @@ void Dataset::fail(const std::string& why) {
     if (failed_) failed_();
 }
 
-void Dataset::finish() {
+/// Until nothing waits.
+void Dataset::tell_rest(const Told& told) {
+    constexpr auto between = std::chrono::milliseconds(100);
+    std::unique_lock lock(mutex_);
+    for (const std::size_t all = waiting_.size(); !waiting_.empty(); room_.wait_for(lock, between)) {
+        const std::size_t done = all - std::min(all, waiting_.size());
+        lock.unlock();
+        told(done, all);
+        lock.lock();
+    }
+}
+
+void Dataset::finish(const Told& told) {
     add(0, false, [lost = summary().lost](DatasetWriter& writer) { writer.finish(lost); });
+    if (told && thread_.joinable()) tell_rest(told);
     if (thread_.joinable()) thread_.request_stop(), thread_.join();
     writer_.reset();
     if (!fault_.empty())

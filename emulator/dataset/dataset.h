@@ -31,6 +31,7 @@ struct DatasetSummary {
     std::uint64_t pings = 0, bytes = 0;
     std::uint64_t lost = 0;  ///< pings, to a slow machine or disk
     bool stopped = false;    ///< a file could not be written
+    Time reached{};          ///< run time of the last ping that came
 };
 
 /// What a run tells before its first ping.
@@ -58,8 +59,10 @@ class Dataset {
     void heard(std::size_t sonar, PingTruth ping);
     /// For the ping that this sonar has heard last; else nobody's.
     void said(std::size_t sonar, std::size_t port, std::string_view bytes);
+    /// Of what waited at the end of the run, how much is written.
+    using Told = std::function<void(std::size_t done, std::size_t of)>;
     /// Writes what still waits and gives the folder its name. Throws StartError if it is not whole.
-    void finish();
+    void finish(const Told& told = {});
 
     DatasetSummary summary() const;
     const std::filesystem::path& folder() const { return aside_.whole(); }
@@ -73,6 +76,7 @@ class Dataset {
     bool add(std::size_t bytes, bool may_be_left_out, Work work);
     void keep_writing(std::stop_token stop);
     void fail(const std::string& why);
+    void tell_rest(const Told& told);
 
     AsideFolder aside_;
     DatasetLimits limits_;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "emulator/contract/model.h"
+#include "emulator/devices/altimeters/altimeters.h"
 #include "emulator/devices/aris/aris.h"
 #include "emulator/devices/imagenex-852/sounder.h"
 #include "emulator/devices/imagenex-881a/sonar.h"
@@ -30,6 +31,7 @@ namespace {
 // An explicit table: a self-registering object in a static library would silently be dropped by the linker.
 std::vector<Model> make_models() {
     std::vector<Model> all;
+    for (Model& model : altimeters::models()) all.push_back(std::move(model));
     for (Model& model : aris_device::models()) all.push_back(std::move(model));
     all.push_back(imagenex852::model());
     all.push_back(imagenex881a::model());

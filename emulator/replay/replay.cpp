@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 
+#include "emulator/capture/watched.h"
 #include "emulator/clock/clock.h"
 #include "emulator/contract/endpoint.h"
 #include "emulator/replay/standard_input.h"
@@ -32,13 +33,19 @@ bool waits_for_driver(const Place& place) {
 
 bool is_pty(const Place& place) { return parse_endpoint(place.endpoint).scheme == Scheme::pty; }
 
-std::unique_ptr<Transport> open_place(Clock& clock, const Place& place) {
+std::unique_ptr<Transport> open_line(Clock& clock, const Place& place) {
     Endpoint endpoint = parse_endpoint(place.endpoint);
     const bool uart = endpoint.scheme == Scheme::serial;
     if (uart && endpoint.baud == 0) endpoint.baud = static_cast<std::uint32_t>(place.baud);
     auto line = open_endpoint(clock.io(), to_string(endpoint), Browsers::served);
     if (uart || place.baud <= 0) return line;
     return std::make_unique<Paced>(clock, std::move(line), place.baud);
+}
+
+std::unique_ptr<Transport> open_place(Clock& clock, const Place& place, Watch* watch) {
+    auto line = open_line(clock, place);
+    if (watch == nullptr) return line;
+    return std::make_unique<Watched>(std::move(line), *watch, place.name, "");
 }
 
 }  // namespace
@@ -54,7 +61,8 @@ class Replay::Impl {
           grace_(clock_),
           end_(io_) {
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) signals_.add(signal);
-        for (const Place& place : settings_.places) lines_.emplace_back(clock_, open_place(clock_, place));
+        for (const Place& place : settings_.places)
+            lines_.emplace_back(clock_, open_place(clock_, place, settings_.watch));
         if (settings_.steps_by_lines)
             lines_of_input_.emplace(io_, [this] {
                 player_->stepped(now());

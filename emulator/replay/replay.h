@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "emulator/capture/watch.h"
 #include "emulator/replay/player.h"
 
 namespace echoloop::replay {
@@ -14,6 +15,7 @@ namespace echoloop::replay {
 /// Where a port of the capture is played.
 struct Place {
     std::string endpoint;  ///< URI
+    std::string name{};    ///< of the port, as a watch is told it
     double baud = 0;       ///< bit/s; 0: as fast as the endpoint takes it, a serial port at its own rate
 };
 
@@ -22,6 +24,7 @@ struct Settings {
     bool starts_at_once = false;     ///< else when a driver is there, if any place can know
     bool steps_by_lines = false;     ///< a line on standard input asks for the next message
     std::optional<double> duration;  ///< s, then it ends
+    Watch* watch = nullptr;          ///< sees all bytes, and outlives the replay; nullptr: nobody looks
 };
 
 struct Summary {

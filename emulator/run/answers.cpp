@@ -52,6 +52,8 @@ std::string status(const std::vector<SessionSummary>& sessions, const Faults& fa
         for_each_figure(s, [&device](const char* name, auto value, bool while_running) {
             if (while_running) device[name] = value;
         });
+        device["waiting"] = s.waiting;
+        device["waiting_bytes"] = s.waiting_bytes;
         device["connected"] = s.connected;
         device["faults"] = std::move(made);
         devices.push_back(std::move(device));

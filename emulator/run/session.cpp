@@ -235,7 +235,12 @@ void Session::hear(UnderWay& ping) {
     if (log_ != nullptr) log_->hears(heard_);
     if (remarks_) remark_ = remark_of(ping.transmission, ping.sequence);
     if (ping.watched)
-        heard->seen = Seen{ping.transmission.time, now - ping.due, echogram.objects, ping.situation.movers};
+        heard->seen = Seen{ping.transmission.time,
+                           now - ping.due,
+                           ping.echoes->finished - ping.transmission.time,
+                           ping.due - ping.transmission.time,
+                           echogram.objects,
+                           ping.situation.movers};
     auto faults = truth_ && log_ != nullptr ? log_->on(now) : std::vector<std::string>{};
     if (truth_) {
         PingTruth truth = truth_->of(ping.transmission, ping.situation, ping.unix_time, ping.due,
@@ -258,8 +263,8 @@ Actions Session::hear_all(Heard& heard) {
     late_echoes_.add_to(heard.sequence, heard.echogram);
     if (heard.seen) {
         heard.echogram.objects = std::move(heard.seen->objects);
-        watch_->ping({name_, heard.sequence, heard.seen->transmitted, heard.seen->late, heard.echogram,
-                      heard.seen->movers});
+        watch_->ping({name_, heard.sequence, heard.seen->transmitted, heard.seen->late, heard.seen->drawn,
+                      heard.seen->due, heard.echogram, heard.seen->movers});
     }
     Actions actions = device_->heard(heard.echogram, heard.now);
     if (heard.kept) {
@@ -340,6 +345,8 @@ SessionSummary Session::summary() const {
     summary.worst_lateness = lateness_.worst();
     summary.median_lateness = lateness_.not_exceeded_by(0.5);
     summary.p99_lateness = lateness_.not_exceeded_by(0.99);
+    summary.waiting = outbox_.size();
+    summary.waiting_bytes = outbox_bytes_;
     summary.device = hearing_ ? counters_ : device_->counters();
     for (const auto& transport : transports_) {
         summary.bytes_in += transport->bytes_in();

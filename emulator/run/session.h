@@ -121,7 +121,7 @@ class Session {
     void count_late(const UnderWay& ping, Time now);
     /// What a watch is told beside the echogram.
     struct Seen {
-        Time transmitted, late;
+        Time transmitted, late, drawn, due;
         std::vector<std::uint16_t> objects;
         std::vector<Pose> movers;
     };

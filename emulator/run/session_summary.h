@@ -27,6 +27,7 @@ struct SessionSummary {
     /// Messages that did not fit the outbox, or what is kept for a driver that does not read.
     std::uint64_t dropped = 0;
     std::size_t most_waiting = 0, most_waiting_bytes = 0;  ///< messages in the outbox at once
+    std::size_t waiting = 0, waiting_bytes = 0;            ///< the same, now
     std::uint64_t bytes_in = 0, bytes_out = 0;
     std::uint64_t empty_datagrams = 0;   ///< came in and mean nothing: no serial line carries them
     std::uint64_t bytes_lost = 0;        ///< a driver was there and did not take them

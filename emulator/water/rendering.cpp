@@ -18,6 +18,7 @@ std::shared_ptr<Rendering> Rendering::start(RenderThreads& threads, Clock& clock
         if (!error.empty()) spdlog::error("{}: ping not rendered: {}", name, error);
         asio::post(io, [rendering = std::move(rendering), echogram = std::move(echogram)]() mutable {
             rendering->echogram = std::move(echogram);
+            rendering->finished = rendering->clock_.now();
             rendering->done_.cancel();
         });
     };

@@ -24,6 +24,7 @@ class Rendering {
     /// Returns when the echogram is there. The clock waits for it.
     Task<void> ready();
     std::optional<Echogram> echogram;
+    Time finished{};  ///< when it was there
 
   private:
     Clock& clock_;

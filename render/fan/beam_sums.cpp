@@ -111,7 +111,7 @@ void BeamSums::sum_beams(const FanPlan& plan, std::size_t first, std::size_t cou
 }
 
 void BeamSums::find_stretches(const BinningInput& in) {
-    const double step = std::min(0.1 * in.plan.geometry.beam_width, deg_to_rad(0.05));
+    const double step = std::min(0.2 * in.plan.geometry.beam_width, deg_to_rad(0.05));
     constexpr std::size_t whole = 16;  // bins that the loops take at once
     stretches_.clear();
     if (in.motion == nullptr || in.motion->turning.z == 0 || bearings_.empty()) return;
@@ -133,7 +133,7 @@ void BeamSums::find_stretches(const BinningInput& in) {
 /// A few stretches of steps; the volume's echo and the surface's change little.
 void BeamSums::add_steps_of_water(const BinningInput& in) {
     if (in.water == nullptr) return;
-    constexpr std::size_t at_once = 8;
+    constexpr std::size_t at_once = 16;  // as many as the loops take
     const RangeSteps& steps = in.water->steps();
     for (std::size_t kind = 0; kind < 2; ++kind)
         for (std::size_t step = 0; step < steps.count; step += at_once) {
@@ -147,14 +147,19 @@ void BeamSums::add_steps_of_water(const BinningInput& in) {
 }
 
 /// The lines as far to both sides of where a beam looks by then, or half-way there, as `own` are before.
-BeamLines BeamSums::turned_lines(const FanPlan& plan, const BeamLines& own, float turned) const {
+/// `last`: those of the stretch before, which lie beside them.
+BeamLines BeamSums::turned_lines(const FanPlan& plan, const BeamLines& own, const BeamLines& last,
+                                 float turned) const {
     const float shift = plan.geometry.horizontal.ways == 2 ? -turned / 2 : -turned;
-    const auto line_at = [this](float bearing) {
-        return static_cast<std::size_t>(std::ranges::lower_bound(bearings_, bearing) - bearings_.begin());
+    const auto line_at = [this](float bearing, std::size_t line) {
+        while (line > 0 && bearings_[line - 1] >= bearing) --line;
+        while (line < bearings_.size() && bearings_[line] < bearing) ++line;
+        return line;
     };
     BeamLines out = own;
-    out.first_line = line_at(bearings_[own.first_line] + shift);
-    out.lines = line_at(bearings_[own.first_line + own.lines - 1] + shift) - out.first_line;
+    out.first_line = line_at(bearings_[own.first_line] + shift, last.first_line);
+    out.lines = line_at(bearings_[own.first_line + own.lines - 1] + shift, last.first_line + last.lines) -
+                out.first_line;
     return out;
 }
 
@@ -164,12 +169,17 @@ void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t co
     thread_local std::vector<WeightedRow> rows;
     thread_local std::vector<float> sums;
     thread_local std::array<std::vector<float>, sums_at_once> weights;
+    thread_local std::vector<WeightedRow> far;
+    far.clear();
+    for (std::size_t k = 0; k < count && plan.far_lobes.sectors > 0; ++k)
+        add_far(plan, first + k, k, bins, far);
+    std::array<BeamLines, sums_at_once> own{};
+    std::copy_n(plan.beams.begin() + static_cast<std::ptrdiff_t>(first), count, own.begin());
     for (const auto& [begin, end, turned] : stretches_) {
         rows.clear();
-        std::array<BeamLines, sums_at_once> own{};
         std::size_t from = plan.lines, to = 0;
         for (std::size_t k = 0; k < count; ++k) {
-            own[k] = turned_lines(plan, plan.beams[first + k], turned);
+            own[k] = turned_lines(plan, plan.beams[first + k], own[k], turned);
             lobe_.weigh(std::span(bearings_).subspan(own[k].first_line, own[k].lines),
                         static_cast<float>(own[k].bearing), turned, weights[k]);
             from = std::min(from, own[k].first_line), to = std::max(to, own[k].first_line + own[k].lines);
@@ -191,10 +201,7 @@ void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t co
                 row.weights[k] = weights[k][line - own[k].first_line];
             }
         }
-        const std::size_t near_rows = rows.size();
-        for (std::size_t k = 0; k < count && plan.far_lobes.sectors > 0; ++k)
-            add_far(plan, first + k, k, bins, rows);
-        for (WeightedRow& row : std::span(rows).subspan(near_rows)) row.values += begin, row.end = length;
+        for (const WeightedRow& row : far) rows.push_back({row.values + begin, 0, length, row.weights});
         sums.resize(count * length);
         sum_rows(rows, gain != nullptr ? gain + begin : nullptr, length, count, sums.data());
         for (std::size_t k = 0; k < count; ++k)

@@ -16,8 +16,8 @@ class BeamSums {
     /// Fills `values` (beams x LineSums::stride(), with the steps behind the bins); multiplies each bin with
     /// `gain` unless that is empty. A line that was sampled off its middle is weighed there, so that the mean
     /// over pings has the pattern itself. Beams of a fan that turns about its upright axis weigh lines by
-    /// where they come from when they arrive, in stretches of range over which that changes by a tenth of a
-    /// beam, or 0.05 deg. The far sectors are not turned.
+    /// where they come from when they arrive, in stretches of range in which that is off by a tenth of a
+    /// beam, or 0.025 deg. The far sectors are not turned.
     void sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
              std::vector<float>& values);
 
@@ -38,7 +38,8 @@ class BeamSums {
                    LineSums& lines, const float* gain, float* out) const;
     void sum_turned(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
                     LineSums& lines, const float* gain, float* out) const;
-    BeamLines turned_lines(const FanPlan& plan, const BeamLines& own, float turned) const;
+    BeamLines turned_lines(const FanPlan& plan, const BeamLines& own, const BeamLines& last,
+                           float turned) const;
 
     static void push(WeightedRow row, const LineSums& lines, std::size_t bins,
                      std::vector<WeightedRow>& rows);

@@ -62,6 +62,16 @@ LobeTable upwards_of(const FanPlan& plan, double turn) {
     return table;
 }
 
+/// `turned` and `width` in rad, one way.
+double kept_by_line(double turned, double width) {
+    if (!(width > 0)) return 1;
+    const double a = 2 * 1.391557 * 2 * turned / width;
+    return std::abs(a) < 1e-2 ? 1 - a * a / 20 : 6 / (a * a) * (1 - std::sin(a) / a);
+}
+
+/// rad, of one way, of an axis that sends and receives; else 0.
+double both_ways(const AxisPattern& pattern, double width) { return pattern.ways == 2 ? width / 0.72 : 0; }
+
 ECHOLOOP_SIMD
 void closing_of_row(float ahead, float up, float square, float top, float step, int count,
                     float* __restrict out) {
@@ -93,7 +103,16 @@ std::optional<PingMotion> motion_of(const Shot& shot, const FanPlan& plan, const
     const double pitch = std::hypot(out.turning.x, out.turning.y) * flight;
     if (turns && (pitch > least_share * shot.fan_height || is_piston(plan.geometry)))
         out.upwards = upwards_of(plan, norm(out.turning) * flight);
+    if (turns && shot.bearings.size() == 1)
+        out.across = both_ways(shot.horizontal, shot.beam_width), out.axis = plan.beams.front().bearing;
+    if (turns) out.upright = both_ways(shot.vertical, shot.fan_height), out.round = is_piston(plan.geometry);
     return out.shifts || turns || shot.velocities ? std::optional(std::move(out)) : std::nullopt;
+}
+
+double PingMotion::kept(double range) const {
+    const Vec3 turned = flight(range) * rotate(axis_angle({0, 0, 1}, axis), turning);
+    if (round) return kept_by_line(std::hypot(turned.y, turned.z), across);
+    return kept_by_line(turned.z, across) * kept_by_line(turned.y, upright);
 }
 
 void find_closing(const PingMotion& motion, const View& view, PixelOffset offset, std::size_t line,

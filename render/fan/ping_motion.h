@@ -28,6 +28,11 @@ struct PingMotion {
     /// Two-way power over the sine of the elevation, or of a piston's angle off its axis, where the receiver
     /// is directive there and turns; else empty.
     LobeTable upwards{};
+    /// rad, one-way widths of a lobe that sends and receives, across a single beam and upright; 0: it does
+    /// not.
+    double across = 0, upright = 0;
+    double axis = 0;     ///< rad, bearing of a single beam
+    bool round = false;  ///< a piston's, which has one width
 
     /// s from the transmission until an echo comes back.
     double flight(double range) const { return 2 * range * slowness; }
@@ -36,6 +41,9 @@ struct PingMotion {
     double apparent(double range, double closing) const {
         return range - closing * (range * slowness + sweep);
     }
+    /// Share of what is everywhere that the turned receiver still hears of what was sent, as a plain line
+    /// does: 6 / a^2 (1 - sin(a) / a), the autocorrelation of sinc^2 (own derivation).
+    double kept(double range) const;
 };
 
 /// What a motion is made of.

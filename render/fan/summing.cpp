@@ -8,6 +8,7 @@
 #include "render/fan/far_lobes.h"
 #include "render/fan/line_sums.h"
 #include "render/fan/nearest.h"
+#include "render/fan/ping_motion.h"
 #include "render/fan/target_beams.h"
 #include "render/workers.h"
 
@@ -63,6 +64,7 @@ class FanSumming final : public Summing {
             if (in.water == nullptr) return beams_.sum(in, sums_, gain.values(), workers_, values);
             const RangeSteps& steps = in.water->steps();
             beams_.sum(in, sums_, with_steps(gain.values(), steps), workers_, rows_);
+            if (in.motion != nullptr && in.motion->turning != Vec3{}) turn_volume(in, steps);
             finish_reverberation(*in.water, gain.values(), rows_, values, fresh);
             return;
         }
@@ -160,6 +162,16 @@ class FanSumming final : public Summing {
         if (plan.far_lobes.sectors == 0) return nullptr;
         return &sums_.sector(
             sector_at(plan, SectorKind::beside, cone_angle(bearing - plan.centre, 0)).sector);
+    }
+
+    /// What floats in the water is everywhere, so its echo is that of both patterns together.
+    void turn_volume(const BinningInput& in, const RangeSteps& steps) {
+        const std::size_t stride = in.bins + 2 * steps.count;
+        for (std::size_t step = 0; step < steps.count; ++step) {
+            const double bin = (static_cast<double>(step) + 0.5) * static_cast<double>(steps.bins);
+            const auto kept = static_cast<float>(in.motion->kept(in.first_range + bin * in.bin_length));
+            for (std::size_t at = in.bins + step; at < rows_.size(); at += stride) rows_[at] *= kept;
+        }
     }
 
     Workers& workers_;

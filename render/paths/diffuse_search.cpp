@@ -17,12 +17,24 @@ struct Lengths {
     double ray, other;  ///< m, the way of a cell's ray and the other one
 };
 
-/// What the ray of a cell meets.
+/// What the ray of a cell meets, if it is straight.
 struct Seen {
     Vec3 direction;
     std::optional<Encounter> first, mirrored;  ///< and behind that as its mirror
     Vec3 onward;                               ///< from the first, where that mirrors
+    /// Of the last of both; where rays bend, in which direction and how far off it is seen.
+    Sight sight{};
+    double lift = 0;  ///< rad, elevation of `direction` over that of the cell's ray
 };
+
+/// The direction so much higher, rad.
+Vec3 lifted(Vec3 direction, double angle) {
+    if (angle == 0) return direction;
+    const double across = std::max(std::hypot(direction.x, direction.y), 1e-12);
+    const double elevation = std::atan2(direction.z, across) + angle;
+    return std::cos(elevation) / across * Vec3{direction.x, direction.y, 0} +
+           std::sin(elevation) * Vec3{0, 0, 1};
+}
 
 /// At the lower and the upper edge of a cell: between them lies what the cell's echo covers.
 using Stretch = std::array<Lengths, 2>;
@@ -79,19 +91,45 @@ class DiffuseSearch {
             const Seen& seen = seen_[own_];
             if (!seen.first) continue;
             if (seen.mirrored) follow_mirror(cells[own_], seen);
-            if (seen.first->mu > 0) return_by_surface(cells[own_], seen.direction, *seen.first);
+            if (seen.first->mu > 0) return_by_surface(cells[own_], seen, *seen.first);
         }
     }
 
   private:
+    /// Where rays bend, a straight one by way of a mirror is aimed to where the cell's is by then.
     Seen look(const LobeCell& cell) const {
-        Seen seen{rotate(ping_.world_from_fan, fan_direction(cell.bearing, cell.elevation)), {}, {}, {}};
-        seen.first = ping_.space.meet(ping_.sonar, seen.direction, 2 * ping_.end_range);
-        if (!seen.first || !(std::abs(seen.first->reflection * seen.first->flatness) > weakest_reflection))
-            return seen;
+        const Vec3 direction = rotate(ping_.world_from_fan, fan_direction(cell.bearing, cell.elevation));
+        Seen seen = look_along(direction);
+        if (ping_.rays == nullptr) return seen;
+        for (int round = 0; round < 2 && seen.first; ++round) {
+            const bool by_surface = seen.first->material == nullptr, met = seen.mirrored.has_value();
+            if (!by_surface && !met) break;
+            const double lift = ping_.lift(direction, met ? seen.sight.length : ping_.end_range, by_surface);
+            seen = look_along(lifted(direction, lift));
+            seen.lift = lift;
+            if (met) break;
+        }
+        const auto sight = seen.first ? sight_of(seen) : std::nullopt;
+        if (!sight) return {direction, {}, {}, {}};
+        seen.sight = *sight;
+        return seen;
+    }
+
+    std::optional<Sight> sight_of(const Seen& seen) const {
+        if (!seen.mirrored) return ping_.sight(seen.first->point);
         const Encounter& mirror = *seen.first;
+        return ping_.sight_by(seen.mirrored->point, mirror.point, mirror.normal, mirror.point);
+    }
+
+    Seen look_along(Vec3 direction) const {
+        Seen seen{direction, ping_.space.meet(ping_.sonar, direction, 2 * ping_.end_range), {}, {}};
+        if (!seen.first) return seen;
+        const Encounter& mirror = *seen.first;
+        seen.sight = {direction, mirror.range};
+        if (!(std::abs(mirror.reflection * mirror.flatness) > weakest_reflection)) return seen;
         seen.onward = seen.direction - 2 * dot(seen.direction, mirror.normal) * mirror.normal;
         seen.mirrored = ping_.space.meet(mirror.point, seen.onward, 2 * ping_.end_range - mirror.range);
+        if (seen.mirrored) seen.sight.length += seen.mirrored->range;
         return seen;
     }
 
@@ -100,11 +138,8 @@ class DiffuseSearch {
         const Encounter &mirror = *seen.first, &met = *seen.mirrored;
         corners_.note(mirror, met, seen.onward);
         if (met.mu == 0) return;
-        const double line = mirror.range + met.range;
-        const double length = ping_.rays == nullptr
-                                  ? line
-                                  : ping_.leg(ping_.sonar, mirror.point) + ping_.leg(mirror.point, met.point);
-        const Way way{ping_.seen(seen.direction), length, mirror.reflection * mirror.flatness,
+        const double line = mirror.range + met.range, length = seen.sight.length;
+        const Way way{ping_.seen(seen.sight.direction), length, mirror.reflection * mirror.flatness,
                       -dot(seen.onward, met.normal), 1};
         const auto stretch = stretch_of(cell, Tangent(ping_, met, mirror.point, mirror.normal, true),
                                         {line, norm(met.point - ping_.sonar)}, length / line,
@@ -129,23 +164,27 @@ class DiffuseSearch {
     }
 
     /// Scatterer first, and the way by the surface leaves outside the cells, so that no ray finds it.
-    void return_by_surface(const LobeCell& cell, Vec3 direction, const Encounter& met) {
+    void return_by_surface(const LobeCell& cell, const Seen& seen, const Encounter& met) {
         const auto surface = ping_.space.surface_above(ping_.sonar);
         if (!surface || met.range >= ping_.end_range) return;
         const Vec3 on{0, 0, surface->height}, down{0, 0, -1};
         const Vec3 image = mirrored(ping_.sonar, on, down);
         const Vec3 leaving = mirrored(met.point, on, down) - ping_.sonar;
         const Vec3 in_fan = rotate(conjugate(ping_.world_from_fan), 1 / norm(leaving) * leaving);
-        const FanDirection up = ping_.pattern.at(in_fan), here = ping_.seen(direction);
+        const auto sight =
+            ping_.rays != nullptr && seen.mirrored
+                ? ping_.sight(met.point)
+                : std::optional(Sight{seen.sight.direction, seen.mirrored ? met.range : seen.sight.length});
+        if (!sight) return;
+        const FanDirection up = ping_.pattern.at(in_fan), here = ping_.seen(sight->direction);
         const double weight = std::abs(up.transmit * here.receive) + std::abs(up.receive * here.transmit);
         if (weight < weakest_pattern || cells_.contains(up.bearing, std::asin(in_fan.z))) return;
         const auto other = facing(surface_way(ping_, met.point), met, image);
         if (!other) return;
-        const double length = ping_.rays == nullptr ? met.range : ping_.leg(ping_.sonar, met.point);
-        const Way way{here, length, 1, -dot(direction, met.normal), 0};
+        const Way way{here, sight->length, 1, -dot(seen.direction, met.normal), 0};
         const auto stretch =
             stretch_of(cell, Tangent(ping_, met, on, down, false), {met.range, norm(met.point - image)},
-                       length / met.range, [&](const Seen& beside) -> std::optional<Lengths> {
+                       sight->length / met.range, [&](const Seen& beside) -> std::optional<Lengths> {
                            if (!beside.first || beside.first->mu == 0 || same_plane(met, *beside.first))
                                return {};
                            return Lengths{beside.first->range, norm(beside.first->point - image)};
@@ -185,8 +224,8 @@ class DiffuseSearch {
     Stretch stretch_of(const LobeCell& cell, const Tangent& tangent, const Lengths& own, double slowness,
                        EndsAt&& ends_at) const {
         const auto edge = [&](double elevation, std::size_t beside, bool is_beside) {
-            Lengths straight =
-                tangent.at(rotate(ping_.world_from_fan, fan_direction(cell.bearing, elevation)), own.ray);
+            const Vec3 direction = rotate(ping_.world_from_fan, fan_direction(cell.bearing, elevation));
+            Lengths straight = tangent.at(lifted(direction, seen_[own_].lift), own.ray);
             const auto end = is_beside ? ends_at(seen_[beside]) : std::nullopt;
             if (end) {
                 const auto between = [](double value, double a, double b) {

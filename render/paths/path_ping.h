@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/image_rays.h"
 #include "render/paths/fan_pattern.h"
 #include "render/paths/lobe_cells.h"
 #include "render/paths/path_space.h"
@@ -51,6 +52,8 @@ struct PathPing {
     double least = 0;                ///< uPa, of an echo of one point that may be heard
     Vec3 turning{};                  ///< rad per m of range, about the fan's axes, until an echo is back
     const RayTable* rays = nullptr;  ///< null: they are straight
+    /// Null: those that the water's surface reflects are straight, and take their time.
+    const ImageRays* images = nullptr;
 
     FanDirection seen(Vec3 world_direction) const {
         return pattern.at(rotate(conjugate(world_from_fan), world_direction));
@@ -58,6 +61,12 @@ struct PathPing {
 
     /// The straight way or the first of the bent ones, whatever is between; empty in a shadow.
     std::optional<Sight> sight(Vec3 point) const;
+    /// The same by way of a mirror through `on`, which the ray meets at `at` if it is straight. Bent rays are
+    /// those to the image in the water's surface or in an upright mirror; by others the legs stay straight.
+    std::optional<Sight> sight_by(Vec3 point, Vec3 on, Vec3 normal, Vec3 at) const;
+    /// rad, by how much the straight line to where a ray is after `length` m of c t lies higher than the
+    /// ray's `direction` at the sonar; where it has been at the surface, that to its image.
+    double lift(Vec3 direction, double length, bool by_surface) const;
     /// Whether something is between the sonar and the point, along that way.
     bool hidden(Vec3 point) const;
 

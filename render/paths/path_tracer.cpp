@@ -41,6 +41,8 @@ class PathTracer::Impl {
         const double wavenumber = 2 * std::numbers::pi * shot.frequency / sound_speed;
         space_->set_wavenumber(wavenumber);
         space_->set_frequency(shot.frequency);
+        std::optional<ImageRays> images;
+        if (rays != nullptr) images.emplace(image_tables_, *rays);
         const PathPing ping{shot,
                             *space_,
                             pattern,
@@ -54,7 +56,8 @@ class PathTracer::Impl {
                             range_resolution(shot, sound_speed),
                             least_audible(shot),
                             2 / sound_speed * turning,
-                            rays};
+                            rays,
+                            images ? &*images : nullptr};
         find_target_echoes(ping, targets_, multipath(), out.targets);
         if (!multipath()) return;
         const auto faces = faces_ahead(ping, *mirrors_);
@@ -90,6 +93,7 @@ class PathTracer::Impl {
     std::optional<Mirrors> mirrors_;
     std::vector<PointTarget> targets_;  ///< where they are at the ping at hand
     RecentlyUsed<FanPattern> patterns_{64};
+    ImageTables image_tables_;
     std::vector<Corner> corners_;
     std::future<void> prepared_;  ///< last: it is waited for first
 };

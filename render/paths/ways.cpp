@@ -1,5 +1,8 @@
 #include "render/paths/path_ping.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace echoloop {
 namespace {
 
@@ -13,8 +16,8 @@ struct MirrorPlane {
 /// The way to `point` by a mirror: to where the sight line to its image crosses the mirror, and on.
 struct MirrorWay {
     Vec3 direction, at;
-    double to_mirror, length;
-    bool upright;  ///< the mirror, so that water is the same behind it
+    double length;
+    MirrorPlane plane;
 };
 
 std::optional<MirrorWay> by_mirror(Vec3 sonar, Vec3 point, const MirrorPlane& plane) {
@@ -23,20 +26,14 @@ std::optional<MirrorWay> by_mirror(Vec3 sonar, Vec3 point, const MirrorPlane& pl
     const Vec3 to_image = mirrored(point, plane.on, plane.normal) - sonar;
     const double length = norm(to_image), to_mirror = length * before / (before + behind);
     const Vec3 direction = 1 / length * to_image;
-    constexpr double a_degree = 0.0175;
-    return MirrorWay{direction, sonar + to_mirror * direction, to_mirror, length,
-                     std::abs(plane.normal.z) < a_degree};
+    return MirrorWay{direction, sonar + to_mirror * direction, length, plane};
 }
 
 /// Empty where bent rays do not reach the image.
 std::optional<Way> way_by(const PathPing& ping, const MirrorWay& found, Vec3 point, double reflection) {
-    if (ping.rays == nullptr) return Way{ping.seen(found.direction), found.length, reflection, 1, 1};
-    if (!found.upright)
-        return Way{ping.seen(found.direction), ping.leg(ping.sonar, found.at) + ping.leg(found.at, point),
-                   reflection, 1, 1};
-    const auto image = ping.sight(ping.sonar + found.length * found.direction);
-    if (!image) return std::nullopt;
-    return Way{ping.seen(image->direction), image->length, reflection, 1, 1};
+    const auto sight = ping.sight_by(point, found.plane.on, found.plane.normal, found.at);
+    if (!sight) return std::nullopt;
+    return Way{ping.seen(sight->direction), sight->length, reflection, 1, 1};
 }
 
 /// Aims at the image in the plane of the triangle that was met last, until the ray meets it where it should.
@@ -57,19 +54,41 @@ std::optional<MirrorWay> settle(const PathPing& ping, Vec3 point, MirrorPlane pl
     return std::nullopt;
 }
 
+/// Where a ray leaves that ends at `line` from the sonar.
+std::optional<Sight> along(const BentRay& ray, Vec3 line) {
+    if (ray.clearance < 0) return std::nullopt;
+    const double across = std::hypot(line.x, line.y), elevation = std::atan2(line.z, across) + ray.turn;
+    const Vec3 ahead = across > 0 ? 1 / across * Vec3{line.x, line.y, 0} : Vec3{1, 0, 0};
+    return Sight{std::cos(elevation) * ahead + std::sin(elevation) * Vec3{0, 0, 1},
+                 norm(line) * (1 + ray.stretch)};
+}
+
 }  // namespace
 
 std::optional<Sight> PathPing::sight(Vec3 point) const {
     const Vec3 line = point - sonar;
     const double length = norm(line);
     if (rays == nullptr) return Sight{1 / length * line, length};
-    const double across = std::hypot(line.x, line.y);
-    const BentRay ray = rays->at(across, -line.z);
-    if (ray.clearance < 0) return std::nullopt;
-    const double elevation = std::atan2(line.z, across) + ray.turn;
-    const Vec3 ahead = across > 0 ? 1 / across * Vec3{line.x, line.y, 0} : Vec3{1, 0, 0};
-    return Sight{std::cos(elevation) * ahead + std::sin(elevation) * Vec3{0, 0, 1},
-                 length * (1 + ray.stretch)};
+    return along(rays->at(std::hypot(line.x, line.y), -line.z), line);
+}
+
+std::optional<Sight> PathPing::sight_by(Vec3 point, Vec3 on, Vec3 normal, Vec3 at) const {
+    constexpr double a_degree = 0.0175, level = 0.999999;
+    const Vec3 image = mirrored(point, on, normal), line = image - sonar;
+    const double length = norm(line);
+    if (rays == nullptr) return Sight{1 / length * line, length};
+    if (std::abs(normal.z) < a_degree) return sight(image);
+    if (images != nullptr && normal.z < -level)
+        if (const auto surface = space.surface_above(sonar);
+            surface && std::abs(on.z - surface->height) < 1e-6)
+            return along(images->to(std::hypot(line.x, line.y), line.z), line);
+    return Sight{1 / length * line, leg(sonar, at) + leg(at, point)};
+}
+
+double PathPing::lift(Vec3 direction, double length, bool by_surface) const {
+    if (rays == nullptr || (by_surface && images == nullptr)) return 0;
+    const double elevation = std::asin(std::clamp(direction.z, -1.0, 1.0));
+    return (by_surface ? images->line(elevation, length) : line_to(*rays, elevation, length)) - elevation;
 }
 
 /// A bent ray is taken for the cubic that leaves and arrives as it does, in pieces.

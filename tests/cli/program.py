@@ -51,6 +51,23 @@ class ProgramTest(unittest.TestCase):
         path.write_text(text.replace("TANK", str(ROOT / "config" / "scenes" / "tank.glb")))
         return path
 
+    def on_a_terminal(self, *arguments, **environment):
+        """What a run that must succeed writes to stderr, which is a terminal."""
+        master, slave = os.openpty()
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=slave, env={**os.environ, **environment})
+        os.close(slave)
+        shown = b""
+        try:
+            while piece := os.read(master, 65536):
+                shown += piece
+        except OSError:  # the other end is closed
+            pass
+        os.close(master)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 0, shown)
+        return shown.decode()
+
     def shared(self, *parts):
         """A real recording that is not part of the repository."""
         path = SHARED.joinpath(*parts)

@@ -1,6 +1,7 @@
 """echoloop endpoints: what is printed is what a driver needs."""
 import configparser
 import re
+import shlex
 import unittest
 from pathlib import Path
 
@@ -9,9 +10,13 @@ from program import DEMO, TANK, ProgramTest
 
 ECHOSOUNDER = str(Path(DEMO).with_name("echosounder.yaml"))
 MICRON = "devices.micron.endpoints="
+COMMAND = r"(rosrun|roslaunch|rosparam|ros2|socat|sim_vehicle\.py|param|\./connect|python3) "
+NO_DRIVER = {"reson-7k", "valeport-va500", "tritech-pa500", "tritech-pa200", "benthos-psa916", "imagenex-863"}
 
 
 class Endpoints(ProgramTest):
+    seen = set()
+
     def test_plain_addresses(self):
         text = self.good("endpoints", DEMO)
         self.assertRegex(text, r"line +/tmp/echoloop/micron, 115200 bit/s 8N1")
@@ -146,6 +151,40 @@ class Endpoints(ProgramTest):
         self.assertIn("param set RNGFND1_TYPE 17\n", nmea)
         sent = self.good("endpoints", ECHOSOUNDER, "--format", "sitl", "--set", "devices.echosounder.endpoints=[udp://127.0.0.1:10110]")
         self.assertIn("no driver of ArduPilot for nmea-echosounder is known", sent)  # SITL opens no such port
+
+    def test_every_block_that_is_printed_can_be_read(self):
+        """One scenario of each model in every format: shells read commands, YAML the rest, and so on."""
+        models, files = set(), set()
+        for file in sorted(Path(DEMO).parent.glob("*.yaml")):
+            new = {device["model"] for device in yaml.safe_load(file.read_text()).get("devices") or []} - models
+            models |= new
+            files |= {file} if new else set()
+        for file in sorted(files):
+            for format in "ros1", "ros2", "rock", "moos", "dune", "sitl", "maker", "python":
+                for device in self.json("endpoints", file, "--format", format)["devices"]:
+                    if device["paste"]:
+                        with self.subTest(model=device["model"], format=format):
+                            self.read_block(format, device["paste"])
+                            self.seen.add(device["model"])
+        print("models with a driver:", *sorted(self.seen))
+        self.assertEqual(models - self.seen, NO_DRIVER)
+
+    def read_block(self, format, lines):
+        lines = [line for line in lines if not line.startswith("#")]
+        self.assertTrue(lines)
+        text = "\n".join(lines)
+        self.assertNotRegex(text, r"\{[a-z]+( \d)?\}", "what was to be filled in")
+        if format == "python" and not lines[0].startswith("python3 "):
+            compile(text, format, "exec")
+        elif format == "dune":
+            configparser.ConfigParser().read_string(text)
+        elif format == "moos":
+            self.assertRegex(text, r"\AProcessConfig = \w+\n\{\n(  \w+ += \S+( +//.*)?\n)+\}\Z")
+        else:
+            commands = [line for line in lines if re.match(COMMAND, line)]
+            self.assertTrue(all(len(shlex.split(line, comments=True)) > 1 for line in commands), text)
+            rest = yaml.safe_load("\n".join(line for line in lines if line not in commands))
+            self.assertTrue(isinstance(rest, dict) or commands and rest is None, text)
 
     def test_json(self):
         report = self.json("endpoints", DEMO, "--format", "ros1")

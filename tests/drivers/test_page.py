@@ -3,9 +3,12 @@
 import os
 import re
 import shutil
+import subprocess
 import sys
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
 import public_driver
 
@@ -13,7 +16,7 @@ public_driver.use("page", "playwright")
 
 from playwright.sync_api import sync_playwright  # noqa: E402
 from ports import free_port  # noqa: E402
-from program import ROOT, Emulator  # noqa: E402
+from program import PROGRAM, ROOT, Emulator  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "tests" / "hosts"))
 import ping360_host  # noqa: E402
@@ -81,7 +84,7 @@ class Page(unittest.TestCase):
 
     def read_at(self, page, x, y):
         """What the card says of a dot of its 480 x 360."""
-        box = page.locator("[data-device=head] canvas").bounding_box()
+        box = page.locator("[data-device=head] canvas:not([hidden])").bounding_box()
         scale = box["width"] / 480
         page.mouse.move(box["x"] + (x + 0.5) * scale, box["y"] + (y + 0.5) * scale)
         return page.locator("[data-device=head] .read").inner_text()
@@ -103,9 +106,12 @@ class Page(unittest.TestCase):
         self.assertIn(WALL, wall[1].lower())
         card.locator("select").select_option("said")
 
-        def said(metres):
-            return float(re.search(r"= ([\d.]+)", self.read_at(page, metres / 8 * 480, 100))[1])
+        card.locator(".facts", has_text="DeviceData").wait_for()
 
+        def said(metres):
+            return int(re.search(r"(\d+) counts", self.read_at(page, 240, 180 - metres / 8 * 172))[1])
+
+        # where a message tells no speed of sound, ranges are those at 1500 m/s, as the water is here
         self.assertGreater(max(said(metres / 20) for metres in range(115, 126)), said(4.5) + 30)
         card.locator("select").select_option("true")
         colours = page.evaluate(
@@ -137,10 +143,63 @@ class Page(unittest.TestCase):
         page.locator("#fault-answer", has_text="ended").wait_for()
         self.ping()
 
-    def test_the_page_says_so_when_the_run_has_ended(self):
-        page = self.start()
+    def test_the_page_goes_on_with_the_next_run_at_its_port(self):
+        place = f"127.0.0.1:{free_port()}"
+        page = self.start("--view-at", place)
+        self.ping()
+        page.locator("[data-device=head] .facts", has_text="ping 1").wait_for()
         self.emulator.stop()
         page.locator("#state", has_text="has ended").wait_for()
+        with Emulator(TANK % self.udp, "--view", "--view-at", place):
+            page.locator("#state.live").wait_for()
+            page.locator("[data-device=head] .read", has_text="no ping yet").wait_for()
+            self.awake()
+            self.ping(metres=4)
+            page.locator("[data-device=head] .facts", has_text=re.compile(r"to (3\.9\d*|4(\.\d+)?) m")).wait_for()
+
+    def test_the_page_of_a_run_that_is_gone_says_that_another_is_there(self):
+        place = f"127.0.0.1:{free_port()}"
+        with Emulator(TANK % free_port(), "--view", "--view-at", place):
+            other = self.browser.new_page()
+            self.addCleanup(other.close)
+            other.goto(f"http://{place}/#{'0' * 32}")
+            other.locator("#state", has_text="open the link that it has printed").wait_for()
+
+    def test_the_last_minute_can_be_seen_again(self):
+        page = self.start()
+        facts = page.locator("[data-device=head] .facts")
+        self.ping(metres=8)
+        page.locator("[data-device=head] .facts", has_text="ping 1 ").wait_for()
+        self.ping(metres=4)
+        page.locator("[data-device=head] .facts", has_text="ping 2 ").wait_for()
+        page.locator("#pause").click()
+        self.ping(metres=2)  # is not shown
+        page.evaluate("""() => { const time = document.getElementById('time'); const [a, b] = [Number(time.min), Number(time.max)];
+                         for (let i = 0; i <= 100; i++) { time.value = String(a + (b - a) * i / 100);
+                           time.dispatchEvent(new Event('input')); if (document.querySelector('#wire').textContent.includes('DeviceData')) break; } }""")
+        page.locator("[data-device=head] .facts", has_text="ping 1 ").wait_for()
+        page.locator("#pause").click()
+        self.ping(metres=4)
+        page.locator("[data-device=head] .facts", has_text="ping 4 ").wait_for()
+        self.assertIn("1 beam", facts.inner_text())
+        self.assertEqual(self.faults, [])
+
+    def test_what_the_driver_has_set_is_told_and_pictures_and_recordings_are_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = self.start("--view-record", folder)
+            page.locator("#record").click()
+            page.locator("#recorded", has_text=folder).wait_for()
+            self.ping(metres=8)
+            self.ping(metres=4)
+            page.locator("#settings td b", has_text="sample_period").wait_for()  # what changed
+            page.locator("#record").click()
+            page.locator("#recorded", has_text="packets in").wait_for()
+            captured = subprocess.run([PROGRAM, "inspect", *map(str, Path(folder).glob("*.pcapng"))], capture_output=True,
+                                      text=True, check=True).stdout
+            self.assertIn("DeviceData", captured)
+            with page.expect_download() as download:
+                page.locator("[data-device=head] button", has_text="PNG").click()
+            self.assertEqual(Path(download.value.path()).read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
     def test_a_narrow_page_has_no_scroll_bar_across(self):
         page = self.start(width=390)

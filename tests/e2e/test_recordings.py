@@ -152,7 +152,7 @@ class Oculus(Case):
         data, status = free_port(), free_port()
         host = OculusHost(status, data)
         self.addCleanup(host.close)
-        self.start(HEAD % ("tank", "", f"pose: {{position: [0, 0, {z}]}}") +
+        self.start(HEAD % ("tank", ", scattering: pure", f"pose: {{position: [0, 0, {z}]}}") +
                    f"  - {{name: o, model: oculus-m1200d, mount: {{rpy_deg: [0, {pitch}, 0]}}, endpoints: ['tcp-listen://127.0.0.1:{data}', 'udp://127.255.255.255:{status}'], options: {{gain_echo: plain, temperature: 12}}}}\n")
         host.wait_status()
         host.connect()

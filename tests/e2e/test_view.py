@@ -1,14 +1,18 @@
 """The page of a run, met by clients of another make: http.client and websockets."""
 
 import asyncio
+import contextlib
+import hashlib
 import http.client
 import json
+import os
 import re
 import socket
 import struct
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 from pathlib import Path
 
@@ -16,6 +20,7 @@ import websockets
 
 from ports import free_port
 from program import PROGRAM, ROOT, Emulator
+from stepper import Stepper
 
 sys.path.insert(0, str(ROOT / "tests" / "hosts"))
 import seanet_wire  # noqa: E402
@@ -28,13 +33,26 @@ devices:
   - {name: micron, model: tritech-micron, endpoints: ["tcp-listen://127.0.0.1:%d"]}
   - {name: bottom, model: nmea-echosounder, mount: {rpy_deg: [0, 90, 0]}, endpoints: ["udp://127.0.0.1:%d"]}
 """
+STEPPED = """
+scene: {scenes}/tank.glb
+seed: 3
+water: {temperature: 15, salinity: 0, ph: 7}
+vehicle: {pose: {position: [0, 0, -2]}}
+clock: {mode: stepped, input: "tcp-listen://127.0.0.1:%d"}
+devices:
+  - {name: sounder, model: nmea-echosounder, mount: {rpy_deg: [0, 90, 0]}, endpoints: ["udp://127.0.0.1:%d"]}
+  - {name: multibeam, model: r2sonic-2024, mount: {rpy_deg: [0, 60, 0]}, options: {ping_rate: 7, range: 12},
+     endpoints: ["udp-listen://127.0.0.1:%d", "udp://127.0.0.1:%d", "udp-listen://127.0.0.1:%d"]}
+"""
 LINK = re.compile(r"http://(127\.0\.0\.1:(\d+))/#([0-9a-f]{32})")
 
 
 def picture(message):
-    """(head, levels in dB or None, objects) of a ping's message."""
+    """(head, levels in dB or None, objects) of a ping's message; no levels of what was said."""
     length = struct.unpack_from("<I", message)[0]
     head = json.loads(message[4 : 4 + length])
+    if head["type"] == "said":
+        return head, [], []
     count = head["rows"] * head["beams"] * head["bins"]
     levels = [None if b == 0 else head["floor"] + (b - 1) * head["step"] for b in message[4 + length :][:count]]
     return head, levels, struct.unpack_from(f"<{count}H", message, 4 + length + count)
@@ -86,7 +104,7 @@ class View(unittest.TestCase):
             def floor(message, text):
                 if text is None:
                     head, levels, objects = picture(message)
-                    return head["device"] == "bottom" and (head, levels, objects)
+                    return head["type"] == "ping" and head["device"] == "bottom" and (head, levels, objects)
 
             return await self.until(viewer, floor)
 
@@ -120,6 +138,53 @@ class View(unittest.TestCase):
 
         seen = self.see(look)
         self.assertTrue(any(one["fields"] for one in seen if one["name"]), seen)
+
+    def test_what_a_driver_has_set_before_anybody_looked_is_told(self):
+        micron = free_port()
+        self.start(scenario=TANK % (micron, free_port()))
+        with socket.create_connection(("127.0.0.1", micron)) as driver:
+            driver.sendall(seanet_wire.build(seanet_wire.SEND_VERSION))
+            driver.recv(100)  # the head has heard it
+
+            async def look(viewer):
+                def told(_, text):
+                    set_ = [one["name"] for one in text.get("set", [])] if text else []
+                    return "SendVersion" in set_
+
+                return await self.until(viewer, told)
+
+            self.assertTrue(self.see(look))
+
+    def test_a_page_records_only_into_the_folder_that_the_run_names(self):
+        async def look(viewer):
+            await viewer.send(json.dumps({"ask": {"record": True}, "id": 1}))
+            await viewer.send(json.dumps({"ask": {"record": "/tmp/elsewhere.pcapng"}, "id": 2}))  # ends it: it is not true
+            first = await self.until(viewer, lambda _, text: text and text["type"] == "answer" and text["id"] == 1 and text)
+            second = await self.until(viewer, lambda _, text: text and text["type"] == "answer" and text["id"] == 2 and text)
+            return first["answer"], second["answer"]
+
+        with tempfile.TemporaryDirectory() as folder:
+            self.start("--view-control", "--view-record", folder)
+            began, ended = self.see(look)
+            self.assertEqual(Path(began["recording"]).parent, Path(folder))
+            self.assertEqual(began["recording"], ended["recorded"])
+            self.assertFalse(Path("/tmp/elsewhere.pcapng").exists())
+        self.start("--view-control")
+        self.assertIn("error", self.see(look)[0])
+
+    def test_a_link_at_a_named_port_stays_the_same_for_the_user_alone(self):
+        port = free_port()
+        tokens = set()
+        for _ in range(2):
+            self.start("--view-at", f"127.0.0.1:{port}")
+            tokens.add(self.token)
+            self.emulator.stop()
+        self.assertEqual(len(tokens), 1)
+        user = os.getuid()
+        places = (os.environ.get("XDG_RUNTIME_DIR", ""), f"/run/user/{user}", f"/tmp/echoloop-{user}")
+        files = {file for place in places if place for file in Path(place).rglob(f"view-{port}")}
+        self.assertEqual([file.stat().st_mode & 0o777 for file in files], [0o600])
+        files.pop().unlink()
 
     def test_the_scene_is_the_one_that_is_run(self):
         self.start()
@@ -219,8 +284,64 @@ devices:
                 captures.append(file.read_bytes())
             self.assertEqual(captures[0], captures[1])
 
+    def stepped(self, viewers):
+        """The hash of all that a multibeam and a sounder say in 3 s of a stepped run, looked at by so many."""
+        steps, sounder, head, beams = free_port(), free_port(), free_port(16), free_port(8)
+        text = STEPPED % (steps, sounder, head, beams, head + 12)
+        digest, heard = hashlib.sha256(), 0
+        with contextlib.ExitStack() as stack:
+            hosts = []
+            for port in (sounder, *range(beams, beams + 8)):
+                host = stack.enter_context(socket.socket(socket.AF_INET, socket.SOCK_DGRAM))
+                host.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 22)
+                host.bind(("127.0.0.1", port))
+                host.setblocking(False)
+                hosts.append(host)
+            emulator = stack.enter_context(Emulator(text, *(["--view"] if viewers else [])))
+            seen = []
+            if viewers:
+                link, _, token = LINK.search(emulator.output).groups()
+
+            def look():
+                async def take():
+                    async with websockets.connect(f"ws://{link}/news", subprotocols=["echoloop.view", token], max_size=None) as viewer:
+                        ready.release()
+                        async for message in viewer:
+                            seen.append(isinstance(message, bytes))
+
+                with contextlib.suppress(websockets.exceptions.ConnectionClosed):
+                    asyncio.run(take())
+
+            ready = threading.Semaphore(0)
+            threads = [threading.Thread(target=look, daemon=True) for _ in range(viewers)]
+            for thread in threads:
+                thread.start()
+            for _ in threads:
+                self.assertTrue(ready.acquire(timeout=30))
+            with Stepper(steps) as simulator:
+                for n in range(31):
+                    simulator.step(n / 10, position=[0, 0, -2 - n / 100])
+                    for host in hosts:
+                        with contextlib.suppress(BlockingIOError):
+                            while True:
+                                datagram = host.recv(65536)
+                                heard += 1
+                                digest.update(struct.pack("<I", len(datagram)) + datagram)
+            status, output = emulator.stop()
+            for thread in threads:
+                thread.join(30)
+        self.assertEqual(status, 0, output)
+        self.assertGreater(heard, 30)
+        if viewers:
+            self.assertTrue(any(seen), "the viewers saw pictures")
+        return digest.hexdigest()
+
+    def test_watching_changes_no_byte_of_a_stepped_run(self):
+        self.assertEqual(self.stepped(0), self.stepped(2))
+
     def test_options_of_the_page_without_it_are_refused(self):
-        for more in (["--view-control"], ["--view-at", "127.0.0.1:0"], ["--view", "--view-at", "here"]):
+        for more in (["--view-control"], ["--view-at", "127.0.0.1:0"], ["--view", "--view-at", "here"],
+                     ["--view", "--view-record", "/tmp"], ["--view", "--view-control", "--view-record", "/no/folder"]):
             done = subprocess.run([PROGRAM, "run", "tank", *more], capture_output=True, timeout=60, check=False)
             self.assertEqual(done.returncode, 64, more)
             self.assertIn(b"--view", done.stderr)

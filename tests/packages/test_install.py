@@ -59,7 +59,7 @@ class Install(unittest.TestCase):
     def test_mandoc_finds_nothing_in_the_manual_pages(self):
         need("mandoc")
         pages = sorted((self.prefix / "share/man/man1").iterdir())
-        self.assertEqual([page.name for page in pages], ["echoloop-pose-rosbridge.1.gz", "echoloop.1.gz"])
+        self.assertEqual([page.name for page in pages], ["echoloop-pose-rosbridge.1.gz", "echoloop-truth-rosbridge.1.gz", "echoloop.1.gz"])
         for page in pages:
             done = subprocess.run(["mandoc", "-T", "lint", page], capture_output=True, text=True, check=False)
             self.assertEqual((done.returncode, done.stdout + done.stderr), (0, ""), page.name)

@@ -1,4 +1,4 @@
-// Lines of the Micron Echosounder: in the formats of its hosts, and found among noise.
+// What altimeters say: in the formats of their hosts, and found among noise.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -20,7 +20,7 @@ std::string lines_in(const std::string& stream, std::size_t piece = 4096) {
     for (std::size_t at = 0; at < stream.size(); at += piece) {
         framer.feed(bytes_of(stream.substr(at, piece)));
         drain();
-        EXPECT_LE(framer.pending_bytes(), 11u);
+        EXPECT_LE(framer.pending_bytes(), 12u);
     }
     framer.finish();
     drain();
@@ -37,10 +37,65 @@ TEST(AltimeterLine, HasTheFormatsOfItsHosts) {
     EXPECT_EQ(write_line({Format::two_decimals, -1}), "000.00m\r\n");
 }
 
+TEST(AltimeterLine, HasTheFormatsOfOtherMakers) {
+    const std::pair<Reading, std::string> all[] = {
+        {{.format = Format::three_decimals, .metres = 5, .letter = 'A'}, "A005.000m\r\n"},
+        {{.format = Format::two_digits, .metres = 5}, "05.000m\r\n"},
+        {{.format = Format::benthos, .metres = 5}, "R05.00\r\n"},
+        {{.format = Format::benthos, .metres = 99.99, .mark = 'E'}, "R99.99E\r\n"},
+        {{.format = Format::benthos, .metres = 0.4, .mark = '<'}, "R00.40<\r\n"},
+        {{.format = Format::metres, .metres = 5}, "5.000\r\n"},
+        {{.format = Format::centimetres, .metres = 5}, "00500\r\n"},
+        {{.format = Format::time, .microseconds = 6667, .level = 80}, "\xFF\x1A\x0B\x50"}};
+    for (const auto& [reading, text] : all) {
+        EXPECT_EQ(write_line(reading), text);
+        const auto read = read_line(text);
+        ASSERT_TRUE(read) << text;
+        EXPECT_EQ(read->format, reading.format) << text;
+        EXPECT_EQ(read->metres, reading.metres) << text;
+        EXPECT_EQ(write_line(*read), text) << "letter and mark";
+    }
+    EXPECT_EQ(read_line("\xFF\x1A\x0B\x50")->microseconds, 6667);
+    EXPECT_EQ(read_line("\xFF\x1A\x0B\x50")->level, 80);
+}
+
+TEST(AltimeterFramer, NumbersAloneBeginTheirLineAndTimesFollowEachOther) {
+    EXPECT_EQ(lines_in("5.000\r\nx5.000\r\n,5.000\r\n6.125\r\n00500\r\n"), "5.000\r\n6.125\r\n00500\r\n");
+    const std::string times = "\xFF\x1A\x0B\x50\xFF\x1A\x0C\x51";
+    EXPECT_EQ(lines_in(times), times);
+    EXPECT_EQ(lines_in("\xFF\x1A\x0B\x50"
+                       "008.125m\r\n"),
+              "008.125m\r\n")
+        << "a stray FF takes no line along";
+    EXPECT_EQ(lines_in("xA005.000m\r\nI005.000m\r\n"), "A005.000m\r\n005.000m\r\n");
+}
+
 TEST(AltimeterLine, IsStrict) {
-    for (const char* bad : {"", "m\r\n", "mm\n", "8.125m\r\n", "008.125m\n", "008.125m", "008.1255m\r\n",
-                            "008,125m\r\n", "-08.125m\r\n", "+08.125m\r\n", " 08.125m\r\n", "1e3.125m\r\n",
-                            "8125 mm\n", "8.5mm\n", "8125mm\r\n", "1234567mm\n", "nan.000m\r\n"})
+    for (const char* bad : {"",
+                            "m\r\n",
+                            "mm\n",
+                            "8.125m\r\n",
+                            "008.125m\n",
+                            "008.125m",
+                            "008.1255m\r\n",
+                            "008,125m\r\n",
+                            "-08.125m\r\n",
+                            "+08.125m\r\n",
+                            " 08.125m\r\n",
+                            "1e3.125m\r\n",
+                            "8125 mm\n",
+                            "8.5mm\n",
+                            "8125mm\r\n",
+                            "1234567mm\n",
+                            "nan.000m\r\n",
+                            "R5.00\r\n",
+                            "R05.00X\r\n",
+                            "R05.00",
+                            "A05.000m\r\n",
+                            "I005.000m\r\n",
+                            "5.00\r\n",
+                            "0500\r\n",
+                            "\xFF\x1A\x0B"})
         EXPECT_FALSE(read_line(bad)) << bad;
     const std::string good = "008.125m\r\n";
     for (std::size_t size = 0; size < good.size(); ++size)
@@ -50,7 +105,7 @@ TEST(AltimeterLine, IsStrict) {
 TEST(AltimeterFramer, FindsLinesInNoiseWhateverThePieces) {
     const std::string stream = "\xff\n08.125m\r\n008.125m\r\nxx7993mm\n1008.125m\r\n" +
                                std::string(500, 'x') + "008.13m\r\n9.000mm\n008.1\r\n25m\r\n12mm\n";
-    const std::string expected = "008.125m\r\n7993mm\n008.13m\r\n12mm\n";
+    const std::string expected = "08.125m\r\n008.125m\r\n7993mm\n008.13m\r\n12mm\n";
     EXPECT_EQ(lines_in(stream), expected);
     for (std::size_t piece = 1; piece < 24; ++piece) EXPECT_EQ(lines_in(stream, piece), expected) << piece;
 }
@@ -76,6 +131,7 @@ TEST(AltimeterInspect, CoversEveryByte) {
     EXPECT_EQ(messages[3].offset + messages[3].size, stream.size());
     EXPECT_TRUE(recognise(bytes_of(stream)));
     EXPECT_FALSE(recognise(bytes_of("8.125 m\r\n")));
+    EXPECT_FALSE(recognise(bytes_of("8.125\r\n"))) << "anybody's";
 }
 
 }  // namespace

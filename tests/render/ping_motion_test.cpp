@@ -245,6 +245,32 @@ TEST(PingMotion, TheWaterKeepsItsLevelWhereItIsLit) {
             EXPECT_NEAR(db(turned.beam(beam)[bin] / still.beam(beam)[bin]), 0, 0.1) << beam << ' ' << bin;
 }
 
+// What a head sent into it, it hears by the pattern of where it looks by then.
+TEST(PingMotion, AHeadLosesOfTheWaterAsOfAWall) {
+    Water water = test::water_of(c);
+    water.scattering = {{0, -50}};
+    RendererOptions options = patterned();
+    options.effects.set(Effect::reverberation);
+    options.surface.reset();
+    Renderer renderer(test::scene_of({test::wall_at(-500, 1, -1, 1)}), water, options);
+    const auto lost = [&](const Shot& shot, const Situation& situation, double range) {
+        const auto bin = static_cast<std::size_t>(range / 55 * 200);
+        const double still = double{renderer.render(shot, {}).beam(0)[bin]};
+        return db(double{renderer.render(shot, situation).beam(0)[bin]} / still);
+    };
+    constexpr double width = 3 * 1.001906 / 1.391557;
+    for (const double range : {12.5, 25.0, 50.0})
+        EXPECT_NEAR(lost(head(55), yawing, range), loss_of_line(width, range / 25), 0.1) << range;
+    Shot upright = head(55);
+    upright.fan_height = deg_to_rad(width);
+    EXPECT_NEAR(lost(upright, moving({}, {0, 30, 0}), 50), -3.02, 0.2);
+    Shot aside = head(55);  // its own axis is that of the roll
+    aside.bearings = {deg_to_rad(60)};
+    EXPECT_NEAR(lost(aside, yawing, 50), -3.02, 0.2);
+    upright.horizontal.shape = upright.vertical.shape = ApertureShape::piston;
+    EXPECT_NEAR(lost(upright, moving({}, {0, 30, 0}), 50), lost(upright, yawing, 50), 0.01);
+}
+
 TEST(PingMotion, RowsOfBeamsTurnBothWays) {
     Shot shot = test::fan(40, 2, 40, 400, 45);
     for (int row = -10; row <= 10; ++row) shot.elevations.push_back(deg_to_rad(row));

@@ -88,6 +88,27 @@ TEST_F(DrawFiles, png_gives_the_pixels_back) {
     }
 }
 
+TEST_F(DrawFiles, svg_and_pdf_keep_lines_and_letters_as_such) {
+    const Echogram ping = small_ping(0);
+    Style style;
+    style.title = "a title";
+    const Picture picture = polar_picture({&ping, 1}, style);
+    write_picture(file("a.svg"), PictureFormat::svg, picture);
+    const std::string svg = content(file("a.svg"));
+    EXPECT_THAT(svg, testing::HasSubstr("width=\"1000"));
+    EXPECT_THAT(svg, testing::HasSubstr("<image"));
+    EXPECT_THAT(svg, testing::HasSubstr("<path"));
+    EXPECT_THAT(svg, testing::HasSubstr("glyph"));
+    EXPECT_THAT(svg, testing::HasSubstr("</svg>"));
+    write_picture(file("a.pdf"), PictureFormat::pdf, picture);
+    const std::string pdf = content(file("a.pdf"));
+    EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+    EXPECT_THAT(pdf, testing::HasSubstr("/FontFile"));
+    EXPECT_THAT(pdf, testing::HasSubstr("%%EOF"));
+    EXPECT_EQ(picture_format_of("x/a.pdf"), PictureFormat::pdf);
+    EXPECT_EQ(picture_format_of("a.gif"), std::nullopt);
+}
+
 TEST_F(DrawFiles, name_the_path_and_the_reason_when_they_cannot_write) {
     const std::filesystem::path nowhere = file("missing") / "a.png";
     const Echogram ping = small_ping(0);
@@ -109,6 +130,12 @@ TEST_F(DrawFiles, report_a_full_disk) {
     EXPECT_THAT([] { write_png("/dev/full", Image(300, 300, {})); },
                 testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("/dev/full")));
     const Echogram ping = small_ping(0);
+    for (const PictureFormat format : {PictureFormat::svg, PictureFormat::pdf})
+        EXPECT_THAT(
+            [&] {
+                write_picture("/dev/full", format, polar_picture({&ping, 1}, {}));
+            },
+            testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("/dev/full")));
     EXPECT_THAT(
         [&] {
             write_csv("/dev/full", {&ping, 1});

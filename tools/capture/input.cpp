@@ -1,5 +1,9 @@
 #include "tools/capture/input.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -50,6 +54,9 @@ Input::Input(const std::string& name) : name_(name) {
         file_ = std::fopen(name.c_str(), "rbe");
         if (file_ == nullptr)
             throw StartError(Exit::no_input, scenario::in_quotes(name) + ": " + std::strerror(errno));
+        struct stat status {};
+        if (::fstat(::fileno(file_), &status) == 0) size_ = static_cast<std::uint64_t>(status.st_size);
+        watched_ = ::fcntl(::fileno(file_), F_DUPFD_CLOEXEC, 3);
     }
     open_compressed();
 }
@@ -69,6 +76,12 @@ void Input::open_compressed() {
 
 Input::~Input() {
     if (file_ != nullptr && file_ != stdin) std::fclose(file_);
+    if (watched_ >= 0) ::close(watched_);
+}
+
+std::uint64_t Input::offset() const {
+    const auto place = watched_ < 0 ? -1 : ::lseek(watched_, 0, SEEK_CUR);
+    return place < 0 ? 0 : static_cast<std::uint64_t>(place);
 }
 
 const Bytes& Input::peek(std::size_t count) {

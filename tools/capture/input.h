@@ -1,6 +1,7 @@
 // A file or standard input that knows its first bytes before they are read. Holds no more of it than that.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -26,6 +27,9 @@ class Input {
     /// Gives the stream away, from the first byte on; for libpcap, which closes it.
     std::FILE* release();
     const std::string& name() const { return name_; }
+    /// Bytes of the file, and how many of them have been read; 0 and 0 of what is no file.
+    std::uint64_t size() const { return size_; }
+    std::uint64_t offset() const;
     /// Why a compressed file ends early; "": it does not.
     const std::string& fault() const { return *fault_; }
 
@@ -35,7 +39,9 @@ class Input {
     std::unique_ptr<std::string> fault_ = std::make_unique<std::string>();
     std::string name_;
     std::FILE* file_ = nullptr;
-    Bytes head_;  ///< bytes that were read ahead
+    std::uint64_t size_ = 0;
+    int watched_ = -1;  ///< shares the file's place, whoever reads it
+    Bytes head_;        ///< bytes that were read ahead
 };
 
 }  // namespace echoloop::capture

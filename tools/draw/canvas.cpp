@@ -42,7 +42,9 @@ Surface surface_of(Image& image) {
             cairo_surface_destroy};
 }
 
-Canvas::Canvas(Image& image) : cairo_(cairo_create(surface_of(image).get()), cairo_destroy) {
+Canvas::Canvas(Image& image) : Canvas(surface_of(image).get()) {}
+
+Canvas::Canvas(cairo_surface_t* surface) : cairo_(cairo_create(surface), cairo_destroy) {
     const std::unique_ptr<cairo_font_options_t, decltype(&cairo_font_options_destroy)> options(
         cairo_font_options_create(), cairo_font_options_destroy);
     cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
@@ -52,6 +54,15 @@ Canvas::Canvas(Image& image) : cairo_(cairo_create(surface_of(image).get()), cai
 
 void Canvas::set_source(Color color, double alpha) {
     cairo_set_source_rgba(cairo_.get(), color.r / 255.0, color.g / 255.0, color.b / 255.0, alpha);
+}
+
+void Canvas::image(const Image& image) {
+    Image pixels = image;  // cairo takes nothing constant
+    const Surface source = surface_of(pixels);
+    cairo_set_source_surface(cairo_.get(), source.get(), 0, 0);
+    cairo_paint(cairo_.get());
+    set_source(Color());
+    cairo_surface_finish(source.get());  // what draws later keeps a copy of its own
 }
 
 void Canvas::rectangle(Point corner, double width, double height, Color color) {

@@ -31,7 +31,11 @@ Surface surface_of(Image& image);
 class Canvas {
   public:
     explicit Canvas(Image& image);
+    /// On any surface, which must outlive it.
+    explicit Canvas(cairo_surface_t* surface);
 
+    /// The pixels of an image, its upper left corner at the surface's.
+    void image(const Image& image);
     void rectangle(Point corner, double width, double height, Color color);
     void dot(Point center, double radius, Color color);
     /// A line through all points.

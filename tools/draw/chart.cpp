@@ -121,22 +121,21 @@ Chart Chart::fit(const PolarScan& scan, int width) {
     return chart;
 }
 
-void draw_grid(Image& image, const Chart& chart, const PolarScan& scan) {
-    Canvas canvas(image);
+void draw_grid(Canvas& canvas, const Chart& chart, const PolarScan& scan) {
     draw_lines(canvas, chart, scan);
     label_ranges(canvas, chart, scan);
     label_bearings(canvas, chart, scan);
 }
 
-void draw_legend(Image& image, const Chart& chart, const Legend& legend) {
-    Canvas canvas(image);
+void draw_legend(Canvas& canvas, const Chart& chart, const Legend& legend) {
     const bool fits = canvas.text_width(legend.title, title_size) <= chart.width - 48;
     canvas.text({24, 26}, legend.title, ink, fits ? title_size : text_size);
     canvas.text({24, 58}, legend.subtitle, faint_ink, text_size);
     const int left = chart.width - 82, top = margin_top,
               length = std::min(320, chart.height - margin_top - 40);
-    for (int y = 0; y < length; ++y)
-        canvas.rectangle({1.0 * left, 1.0 * top + y}, 18, 1, palette(1 - (y + 0.5) / length));
+    for (int y = 0; y < length; ++y)  // under the next, so that none shows a seam at another size
+        canvas.rectangle({1.0 * left, 1.0 * top + y}, 18, y + 1 < length ? 2 : 1,
+                         palette(1 - (y + 0.5) / length));
     for (const double v : ticks(legend.bottom, legend.top, legend.label_step)) {
         const double part = (legend.top - v) / (legend.top - legend.bottom);
         const double y = top + std::round(part * (length - 1));

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tools/draw/image.h"
+#include "tools/draw/canvas.h"
 #include "tools/draw/polar.h"
 
 namespace echoloop::draw {
@@ -27,7 +27,7 @@ struct Chart {
     static Chart fit(const PolarScan& scan, int width);
 };
 
-void draw_grid(Image& image, const Chart& chart, const PolarScan& scan);
-void draw_legend(Image& image, const Chart& chart, const Legend& legend);
+void draw_grid(Canvas& canvas, const Chart& chart, const PolarScan& scan);
+void draw_legend(Canvas& canvas, const Chart& chart, const Legend& legend);
 
 }  // namespace echoloop::draw

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,17 @@
 #include "tools/draw/image.h"
 
 namespace echoloop::draw {
+
+class Canvas;
+
+/// What is drawn before it is a file: lines and letters stay such, so that they are sharp at any size.
+struct Picture {
+    Image pixels;                        ///< echoes on the background, the whole picture
+    std::function<void(Canvas&)> lines;  ///< draws axes, labels and curves over them
+
+    /// With the lines on it.
+    operator Image() const;
+};
 
 /// How a picture looks. Levels are dB re 1 uPa for EchoRule::radiometric; EchoRule::cerqueira2016 is drawn
 /// linear from 0 to 1 and ignores the level members.
@@ -29,7 +41,7 @@ struct Style {
 /// outwards. One echogram is a fan; many are a scan of the head, a later ping replaces an earlier one at the
 /// same bearing. Throws std::invalid_argument if there is no value to draw, the pings differ in EchoRule, an
 /// echogram's sizes do not fit together, or a member of `style` is out of bounds.
-Image polar_picture(std::span<const Echogram> pings, const Style& style);
+Picture polar_picture(std::span<const Echogram> pings, const Style& style);
 
 /// Pings of a sonar of one beam, or of one to each side, in the order of time.
 struct Waterfall {
@@ -42,7 +54,15 @@ struct Waterfall {
 /// Draws each ping as a line over slant range: the first at the top and range to the right, or to both sides
 /// of the middle, unless it is an echogram. Lines are equally thick whatever the time between them. Throws as
 /// polar_picture(), and if there are other than one or two beams, or two to the same side.
-Image waterfall_picture(const Waterfall& waterfall, const Style& style);
+Picture waterfall_picture(const Waterfall& waterfall, const Style& style);
+
+enum class PictureFormat { png, svg, pdf };
+
+/// By the ending of a name; empty: it is none of them.
+std::optional<PictureFormat> picture_format_of(const std::filesystem::path& name);
+
+/// Writes a picture; a pixel is a point (1/72 inch) of SVG and PDF. Throws as write_png().
+void write_picture(const std::filesystem::path& path, PictureFormat format, const Picture& picture);
 
 /// Writes an 8-bit RGB PNG. The writers throw std::runtime_error with the path and the reason.
 void write_png(const std::filesystem::path& path, const Image& image);

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <memory>
 
 #include "tools/draw/levels.h"
 #include "tools/draw/palette.h"
@@ -40,15 +41,17 @@ std::string subtitle(std::span<const Echogram> pings, const PolarScan& scan) {
 
 }  // namespace
 
-Image polar_picture(std::span<const Echogram> pings, const Style& style) {
-    const PolarScan scan(pings);
-    const Levels levels = levels_for(scan.rays(), pings.front().rule, style);
-    const Chart chart = Chart::fit(scan, style.width);
+Picture polar_picture(std::span<const Echogram> pings, const Style& style) {
+    const auto scan = std::make_shared<const PolarScan>(pings);
+    const Levels levels = levels_for(scan->rays(), pings.front().rule, style);
+    const Chart chart = Chart::fit(*scan, style.width);
     Image image(chart.width, chart.height, background);
-    draw_echoes(image, chart, scan, levels);
-    draw_grid(image, chart, scan);
-    draw_legend(image, chart, legend_of(style, subtitle(pings, scan), levels));
-    return image;
+    draw_echoes(image, chart, *scan, levels);
+    const Legend legend = legend_of(style, subtitle(pings, *scan), levels);
+    return {std::move(image), [=](Canvas& canvas) {
+                draw_grid(canvas, chart, *scan);
+                draw_legend(canvas, chart, legend);
+            }};
 }
 
 }  // namespace echoloop::draw

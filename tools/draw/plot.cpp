@@ -75,23 +75,22 @@ void draw_curve(Canvas& canvas, const Axes& axes, const Curve& curve, Color colo
 
 }  // namespace
 
-Image plot_picture(const Plot& plot, int width, int height) {
-    Image image(width, height, background);
-    Canvas canvas(image);
+Picture plot_picture(const Plot& plot, int width, int height) {
     const Axes axes(plot, width, height);
-    axes.draw(canvas);
-    canvas.text({24, 24}, plot.title, ink, title_size);
-    canvas.text({24, 52}, plot.y_label, faint_ink, text_size);
-    const double lowest = height - 22;
-    canvas.text({width - 1.0 * right, lowest}, plot.x_label, faint_ink, text_size, Anchor::right);
-    double legend = left;
-    for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-        const Color color = colors[i % colors.size()];
-        draw_curve(canvas, axes, plot.curves[i], color);
-        canvas.text({legend, lowest}, plot.curves[i].label, color, text_size);
-        legend += canvas.text_width(plot.curves[i].label, text_size) + 30;
-    }
-    return image;
+    return {Image(width, height, background), [=](Canvas& canvas) {
+                axes.draw(canvas);
+                canvas.text({24, 24}, plot.title, ink, title_size);
+                canvas.text({24, 52}, plot.y_label, faint_ink, text_size);
+                const double lowest = height - 22;
+                canvas.text({width - 1.0 * right, lowest}, plot.x_label, faint_ink, text_size, Anchor::right);
+                double legend = left;
+                for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+                    const Color color = colors[i % colors.size()];
+                    draw_curve(canvas, axes, plot.curves[i], color);
+                    canvas.text({legend, lowest}, plot.curves[i].label, color, text_size);
+                    legend += canvas.text_width(plot.curves[i].label, text_size) + 30;
+                }
+            }};
 }
 
 }  // namespace echoloop::draw

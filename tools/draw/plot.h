@@ -1,11 +1,11 @@
-// Curves over two linear axes, as an image. Knows no sonar and no file.
+// Curves over two linear axes, as a picture. Knows no sonar and no file.
 #pragma once
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "tools/draw/image.h"
+#include "tools/draw/draw.h"
 
 namespace echoloop::draw {
 
@@ -22,6 +22,6 @@ struct Plot {
 };
 
 /// Throws std::invalid_argument if there is no point, or the horizontal or vertical axis has no extent.
-Image plot_picture(const Plot& plot, int width = 900, int height = 480);
+Picture plot_picture(const Plot& plot, int width = 900, int height = 480);
 
 }  // namespace echoloop::draw

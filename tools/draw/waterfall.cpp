@@ -143,7 +143,7 @@ void name_times(Canvas& canvas, const Frame& frame, std::span<const double> time
 
 }  // namespace
 
-Image waterfall_picture(const Waterfall& waterfall, const Style& style) {
+Picture waterfall_picture(const Waterfall& waterfall, const Style& style) {
     const Lines lines(waterfall);
     const Echogram& first = waterfall.pings.front();
     const Levels levels = levels_for(lines.rays(), first.rule, style);
@@ -152,13 +152,15 @@ Image waterfall_picture(const Waterfall& waterfall, const Style& style) {
     chart.width = style.width, chart.height = frame.height + frame_top + frame_bottom;
     Image image(chart.width, chart.height, background);
     draw_pixels(image, frame, lines, levels);
-    Canvas canvas(image);
-    name_ranges(canvas, frame);
-    name_times(canvas, frame, waterfall.times);
     const std::string subtitle = text("%.3g m, %g kHz, %zu pings x %zu bins", lines.range(),
                                       first.shot.frequency / 1000, lines.count(), first.shot.bins);
-    draw_legend(image, chart, legend_of(style, subtitle, levels));
-    return image;
+    const Legend legend = legend_of(style, subtitle, levels);
+    const std::vector<double> times(waterfall.times.begin(), waterfall.times.end());
+    return {std::move(image), [=](Canvas& canvas) {
+                name_ranges(canvas, frame);
+                name_times(canvas, frame, times);
+                draw_legend(canvas, chart, legend);
+            }};
 }
 
 }  // namespace echoloop::draw

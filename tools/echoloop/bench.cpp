@@ -1,16 +1,22 @@
 // echoloop bench: how long a ping takes, where the time goes, and what was to be reached.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
 
 #include "emulator/contract/error.h"
 #include "emulator/machine/scheduling.h"
+#include "tools/echoloop/bench/bars.h"
 #include "tools/echoloop/bench/fans.h"
 #include "tools/echoloop/bench/report.h"
 #include "tools/echoloop/bench/wire.h"
 #include "tools/echoloop/example_files.h"
 #include "tools/echoloop/json_line.h"
 #include "tools/echoloop/json_output.h"
+#include "tools/echoloop/output_file.h"
 #include "tools/echoloop/terminal.h"
 #include "tools/echoloop/verb.h"
 
@@ -33,6 +39,29 @@ std::vector<bench::Case> cases_of(const Arguments& arguments, const bench::Setti
                            ? bench::all_cases()
                            : bench::cases_of_scene(settings.scene_file.stem().string());
     return bench::chosen(cases, arguments.text("--cases"));
+}
+
+/// Before an hour's work is done.
+void require_picture(const Arguments& arguments) {
+    if (!arguments.has("--picture")) return;
+    const std::filesystem::path out = arguments.text("--picture");
+    if (!draw::picture_format_of(out))
+        throw StartError(Exit::usage, "--picture: the name must end with .png, .svg or .pdf");
+    require_creatable(out);
+}
+
+/// Of figures that are all 0 there is no picture.
+void draw_if_asked(const Arguments& arguments, const std::function<draw::Bars()>& bars) {
+    if (!arguments.has("--picture")) return;
+    const std::filesystem::path out = arguments.text("--picture");
+    try {
+        const draw::Picture picture = draw::bars_picture(bars());
+        write_whole(out, [&](const auto& file) {
+            draw::write_picture(file, *draw::picture_format_of(out), picture);
+        });
+    } catch (const std::invalid_argument&) {
+        print_warning("--picture: nothing was measured that could be drawn");
+    }
 }
 
 bench::Report measured(const bench::Settings& settings, const std::vector<bench::Case>& cases) {
@@ -92,10 +121,16 @@ int run_wire(const Arguments& arguments) {
             "ms of processor time from an echogram to its bytes; the last column for 512 x 1000 values\n"
             "%-28s %12s %9s %10s %8s %8s %8s\n",
             "", "beams x bins", "messages", "bytes", "median", "p99", "scaled");
-    for (const bench::WireCase& c : wire_cases_of(arguments.text("--cases"))) {
-        const bench::WireFigures f = bench::measure_wire(c, pings);
+    std::vector<bench::WireFigures> all;
+    const auto cases = wire_cases_of(arguments.text("--cases"));
+    Progress progress("measuring", cases.size());
+    for (const bench::WireCase& c : cases) {
+        const bench::WireFigures& f = all.emplace_back(bench::measure_wire(c, pings));
+        progress.clear();
         json ? figures.push_back(wire_json(f)) : print_wire(f);
+        progress.done(all.size());
     }
+    draw_if_asked(arguments, [&] { return bench::bars_of(all, pings); });
     if (json) std::printf("%s\n", line_of({{"pings", pings}, {"cases", figures}}).c_str());
     return 0;
 }
@@ -129,22 +164,30 @@ int run_fans(const Arguments& arguments) {
             "%.1f s each. Of the pings, in %%: late, without late echoes, coarse; lateness in ms\n"
             "fans   pings/s   a CPU second   late       p99     worst  without late   coarse\n",
             seconds);
+    std::vector<bench::FansFigures> all;
+    Progress progress("measuring", std::bit_width(most - 1) + 1);
     for (std::size_t fans = 1;; fans = std::min(2 * fans, most)) {
         const bench::FansFigures f = bench::measure_fans(fans, seconds, example);
         if (f.failure[0] != '\0')
             throw StartError(Exit::unavailable, std::to_string(fans) + " fans: " + f.failure);
+        progress.clear();
         json ? figures.push_back(fans_json(f)) : print_fans(f);
+        all.push_back(f);
+        progress.done(all.size());
         if (fans == most) break;
     }
+    draw_if_asked(arguments, [&] { return bench::bars_of(all); });
     if (json) std::printf("%s\n", line_of({{"fans", figures}}).c_str());
     return 0;
 }
 
 int run_bench(const Arguments& arguments) {
+    require_picture(arguments);
     if (arguments.has("--wire")) return run_wire(arguments);
     if (arguments.has("--fans")) return run_fans(arguments);
     const auto settings = settings_of(arguments);
     const auto report = measured(settings, cases_of(arguments, settings));
+    draw_if_asked(arguments, [&] { return bench::bars_of(report); });
     const bool json = arguments.has("--json");
     std::printf("%s%s", (json ? bench_json(report) : bench::text_of(report)).c_str(), json ? "\n" : "");
     return status_of(report);
@@ -165,11 +208,12 @@ Verb bench_verb() {
              {Kind::value, "--seconds", "S", "with --fans: how long each; default 10"},
              {Kind::value, "--pings", "N", "pings for each case, 1 to 100000; default 100"},
              {Kind::value, "--pixels", "FACTOR", "factor on the number of pixels, 0.1 to 64"},
+             {Kind::value, "--picture", "OUT", "OUT.png, OUT.svg, OUT.pdf: draw the figures as bars, too"},
              {Kind::value, "--context", "NAME", "GL context: auto, osmesa, egl-surfaceless or egl-device"},
              json_argument()},
             "  echoloop bench\n"
             "  echoloop bench --cases fls,scanning-simple --pings 1000\n"
-            "  echoloop bench --wire\n"
+            "  echoloop bench --wire --picture wire.svg\n"
             "  echoloop bench --fans 16\n"
             "  echoloop bench --scene config/scenes/tank.glb --json",
             run_bench};

@@ -44,12 +44,15 @@ std::string ports_json(const capture::Survey& survey) {
                     {"fault", survey.counts.fault}});
 }
 
-std::string replay_started_json(const std::vector<Assignment>& assignments, const replay::Replay& replay) {
+std::string replay_started_json(const std::vector<Assignment>& assignments, const replay::Replay& replay,
+                                const std::string& view) {
     Json ports = Json::array();
     const auto places = replay.places();
     for (std::size_t i = 0; i < assignments.size(); ++i)
         ports.push_back({{"name", assignments[i].name}, {"place", places[i]}});
-    return line_of({{"event", "started"}, {"ports", ports}});
+    Json started{{"event", "started"}, {"ports", ports}};
+    if (!view.empty()) started["view"] = view;
+    return line_of(started);
 }
 
 std::string replay_summary_json(const replay::Summary& summary, const replay::PlayerCounts& counts) {

@@ -14,8 +14,10 @@ namespace echoloop::cli {
 /// {"ports": [{"name", "kind", "device": {"pieces", "bytes"}, "driver": {...}, "begin", "end"}], "skipped"}
 std::string ports_json(const capture::Survey& survey);
 
-/// One line: {"event": "started", "ports": [{"name", "place"}]}
-std::string replay_started_json(const std::vector<Assignment>& assignments, const replay::Replay& replay);
+/// One line: {"event": "started", "ports": [{"name", "place"}]}, and "view", the page's link, where it is
+/// one.
+std::string replay_started_json(const std::vector<Assignment>& assignments, const replay::Replay& replay,
+                                const std::string& view);
 
 /// One line: {"event": "ended", "messages", "bytes", ...}
 std::string replay_summary_json(const replay::Summary& summary, const replay::PlayerCounts& counts);

@@ -63,10 +63,12 @@ std::string extension_of(const Arguments& arguments) {
     const bool channels = arguments.has("--channels");
     if (channels && extension != ".npy")
         throw StartError(Exit::usage, "--channels writes a NumPy array: end the name of --out with .npy");
-    if (arguments.has("--waterfall") && extension != ".png")
-        throw StartError(Exit::usage, "--waterfall draws a picture: end the name of --out with .png");
-    if (extension == ".png" || extension == ".csv" || extension == ".npy") return extension;
-    throw StartError(Exit::usage, "--out: the name must end with .png, .csv or .npy");
+    const bool picture = draw::picture_format_of(arguments.text("--out")).has_value();
+    if (arguments.has("--waterfall") && !picture)
+        throw StartError(Exit::usage,
+                         "--waterfall draws a picture: end the name of --out with .png, .svg or .pdf");
+    if (picture || extension == ".csv" || extension == ".npy") return extension;
+    throw StartError(Exit::usage, "--out: the name must end with .png, .svg, .pdf, .csv or .npy");
 }
 
 class Job {
@@ -189,8 +191,9 @@ class Job {
         // Rounded, since the colour bar names it.
         style.absorption =
             std::round(absorption_db_per_km(scenario_.water, pings.front().shot.frequency)) / 1e3;
-        draw::write_png(file, arguments_.has("--waterfall") ? draw::waterfall_picture(waterfall(pings), style)
-                                                            : draw::polar_picture(pings, style));
+        draw::write_picture(file, *draw::picture_format_of(out_),
+                            arguments_.has("--waterfall") ? draw::waterfall_picture(waterfall(pings), style)
+                                                          : draw::polar_picture(pings, style));
     }
 
     const Arguments& arguments_;
@@ -244,13 +247,18 @@ Verb render_verb() {
         "draw what a device hears, without running the emulator",
         {scenario_argument(),
          {Kind::value, "--device", "NAME", "device of the scenario; default: its first"},
-         {Kind::value, "--out", "OUT", "OUT.png: picture; OUT.csv, OUT.npy: beams x bins", {}, true},
+         {Kind::value,
+          "--out",
+          "OUT",
+          "OUT.png, OUT.svg, OUT.pdf: picture; OUT.csv, OUT.npy: beams x bins",
+          {},
+          true},
          {Kind::value, "--step", "N", "scanning head: only this step of the turn"},
          {Kind::value, "--pings", "N",
           "that many pings, one after the other; default: a turn of a head, 200 with --waterfall, else 1"},
          {Kind::flag, "--waterfall", "",
           "draw ping below ping over range, port to the left; of an echosounder, time to the right and depth "
-          "down (.png)"},
+          "down (.png, .svg, .pdf)"},
          {Kind::value, "--at", "SECONDS",
           "time of the run at which trajectories and animations are evaluated"},
          {Kind::value, "--range", "METRES", "range, instead of the device's own"},

@@ -12,6 +12,7 @@
 #include "tools/capture/port_family.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/json_replay.h"
+#include "tools/echoloop/live_view.h"
 #include "tools/echoloop/replay_ports.h"
 #include "tools/echoloop/replay_text.h"
 
@@ -21,10 +22,6 @@ namespace {
 using capture::Survey;
 
 constexpr double bits_per_byte = 10;  // 8N1
-
-capture::OpenSettings open_settings(const Arguments& arguments) {
-    return {.interval = arguments.number("--interval", 0, 1e-6, 1e6), .as_sent = true};
-}
 
 /// Many messages at one and the same time are a file without times.
 void require_times(const Arguments& arguments, const Survey& survey) {
@@ -44,7 +41,7 @@ Survey survey_of(const Arguments& arguments) {
         throw StartError(Exit::usage,
                          "a replay reads its capture more than once; save standard input to a file");
     capture::Input input(file);
-    const auto capture = capture::open_capture(input, open_settings(arguments));
+    const auto capture = capture::open_capture(input, settings_for_playing(arguments));
     Survey result = capture::survey(*capture);
     if (result.ports.empty() && !result.counts.fault.empty())
         throw StartError(Exit::data, scenario::in_quotes(file) + ": " + result.counts.fault);
@@ -78,7 +75,7 @@ SourceSettings source_settings(const Arguments& arguments, const std::vector<Ass
     settings.from = arguments.number("--from", 0, 0, 1e9);
     settings.until = arguments.number("--until", 1e18, 0, 1e9);
     settings.speed = speed_of(arguments);
-    settings.open = open_settings(arguments);
+    settings.open = settings_for_playing(arguments);
     for (const auto& a : assignments) {
         settings.ports.push_back(a.port);
         const double baud = baud_of(arguments, a.endpoint);
@@ -106,20 +103,12 @@ Mode mode_of(const Arguments& arguments) {
     return answering ? Mode::answering : stepped ? Mode::stepped : Mode::timed;
 }
 
-const inspect::Family* forced_family(const Arguments& arguments) {
-    if (!arguments.has("--family")) return nullptr;
-    const auto wanted = arguments.text("--family");
-    if (const auto* family = inspect::find_family(wanted)) return family;
-    throw StartError(Exit::usage, "--family: unknown family " + scenario::in_quotes(wanted) +
-                                      "; echoloop inspect guesses it");
-}
-
 /// The families that the ports speak: needed where messages must be told apart.
 void find_families(const Arguments& arguments, std::vector<Assignment>& assignments) {
-    const auto* forced = forced_family(arguments);
+    const auto* forced = family_asked_for(arguments);
     for (auto& a : assignments) {
         capture::Input input(arguments.text("CAPTURE"));
-        const auto capture = capture::open_capture(input, open_settings(arguments));
+        const auto capture = capture::open_capture(input, settings_for_playing(arguments));
         a.port.family = forced != nullptr ? forced : capture::family_of_port(*capture, a.port.keys);
     }
 }
@@ -143,7 +132,7 @@ replay::Settings replay_settings(Mode mode, const Arguments& arguments,
     replay::Settings settings;
     settings.steps_by_lines = mode == Mode::stepped;
     for (const auto& a : assignments)
-        settings.places.push_back({to_string(a.endpoint), baud_of(arguments, a.endpoint)});
+        settings.places.push_back({to_string(a.endpoint), a.name, baud_of(arguments, a.endpoint)});
     settings.starts_at_once = arguments.text("--start", mode == Mode::answering ? "now" : "driver") == "now";
     if (arguments.has("--duration")) settings.duration = arguments.number("--duration", 0, 0, 1e9);
     return settings;
@@ -154,7 +143,14 @@ int list(const Arguments& arguments, const Survey& survey) {
     return 0;
 }
 
+std::vector<ShownPort> shown(const std::vector<Assignment>& assignments) {
+    std::vector<ShownPort> ports;
+    for (const auto& a : assignments) ports.push_back({a.name, a.port.family});
+    return ports;
+}
+
 int run_replay(const Arguments& arguments) {
+    LiveView live_view(arguments);
     const Survey survey = survey_of(arguments);
     warn_of_what_is_not_played(survey);
     if (arguments.has("--list")) return list(arguments, survey);
@@ -162,16 +158,20 @@ int run_replay(const Arguments& arguments) {
     auto assignments = assignments_from(arguments, survey);
     require_times(arguments, survey);
     find_families(arguments, assignments);
-    replay::Replay replay(player_from(mode, arguments, assignments),
-                          replay_settings(mode, arguments, assignments));
+    auto settings = replay_settings(mode, arguments, assignments);
+    settings.watch = live_view.watch();
+    replay::Replay replay(player_from(mode, arguments, assignments), std::move(settings));
+    auto page = live_view.serve(arguments.text("CAPTURE"), shown(assignments));
+    const std::string link = page ? page->link() : "";
     const bool json = arguments.has("--json");
     if (json) {
-        std::printf("%s\n", replay_started_json(assignments, replay).c_str());
+        std::printf("%s\n", replay_started_json(assignments, replay, link).c_str());
         std::fflush(stdout);
     } else {
-        print_replay_start(mode, assignments, replay);
+        print_replay_start(mode, assignments, replay, link);
     }
     replay.run();
+    page.reset();
     if (json) {
         std::printf("%s\n", replay_summary_json(replay.summary(), replay.counts()).c_str());
     } else {
@@ -219,6 +219,8 @@ Verb replay_verb() {
           "start when the first driver connects, or at once",
           {"driver", "now"}},
          {Kind::value, "--duration", "SECONDS", "end after this time, even if something is left"},
+         view_arguments("the replay")[0],
+         view_arguments("the replay")[1],
          {Kind::flag, "--json", "", "print one JSON line at the start and one at the end"}},
         "  echoloop replay dive.pcapng pty:/tmp/echoloop/micron\n"
         "  echoloop replay dive.pcapng --list\n"

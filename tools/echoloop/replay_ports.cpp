@@ -111,6 +111,18 @@ class Chooser {
 
 }  // namespace
 
+capture::OpenSettings settings_for_playing(const Arguments& arguments) {
+    return {.interval = arguments.number("--interval", 0, 1e-6, 1e6), .as_sent = true};
+}
+
+const inspect::Family* family_asked_for(const Arguments& arguments) {
+    if (!arguments.has("--family")) return nullptr;
+    const auto wanted = arguments.text("--family");
+    if (const auto* family = inspect::find_family(wanted)) return family;
+    throw StartError(Exit::usage, "--family: unknown family " + scenario::in_quotes(wanted) +
+                                      "; echoloop inspect guesses it");
+}
+
 std::string ports_text(const Survey& survey) {
     std::string text;
     for (const PortSummary& port : survey.ports)

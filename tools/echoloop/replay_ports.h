@@ -21,6 +21,11 @@ struct Assignment {
     double begin = 0, end = 0;            ///< s, as in the capture
 };
 
+/// By --interval; in the parts that devices send.
+capture::OpenSettings settings_for_playing(const Arguments& arguments);
+/// By --family; nullptr without. Throws StartError (usage).
+const inspect::Family* family_asked_for(const Arguments& arguments);
+
 /// One line a port, for people: name, and what each side says.
 std::string ports_text(const capture::Survey& survey);
 

@@ -44,7 +44,7 @@ void warn_of_what_is_not_played(const capture::Survey& survey) {
 }
 
 void print_replay_start(ReplayMode mode, const std::vector<Assignment>& assignments,
-                        const replay::Replay& replay) {
+                        const replay::Replay& replay, const std::string& view) {
     const auto places = replay.places();
     for (std::size_t i = 0; i < assignments.size(); ++i) {
         const auto& a = assignments[i];
@@ -52,6 +52,7 @@ void print_replay_start(ReplayMode mode, const std::vector<Assignment>& assignme
         std::printf("  %s of %s in %s s\n", counted(a.pieces, "piece").c_str(),
                     counted(a.bytes, "byte").c_str(), plain(a.end - a.begin, 3).c_str());
     }
+    if (!view.empty()) std::printf("%s%s\n", padded("view", 16).c_str(), view.c_str());
     std::printf("%s; Ctrl-C ends it\n", mode_text(mode));
     std::fflush(stdout);
 }

@@ -12,6 +12,7 @@
 #include "emulator/truth/truth.h"
 #include "tools/echoloop/common.h"
 #include "tools/echoloop/conditions.h"
+#include "tools/echoloop/dataset_progress.h"
 #include "tools/echoloop/driver.h"
 #include "tools/echoloop/faults_output.h"
 #include "tools/echoloop/json_run.h"
@@ -133,7 +134,8 @@ void finish(Dataset& dataset, const Runtime& runtime) {
         throw StartError(Exit::late, dataset.folder().string() +
                                          ": the run was interrupted, so there is no data set; start it "
                                          "again");
-    dataset.finish();
+    Progress progress("writing the data set");
+    dataset.finish([&](std::size_t done, std::size_t of) { progress.done(done, of); });
 }
 
 int run_scenario(const Arguments& arguments) {
@@ -148,7 +150,7 @@ int run_scenario(const Arguments& arguments) {
         arguments.has("--dataset") ? std::make_unique<Dataset>(arguments.text("--dataset")) : nullptr;
     try {
         Runtime runtime(scenario,
-                        {.recording = recording.get(),
+                        {.recording = recording ? recording.get() : live_view.recording(),
                          .remarks = arguments.has("--record-truth"),
                          .truth = truth.get(),
                          .labels = labels.get(),
@@ -165,7 +167,11 @@ int run_scenario(const Arguments& arguments) {
         } else {
             print_start(runtime, duration, link);
         }
-        runtime.run(duration);
+        {
+            std::optional<DatasetProgress> progress;
+            if (dataset && scenario.clock == ClockMode::free) progress.emplace(*dataset, duration);
+            runtime.run(duration);
+        }
         page.reset();
         if (recording) recording->finish();
         if (truth) truth->finish();
@@ -221,11 +227,11 @@ Verb run_verb() {
           "in the capture, give the sonar's pose in a comment on each ping's first packet"},
          {Argument::Kind::value, "--truth", "FILE",
           "write what is really there, one line of JSON for each ping (docs/truth.md)"},
-         {Argument::Kind::flag, "--view", "",
-          "show the run on a page in a browser; its link is printed (docs/view.md)"},
-         {Argument::Kind::value, "--view-at", "ADDRESS:PORT",
-          "where the page is, instead of a free port of 127.0.0.1; others on the network need the link, too"},
+         view_arguments("the run")[0],
+         view_arguments("the run")[1],
          {Argument::Kind::flag, "--view-control", "", "let the page ask for faults"},
+         {Argument::Kind::value, "--view-record", "DIR",
+          "let the page begin and end recordings, which go into this folder"},
          {Argument::Kind::value, "--dataset", "DIR",
           "write echograms, pictures, labels, truth and bytes of every ping into a new folder "
           "(docs/datasets.md)"},

@@ -2,6 +2,7 @@
 // on a terminal and without NO_COLOR.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -16,21 +17,31 @@ void print_error(std::string_view text);
 /// "echoloop: warning: ..." for every line of `text`.
 void print_warning(std::string_view text);
 
-/// A bar for work of many steps; prints nothing unless stderr is a terminal.
+/// A bar for work of many steps, with the time that the rest will take; prints nothing unless stderr is a
+/// terminal. Whoever writes to stderr meanwhile writes behind the bar.
 class Progress {
   public:
-    Progress(std::string label, std::size_t steps);
+    /// `label`: what is done, as in "rendering". Shows nothing while `steps` is below 2.
+    explicit Progress(std::string label, std::size_t steps = 0);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
+    /// How many are done; more than there were counts as all.
     void done(std::size_t steps);
+    /// The same for who learns only now how many there are.
+    void done(std::size_t steps, std::size_t of);
+    /// Takes the bar away for something else to be printed; done() draws it again.
+    void clear();
 
   private:
+    std::string rest(std::size_t steps) const;
+
     std::string label_;
     std::size_t steps_;
-    std::size_t shown_ = static_cast<std::size_t>(-1);
-    bool visible_;
+    std::string shown_;
+    int terminal_;  ///< a descriptor of its own, for who turns stderr away; -1: there is none
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now(), last_{};
 };
 
 }  // namespace echoloop::cli

@@ -9,11 +9,11 @@
 namespace echoloop::cli {
 
 std::span<const Verb> verbs() {
-    static const std::vector<Verb> table{run_verb(),       check_verb(),  examples_verb(),  list_verb(),
-                                         endpoints_verb(), fault_verb(),  render_verb(),    inspect_verb(),
-                                         convert_verb(),   diff_verb(),   dissector_verb(), record_verb(),
-                                         replay_verb(),    bench_verb(),  validate_verb(),  doctor_verb(),
-                                         sweep_verb(),     import_verb(), manual_verb()};
+    static const std::vector<Verb> table{run_verb(),       check_verb(), examples_verb(),  list_verb(),
+                                         endpoints_verb(), fault_verb(), render_verb(),    inspect_verb(),
+                                         convert_verb(),   diff_verb(),  dissector_verb(), record_verb(),
+                                         replay_verb(),    view_verb(),  bench_verb(),     validate_verb(),
+                                         doctor_verb(),    sweep_verb(), import_verb(),    manual_verb()};
     return table;
 }
 

@@ -74,6 +74,7 @@ Verb replay_verb();
 Verb run_verb();
 Verb sweep_verb();
 Verb validate_verb();
+Verb view_verb();
 
 /// The arguments that many verbs share.
 Argument scenario_argument();

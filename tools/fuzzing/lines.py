@@ -72,6 +72,12 @@ def lines():
                                  f'"z": 3}}, "rotation": {{"x": 0, "y": 0, "z": 0, "w": 1}}}}}}]}}')):
         yield "poses_rosbridge", name, f'{{"op": "publish", "topic": "/a", "msg": {message}}}'
     yield "poses_rosbridge", "status", '{"op": "status", "level": "error", "msg": "no"}'
+    yield "poses_truth", "header", '{"echoloop_truth": 1}'
+    shot = '"pan": 0.5, "tilt": -0.2, "beam_width": 0.02, "first_bin_time": 0, "bin_interval": 3e-5, "bins": 100'
+    yield "poses_truth", "ping", (
+        f'{{"device": "a", "unix": 1.7e9, "sound_speed": 1500, "world_from_sonar": {{"position": [1, 2, -5], '
+        f'"orientation": [1, 0, 0, 0]}}, "shot": {{{shot}}}, "beams": [-0.5, 0.5], "rows": [0, 0.1], '
+        f'"axis_range": [1, null, 2, 2.2], "objects": [[[1, 40, 20]], [], [[2, 0, 3], [1, 50, 9]], []]}}')
 
 
 def ros1(text="map", child=""):

@@ -19,6 +19,7 @@ SOURCES = {
     "steps": ["emulator/pose/*.cpp"],
     "http": ["protocols/http/*.cpp"],
     "poses_rosbridge": ["tools/poses/rosbridge/*.cpp"],
+    "poses_truth": ["tools/poses/truth/ping.cpp"],
     "devices-norbit-wbms": ["emulator/devices/norbit-wbms/*", "protocols/norbit/*"],
     "devices-kongsberg-kmall": ["emulator/devices/kongsberg-kmall/*", "protocols/kmall/*"],
     "devices-dvl-a50": ["emulator/devices/waterlinked-dvl/*", "protocols/waterlinked/*", "protocols/http/*.cpp"],

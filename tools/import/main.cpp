@@ -14,6 +14,7 @@
 
 #include "emulator/contract/error.h"
 #include "tools/echoloop/output_file.h"
+#include "tools/echoloop/terminal.h"
 #include "tools/import/fault.h"
 #include "tools/import/glb.h"
 #include "tools/import/options.h"
@@ -171,8 +172,10 @@ void add_world(const Given& given, const Inputs& inputs, const fs::path& scratch
     if (given.contains("--materials")) choices.rules = read_material_rules(text(given, "--materials"));
     const Sources sources = collect_sources(inputs.world, paths, scratch, choices.allow_missing);
     {
+        cli::Progress progress("reading shapes");
         const Hush hush;
-        add_sdf(sources, paths, choices, world, report, stage);
+        add_sdf(sources, paths, choices, world, report, stage,
+                [&](std::size_t done, std::size_t of) { progress.done(done, of); });
     }
     for (const MaterialRule& rule : choices.rules)
         if (!rule.used) report.notes.push_back(rule.place + ": the rule fits nothing");

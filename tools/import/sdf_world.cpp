@@ -23,12 +23,13 @@ Pose pose(const ignition::math::Pose3d& p) {
 class Converter {
   public:
     Converter(const Sources& sources, const ModelPaths& paths, SdfChoices& choices, World& world,
-              Report& report, Stage& stage)
+              Report& report, Stage& stage, const Told& told)
         : sources_(sources),
           choices_(choices),
           world_(world),
           report_(report),
           stage_(stage),
+          told_(told),
           shapes_(sources, paths, report.notes) {}
 
     void convert() {
@@ -37,6 +38,7 @@ class Converter {
         stage_.set(original(sources_.world.string()));
         sdf::Root root;
         check(root.Load(sources_.world));
+        shapes_all_ = shapes_of(root);
         if (root.WorldCount() > 0) {
             if (root.WorldCount() > 1) report_.notes.push_back("only the first of the file's worlds is read");
             add_world(*root.WorldByIndex(0));
@@ -53,6 +55,20 @@ class Converter {
 
   private:
     using Place = std::optional<std::size_t>;  ///< node above
+
+    static std::size_t shapes_of(const sdf::Model& model) {
+        std::size_t count = 0;
+        for (std::uint64_t i = 0; i < model.LinkCount(); ++i) count += model.LinkByIndex(i)->VisualCount();
+        for (std::uint64_t i = 0; i < model.ModelCount(); ++i) count += shapes_of(*model.ModelByIndex(i));
+        return count;
+    }
+    static std::size_t shapes_of(const sdf::Root& root) {
+        if (root.WorldCount() == 0) return root.Model() == nullptr ? 0 : shapes_of(*root.Model());
+        std::size_t count = 0;
+        const sdf::World& world = *root.WorldByIndex(0);
+        for (std::uint64_t i = 0; i < world.ModelCount(); ++i) count += shapes_of(*world.ModelByIndex(i));
+        return count;
+    }
 
     /// Names of copies in a message become those of the user's files.
     std::string original(std::string text) const {
@@ -217,6 +233,7 @@ class Converter {
 
     void add_visual(const sdf::Model& model, const sdf::Link& link, const sdf::Visual& visual,
                     const std::string& model_name, std::size_t above) {
+        told_(++shapes_done_, shapes_all_);
         if (!visual.Geom() || visual.Geom()->Type() == sdf::GeometryType::EMPTY) return;
         const std::string name = model_name + "::" + link.Name() + "::" + visual.Name();
         stage_.set(printable(name, 500));
@@ -281,6 +298,8 @@ class Converter {
     World& world_;
     Report& report_;
     Stage& stage_;
+    const Told& told_;
+    std::size_t shapes_done_ = 0, shapes_all_ = 0;
     Shapes shapes_;
     std::map<std::string, std::size_t> meshes_, links_;
     std::vector<std::string> seen_;
@@ -289,10 +308,10 @@ class Converter {
 }  // namespace
 
 void add_sdf(const Sources& sources, const ModelPaths& paths, SdfChoices& choices, World& world,
-             Report& report, Stage& stage) {
+             Report& report, Stage& stage, const Told& told) {
     report.left_out.insert(report.left_out.end(), sources.left_out.begin(), sources.left_out.end());
     report.notes.insert(report.notes.end(), sources.notes.begin(), sources.notes.end());
-    Converter(sources, paths, choices, world, report, stage).convert();
+    Converter(sources, paths, choices, world, report, stage, told).convert();
 }
 
 }  // namespace echoloop::worlds

@@ -1,6 +1,7 @@
 // Makes a world of what libsdformat reads: models, links, joints and visuals become nodes.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +22,11 @@ struct SdfChoices {
     std::optional<double> heading{};  ///< deg, of the world's x from east to north; empty: as the world says
 };
 
+/// Of the world's shapes, how many are read.
+using Told = std::function<void(std::size_t done, std::size_t of)>;
+
 /// Reads the copy. Nodes are named model, model::link, model::joint and model::link::visual. Throws Fault.
 void add_sdf(const Sources& sources, const ModelPaths& paths, SdfChoices& choices, World& world,
-             Report& report, Stage& stage);
+             Report& report, Stage& stage, const Told& told);
 
 }  // namespace echoloop::worlds

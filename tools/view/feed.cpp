@@ -1,31 +1,58 @@
 #include "tools/view/feed.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace echoloop::view {
 namespace {
 
 constexpr std::chrono::milliseconds between_large(100);
+constexpr std::chrono::seconds between_late(1);  // of a sonar whose pings are late: looking costs time, too
+constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t large = 8192;           // values; smaller ones are lines of a picture, and all are kept
 constexpr std::size_t most_lines = 64;        // of a sonar, between two calls of take()
 constexpr std::size_t most_passed = 1000;     // between two calls of take()
-constexpr std::size_t most_bytes = 2U << 20;  // the same
-constexpr std::size_t longest_kept = 256U << 10;  // of one message
+constexpr std::size_t most_bytes = 4U << 20;  // the same
+constexpr std::size_t longest_kept = 4U << 20;  // of one message
+constexpr std::size_t most_before = 256U << 10;
 
 double unix_now() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+Passed copied(const SeenBytes& seen, std::size_t keep) {
+    return {std::string(seen.device),
+            std::string(seen.port),
+            seen.sent,
+            seen.packets,
+            seen.unix_time > 0 ? seen.unix_time : unix_now(),
+            Bytes(seen.bytes.begin(), seen.bytes.begin() + static_cast<std::ptrdiff_t>(keep)),
+            seen.bytes.size()};
+}
+
 }  // namespace
+
+void Feed::look(std::size_t viewers) {
+    const std::scoped_lock lock(mutex_);
+    if (viewers > 0 && viewers_ == 0) {
+        passed_.assign(std::make_move_iterator(before_.begin()), std::make_move_iterator(before_.end()));
+        before_.clear();
+        before_bytes_ = 0;
+        lines_.clear();
+    }
+    viewers_ = viewers;
+}
 
 bool Feed::wants_ping(std::string_view device, const Shot& shot) {
     if (viewers_ == 0) return false;
     if (shot.beams() * shot.bins < large) return true;
     const std::scoped_lock lock(mutex_);
-    auto& wanted = sonars_[std::string(device)].wanted;
+    Sonar& sonar = sonars_[std::string(device)];
     const auto now = std::chrono::steady_clock::now();
-    if (now - wanted < between_large) return false;
-    wanted = now;
+    const auto between = sonar.late ? std::chrono::steady_clock::duration(between_late) : between_large;
+    if (now - sonar.wanted < between) return false;
+    sonar.wanted = now;
     return true;
 }
 
@@ -33,23 +60,46 @@ void Feed::ping(const SeenPing& ping) {
     auto copy = std::make_shared<const Kept>(kept(ping));
     const std::size_t most = ping.echogram.values.size() < large ? most_lines : 1;
     const std::scoped_lock lock(mutex_);
-    auto& pings = sonars_[std::string(ping.device)].pings;
+    Sonar& sonar = sonars_[std::string(ping.device)];
+    sonar.late = ping.late > late_after;
+    auto& pings = sonar.pings;
     pings.push_back(std::move(copy));
     if (pings.size() > most) pings.pop_front();
 }
 
 void Feed::bytes(const SeenBytes& seen) {
-    if (viewers_ == 0) return;
+    if (viewers_ == 0 && seen.sent) return;
     const std::scoped_lock lock(mutex_);
+    if (viewers_ == 0) return keep_for_later(seen);
+    const Line line{std::string(seen.device), std::string(seen.port)};
+    LineCount& count = lines_[line];
+    (seen.sent ? count.out : count.in) += seen.bytes.size();
+    count.rate = seen.line_rate;
     const std::size_t keep = std::min(seen.bytes.size(), longest_kept);
     if (passed_.size() >= most_passed || passed_bytes_ + keep > most_bytes) {
         left_out_ += seen.bytes.size();
+        gaps_.insert({line, seen.sent});
         return;
     }
     passed_bytes_ += keep;
-    passed_.push_back({std::string(seen.device), std::string(seen.port), seen.sent, seen.packets, unix_now(),
-                       Bytes(seen.bytes.begin(), seen.bytes.begin() + static_cast<std::ptrdiff_t>(keep)),
-                       seen.bytes.size()});
+    passed_.push_back(copied(seen, keep));
+    passed_.back().gap = gaps_.erase({line, seen.sent}) > 0;
+}
+
+/// The oldest goes first: of a driver that says much, what it set long ago.
+void Feed::keep_for_later(const SeenBytes& seen) {
+    if (seen.bytes.size() > most_before) return;
+    before_bytes_ += seen.bytes.size();
+    before_.push_back(copied(seen, seen.bytes.size()));
+    while (before_bytes_ > most_before || before_.size() > most_passed) {
+        before_bytes_ -= before_.front().bytes.size();
+        before_.pop_front();
+    }
+}
+
+std::map<Feed::Line, LineCount> Feed::lines() const {
+    const std::scoped_lock lock(mutex_);
+    return lines_;
 }
 
 Feed::News Feed::take() {

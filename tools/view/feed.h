@@ -8,7 +8,9 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "emulator/capture/watch.h"
@@ -23,12 +25,20 @@ struct Passed {
     double unix_time = 0;  ///< s since 1970
     Bytes bytes;           ///< the first of them, where there are very many
     std::size_t size = 0;
+    bool gap = false;  ///< before these some were left out
+};
+
+/// What a port has carried since the first viewer came.
+struct LineCount {
+    std::uint64_t in = 0, out = 0;  ///< bytes to and from the device
+    double rate = 0;                ///< bit/s of a serial line; 0: of none
 };
 
 class Feed final : public Watch {
   public:
-    /// While nobody looks, nothing is kept.
-    void look(std::size_t viewers) { viewers_ = viewers; }
+    /// While nobody looks, nothing is kept but the last that drivers said: it tells what they have set.
+    void look(std::size_t viewers);
+    std::size_t viewers() const { return viewers_; }
 
     bool wants_ping(std::string_view device, const Shot& shot) override;
     void ping(const SeenPing& ping) override;
@@ -41,17 +51,26 @@ class Feed final : public Watch {
         std::size_t bytes_left_out = 0;  ///< there was too much to keep
     };
     News take();
+    using Line = std::pair<std::string, std::string>;  ///< device and port
+    std::map<Line, LineCount> lines() const;
 
   private:
     struct Sonar {
         std::chrono::steady_clock::time_point wanted{};  ///< when a large ping was asked for last
+        bool late = false;                               ///< the last ping that was seen
         std::deque<std::shared_ptr<const Kept>> pings{};
     };
 
+    void keep_for_later(const SeenBytes& seen);
+
     std::atomic<std::size_t> viewers_{0};
-    std::mutex mutex_;  // of all below
+    mutable std::mutex mutex_;  // of all below
     std::map<std::string, Sonar, std::less<>> sonars_;
+    std::map<Line, LineCount> lines_;
+    std::set<std::pair<Line, bool>> gaps_;  ///< ways on which bytes were left out
     std::vector<Passed> passed_;
+    std::deque<Passed> before_;  ///< what drivers said while nobody looked
+    std::size_t before_bytes_ = 0;
     std::size_t passed_bytes_ = 0, left_out_ = 0;
 };
 

@@ -12,7 +12,7 @@ namespace echoloop::view {
 struct Kept {
     std::string device;
     std::uint64_t number = 0;
-    Time transmitted{}, late{};
+    Time transmitted{}, late{}, drawn{}, due{};
     Echogram echogram;
     std::vector<Pose> movers;
 };

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <list>
 #include <nlohmann/json.hpp>
-#include <string_view>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -17,7 +17,7 @@
 #include "emulator/contract/error.h"
 #include "emulator/run/token.h"
 #include "emulator/transport/address.h"
-#include "tools/view/page.h"
+#include "tools/view/gate.h"
 
 namespace echoloop::view {
 namespace {
@@ -26,30 +26,12 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 using Tcp = asio::ip::tcp;
-using Request = http::request<http::empty_body>;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_viewers = 32, longest_header = 8192, longest_line = 4096;
 constexpr std::chrono::seconds patience(10);            // for a request
 constexpr std::chrono::milliseconds between_news(100);  // at most ten pictures a second
 constexpr int ticks_between_status = 5;
-constexpr std::string_view protocol = "echoloop.view";
-
-std::string text_of(beast::string_view text) { return {text.data(), text.size()}; }
-
-/// A page must not be shown in another's frame, load anything from elsewhere or be read by another page.
-template <class Body>
-void secure(http::response<Body>& answer) {
-    answer.set(http::field::server, "echoloop");
-    answer.set(http::field::cache_control, "no-store");
-    answer.set("Content-Security-Policy",
-               "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' "
-               "data: blob:; "
-               "base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
-    answer.set("X-Content-Type-Options", "nosniff");
-    answer.set("Referrer-Policy", "no-referrer");
-    answer.set("Cross-Origin-Resource-Policy", "same-origin");
-}
 
 struct News {
     bool binary = false;
@@ -59,6 +41,19 @@ using Batch = std::vector<std::shared_ptr<const News>>;
 
 std::shared_ptr<const News> text_news(std::string text) {
     return std::make_shared<const News>(News{false, std::move(text)});
+}
+
+/// {"type": "lines", "t": s, "lines": [{"device", "port", "in", "out": bytes so far, "rate": bit/s}]}
+std::string lines_message(const Feed& feed) {
+    const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
+    Json all{{"type", "lines"}, {"t", now.count()}, {"lines", Json::array()}};
+    for (const auto& [line, count] : feed.lines())
+        all["lines"].push_back({{"device", line.first},
+                                {"port", line.second},
+                                {"in", count.in},
+                                {"out", count.out},
+                                {"rate", count.rate}});
+    return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// Below all ordinary programs: what a driver waits for goes first.
@@ -72,12 +67,7 @@ void give_way() {
 class Server::Impl {
   public:
     Impl(Feed& feed, ServerOptions options)
-        : feed_(feed),
-          options_(std::move(options)),
-          token_(random_token()),
-          acceptor_(io_),
-          ticker_(options_.families),
-          tick_(io_) {
+        : feed_(feed), options_(std::move(options)), acceptor_(io_), ticker_(options_.families), tick_(io_) {
         error_code ec;
         acceptor_.open(Tcp::v4());
         acceptor_.set_option(asio::socket_base::reuse_address(true));
@@ -86,7 +76,8 @@ class Server::Impl {
         if (ec)
             throw StartError(Exit::unavailable, "--view: " + to_text(options_.address) + ": " + ec.message() +
                                                     "; name another port, or 0 for any");
-        place_ = to_address(acceptor_.local_endpoint());
+        gate_.emplace(to_address(acceptor_.local_endpoint()),
+                      options_.token.empty() ? random_token() : options_.token);
         asio::co_spawn(io_, accept(), Serving("view"));
         asio::co_spawn(io_, tell_news(), Serving("view"));
         thread_ = std::thread([this] {
@@ -101,7 +92,7 @@ class Server::Impl {
         feed_.look(0);
     }
 
-    std::string link() const { return "http://" + to_text(place_) + "/#" + token_; }
+    std::string link() const { return gate_->link(); }
 
   private:
     struct Viewer {
@@ -125,17 +116,6 @@ class Server::Impl {
         }
     }
 
-    /// A page of another site makes a browser ask with that site's name, or with its own for this machine.
-    bool is_for_us(const Request& request) const {
-        const auto host = request[http::field::host];
-        const std::string port = ":" + std::to_string(place_.port);
-        return host == to_text(place_) || (is_loopback(place_.ip) && host == "localhost" + port);
-    }
-    static bool is_from_here(const Request& request) {
-        const auto origin = request[http::field::origin];
-        return origin.empty() || origin == "http://" + text_of(request[http::field::host]);
-    }
-
     Task<void> serve(beast::tcp_stream stream) {
         const Counted counted(connections_);
         beast::flat_buffer buffer;
@@ -148,12 +128,11 @@ class Server::Impl {
             co_await http::async_read(stream, buffer, parser, into(ec));
             if (ec) co_return;
             const Request request = parser.release();
-            if (websocket::is_upgrade(request) && request.target() == "/news" && is_for_us(request) &&
-                is_from_here(request) && knows_token(text_of(request[http::field::sec_websocket_protocol]))) {
+            if (websocket::is_upgrade(request) && request.target() == "/news" && gate_->lets_in(request)) {
                 stream.expires_never();
                 co_return co_await show(std::make_shared<Viewer>(std::move(stream)), request);
             }
-            auto answer = answer_to(request);
+            auto answer = gate_->answer_to(request, options_.scene);
             answer.keep_alive(request.keep_alive());
             answer.prepare_payload();
             co_await http::async_write(stream, answer, into(ec));
@@ -162,51 +141,13 @@ class Server::Impl {
         stream.socket().shutdown(Tcp::socket::shutdown_both, ec);
     }
 
-    /// "echoloop.view, TOKEN": a browser can say it nowhere else.
-    bool knows_token(std::string_view offered) const {
-        return offered == std::string(protocol) + ", " + token_;
-    }
-
-    http::response<http::string_body> answer_to(const Request& request) const {
-        http::response<http::string_body> answer{http::status::ok, request.version()};
-        secure(answer);
-        const auto refuse = [&](http::status status, std::string_view reason) {
-            answer.result(status);
-            answer.set(http::field::content_type, "text/plain; charset=utf-8");
-            answer.body() = std::string(reason) + "\n";
-        };
-        if (!is_for_us(request)) {
-            refuse(http::status::misdirected_request,
-                   "Host: this page is at " + link().substr(0, link().find('#')));
-        } else if (!is_from_here(request)) {
-            refuse(http::status::forbidden, "Origin: another page may not ask");
-        } else if (request.method() != http::verb::get) {
-            refuse(http::status::method_not_allowed, "only GET is answered");
-        } else if (const PagePart* part = find_page_part(text_of(request.target()))) {
-            answer.set(http::field::content_type, std::string(part->type));
-            answer.body() = part->text;
-        } else if (request.target() == "/scene") {
-            if (request[http::field::authorization] != "Bearer " + token_)
-                refuse(http::status::unauthorized, "open the link that the run printed; its end is a token");
-            else {
-                answer.set(http::field::content_type, "application/octet-stream");
-                answer.body() = options_.scene;
-            }
-        } else if (request.target() == "/news") {
-            refuse(http::status::unauthorized, "open the link that the run printed; its end is a token");
-        } else {
-            refuse(http::status::not_found, "there is only the page itself");
-        }
-        return answer;
-    }
-
     Task<void> show(std::shared_ptr<Viewer> viewer, const Request& request) {
         error_code ec;
         auto& socket = viewer->socket;
         socket.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
         socket.set_option(websocket::stream_base::decorator([](websocket::response_type& answer) {
             secure(answer);
-            answer.set(http::field::sec_websocket_protocol, std::string(protocol));
+            answer.set(http::field::sec_websocket_protocol, std::string(Gate::protocol));
         }));
         socket.read_message_max(longest_line);
         co_await socket.async_accept(request, into(ec));
@@ -214,6 +155,7 @@ class Server::Impl {
         viewers_.push_back(viewer);
         feed_.look(viewers_.size());
         offer(viewer, text_news(options_.hello));
+        offer(viewer, text_news(ticker_.settings()));
         beast::flat_buffer buffer;
         while (!ec) {
             buffer.clear();
@@ -262,9 +204,13 @@ class Server::Impl {
             Feed::News news = feed_.take();
             for (const auto& ping : news.pings)
                 tell(std::make_shared<const News>(News{true, view::message_of(*ping)}));
-            if (const auto text = ticker_.message_of(news.passed, news.bytes_left_out); !text.empty())
-                tell(text_news(text));
-            if (ticks % ticks_between_status == 0) ask_status();
+            Ticker::Told told = ticker_.take(news.passed, news.bytes_left_out);
+            for (std::string& picture : told.pictures)
+                tell(std::make_shared<const News>(News{true, std::move(picture)}));
+            if (!told.messages.empty()) tell(text_news(std::move(told.messages)));
+            if (ticks % ticks_between_status != 0) continue;
+            ask_status();
+            tell(text_news(lines_message(feed_)));
         }
     }
 
@@ -309,12 +255,11 @@ class Server::Impl {
 
     Feed& feed_;
     ServerOptions options_;
-    std::string token_;
     std::size_t connections_ = 0;
     asio::io_context io_;  // its coroutines, which it ends last, refer to what is above
     std::list<std::shared_ptr<Viewer>> viewers_;
     Tcp::acceptor acceptor_;
-    Address place_;
+    std::optional<Gate> gate_;  // once the port is known
     Ticker ticker_;
     asio::steady_timer tick_;
     std::thread thread_;

@@ -22,6 +22,7 @@ struct ServerOptions {
     /// be called on any thread, or never.
     std::function<void(std::string line, std::function<void(std::string)> answer)> ask;
     bool control = false;
+    std::string token{};  ///< that lets a viewer in; "": a new one
 };
 
 class Server {

@@ -1,8 +1,9 @@
 #include "tools/view/ticker.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
+
+#include "tools/view/said_picture.h"
 
 namespace echoloop::view {
 namespace {
@@ -11,6 +12,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_fields = 48, longest_text = 120, shown_bytes = 24;
 constexpr std::size_t fewest_said = 16, most_said = 1024;  // numbers
+constexpr std::size_t large_said = 8192;                   // levels; of smaller pictures all are shown
+constexpr std::size_t most_settings = 500;
 
 std::string cut(const std::string& text) {
     return text.size() <= longest_text ? text : text.substr(0, longest_text) + "...";
@@ -39,8 +42,6 @@ Json fields_of(const inspect::Message& message) {
     return fields;
 }
 
-}  // namespace
-
 /// Of the longest array; nothing where there is none that is worth a picture.
 std::optional<Json> said_of(const std::string& device, const inspect::Message& message) {
     const auto longest = std::ranges::max_element(
@@ -55,47 +56,122 @@ std::optional<Json> said_of(const std::string& device, const inspect::Message& m
                 {"numbers", std::move(numbers)}};
 }
 
-std::string Ticker::message_of(const std::vector<Passed>& passed, std::size_t left_out) {
-    if (passed.empty() && left_out == 0) return "";
+/// Names of the fields of `now` that stand otherwise in `before`, or not at all.
+Json changed_fields(const Json& now, const Json& before) {
+    Json names = Json::array();
+    for (const Json& field : now)
+        if (std::ranges::find(before, field) == before.end()) names.push_back(field[0]);
+    return names;
+}
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
+
+/// What one call of take() tells.
+struct Ticker::Batch {
     Json rows = Json::array();
-    std::map<std::string, Json> said;  // by device and message: the last
-    for (const Passed& one : passed) {
-        const auto found = families_.find(one.device);
-        const inspect::Family* family =
-            found == families_.end() ? nullptr : inspect::find_family(found->second);
-        const auto add = [&](const inspect::Message& message, ByteView bytes, std::size_t size) {
-            Json row{{"n", ++count_},
-                     {"unix", one.unix_time},
-                     {"device", one.device},
-                     {"port", one.port},
-                     {"sent", one.sent},
-                     {"size", size},
-                     {"name", message.name},
-                     {"reason", message.reason},
-                     {"bytes", hexadecimal(bytes)},
-                     {"fields", fields_of(message)}};
-            rows.push_back(std::move(row));
-            if (!one.sent) return;
-            if (auto numbers = said_of(one.device, message))
-                said[one.device + "\n" + message.name] = std::move(*numbers);
-        };
-        const ByteView bytes(one.bytes);
-        if (family == nullptr || one.size > one.bytes.size()) {
-            add({.name = family == nullptr ? "bytes" : "a long message"}, bytes, one.size);
-        } else if (one.packets || family->framing == inspect::Framing::datagram) {
-            for (const auto& message : family->decode(bytes))
-                add(message, bytes.subspan(message.offset, message.size), message.size);
-        } else {
-            auto& stream = streams_[{one.device + "\n" + one.port, one.sent}];
-            if (!stream) stream = std::make_unique<inspect::StreamDecoder>(family);
-            stream->add(bytes, [&](const inspect::Family*, const inspect::Message& message, ByteView part) {
-                add(message, part, part.size());
-            });
-        }
+    std::map<std::string, Json> said{}, set{};            ///< by device and message: the last
+    std::map<std::string, std::string> large_pictures{};  ///< the same
+    std::vector<std::string> pictures{};
+};
+
+Ticker::Told Ticker::take(const std::vector<Passed>& passed, std::size_t left_out) {
+    if (passed.empty() && left_out == 0) return {};
+    Batch batch;
+    for (const Passed& one : passed) decode(one, batch);
+    Json all{{"type", "messages"},
+             {"left_out", left_out},
+             {"messages", std::move(batch.rows)},
+             {"said", Json::array()},
+             {"set", Json::array()}};
+    for (auto& [key, numbers] : batch.said) all["said"].push_back(std::move(numbers));
+    for (auto& [key, setting] : batch.set) all["set"].push_back(std::move(setting));
+    for (auto& [key, picture] : batch.large_pictures) batch.pictures.push_back(std::move(picture));
+    return {text_of(all), std::move(batch.pictures)};
+}
+
+std::string Ticker::settings() const {
+    Json all{{"type", "messages"},
+             {"left_out", 0},
+             {"messages", Json::array()},
+             {"said", Json::array()},
+             {"set", Json::array()}};
+    for (const auto& [key, setting] : settings_) all["set"].push_back(setting);
+    return text_of(all);
+}
+
+void Ticker::decode(const Passed& one, Batch& batch) {
+    const auto found = families_.find(one.device);
+    const inspect::Family* family = found == families_.end() ? nullptr : inspect::find_family(found->second);
+    const ByteView bytes(one.bytes);
+    auto& stream = streams_[{one.device + "\n" + one.port, one.sent}];
+    const auto told = [&](const inspect::Family*, const inspect::Message& message, ByteView part) {
+        add(one, message, part, part.size(), batch);
+    };
+    if (one.gap && stream) stream->finish(told);
+    if (family == nullptr || one.size > one.bytes.size()) {
+        if (stream) stream->finish(told);
+        add(one, {.name = family == nullptr ? "bytes" : "a long message"}, bytes, one.size, batch);
+    } else if (one.packets || family->framing == inspect::Framing::datagram) {
+        for (const auto& message : family->decode(bytes))
+            add(one, message, bytes.subspan(message.offset, message.size), message.size, batch);
+    } else {
+        if (!stream) stream = std::make_unique<inspect::StreamDecoder>(family);
+        stream->add(bytes, told);
     }
-    Json all{{"type", "messages"}, {"left_out", left_out}, {"messages", rows}, {"said", Json::array()}};
-    for (auto& [key, numbers] : said) all["said"].push_back(std::move(numbers));
-    return all.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void Ticker::add(const Passed& one, const inspect::Message& message, ByteView bytes, std::size_t size,
+                 Batch& batch) {
+    Json row{{"n", ++count_},
+             {"unix", one.unix_time},
+             {"device", one.device},
+             {"port", one.port},
+             {"sent", one.sent},
+             {"size", size},
+             {"name", message.name},
+             {"reason", message.reason},
+             {"bytes", hexadecimal(bytes)},
+             {"fields", fields_of(message)}};
+    if (!one.sent && message.reason.empty() && !message.name.empty()) note_setting(one, row, batch);
+    batch.rows.push_back(std::move(row));
+    if (message.reason.empty()) look_for_picture(one, message, bytes, batch);
+    if (!one.sent) return;
+    if (auto numbers = said_of(one.device, message))
+        batch.said[one.device + "\n" + message.name] = std::move(*numbers);
+}
+
+void Ticker::note_setting(const Passed& one, const Json& row, Batch& batch) {
+    const std::string key = one.device + "\n" + row["name"].get<std::string>();
+    const auto before = settings_.find(key);
+    if (before == settings_.end() && settings_.size() >= most_settings) return;
+    const bool known = before != settings_.end();
+    Json setting{
+        {"device", one.device},
+        {"name", row["name"]},
+        {"unix", one.unix_time},
+        {"times", known ? before->second["times"].get<std::uint64_t>() + 1 : 1},
+        {"fields", row["fields"]},
+        {"changed", known ? changed_fields(row["fields"], before->second["fields"]) : Json::array()}};
+    settings_[key] = setting;
+    batch.set[key] = std::move(setting);
+}
+
+void Ticker::look_for_picture(const Passed& one, const inspect::Message& message, ByteView bytes,
+                              Batch& batch) {
+    const auto family = families_.find(one.device);
+    if (family == families_.end()) return;
+    const auto [maker, first] = makers_.try_emplace(one.device);
+    if (first) maker->second = said::maker_of(family->second);
+    if (!maker->second) return;
+    const auto picture = maker->second->take(message, bytes, one.sent);
+    if (!picture) return;
+    std::string told = view::message_of(*picture, one.device, ++pictures_[one.device], one.unix_time);
+    if (picture->levels.size() + picture->ranges.size() < large_said)
+        batch.pictures.push_back(std::move(told));
+    else
+        batch.large_pictures[one.device + "\n" + picture->name] = std::move(told);
 }
 
 }  // namespace echoloop::view

@@ -1,12 +1,15 @@
-// Bytes on the wires as named messages for the page. Opens nothing; whatever the bytes hold, it says
-// something.
+// Bytes on the wires as named messages for the page, the pictures in them, and what drivers have set. Opens
+// nothing; whatever the bytes hold, it says something.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "protocols/stream_decoder.h"
+#include "tools/said/said.h"
 #include "tools/view/feed.h"
 
 namespace echoloop::view {
@@ -16,17 +19,37 @@ class Ticker {
     /// `families`: of the messages of each device, as protocols/inspect.h calls them.
     explicit Ticker(std::map<std::string, std::string> families) : families_(std::move(families)) {}
 
-    /// {"type": "messages", "left_out": bytes, "messages": [{"n", "unix", "device", "port", "sent", "size",
-    /// "name", "reason", "fields": [[name, text, unit], ...]}],
-    /// "said": the longest array of numbers in the last message of each kind that a device sent: [{"device",
-    /// "name", "unit", "numbers"}]}; "" where there are none.
-    std::string message_of(const std::vector<Passed>& passed, std::size_t left_out);
+    struct Told {
+        /// {"type": "messages", "left_out": bytes, "messages": [{"n", "unix", "device", "port", "sent",
+        /// "size", "name", "reason", "fields": [[name, text, unit], ...]}], "said": the longest array of
+        /// numbers in the last message of each kind that a device sent: [{"device", "name", "unit",
+        /// "numbers"}], "set": as settings() tells them}; "" where there are none.
+        std::string messages;
+        std::vector<std::string> pictures;  ///< said_picture.h; of large ones the latest of each kind
+    };
+    Told take(const std::vector<Passed>& passed, std::size_t left_out);
+
+    /// {"type": "messages", "messages": [], "said": [], "set": [{"device", "name", "unix", "times", "fields",
+    /// "changed": names of the fields that differ from the message of that name before}]}: the last of each
+    /// kind of message that each driver has said.
+    std::string settings() const;
 
   private:
-    using Stream = std::pair<std::string, bool>;  ///< port of a device, and direction
+    using Json = nlohmann::ordered_json;
+    using Way = std::pair<std::string, bool>;  ///< port of a device, and direction
+
+    struct Batch;
+    void decode(const Passed& one, Batch& batch);
+    void add(const Passed& one, const inspect::Message& message, ByteView bytes, std::size_t size,
+             Batch& batch);
+    void note_setting(const Passed& one, const Json& row, Batch& batch);
+    void look_for_picture(const Passed& one, const inspect::Message& message, ByteView bytes, Batch& batch);
 
     std::map<std::string, std::string> families_;
-    std::map<Stream, std::unique_ptr<inspect::StreamDecoder>> streams_;
+    std::map<Way, std::unique_ptr<inspect::StreamDecoder>> streams_;
+    std::map<std::string, std::unique_ptr<said::Maker>> makers_;  ///< by device
+    std::map<std::string, std::uint64_t> pictures_;               ///< made so far, by device
+    std::map<std::string, Json> settings_;                        ///< by device and message
     std::uint64_t count_ = 0;
 };
 

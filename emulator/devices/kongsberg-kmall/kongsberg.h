@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "emulator/contract/last_measured.h"
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/kongsberg-kmall/messages.h"
 #include "emulator/devices/kongsberg-kmall/texts.h"
@@ -59,6 +60,7 @@ class Kongsberg final : public Device {
     Time next_texts_ = Time::max();
     /// Real rates are 23.96 to 24.18 Hz, so that intervals differ by 0.4 ms.
     PingPacer pacer_{settings_.sensors, {std::chrono::microseconds(10), 19}};
+    LastMeasured probe_;
     Time sent_until_{};  ///< what is under way to the readers of datagrams
     Actions actions_;
     DeviceCounters counters_;

@@ -1,22 +1,11 @@
 #include "emulator/devices/micron-echosounder/echosounder.h"
 
-#include <cstdio>
 #include <utility>
 
-#include "protocols/nmea/sentences.h"
+#include "emulator/devices/family/tritech/padbt.h"
 
 namespace echoloop::micron_echosounder {
 namespace {
-
-constexpr double metres_per_foot = 0.3048, feet_per_fathom = 6;
-
-std::string padbt(double metres) {
-    const double feet = metres / metres_per_foot;
-    char body[96];
-    std::snprintf(body, sizeof body, "PADBT,%06.2f,f,%06.2f,M,%06.2f,F", feet, metres,
-                  feet / feet_per_fathom);
-    return nmea::sentence(body);
-}
 
 std::vector<std::string> lines(const Settings& settings, std::optional<double> depth) {
     const std::string line = reading(settings, depth);
@@ -29,7 +18,7 @@ std::string reading(const Settings& settings, std::optional<double> depth) {
     if (!depth && settings.no_echo == NoEcho::silent) return {};
     const double without = settings.no_echo == NoEcho::maximum ? settings.sounding.range : 0;
     const double metres = depth.value_or(without);
-    return settings.format ? altimeter::write_line({*settings.format, metres}) : padbt(metres);
+    return settings.format ? altimeter::write_line({*settings.format, metres}) : tritech::padbt(metres);
 }
 
 Echosounder::Echosounder(const Settings& settings, std::vector<echosounder::Wiring> wiring)

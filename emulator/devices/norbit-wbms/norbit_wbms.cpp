@@ -110,7 +110,9 @@ Actions NorbitWbms::heard(const Echogram& echogram, Time now) {
     if (!expected) return take_actions();
     pacer_.end(now, {});
     ++counters_.pings;
-    settings_.sound_speed = echogram.sound_speed;  // of the head's own sensor, where it is now
+    // Of the head's own sensor, where it was when it last measured.
+    settings_.sound_speed =
+        probe_.of(echogram.sound_speed, settings_.sensors, stray::sound_speed, ping_.since_start);
     if (ping_.controls.mode != 0)
         send(bathymetry_port, bathymetry_packet(ping_, settings_, echogram, time_stamp(now)));
     if (takes_image()) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "emulator/contract/last_measured.h"
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/norbit-wbms/packets.h"
 
@@ -53,7 +54,8 @@ class NorbitWbms final : public Device {
     std::map<Address, Commander> commanders_;
     std::set<Address> viewers_;  ///< hosts on the water column
     PingRecord ping_;            ///< the ping under way, or the last one
-    double digital_gain_ = 0;    ///< dB, of the next ping
+    LastMeasured probe_;
+    double digital_gain_ = 0;  ///< dB, of the next ping
     PingPacer pacer_{settings_.sensors, jitter::gate_array};
     std::optional<Time> last_image_;  ///< when its ping was due, at the rate of water columns
     Actions actions_;

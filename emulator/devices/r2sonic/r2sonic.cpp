@@ -141,7 +141,9 @@ Actions R2Sonic::heard(const Echogram& echogram, Time now) {
         return take_actions();
     pacer_.end(now, {});
     ++counters_.pings;
-    settings_.sound_speed = echogram.sound_speed;  // of the head's own sensor, where it is now
+    // Of the head's own sensor, where it was when it last measured.
+    settings_.sound_speed =
+        probe_.of(echogram.sound_speed, settings_.sensors, stray::sound_speed, ping_.since_start);
     attitude_ = attitude_of(echogram.world_from_sonar);
     const double c = working_sound_speed(ping_.controls, settings_);
     const double window = static_cast<double>(echogram.shot.bins) * echogram.shot.bin_interval;
@@ -180,7 +182,8 @@ void R2Sonic::follow_bottom(const std::vector<multibeam::Detection>& detections)
     if (std::abs(range - in_use) > 0.05 * in_use) followed_range_ = std::clamp(range, 2.0, 1200.0);
 }
 
-/// Spread over time, since receivers lose bursts, but never beyond the next ping.
+/// Spread over time, since receivers lose bursts, but never beyond the next ping, and behind those of the
+/// last one: readers drop parts of a ping that come behind another ping's head.
 void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibeam::Detection>& detections,
                             const std::vector<multibeam::TimeGate>& gates, Time now) {
     const std::size_t first = actions_.send.size();
@@ -196,7 +199,8 @@ void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibea
     const auto datagrams = std::span(actions_.send).subspan(first);
     const Time end = now + from_seconds(0.8 * ping_period(ping_.controls, settings_));
     // Those of a millisecond leave together, so that the processor is not woken for each.
-    spread(datagrams, now, from_seconds(settings_.datagram_gap), end, std::chrono::milliseconds(1));
+    products_until_ = spread(datagrams, std::max(now, products_until_), from_seconds(settings_.datagram_gap),
+                             end, std::chrono::milliseconds(1));
     datagrams_sent_ += static_cast<std::uint32_t>(datagrams.size());
 }
 

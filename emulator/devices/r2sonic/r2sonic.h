@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "emulator/contract/last_measured.h"
 #include "emulator/contract/model.h"
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/r2sonic/network.h"
@@ -56,8 +57,10 @@ class R2Sonic final : public Device {
     PingPacer pacer_{settings_.sensors, {Time(10), 13}};
     bool ping_asked_ = false;  ///< PNG0 came
     Time transmitted_{};       ///< when ping_ was
+    Time products_until_{};    ///< when the datagrams of the last ping are out
     Attitude attitude_;        ///< of the last ping
-    Seabed seabed_;            ///< for automatic gates
+    LastMeasured probe_;
+    Seabed seabed_;  ///< for automatic gates
     std::uint32_t datagrams_received_ = 0, datagrams_sent_ = 0;
     Time next_presence_ = Time::max();
     Time next_status_ = Time::max();

@@ -243,9 +243,12 @@ void Reson7k::send(const reson7k::Message& message, const reson7k::RecordFrame& 
     send_record(reson7k::encode(message, frame), to);
 }
 
+/// An answer by UDP waits for the datagrams that are under way: readers drop a record whose packets another
+/// one parts.
 void Reson7k::send_record(ByteView record, const Peer& to) {
+    const Time when = to.port == datagram_port ? datagrams_until_ : Time{};
     auto packets = reson7k::packets_of(record, ++transmission_, settings_.device);
-    for (Bytes& packet : packets) actions_.send.push_back({to.port, std::move(packet), to.address, {}});
+    for (Bytes& packet : packets) actions_.send.push_back({to.port, std::move(packet), to.address, when});
 }
 
 Actions Reson7k::woken(Time now) {

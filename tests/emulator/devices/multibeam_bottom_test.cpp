@@ -80,6 +80,29 @@ TEST(MultibeamDetection, IsNotTakenInByTheWaterBeforeTheArray) {
     EXPECT_EQ(found(detect(with_water(empty_sea(shot, {})))), 0) << "water alone is no bottom";
 }
 
+/// One beam's speckle leaves next to nothing of its bottom, less than side lobes could bring; and all beams
+/// hear the bottom before and behind the boat a little later, by way of the fan's side lobes.
+Echogram with_hole(Echogram e, std::size_t hole) {
+    const auto first = static_cast<std::size_t>(15 / 750.0 / e.shot.bin_interval) - 2;
+    for (std::size_t beam = 0; beam < e.beams(); ++beam)
+        for (std::size_t bin = first; bin < first + 60; ++bin) {
+            float& value = e.values[beam * e.shot.bins + bin];
+            if (beam == hole && bin < first + 10) value *= 0.005F;
+            if (bin > first + 34) value += 3000;
+        }
+    return e;
+}
+
+TEST(MultibeamDetection, FindsTheBottomInAHoleOfTheSpeckle) {
+    const Shot shot = wide_fan(45);
+    for (const std::size_t hole : {100U, 123U, 131U}) {
+        const auto all = detect(with_hole(bottom_echo(shot, flat(15), {.speckle = false}), hole));
+        const double truth = 15 / std::cos(shot.bearings[hole]);
+        ASSERT_TRUE(all[hole].found()) << rad_to_deg(shot.bearings[hole]);
+        EXPECT_NEAR(slant(all[hole]), truth, 0.005 * truth) << rad_to_deg(shot.bearings[hole]);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Shapes, MultibeamFloor,
                          testing::Values(Floor{"flat", flat(15)}, Floor{"slope", sloping(15, deg_to_rad(15))},
                                          Floor{"slope to port", sloping(12, deg_to_rad(-20))}),

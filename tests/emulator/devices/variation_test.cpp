@@ -6,6 +6,7 @@
 #include <cstring>
 #include <set>
 
+#include "protocols/inspect.h"
 #include "tests/emulator/devices/cerulean_bench.h"
 
 namespace echoloop::test {
@@ -75,6 +76,40 @@ INSTANTIATE_TEST_SUITE_P(All, Variation, testing::ValuesIn(names()), [](const au
         if (c == '-') c = '_';
     return name;
 });
+
+/// The sound speeds that it tells within 1.9 s, while the true one rises with every ping, as where a boat
+/// heaves.
+std::vector<double> told_speeds(const std::string& name, const std::string& field, bool varies) {
+    const Model& model = *find_model(name);
+    Bench bench(model.make(unit(model, 7, varies)));
+    const auto ports = bench.device().ports();
+    for (std::size_t port = 0; port < ports.size(); ++port)
+        if (ports[port].kind == Port::Kind::stream) bench.connect(port, host);
+    std::vector<double> told;
+    for (double speed = 1480; bench.now < 1900ms; speed += 0.3) {
+        while (!bench.ping) bench.run_to(std::max(bench.wake, bench.now + 1us));
+        Echogram echo = echo_of(bench.ping->shot, 300, 1e14F);
+        echo.sound_speed = speed;
+        bench.hear(echo);
+        for (const Send& send : bench.sent())
+            for (const auto& message : inspect::find_family(model.family)->decode(send.bytes))
+                for (const auto& one : message.fields)
+                    if (one.name == field) told.push_back(*one.number);
+    }
+    return told;
+}
+
+TEST(Variation, AProbeTellsItsLastValueUntilItMeasuresAgain) {
+    for (const auto& [name, field] :
+         {std::pair{"kongsberg-kmall", "ping.sound_speed"}, std::pair{"r2sonic-2026", "h0.sound_speed"}}) {
+        const auto told = told_speeds(name, field, true), exact = told_speeds(name, field, false);
+        ASSERT_GT(exact.size(), 10U) << name;
+        const std::set<double> values(told.begin(), told.end()), all(exact.begin(), exact.end());
+        EXPECT_GE(values.size(), 2U) << name;
+        EXPECT_LE(values.size(), 6U) << name << ": 1 Hz or 2 Hz, and a ping before the first";
+        EXPECT_GE(all.size() + 1, exact.size()) << name << ": each ping its own";
+    }
+}
 
 /// Temperatures of the status, degC, at bytes 70 to 133: eight converters of their own.
 TEST(Variation, EachThermometerOfAnOculusDrifts) {

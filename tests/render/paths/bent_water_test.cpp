@@ -1,5 +1,5 @@
-// What else bends with the rays: what is culled, patches, what the water sends back, ways by walls; against
-// rays of their own. And by how much ways are off that do not.
+// What else bends with the rays: what is culled, patches, what the water sends back, ways by walls and by the
+// surface; against rays of their own.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -208,18 +208,17 @@ TEST(BentWater, TheWindIsHeardWhereRaysRiseToTheSurface) {
     EXPECT_GT(test::total_power(water_of({}, {}, windy, 4)), 0) << "a straight ray does, at 72 m";
 }
 
-struct Ways {
-    std::vector<TargetEcho> all;
-};
-
-Ways ways_to(Vec3 target, const Mesh& mirror, const RayTable& rays) {
-    const PointTarget point{"target", target, 0};
-    const auto scene = Scene::from_meshes(std::span(&mirror, 1), std::span(&point, 1));
-    Shot shot = test::wide_beam(100, 100);
+PathEchoes echoes_of(const std::shared_ptr<const Scene>& scene, const RayTable& rays, const Shot& shot) {
     PathTracer tracer(scene, WaterSurface{0, 0}, test::without({Effect::noise}));
     PathEchoes echoes;
     tracer.trace(shot, Pose{{0, 0, -rays.depth()}, {}}, rays.speed(), 0, rays.range(), echoes, {}, {}, &rays);
-    return {echoes.targets};
+    return echoes;
+}
+
+std::vector<TargetEcho> ways_to(Vec3 target, const Mesh& mirror, const RayTable& rays) {
+    const PointTarget point{"target", target, 0};
+    const auto scene = Scene::from_meshes(std::span(&mirror, 1), std::span(&point, 1));
+    return echoes_of(scene, rays, test::wide_beam(100, 100)).targets;
 }
 
 // By a wall at x 40 to a target at x 10, or straight to its image at 70 m, where a ray from 15 m depth sinks.
@@ -231,7 +230,7 @@ TEST(BentWater, WaysByWallsGoToBentImages) {
     const double length = 70 * (1 + image.stretch), up = rad_to_deg(image.turn);
     ASSERT_GT(up, 3);
     bool found = false;
-    for (const TargetEcho& e : ways.all) {
+    for (const TargetEcho& e : ways) {
         if (e.bounces != 2) continue;
         found |= std::abs(double{e.range} - length) < 0.01 &&
                  std::abs(rad_to_deg(double{e.elevation}) - up) < 0.05;
@@ -260,20 +259,50 @@ std::pair<double, double> by_surface(const Profile& profile, double depth, doubl
     return {(low + high) / 2, time * sound_speed_at(profile, depth)};
 }
 
-// By how much ways by the surface are off, which are straight but for their times: render/README.md tells it.
-TEST(BentWater, WaysByTheSurfaceTakeTheirTimeAndAreSeenAlongStraightLegs) {
-    const RayTable rays(thermocline, 2, 300, true);
+// Straight rays would be 0.29, 0.90 and 1.53 deg too steep for the first three.
+TEST(BentWater, WaysByTheSurfaceTakeTheirTimeAndBend) {
+    const struct {
+        const Profile& profile;
+        double depth, x, to;
+    } rows[] = {{thermocline, 2, 30, 100},   {thermocline, 2, 95, 100}, {thermocline, 2, 160, 100},
+                {thermocline, 12.2, 95, 60}, {thermocline, 14, 120, 8}, {downward, 5.3, 40, 9},
+                {downward, 20, 60, 4}};
     const Mesh nothing = test::dull(test::floor_at(-900, 1));
-    const struct { double x, off_deg; } rows[] = {{30, 0.29}, {95, 0.90}, {160, 1.53}};
     for (const auto& row : rows) {
-        const auto [launch, length] = by_surface(thermocline, 2, row.x, 100);
-        const double straight = rad_to_deg(std::atan2(102, row.x));
-        EXPECT_NEAR(straight - rad_to_deg(launch), row.off_deg, 0.02) << row.x;
+        const auto [launch, length] = by_surface(row.profile, row.depth, row.x, row.to);
+        const RayTable rays(row.profile, row.depth, 300, true);
         bool found = false;
-        for (const TargetEcho& e : ways_to({row.x, 0, -100}, nothing, rays).all)
-            found |= e.bounces == 2 && std::abs(e.range / length - 1) < 1e-4;
-        EXPECT_TRUE(found) << row.x << " m, " << length;
+        for (const TargetEcho& e : ways_to({row.x, 0, -row.to}, nothing, rays)) {
+            if (e.bounces != 2) continue;
+            found = true;
+            EXPECT_NEAR(rad_to_deg(e.elevation), rad_to_deg(launch), 0.1) << row.depth << " m, " << row.x;
+            EXPECT_NEAR(e.range / length, 1, 4e-4) << row.depth << " m, " << row.x;
+        }
+        EXPECT_TRUE(found) << row.depth << " m, " << row.x << " m, " << length;
     }
+}
+
+// A strip of the bottom 100 m below the surface and 158 to 162 m off, by way of the surface: rows of a degree
+// hear it where rays come from it.
+TEST(BentWater, DiffuseEchoesByTheSurfaceBendToo) {
+    const auto scene = scene_of({test::dull(
+        test::quad("strip", {158, -60, -100}, {162, -60, -100}, {162, 60, -100}, {158, 60, -100}))});
+    const auto [launch, length] = by_surface(thermocline, 2, 160, 100);
+    const RayTable rays(thermocline, 2, 300, true);
+    Shot shot = test::fan(20, 2, 10, 1000, 300, 1515);
+    for (double row = 20; row <= 44; row += 1) shot.elevations.push_back(deg_to_rad(row));
+    shot.horizontal = shot.vertical = {ApertureShape::line, 2};
+    double sum = 0, moment = 0, range = 0;
+    for (shot.ping = 0; shot.ping < 8; ++shot.ping)
+        for (const PathEcho& e : echoes_of(scene, rays, shot).diffuse) {
+            if (!(e.elevation > 0) || std::abs(e.bearing) > 0.1F) continue;
+            const double power{e.power};
+            sum += power, moment += power * double{e.elevation};
+            range += power * double{e.near_range + e.far_range} / 2;
+        }
+    ASSERT_GT(sum, 0);
+    EXPECT_NEAR(rad_to_deg(moment / sum), rad_to_deg(launch), 0.2);
+    EXPECT_NEAR(range / sum, length, 2);
 }
 
 }  // namespace

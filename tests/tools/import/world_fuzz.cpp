@@ -56,7 +56,7 @@ void convert(const Folder& folder, bool all) {
     World world;
     Report report;
     Stage stage;
-    add_sdf(sources, paths, choices, world, report, stage);
+    add_sdf(sources, paths, choices, world, report, stage, [](std::size_t, std::size_t) {});
     std::ostringstream out;
     try {
         write_glb(world, out);

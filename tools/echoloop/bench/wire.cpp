@@ -22,7 +22,8 @@ double thread_ms() {
     return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
 }
 
-/// Noise of 90 dB that fluctuates, and over it, three quarters of the way out, a bottom of 140 dB.
+/// Noise of 90 dB that fluctuates, and over it a level bottom of 140 dB, three quarters of the way out in the
+/// outermost beams. At one range in all beams it would be a ring, which no detection believes at once.
 Echogram made_up(const Shot& shot) {
     Echogram echogram;
     echogram.shot = shot;
@@ -35,9 +36,14 @@ Echogram made_up(const Shot& shot) {
         state = state * 1664525U + 1013904223U;
         value = 1e9F * static_cast<float>((state >> 8) + 1) * 0x1p-23F;
     }
-    const std::size_t bottom = shot.bins * 3 / 4, last = std::min(shot.bins, bottom + 8);
-    for (std::size_t beam = 0; beam < shot.beams(); ++beam)
-        for (std::size_t bin = bottom; bin < last; ++bin) echogram.values[beam * shot.bins + bin] += 1e14F;
+    const double outermost = std::min(deg_to_rad(80), std::max(-shot.bearings.front(), shot.bearings.back()));
+    for (std::size_t beam = 0; beam < shot.beams(); ++beam) {
+        const double angle = std::abs(shot.bearings[beam % shot.bearings.size()]);
+        const double part = 0.75 * std::cos(outermost) / std::cos(std::min(angle, outermost));
+        const auto bottom = static_cast<std::size_t>(part * static_cast<double>(shot.bins));
+        for (std::size_t bin = bottom; bin < std::min(shot.bins, bottom + 8); ++bin)
+            echogram.values[beam * shot.bins + bin] += 1e14F;
+    }
     return echogram;
 }
 

@@ -1,28 +1,15 @@
 // .aris: a header, then frames put together from their parts, each with its header and its samples range
 // after range.
-#include <algorithm>
-
 #include "protocols/aris/beams.h"
 #include "protocols/aris/codec.h"
+#include "protocols/aris/frames.h"
 #include "protocols/wire/write.h"
 #include "tools/echoloop/convert/recording.h"
 
 namespace echoloop::convert {
 namespace {
 
-constexpr std::size_t header_on_disk = 1024, most_frame_bytes = std::size_t{4} << 20;
-
-/// Samples in the sonar's order come ping by ping, each range by range, 16 channels at a time.
-Bytes range_after_range(ByteView samples, const aris::PingMode& mode) {
-    Bytes image(samples.size());
-    const std::size_t ranges = samples.size() / mode.beams;
-    std::size_t at = 0;
-    for (std::size_t ping = 0; ping < mode.pings; ++ping)
-        for (std::size_t range = 0; range < ranges; ++range)
-            for (const std::size_t channel : aris::channel_map)
-                image[range * mode.beams + ping + channel * mode.pings] = samples[at++];
-    return image;
-}
+constexpr std::size_t header_on_disk = 1024;
 
 class Aris final : public Recording {
   public:
@@ -34,7 +21,7 @@ class Aris final : public Recording {
     }
 
     void begin(std::ostream& out) override {
-        reset();
+        joiner_ = {};
         Bytes header(header_on_disk);
         const auto set = [&header](std::size_t at, auto value) {
             wire::store<wire::ByteOrder::little>(value, header.data() + at);
@@ -59,19 +46,20 @@ class Aris final : public Recording {
 
     void add(const Heard& heard, std::ostream& out) override {
         for_frame(heard, [&](aris::FrameHeader header, ByteView samples) {
-            const aris::PingMode& mode = *aris::find_ping_mode(header.ping_mode);
-            const bool in_order = header.reordered != 0;
             header.index = static_cast<std::uint32_t>(count_);
             header.reordered = 1;
             Bytes bytes = aris::encode(header);
             bytes.resize(header_on_disk);
             put(out, bytes);
-            put(out, in_order ? Bytes(samples.begin(), samples.end()) : range_after_range(samples, mode));
+            put(out, samples);
             ++count_;
         });
     }
 
-    void end(std::ostream&) override { drop(); }
+    void end(std::ostream&) override {
+        joiner_.drop();
+        lost_ = joiner_.lost();
+    }
 
   private:
     /// Calls `each` with a frame that this part completes.
@@ -79,39 +67,13 @@ class Aris final : public Recording {
     void for_frame(const Heard& heard, Each each) {
         const auto part = aris::parse_frame_part(heard.bytes);
         if (heard.name != "FramePart" || !part) return;
-        if (part->data_offset == 0) {
-            drop();
-            const auto header = aris::parse_frame_header(part->header);
-            const auto* mode = header ? aris::find_ping_mode(header->ping_mode) : nullptr;
-            if (mode == nullptr || part->total_data_size > most_frame_bytes ||
-                part->total_data_size != mode->beams * std::size_t{header->samples})
-                return;
-            header_ = *header;
-            number_ = part->frame_index;
-        } else if (part->frame_index != number_ || part->data_offset != data_.size() || data_.empty()) {
-            return drop();
-        }
-        data_.insert(data_.end(), part->data.begin(), part->data.end());
-        if (data_.size() < part->total_data_size) return;
-        if (data_.size() == part->total_data_size) each(header_, data_);
-        data_.clear();
+        if (const auto frame = joiner_.add(*part)) each(frame->header, ByteView(frame->samples));
     }
 
-    void drop() {
-        lost_ += data_.empty() ? 0 : 1;
-        data_.clear();
-    }
-
-    /// Between the two readings.
-    void reset() {
-        data_.clear();
-        lost_ = 0;
-    }
-
-    aris::FrameHeader first_, header_;
-    std::uint32_t frames_ = 0, number_ = 0;
+    aris::FrameJoiner joiner_;
+    aris::FrameHeader first_;
+    std::uint32_t frames_ = 0;
     std::uint64_t bytes_ = 0;
-    Bytes data_;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "emulator/scenario/value.h"
 #include "tools/capture/open.h"
 #include "tools/capture/ports.h"
+#include "tools/echoloop/watched_capture.h"
 
 namespace echoloop::convert {
 namespace {
@@ -21,7 +22,8 @@ std::map<PortKey, bool> chosen_ports(const Source& source) {
     if (source.file == "-")
         throw StartError(Exit::usage, "the capture is read twice; save standard input to a file");
     capture::Input input(source.file);
-    const auto found = capture::survey(*capture::open_capture(input, {.as_sent = true}));
+    cli::WatchedCapture watched(input, capture::open_capture(input, {.as_sent = true}));
+    const auto found = capture::survey(watched);
     std::map<PortKey, bool> ports;
     const capture::PortFilter filter(source.line);
     for (const auto& port : found.ports) {
@@ -42,7 +44,8 @@ using Each = std::function<void(const PortKey&, const Heard&)>;
 std::vector<std::string> for_messages(const Source& source, const inspect::Family& family,
                                       const std::map<PortKey, bool>& ports, const Each& each) {
     capture::Input input(source.file);
-    const auto file = capture::open_capture(input, {.as_sent = true});
+    const auto file =
+        std::make_unique<cli::WatchedCapture>(input, capture::open_capture(input, {.as_sent = true}));
     std::map<PortKey, replay::MessageReader> readers;
     double last = 0;
     while (const auto event = file->next()) {

@@ -47,7 +47,7 @@ struct Row {
 
 std::vector<std::string> for_rows(const Source& source, const std::function<void(const Row&)>& each) {
     capture::Input input(source.file);
-    const auto file = capture::open_capture(input);
+    const auto file = std::make_unique<cli::WatchedCapture>(input, capture::open_capture(input));
     std::optional<double> start;
     capture::MessageSorter messages(nullptr, [&](const auto& origin, const auto& message) {
         const bool wanted = source.message.empty() || source.message == message.name;

@@ -93,12 +93,12 @@ Bytes sounder_command() {
     return imagenex::encode(imagenex::Message(command));
 }
 
-std::vector<std::vector<double>> our_852(std::size_t shots) {
+std::vector<std::vector<double>> our_852(std::size_t shots, std::shared_ptr<const Scene> scene) {
     Setup setup;
     setup.model = "imagenex-852";
     setup.asks = {sounder_command()};
     setup.water = water_of(1500);
-    setup.scene = scene_of({floor_at(-8.3, 200)});
+    setup.scene = std::move(scene);
     setup.pose = [](double t) {  // a boat that heaves
         return Pose{{0.2 * t, 0, 0.9 * std::sin(t * 1.46)}, {std::sqrt(0.5), 0, std::sqrt(0.5), 0}};
     };
@@ -159,7 +159,11 @@ void check_oculus(Findings& find) {
     find.within("noise, two beams apart", "", 0.10, 0.1, likeness(noise_texture, 0, 2));
     find.within("noise, three beams apart", "", 0.01, 0.1, likeness(noise_texture, 0, 3));
     find.within("noise, correlation of neighbouring rows", "", 0.04, 0.1, likeness(noise_texture, 1, 0));
-    find.source("the same ping, rows 260-419; here a flat floor", Kind::recording);
+    find.source(
+        "the same ping, rows 260-419; here a flat floor, whose rows are alike as the receiver's band makes "
+        "them; the "
+        "tank's own shapes, which leave 0.09 over two rows there, are not in it",
+        Kind::recording);
     find.within("lit echo, coefficient of variation", "", 0.316, 0.0316,
                 std::sqrt(moments(lit_texture.words).variance) / moments(lit.words).mean);
     find.within("lit echo, correlation of neighbouring beams", "", 0.62, 0.1, likeness(lit_texture, 0, 1));
@@ -191,9 +195,10 @@ void check_oculus(Findings& find) {
 
 void check_852(Findings& find) {
     find.aims();
-    const auto ours = our_852(100);
-    const auto noise = bins_of(ours, 420, 500);
-    find.source("177 shots over 50 m, 12 dB, 4 us: bins 420-499", Kind::recording);
+    const auto ours = our_852(100, scene_of({floor_at(-8.3, 200)}));
+    // A flat floor comes back to there by way of the surface, five times and more; the lake's did not.
+    const auto noise = bins_of(our_852(100, scene_of({})), 420, 500);
+    find.source("177 shots over 50 m, 12 dB, 4 us: bins 420-499; here open water", Kind::recording);
     find.within("noise, coefficient of variation", "", 0.385, 0.0385, variation(noise));
     find.within("noise, skewness", "", 0.74, 0.1, moments(noise).skewness);
     find.source("the same shots", Kind::recording);

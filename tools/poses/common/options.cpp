@@ -78,12 +78,15 @@ CLI::Option* add_arguments(CLI::App& app, const Program& program, Words& words, 
     if (program.transforms)
         app.add_option("--world", options.world, "root frame of transforms (default " + options.world + ")")
             ->type_name("FRAME");
-    if (!program.server) return zero;
-    options.server = "ws://127.0.0.1:9090";
-    app.add_option("--server", options.server, "rosbridge's address (default " + options.server + ")")
-        ->type_name("URL");
-    repeated(app.add_option("--type", words.types, "type of a topic that nobody publishes yet; repeatable")
-                 ->type_name("TOPIC=TYPE"));
+    if (program.server) {
+        options.server = "ws://127.0.0.1:9090";
+        app.add_option("--server", options.server, "rosbridge's address (default " + options.server + ")")
+            ->type_name("URL");
+    }
+    if (program.types)
+        repeated(
+            app.add_option("--type", words.types, "type of a topic that nobody publishes yet; repeatable")
+                ->type_name("TOPIC=TYPE"));
     return zero;
 }
 

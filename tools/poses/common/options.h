@@ -20,7 +20,7 @@ struct Options {
     std::string answer;               ///< topic that is told of each step's end; empty: none
     std::string world = "map";        ///< root frame of transforms
     std::string server;               ///< rosbridge only: ws://host:port/path
-    std::vector<std::pair<std::string, std::string>> types;  ///< rosbridge only: of topics
+    std::vector<std::pair<std::string, std::string>> types;  ///< of topics
 };
 
 /// What differs among the programs.
@@ -28,7 +28,8 @@ struct Program {
     std::string name, purpose, examples;
     std::string clock_help;
     bool transforms = false;  ///< takes --world
-    bool server = false;      ///< takes --server and --type
+    bool server = false;      ///< takes --server
+    bool types = false;       ///< takes --type
 };
 
 /// Throws StartError (usage) with a remedy. Empty if help or version was asked for and has been printed.

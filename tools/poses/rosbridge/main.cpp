@@ -5,10 +5,10 @@
 #include <thread>
 #include <utility>
 
-#include "tools/poses/common/frames.h"
 #include "tools/poses/common/program.h"
 #include "tools/poses/common/say.h"
 #include "tools/poses/common/stop.h"
+#include "tools/poses/common/transforms.h"
 #include "tools/poses/rosbridge/connection.h"
 #include "tools/poses/rosbridge/messages.h"
 
@@ -26,6 +26,7 @@ const Program program{
     "more.",
     "with --step: topic of simulated time (/clock), which steps in place of the poses",
     true,
+    true,
     true};
 
 using Steady = std::chrono::steady_clock;
@@ -33,7 +34,7 @@ using Steady = std::chrono::steady_clock;
 class Listener {
   public:
     Listener(const Options& options, Feed& feed)
-        : options_(options), feed_(feed), frames_(options.world), topics_(topics_of(options)) {
+        : options_(options), feed_(feed), transforms_(options, feed), topics_(topics_of(options)) {
         for (const auto& topic : topics_of(options))
             if (topic == "/tf" || topic == "tf" || topic.ends_with("/tf"))
                 topics_.push_back(topic + "_static");
@@ -62,9 +63,7 @@ class Listener {
                                  harmless(said.reason));
         if (said.clock && said.topic == options_.clock) return feed_.clock(*said.clock);
         if (!said.transforms) return feed_.heard(said.topic, said.bodies);
-        frames_.add(said.bodies, said.topic.ends_with("_static"));
-        for (const auto& source : options_.sources)
-            if (source.topic == said.topic) look_up(source);
+        transforms_.heard(said.topic, said.bodies);
     }
 
   private:
@@ -74,22 +73,11 @@ class Listener {
         return known == options_.types.end() ? "" : known->second;
     }
 
-    void look_up(const Source& source) {
-        if (source.entry.empty())
-            return feed_.refused(source.topic,
-                                 "say which frame is the body, as in " + source.topic + "#base_link");
-        std::string why;
-        if (const auto body = frames_.newest(source.entry, why)) return feed_.heard(source, *body);
-        if (!why.empty() && said_.insert(source.entry).second)
-            say(source.topic + ": " + harmless(why) + "; waiting for it, --world names the root");
-    }
-
     const Options& options_;
     Feed& feed_;
-    Frames frames_;
+    Transforms transforms_;
     std::vector<std::string> topics_;
     std::set<std::string> silent_;  ///< topics that nothing has come from since the connection was made
-    std::set<std::string> said_;    ///< frames that were waited for
     Steady::time_point since_{};
 };
 

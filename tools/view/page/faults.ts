@@ -1,11 +1,31 @@
 // Faults on command: a button for each kind, where the run lets the page ask.
-import type { Hello } from "./news";
+import type { Answer, DeviceStatus, Hello } from "./news";
 
 const element = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 
 export class Faults {
+  private readonly counts = new Map<string, number>();
+
   constructor(private readonly ask: (line: object) => void) {
     element("fault-clear").onclick = () => this.ask({ clear: "all" });
+  }
+
+  /** "fault: loss of micron, 3 times", of those that were made since the last call. */
+  made(devices: DeviceStatus[]): string[] {
+    const all: string[] = [];
+    for (const { name, faults } of devices)
+      for (const [kind, count] of Object.entries(faults)) {
+        const key = name + "\n" + kind;
+        const before = this.counts.get(key) ?? 0;
+        this.counts.set(key, count);
+        if (count > before) all.push(`fault: ${kind.replace(/_/g, " ")} at ${name}, ${count - before} times`);
+      }
+    return all;
+  }
+
+  private tellActive(faults: NonNullable<Answer["faults"]>): void {
+    const on = faults.filter((fault) => fault.on).map(({ device, kind, made }) => `${kind.replace(/_/g, " ")} at ${device}, made ${made} times`);
+    element("fault-active").textContent = on.length === 0 ? "none is on" : "on: " + on.join("; ");
   }
 
   offer({ control, devices, faults }: Hello): void {
@@ -32,7 +52,8 @@ export class Faults {
     );
   }
 
-  answer(answer: { ok: boolean; error?: string; cleared?: number; id?: number }): void {
+  answer(answer: Answer): void {
+    if (answer.faults !== undefined) return this.tellActive(answer.faults);
     const told = element("fault-answer");
     told.classList.toggle("bad", !answer.ok);
     told.textContent = answer.ok ? (answer.cleared === undefined ? `fault ${answer.id} is on` : `${answer.cleared} ended`) : answer.error ?? "";

@@ -1,24 +1,32 @@
 // The page of a run: takes the news and hands them to its parts.
-import { Card, type Look } from "./card";
+import { Card } from "./card";
 import { Devices } from "./devices";
 import { Faults } from "./faults";
-import { headOf, pingOf, type Hello, type News, type SceneNews } from "./news";
+import { History } from "./history";
+import { headOf, pingOf, type Answer, type Hello, type News, type Ping, type SceneNews } from "./news";
+import type { Look } from "./overlay";
 import { paletteOf } from "./palette";
 import { SceneView } from "./scene";
+import { Settings } from "./settings";
+import { saveCanvas } from "./snapshot";
 import { Wire } from "./wire";
 
 const element = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 const token = location.hash.slice(1);
 const cards = new Map<string, Card>();
-const known = new Map<string, Hello["devices"][number]>();
 const scene = new SceneView(element<HTMLCanvasElement>("scene"), element<HTMLSelectElement>("camera"));
 const wire = new Wire(element("wire"), element<HTMLInputElement>("filter"), element<HTMLButtonElement>("pause-wire"));
-const devices = new Devices(element<HTMLTableElement>("devices"));
+const devices = new Devices(element<HTMLTableElement>("devices"), element<HTMLTableElement>("lines"));
+const settings = new Settings(element<HTMLTableElement>("settings"));
+const history = new History();
 const faults = new Faults((line) => ask(line));
 const look: Look = { palette: paletteOf("copper"), span: 60 };
+const time = element<HTMLInputElement>("time");
+let about: Hello | null = null;
 let objects: string[] = [];
 let socket: WebSocket | null = null;
 let paused = false;
+let recording = "";
 let redraw = false;
 
 function state(text: string, live: boolean): void {
@@ -29,7 +37,15 @@ function state(text: string, live: boolean): void {
 function cardOf(device: string): Card {
   let card = cards.get(device);
   if (card === undefined) {
-    card = new Card(device, known.get(device)?.title ?? "", known.get(device)?.places ?? [], () => objects);
+    const known = about?.devices.find(({ name }) => name === device);
+    card = new Card({
+      device,
+      title: known?.title ?? "",
+      places: known?.places ?? [],
+      waterfall: known?.model === "omniscan450",
+      captured: about?.captured ?? false,
+      objects: () => objects,
+    });
     cards.set(device, card);
     element("cards").append(card.element);
   }
@@ -40,15 +56,23 @@ function ask(line: object): void {
   socket?.send(JSON.stringify({ ask: line, id: Date.now() }));
 }
 
+/** A run begins for this page, perhaps another than before. */
 function hello(news: Hello): void {
+  about = news;
   element("what").textContent = `${news.scenario} · ${news.version}`;
   document.title = `echoloop · ${news.scenario}`;
-  for (const device of news.devices) {
-    known.set(device.name, device);
-    cardOf(device.name);
-  }
+  for (const card of cards.values()) card.element.remove();
+  cards.clear();
+  history.clear();
+  wire.reset();
+  settings.reset();
+  scene.reset();
+  setRecording("");
+  if (!news.captured) for (const device of news.devices) cardOf(device.name);
+  element("scene-panel").hidden = element("device-table").hidden = news.captured;
+  element("record").hidden = !news.record;
   faults.offer(news);
-  void loadScene();
+  if (!news.captured) void loadScene();
 }
 
 async function loadScene(): Promise<void> {
@@ -60,35 +84,106 @@ async function loadScene(): Promise<void> {
   scene.load(head, new Float32Array(buffer.slice(rest)));
 }
 
-function take(news: News): void {
+/** What can be seen again, now or later. */
+function show(news: News | Ping): void {
+  if (news.type === "ping" || news.type === "said") {
+    if (news.type === "ping") scene.take(news);
+    cardOf(news.device).take(news);
+  } else if (news.type === "messages") {
+    for (const said of news.said) if (about !== null && !about.captured) cardOf(said.device).hear(said);
+    wire.take(news.messages, news.left_out);
+  }
+}
+
+function take(news: News | Ping, size: number): void {
   switch (news.type) {
     case "hello":
       return hello(news);
-    case "ping":
-      scene.take(news);
-      if (!paused) cardOf(news.device).take(news);
-      return;
-    case "messages":
-      if (!paused) for (const said of news.said) cardOf(said.device).hear(said);
-      return wire.take(news.messages);
     case "status":
+      if (about?.control) ask({ list: true });
+      if (news.status.recording !== undefined && news.status.recording !== recording) setRecording(news.status.recording);
+      for (const made of faults.made(news.status.devices)) wire.mark(made);
       return devices.take(news.status);
+    case "lines":
+      return devices.takeLines(news);
     case "answer":
-      return faults.answer(news.answer);
+      return answered(news.answer);
+    case "messages":
+      settings.take(news.set);
+      break;
+    default:
+      devices.ping(news);
   }
+  if (paused) return;
+  history.add(performance.now(), size, news);
+  show(news);
+}
+
+function answered(answer: Answer): void {
+  if (answer.recording !== undefined) return setRecording(answer.recording);
+  if (answer.recorded !== undefined) {
+    setRecording("");
+    element("recorded").textContent = `${answer.packets} packets in ${answer.recorded}`;
+    return;
+  }
+  faults.answer(answer);
+}
+
+function setRecording(file: string): void {
+  recording = file;
+  element("record").textContent = file === "" ? "Record" : "End recording";
+  element("recorded").textContent = file === "" ? "" : "recording " + file;
+}
+
+/** All that was there at a time of the last minute. */
+function showAt(at: number): void {
+  for (const card of cards.values()) card.reset();
+  wire.reset();
+  scene.reset();
+  for (const news of history.until(at)) show(news);
+  const [, newest] = history.ends();
+  element("time-value").textContent = at >= newest ? "now" : `${((at - newest) / 1000).toFixed(1)} s`;
+  redraw = true;
+}
+
+function pause(on: boolean): void {
+  paused = on;
+  element("pause").textContent = on ? "Go on" : "Pause";
+  element("scrub").hidden = !on;
+  const [oldest, newest] = history.ends();
+  [time.min, time.max] = [String(oldest), String(newest)];
+  time.value = String(newest);
+  showAt(newest);
 }
 
 function connect(): void {
   if (token === "") return state("open the link that the run printed: its end is a token", false);
   const here = new WebSocket(`ws://${location.host}/news`, ["echoloop.view", token]);
+  let opened = false;
   here.binaryType = "arraybuffer";
   socket = here;
-  here.onopen = () => state("live", true);
-  here.onmessage = ({ data }) => take(typeof data === "string" ? (JSON.parse(data) as News) : pingOf(data as ArrayBuffer));
+  here.onopen = () => {
+    opened = true;
+    state("live", true);
+  };
+  here.onmessage = ({ data }) =>
+    typeof data === "string" ? take(JSON.parse(data) as News, data.length) : take(pingOf(data as ArrayBuffer), (data as ArrayBuffer).byteLength);
   here.onclose = () => {
-    state("the run has ended, or was begun anew: open the link that it prints", false);
+    void tellWhy(opened);
     window.setTimeout(connect, 1000);
   };
+}
+
+/** Whether nobody is there, or a run that this page's token is not of. */
+async function tellWhy(opened: boolean): Promise<void> {
+  const gone = "the run has ended; the page goes on with the next one at this address, if it was begun with the same --view-at";
+  if (opened) return state(gone, false);
+  try {
+    const answer = await fetch("scene", { headers: { Authorization: "Bearer " + token } });
+    if (answer.status === 401) state("another run is here, and this link is not for it: open the link that it has printed", false);
+  } catch {
+    state(gone, false);
+  }
 }
 
 function frame(): void {
@@ -107,9 +202,12 @@ element<HTMLInputElement>("span").oninput = ({ target }) => {
   element("span-value").textContent = look.span + " dB";
   redraw = true;
 };
-element<HTMLButtonElement>("pause").onclick = ({ target }) => {
-  paused = !paused;
-  (target as HTMLButtonElement).textContent = paused ? "Go on" : "Pause";
+element("pause").onclick = () => pause(!paused);
+time.oninput = () => showAt(Number(time.value));
+element("record").onclick = () => ask({ record: recording === "" });
+element("save-scene").onclick = () => {
+  scene.draw(true);
+  saveCanvas("scene", element<HTMLCanvasElement>("scene"));
 };
 connect();
 frame();

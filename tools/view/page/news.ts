@@ -8,6 +8,8 @@ export interface PingHead {
   number: number;
   t: number; // s, of the run
   late: number; // s
+  drawn: number; // s after the transmission, when the echogram was there
+  due: number; // s after the transmission
   unit: string;
   floor: number; // dB of byte 1
   step: number; // dB
@@ -32,17 +34,50 @@ export interface PingHead {
   movers: PoseNumbers[];
 }
 
-export interface Ping extends PingHead {
+/** What a picture is drawn from: what a sonar has heard, or what it has said. */
+export interface Ping extends Omit<PingHead, "type"> {
+  type: "ping" | "said";
+  name: string; // of the message that said it; "" of what was heard
+  down: boolean; // the middle looks down
+  waterfall: boolean; // a side-scan
+  assumed: boolean; // ranges are those at 1500 m/s
   levels: Uint8Array; // beam by beam; 0: nothing
   seen: Uint16Array | null; // 1 + index of the object
+  ranges: Float32Array | null; // m, of each beam; 0: none
+}
+
+/** The head of a picture that was read back from the wire (tools/view/said_picture.h); t is s since 1970. */
+interface SaidHead {
+  type: "said";
+  device: string;
+  name: string;
+  number: number;
+  t: number;
+  unit: string;
+  floor: number;
+  step: number;
+  rows: number;
+  beams: number;
+  bins: number;
+  bearings: number[];
+  elevations: number[];
+  pan: number;
+  waterfall: boolean;
+  down: boolean;
+  assumed: boolean;
+  first_range: number;
+  bin_size: number;
+  ranges: boolean;
 }
 
 export interface Hello {
   type: "hello";
   version: string;
   scenario: string;
+  captured: boolean; // of a capture: nothing is heard, there is no scene
   control: boolean;
-  devices: { name: string; title: string; places: string[] }[];
+  record: boolean; // the page may begin a recording
+  devices: { name: string; model: string; title: string; places: string[] }[];
   faults: { name: string; help: string; momentary: boolean; parameters: Record<string, number> }[];
 }
 
@@ -68,6 +103,36 @@ export interface Said {
   numbers: number[];
 }
 
+/** The last message of its kind that a driver has said. */
+export interface Setting {
+  device: string;
+  name: string;
+  unix: number;
+  times: number;
+  fields: [string, string, string][];
+  changed: string[]; // names of the fields that differ from the one before
+}
+
+/** What a port has carried. */
+export interface Line {
+  device: string;
+  port: string;
+  in: number; // bytes to the device since somebody looks
+  out: number;
+  rate: number; // bit/s of a serial line; 0: of none
+}
+
+export interface Answer {
+  ok: boolean;
+  error?: string;
+  cleared?: number;
+  id?: number;
+  recording?: string;
+  recorded?: string;
+  packets?: number;
+  faults?: { id: number; device: string; kind: string; on: boolean; made: number }[];
+}
+
 export interface DeviceStatus {
   name: string;
   pings: number;
@@ -77,6 +142,8 @@ export interface DeviceStatus {
   skipped_bytes: number;
   bytes_in: number;
   bytes_out: number;
+  waiting: number; // messages in the outbox
+  waiting_bytes: number;
   connected: string[];
   faults: Record<string, number>;
 }
@@ -84,9 +151,10 @@ export interface DeviceStatus {
 export type News =
   | Hello
   | Ping
-  | { type: "messages"; left_out: number; messages: Message[]; said: Said[] }
-  | { type: "status"; status: { t: number; devices: DeviceStatus[] } }
-  | { type: "answer"; id: number; answer: { ok: boolean; error?: string; cleared?: number } };
+  | { type: "messages"; left_out: number; messages: Message[]; said: Said[]; set: Setting[] }
+  | { type: "lines"; t: number; lines: Line[] }
+  | { type: "status"; status: { t: number; recording?: string; devices: DeviceStatus[] } }
+  | { type: "answer"; id: number; answer: Answer };
 
 export interface SceneNews {
   name: string;
@@ -104,11 +172,23 @@ export function headOf<T>(buffer: ArrayBuffer): { head: T; rest: number } {
 }
 
 export function pingOf(buffer: ArrayBuffer): Ping {
-  const { head, rest } = headOf<PingHead>(buffer);
+  const { head, rest } = headOf<PingHead | SaidHead>(buffer);
   const count = head.rows * head.beams * head.bins;
   const levels = new Uint8Array(buffer, rest, count);
+  if (head.type === "said") {
+    const directions = head.rows * head.beams;
+    const ranges = head.ranges ? new Float32Array(buffer.slice(rest + count, rest + count + 4 * directions)) : null;
+    const spacing = head.beams > 1 ? Math.abs(head.bearings[head.beams - 1] - head.bearings[0]) / (head.beams - 1) : 0.02;
+    return {
+      ...head, levels, ranges, seen: null, late: 0, drawn: 0, due: 0, noise: null, beam_width: spacing, fan_height: 0, tilt: 0,
+      sides: head.waterfall && head.beams === 2, frequency: 0, pulse_length: 0, source_level: 0, sonar: [0, 0, 0, 1, 0, 0, 0],
+      objects: false, movers: [],
+    };
+  }
   const seen = head.objects ? new Uint16Array(buffer.slice(rest + count, rest + 3 * count)) : null;
-  return { ...head, levels, seen };
+  const [, , , w, x, y, z] = head.sonar;
+  const down = 2 * (x * z - w * y) < -0.7; // the axis in the world
+  return { ...head, name: "", down, waterfall: false, assumed: false, levels, seen, ranges: null };
 }
 
 /** dB of a byte; NaN for nothing. */

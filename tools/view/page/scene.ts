@@ -1,10 +1,8 @@
 // The scene in 3D: its triangles, where each sonar is and was, and the beams of its last ping. Drawn only when
 // something has changed. East is to the right, north away from the viewer, up is up.
-import type { Ping, PoseNumbers, SceneNews } from "./news";
+import type { Ping, SceneNews } from "./news";
+import { beamsOf, footprintsOf, matrixOf, rotated, type Matrix, type Vector } from "./beams";
 import { farthest } from "./sketch";
-
-type Vector = [number, number, number];
-type Matrix = Float32Array; // 4 x 4, column by column
 
 const vertexText = `#version 300 es
 in vec3 place; uniform mat4 view, model; out vec3 world;
@@ -71,6 +69,13 @@ export class SceneView {
     this.changed = true;
   }
 
+  /** Forgets all pings; the triangles stay. */
+  reset(): void {
+    this.pings.clear();
+    this.trails.clear();
+    this.changed = true;
+  }
+
   take(ping: Ping): void {
     this.pings.set(ping.device, ping);
     const trail = this.trails.get(ping.device) ?? [];
@@ -86,9 +91,10 @@ export class SceneView {
     this.changed = true;
   }
 
-  draw(): void {
+  /** `always`: so that its dots can be read before they are shown. */
+  draw(always = false): void {
     const gl = this.gl;
-    if (gl === null || !this.changed || this.program === null) return;
+    if (gl === null || !(this.changed || always) || this.program === null) return;
     this.changed = false;
     const dots = window.devicePixelRatio || 1;
     this.canvas.width = Math.max(1, Math.round(this.canvas.clientWidth * dots));
@@ -119,7 +125,10 @@ export class SceneView {
       gl.uniform4f(this.places.colour, r, g, b, 1);
       this.stroke(gl, gl.LINE_STRIP, this.trails.get(device) ?? []);
       this.stroke(gl, gl.POINTS, ping.sonar.slice(0, 3));
+      gl.uniform4f(this.places.colour, r * 0.6, g * 0.6, b * 0.6, 1);
       this.stroke(gl, gl.LINES, beamsOf(ping));
+      gl.uniform4f(this.places.colour, r, g, b, 1);
+      this.stroke(gl, gl.LINES, footprintsOf(ping));
     }
   }
 
@@ -181,44 +190,4 @@ export class SceneView {
     this.lines = gl.createBuffer();
     this.program = program;
   }
-}
-
-/** A vector of a body in the world. */
-function rotated([, , , w, x, y, z]: PoseNumbers, [a, b, c]: Vector): Vector {
-  return [
-    (1 - 2 * (y * y + z * z)) * a + 2 * (x * y - w * z) * b + 2 * (x * z + w * y) * c,
-    2 * (x * y + w * z) * a + (1 - 2 * (x * x + z * z)) * b + 2 * (y * z - w * x) * c,
-    2 * (x * z - w * y) * a + 2 * (y * z + w * x) * b + (1 - 2 * (x * x + y * y)) * c,
-  ];
-}
-
-function matrixOf(pose: PoseNumbers): Matrix {
-  const columns = [rotated(pose, [1, 0, 0]), rotated(pose, [0, 1, 0]), rotated(pose, [0, 0, 1])];
-  return new Float32Array([...columns[0], 0, ...columns[1], 0, ...columns[2], 0, pose[0], pose[1], pose[2], 1]);
-}
-
-/** Corners of lines: the outline of what a ping sees, each end at its last bin. */
-function beamsOf(ping: Ping): number[] {
-  const far = farthest(ping);
-  const place = (bearing: number, elevation: number): Vector => {
-    const e = elevation + ping.tilt;
-    const b = bearing + ping.pan;
-    const [x, y, z] = rotated(ping.sonar, [Math.cos(e) * Math.cos(b), -Math.cos(e) * Math.sin(b), Math.sin(e)]);
-    return [ping.sonar[0] + x * far, ping.sonar[1] + y * far, ping.sonar[2] + z * far];
-  };
-  const first = ping.bearings[0] - ping.beam_width / 2;
-  const last = ping.bearings[ping.beams - 1] + ping.beam_width / 2;
-  const low = (ping.elevations[0] ?? 0) - ping.fan_height / 2;
-  const high = (ping.elevations[ping.rows - 1] ?? 0) + ping.fan_height / 2;
-  const steps = 24;
-  const out: number[] = [];
-  const own = ping.sonar.slice(0, 3);
-  for (const e of [low, high])
-    for (let i = 0; i < steps; i++)
-      out.push(...place(first + ((last - first) * i) / steps, e), ...place(first + ((last - first) * (i + 1)) / steps, e));
-  for (const b of [first, last]) {
-    out.push(...place(b, low), ...place(b, high));
-    for (const e of [low, high]) out.push(...own, ...place(b, e));
-  }
-  return out;
 }

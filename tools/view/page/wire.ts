@@ -19,8 +19,10 @@ export class Wire {
     };
   }
 
-  take(messages: Message[]): void {
+  /** `leftOut`: bytes that were not read, since there were too many. */
+  take(messages: Message[], leftOut: number): void {
     if (this.paused) return;
+    if (leftOut > 0) this.list.prepend(remark(`${(leftOut / 1e6).toFixed(1)} MB more have passed unread`));
     for (const message of messages.slice(-most)) {
       const last = this.kept[0];
       if (last !== undefined && alike(last, message)) {
@@ -36,6 +38,16 @@ export class Wire {
     while (this.list.childElementCount > most) this.list.lastElementChild!.remove();
   }
 
+  /** Something that happened between messages. */
+  mark(text: string): void {
+    if (!this.paused) this.list.prepend(remark(text));
+  }
+
+  reset(): void {
+    this.kept = [];
+    this.list.replaceChildren();
+  }
+
   private passes(message: Message): boolean {
     if (this.filter === "") return true;
     const text = [message.device, message.port, message.name, message.reason, ...message.fields.map((field) => field[0])].join(" ");
@@ -46,6 +58,13 @@ export class Wire {
 /** The parts of one picture come as many messages in a few milliseconds. */
 function alike(a: Message, b: Message): boolean {
   return a.device === b.device && a.port === b.port && a.sent === b.sent && a.name === b.name && b.unix - a.unix < 0.01;
+}
+
+function remark(text: string): HTMLElement {
+  const element = document.createElement("p");
+  element.className = "remark";
+  element.textContent = `${new Date().toISOString().slice(11, 23)} ${text}`;
+  return element;
 }
 
 function row(message: Message): HTMLElement {

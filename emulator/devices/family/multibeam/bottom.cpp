@@ -286,9 +286,15 @@ std::vector<Detection> detect(const Echogram& echogram, std::span<const TimeGate
     const SideLobes lobes(echogram);
     for (std::size_t n = 0; n < detections.size(); ++n)
         detections[n] = detect_in(echogram, n, gates[n], rule, lobes.likely(), stretches, room);
-    lobes.leave_out(detections, [&](std::size_t n) {
+    const std::vector<float> anything(echogram.shot.bins, 0.0F);
+    const auto above_possible = [&](std::size_t n) {
         return detect_in(echogram, n, gates[n], rule, lobes.possible(), stretches, room);
-    });
+    };
+    const auto within = [&](std::size_t n, TimeGate near) {
+        near = {std::max(near.min, gates[n].min), std::min(near.max, gates[n].max)};
+        return detect_in(echogram, n, near, rule, anything, stretches, room);
+    };
+    lobes.leave_out(detections, {above_possible, within});
     continue_to_edges(detections, echogram.shot.bearings, echogram.shot.beam_width);
     move_to_neighbours(detections, echogram.shot.bearings, echogram.shot.beam_width);
     smooth_by_phase(detections, echogram.shot.bearings, rule.smoothed);

@@ -13,7 +13,10 @@ constexpr double above_mean = 5;  // 7 dB: the highest lobe of a unit
 /// A lobe's power and the speckle that it hears are exponential both: their product exceeds 60 times the mean
 /// once in a million. Many directions together bring twice theirs at most.
 constexpr double highest = 60, together = 2;
-constexpr double tolerance = 0.02;       // of the time, as mark_in_line() has it
+constexpr double tolerance = 0.02;  // of the time, as mark_in_line() has it
+/// Beams between the sure ones beside a hole of the speckle: over a hole the others hear little, too. Own
+/// choice.
+constexpr std::size_t widest_hole = 20;
 constexpr std::ptrdiff_t farthest = 40;  // beams: neighbours beyond tell nothing; own choice
 
 /// Of a fan's beams that hear one direction, the share that is one beam's.
@@ -63,32 +66,43 @@ SideLobes::SideLobes(const Echogram& echogram)
     }
 }
 
-void SideLobes::leave_out(std::span<Detection> detections,
-                          const std::function<Detection(std::size_t)>& again) const {
+void SideLobes::leave_out(std::span<Detection> detections, const Searches& again) const {
     std::vector<char> sure(detections.size());
     for (std::size_t n = 0; n < detections.size(); ++n)
         sure[n] = detections[n].found() && detections[n].mean >= possible_in(detections[n]);
     const auto& angles = shot_.bearings;
     for (std::size_t n = 0; n < detections.size(); ++n) {
-        if (sure[n] || !detections[n].found()) continue;
+        if (sure[n]) continue;
         const auto port = sure_beside(sure, n, -1), starboard = sure_beside(sure, n, 1);
         std::vector<std::size_t> beside(port.rbegin(), port.rend());
         beside.insert(beside.end(), starboard.begin(), starboard.end());
+        const auto expected_between = [&](std::size_t a, std::size_t b) {
+            return time_in_line(detections[a].time, angles[a], detections[b].time, angles[b], angles[n]);
+        };
         // How far a time is off what the neighbours let expect, as a part of it; infinite without neighbours.
         const auto off = [&](double time) {
             double least = std::numeric_limits<double>::infinity();
             for (std::size_t i = 0; i + 1 < beside.size(); ++i) {
                 const std::size_t a = beside[i], b = beside[i + 1];
                 const double one = detections[a].time, other = detections[b].time;
-                const double expected = time_in_line(one, angles[a], other, angles[b], angles[n]);
-                least = std::min(least, std::abs(expected / time - 1));
+                least = std::min(least, std::abs(expected_between(a, b) / time - 1));
                 if (a < n && n < b && std::min(one, other) <= time && time <= std::max(one, other)) least = 0;
             }
             return least;
         };
-        const double own = off(detections[n].time);
+        const bool found = detections[n].found();
+        const double own = found ? off(detections[n].time) : std::numeric_limits<double>::infinity();
         if (own < tolerance) continue;
-        const Detection other = again(n);
+        if (!port.empty() && !starboard.empty() && starboard[0] - port[0] <= widest_hole) {
+            const double expected = expected_between(port[0], starboard[0]);
+            const Detection near = again.within(n, {expected * (1 - tolerance), expected * (1 + tolerance)});
+            if (near.found() && off(near.time) < tolerance) {
+                detections[n] = near;
+                continue;
+            }
+        }
+        if (!found) continue;
+        const Detection other = again.above_possible(n);
         if (!other.found() || off(other.time) < own) detections[n] = other;
     }
 }

@@ -23,10 +23,17 @@ class SideLobes {
     /// What no lobe of any unit exceeds, of the loudest direction and of all together.
     std::span<const float> possible() const { return possible_; }
 
+    /// How a beam is searched again.
+    struct Searches {
+        std::function<Detection(std::size_t)> above_possible;    ///< of what no side lobe brings
+        std::function<Detection(std::size_t, TimeGate)> within;  ///< of all that it hears then
+    };
+
     /// Of echoes between the two, those stay that lie in line with surer neighbours or between them, as heads
-    /// keep to a gate about what they found beside. Of the others each goes for what again(n) finds above
-    /// possible() in its beam, if that lies nearer to their line or is nothing.
-    void leave_out(std::span<Detection> detections, const std::function<Detection(std::size_t)>& again) const;
+    /// keep to a gate about what they found beside. A beam that lost its bottom in a hole of the speckle,
+    /// between sure ones, is searched in such a gate. Of the others each goes for what it has above
+    /// possible(), if that lies nearer to their line or is nothing.
+    void leave_out(std::span<Detection> detections, const Searches& again) const;
 
   private:
     /// uPa^2, the mean of possible() over an echo.

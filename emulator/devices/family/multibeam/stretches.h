@@ -76,14 +76,16 @@ class Stretches {
     /// The first bin behind `i` whose footprint is longer than that one's; size() without one.
     std::size_t next_length(std::size_t i) const;
 
-    /// Four bins are added to each other first: one sum would wait for itself at every bin.
+    /// What counts is picked first, in a loop without branches. Four bins are added to each other: one sum
+    /// would wait for itself at every bin.
     void add_up(std::span<const float> beam, std::span<const float> least) {
+        const std::size_t count = beam.size();
+        counted_.resize(count);
+        for (std::size_t i = 0; i < count; ++i) counted_[i] = beam[i] >= least[i] ? beam[i] : 0.0F;
         double before = sum_[0] = 0;
         std::size_t i = 0;
-        const auto counted = [&](std::size_t bin) -> double {
-            return beam[bin] >= least[bin] ? beam[bin] : 0;
-        };
-        for (; i + 4 <= beam.size(); i += 4) {
+        const auto counted = [&](std::size_t bin) -> double { return counted_[bin]; };
+        for (; i + 4 <= count; i += 4) {
             const double one = counted(i), two = one + counted(i + 1), three = counted(i + 2),
                          four = three + counted(i + 3);
             const double middle = before + two;
@@ -91,9 +93,10 @@ class Stretches {
             sum[0] = before + one, sum[1] = middle, sum[2] = middle + three;
             sum[3] = before += two + four;
         }
-        for (; i < beam.size(); ++i) sum_[i + 1] = before += counted(i);
+        for (; i < count; ++i) sum_[i + 1] = before += counted(i);
     }
 
+    std::vector<float> counted_;  ///< work memory of add_up()
     std::vector<double> sum_;
     double slope_ = 0, steep_ = 0, first_half_ = 0;
     double before_ = 0;  ///< bins from the transmission to the first

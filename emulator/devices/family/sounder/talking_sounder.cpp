@@ -102,8 +102,7 @@ Actions TalkingSounder::heard(const Echogram& echogram, Time now) {
     std::size_t bytes = 0;
     for (const std::string& line : words_(depth, now)) {
         bytes += line.size();
-        for (std::size_t port = 0; port < wiring_.size(); ++port)
-            actions_.send.push_back({port, Bytes(line.begin(), line.end()), wiring_[port].host, {}});
+        say(line);
     }
     // A slow line holds the next ping back, so that lines never queue up and grow old.
     const Time held = from_seconds(sounding_.line_time(bytes) - sounding_.window());
@@ -111,8 +110,22 @@ Actions TalkingSounder::heard(const Echogram& echogram, Time now) {
     return take_actions();
 }
 
+void TalkingSounder::say(const std::string& line) {
+    for (std::size_t port = 0; port < wiring_.size(); ++port)
+        actions_.send.push_back({port, Bytes(line.begin(), line.end()), wiring_[port].host, {}});
+}
+
+void TalkingSounder::change(const Sounding& sounding) {
+    const double baud = sounding_.baud;
+    sounding_ = sounding;
+    sounding_.baud = baud;
+    const auto ping = shot_.ping;
+    shot_ = shot_from(sounding_);
+    shot_.ping = ping;
+}
+
 Actions TalkingSounder::take_actions() {
-    actions_.wake = pacer_.wake();
+    actions_.wake = std::min(pacer_.wake(), other_wake_);
     return std::exchange(actions_, {});
 }
 

@@ -48,8 +48,15 @@ class TalkingSounder : public Device {
     void ask(Time now);
     /// From now on it pings by itself, at its rate.
     void run_freely(Time now);
+    /// It pings no more, and the ping under way is not heard.
+    void stop() { pacer_.stop(); }
+    /// From the next ping on; the line's rate stays.
+    void change(const Sounding& sounding);
+    /// A line beside those of pings, to all who listen.
+    void say(const std::string& line);
     Actions take_actions();
     DeviceCounters counters_;
+    Time other_wake_ = Time::max();  ///< when woken() is wanted besides
 
   private:
     void ping_if_due(Time now);

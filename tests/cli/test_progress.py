@@ -1,0 +1,62 @@
+"""What long work shows on a terminal, and that it shows nothing anywhere else (the other tests read stderr in pipes)."""
+import os
+import shutil
+import unittest
+from pathlib import Path
+
+from captures import RTAC_SERIAL, Pcapng, rtac
+from program import DEMO, PROGRAM, TANK, ProgramTest
+from test_capture_files import device_data
+
+WORLD = """<?xml version="1.0"?><sdf version="1.7"><world name="w"><model name="stones"><static>true</static><link name="link">
+%s</link></model></world></sdf>"""
+STONE = '<visual name="%d"><pose>%d 0 0 0 0 0</pose><geometry><box><size>1 1 1</size></box></geometry></visual>'
+FREE = """scene: TANK
+clock: {mode: free, duration: 3}
+devices: [{name: head, model: nmea-echosounder, mount: {rpy_deg: [0, 90, 0]}, endpoints: ["udp://127.0.0.1:9"]}]
+"""
+
+
+class Progress(ProgramTest):
+    def test_pings_that_are_rendered(self):
+        shown = self.on_a_terminal("render", TANK, "--out", self.folder / "turn.npy")
+        self.assertRegex(shown, r"rendering \[\.{40}\] 0/200")
+        self.assertRegex(shown, r"rendering \[#{40}\] 200/200\x1b\[K\r\x1b\[K$")
+
+    def test_one_ping_has_no_steps(self):
+        self.assertEqual(self.on_a_terminal("render", DEMO, "--device", "sonar", "--out", self.folder / "fan.npy"), "")
+
+    def test_checks(self):
+        self.assertRegex(self.on_a_terminal("validate", "--only", "V1,V2"), r"checking \[#{20}\.{20}\] 1/2")
+
+    def test_a_capture_that_is_converted(self):
+        capture = Pcapng().interface(RTAC_SERIAL, b"head")
+        for i in range(2000):
+            capture.packet(0, rtac(device_data(i % 400), 1), round((1000 + i / 10) * 1e9))
+        source = self.folder / "dive.pcapng"
+        source.write_bytes(capture.data)
+        for ending in ("bin", "csv"):
+            shown = self.on_a_terminal("convert", source, self.folder / f"out.{ending}")
+            self.assertRegex(shown, r"reading \[\.{40}\] \d+ %")
+            self.assertRegex(shown, r"reading \[#{40}\] 100 %")
+            self.assertTrue(shown.endswith("\r\x1b[K"))
+
+    def test_a_data_set(self):
+        scenario = self.scenario(FREE)
+        shown = self.on_a_terminal("run", scenario, "--dataset", self.folder / "set")
+        self.assertRegex(shown, r"(pinging|writing the data set) \[")
+        self.assertTrue((self.folder / "set" / "index.jsonl").exists())
+
+    def test_a_world_that_is_imported(self):
+        if not Path(PROGRAM).with_name("echoloop-import").exists() and not shutil.which("echoloop-import"):
+            missing = "echoloop-import is not built: its Debian packages are missing (tools/install test)"
+            self.assertNotEqual(os.environ.get("CI"), "true", missing)
+            self.skipTest(missing)
+        world = self.folder / "a.world"
+        world.write_text(WORLD % "".join(STONE % (i, 3 * i) for i in range(40)))
+        shown = self.on_a_terminal("import", world, "--out", self.folder / "a.glb")
+        self.assertRegex(shown, r"reading shapes \[#{40}\] 40/40")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,47 @@
+#include "tools/said/said.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "tools/said/fields.h"
+
+namespace echoloop::said {
+namespace {
+
+struct Row {
+    std::string_view family;
+    std::unique_ptr<Maker> (*make)();
+};
+constexpr Row rows[] = {
+    {"seanet", make_heads},     {"ping", make_heads},         {"cerulean", make_heads},
+    {"imagenex", make_heads},   {"deltat", make_heads},       {"nmea", make_depths},
+    {"altimeter", make_depths}, {"waterlinked", make_depths}, {"oculus", make_oculus},
+    {"aris", make_aris},        {"sonar3d", make_sonar3d},    {"kmall", make_kmall},
+    {"reson7k", make_reson7k},  {"r2sonic", make_r2sonic},    {"norbit", make_norbit},
+};
+
+}  // namespace
+
+std::unique_ptr<Maker> maker_of(std::string_view family) {
+    const auto row = std::ranges::find(rows, family, &Row::family);
+    return row == std::end(rows) ? nullptr : row->make();
+}
+
+void sort_beams(Picture& picture) {
+    if (std::ranges::is_sorted(picture.bearings)) return;
+    std::vector<std::size_t> order(picture.bearings.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return picture.bearings[i]; });
+    Picture sorted = picture;
+    for (std::size_t to = 0; to < order.size(); ++to) {
+        const std::size_t from = order[to];
+        sorted.bearings[to] = picture.bearings[from];
+        if (!picture.ranges.empty()) sorted.ranges[to] = picture.ranges[from];
+        if (!picture.levels.empty())
+            std::copy_n(picture.levels.begin() + static_cast<std::ptrdiff_t>(from * picture.bins),
+                        picture.bins, sorted.levels.begin() + static_cast<std::ptrdiff_t>(to * picture.bins));
+    }
+    picture = std::move(sorted);
+}
+
+}  // namespace echoloop::said
