@@ -258,16 +258,6 @@ void DeviceReader::read(const Value& value, std::size_t index) {
 
 }  // namespace
 
-Pose read_pose(const Value* value, const std::string& path, Problems& problems) {
-    return pose_of(Section(value, path, {"position", "rpy_deg"}, problems));
-}
-
-Pose pose_of(const Section& section) {
-    const Vec3 position = section.triple("position", {-1e6, 1e6, "m"});
-    const Vec3 rpy = section.triple("rpy_deg", {-360, 360, "deg"});
-    return {position, from_rpy(deg_to_rad(rpy.x), deg_to_rad(rpy.y), deg_to_rad(rpy.z))};
-}
-
 std::vector<ScenarioDevice> read_devices(const Value* value, const Place& place, const Scenario& scenario,
                                          std::span<const Model> models, Problems& problems) {
     if (value == nullptr || value->kind == Value::Kind::null ||

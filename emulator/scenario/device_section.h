@@ -14,10 +14,6 @@ namespace echoloop::scenario {
 std::vector<ScenarioDevice> read_devices(const Value* value, const Place& place, const Scenario& scenario,
                                          std::span<const Model> models, Problems& problems);
 
-/// `position` and `rpy_deg` of a pose; identity for what is absent.
-Pose read_pose(const Value* value, const std::string& path, Problems& problems);
-Pose pose_of(const Section& section);
-
 /// The value of a key that is described as an option: from the section where given, else its default.
 OptionValue read_option(const Option& option, const Section& section, Problems& problems);
 

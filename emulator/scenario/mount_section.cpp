@@ -1,7 +1,7 @@
 #include "emulator/scenario/mount_section.h"
 
-#include "emulator/scenario/device_section.h"
 #include "emulator/scenario/objects_section.h"
+#include "emulator/scenario/pose_section.h"
 
 namespace echoloop::scenario {
 namespace {

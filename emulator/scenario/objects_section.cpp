@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "emulator/contract/endpoint.h"
-#include "emulator/scenario/device_section.h"
 #include "emulator/scenario/file.h"
+#include "emulator/scenario/pose_section.h"
 
 namespace echoloop::scenario {
 namespace {
@@ -43,7 +43,8 @@ void read_object(const Value& value, const std::string& path, const Scenario& sc
         if (other.node == object.node)
             problems.add(value.place,
                          path + ".node: " + in_quotes(object.node) + " moves in two ways; keep one");
-    if (const Value* pose = section.get("pose")) object.pose = read_pose(pose, path + ".pose", problems);
+    if (const Value* pose = section.get("pose"))
+        object.pose = read_pose(pose, path + ".pose", scenario, problems);
     object.trajectory = read_trajectory_name(section, scenario.file, problems);
     object.input = read_pose_endpoint(section, "input", problems);
     refuse_shared_input(section, object.input, scenario, objects, problems);

@@ -9,6 +9,7 @@
 #include "emulator/scenario/number.h"
 #include "emulator/scenario/objects_section.h"
 #include "emulator/scenario/override.h"
+#include "emulator/scenario/pose_section.h"
 #include "emulator/scenario/section.h"
 #include "emulator/scenario/water_section.h"
 #include "emulator/scenario/yaml.h"
@@ -73,7 +74,7 @@ std::uint64_t read_seed(const Section& top, Problems& problems) {
 
 void read_vehicle(const Section& top, Scenario& scenario, Problems& problems) {
     const Section vehicle(top.get("vehicle"), "vehicle", {"pose", "trajectory", "input"}, problems);
-    scenario.world_from_body = read_pose(vehicle.get("pose"), "vehicle.pose", problems);
+    scenario.world_from_body = read_pose(vehicle.get("pose"), "vehicle.pose", scenario, problems);
     scenario.pose_input = read_pose_endpoint(vehicle, "input", problems);
     const Value* value = vehicle.get("trajectory");
     if (value == nullptr) return;

@@ -1,147 +1,20 @@
-"""`--dataset`, read back by zarr, Pillow and pycocotools from PyPI: the wall, the ball before it and the half hidden board
-of a scene with known geometry stand where they are, in levels, pictures and labels, and the same run gives the same bytes."""
+"""What `--dataset` writes: the wall, the ball before it and the half hidden board of a scene with known geometry stand where
+they are, in levels, pictures and labels."""
 
-import functools
 import hashlib
-import json
 import math
 import os
 import re
-import resource
-import signal
 import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-import public_driver
+from datasets import BALL, BOARD, FACETS, FAN, HEAD, RADIUS, ROOT, ROWS, SCREEN, SOUNDER, WALL, DatasetCase
 
-public_driver.use("dataset", "pycocotools")
-sys.path.insert(0, str(public_driver.ROOT / "tools"))
-
-import numpy as np  # noqa: E402
-import zarr  # noqa: E402
-from PIL import Image  # noqa: E402
-from program import PROGRAM, Emulator  # noqa: E402
-from pycocotools.coco import COCO  # noqa: E402
-from scenes.glb import Node, glb  # noqa: E402
-from scenes.materials import SONAR  # noqa: E402
-from scenes.mesh import Mesh  # noqa: E402
-
-ROOT = public_driver.ROOT
-WALL = 12.0                                    # m ahead
-BALL, RADIUS = (5.0, 1.5, 0.0), 0.8            # to port, seen from the sonar
-BOARD, SCREEN = (8.0, -3.0, -2.0), (6.0, -1.875, -1.2)  # x, y, y: the screen hides the board from y = -2.5 on
-TALL, FACETS = 20.0, 128
-RUN = """
-water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
-vehicle: {pose: {position: [1, 2, -30]}}
-clock: {mode: free, duration: %s}
-devices:
-"""
-FAN = """  - name: fan
-    model: r2sonic-2024
-    endpoints: ["udp-listen://127.0.0.1:65500", "udp://127.0.0.1:65400"]
-    options: {range: 20, ping_rate: 2, image_height: 400, water_column: magnitude}
-"""
-HEAD = """  - name: head
-    model: ping360
-    mount: {position: [10.6, 0, 0]}
-    endpoints: ["udp-listen://127.0.0.1:9092"]
-    pings: {interval: 0.1, count: 430}
-"""
-SOUNDER = """  - name: sounder
-    model: ping1d
-    endpoints: ["udp-listen://127.0.0.1:9093"]
-    pings: {interval: 0.5, count: 4}
-"""
-ROWS = """  - name: rows
-    model: sonar-3d-15
-    endpoints: ["tcp-listen://127.0.0.1:8080"]
-    options: {acoustics: true}
-"""
+import numpy as np
 
 
-def plate(x, left, right):
-    """Faces the sonar, from y `left` to `right`."""
-    mesh = Mesh()
-    mesh.quad((x, right, -TALL), (x, left, -TALL), (x, left, TALL), (x, right, TALL))
-    return mesh
-
-
-def scene():
-    ball = Mesh()
-    ball.sphere((0, 0, 0), RADIUS, FACETS, FACETS // 2)
-    nodes = [Node("wall", [("concrete", plate(WALL, -40, 40))]), Node("ball", [("steel", ball)], position=BALL),
-             Node("board", [("rock", plate(*BOARD))]), Node("screen", [("steel", plate(*SCREEN))])]
-    for node in nodes:  # about the vehicle
-        node.position = tuple(a + b for a, b in zip(node.position, (1, 2, -30), strict=True))
-    return glb(nodes, SONAR)
-
-
-def run(*arguments, **options):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300, **options)
-
-
-def sum_of(folder):
-    total = hashlib.sha256()
-    for file in sorted(folder.rglob("*")):
-        if file.is_file():
-            total.update(str(file.relative_to(folder)).encode() + file.read_bytes())
-    return total.hexdigest()
-
-
-class Data:
-    """A data set as a user reads it."""
-
-    def __init__(self, folder):
-        self.folder = folder
-        self.index = [json.loads(line) for line in (folder / "index.jsonl").read_text().splitlines()]
-        self.truth = [json.loads(line) for line in (folder / "truth.jsonl").read_text().splitlines()]
-        self.coco = COCO(folder / "coco.json")
-        self.numbers = {c["name"]: c["id"] for c in self.coco.cats.values()}
-
-    def array(self, line, name):
-        array = zarr.open(self.folder / line[name], mode="r")
-        return array[line["at"]], dict(array.attrs)
-
-    def picture(self, line, kind):
-        file = line["pictures"][kind]["file"]
-        image = Image.open(self.folder / file)
-        assert image.mode == "I;16", image.mode
-        return np.array(image).astype(int), file
-
-    def masks(self, file):
-        """Name -> (pixels, annotation) of a picture."""
-        [image] = [i for i in self.coco.imgs.values() if i["file_name"] == file]
-        labels = self.coco.loadAnns(self.coco.getAnnIds(imgIds=image["id"]))
-        return {self.coco.cats[a["category_id"]]["name"]: (self.coco.annToMask(a).astype(bool), a) for a in labels}
-
-
-class Dataset(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="dataset-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
-        (cls.folder / "scene.glb").write_bytes(scene())
-
-    @classmethod
-    def scenario(cls, name, *devices, seconds=2, more=""):
-        file = cls.folder / f"{name}.yaml"
-        file.write_text(f"scene: {cls.folder}/scene.glb" + RUN % seconds + "".join(devices) + more)
-        return file
-
-    @classmethod
-    @functools.cache
-    def made(cls, name, *devices, seconds=2):
-        file = cls.scenario(name, *devices, seconds=seconds)
-        done = run("run", str(file), "--dataset", str(cls.folder / name))
-        assert done.returncode == 0, done.stderr
-        assert "data set" in done.stdout, done.stdout
-        return Data(cls.folder / name)
-
+class Contents(DatasetCase):
     def test_the_wall_is_at_its_range_in_levels_pictures_and_labels(self):
         data = self.made("fan", FAN)
         self.assertGreater(len(data.index), 1)
@@ -291,69 +164,6 @@ class Dataset(unittest.TestCase):
         found = ranges * rows["pictures"]["range"]["metres_per_count"]
         self.assertGreater(mask.sum(), mask.size / 4)
         self.assertLess(np.median(np.abs(found - expected)[mask]), 0.1)
-
-    def test_the_same_run_gives_the_same_bytes_whatever_the_threads(self):
-        self.made("fan", FAN)
-        one = self.folder / "one"
-        done = subprocess.run(["taskset", "1", PROGRAM, "run", str(self.folder / "fan.yaml"), "--dataset", str(one)],
-                              capture_output=True, text=True, timeout=300)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(sum_of(one), sum_of(self.folder / "fan"))
-
-    def test_a_sweep_in_parts_is_the_sweep_as_a_whole(self):
-        vary = "sweep: {runs: 4, vary: {vehicle.pose.position.0: {uniform: [0, 2]}}}\n"
-        file = self.scenario("swept", HEAD.replace("430", "5"), more=vary)
-        whole, parts = self.folder / "whole", self.folder / "parts"
-        for out, part in ((whole, "0/1"), *((parts, f"{i}/4") for i in (2, 0, 3, 1))):
-            done = run("sweep", str(file), "--out", str(out), "--dataset", "--shard", part)
-            self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(sum_of(whole), sum_of(parts))
-        self.assertEqual(len(Data(whole / "000003" / "dataset").index), 5)
-        plain = self.folder / "plain"
-        self.assertEqual(run("sweep", str(file), "--out", str(plain)).returncode, 0)
-        done = run("sweep", str(file), "--out", str(plain), "--dataset")
-        self.assertEqual(done.returncode, 73)
-        self.assertIn("was made without --dataset", done.stderr)
-
-    def test_a_full_disk_leaves_nothing_that_looks_whole(self):
-        file, out = self.scenario("full", FAN), self.folder / "full"
-        done = run("run", str(file), "--dataset", str(out),
-                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (60_000, 60_000)))
-        self.assertEqual(done.returncode, 74, done.stderr)
-        self.assertRegex(done.stderr, r"\.full\.part/\S+: File too large; make room on that disk and start again")
-        self.assertEqual([f.name for f in self.folder.iterdir() if "full" in f.name], ["full.yaml"])
-        there = self.folder / "there"
-        there.mkdir()
-        done = run("run", str(file), "--dataset", str(there))
-        self.assertEqual(done.returncode, 73)
-        self.assertIn("exists already", done.stderr)
-
-    def test_a_killed_run_leaves_none_and_can_be_started_again(self):
-        file, out = self.scenario("killed", FAN, seconds=600), self.folder / "killed"
-        process = subprocess.Popen([PROGRAM, "run", str(file), "--dataset", str(out)], stdout=subprocess.DEVNULL)
-        while not (self.folder / ".killed.part" / "polar").exists() and process.poll() is None:
-            pass  # nothing to wait on: another process makes a folder
-        process.send_signal(signal.SIGKILL)
-        process.wait()
-        self.assertFalse(out.exists())
-        file = self.scenario("killed", FAN, seconds=1)
-        self.assertEqual(run("run", str(file), "--dataset", str(out)).returncode, 0)
-        self.assertGreater(len(Data(out).index), 0)
-        self.assertFalse((self.folder / ".killed.part").exists())
-
-    def test_in_real_time_every_ping_is_there_or_counted(self):
-        out = self.folder / "real"
-        scenario = self.scenario("real", FAN).read_text().replace("mode: free, duration: 2", "mode: real")
-        with Emulator(scenario, "--dataset", str(out), "--duration", "3") as emulator:
-            emulator.process.wait(timeout=60)
-            status, output = emulator.stop()
-        self.assertEqual(status, 0, output)
-        data = Data(out)
-        about = json.loads((out / "dataset.json").read_text())
-        heard = int(re.search(r"fan +(\d+) ping", output)[1])
-        self.assertEqual(heard, about["pings"] + about["lost"])
-        self.assertEqual(len(data.index), about["pings"])
-        self.assertGreater(len(data.index), 2)
 
     def test_the_example_of_the_documentation_runs(self):
         data = self.made("fan", FAN)

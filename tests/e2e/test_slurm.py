@@ -1,5 +1,5 @@
 """A sweep as an array of Slurm's, on one node that this test brings up for itself: a shard is thrown out in the middle and
-requeued, and the data are the same bytes as those of one process."""
+requeued, and recordings and data sets are the same bytes as those of one process."""
 import contextlib
 import os
 import pathlib
@@ -41,7 +41,7 @@ JOB = """#!/bin/bash
 #SBATCH --cpus-per-task=1
 #SBATCH --requeue
 #SBATCH --output={folder}/%a.log --open-mode=append
-srun {program} sweep {file} --shard task/3 --out {folder}/runs
+srun {program} sweep {file} --shard task/3 --out {folder}/runs --dataset
 """
 
 
@@ -94,7 +94,7 @@ class Slurm(unittest.TestCase):
     def test_a_shard_that_is_thrown_out_in_the_middle_is_made_again(self):
         file = self.folder / "dive.yaml"
         # Long runs, so that there is a middle.
-        file.write_text((SCENARIO + SWEEP).replace("duration: 8", "duration: 40").replace("count: 8", "count: 80"))
+        file.write_text((SCENARIO + SWEEP).replace("duration: 8", "duration: 16").replace("count: 8", "count: 30"))
         job = self.folder / "job.sh"
         job.write_text(JOB.format(folder=self.folder, program=PROGRAM, file=file))
         number = self.slurm("sbatch", "--parsable", str(job)).strip()
@@ -105,7 +105,7 @@ class Slurm(unittest.TestCase):
         self.slurm("sbatch", "--wait", f"--dependency=afterany:{number}", "--output=/dev/null", "--wrap=true")
         self.assertEqual(sorted(f.name for f in runs.iterdir()), [f"{i:06}" for i in range(6)], self.logs())
         alone = self.folder / "alone"
-        self.assertEqual(run("sweep", str(file), "--out", str(alone)).returncode, 0)
+        self.assertEqual(run("sweep", str(file), "--out", str(alone), "--dataset").returncode, 0)
         self.assertEqual(sum_of(runs), sum_of(alone))
         states = self.slurm("scontrol", "show", "job", number)
         self.assertIn("Restarts=1", states)

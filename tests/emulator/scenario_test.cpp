@@ -58,6 +58,57 @@ TEST(Scenario, reads_every_key) {
     EXPECT_EQ(scenario.devices[0].config.sound_speed, 1480);
 }
 
+constexpr auto on_earth = R"(
+scene: s.glb
+origin: {latitude: 59.4, longitude: 10.5, height: 100}
+vehicle: {pose: {latitude: 59.401, longitude: 10.502, altitude: 97, rpy_deg: [0, 0, 90]}}
+objects: [{node: buoy, pose: {latitude: 59.4, longitude: 10.5, depth: -100}}]
+devices: [{name: micron, model: tritech-micron}]
+)";
+
+TEST(Scenario, places_on_the_earth_become_metres) {
+    const auto scenario = parse(on_earth);
+    // A minute of latitude is 1856.9 m at 59.4 deg N, one of longitude 947.4 m: WGS 84's radii of curvature.
+    EXPECT_NEAR(scenario.world_from_body.position.x, 947.4 * 0.12, 0.1);
+    EXPECT_NEAR(scenario.world_from_body.position.y, 1856.9 * 0.06, 0.1);
+    EXPECT_DOUBLE_EQ(scenario.world_from_body.position.z, -3);
+    EXPECT_EQ(scenario.world_from_body.orientation, from_rpy(0, 0, deg_to_rad(90)));
+    ASSERT_TRUE(scenario.objects[0].pose);
+    EXPECT_EQ(scenario.objects[0].pose->position, (Vec3{0, 0, 0}));
+    EXPECT_DOUBLE_EQ(parse(on_earth, {"vehicle.pose.altitude=90"}).world_from_body.position.z, -10);
+}
+
+TEST(Scenario, places_on_the_earth_count_from_the_scenes_origin) {
+    in_scenario_folder();
+    std::ofstream("o.gltf") << R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [],
+        "extras": {"sonar": {"origin": {"latitude": 59.4, "longitude": 10.5, "height": 10}}}}]})";
+    std::string text = on_earth;
+    text.erase(text.find("origin:"), text.find("vehicle:") - text.find("origin:"));
+    EXPECT_THAT(refusal(text), HasSubstr("vehicle.pose.latitude: "));
+    EXPECT_DOUBLE_EQ(parse(text, {"scene=o.gltf"}).world_from_body.position.z, 87);
+    std::ofstream("o.gltf") << R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": []}]})";
+    EXPECT_THAT(
+        refusal(text, {"scene=o.gltf"}),
+        HasSubstr("vehicle.pose.latitude: nothing says where the world lies on the Earth; add origin"));
+}
+
+TEST(Scenario, places_on_the_earth_are_told_whole) {
+    const auto told = [](const std::string& pose) {
+        return refusal("scene: s.glb\norigin: {latitude: 59.4, longitude: 10.5}\nvehicle: {pose: {" + pose +
+                       "}}\ndevices: [{name: micron, model: tritech-micron}]\n");
+    };
+    EXPECT_THAT(told("latitude: 59.4, depth: 3"),
+                HasSubstr("t.yaml:3:17: vehicle.pose.longitude: is missing"));
+    EXPECT_THAT(told("latitude: 59.4, longitude: 10.5"), HasSubstr("altitude or depth in m belongs to"));
+    EXPECT_THAT(told("latitude: 59.4, longitude: 10.5, depth: 3, altitude: 3"), HasSubstr("one of them"));
+    EXPECT_THAT(told("latitude: 59.4, longitude: 10.5, depth: 3, position: [0, 0, 0]"),
+                HasSubstr("vehicle.pose.position: latitude and longitude say where it is"));
+    EXPECT_THAT(told("latitude: 91, longitude: 10.5, depth: 3"), HasSubstr("vehicle.pose.latitude"));
+    EXPECT_THAT(told("latitude: -59.4, longitude: 10.5, depth: 3"), HasSubstr("is the origin right?"));
+    EXPECT_THAT(told("altitude: 3"), HasSubstr("latitude: is missing"));
+    EXPECT_EQ(told("latitude: 59.4, longitude: 10.5, depth: 3"), "accepted");
+}
+
 TEST(Scenario, poses_are_metres_and_degrees_in_ENU) {
     const auto scenario = parse(complete);
     // A yaw of 90 degrees turns the bow from east to north.

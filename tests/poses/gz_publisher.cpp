@@ -5,6 +5,7 @@
 // NAME, of which the last is the one of the line, the others are a hundred metres up. Says "answer
 // NANOSECONDS" for each Clock on the topic /answers.
 #include <ignition/msgs/clock.pb.h>
+#include <ignition/msgs/navsat.pb.h>
 #include <ignition/msgs/odometry.pb.h>
 #include <ignition/msgs/pose.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
@@ -59,6 +60,12 @@ std::string message(const std::string& kind, const Line& line, const std::vector
         set(odometry.mutable_header()->mutable_stamp(), line.stamp);
         fill(odometry.mutable_pose(), line);
         return odometry.SerializeAsString();
+    }
+    if (kind == "NavSat") {  // x, y, z are latitude, longitude and altitude
+        msgs::NavSat fix;
+        set(fix.mutable_header()->mutable_stamp(), line.stamp);
+        fix.set_latitude_deg(line.x), fix.set_longitude_deg(line.y), fix.set_altitude(line.z);
+        return fix.SerializeAsString();
     }
     if (kind == "Pose_V") {
         msgs::Pose_V poses;

@@ -21,6 +21,7 @@ TOLERANCE = 0.15  # m: a pulse, and what the vehicle does during a tenth of a se
 SOUNDER = """
 scene: {scenes}/flat.glb
 seed: 1
+origin: {latitude: 59.4, longitude: 10.5, height: 0}
 water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500, depth: 12}
 vehicle: {input: "%s"}
 devices:

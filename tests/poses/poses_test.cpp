@@ -44,6 +44,19 @@ TEST(PoseLine, TellsVelocitiesThatTheEmulatorReads) {
     EXPECT_FALSE(half.message->velocity || half.message->turning);
 }
 
+TEST(PoseLine, OfAFixTellsAPlaceOnTheEarthAndNoAttitude) {
+    const auto read = parse_pose_line(fix_line({59.4, -10.5, -3.25}, "ball", "t", 12));
+    ASSERT_TRUE(read.message) << read.reason;
+    EXPECT_EQ(read.message->place, (GeoPlace{59.4, -10.5, -3.25}));
+    EXPECT_FALSE(read.message->attitude || read.message->position);
+    EXPECT_EQ(read.message->object, "ball");
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(fault_of_fix({-90, 360, 0}), "");
+    EXPECT_NE(fault_of_fix({1, 2, none}).find("no altitude"), std::string::npos);
+    for (const auto& wrong : {std::array{90.1, 0.0, 0.0}, {0.0, 361.0, 0.0}, {none, 0.0, 0.0}})
+        EXPECT_NE(fault_of_fix(wrong), "");
+}
+
 TEST(PoseLine, RefusesWhatTheEmulatorWould) {
     EXPECT_EQ(fault_of({{1, 2, 3}, {1, 0, 0, 0}}), "");
     EXPECT_NE(fault_of({{1, 2, 3}, {0, 0, 0, 0}}).find("not filled it in"), std::string::npos);
@@ -147,6 +160,23 @@ TEST(Rosbridge, HearsBothGenerations) {
         read_rosbridge(R"({"op": "publish", "topic": "/clock", "msg": {"clock": {"sec": 2, "nanosec": 1}}})")
             .clock,
         2'000'000'001);
+}
+
+TEST(Rosbridge, HearsAFix) {
+    const auto said = [](const std::string& status, const std::string& altitude) {
+        return read_rosbridge(
+            R"({"op": "publish", "topic": "/fix", "msg": {"header": {"stamp": {"sec": 3, "nanosec": 7}, "frame_id": "gps"}, )"
+            R"("status": {"status": )" +
+            status + R"(, "service": 1}, "latitude": 59.4, "longitude": 10.5, "altitude": )" + altitude +
+            R"(, "position_covariance": [0, 0, 0, 0, 0, 0, 0, 0, 0], "position_covariance_type": 0}})");
+    };
+    const auto heard = said("0", "-3");
+    ASSERT_EQ(heard.bodies.size(), 1u) << heard.reason;
+    EXPECT_EQ(heard.bodies[0].fix, (std::array<double, 3>{59.4, 10.5, -3}));
+    EXPECT_EQ(heard.bodies[0].stamp, 3'000'000'007);
+    EXPECT_NE(said("-1", "-3").reason.find("has no fix"), std::string::npos);
+    ASSERT_EQ(said("0", "null").bodies.size(), 1u);
+    EXPECT_NE(fault_of_fix(*said("0", "null").bodies[0].fix), "");
 }
 
 TEST(Rosbridge, SurvivesAStatusThatNestsWithoutEnd) {

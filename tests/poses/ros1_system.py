@@ -16,6 +16,7 @@ try:
                                    TransformStamped, Vector3)
     from nav_msgs.msg import Odometry
     from rosgraph_msgs.msg import Clock
+    from sensor_msgs.msg import NavSatFix
     from tf2_msgs.msg import TFMessage
 except ImportError as error:
     rospy = None
@@ -80,6 +81,8 @@ def stamped(kind, stamp, position, orientation=(1, 0, 0, 0), frame="map", child=
     if kind is TransformStamped:
         message.transform = Transform(Vector3(*position), Quaternion(x, y, z, w))
         message.child_frame_id = child
+    elif kind is NavSatFix:
+        message.latitude, message.longitude, message.altitude = position
     elif kind is PoseStamped:
         message.pose = pose(position, orientation)
     else:

@@ -33,6 +33,10 @@ def message(kind, stamp, position, orientation=(1, 0, 0, 0), generation=2, frame
         "TransformStamped": {"header": header, "child_frame_id": child,
                              "transform": {"translation": place, "rotation": rotation}},
         "Pose": pose,
+        # a fix: latitude and longitude in degrees, altitude in m
+        "NavSatFix": {"header": header, "status": {"status": 0, "service": 1}, "latitude": position[0],
+                      "longitude": position[1], "altitude": position[2], "position_covariance": [0.0] * 9,
+                      "position_covariance_type": 0},
     }
     return shapes[kind]
 

@@ -37,6 +37,14 @@ class Gazebo(PosesCase):
         self.assertEqual(status, 0, output)
         self.assertRegex(output, r"vehicle +[1-9]\d* poses from /model/rov/pose\n$")
 
+    def test_a_fix_of_a_satellite_receiver(self):
+        port = free_port()
+        _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
+        helper = self.helper("--topic", "/navsat", "--to", f"udp://127.0.0.1:{port}")
+        out = Publisher(self, "/navsat", "gz.msgs.NavSat")
+        depths.wait_for(-7 - FLOOR_Z, lambda: out.publish(time.time_ns(), (59.4001, 10.5001, -7)))
+        self.assertEqual(helper.stop()[0], 0)
+
     def test_one_of_many_poses(self):
         port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")

@@ -31,6 +31,16 @@ class Ros1(PosesCase):
                 self.assertEqual(status, 0, output)
                 self.assertRegex(output, rf"vehicle +[1-9]\d* poses from /{topic}\n$")
 
+    def test_a_fix_of_a_satellite_receiver(self):
+        Master.get().start()
+        port = free_port()
+        _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
+        helper = self.helper("--topic", "/fix", "--to", f"udp://127.0.0.1:{port}")
+        out = ros.publisher("/fix", ros.NavSatFix)
+        depths.wait_for(-7 - FLOOR_Z, lambda: out.publish(
+            ros.stamped(ros.NavSatFix, time.time_ns(), (59.4001, 10.5001, -7))))
+        self.assertEqual(helper.stop()[0], 0)
+
     def test_tf_through_a_chain_of_frames(self):
         Master.get().start()
         port = free_port()

@@ -29,6 +29,19 @@ class Rosbridge(PosesCase):
         self.assertEqual(status, 0, output)
         self.assertRegex(output, r"vehicle +[1-9]\d* poses from /pose\n$")
 
+    def test_a_fix_of_a_satellite_receiver(self):
+        port = free_port()
+        _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")
+        double = Double(self, ["/fix"])
+        helper = self.helper(double.url, "--topic", "/fix", "--to", f"udp://127.0.0.1:{port}")
+        double.wait_for_subscriber("/fix")
+        for altitude in (-6, -9):
+            depths.wait_for(altitude - FLOOR_Z, lambda: double.publish(
+                "/fix", message("NavSatFix", time.time_ns(), (59.4001, 10.5001, altitude))))
+        status, output = helper.stop()
+        self.assertEqual(status, 0, output)
+        self.assertRegex(output, r"vehicle +[1-9]\d* poses from /fix\n$")
+
     def test_tf_through_a_chain_of_frames(self):
         port = free_port()
         _, depths = self.sounder(f"udp-listen://127.0.0.1:{port}")

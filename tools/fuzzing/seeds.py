@@ -13,6 +13,7 @@ from captures import captures, packet_inputs, pcapng, recordings_of_makers, text
 from lines import lines, mavlink, mavlink_messages, poses
 from scenes import scenes
 from words import dictionaries, quoted
+from worlds import worlds
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHARED = ROOT.parent / "shared" / "data"
@@ -110,6 +111,7 @@ def inputs():
     yield from framed_inputs(messages)
     yield from text_commands()
     yield from (("scene", name, data) for name, data in scenes())
+    yield from worlds()
     yield from (("scenario", path.stem, path.read_bytes()) for path in sorted((ROOT / "config").glob("*.yaml")))
     yield from ((folder, name, text.encode("latin-1")) for folder, name, text in lines())
     yield from poses()

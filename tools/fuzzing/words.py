@@ -14,6 +14,7 @@ SOURCES = {
     "places": ["emulator/contract/endpoint.cpp", "emulator/contract/network.cpp", "emulator/scenario/control_place.cpp"],
     "fault_answers": ["emulator/run/answers.cpp", "tools/echoloop/fault*.cpp"],
     "scene": ["render/scene/*.cpp"],
+    "world": ["tools/import/*.cpp"],
     "pose": ["emulator/pose/*.cpp"],
     "steps": ["emulator/pose/*.cpp"],
     "http": ["protocols/http/*.cpp"],

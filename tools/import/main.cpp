@@ -7,6 +7,7 @@
 #include <CLI/Formatter.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -118,17 +119,28 @@ std::string text(const Given& given, const char* name) {
     return values.empty() ? "" : values.front();
 }
 
+std::optional<double> heading_of(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (*end == 0 && std::abs(value) <= 360) return value;
+    throw StartError(Exit::usage,
+                     "--heading: expected degrees within 360, as in 90, got " + printable(text, 60));
+}
+
 /// What WORLD names: at most one that is no survey.
 struct Inputs {
     fs::path world;  ///< empty: surveys only
     std::vector<fs::path> surveys;
     TerrainOptions terrain;
+    std::optional<double> heading;
 };
 
 Inputs inputs_of(const Given& given) {
     Inputs out;
     out.terrain = terrain_options([&](const char* name) { return text(given, name); },
                                   [&](const char* name) { return given.contains(name); });
+    out.heading = heading_of(text(given, "--heading"));
     for (const fs::path file : all(given, "WORLD")) {
         std::error_code ec;
         if (!fs::is_regular_file(file, ec))
@@ -147,17 +159,18 @@ Inputs inputs_of(const Given& given) {
     return out;
 }
 
-void add_world(const Given& given, const fs::path& path, const fs::path& scratch, World& world,
+void add_world(const Given& given, const Inputs& inputs, const fs::path& scratch, World& world,
                Report& report, Stage& stage) {
-    stage.set(printable(path.string()));
+    stage.set(printable(inputs.world.string()));
     std::vector<std::string> folders = all(given, "--model-path");
     for (const std::string& folder : folders_of_environment()) folders.push_back(folder);
-    const ModelPaths paths(path, folders, local_fuel_caches());
+    const ModelPaths paths(inputs.world, folders, local_fuel_caches());
     SdfChoices choices{.without = all(given, "--without"),
                        .keep = all(given, "--keep"),
-                       .allow_missing = given.contains("--allow-missing")};
+                       .allow_missing = given.contains("--allow-missing"),
+                       .heading = inputs.heading};
     if (given.contains("--materials")) choices.rules = read_material_rules(text(given, "--materials"));
-    const Sources sources = collect_sources(path, paths, scratch, choices.allow_missing);
+    const Sources sources = collect_sources(inputs.world, paths, scratch, choices.allow_missing);
     {
         cli::Progress progress("reading shapes");
         const Hush hush;
@@ -190,7 +203,7 @@ void convert(const Given& given, const Inputs& inputs, const fs::path& scratch, 
     const auto start = std::chrono::steady_clock::now();
     World world;
     Report report;
-    if (!inputs.world.empty()) add_world(given, inputs.world, scratch, world, report, stage);
+    if (!inputs.world.empty()) add_world(given, inputs, scratch, world, report, stage);
     add_surveys(given, inputs, world, report, stage);
     stage.set("writing the scene");
     if (world.meshes.empty()) {

@@ -33,6 +33,8 @@ inline constexpr std::array options{
                  "keep a model that would be left out as a robot or as water; may be repeated"},
     ImportOption{ImportOption::Kind::flag, "--allow-missing", "",
                  "leave out what cannot be had or read, and say so, where it is an error otherwise"},
+    ImportOption{ImportOption::Kind::value, "--heading", "DEG",
+                 "how far the world's x points from east to north, in place of its heading_deg"},
     ImportOption{ImportOption::Kind::value, "--origin", "LAT,LON",
                  "surveys: place on the Earth of x = 0, y = 0, unless the world says it"},
     ImportOption{ImportOption::Kind::value, "--crs", "EPSG:N",

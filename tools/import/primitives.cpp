@@ -57,6 +57,10 @@ Shape cylinder(double radius, double length) {
     return {turned({{0, -length / 2}, {radius, -length / 2}, {radius, length / 2}, {0, length / 2}})};
 }
 
+Shape cone(double radius, double length) {
+    return {turned({{0, -length / 2}, {radius, -length / 2}, {0, length / 2}})};
+}
+
 Shape ellipsoid(Vec3 radii) {
     std::vector<Ring> rings;
     add_arc(rings, 1, 0, -std::numbers::pi / 2, 0);

@@ -3,89 +3,22 @@
 #include <sdf/sdf.hh>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <optional>
 
 #include "tools/import/fault.h"
-#include "tools/import/heightmap.h"
 #include "tools/import/materials.h"
-#include "tools/import/mesh_file.h"
-#include "tools/import/primitives.h"
+#include "tools/import/shapes.h"
+#include "tools/import/xml.h"
 
 namespace echoloop::worlds {
 namespace {
 
-Vec3 vec(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
-
 Pose pose(const ignition::math::Pose3d& p) {
-    return {vec(p.Pos()), {p.Rot().W(), p.Rot().X(), p.Rot().Y(), p.Rot().Z()}};
+    return {{p.Pos().X(), p.Pos().Y(), p.Pos().Z()}, {p.Rot().W(), p.Rot().X(), p.Rot().Y(), p.Rot().Z()}};
 }
-
-std::string file_name(const std::string& path) { return std::filesystem::path(path).filename(); }
-
-/// Shapes by what they are made from, so that a mesh that is there a hundred times is read once.
-class Shapes {
-  public:
-    explicit Shapes(const ModelPaths& paths) : paths_(paths) {}
-
-    /// Of the same key, the same shape.
-    static std::string key(const sdf::Geometry& geometry) {
-        std::string out = std::to_string(static_cast<int>(geometry.Type()));
-        const auto add = [&](const auto&... values) { ((out += " " + text(values)), ...); };
-        if (const auto* s = geometry.BoxShape()) add(vec(s->Size()));
-        if (const auto* s = geometry.CylinderShape()) add(s->Radius(), s->Length());
-        if (const auto* s = geometry.SphereShape()) add(s->Radius());
-        if (const auto* s = geometry.CapsuleShape()) add(s->Radius(), s->Length());
-        if (const auto* s = geometry.EllipsoidShape()) add(vec(s->Radii()));
-        if (const auto* s = geometry.PlaneShape()) add(vec(s->Normal()), s->Size().X(), s->Size().Y());
-        if (const auto* s = geometry.MeshShape())
-            out += " " + s->Uri() + " " + s->Submesh() + " " + text(vec(s->Scale())) +
-                   (s->CenterSubmesh() ? " c" : "");
-        if (const auto* s = geometry.HeightmapShape())
-            out += " " + s->Uri() + " " + text(vec(s->Size())) + text(vec(s->Position()));
-        return out;
-    }
-
-    const Shape& get(const sdf::Geometry& geometry, const std::string& key) {
-        const auto known = shapes_.find(key);
-        return known != shapes_.end() ? known->second : shapes_.emplace(key, made(geometry)).first->second;
-    }
-
-  private:
-    static std::string text(double value) {
-        char out[32];
-        std::snprintf(out, sizeof out, "%.17g", value);
-        return out;
-    }
-    static std::string text(Vec3 v) { return text(v.x) + " " + text(v.y) + " " + text(v.z); }
-
-    Shape made(const sdf::Geometry& geometry) const {
-        if (const auto* s = geometry.BoxShape()) return box(vec(s->Size()));
-        if (const auto* s = geometry.CylinderShape()) return cylinder(s->Radius(), s->Length());
-        if (const auto* s = geometry.SphereShape()) return ellipsoid({s->Radius(), s->Radius(), s->Radius()});
-        if (const auto* s = geometry.CapsuleShape()) return capsule(s->Radius(), s->Length());
-        if (const auto* s = geometry.EllipsoidShape()) return ellipsoid(vec(s->Radii()));
-        if (const auto* s = geometry.PlaneShape())
-            return plane(vec(s->Normal()), s->Size().X(), s->Size().Y());
-        if (const auto* s = geometry.MeshShape()) return mesh(*s);
-        if (const auto* s = geometry.HeightmapShape())
-            return read_heightmap(s->Uri(), vec(s->Size()), vec(s->Position()));
-        return {};
-    }
-
-    Shape mesh(const sdf::Mesh& mesh) const {
-        const std::string& uri = mesh.Uri();
-        if (uri == "unit_box") return box(vec(mesh.Scale()));
-        if (uri == "unit_sphere") return ellipsoid(0.5 * vec(mesh.Scale()));
-        if (uri == "unit_cylinder") return cylinder(0.5 * mesh.Scale().X(), mesh.Scale().Z());
-        return read_mesh(uri, {mesh.Submesh(), mesh.CenterSubmesh(), vec(mesh.Scale())}, paths_);
-    }
-
-    const ModelPaths& paths_;
-    std::map<std::string, Shape> shapes_;
-};
 
 class Converter {
   public:
@@ -97,7 +30,7 @@ class Converter {
           report_(report),
           stage_(stage),
           told_(told),
-          shapes_(paths) {}
+          shapes_(sources, paths, report.notes) {}
 
     void convert() {
         ::unsetenv("SDF_PATH");  // libsdformat looks there by itself
@@ -112,14 +45,12 @@ class Converter {
         } else if (root.Model() != nullptr) {
             add_model(*root.Model(), "", pose(root.Model()->RawPose()), std::nullopt);
         }
-        for (const std::string& name : choices_.without)
-            if (!std::ranges::count(seen_, name))
-                throw Fault("--without " + printable(name, 64), "no model has this name",
-                            "use one of " + all_seen());
-        for (const std::string& name : choices_.keep)
-            if (!std::ranges::count(seen_, name))
-                throw Fault("--keep " + printable(name, 64), "no model has this name",
-                            "use one of " + all_seen());
+        for (const auto& [option, names] :
+             {std::pair("--without ", &choices_.without), std::pair("--keep ", &choices_.keep)})
+            for (const std::string& name : *names)
+                if (!is_asked_for(seen_, name))
+                    throw Fault(option + printable(name, 64), "no model has this name",
+                                "use one of " + all_seen());
     }
 
   private:
@@ -185,18 +116,29 @@ class Converter {
     }
 
     void add_world(const sdf::World& world) {
-        const auto* const place = world.SphericalCoordinates();
-        const bool is_enu = place != nullptr && std::abs(place->HeadingOffset().Degree()) < 1e-9;
-        if (is_enu)
-            world_.origin = Origin{place->LatitudeReference().Degree(), place->LongitudeReference().Degree(),
-                                   place->ElevationReference()};
-        else if (place != nullptr)
-            report_.notes.push_back(
-                "spherical_coordinates are left out: with a heading_deg the world's x is not east");
+        const Pose turn = place_on_earth(world.SphericalCoordinates());
         for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
             const sdf::Model& model = *world.ModelByIndex(i);
-            add_model(model, "", resolved(model.SemanticPose(), model.Name()), std::nullopt);
+            add_model(model, "", turn * resolved(model.SemanticPose(), model.Name()), std::nullopt);
         }
+    }
+
+    /// Takes the origin; what is returned turns the world so that its x is east. With a heading x points so
+    /// far from east to north, as Gazebo's satellite sensors have it (LOCAL2 of its spherical coordinates).
+    Pose place_on_earth(const ignition::math::SphericalCoordinates* place) {
+        if (place == nullptr) return {};
+        world_.origin = Origin{place->LatitudeReference().Degree(), place->LongitudeReference().Degree(),
+                               place->ElevationReference()};
+        const double heading = choices_.heading.value_or(place->HeadingOffset().Degree());
+        if (heading == 0) return {};
+        char text[160];
+        std::snprintf(
+            text, sizeof text,
+            "the world is turned by its heading of %g deg, so that x is east; poses in Gazebo's own "
+            "axes have to be turned as well, or --heading 0 keeps its axes",
+            heading);
+        report_.notes.emplace_back(text);
+        return {{}, axis_angle({0, 0, 1}, deg_to_rad(heading))};
     }
 
     bool is_asked_for(const std::vector<std::string>& names, const std::string& name) const {
@@ -278,7 +220,9 @@ class Converter {
                           const sdf::Visual& visual) {
         Clues out{.model = model_name, .link = link.Name(), .visual = visual.Name()};
         if (const auto* material = visual.Material()) out.script = material->ScriptName();
-        if (const auto* mesh = visual.Geom()->MeshShape()) out.mesh = file_name(mesh->Uri());
+        const auto* mesh = visual.Geom()->MeshShape();
+        if (mesh && !mesh->Uri().starts_with(drawn_address))
+            out.mesh = std::filesystem::path(mesh->Uri()).filename();
         if (visual.HasLaserRetro()) out.laser_retro = visual.LaserRetro();
         out.terrain = visual.Geom()->HeightmapShape() != nullptr;
         for (const sdf::ElementPtr& element : {visual.Element(), link.Element(), model.Element()})
@@ -299,7 +243,7 @@ class Converter {
             report_.left_out.push_back(printable(name) + ": water, by " + water + " (guessed)");
             return;
         }
-        const std::string key = Shapes::key(*visual.Geom());
+        const std::string key = key_of(*visual.Geom());
         if (const auto* mesh = visual.Geom()->MeshShape()) stage_.set(printable(mesh->Uri(), 1000));
         try {
             const Shape& shape = shapes_.get(*visual.Geom(), key);
@@ -320,7 +264,6 @@ class Converter {
     /// out.
     std::optional<std::size_t> mesh_of(std::string key, const Shape& shape, Clues& clues) {
         std::vector<std::pair<const ShapeSurface*, std::size_t>> parts;
-        std::set<std::string> counted;
         for (const ShapeSurface& surface : shape) {
             clues.surface = surface.material;
             Choice choice = choose_material(clues, choices_.rules);

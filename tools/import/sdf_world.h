@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct SdfChoices {
     std::vector<std::string> without{}, keep{};  ///< names of models
     std::vector<MaterialRule> rules{};
     bool allow_missing = false;
+    std::optional<double> heading{};  ///< deg, of the world's x from east to north; empty: as the world says
 };
 
 /// Of the world's shapes, how many are read.

@@ -1,15 +1,12 @@
 #include "tools/import/sources.h"
 
-#include <tinyxml2.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <set>
-#include <sstream>
 
 #include "tools/import/fault.h"
+#include "tools/import/xml.h"
 
 namespace echoloop::worlds {
 namespace fs = std::filesystem;
@@ -20,7 +17,6 @@ using tinyxml2::XMLElement;
 constexpr std::size_t include_depth = 32;
 constexpr std::size_t most_includes = 20'000;
 constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20;
-constexpr double newest_format = 1.9;  ///< of libsdformat 12
 
 /// Nothing that a sonar hears, and nothing that is needed to find out where things are.
 const std::set<std::string> dropped{"collision",    "sensor",
@@ -38,31 +34,6 @@ const std::set<std::string> dropped{"collision",    "sensor",
 const std::set<std::string> told{"actor", "population", "road"};
 const std::set<std::string> shapes{"box",   "cylinder", "sphere",    "capsule", "ellipsoid",
                                    "plane", "mesh",     "heightmap", "empty"};
-
-std::string text_of(const XMLElement& element) { return element.GetText() ? element.GetText() : ""; }
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t\r\n");
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-std::string name_of(const XMLElement& element) {
-    const char* name = element.Attribute("name");
-    return name ? printable(name, 64) : "";
-}
-
-XMLElement* above(XMLElement& element, std::initializer_list<const char*> names) {
-    for (auto* parent = element.Parent(); parent; parent = parent->Parent())
-        if (XMLElement* found = parent->ToElement())
-            for (const char* name : names)
-                if (std::string_view(found->Name()) == name) return found;
-    return nullptr;
-}
-
-std::string place_of(const fs::path& file, const XMLElement& element) {
-    return printable(file.string()) + ":" + std::to_string(element.GetLineNum());
-}
 
 class Collector {
   public:
@@ -141,6 +112,7 @@ class Collector {
         if (!copy.is_urdf) set_version(file, *root);
         file_ = file, current_ = &copy;
         edit_children(*root);
+        if (copy.is_urdf) keep_fixed_joints(*root);
         if (copy.includes > most_includes)
             throw Fault(printable(file.string()), "includes more than 20,000 models", "split the world");
         return copy;
@@ -181,51 +153,12 @@ class Collector {
         }
         if (dropped.contains(name) || (name == "inertial" && !current_->is_urdf))
             return name == "plugin" && is_trace(element);
-        if (name == "pose") check_pose(element);
+        if (name == "pose") check_pose(file_, element);
         if (name == "include") return edit_include(element);
         if (name == "visual") return edit_visual(element);
         if (name == "link" && current_->is_urdf) add_inertia(element);
         edit_children(element);
         return true;
-    }
-
-    /// libsdformat takes what it cannot read for zero. Parameters in a text are left to it.
-    void check_pose(const XMLElement& pose) const {
-        std::istringstream words(text_of(pose));
-        std::string word;
-        while (words >> word) {
-            char* end = nullptr;
-            const double value = std::strtod(word.c_str(), &end);
-            if (*end != 0 || !(std::abs(value) <= 1e6))
-                throw Fault(place_of(file_, pose),
-                            "<pose> holds " + printable(word, 40) + ", which is no place",
-                            "give six numbers, in m and rad");
-        }
-    }
-
-    static bool is_trace(const XMLElement& element) { return name_of(element) == trace_name; }
-
-    /// The model keeps a word of what it had.
-    void leave_trace(XMLElement& element) {
-        if (is_trace(element)) return;
-        XMLElement* model = above(element, {"model", "include"});
-        if (!model) return;
-        const char* kind =
-            element.Attribute(std::string_view(element.Name()) == "sensor" ? "type" : "filename");
-        XMLElement* trace = model->InsertNewChildElement("plugin");
-        trace->SetAttribute("name", trace_name);
-        trace->SetAttribute("filename",
-                            (std::string(element.Name()) + " " + printable(kind ? kind : "", 64)).c_str());
-    }
-
-    /// libsdformat forgets links of a URDF that have no mass.
-    static void add_inertia(XMLElement& link) {
-        if (!link.FirstChildElement("visual") || link.FirstChildElement("inertial")) return;
-        XMLElement* inertial = link.InsertNewChildElement("inertial");
-        inertial->InsertNewChildElement("mass")->SetAttribute("value", "1");
-        XMLElement* inertia = inertial->InsertNewChildElement("inertia");
-        for (const char* axis : {"ixx", "iyy", "izz"}) inertia->SetAttribute(axis, "1");
-        for (const char* axis : {"ixy", "ixz", "iyz"}) inertia->SetAttribute(axis, "0");
     }
 
     /// The file of a folder of a model: of those that its model.config names the newest that can be read.
@@ -240,7 +173,7 @@ class Collector {
             for (auto* sdf = model->FirstChildElement("sdf"); sdf; sdf = sdf->NextSiblingElement("sdf")) {
                 const std::string version = sdf->Attribute("version") ? sdf->Attribute("version") : "1.0";
                 const int minor = version.size() > 2 ? std::atoi(version.c_str() + 2) : 0;
-                if (minor > newest) newest = minor, best = trimmed(text_of(*sdf));
+                if (minor > newest) newest = minor, best = text_of(sdf);
             }
         return paths_.find(best, folder, ModelPaths::Kind::file);
     }
@@ -253,7 +186,7 @@ class Collector {
 
     bool edit_include(XMLElement& include) {
         XMLElement* uri = include.FirstChildElement("uri");
-        const std::string text = uri ? trimmed(text_of(*uri)) : "";
+        const std::string text = text_of(uri);
         const std::string place = place_of(file_, include);
         if (is_sun(text)) return false;
         if (text.empty()) throw Fault(place, "<include> without a <uri>", "say what to include");
@@ -279,6 +212,15 @@ class Collector {
         if (!geometry) return true;
         for (XMLElement* shape = geometry->FirstChildElement(); shape; shape = shape->NextSiblingElement()) {
             if (std::string_view(shape->Name()).find(':') != std::string_view::npos) continue;
+            try {
+                if (auto drawn = drawn_shape(file_, *shape)) {
+                    put_drawn(*geometry, std::move(*drawn));
+                    return true;
+                }
+            } catch (const Fault& fault) {
+                out_.left_out.emplace_back(fault.what());
+                return false;
+            }
             if (!shapes.contains(shape->Name())) {
                 out_.left_out.push_back(place_of(file_, *shape) + ": <" + printable(shape->Name(), 64) +
                                         "> is a geometry that is not known; make a mesh of it");
@@ -289,13 +231,20 @@ class Collector {
         return true;
     }
 
+    void put_drawn(XMLElement& geometry, Shape shape) {
+        geometry.DeleteChildren();
+        const std::string address = drawn_address + std::to_string(out_.drawn.size());
+        geometry.InsertNewChildElement("mesh")->InsertNewChildElement("uri")->SetText(address.c_str());
+        out_.drawn.push_back(std::move(shape));
+    }
+
     /// Of a mesh or a heightmap.
     bool edit_file(XMLElement& shape) {
         const std::string name = shape.Name();
         if (name != "mesh" && name != "heightmap") return true;
         XMLElement* uri = shape.FirstChildElement("uri");
         const char* attribute = shape.Attribute("filename");  // URDF's
-        const std::string text = uri ? trimmed(text_of(*uri)) : attribute ? trimmed(attribute) : "";
+        const std::string text = attribute ? trimmed(attribute) : text_of(uri);
         const std::string place = place_of(file_, shape);
         try {
             if (text.empty()) throw Missing("is not named; give its <uri>");

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "tools/import/model_paths.h"
+#include "tools/import/shape.h"
 
 namespace echoloop::worlds {
 
-/// In the copies, a plugin of this name in a model stands for a sensor or a plugin that was left out; its
-/// file name says which.
-inline constexpr const char* trace_name = "echoloop_trace";
+/// In the copies, the address of the mesh that stands for Sources::drawn[N] is this and N.
+inline constexpr const char* drawn_address = "echoloop_drawn_";
 
 struct Sources {
     std::filesystem::path world;                   ///< copy of the world
@@ -23,6 +23,7 @@ struct Sources {
     std::map<std::string, std::string> originals;  ///< of each copy's folder
     std::vector<std::string> left_out;             ///< what could not be had, one line each
     std::vector<std::string> notes;                ///< what else somebody might miss
+    std::vector<Shape> drawn;                      ///< of geometries that libsdformat does not read
 };
 
 /// Makes the copies in the folder `scratch`. Throws Fault for XML that is none, files that include

@@ -38,8 +38,8 @@ class Missing(ImportTest):
         self.assertIn("v10", scene.places)
 
     def test_unknown_geometry(self):
-        self.assertIn("<polyline> is a geometry that is not known; make a mesh of it",
-                      self.refused(model("a", visual("<polyline><height>1</height></polyline>"))))
+        self.assertIn("<torus> is a geometry that is not known; make a mesh of it",
+                      self.refused(model("a", visual("<torus><radius>1</radius></torus>"))))
 
     def test_nothing_to_hear(self):
         text = self.refused(model("lake", visual(BOX, "water")))

@@ -1,141 +1,10 @@
-"""What `echoloop import` makes of worlds: shapes, places, names, materials."""
+"""What `echoloop import` makes of worlds: places, names, materials."""
 import os
 import shutil
-import struct
 import subprocess
 import unittest
-import zlib
 
 from worlds import BOX, TETRAHEDRON, ImportTest, mesh, model, script, sdf, visual
-
-
-def collada(unit, up):
-    points = "0 0 0 1 0 0 0 1 0 0 0 1"
-    return f"""<?xml version="1.0"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-<asset><unit name="u" meter="{unit}"/><up_axis>{up}</up_axis></asset>
-<library_geometries><geometry id="g" name="g"><mesh>
-<source id="p"><float_array id="pa" count="12">{points}</float_array>
-<technique_common><accessor source="#pa" count="4" stride="3"><param name="X" type="float"/>
-<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
-<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
-</mesh></geometry></library_geometries>
-<library_visual_scenes><visual_scene id="s" name="s"><node id="n" name="n"><instance_geometry url="#g"/></node>
-</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>"""
-
-
-def stl(scale=1.0):
-    corners = [(0, 0, 0), (scale, 0, 0), (0, scale, 0), (0, 0, scale)]
-    faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
-    out = b"\0" * 80 + struct.pack("<I", len(faces))
-    for face in faces:
-        out += struct.pack("<12fH", 0, 0, 0, *[v for i in face for v in corners[i]], 0)
-    return out
-
-
-def ply():
-    return ("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-            "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
-            "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
-
-
-def png(rows):
-    """A grey picture of 8 bits."""
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    raw = b"".join(b"\0" + bytes(row) for row in rows)
-    head = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 0, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b"")
-
-
-class Shapes(ImportTest):
-    def near(self, pair, expected, places=4):
-        for mine, theirs in zip(pair, expected):
-            for a, b in zip(mine, theirs):
-                self.assertAlmostEqual(a, b, places)
-
-    def test_primitives_have_their_sizes_and_their_outsides_outwards(self):
-        cases = {"box": (BOX, (1, 2, 3), 48),
-                 "cylinder": ("<cylinder><radius>0.5</radius><length>3</length></cylinder>", (0.5, 0.5, 1.5), 2.356),
-                 "sphere": ("<sphere><radius>2</radius></sphere>", (2, 2, 2), 33.51),
-                 "capsule": ("<capsule><radius>0.5</radius><length>2</length></capsule>", (0.5, 0.5, 1.5), 2.094),
-                 "ellipsoid": ("<ellipsoid><radii>1 2 3</radii></ellipsoid>", (1, 2, 3), 25.13)}
-        world = "".join(model(name, visual(shape)) for name, (shape, _, _) in cases.items())
-        scene, _ = self.convert(self.write("w.sdf", sdf(world, "1.9")))
-        for name, (_, half, volume) in cases.items():
-            with self.subTest(name):
-                node = f"{name}::link::visual"
-                self.near(scene.bounds(node), ([-v for v in half], half))
-                self.assertAlmostEqual(scene.volume(node) / volume, 1, delta=0.02)  # facets lie within
-                self.assertNotIn("doubleSided", scene.material(node))
-
-    def test_a_plane_faces_its_normal(self):
-        plane = "<plane><normal>1 0 0</normal><size>4 2</size></plane>"
-        scene, _ = self.convert(model("wall", visual(plane)))
-        self.near(scene.bounds("wall::link::visual"), ((0, -1, -2), (0, 1, 2)))
-        _, p, triangles = next(scene.primitives("wall::link::visual"))
-        a, b, c = (p[i] for i in triangles[0])
-        u, v = [x - y for x, y in zip(b, a)], [x - y for x, y in zip(c, a)]
-        self.assertGreater(u[1] * v[2] - u[2] * v[1], 0)
-
-    def test_meshes_of_every_kind(self):
-        files = {"a.obj": TETRAHEDRON, "a.stl": stl(), "a.ply": ply(), "a.dae": collada(1, "Z_UP")}
-        for name, content in files.items():
-            self.write(name, content)
-        world = "".join(model(name[2:], visual(mesh(name))) for name in files)
-        scene, report = self.convert(world)
-        self.assertEqual((report["meshes"], report["triangles"]), (4, 16))
-        for name in files:
-            node = f"{name[2:]}::link::visual"
-            self.near(scene.bounds(node), ((0, 0, 0), (1, 1, 1)))
-            self.assertAlmostEqual(scene.volume(node), 1 / 6, 4, name)
-
-    def test_the_scene_itself_is_a_mesh(self):
-        self.convert(model("box", visual(BOX)))
-        shutil.move(self.out, self.folder / "again.glb")
-        scene, _ = self.convert(model("box", visual(mesh("again.glb"))))
-        self.near(scene.bounds("box::link::visual"), ((-1, -3, -2), (1, 3, 2)))  # y stays y, as in Gazebo
-
-    def test_of_collada_the_unit_counts_and_the_axis_does_not(self):
-        self.write("a.dae", collada(0.01, "Y_UP"))
-        self.write("b.dae", collada(0.01, "X_UP"))
-        scene, _ = self.convert(model("a", visual(mesh("a.dae", "<scale>200 100 300</scale>"))) +
-                                model("b", visual(mesh("b.dae"))))
-        self.near(scene.bounds("a::link::visual"), ((0, 0, 0), (2, 1, 3)))
-        self.near(scene.bounds("b::link::visual"), ((0, 0, 0), (0.01, 0.01, 0.01)))
-
-    def test_mirrored_and_inside_out_meshes_are_turned(self):
-        self.write("a.obj", TETRAHEDRON)
-        self.write("b.obj", TETRAHEDRON.replace("f 1 3 2", "f 1 2 3").replace("f 1 2 4", "f 1 4 2")
-                   .replace("f 1 4 3", "f 1 3 4").replace("f 2 3 4", "f 2 4 3"))
-        scene, _ = self.convert(model("a", visual(mesh("a.obj", "<scale>-1 1 1</scale>"))) +
-                                model("b", visual(mesh("b.obj"))))
-        for name in "ab":
-            self.assertAlmostEqual(scene.volume(f"{name}::link::visual"), 1 / 6, 4, name)
-
-    def test_open_meshes_count_on_both_sides(self):
-        self.write("a.obj", TETRAHEDRON.replace("f 2 3 4\n", ""))
-        scene, _ = self.convert(model("a", visual(mesh("a.obj"))))
-        self.assertTrue(scene.material("a::link::visual")["doubleSided"])
-
-    def test_a_submesh_alone_and_in_the_middle(self):
-        self.write("a.obj", TETRAHEDRON + TETRAHEDRON.replace("o part", "o other").replace("v ", "v 5")
-                   .replace("f 1 3 2", "f 5 7 6").replace("f 1 2 4", "f 5 6 8").replace("f 1 4 3", "f 5 8 7")
-                   .replace("f 2 3 4", "f 6 7 8"))
-        scene, _ = self.convert(model("a", visual(mesh(
-            "a.obj", "<submesh><name>part</name><center>true</center></submesh>"))))
-        self.near(scene.bounds("a::link::visual"), ((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5)))
-
-    def test_a_heightmap_has_its_brightest_pixel_at_its_height_and_its_first_row_in_the_north(self):
-        self.write("h.png", png([[200, 0, 0], [0, 100, 0], [0, 0, 0]]))
-        heightmap = "<heightmap><uri>h.png</uri><size>20 10 4</size><pos>1 0 -8</pos></heightmap>"
-        scene, report = self.convert(model("h", visual(heightmap)))
-        self.near(scene.bounds("h::link::visual"), ((-9, -5, -8), (11, 5, -4)))
-        points = next(scene.primitives("h::link::visual"))[1]
-        self.assertIn((-9, 5, -4), points)
-        self.assertIn((1, 0, -6), points)
-        self.assertEqual(report["materials"][0]["material"], "sand")
 
 
 class Places(ImportTest):
@@ -187,6 +56,22 @@ class Places(ImportTest):
         name = next(name for name in scene.places if name.startswith("arm::tip::"))
         self.assertEqual(scene.bounds(name), ((1, 0, 1), (3, 2, 3)))
 
+    def test_joints_of_a_urdf_that_are_fixed_keep_their_links(self):
+        def link(name, inner=True):
+            box = '<visual><geometry><box size="1 1 1"/></geometry></visual>' if inner else ""
+            return f'<link name="{name}">{box}</link>'
+        def joint(name, parent, child, x):
+            return (f'<joint name="{name}" type="fixed"><origin xyz="{x} 0 0"/><parent link="{parent}"/>'
+                    f'<child link="{child}"/></joint>')
+        urdf = ('<robot name="rov">' + link("base_link", False) + link("frame") + link("mount", False) + link("sonar") +
+                joint("j1", "base_link", "frame", 1) + joint("j2", "frame", "mount", 2) + joint("j3", "mount", "sonar", 4) +
+                "</robot>")
+        scene, report = self.convert(self.write("rov.urdf", urdf))
+        for name, x in {"rov::frame": 1, "rov::mount": 3, "rov::sonar": 7, "rov::j1": 1, "rov::j2": 3, "rov::j3": 7}.items():
+            self.assertEqual(scene.position(name), (x, 0, 0), name)
+        self.assertEqual(report["meshes"], 2)
+        self.assertEqual({name for name in scene.places if name.startswith("rov::sonar::")}, {"rov::sonar::sonar_visual"})
+
     def test_every_version_of_the_format(self):
         for version in ("1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.11"):
             scene, report = self.convert(self.write("w.sdf", sdf(model("b", visual(BOX)), version)))
@@ -199,6 +84,21 @@ class Places(ImportTest):
                                 "<elevation>12</elevation></spherical_coordinates>" + model("b", visual(BOX)))
         origin = scene.json["scenes"][0]["extras"]["sonar"]["origin"]
         self.assertEqual([round(origin[key], 9) for key in ("latitude", "longitude", "height")], [59.5, 10.25, 12])
+
+
+    def test_a_heading_turns_the_world_as_gazebo_has_it(self):
+        world = ("<spherical_coordinates><surface_model>EARTH_WGS84</surface_model><latitude_deg>45.8</latitude_deg>"
+                 "<longitude_deg>11.5</longitude_deg><elevation>0</elevation><heading_deg>30</heading_deg>"
+                 "</spherical_coordinates>" + model("b", visual(BOX), more="<pose>100 0 -3 0 0 0</pose>"))
+        scene, report = self.convert(world)
+        # ignition-math 6.15, LOCAL2 of SphericalCoordinates: x = 100 lies 86.6 m to the east and 50.0 m to the north.
+        for mine, gazebos in zip(scene.position("b"), (86.603, 50.0, -3)):
+            self.assertAlmostEqual(mine, gazebos, 2)
+        self.assertEqual(scene.json["scenes"][0]["extras"]["sonar"]["origin"]["latitude"], 45.8)
+        self.assertIn("turned by its heading of 30 deg", report["notes"][0])
+        scene, report = self.convert(world, "--heading", "0")
+        self.assertEqual((scene.position("b"), report["notes"]), ((100, 0, -3), []))
+        self.assertIn("--heading: expected degrees", self.refused(world, "--heading", "north", status=64))
 
 
 class Materials(ImportTest):

@@ -101,6 +101,7 @@ class Reading {
             crs.importFromEPSG(4326);
             note("its axes are degrees, which are taken as those of WGS 84");
         }
+        if (crs.IsEmpty() && options_.local_if_unknown) return read_local(crs);
         if (crs.IsEmpty()) fail("has no projection", projection_remedy());
         if (!options_.crs.empty() && raster_.data().GetSpatialRef() != nullptr)
             note("--crs is taken instead of the file's own");

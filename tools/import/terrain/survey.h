@@ -14,12 +14,13 @@ namespace echoloop::worlds {
 
 /// What the user says of a survey. What is empty is taken from the file.
 struct SurveyOptions {
-    std::string layer{};     ///< of a file with several
-    std::string units{};     ///< of its heights: "m", "ft", "us-ft", "fathom", "cm", "km"
-    std::string positive{};  ///< "up" or "down"
-    std::string crs{};       ///< as PROJ and GDAL understand: "EPSG:32632"
-    bool local = false;      ///< its coordinates are metres east and north in the world
-    double water_level = 0;  ///< m: the file's height of what is z = 0 in the world
+    std::string layer{};            ///< of a file with several
+    std::string units{};            ///< of its heights: "m", "ft", "us-ft", "fathom", "cm", "km"
+    std::string positive{};         ///< "up" or "down"
+    std::string crs{};              ///< as PROJ and GDAL understand: "EPSG:32632"
+    bool local = false;             ///< its coordinates are metres east and north in the world
+    bool local_if_unknown = false;  ///< where the file does not say what they are
+    double water_level = 0;         ///< m: the file's height of what is z = 0 in the world
     std::optional<double> nodata{};
 };
 

@@ -19,6 +19,9 @@ struct BodyPose {
     std::array<double, 4> orientation{1, 0, 0, 0};  ///< parent_from_body, w x y z
     /// m/s and rad/s, both in the axes of the body (a twist in its child frame); empty: not told
     std::optional<std::array<double, 3>> velocity{}, turning{};
+    /// Latitude and longitude in degrees and altitude in m, in place of position and orientation; of a
+    /// satellite receiver.
+    std::optional<std::array<double, 3>> fix{};
 };
 
 /// Where the pose of one body comes from.

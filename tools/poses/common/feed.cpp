@@ -73,7 +73,8 @@ void Feed::heard(const Source& source, const BodyPose& body) {
     const auto& [x, y, z] = body.position;
     const auto& [qw, qx, qy, qz] = body.orientation;
     const Pose told{{x, y, z}, {qw, qx, qy, qz}};
-    if (const auto fault = fault_of(told); !fault.empty()) return refused(source.topic, fault);
+    if (const auto fault = body.fix ? fault_of_fix(*body.fix) : fault_of(told); !fault.empty())
+        return refused(source.topic, fault);
     const Pose pose = options_.ned ? enu_from_ned(told) : told;
     const Rates rates = rates_of(body, pose.orientation, options_.ned);
     const bool steps = options_.step && options_.clock.empty() && source.object.empty();
@@ -82,10 +83,13 @@ void Feed::heard(const Source& source, const BodyPose& body) {
     awaited_.erase(source.topic);
     ++sent_[name_of(source)];
     const auto time = options_.step ? run_time(*body.stamp) : body.stamp;
-    if (steps && time >= now_.value_or(0))
-        return step(pose_line(pose, source.object, "now", time, rates), *time);
+    const auto line = [&](const char* key) {
+        return body.fix ? fix_line(*body.fix, source.object, key, time)
+                        : pose_line(pose, source.object, key, time, rates);
+    };
+    if (steps && time >= now_.value_or(0)) return step(line("now"), *time);
     late_ += steps;
-    if (!sender_.send(pose_line(pose, source.object, "t", time, rates))) ++lost_;
+    if (!sender_.send(line("t"))) ++lost_;
 }
 
 void Feed::clock(Nanoseconds time) {

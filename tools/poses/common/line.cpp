@@ -30,6 +30,16 @@ bool finite(const Pose& p) {
     return true;
 }
 
+/// The line up to where it says the place.
+std::string beginning(const std::string& object, const std::string& key, std::optional<Nanoseconds> time) {
+    std::string line = "{";
+    if (time) line += '"' + key + "\": " + seconds_text(*time) + ", ";
+    if (!object.empty())
+        line += "\"object\": " +
+                nlohmann::json(object).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + ", ";
+    return line;
+}
+
 }  // namespace
 
 std::string seconds_text(Nanoseconds time) {
@@ -42,11 +52,7 @@ std::string seconds_text(Nanoseconds time) {
 
 std::string pose_line(const Pose& pose, const std::string& object, const std::string& key,
                       std::optional<Nanoseconds> time, const Rates& rates) {
-    std::string line = "{";
-    if (time) line += '"' + key + "\": " + seconds_text(*time) + ", ";
-    if (!object.empty())
-        line += "\"object\": " +
-                nlohmann::json(object).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + ", ";
+    std::string line = beginning(object, key, time);
     const auto& [w, x, y, z] = pose.orientation;
     line += "\"position\": " + list({pose.position.x, pose.position.y, pose.position.z});
     line += ", \"orientation\": " + list({w, x, y, z});
@@ -58,7 +64,21 @@ std::string pose_line(const Pose& pose, const std::string& object, const std::st
     return line + "}";
 }
 
+std::string fix_line(const std::array<double, 3>& fix, const std::string& object, const std::string& key,
+                     std::optional<Nanoseconds> time) {
+    return beginning(object, key, time) + "\"latitude\": " + number(fix[0]) +
+           ", \"longitude\": " + number(fix[1]) + ", \"altitude\": " + number(fix[2]) + "}";
+}
+
 std::string step_line(Nanoseconds now) { return "{\"now\": " + seconds_text(now) + "}"; }
+
+std::string fault_of_fix(const std::array<double, 3>& fix) {
+    const auto& [latitude, longitude, altitude] = fix;
+    if (std::isnan(altitude)) return "it tells no altitude, which a vehicle under water needs";
+    if (!std::isfinite(latitude + longitude + altitude)) return "a number is not finite";
+    if (std::abs(latitude) > 90 || std::abs(longitude) > 360) return "its place is none on the Earth";
+    return {};
+}
 
 std::string fault_of(const Pose& pose) {
     constexpr double tolerance = 0.01;

@@ -1,6 +1,7 @@
 #include "tools/poses/gz/messages.h"
 
 #include <ignition/msgs/clock.pb.h>
+#include <ignition/msgs/navsat.pb.h>
 #include <ignition/msgs/odometry.pb.h>
 #include <ignition/msgs/pose.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
@@ -63,6 +64,13 @@ std::vector<BodyPose> bodies(const msgs::Odometry& m) {
     }
     return {told};
 }
+std::vector<BodyPose> bodies(const msgs::NavSat& m) {
+    BodyPose told;
+    told.stamp = stamp(m.header());
+    told.name = m.frame_id();
+    told.fix = {m.latitude_deg(), m.longitude_deg(), m.altitude()};
+    return {told};
+}
 std::vector<BodyPose> bodies(const msgs::Pose_V& m) {
     std::vector<BodyPose> all;
     all.reserve(static_cast<std::size_t>(m.pose_size()));
@@ -83,9 +91,10 @@ GzPoses read_gz(std::string_view bytes, std::string_view type) {
     if (name == "Pose") return read<msgs::Pose>(bytes);
     if (name == "Pose_V") return read<msgs::Pose_V>(bytes);
     if (name == "Odometry") return read<msgs::Odometry>(bytes);
+    if (name == "NavSat") return read<msgs::NavSat>(bytes);
     return {{},
             "its type " + std::string(type) +
-                " tells no pose that is known here; known are Pose, Pose_V and Odometry "
+                " tells no pose that is known here; known are Pose, Pose_V, Odometry and NavSat "
                 "of gz.msgs and ignition.msgs"};
 }
 

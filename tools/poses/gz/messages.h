@@ -15,7 +15,7 @@ struct GzPoses {
     std::string reason;  ///< why there are none
 };
 
-/// Pose, Pose_V and Odometry of gz.msgs or ignition.msgs, which have the same bytes.
+/// Pose, Pose_V, Odometry and NavSat of gz.msgs or ignition.msgs, which have the same bytes.
 GzPoses read_gz(std::string_view bytes, std::string_view type);
 
 /// The bytes of an ignition.msgs.Clock.

@@ -6,6 +6,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/NavSatFix.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <array>
@@ -46,6 +47,12 @@ std::vector<BodyPose> bodies(const nav_msgs::Odometry& m) {
     return {told};
 }
 std::vector<BodyPose> bodies(const geometry_msgs::TransformStamped& m) { return {body(m)}; }
+std::vector<BodyPose> bodies(const sensor_msgs::NavSatFix& m) {
+    if (m.status.status < 0) throw std::runtime_error("its receiver has no fix");
+    BodyPose told = body(m.header, BodyPose());
+    told.fix = {m.latitude, m.longitude, m.altitude};
+    return {told};
+}
 std::vector<BodyPose> bodies(const tf2_msgs::TFMessage& m) {
     std::vector<BodyPose> all;
     all.reserve(m.transforms.size());
@@ -86,12 +93,13 @@ struct Type {
     bool transforms;
 };
 
-constexpr std::array<Type, 7> types{{
+constexpr std::array<Type, 8> types{{
     {"nav_msgs/Odometry", read<nav_msgs::Odometry>, false},
     {"geometry_msgs/PoseStamped", read<geometry_msgs::PoseStamped>, false},
     {"geometry_msgs/PoseWithCovarianceStamped", read<geometry_msgs::PoseWithCovarianceStamped>, false},
     {"geometry_msgs/TransformStamped", read<geometry_msgs::TransformStamped>, false},
     {"geometry_msgs/Pose", read<geometry_msgs::Pose>, false},
+    {"sensor_msgs/NavSatFix", read<sensor_msgs::NavSatFix>, false},
     {"tf2_msgs/TFMessage", read_transforms, true},
     {"tf/tfMessage", read_transforms, true},
 }};

@@ -18,7 +18,7 @@ struct Ros1Poses {
 };
 
 /// nav_msgs/Odometry, geometry_msgs/Pose, PoseStamped, PoseWithCovarianceStamped, TransformStamped,
-/// tf2_msgs/TFMessage, tf/tfMessage.
+/// tf2_msgs/TFMessage, tf/tfMessage, sensor_msgs/NavSatFix.
 Ros1Poses read_ros1(const topic_tools::ShapeShifter& message);
 
 /// Of a rosgraph_msgs/Clock.

@@ -18,7 +18,7 @@ namespace {
 const Program program{
     "echoloop-pose-rosbridge",
     "Sends poses that topics of ROS 1 or ROS 2 tell through a rosbridge server to a running echoloop:\n"
-    "Odometry, Pose, PoseStamped, PoseWithCovarianceStamped, TransformStamped, tf.",
+    "Odometry, Pose, PoseStamped, PoseWithCovarianceStamped, TransformStamped, tf, NavSatFix.",
     "  echoloop-pose-rosbridge --topic /odom\n"
     "  echoloop-pose-rosbridge --server ws://192.168.2.2:9090 --topic '/tf#base_link' --world map\n"
     "  echoloop-pose-rosbridge --topic /odom --step --to tcp://127.0.0.1:9500    # clock: {mode: stepped}\n\n"

@@ -1,5 +1,6 @@
 #include "tools/poses/rosbridge/messages.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace echoloop::poses {
@@ -80,6 +81,18 @@ BodyPose of_transform(const Json& message) {
     return with_header(body(member(transform, "translation"), member(transform, "rotation")), message);
 }
 
+/// A sensor_msgs/NavSatFix; null stands for an altitude that is not known.
+BodyPose of_fix(const Json& message) {
+    if (message.contains("status") && message["status"].is_object() &&
+        message["status"].value("status", Json(0)) == Json(-1))
+        throw Refusal{"its receiver has no fix"};
+    BodyPose out = with_header({}, message);
+    const bool has_altitude = !member(message, "altitude").is_null();
+    out.fix = {number(message, "latitude"), number(message, "longitude"),
+               has_altitude ? number(message, "altitude") : std::numeric_limits<double>::quiet_NaN()};
+    return out;
+}
+
 std::vector<BodyPose> of_transforms(const Json& list) {
     if (!list.is_array() || list.size() > most_transforms)
         throw Refusal{"\"transforms\" is no list of at most 10000"};
@@ -108,12 +121,14 @@ void read_message(const Json& message, RosbridgeHeard& heard) {
         }
     } else if (message.contains("position")) {
         heard.bodies = {of_pose(message)};
+    } else if (message.contains("latitude")) {
+        heard.bodies = {of_fix(message)};
     } else if (message.contains("clock")) {
         heard.clock = stamp(message["clock"]).value_or(0);
     } else {
         throw Refusal{
             "its message tells no pose that is known here; known are Odometry, Pose, PoseStamped, "
-            "PoseWithCovarianceStamped, TransformStamped, TFMessage"};
+            "PoseWithCovarianceStamped, TransformStamped, TFMessage, NavSatFix"};
     }
 }
 
