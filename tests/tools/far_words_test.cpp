@@ -1,5 +1,6 @@
 // Water without an echo, as it stands on the wire: noise has many values there, whatever the gain makes of
-// it. A converter whose steps lie above a beam's noise would leave three or four, with zeros between them.
+// it. A device that rounds before its gain, or codes too coarsely, would leave three or four. Steps of the
+// converter come as noise (render/acoustics); that they lie below a beam's noise is held by floor_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cstdio>
