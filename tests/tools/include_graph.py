@@ -16,7 +16,7 @@ from dataclasses import dataclass
 MODULES = ("protocols", "render", "emulator", "tools", "tests")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 
-PURE = r"render/(echogram|effects|geographic|pose|simd|acoustics/(ring_down|interference))\.h"
+PURE = r"render/(echogram|effects|geographic|motion|pose|simd|acoustics/(ring_down|interference))\.h"
 STANDARD = r"[a-z0-9_]+"  # <vector>; any other library has a slash or a suffix
 GRAPHICS = r"(GL|EGL|glvnd|glm|embree\d?)/.*|tiny_gltf\.h"
 NETWORK = r"boost/.*|libserialport\.h|pcap.*"
