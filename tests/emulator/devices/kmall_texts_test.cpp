@@ -7,9 +7,7 @@ namespace {
 
 const std::vector<std::string> with_texts{"udp-listen://127.0.0.1:14002", "udp://127.0.0.1:6020",
                                           "udp://127.0.0.1:4002"};
-Bench talking_sounder(const Options& changes = {}) {
-    return sounder(changes, with_texts);
-}
+Bench talking_sounder(const Options& changes = {}) { return sounder(changes, with_texts); }
 /// What the controller says, and what the sounder sends to its readers.
 std::vector<std::string> texts(const std::vector<Send>& sent) {
     std::vector<std::string> found;
