@@ -92,7 +92,7 @@ void Topics::say(const Wire& wire, const said::Picture& told) {
     }
     // A message of soundings, and one of levels, make a picture each.
     draw(topic + "/" + (told.levels.empty() ? "soundings" : "picture"), head, said,
-         told.levels.empty() ? dots_of(told) : levels_of(told), told.turns);
+         told.levels.empty() ? dots_of(told) : levels_of(told));
     if (told.ranges.empty()) return;
     Soundings all = empty_soundings(echo);
     all.beam_width = 0;

@@ -62,9 +62,9 @@ std::int32_t nearest(const std::vector<double>& row, double at, double reach) {
 
 }  // namespace
 
-void SonarPicture::take(Levels levels, bool turns) {
+void SonarPicture::take(Levels levels) {
     pans_.insert(std::lround(levels.pan * 1000));
-    Kind kind = turns || pans_.size() > 1 ? Kind::circle : Kind::echogram;
+    Kind kind = pans_.size() > 1 ? Kind::circle : Kind::echogram;
     if (levels.rows > 1)
         kind = Kind::range_image;
     else if (levels.waterfall || (levels.sides && levels.beams == 2))

@@ -17,8 +17,8 @@ class SonarPicture {
   public:
     static constexpr std::size_t width = 480, height = 360;
 
-    /// The next ping; `turns`: it is surely a scanning head's.
-    void take(Levels levels, bool turns = false);
+    /// The next ping. A head turns once its pings do.
+    void take(Levels levels);
     /// width x height dots from the upper left, red, green, blue.
     std::string draw();
 

@@ -87,11 +87,10 @@ std::string hexadecimal(ByteView bytes) {
 
 }  // namespace
 
-void Topics::draw(const std::string& topic, const Stamped& head, std::uint64_t said, Levels levels,
-                  bool turns) {
+void Topics::draw(const std::string& topic, const Stamped& head, std::uint64_t said, Levels levels) {
     if (levels.bins == 0) return;
     Drawn& drawn = drawn_[topic];
-    drawn.picture.take(std::move(levels), turns);
+    drawn.picture.take(std::move(levels));
     if (drawn.time != 0 && said < drawn.time + between_pictures) return;
     drawn.time = said;
     take_({topic, image_type, said},
@@ -113,7 +112,7 @@ void Topics::ping(const Ping& ping) {
                 return raw_image({head.time, name + "_fan"}, echo);
             });
     }
-    draw(topic + "/picture", head, said, bag::levels_of(echo), false);
+    draw(topic + "/picture", head, said, bag::levels_of(echo));
     take_({topic + "/points", points_type, said}, [&] { return point_cloud(head, loudest_of(echo)); });
     offer_truth(ping, topic, head, said);
     offer_poses(ping, head, said);

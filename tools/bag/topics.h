@@ -62,7 +62,7 @@ class Topics {
         Wire last{};  ///< without its bytes
     };
 
-    void draw(const std::string& topic, const Stamped& head, std::uint64_t said, Levels levels, bool turns);
+    void draw(const std::string& topic, const Stamped& head, std::uint64_t said, Levels levels);
     void offer_truth(const Ping& ping, const std::string& topic, const Stamped& head, std::uint64_t said);
     void offer_poses(const Ping& ping, const Stamped& head, std::uint64_t said);
     void message(const Wire& wire, const inspect::Family* family, const inspect::Message& message,
