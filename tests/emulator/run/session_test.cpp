@@ -49,6 +49,8 @@ class Pinger : public Device {
     std::function<void()> done_;
 };
 
+Located at_rest(Time time) { return {time, {}, {}}; }
+
 /// Wants to be woken every 20 ms, and keeps what time it was told.
 class Ticker : public Device {
   public:
@@ -80,9 +82,9 @@ TEST(Sessions, DoWhatWasPlannedWhenItWasPlannedUnlessTheyWakeFarTooLate) {
     SharedWater shared{{}, Effects::none(), 1, scene->bounds(), CrossTalk({}, Effects::none())};
     RenderThreads renderer([&] { return std::make_unique<Renderer>(scene, Water{}); });
     std::vector<Time> told;
-    Session session(io, clock, renderer, shared, "ticker",
-                    std::make_unique<Ticker>(told, [&io] { io.stop(); }),
-                    std::vector<std::unique_ptr<Transport>>{}, [](Time) { return Pose(); });
+    Session session(
+        io, clock, renderer, shared, "ticker", std::make_unique<Ticker>(told, [&io] { io.stop(); }),
+        std::vector<std::unique_ptr<Transport>>{}, [](Time) { return Pose(); }, at_rest);
     session.start();
     io.run();
     std::size_t punctual = 0;
@@ -94,6 +96,53 @@ TEST(Sessions, DoWhatWasPlannedWhenItWasPlannedUnlessTheyWakeFarTooLate) {
             EXPECT_GE(late, std::chrono::milliseconds(1));
     }
     EXPECT_GT(punctual, 0U);
+}
+
+/// Asks once where it was at two moments, and keeps what it is told.
+class Asker : public Device {
+  public:
+    Asker(std::vector<Located>& told, std::function<void()> done) : told_(told), done_(std::move(done)) {}
+    std::vector<Port> ports() const override { return {}; }
+    Actions started(Time now) override {
+        Actions actions;
+        actions.locate = {now - std::chrono::seconds(1), now};
+        return actions;
+    }
+    Actions located(std::span<const Located> places, Time) override {
+        told_.assign(places.begin(), places.end());
+        done_();
+        return {};
+    }
+    Actions woken(Time) override { return {}; }
+    Actions received(const Received&, Time) override { return {}; }
+    Actions heard(const Echogram&, Time) override { return {}; }
+    void reconnected(std::size_t) override {}
+    DeviceCounters counters() const override { return {}; }
+
+  private:
+    std::vector<Located>& told_;
+    std::function<void()> done_;
+};
+
+TEST(Sessions, TellADeviceWhereItWasAtTheMomentsThatItAskedFor) {
+    const auto scene = test::scene_of({test::wall_at(5, 4, -4, 4, -4)});
+    asio::io_context io;
+    RealClock clock(io);
+    SharedWater shared{{}, Effects::none(), 1, scene->bounds(), CrossTalk({}, Effects::none())};
+    RenderThreads renderer([&] { return std::make_unique<Renderer>(scene, Water{}); });
+    std::vector<Located> told;
+    Session session(
+        io, clock, renderer, shared, "asker", std::make_unique<Asker>(told, [&io] { io.stop(); }),
+        std::vector<std::unique_ptr<Transport>>{}, [](Time) { return Pose(); },
+        [](Time time) {
+            return Located{time, {{2 * to_seconds(time), 0, 0}, {}}, {{2, 0, 0}, {}}};
+        });
+    session.start();
+    io.run();
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_EQ(told[1].time - told[0].time, std::chrono::seconds(1));
+    EXPECT_DOUBLE_EQ(told[1].world_from_device.position.x - told[0].world_from_device.position.x, 2);
+    EXPECT_EQ(told[0].motion.velocity.x, 2);
 }
 
 /// Two sonars 30 m apart; the first looks at a wall 760 m away, the second looks away from it.
@@ -120,7 +169,8 @@ class TwoSonars : public testing::Test {
         for (std::size_t i = 0; i < 2; ++i)
             sessions.push_back(std::make_unique<Session>(
                 io, clock, renderer, shared, i == 0 ? "one" : "two", std::make_unique<Pinger>(heard[i], done),
-                std::vector<std::unique_ptr<Transport>>{}, [pose = poses[i]](Time) { return pose; }));
+                std::vector<std::unique_ptr<Transport>>{}, [pose = poses[i]](Time) { return pose; },
+                at_rest));
         for (auto& session : sessions) session->start();
         io.run();
         return heard;
