@@ -27,7 +27,7 @@ class Progress(ProgramTest):
         self.assertEqual(self.on_a_terminal("render", DEMO, "--device", "sonar", "--out", self.folder / "fan.npy"), "")
 
     def test_checks(self):
-        self.assertRegex(self.on_a_terminal("validate", "--only", "V1,V2"), r"checking \[#{20}\.{20}\] 1/2")
+        self.assertRegex(self.on_a_terminal("validate", "--only", "V1,V2"), r"checking \[\.{40}\] 0/2.*checking \[#{40}\] 2/2")
 
     def test_a_capture_that_is_converted(self):
         capture = Pcapng().interface(RTAC_SERIAL, b"head")

@@ -55,7 +55,7 @@ class Altimeters(unittest.TestCase):
         """It stops it, sets ranges and mode, each answer an echo, a value and '>', lets it run and splits at commas."""
         self.open("valeport-va500")
         self.line.write(b"#\r\n#")
-        self.read(lambda data: b">" in data)
+        self.read(lambda data: data.count(b">") == 2)
         for command in b"#823;100", b"#840;1", b"#039;M4":
             self.line.write(command + b"\r\n")
             self.assertEqual(self.read(lambda data: data.endswith(b">")),

@@ -146,7 +146,11 @@ class Kmall(Shapes, unittest.TestCase):
         self.run_on(scene, z, roll, [f"udp-listen://127.0.0.1:{free_port()}", f"udp://127.0.0.1:{host}"], "range: 50")
 
     def points(self):
-        _, body = self.joiner.take(self.socket.recv(65536))
+        whole = None
+        while whole is None:
+            datagram = self.socket.recv(65536)
+            whole = self.joiner.take(datagram) if datagram[4:8] == b"#MRZ" else None
+        _, body = whole
         soundings = kmall_wire.read_mrz(body)["soundings"]
         return [(-math.radians(s["angle"]), C / 2 * s["time"] if s["type"] == 0 else 0) for s in soundings]
 

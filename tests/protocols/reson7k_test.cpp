@@ -184,7 +184,7 @@ TEST(Reson7kInspect, NamesRecordsOfStreamsAndFilesAndTypesWithoutATable) {
     wire::Bytes in_file = golden("detections");
     in_file.erase(in_file.begin(), in_file.begin() + network_frame_size);
     Record other;
-    other.frame.type = 7610;
+    other.frame.type = 7777;
     other.content = {1, 2, 3, 4};
     const auto messages = inspect::find_family("reson7k")->decode(
         joined({golden("subscribe"), from_hex("00 01 02"), in_file, encode(other)}));
@@ -193,7 +193,7 @@ TEST(Reson7kInspect, NamesRecordsOfStreamsAndFilesAndTypesWithoutATable) {
     EXPECT_EQ(messages[1].name, "");
     EXPECT_EQ(messages[2].name, "RawDetections");
     EXPECT_EQ(messages[2].offset, golden("subscribe").size() + 3);
-    EXPECT_EQ(messages[3].name, "record 7610");
+    EXPECT_EQ(messages[3].name, "record 7777");
     EXPECT_NE(messages[3].reason, "");
 }
 
