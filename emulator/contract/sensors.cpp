@@ -42,9 +42,10 @@ double Sensors::read(std::string_view name, double truth, const Stray& stray, Ti
     return stray.step > 0 ? stray.step * std::round(reading / stray.step) : reading;
 }
 
+/// Below 360 as a float, too, which most words are.
 double Sensors::read_bearing(std::string_view name, double truth, const Stray& stray, Time now) const {
-    const double reading = std::fmod(read(name, truth, stray, now) + 360, 360);
-    return noisy_ ? reading : truth;
+    const double reading = noisy_ ? std::fmod(read(name, truth, stray, now) + 360, 360) : truth;
+    return static_cast<float>(reading) < 360 ? reading : 0;
 }
 
 Time Sensors::lateness(const Jitter& jitter, std::uint64_t ping) const {
