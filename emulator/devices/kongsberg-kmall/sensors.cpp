@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "emulator/devices/kongsberg-kmall/soundings.h"
 #include "protocols/nmea/navigation.h"
 
 namespace echoloop::kongsberg_kmall {

@@ -11,6 +11,7 @@
 #include "tools/capture/ports.h"
 #include "tools/echoloop/convert/from_capture.h"
 #include "tools/echoloop/diff/side.h"
+#include "tools/echoloop/watched_capture.h"
 
 namespace echoloop::convert {
 namespace {
