@@ -62,6 +62,8 @@ class Shown(unittest.TestCase):
                     message = await viewer.recv()
                     if isinstance(message, bytes):
                         head, levels, ranges = picture(message)
+                        if not any(levels) and not any(ranges):
+                            continue  # a Ping1D that is asked before its first ping says an empty profile
                         said[(head["device"], head["name"])] = head, levels, ranges
                         if done := enough(said):
                             return done
