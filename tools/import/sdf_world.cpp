@@ -307,6 +307,8 @@ class Converter {
 
 }  // namespace
 
+void require_sdf(const std::filesystem::path&) {}
+
 void add_sdf(const Sources& sources, const ModelPaths& paths, SdfChoices& choices, World& world,
              Report& report, Stage& stage, const Told& told) {
     report.left_out.insert(report.left_out.end(), sources.left_out.begin(), sources.left_out.end());
