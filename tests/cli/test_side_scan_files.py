@@ -89,7 +89,7 @@ class Xtf(Convert):
         for number, kind in ((0, 1), (1, 2)):
             info = data[256 + 128 * number:]
             self.assertEqual((info[0], info[1], struct.unpack_from("<H", info, 6)[0], info[74]), (kind, number, 2, 3))
-            self.assertEqual(struct.unpack_from("<f", info, 32)[0], 410e3)
+            self.assertEqual(struct.unpack_from("<f", info, 32)[0], 410)
         found = self.packets(data)
         self.assertEqual(len(found), 5)
         head, sides = found[1]

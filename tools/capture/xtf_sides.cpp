@@ -74,7 +74,7 @@ XtfSides::XtfSides(ByteView header) {
                         .sample_bytes = little::u16(info, 6),
                         .floating = info[74] == ieee,
                         .signs = little::u16(info, 4) == 0,
-                        .frequency = finite_or(f32(info, 32), 0)};
+                        .frequency = 1e3 * finite_or(f32(info, 32), 0)};
     }
 }
 

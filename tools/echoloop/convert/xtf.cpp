@@ -75,7 +75,7 @@ class Xtf final : public Recording {
                 header.set(at + 6, sample_bytes);
                 header.set(at + 8, std::uint32_t{1024});
                 header.text(at + 12, side == starboard ? "starboard" : "port");
-                header.set(at + 32, static_cast<float>(middle_frequency(data)));
+                header.set(at + 32, static_cast<float>(middle_frequency(data) / 1000));  // kHz, as in packets
                 header.set(at + 74, sixteen_bits);
                 at += channel_info;
             }
