@@ -1,12 +1,10 @@
-#include "emulator/devices/waterlinked-dvl/beams.h"
+#include "emulator/devices/family/doppler/beams.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace echoloop::waterlinked_dvl {
+namespace echoloop::doppler {
 namespace {
-
-constexpr std::array<double, transducers> azimuths{135, 225, 315, 45};  // deg
 
 double determinant(const Covariance& m) {
     return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
@@ -31,22 +29,37 @@ Vec3 times(const Covariance& m, Vec3 v) {
     return {row(0), row(1), row(2)};
 }
 
-}  // namespace
-
-Vec3 beam_axis(std::size_t transducer) {
-    const double azimuth = deg_to_rad(azimuths.at(transducer));
-    return {std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt)};
+/// Two pairs of opposite beams measure the same vertical velocity; scaled so that noise makes as much of it
+/// as of a horizontal velocity (Teledyne's error velocity).
+double error_velocity(const Axes& axes, const BeamSpeeds& beams) {
+    double sum = 0;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const Vec3 a = axes[0], b = axes[i];
+        const double across = a.x * b.y - a.y * b.x, along = a.x * b.x + a.y * b.y;
+        sum += (std::abs(along) > std::abs(across) ? 1 : -1) * beams[i]->velocity;
+    }
+    return sum / (2 * std::sqrt(2) * std::hypot(axes[0].x, axes[0].y));
 }
 
-std::optional<Solution> solve(const BeamSpeeds& beams) {
+}  // namespace
+
+Axes beam_axes(double tilt, const std::vector<double>& azimuths) {
+    Axes axes;
+    for (const double azimuth : azimuths)
+        axes.push_back(
+            {std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt)});
+    return axes;
+}
+
+std::optional<Solution> solve(const Axes& axes, const BeamSpeeds& beams) {
     constexpr double least = 1e-7;  // m/s, for sensors without noise
     Covariance normal{};
     Vec3 right;
     std::size_t heard = 0;
-    for (std::size_t i = 0; i < transducers; ++i) {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
         if (!beams[i]) continue;
         ++heard;
-        const Vec3 axis = beam_axis(i);
+        const Vec3 axis = axes[i];
         const double weight = 1 / std::pow(std::max(beams[i]->deviation, least), 2);
         const std::array<double, 3> u{axis.x, axis.y, axis.z};
         for (std::size_t r = 0; r < 3; ++r)
@@ -57,9 +70,7 @@ std::optional<Solution> solve(const BeamSpeeds& beams) {
     Solution solution;
     solution.covariance = inverted(normal);
     solution.velocity = times(solution.covariance, right);
-    if (heard == transducers)  // the two diagonals measure the same vertical velocity
-        solution.error = (beams[0]->velocity + beams[2]->velocity - beams[1]->velocity - beams[3]->velocity) /
-                         (2 * std::sqrt(2) * std::sin(tilt));
+    if (heard == 4 && axes.size() == 4) solution.error = error_velocity(axes, beams);
     return solution;
 }
 
@@ -95,4 +106,4 @@ Covariance turned(const Covariance& covariance, double angle) {
     return out;
 }
 
-}  // namespace echoloop::waterlinked_dvl
+}  // namespace echoloop::doppler

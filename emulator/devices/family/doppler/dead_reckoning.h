@@ -6,7 +6,7 @@
 
 #include "render/pose.h"
 
-namespace echoloop::waterlinked_dvl {
+namespace echoloop::doppler {
 
 struct LocalPosition {
     Vec3 position;                        ///< m
@@ -32,4 +32,4 @@ class DeadReckoning {
     double variance_ = 0;  ///< m^2
 };
 
-}  // namespace echoloop::waterlinked_dvl
+}  // namespace echoloop::doppler

@@ -1,9 +1,9 @@
-#include "emulator/devices/waterlinked-dvl/dead_reckoning.h"
+#include "emulator/devices/family/doppler/dead_reckoning.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace echoloop::waterlinked_dvl {
+namespace echoloop::doppler {
 
 void DeadReckoning::reset() {
     reference_ = now_;
@@ -38,4 +38,4 @@ LocalPosition DeadReckoning::position() const {
     return p;
 }
 
-}  // namespace echoloop::waterlinked_dvl
+}  // namespace echoloop::doppler

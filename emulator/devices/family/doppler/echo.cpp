@@ -1,17 +1,23 @@
-#include "emulator/devices/waterlinked-dvl/echo.h"
+#include "emulator/devices/family/doppler/echo.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "emulator/devices/family/sounder/water.h"
-#include "emulator/devices/waterlinked-dvl/beams.h"
 
-namespace echoloop::waterlinked_dvl {
+namespace echoloop::doppler {
 namespace {
 
 double time_of(const Shot& shot, std::size_t bin) {
     return shot.first_bin_time + (static_cast<double>(bin) + 0.5) * shot.bin_interval;
+}
+
+/// From -pi to below pi.
+double bearing_of(double azimuth) {
+    constexpr double pi = std::numbers::pi;
+    return azimuth - 2 * pi * std::floor((azimuth + pi) / (2 * pi));
 }
 
 /// The bin of the strongest echo, if one stands out of the noise and of the water.
@@ -63,24 +69,32 @@ struct Around {
 
 }  // namespace
 
-Plan make_plan(const ModeFigures& mode, double speed, const Settings& settings) {
+Plan make_plan(const Mode& mode, double speed, const Settings& settings) {
     constexpr double margin = 1.15;  // for a vehicle that is not level, and slopes; own choice
     constexpr double share = 0.1;    // of the way to the nearest bottom that a pulse is long; own choice
     const Acoustics& a = settings.acoustics;
     Plan plan{.mode = mode};
     plan.pulse = std::clamp(share * 2 * mode.nearest / speed, a.shortest_pulse, a.longest_pulse);
-    plan.window = 2 * margin * mode.farthest / std::cos(tilt) / speed;
+    plan.window = 2 * margin * mode.farthest / std::cos(a.tilt) / speed;
     plan.period = std::max(1 / mode.rate, plan.window + settings.processing_time);
     return plan;
 }
 
+std::vector<std::size_t> order_of_beams(const Settings& settings) {
+    std::vector<std::size_t> order(settings.azimuths.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [&](std::size_t i) { return bearing_of(settings.azimuths[i]); });
+    return order;
+}
+
 Shot make_shot(const Plan& plan, const Settings& settings, std::uint64_t number) {
-    constexpr double bins_per_pulse = 4, quarter = std::numbers::pi / 4;
+    constexpr double bins_per_pulse = 4;
     const Acoustics& a = settings.acoustics;
     Shot shot;
     shot.ping = number;
-    shot.bearings = {-3 * quarter, -quarter, quarter, 3 * quarter};
-    shot.sides.assign(transducers, {std::numbers::pi / 2 - tilt, a.source_level});
+    for (const std::size_t beam : order_of_beams(settings))
+        shot.bearings.push_back(bearing_of(settings.azimuths[beam]));
+    shot.sides.assign(shot.bearings.size(), {std::numbers::pi / 2 - a.tilt, a.source_level});
     shot.beam_width = shot.fan_height = a.beam_width;
     shot.bin_interval = plan.pulse / bins_per_pulse;
     shot.bins = static_cast<std::size_t>(std::ceil(plan.window / shot.bin_interval));
@@ -101,7 +115,8 @@ std::optional<Echo> find_bottom_echo(const Echogram& e, std::size_t beam, const 
     const auto peak = peak_of(e, beam, settings.acoustics.detection);
     if (!peak) return std::nullopt;
     const Around around{e, beam};
-    const double extent = std::tan(tilt) * settings.acoustics.beam_width;  // of the range, to either side
+    const double extent =
+        std::tan(settings.acoustics.tilt) * settings.acoustics.beam_width;  // of the range, to either side
     double middle = time_of(e.shot, *peak), half = 0;
     for (int step = 0; step < steps; ++step) {
         half = extent * middle + 0.75 * e.shot.pulse_length + e.shot.bin_interval;
@@ -122,4 +137,4 @@ std::optional<Echo> find_bottom_echo(const Echogram& e, std::size_t beam, const 
     return echo.time > 0 ? std::optional(echo) : std::nullopt;
 }
 
-}  // namespace echoloop::waterlinked_dvl
+}  // namespace echoloop::doppler

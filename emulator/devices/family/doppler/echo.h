@@ -1,23 +1,27 @@
-// A ping of a DVL: its shot, and what each beam's echo says. Pure functions of settings and echograms.
+// A ping of a Doppler log: its shot, and what each beam's echo says. Pure functions of settings and
+// echograms.
 #pragma once
 
 #include <optional>
 
-#include "emulator/devices/waterlinked-dvl/settings.h"
+#include "emulator/devices/family/doppler/modes.h"
+#include "emulator/devices/family/doppler/settings.h"
 
-namespace echoloop::waterlinked_dvl {
+namespace echoloop::doppler {
 
 /// What a ping is sent with.
 struct Plan {
-    ModeFigures mode;
+    Mode mode;
     double pulse = 0;   ///< s
     double window = 0;  ///< s of two-way time, to the end of listening
     double period = 0;  ///< s to the next ping
 };
 /// `speed`: m/s, the device's own.
-Plan make_plan(const ModeFigures& mode, double speed, const Settings& settings);
+Plan make_plan(const Mode& mode, double speed, const Settings& settings);
 
-/// The four beams, each a single beam with an array of its own, from port aft clockwise to starboard aft.
+/// Which of the device's beams each beam of a shot is: bearings of a shot ascend from astern over port.
+std::vector<std::size_t> order_of_beams(const Settings& settings);
+/// The beams, each a single beam with an array of its own, in that order.
 Shot make_shot(const Plan& plan, const Settings& settings, std::uint64_t number);
 
 /// The bottom in one beam.
@@ -31,4 +35,4 @@ struct Echo {
 /// it: of a narrow beam over a slope that lies on the axis, where the leading edge does not.
 std::optional<Echo> find_bottom_echo(const Echogram& echogram, std::size_t beam, const Settings& settings);
 
-}  // namespace echoloop::waterlinked_dvl
+}  // namespace echoloop::doppler
