@@ -37,7 +37,8 @@ local function number_field(abbr, row)
   if row.type == "f32" then return plain_field(abbr, row.name, ftypes.FLOAT, help_of(row)) end
   if row.type == "f64" then return plain_field(abbr, row.name, ftypes.DOUBLE, help_of(row)) end
   if row.format == "ipv4" then return ProtoField.ipv4(abbr, row.name, help_of(row)) end
-  local base = (row.format == "hex" or row.format == "bits") and base.HEX or base.DEC
+  local unsigned = row.type:match("^u") ~= nil  -- Wireshark shows no others in hexadecimal
+  local base = unsigned and (row.format == "hex" or row.format == "bits") and base.HEX or base.DEC
   local names = sizes[row.type] and sizes[row.type] < 8 and names_of(row) or nil
   return make(abbr, row.name, base, names, 0, help_of(row))
 end

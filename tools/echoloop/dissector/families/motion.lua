@@ -65,8 +65,8 @@ function family.display(tree, tvb, at, _, text)
   return "EmAttitude3000"
 end
 
--- Ten bytes may be anybody's.
-function family.is_sure(text, at) return text:byte(at + 1) == 0x3A end
+-- Ten bytes may be anybody's, where others stand before them.
+function family.is_sure(text, at) return text:byte(at + 1) == 0x3A or at == 0 end
 
 function family.sign(text)
   return family.frame(text, 0) == #text
