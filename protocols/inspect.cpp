@@ -6,6 +6,7 @@
 #include "protocols/altimeter/inspect.h"
 #include "protocols/aris/inspect.h"
 #include "protocols/cerulean/inspect.h"
+#include "protocols/edgetech/inspect.h"
 #include "protocols/imagenex/delta_t_inspect.h"
 #include "protocols/imagenex/inspect.h"
 #include "protocols/kmall/inspect.h"
@@ -98,6 +99,15 @@ constexpr std::array table = {
            .rewritten = norbit::rewritten,
            .checksums = norbit::checksums,
            .longest_frame = std::size_t{2} << 20},
+    Family{.name = "edgetech",
+           .title = "EdgeTech side-scans, TCP and .jsf files",
+           .places = {.tcp = "1700-1701"},
+           .framing = Framing::stream,
+           .decode = edgetech::decode,
+           .recognise = edgetech::recognise,
+           .tables = edgetech::tables,
+           .rewritten = edgetech::rewritten,
+           .longest_frame = std::size_t{256} << 10},
     // Before ping: its objects and sentences say what they are.
     Family{.name = "waterlinked",
            .title = "Water Linked DVL A50 and A125, TCP and serial",

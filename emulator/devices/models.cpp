@@ -3,6 +3,7 @@
 #include "emulator/contract/model.h"
 #include "emulator/devices/altimeters/altimeters.h"
 #include "emulator/devices/aris/aris.h"
+#include "emulator/devices/edgetech-2205/edgetech_2205.h"
 #include "emulator/devices/imagenex-852/sounder.h"
 #include "emulator/devices/imagenex-881a/sonar.h"
 #include "emulator/devices/imagenex-deltat/delta_t.h"
@@ -57,6 +58,7 @@ std::vector<Model> make_models() {
     all.push_back(s500::model());
     for (Model& model : teledyne_dvl::models()) all.push_back(std::move(model));
     for (Model& model : waterlinked_dvl::models()) all.push_back(std::move(model));
+    all.push_back(edgetech_2205::model());
     for (Model& model : all) model.has_checksums = find_checksums(model.family) != nullptr;
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });
     return all;
