@@ -15,7 +15,9 @@ using namespace echoloop::teledyne;
 void check(const Piece& piece) {
     if (piece.kind == Piece::Kind::ensemble) {
         const auto ensemble = parse_ensemble(piece.bytes);
-        if (ensemble && parse_ensemble(encode(*ensemble)).value() != *ensemble) std::abort();
+        if (!ensemble) return;
+        const auto again = parse_ensemble(encode(*ensemble));
+        if (!again || *again != *ensemble) std::abort();
     } else if (piece.kind == Piece::Kind::pd5) {
         const auto block = parse_pd5(piece.bytes);
         if (!block || encode(*block) != piece.bytes) std::abort();

@@ -50,9 +50,9 @@ Model row(const std::string& name, const std::string& title) {
 }  // namespace
 
 std::vector<Model> models() {
-    std::vector<Model> all{row("dvl-pathfinder", "Teledyne Pathfinder 600 Doppler velocity log"),
+    std::vector<Model> all{row("dvl-pathfinder", "Teledyne Pathfinder Doppler velocity log"),
                            row("dvl-explorer", "Teledyne Explorer Doppler velocity log"),
-                           row("dvl-navigator", "Teledyne Workhorse Navigator Doppler velocity log")};
+                           row("dvl-navigator", "Teledyne Navigator Doppler velocity log")};
     all[0].make = make<&pathfinder>;
     all[1].make = make<&explorer>;
     all[2].make = make<&navigator>;
