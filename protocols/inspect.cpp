@@ -10,6 +10,7 @@
 #include "protocols/imagenex/delta_t_inspect.h"
 #include "protocols/imagenex/inspect.h"
 #include "protocols/kmall/inspect.h"
+#include "protocols/motion/inspect.h"
 #include "protocols/nmea/inspect.h"
 #include "protocols/norbit/inspect.h"
 #include "protocols/nortek/inspect.h"
@@ -174,6 +175,14 @@ constexpr std::array table = {
            .tables = nmea::tables,
            .rewritten = nmea::rewritten,
            .checksums = nmea::checksums},
+    Family{.name = "motion",
+           .title = "TSS1 and EM Attitude 3000 of motion sensors, serial and UDP",
+           .places = {.serial = true},
+           .framing = Framing::stream,
+           .decode = motion::decode,
+           .recognise = motion::recognise,
+           .tables = motion::tables,
+           .rewritten = motion::rewritten},
     Family{.name = "altimeter",
            .title = "Altimeters of Tritech, Benthos, Echologger and Imagenex, serial",
            .places = {.serial = true},

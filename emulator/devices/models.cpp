@@ -10,6 +10,7 @@
 #include "emulator/devices/kongsberg-kmall/kongsberg.h"
 #include "emulator/devices/micron-echosounder/echosounder.h"
 #include "emulator/devices/nmea-echosounder/echosounder.h"
+#include "emulator/devices/nmea-ins/ins.h"
 #include "emulator/devices/norbit-wbms/norbit_wbms.h"
 #include "emulator/devices/nortek-nucleus/models.h"
 #include "emulator/devices/oculus/oculus.h"
@@ -44,6 +45,7 @@ std::vector<Model> make_models() {
     all.push_back(profiler::model());
     all.push_back(seaking::model());
     all.push_back(nmea_echosounder::model());
+    all.push_back(nmea_ins::model());
     all.push_back(norbit_device::model());
     all.push_back(nortek_nucleus::model());
     for (Model& model : oculus_device::models()) all.push_back(std::move(model));
