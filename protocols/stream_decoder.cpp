@@ -1,5 +1,7 @@
 #include "protocols/stream_decoder.h"
 
+#include "protocols/http/inspect.h"
+
 namespace echoloop::inspect {
 namespace {
 
@@ -27,7 +29,24 @@ void StreamDecoder::drop(std::size_t count) {
     offset_ += count;
 }
 
+/// False where the bytes that wait are no HTTP; else what is left of them is not whole.
+bool StreamDecoder::decode_http(const Each& each) {
+    while (http::begins(waiting_)) {
+        auto message = http::first_message(waiting_);
+        if (!message) return true;
+        message->offset = offset_;
+        each(family_, *message, wire::ByteView(waiting_).first(message->size));
+        drop(message->size);
+        if (waiting_.empty()) return true;
+    }
+    return false;
+}
+
 void StreamDecoder::decode(bool last, const Each& each) {
+    if (family_ != nullptr && decode_http(each) && !last) {
+        tried_ = waiting_.size();
+        return;
+    }
     if (family_ == nullptr) family_ = guess_family(waiting_);
     std::size_t done = 0;
     if (family_ == nullptr && last) {

@@ -1,5 +1,5 @@
 // Decodes one direction of a byte stream as its bytes come, in bounded memory. Knows no family; the caller
-// names one or it is guessed.
+// names one or it is guessed. A port on which HTTP is spoken instead is told by its first bytes.
 #pragma once
 
 #include <functional>
@@ -24,6 +24,7 @@ class StreamDecoder {
 
   private:
     void decode(bool last, const Each& each);
+    bool decode_http(const Each& each);
     void drop(std::size_t count);
 
     const Family* family_;

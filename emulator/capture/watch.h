@@ -15,10 +15,10 @@ namespace echoloop {
 struct SeenPing {
     std::string_view device;
     std::uint64_t number = 0;
-    Time transmitted{};                 ///< run time
-    Time late{};                        ///< after it was due
-    Time drawn{}, due{};                ///< since the transmission: when the echogram was there, and was due
-    const Echogram& echogram;           ///< with its objects and all that the device hears
+    Time transmitted{};        ///< run time
+    Time late{};               ///< after it was due
+    Time drawn{}, due{};       ///< since the transmission: when the echogram was there, and was due
+    const Echogram& echogram;  ///< with all that the device hears, and its objects where they were wanted
     const std::vector<Pose>& movers;    ///< Situation::movers
     double unix_time = 0;               ///< s since 1970, of the transmission
     Pose world_from_body{};             ///< of the vehicle, then
@@ -41,6 +41,16 @@ struct SeenFault {
     std::string_view device, port;  ///< port: "" for the whole device
     double unix_time = 0;
     std::string text;  ///< "bit_flips: byte 17, bit 3"
+    bool on_message =
+        false;          ///< bytes that it has touched pass at that time, those of a message that is there
+    bool sent = false;  ///< by the device, those bytes
+};
+
+/// What somebody wants of a ping; each holds the one before it.
+enum class Wanted {
+    nothing,
+    levels,
+    objects,  ///< Echogram::objects as well, which are drawn for who asks only and take time
 };
 
 class Watch {
@@ -50,8 +60,8 @@ class Watch {
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;
 
-    /// Asked when a ping is sent: is ping() to be called with it? On the thread of the wires.
-    virtual bool wants_ping(std::string_view device, const Shot& shot) = 0;
+    /// Asked when a ping is sent: is ping() to be called with it, and with what? On the thread of the wires.
+    virtual Wanted wants_ping(std::string_view device, const Shot& shot) = 0;
     /// On the thread of the wires or of a device; it copies what it needs and returns.
     virtual void ping(const SeenPing& ping) = 0;
     /// On the thread of the wires, as above.

@@ -4,13 +4,18 @@
 
 namespace echoloop {
 
-bool Watches::wants_ping(std::string_view device, const Shot& shot) {
+Wanted Watches::wants_ping(std::string_view device, const Shot& shot) {
+    Wanted most = Wanted::nothing;
     std::vector<bool> by;
-    for (Watch* watch : all_) by.push_back(watch->wants_ping(device, shot));
-    if (std::ranges::find(by, true) == by.end()) return false;
+    for (Watch* watch : all_) {
+        const Wanted wanted = watch->wants_ping(device, shot);
+        most = std::max(most, wanted);
+        by.push_back(wanted != Wanted::nothing);
+    }
+    if (most == Wanted::nothing) return most;
     const std::scoped_lock lock(mutex_);
     wanted_[std::string(device)][shot.ping] = std::move(by);
-    return true;
+    return most;
 }
 
 void Watches::ping(const SeenPing& ping) {

@@ -17,17 +17,17 @@ class Watches final : public Watch {
     void add(Watch& watch) { all_.push_back(&watch); }
     std::size_t size() const { return all_.size(); }
 
-    bool wants_ping(std::string_view device, const Shot& shot) override;
+    Wanted wants_ping(std::string_view device, const Shot& shot) override;
     void ping(const SeenPing& ping) override;
     void bytes(const SeenBytes& bytes) override;
     void fault(const SeenFault& fault) override;
 
   private:
-    using Wanted = std::map<std::uint64_t, std::vector<bool>>;  ///< by number of a ping under way: by whom
+    using ByNumber = std::map<std::uint64_t, std::vector<bool>>;  ///< by number of a ping under way: by whom
 
     std::vector<Watch*> all_;
     std::mutex mutex_;  // of what follows
-    std::map<std::string, Wanted, std::less<>> wanted_;
+    std::map<std::string, ByNumber, std::less<>> wanted_;
 };
 
 }  // namespace echoloop

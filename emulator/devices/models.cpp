@@ -11,7 +11,9 @@
 #include "emulator/devices/kongsberg-kmall/kongsberg.h"
 #include "emulator/devices/micron-echosounder/echosounder.h"
 #include "emulator/devices/nmea-echosounder/echosounder.h"
+#include "emulator/devices/nmea-ins/ins.h"
 #include "emulator/devices/norbit-wbms/norbit_wbms.h"
+#include "emulator/devices/nortek-nucleus/models.h"
 #include "emulator/devices/oculus/oculus.h"
 #include "emulator/devices/omniscan450/omniscan450.h"
 #include "emulator/devices/ping1d/ping1d.h"
@@ -21,6 +23,7 @@
 #include "emulator/devices/s500/s500.h"
 #include "emulator/devices/sonar-3d-15/sonar.h"
 #include "emulator/devices/surveyor240/surveyor240.h"
+#include "emulator/devices/teledyne-dvl/models.h"
 #include "emulator/devices/tritech-micron/micron.h"
 #include "emulator/devices/tritech-profiler/profiler.h"
 #include "emulator/devices/tritech-seaking/seaking.h"
@@ -43,7 +46,9 @@ std::vector<Model> make_models() {
     all.push_back(profiler::model());
     all.push_back(seaking::model());
     all.push_back(nmea_echosounder::model());
+    all.push_back(nmea_ins::model());
     all.push_back(norbit_device::model());
+    all.push_back(nortek_nucleus::model());
     for (Model& model : oculus_device::models()) all.push_back(std::move(model));
     all.push_back(omniscan450::model());
     all.push_back(ping1d::model());
@@ -54,6 +59,7 @@ std::vector<Model> make_models() {
     all.push_back(surveyor240::model());
     all.push_back(micron_echosounder::model());
     all.push_back(s500::model());
+    for (Model& model : teledyne_dvl::models()) all.push_back(std::move(model));
     for (Model& model : waterlinked_dvl::models()) all.push_back(std::move(model));
     all.push_back(edgetech_2205::model());
     all.push_back(imagenex872::model());

@@ -11,6 +11,9 @@ using Json = nlohmann::ordered_json;
 
 std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
+/// Nothing of the message that it was made on passes the wire.
+bool is_absent(FaultKind kind) { return kind == FaultKind::loss || kind == FaultKind::silence; }
+
 }  // namespace
 
 FaultLabels::FaultLabels(BackgroundFile* file, std::uint64_t seed, const std::string& scenario,
@@ -29,7 +32,8 @@ void FaultLabels::add(Time now, const FaultPlace& place, const FaultEvent& event
     if (!event.is_end) ++counts_[place.device][static_cast<std::size_t>(event.kind)];
     if (watch_ != nullptr)
         watch_->fault({place.device, place.port, unix_time_(),
-                       comment_of(event) + (event.is_end ? ", which has ended" : "")});
+                       comment_of(event) + (event.is_end ? ", which has ended" : ""),
+                       event.message && !is_absent(event.kind), place.direction == Towards::to_driver});
     if (file_ == nullptr) return;
     Json json{{"t", told_seconds(now)}, {"unix", unix_time_()}, {"device", place.device}};
     if (!place.port.empty()) json["port"] = place.port;

@@ -41,7 +41,8 @@ std::string list(const Faults& faults, Time now) {
     return line_of({{"ok", true}, {"t", told_seconds(now)}, {"faults", asked}});
 }
 
-std::string status(const std::vector<SessionSummary>& sessions, const Faults& faults, Time now) {
+std::string status(const std::vector<SessionSummary>& sessions, RenderThreads::Load rendering,
+                   const Faults& faults, Time now) {
     Json devices = Json::array();
     for (const SessionSummary& s : sessions) {
         Json made = Json::object();
@@ -58,7 +59,12 @@ std::string status(const std::vector<SessionSummary>& sessions, const Faults& fa
         device["faults"] = std::move(made);
         devices.push_back(std::move(device));
     }
-    return line_of({{"ok", true}, {"t", told_seconds(now)}, {"devices", devices}});
+    return line_of(
+        {{"ok", true},
+         {"t", told_seconds(now)},
+         {"rendering",
+          {{"threads", rendering.threads}, {"drawing", rendering.drawing}, {"waiting", rendering.waiting}}},
+         {"devices", devices}});
 }
 
 }  // namespace echoloop::answers

@@ -6,6 +6,7 @@
 
 #include "emulator/faults/faults.h"
 #include "emulator/run/session.h"
+#include "emulator/water/render_threads.h"
 
 namespace echoloop::answers {
 
@@ -20,6 +21,7 @@ std::string cleared(std::size_t count);
 /// {"ok": true, "t": 12.5, "faults": [{"id": 3, "device": ..., "kind": ..., "on": true, "made": 17}]}
 std::string list(const Faults& faults, Time now);
 /// {"ok": true, "t": 12.5, "devices": [{"name": ..., counters, "faults": {"loss": 3}}]}
-std::string status(const std::vector<SessionSummary>& sessions, const Faults& faults, Time now);
+std::string status(const std::vector<SessionSummary>& sessions, RenderThreads::Load rendering,
+                   const Faults& faults, Time now);
 
 }  // namespace echoloop::answers

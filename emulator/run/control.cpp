@@ -214,8 +214,12 @@ std::string Control::admit(Client& client, std::string_view line) const {
 }
 
 ControlDesk::ControlDesk(Clock& clock, Faults& faults, std::vector<ScenarioDevice> devices,
-                         Summaries summaries)
-    : clock_(clock), faults_(faults), devices_(std::move(devices)), summaries_(std::move(summaries)) {}
+                         Summaries summaries, Rendering rendering)
+    : clock_(clock),
+      faults_(faults),
+      devices_(std::move(devices)),
+      summaries_(std::move(summaries)),
+      rendering_(std::move(rendering)) {}
 
 std::string ControlDesk::answer(std::string_view line) {
     using What = ControlRequest::What;
@@ -234,7 +238,7 @@ std::string ControlDesk::answer(std::string_view line) {
         case What::list:
             return answers::list(faults_, now);
         case What::status:
-            return answers::status(summaries_(), faults_, now);
+            return answers::status(summaries_(), rendering_(), faults_, now);
     }
     return answers::refusal("there are 1000 faults already; clear some");
 }

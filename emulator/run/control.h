@@ -9,6 +9,7 @@
 #include "emulator/faults/faults.h"
 #include "emulator/run/session.h"
 #include "emulator/scenario/control_place.h"
+#include "emulator/water/render_threads.h"
 
 namespace echoloop {
 
@@ -16,9 +17,11 @@ namespace echoloop {
 class ControlDesk {
   public:
     using Summaries = std::function<std::vector<SessionSummary>()>;
+    using Rendering = std::function<RenderThreads::Load()>;
 
     /// What is referred to outlives this.
-    ControlDesk(Clock& clock, Faults& faults, std::vector<ScenarioDevice> devices, Summaries summaries);
+    ControlDesk(Clock& clock, Faults& faults, std::vector<ScenarioDevice> devices, Summaries summaries,
+                Rendering rendering);
     /// Without the end of the line.
     std::string answer(std::string_view line);
 
@@ -27,6 +30,7 @@ class ControlDesk {
     Faults& faults_;
     std::vector<ScenarioDevice> devices_;
     Summaries summaries_;
+    Rendering rendering_;
 };
 
 /// Its socket.

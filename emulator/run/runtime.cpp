@@ -101,7 +101,9 @@ class Runtime::Impl {
           water_(shared_water(scenario, *scene_, movers_)),
           faults_(scenario.seed, scenario.file.string(), records.labels,
                   [this] { return clock_->unix_time(); }),
-          desk_(*clock_, faults_, scenario.devices, [this] { return summary(); }),
+          desk_(
+              *clock_, faults_, scenario.devices, [this] { return summary(); },
+              [this] { return render_threads_.load(); }),
           render_threads_([this, &scenario] { return make_renderer(scenario); },
                           RenderThreads::useful(scenario.devices.size())) {
         // Before the first link is made: a signal from here on ends the run in order and removes the links.

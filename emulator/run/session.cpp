@@ -188,8 +188,9 @@ void Session::transmit(Ping ping, Time time) {
     summary_.spared_pings += spared;
     summary_.coarse_pings += situation.density < 1;
     const Time next_due = ping.due + from_seconds(ping.shot.interval);
-    const bool watched = watch_ != nullptr && watch_->wants_ping(name_, ping.shot);
-    situation.objects = truth_ != nullptr || watched;  // a data set has truth_, too
+    const Wanted wanted = watch_ == nullptr ? Wanted::nothing : watch_->wants_ping(name_, ping.shot);
+    const bool watched = wanted != Wanted::nothing;
+    situation.objects = truth_ != nullptr || wanted == Wanted::objects;  // a data set has truth_, too
     auto echoes = render(ping.due, ping.shot, situation);
     situation.objects = false;
     situation.detail = late_detail;

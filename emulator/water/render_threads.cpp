@@ -74,6 +74,11 @@ void RenderThreads::submit(Job job) {
     changed_.notify_all();
 }
 
+RenderThreads::Load RenderThreads::load() const {
+    const std::lock_guard lock(mutex_);
+    return {count_, busy_.size(), jobs_.size()};
+}
+
 /// The first of the jobs that are the first ones of sonars that have none under way.
 RenderThreads::Jobs::iterator RenderThreads::most_urgent() {
     std::set<std::size_t> seen = busy_;

@@ -43,6 +43,12 @@ class RenderThreads {
 
     void submit(Job job);
 
+    /// Pings, now.
+    struct Load {
+        std::size_t threads = 0, drawing = 0, waiting = 0;
+    };
+    Load load() const;
+
     /// As many threads as find work with so many sonars on this machine.
     static std::size_t useful(std::size_t sonars);
     /// For each of their renderers.
@@ -61,7 +67,7 @@ class RenderThreads {
     }
 
     const std::size_t count_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     Jobs jobs_;                          ///< as they are needed, then in the order of submission
     std::set<std::size_t> busy_;         ///< sonars whose ping is being rendered

@@ -214,8 +214,8 @@ struct PitchRoll {
     std::int16_t pitch = 0, roll = 0;            ///< 180 deg / 32768
     std::int16_t temperature = 0;                ///< 0.1 degC
     std::uint16_t device_info = 0;
-    std::int16_t heave = 0;     ///< mm
-    std::uint16_t heading = 0;  ///< 0.01 deg
+    std::int16_t heave = 0;      ///< mm
+    std::uint16_t heading = 0;   ///< 0.01 deg
     std::uint32_t validity = 0;  ///< bits of the fields in this order
     std::int32_t reserved_40 = 0;
 

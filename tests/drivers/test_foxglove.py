@@ -80,6 +80,27 @@ class Foxglove(unittest.TestCase):
                        self.ask(good, host="evil.example"), self.ask(good, protocol="other")):
             self.assertNotIn(" 101 ", answer.splitlines()[0])
 
+    def test_a_client_that_never_reads_takes_nothing_from_the_others(self):
+        with socket.create_connection(("127.0.0.1", self.port), 20) as deaf:
+            deaf.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+            deaf.sendall((f"GET /?token={self.token} HTTP/1.1\r\nHost: 127.0.0.1:{self.port}\r\nConnection: Upgrade\r\n"
+                          "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+                          "Sec-WebSocket-Protocol: foxglove.websocket.v1\r\n\r\n").encode())
+            wanted = json.dumps({"op": "subscribe", "subscriptions": [{"id": n, "channelId": n} for n in range(1, 40)]}).encode()
+            deaf.sendall(bytes([0x81, 0xFE]) + len(wanted).to_bytes(2, "big") + bytes(4) + wanted)  # masked by zeros
+            import websockets.sync.client as websockets
+            with websockets.connect(self.url, subprotocols=["foxglove.websocket.v1"], max_size=None) as viewer:
+                channels = {}
+                while "/bottom/picture" not in channels:
+                    message = viewer.recv(20)
+                    if isinstance(message, str) and json.loads(message)["op"] == "advertise":
+                        channels.update((one["topic"], one["id"]) for one in json.loads(message)["channels"])
+                viewer.send(json.dumps({"op": "subscribe", "subscriptions": [{"id": 7, "channelId": channels["/bottom/picture"]}]}))
+                pictures = 0
+                while pictures < 3:
+                    pictures += isinstance(viewer.recv(20), bytes)
+        self.assertEqual(self.emulator.stop()[0], 0, self.emulator.output)
+
     def test_bytes_that_are_no_requests_harm_nothing(self):
         import websockets.sync.client as websockets
         with websockets.connect(self.url, subprotocols=["foxglove.websocket.v1"], max_size=None) as viewer:

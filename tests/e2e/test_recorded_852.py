@@ -73,20 +73,22 @@ class Imagenex852(Case):
 
     @staticmethod
     def second_bottom(shots):
-        """Where the mean over all shots is loudest about twice the edge, in samples behind that, and that mean."""
+        """Mean words over all shots from 5 samples before twice the edge on."""
         edges = [next(i for i, word in enumerate(shot) if i > 10 and word > 63) for shot in shots]
-        parts = [shot[2 * edge - 5 : 2 * edge + 15] for shot, edge in zip(shots, edges)]
-        means = [sum(words) / len(words) for words in zip(*parts)]
-        return means.index(max(means)) - 5, max(means)
+        parts = [shot[2 * edge - 5 : 2 * edge + 25] for shot, edge in zip(shots, edges)]
+        return [sum(words) / len(words) for words in zip(*parts)]
 
     def test_the_second_bottom(self):
-        """By way of the surface, 0.3 m above the sounder. The sea of the recording is not known: with 6 m/s of wind the level is
-        met, in a light air it is 6 dB higher."""
+        """By way of the surface, 0.3 m above the sounder. The sea of the recording is not known: with 7 m/s of wind the level is
+        met, in a light air it is 7 dB higher. It fades as what the beam hears beside its axis comes later."""
         real = self.second_bottom([m["reply.data"] for m in words.messages(needs_data("imagenex852/hydroball.852"), "Shot852")])
-        ours = self.second_bottom(self.shots(60, "{height: -11.2, wind: 6}"))
-        print("852, second bottom: samples behind twice the edge, mean word; real", real, "ours", ours)
-        self.assertAlmostEqual(ours[0], real[0], delta=2)
-        self.assertLess(abs(20 * math.log10(ours[1] / real[1])), 3)
+        ours = self.second_bottom(self.shots(80, "{height: -11.2, wind: 7}"))
+        print("852, second bottom, mean words from five samples before twice the edge on; real, ours", *([round(w, 1) for w in side] for side in (real, ours)))
+        loudest = [side.index(max(side)) for side in (real, ours)]
+        self.assertAlmostEqual(*loudest, delta=2)
+        self.assertLess(abs(20 * math.log10(max(ours) / max(real))), 3.5)
+        fading = [sum(side[at + 3 : at + 9]) / 6 for side, at in zip((real, ours), loudest)]
+        self.assertLess(abs(20 * math.log10(fading[1] / fading[0])), 3, f"{fading}; noise alone is 8 dB less")
 
 
 if __name__ == "__main__":

@@ -33,6 +33,13 @@ devices:
   - {name: micron, model: tritech-micron, endpoints: ["tcp-listen://127.0.0.1:%d"]}
   - {name: bottom, model: nmea-echosounder, mount: {rpy_deg: [0, 90, 0]}, endpoints: ["udp://127.0.0.1:%d"]}
 """
+IMAGING = """
+scene: {scenes}/tank.glb
+water: {temperature: 15, salinity: 0, ph: 7, sound_speed: 1500}
+vehicle: {pose: {position: [0, 0, -2]}}
+devices:
+  - {name: imaging, model: sonar-3d-15, endpoints: ["tcp-listen://127.0.0.1:%d"]}
+"""
 STEPPED = """
 scene: {scenes}/tank.glb
 seed: 3
@@ -48,14 +55,15 @@ LINK = re.compile(r"http://(127\.0\.0\.1:(\d+))/#([0-9a-f]{32})")
 
 
 def picture(message):
-    """(head, levels in dB or None, objects) of a ping's message; no levels of what was said."""
+    """(head, levels in dB or None, objects) of a ping's message; no levels of what was said, not always objects."""
     length = struct.unpack_from("<I", message)[0]
     head = json.loads(message[4 : 4 + length])
     if head["type"] == "said":
         return head, [], []
     count = head["rows"] * head["beams"] * head["bins"]
     levels = [None if b == 0 else head["floor"] + (b - 1) * head["step"] for b in message[4 + length :][:count]]
-    return head, levels, struct.unpack_from(f"<{count}H", message, 4 + length + count)
+    objects = struct.unpack_from(f"<{count}H", message, 4 + length + count) if head["objects"] else ()
+    return head, levels, objects
 
 
 class View(unittest.TestCase):
@@ -104,7 +112,8 @@ class View(unittest.TestCase):
             def floor(message, text):
                 if text is None:
                     head, levels, objects = picture(message)
-                    return head["type"] == "ping" and head["device"] == "bottom" and (head, levels, objects)
+                    wanted = head["type"] == "ping" and head["device"] == "bottom" and objects
+                    return wanted and (head, levels, objects)
 
             return await self.until(viewer, floor)
 
@@ -154,6 +163,68 @@ class View(unittest.TestCase):
                 return await self.until(viewer, told)
 
             self.assertTrue(self.see(look))
+
+    def test_a_fault_stands_on_the_message_that_it_was_made_on(self):
+        self.start("--view-control")
+
+        async def look(viewer):
+            fault = {"device": "bottom", "kind": "bit_flips", "rate": 0.02, "for": 60}
+            await viewer.send(json.dumps({"ask": {"fault": fault}, "id": 1}))
+
+            def told(_, text):
+                rows = text["messages"] if text and text["type"] == "messages" else []
+                return [one for one in rows if "bit_flips" in one.get("fault", "")]
+
+            marked = await self.until(viewer, told)
+            await viewer.send(json.dumps({"ask": {"clear": "all"}, "id": 2}))
+            await viewer.send(json.dumps({"ask": {"fault": {**fault, "kind": "loss", "rate": 1}}, "id": 3}))
+
+            def lost(_, text):
+                rows = text["messages"] if text and text["type"] == "messages" else []
+                return [one for one in rows if "loss" in one.get("fault", "")]
+
+            return marked[0], (await self.until(viewer, lost))[0]
+
+        marked, lost = self.see(look)
+        self.assertEqual((marked["device"], marked["sent"]), ("bottom", True))
+        self.assertGreater(marked["size"], 20)
+        self.assertNotEqual(marked["name"], "fault")
+        self.assertEqual((lost["device"], lost["name"], lost["size"]), ("bottom", "fault", 0), "what is lost is on no message")
+
+    def test_what_is_asked_by_http_is_told_with_its_values(self):
+        port = free_port()
+        self.start(scenario=IMAGING % port)
+
+        async def look(viewer):
+            await viewer.recv()  # hello
+            body = json.dumps({"min": 0.5, "max": 4.5})
+
+            def ask():
+                sonar = http.client.HTTPConnection("127.0.0.1", port, timeout=20)
+                sonar.request("POST", "/api/v1/integration/acoustics/range", body, {"Content-Type": "application/json"})
+                return sonar.getresponse().status
+
+            self.assertEqual(await asyncio.get_running_loop().run_in_executor(None, ask), 204)
+
+            def told(_, text):
+                rows = text["set"] if text and text["type"] == "messages" else []
+                return next((one for one in rows if one["name"].endswith("/acoustics/range")), None)
+
+            return await self.until(viewer, told)
+
+        setting = self.see(look)
+        self.assertEqual(setting["name"], "POST /api/v1/integration/acoustics/range")
+        self.assertEqual([field[:2] for field in setting["fields"]], [["min", "0.5"], ["max", "4.5"]])
+
+    def test_the_queue_of_the_render_threads_is_told(self):
+        self.start()
+
+        async def look(viewer):
+            return await self.until(viewer, lambda _, text: text and text["type"] == "status" and text["status"])
+
+        rendering = self.see(look)["rendering"]
+        self.assertGreaterEqual(rendering["threads"], 1)
+        self.assertLessEqual(rendering["drawing"], rendering["threads"])
 
     def test_a_page_records_only_into_the_folder_that_the_run_names(self):
         async def look(viewer):

@@ -1,7 +1,9 @@
 // HTTP requests wherever the stream is split, with a length or in chunks, and responses.
 #include <gtest/gtest.h>
 
+#include "protocols/http/inspect.h"
 #include "protocols/http/request.h"
+#include "protocols/stream_decoder.h"
 #include "tests/protocols/data.h"
 
 namespace echoloop::http {
@@ -20,6 +22,60 @@ int refusal_of(std::string_view text) {
     const auto next = reader.next();
     const auto* refusal = next ? std::get_if<Refusal>(&*next) : nullptr;
     return refusal ? refusal->status : 0;
+}
+
+/// What a port of that family is said to carry.
+std::vector<inspect::Message> inspected(const std::string& family,
+                                        std::initializer_list<wire::ByteView> parts) {
+    inspect::StreamDecoder decoder(inspect::find_family(family));
+    std::vector<inspect::Message> all;
+    for (const auto part : parts)
+        decoder.add(part, [&](const inspect::Family*, const inspect::Message& one, wire::ByteView) {
+            all.push_back(one);
+        });
+    return all;
+}
+
+TEST(HttpMessages, HaveThePathAsNameAndTheValuesAsFieldsWhereverTheStreamIsSplit) {
+    wire::Bytes stream = golden("http/post_range");
+    const wire::Bytes get = bytes_of("GET /api/v1/config?speed=1480&mode=fast HTTP/1.1\r\nHost: x\r\n\r\n");
+    stream.insert(stream.end(), get.begin(), get.end());
+    for (std::size_t at = 8; at <= stream.size(); ++at) {
+        const auto all =
+            inspected("waterlinked", {wire::ByteView(stream).first(at), wire::ByteView(stream).subspan(at)});
+        ASSERT_EQ(all.size(), 2U) << at;
+        EXPECT_EQ(all[0].name, "POST /api/v1/integration/acoustics/range");
+        EXPECT_EQ(all[0].offset + all[0].size, all[1].offset);
+        ASSERT_EQ(all[0].fields.size(), 2U);
+        EXPECT_EQ(all[0].fields[1].name, "max");
+        EXPECT_EQ(all[0].fields[1].number, 3.0);
+        EXPECT_EQ(all[1].name, "GET /api/v1/config");
+        ASSERT_EQ(all[1].fields.size(), 2U);
+        EXPECT_EQ(all[1].fields[0].text, "1480");
+        EXPECT_EQ(all[1].fields[1].text, "fast");
+    }
+}
+
+TEST(HttpMessages, OfAResponseAreItsStatusAndTheMembersOfItsBody) {
+    const auto all =
+        inspected("waterlinked", {response(200, R"({"range": 4.5, "mode": "fast"})"), response(404)});
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[0].name, "200 OK");
+    ASSERT_EQ(all[0].fields.size(), 2U);
+    EXPECT_EQ(all[0].fields[0].number, 4.5);
+    EXPECT_EQ(all[1].name, "404 Not Found");
+}
+
+TEST(HttpMessages, ThatNeverEndOrAreNoneAreToldAsRefused) {
+    const auto wrong = inspected("waterlinked", {bytes_of("GET /x HTTP/2\r\n\r\n")});
+    ASSERT_EQ(wrong.size(), 1U);
+    EXPECT_NE(wrong[0].reason, "");
+    const auto endless =
+        inspected("waterlinked", {bytes_of("HTTP/1.1 200 OK\r\nX: " + std::string(9000, 'a'))});
+    ASSERT_EQ(endless.size(), 1U);
+    EXPECT_NE(endless[0].reason, "");
+    const auto huge = bytes_of("HTTP/1.1 200 OK\r\nContent-Length: 99999999999999999999\r\n\r\n");
+    EXPECT_EQ(inspected("waterlinked", {huge}).size(), 1U);
 }
 
 TEST(HttpRequest, IsReadWhereverTheStreamIsSplit) {

@@ -109,8 +109,9 @@ void Bag::bytes(const SeenBytes& seen) {
 }
 
 void Bag::fault(const SeenFault& seen) {
-    add(seen.text.size(), [fault = Fault{std::string(seen.device), std::string(seen.port), seen.unix_time,
-                                         seen.text}](Topics& topics) { topics.fault(fault); });
+    add(seen.text.size(),
+        [fault = Fault{std::string(seen.device), std::string(seen.port), seen.unix_time, seen.text,
+                       seen.on_message, seen.sent}](Topics& topics) { topics.fault(fault); });
 }
 
 void Bag::add(std::size_t bytes, Work work) {

@@ -63,7 +63,7 @@ class Bag final : public Watch {
 
     /// What happens before waits for it.
     void begin(BagStart start);
-    bool wants_ping(std::string_view, const Shot&) override { return true; }
+    Wanted wants_ping(std::string_view, const Shot&) override { return Wanted::objects; }
     void ping(const SeenPing& ping) override;
     void bytes(const SeenBytes& bytes) override;
     void fault(const SeenFault& fault) override;

@@ -1,20 +1,47 @@
-// An echogram made small enough to be looked at: whole steps of a scale, few beams and bins. Opens nothing.
+// A picture made small enough to be looked at: whole steps of a scale, few beams and bins. Opens nothing.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "render/echogram.h"
+#include "tools/said/said.h"
 
 namespace echoloop::bag {
 
-/// How a picture's beams and bins lie in the echogram's: at most 1,024 beams and 512 bins.
+/// How a picture's beams and bins lie in those that there are: at most 1,024 beams and 512 bins. Rows of
+/// several are kept.
 struct Grouping {
-    std::size_t rows, beams, bins, per_beam, per_bin;  ///< beams: of one row of the picture
+    std::size_t rows, columns, all_bins;  ///< that there are
+    std::size_t beams, bins;              ///< of one row of the picture
+    std::size_t per_beam, per_bin;
 
-    explicit Grouping(const Shot& shot);
+    Grouping(std::size_t rows, std::size_t columns, std::size_t bins);
+
+    /// Calls `each` with the place of the greatest `value(place)` of each group, beam by beam; one that is no
+    /// number is less than all others.
+    template <class Value, class Each>
+    void for_each(const Value& value, const Each& each) const {
+        for (std::size_t row = 0; row < rows; ++row)
+            for (std::size_t beam = 0; beam < beams; ++beam)
+                for (std::size_t bin = 0; bin < bins; ++bin) each(greatest(value, row, beam, bin));
+    }
+
+  private:
+    template <class Value>
+    std::size_t greatest(const Value& value, std::size_t row, std::size_t beam, std::size_t bin) const {
+        std::size_t best = (row * columns + beam * per_beam) * all_bins + bin * per_bin;
+        for (std::size_t c = beam * per_beam; c < std::min(columns, (beam + 1) * per_beam); ++c)
+            for (std::size_t b = bin * per_bin; b < std::min(all_bins, (bin + 1) * per_bin); ++b) {
+                const std::size_t at = (row * columns + c) * all_bins + b;
+                if (!(value(at) <= value(best)) && !std::isnan(value(at))) best = at;
+            }
+        return best;
+    }
 };
 
 /// Levels of a picture. A byte is 0 for nothing, else floor + (byte - 1) step.
@@ -41,5 +68,9 @@ struct Levels {
 
 /// Several bins of the echogram make one: the loudest is shown. Steps of 0.5 dB below the loudest of all.
 Levels levels_of(const Echogram& echogram);
+/// The same; counts of 8 bits stay as they are. Without bytes where the message tells ranges alone.
+Levels levels_of(const said::Picture& picture);
+/// Of each beam of `levels_of(picture)` the first range that one of its group tells; 0: none.
+std::vector<float> ranges_of(const said::Picture& picture);
 
 }  // namespace echoloop::bag

@@ -26,6 +26,7 @@ struct Fault {
     std::string device{}, port{};
     double unix_time = 0;
     std::string text{};
+    bool on_message = false, sent = false;
 };
 
 inline Ping kept(const SeenPing& ping) {

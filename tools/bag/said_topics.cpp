@@ -1,7 +1,6 @@
 // Topics of what messages say: the pictures and soundings that are read back from the bytes on the wire.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tools/bag/topic_types.h"
 #include "tools/bag/topics.h"
@@ -9,43 +8,18 @@
 namespace echoloop::bag {
 namespace {
 
-/// Counts of 8 bits as they are, decibels below the loudest.
-Levels levels_of(const said::Picture& picture) {
-    Levels levels;
-    levels.rows = picture.elevations.size(), levels.beams = picture.bearings.size();
-    levels.bearings = picture.bearings;
-    levels.pan = picture.pan, levels.waterfall = picture.waterfall, levels.down = picture.down;
-    levels.first_range = picture.first_range, levels.bin_size = picture.bin_size;
-    levels.bins = picture.bins;
-    if (levels.beams > 1)
-        levels.beam_width =
-            (picture.bearings.back() - picture.bearings.front()) / static_cast<double>(levels.beams - 1);
-    constexpr double most = 255;
-    const bool counts = picture.unit == "counts";
-    double top = -std::numeric_limits<double>::infinity();
-    for (const float level : picture.levels)
-        if (level > top) top = level;
-    if (counts) levels.span = most, levels.floor = 1;
-    if (!counts) levels.step = 0.5, levels.floor = std::isfinite(top) ? top - (most - 1) / 2 : 0;
-    for (const float level : picture.levels) {
-        const double byte = std::isfinite(level) ? std::round((level - levels.floor) / levels.step) + 1 : 0;
-        levels.bytes += static_cast<char>(static_cast<std::uint8_t>(std::clamp(byte, 0.0, most)));
-    }
-    return levels;
-}
-
 /// Where a message tells ranges and no levels: a dot at each.
 Levels dots_of(const said::Picture& picture) {
     constexpr std::size_t bins = 360;
     Levels levels = levels_of(picture);
-    const float farthest = *std::ranges::max_element(picture.ranges);
+    const std::vector<float> ranges = ranges_of(picture);
+    const float farthest = *std::ranges::max_element(ranges);
     levels.bins = bins;
     levels.first_range = 0, levels.bin_size = std::max(farthest, 0.1F) * 1.05 / bins;
-    levels.floor = 1, levels.step = 1, levels.span = 255;
-    levels.bytes.assign(picture.ranges.size() * bins, '\0');
-    for (std::size_t i = 0; i < picture.ranges.size(); ++i) {
-        if (!(picture.ranges[i] > 0)) continue;
-        const auto at = static_cast<std::size_t>(picture.ranges[i] / levels.bin_size);
+    levels.bytes.assign(ranges.size() * bins, '\0');
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        if (!(ranges[i] > 0)) continue;
+        const auto at = static_cast<std::size_t>(ranges[i] / levels.bin_size);
         for (std::size_t bin = at > 0 ? at - 1 : 0; bin <= std::min(at + 1, bins - 1); ++bin)
             levels.bytes[i * bins + bin] = static_cast<char>(bin == at ? 255 : 200);
     }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "emulator/truth/truth.h"
+#include "protocols/http/inspect.h"
 #include "tools/bag/topic_types.h"
 
 namespace echoloop::bag {
@@ -161,7 +162,9 @@ void Topics::bytes(const Wire& wire) {
     const inspect::Family* family =
         known == about_.families.end() ? nullptr : inspect::find_family(known->second);
     if (wire.left_out > 0) return message(wire, family, {.name = "a long message"}, wire.bytes);
-    if (wire.packets || (family != nullptr && family->framing == inspect::Framing::datagram)) {
+    const bool datagrams = family != nullptr && family->framing == inspect::Framing::datagram;
+    const bool flows = streams_.contains({wire.device + "\n" + wire.port, wire.sent});
+    if (wire.packets || (datagrams && !flows && !http::begins(wire.bytes))) {
         if (family == nullptr) family = inspect::guess_family(wire.bytes);
         if (family == nullptr) return message(wire, nullptr, {.name = "bytes"}, wire.bytes);
         for (const auto& one : family->decode(wire.bytes))

@@ -9,6 +9,9 @@ namespace {
 
 constexpr std::chrono::milliseconds between_large(100);
 constexpr std::chrono::seconds between_late(1);  // of a sonar whose pings are late: looking costs time, too
+constexpr std::chrono::seconds between_objects(
+    1);                                      // that cost much: a ping with them takes up to 1.6 times as long
+constexpr std::chrono::seconds late_for(2);  // after a late ping of any sonar, since all share the processors
 constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t large = 8192;           // values; smaller ones are lines of a picture, and all are kept
 constexpr std::size_t most_lines = 64;        // of a sonar, between two calls of take()
@@ -44,16 +47,21 @@ void Feed::look(std::size_t viewers) {
     viewers_ = viewers;
 }
 
-bool Feed::wants_ping(std::string_view device, const Shot& shot) {
-    if (viewers_ == 0) return false;
-    if (shot.beams() * shot.bins < large) return true;
+Wanted Feed::wants_ping(std::string_view device, const Shot& shot) {
+    if (viewers_ == 0) return Wanted::nothing;
+    const bool is_large = shot.beams() * shot.bins >= large;
     const std::scoped_lock lock(mutex_);
     Sonar& sonar = sonars_[std::string(device)];
-    const auto now = std::chrono::steady_clock::now();
-    const auto between = sonar.late ? std::chrono::steady_clock::duration(between_late) : between_large;
-    if (now - sonar.wanted < between) return false;
-    sonar.wanted = now;
-    return true;
+    const Moment now = now_();
+    if (is_large) {
+        const auto between = sonar.late ? Moment::duration(between_late) : between_large;
+        if (now - sonar.wanted < between) return Wanted::nothing;
+        sonar.wanted = now;
+    }
+    const bool sparing = is_large || now - last_late_ < late_for;
+    if (sparing && now - sonar.wanted_objects < between_objects) return Wanted::levels;
+    sonar.wanted_objects = now;
+    return Wanted::objects;
 }
 
 void Feed::ping(const SeenPing& ping) {
@@ -62,6 +70,7 @@ void Feed::ping(const SeenPing& ping) {
     const std::scoped_lock lock(mutex_);
     Sonar& sonar = sonars_[std::string(ping.device)];
     sonar.late = ping.late > late_after;
+    if (sonar.late) last_late_ = now_();
     auto& pings = sonar.pings;
     pings.push_back(std::move(copy));
     if (pings.size() > most) pings.pop_front();
@@ -106,7 +115,8 @@ void Feed::fault(const SeenFault& seen) {
     if (viewers_ == 0) return;
     const std::scoped_lock lock(mutex_);
     if (faults_.size() < most_passed)
-        faults_.push_back({std::string(seen.device), std::string(seen.port), seen.unix_time, seen.text});
+        faults_.push_back({std::string(seen.device), std::string(seen.port), seen.unix_time, seen.text,
+                           seen.on_message, seen.sent});
 }
 
 Feed::News Feed::take() {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -36,11 +37,16 @@ struct LineCount {
 
 class Feed final : public Watch {
   public:
+    using Moment = std::chrono::steady_clock::time_point;
+
+    explicit Feed(std::function<Moment()> now = std::chrono::steady_clock::now) : now_(std::move(now)) {}
+
     /// While nobody looks, nothing is kept but the last that drivers said: it tells what they have set.
     void look(std::size_t viewers);
     std::size_t viewers() const { return viewers_; }
 
-    bool wants_ping(std::string_view device, const Shot& shot) override;
+    /// Of a large ping the objects once a second, of a small one always; once a second while pings are late.
+    Wanted wants_ping(std::string_view device, const Shot& shot) override;
     void ping(const SeenPing& ping) override;
     void bytes(const SeenBytes& bytes) override;
     void fault(const SeenFault& fault) override;
@@ -58,15 +64,18 @@ class Feed final : public Watch {
 
   private:
     struct Sonar {
-        std::chrono::steady_clock::time_point wanted{};  ///< when a large ping was asked for last
-        bool late = false;                               ///< the last ping that was seen
+        Moment wanted{};          ///< when a large ping was asked for last
+        Moment wanted_objects{};  ///< when objects were
+        bool late = false;        ///< the last ping that was seen
         std::deque<std::shared_ptr<const Kept>> pings{};
     };
 
     void keep_for_later(const SeenBytes& seen);
 
+    std::function<Moment()> now_;
     std::atomic<std::size_t> viewers_{0};
     mutable std::mutex mutex_;  // of all below
+    Moment last_late_{};        ///< when a ping of any sonar was late
     std::map<std::string, Sonar, std::less<>> sonars_;
     std::map<Line, LineCount> lines_;
     std::set<std::pair<Line, bool>> gaps_;  ///< ways on which bytes were left out

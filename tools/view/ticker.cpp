@@ -1,8 +1,10 @@
 #include "tools/view/ticker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "protocols/http/inspect.h"
 #include "tools/view/said_picture.h"
 
 namespace echoloop::view {
@@ -76,10 +78,12 @@ struct Ticker::Batch {
     std::vector<std::string> pictures{};
 };
 
-Ticker::Told Ticker::take(const std::vector<Passed>& passed, std::size_t left_out) {
-    if (passed.empty() && left_out == 0) return {};
+Ticker::Told Ticker::take(const std::vector<Passed>& passed, const std::vector<bag::Fault>& faults,
+                          std::size_t left_out) {
+    if (passed.empty() && faults.empty() && left_out == 0) return {};
     Batch batch;
     for (const Passed& one : passed) decode(one, batch);
+    for (const bag::Fault& one : faults) mark(one, batch.rows);
     Json all{{"type", "messages"},
              {"left_out", left_out},
              {"messages", std::move(batch.rows)},
@@ -101,6 +105,37 @@ std::string Ticker::settings() const {
     return text_of(all);
 }
 
+/// On the message that it was made on, which has passed just before or is about to; else as a row of its own.
+void Ticker::mark(const bag::Fault& fault, Json& rows) {
+    Json* nearest = nullptr;
+    double least = 0.05;  // s
+    for (Json& row : rows) {
+        if (!fault.on_message || row["device"] != fault.device || row["port"] != fault.port ||
+            row["sent"] != fault.sent)
+            continue;
+        const double away = std::abs(row["unix"].get<double>() - fault.unix_time);
+        if (away > least) continue;
+        least = away;
+        nearest = &row;
+    }
+    if (nearest == nullptr) {
+        rows.push_back({{"n", ++count_},
+                        {"unix", fault.unix_time},
+                        {"device", fault.device},
+                        {"port", fault.port},
+                        {"sent", true},
+                        {"size", 0},
+                        {"name", "fault"},
+                        {"reason", ""},
+                        {"bytes", ""},
+                        {"fields", Json::array()}});
+        nearest = &rows.back();
+    }
+    const std::string before = nearest->value("fault", std::string());
+    if (before.size() < longest_text)
+        (*nearest)["fault"] = before.empty() ? fault.text : before + "; " + fault.text;
+}
+
 void Ticker::decode(const Passed& one, Batch& batch) {
     const auto found = families_.find(one.device);
     const inspect::Family* family = found == families_.end() ? nullptr : inspect::find_family(found->second);
@@ -113,7 +148,8 @@ void Ticker::decode(const Passed& one, Batch& batch) {
     if (family == nullptr || one.size > one.bytes.size()) {
         if (stream) stream->finish(told);
         add(one, {.name = family == nullptr ? "bytes" : "a long message"}, bytes, one.size, batch);
-    } else if (one.packets || family->framing == inspect::Framing::datagram) {
+    } else if (one.packets ||
+               (family->framing == inspect::Framing::datagram && !stream && !echoloop::http::begins(bytes))) {
         for (const auto& message : family->decode(bytes))
             add(one, message, bytes.subspan(message.offset, message.size), message.size, batch);
     } else {

@@ -21,13 +21,14 @@ class Ticker {
 
     struct Told {
         /// {"type": "messages", "left_out": bytes, "messages": [{"n", "unix", "device", "port", "sent",
-        /// "size", "name", "reason", "fields": [[name, text, unit], ...]}], "said": the longest array of
+        /// "size", "name", "reason", "fields": [[name, text, unit], ...], "fault": what was made on it, on
+        /// those alone}], "said": the longest array of
         /// numbers in the last message of each kind that a device sent: [{"device", "name", "unit",
         /// "numbers"}], "set": as settings() tells them}; "" where there are none.
         std::string messages;
         std::vector<std::string> pictures;  ///< said_picture.h; of large ones the latest of each kind
     };
-    Told take(const std::vector<Passed>& passed, std::size_t left_out);
+    Told take(const std::vector<Passed>& passed, const std::vector<bag::Fault>& faults, std::size_t left_out);
 
     /// {"type": "messages", "messages": [], "said": [], "set": [{"device", "name", "unix", "times", "fields",
     /// "changed": names of the fields that differ from the message of that name before}]}: the last of each
@@ -39,6 +40,7 @@ class Ticker {
     using Way = std::pair<std::string, bool>;  ///< port of a device, and direction
 
     struct Batch;
+    void mark(const bag::Fault& fault, Json& rows);
     void decode(const Passed& one, Batch& batch);
     void add(const Passed& one, const inspect::Message& message, ByteView bytes, std::size_t size,
              Batch& batch);

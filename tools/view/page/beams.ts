@@ -67,6 +67,6 @@ export function footprintsOf(ping: Ping): number[] {
 function loudestRange(ping: Ping, beam: number): number {
   let best = -1;
   for (let at = beam * ping.bins; at < (beam + 1) * ping.bins; at++)
-    if ((ping.seen === null || ping.seen[at] > 0) && ping.levels[at] > (best < 0 ? 0 : ping.levels[best])) best = at;
+    if (ping.seen !== null && ping.seen[at] > 0 && ping.levels[at] > (best < 0 ? 0 : ping.levels[best])) best = at;
   return best < 0 ? 0 : ping.first_range + (best - beam * ping.bins + 0.5) * ping.bin_size;
 }

@@ -182,9 +182,10 @@ export class Card {
       return;
     }
     const late = ping.late > 0.001 ? `, ${(ping.late * 1000).toFixed(0)} ms late` : "";
+    const objects = this.layer.value !== "true" || ping.seenOf === ping.number ? "" : ping.seen === null ? " · its objects were not drawn" : ` · objects of ping ${ping.seenOf}`;
     this.facts.textContent =
       `${picture.kind} · ping ${ping.number} at ${ping.t.toFixed(2)} s${late} · ${beams}, ${range} · ` +
-      `${(ping.frequency / 1000).toFixed(0)} kHz, ${(ping.pulse_length * 1e6).toFixed(0)} us · ${look.span} dB shown`;
+      `${(ping.frequency / 1000).toFixed(0)} kHz, ${(ping.pulse_length * 1e6).toFixed(0)} us · ${look.span} dB shown${objects}`;
   }
 
   /** What is under the pointer, or the loudest. */

@@ -1,5 +1,5 @@
 // How each sonar does: pings, lateness, queues; and how busy each line is.
-import type { DeviceStatus, Line, Ping } from "./news";
+import type { DeviceStatus, Line, Ping, Rendering } from "./news";
 
 const bits_per_byte = 10; // on a serial line
 
@@ -8,14 +8,18 @@ export class Devices {
   private drawn = new Map<string, string>();
   private counted: { t: number; lines: Line[] } | null = null;
 
-  constructor(private readonly table: HTMLTableElement, private readonly lines: HTMLTableElement) {}
+  constructor(private readonly table: HTMLTableElement, private readonly lines: HTMLTableElement, private readonly rendering: HTMLElement) {}
 
   /** How long the drawing of a ping took, of the time that there was. */
   ping(ping: Ping): void {
     if (ping.type === "ping" && ping.due > 0) this.drawn.set(ping.device, `${(ping.drawn * 1000).toFixed(0)} of ${(ping.due * 1000).toFixed(0)} ms`);
   }
 
-  take({ t, devices }: { t: number; devices: DeviceStatus[] }): void {
+  take({ t, devices, rendering }: { t: number; devices: DeviceStatus[]; rendering?: Rendering }): void {
+    if (rendering) {
+      this.rendering.textContent = `${rendering.drawing} of ${rendering.threads} render threads draw, ${rendering.waiting} pings wait for one`;
+      this.rendering.classList.toggle("bad", rendering.waiting > rendering.threads);
+    }
     const rows = devices.map((one) => {
       const last = this.before.get(one.name);
       const rate = last && t > last.t ? ((one.pings - last.pings) / (t - last.t)).toFixed(1) : "";

@@ -1,26 +1,11 @@
 // Faults on command: a button for each kind, where the run lets the page ask.
-import type { Answer, DeviceStatus, Hello } from "./news";
+import type { Answer, Hello } from "./news";
 
 const element = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 
 export class Faults {
-  private readonly counts = new Map<string, number>();
-
   constructor(private readonly ask: (line: object) => void) {
     element("fault-clear").onclick = () => this.ask({ clear: "all" });
-  }
-
-  /** "fault: loss of micron, 3 times", of those that were made since the last call. */
-  made(devices: DeviceStatus[]): string[] {
-    const all: string[] = [];
-    for (const { name, faults } of devices)
-      for (const [kind, count] of Object.entries(faults)) {
-        const key = name + "\n" + kind;
-        const before = this.counts.get(key) ?? 0;
-        this.counts.set(key, count);
-        if (count > before) all.push(`fault: ${kind.replace(/_/g, " ")} at ${name}, ${count - before} times`);
-      }
-    return all;
   }
 
   private tellActive(faults: NonNullable<Answer["faults"]>): void {

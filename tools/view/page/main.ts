@@ -16,7 +16,7 @@ const token = location.hash.slice(1);
 const cards = new Map<string, Card>();
 const scene = new SceneView(element<HTMLCanvasElement>("scene"), element<HTMLSelectElement>("camera"));
 const wire = new Wire(element("wire"), element<HTMLInputElement>("filter"), element<HTMLButtonElement>("pause-wire"));
-const devices = new Devices(element<HTMLTableElement>("devices"), element<HTMLTableElement>("lines"));
+const devices = new Devices(element<HTMLTableElement>("devices"), element<HTMLTableElement>("lines"), element("rendering"));
 const settings = new Settings(element<HTMLTableElement>("settings"));
 const history = new History();
 const faults = new Faults((line) => ask(line));
@@ -87,8 +87,8 @@ async function loadScene(): Promise<void> {
 /** What can be seen again, now or later. */
 function show(news: News | Ping): void {
   if (news.type === "ping" || news.type === "said") {
-    if (news.type === "ping") scene.take(news);
     cardOf(news.device).take(news);
+    if (news.type === "ping") scene.take(news); // with the objects that the card knows
   } else if (news.type === "messages") {
     for (const said of news.said) if (about !== null && !about.captured) cardOf(said.device).hear(said);
     wire.take(news.messages, news.left_out);
@@ -102,7 +102,6 @@ function take(news: News | Ping, size: number): void {
     case "status":
       if (about?.control) ask({ list: true });
       if (news.status.recording !== undefined && news.status.recording !== recording) setRecording(news.status.recording);
-      for (const made of faults.made(news.status.devices)) wire.mark(made);
       return devices.take(news.status);
     case "lines":
       return devices.takeLines(news);

@@ -42,7 +42,8 @@ export interface Ping extends Omit<PingHead, "type"> {
   waterfall: boolean; // a side-scan
   assumed: boolean; // ranges are those at 1500 m/s
   levels: Uint8Array; // beam by beam; 0: nothing
-  seen: Uint16Array | null; // 1 + index of the object
+  seen: Uint16Array | null; // 1 + index of the object; null: not told
+  seenOf: number; // the ping that these objects are of: not each has its own (tools/view/feed.h)
   ranges: Float32Array | null; // m, of each beam; 0: none
 }
 
@@ -92,6 +93,7 @@ export interface Message {
   reason: string;
   bytes: string;
   fields: [string, string, string][];
+  fault?: string; // what was made on it
   parts?: number; // messages of the kind in a row that this one stands for
 }
 
@@ -148,12 +150,19 @@ export interface DeviceStatus {
   faults: Record<string, number>;
 }
 
+/** Pings in the render threads. */
+export interface Rendering {
+  threads: number;
+  drawing: number;
+  waiting: number;
+}
+
 export type News =
   | Hello
   | Ping
   | { type: "messages"; left_out: number; messages: Message[]; said: Said[]; set: Setting[] }
   | { type: "lines"; t: number; lines: Line[] }
-  | { type: "status"; status: { t: number; recording?: string; devices: DeviceStatus[] } }
+  | { type: "status"; status: { t: number; recording?: string; rendering?: Rendering; devices: DeviceStatus[] } }
   | { type: "answer"; id: number; answer: Answer };
 
 export interface SceneNews {
@@ -180,7 +189,7 @@ export function pingOf(buffer: ArrayBuffer): Ping {
     const ranges = head.ranges ? new Float32Array(buffer.slice(rest + count, rest + count + 4 * directions)) : null;
     const spacing = head.beams > 1 ? Math.abs(head.bearings[head.beams - 1] - head.bearings[0]) / (head.beams - 1) : 0.02;
     return {
-      ...head, levels, ranges, seen: null, late: 0, drawn: 0, due: 0, noise: null, beam_width: spacing, fan_height: 0, tilt: 0,
+      ...head, levels, ranges, seen: null, seenOf: 0, late: 0, drawn: 0, due: 0, noise: null, beam_width: spacing, fan_height: 0, tilt: 0,
       sides: head.waterfall && head.beams === 2, frequency: 0, pulse_length: 0, source_level: 0, sonar: [0, 0, 0, 1, 0, 0, 0],
       objects: false, movers: [],
     };
@@ -188,7 +197,7 @@ export function pingOf(buffer: ArrayBuffer): Ping {
   const seen = head.objects ? new Uint16Array(buffer.slice(rest + count, rest + 3 * count)) : null;
   const [, , , w, x, y, z] = head.sonar;
   const down = 2 * (x * z - w * y) < -0.7; // the axis in the world
-  return { ...head, name: "", down, waterfall: false, assumed: false, levels, seen, ranges: null };
+  return { ...head, name: "", down, waterfall: false, assumed: false, levels, seen, seenOf: head.number, ranges: null };
 }
 
 /** dB of a byte; NaN for nothing. */

@@ -54,6 +54,7 @@ export class Picture {
       this.bottom = Infinity;
       this.kind = kind;
     }
+    if (kind !== "echogram" && kind !== "sidescan") inheritObjects(ping, kind === "circle" ? this.lines[slotOf(ping.pan)] : this.last);
     this.last = ping;
     this.far = grows ? Math.max(this.far, farthest(ping)) : farthest(ping);
     let loudest = 0;
@@ -174,8 +175,8 @@ export class Picture {
         image.data[at + 3] = 255;
         if (spot === null) continue;
         const { ping, beam, bin } = spot;
-        if (truth && ping.seen !== null && bin >= 0) {
-          objectColour(ping.seen[beam * ping.bins + bin], image.data, at);
+        if (truth && bin >= 0) {
+          objectColour(ping.seen === null ? null : ping.seen[beam * ping.bins + bin], image.data, at);
           continue;
         }
         let share = 0;
@@ -252,8 +253,18 @@ function loudestOf(ping: Ping, beam: number): Spot | null {
   return Number.isNaN(level) || (ping.noise !== null && level < ping.noise + 13) ? null : { ping, beam, bin: best };
 }
 
-function objectColour(object: number, out: Uint8ClampedArray, at: number): void {
-  if (object === 0) return;
+/** Where a ping's objects were not drawn: those of the one before in that direction. */
+function inheritObjects(ping: Ping, before: Ping | null | undefined): void {
+  if (ping.type !== "ping" || ping.seen !== null || !before?.seen) return;
+  if (before.seen.length !== ping.levels.length || farthest(before) !== farthest(ping)) return;
+  ping.seen = before.seen;
+  ping.seenOf = before.seenOf;
+}
+
+/** null: not told, dark grey. */
+function objectColour(object: number | null, out: Uint8ClampedArray, at: number): void {
+  if (object === null) out.fill(45, at, at + 3);
+  if (!object) return;
   const hue = object * 2.399963; // golden angle: neighbours differ
   for (let i = 0; i < 3; i++) out[at + i] = 140 + 100 * Math.cos(hue + (i * 2 * Math.PI) / 3);
 }

@@ -38,11 +38,6 @@ export class Wire {
     while (this.list.childElementCount > most) this.list.lastElementChild!.remove();
   }
 
-  /** Something that happened between messages. */
-  mark(text: string): void {
-    if (!this.paused) this.list.prepend(remark(text));
-  }
-
   reset(): void {
     this.kept = [];
     this.list.replaceChildren();
@@ -50,13 +45,14 @@ export class Wire {
 
   private passes(message: Message): boolean {
     if (this.filter === "") return true;
-    const text = [message.device, message.port, message.name, message.reason, ...message.fields.map((field) => field[0])].join(" ");
+    const text = [message.device, message.port, message.name, message.reason, message.fault ?? "", ...message.fields.map((field) => field[0])].join(" ");
     return text.toLowerCase().includes(this.filter);
   }
 }
 
 /** The parts of one picture come as many messages in a few milliseconds. */
 function alike(a: Message, b: Message): boolean {
+  if (a.fault !== undefined || b.fault !== undefined) return false;
   return a.device === b.device && a.port === b.port && a.sent === b.sent && a.name === b.name && b.unix - a.unix < 0.01;
 }
 
@@ -75,6 +71,12 @@ function row(message: Message): HTMLElement {
   way.className = message.sent ? "from" : "to";
   way.textContent = message.sent ? "\u2190 " : "\u2192 ";
   line.append(`${time} `, way, `${message.device} ${message.port}  ${message.name || "?"}  ${message.size} B${message.parts ? ` x ${message.parts}` : ""}  `);
+  if (message.fault !== undefined) {
+    const fault = document.createElement("b");
+    fault.className = "fault";
+    fault.textContent = `fault: ${message.fault} `;
+    line.append(fault);
+  }
   if (message.reason !== "") {
     line.classList.add("bad");
     line.append("refused: " + message.reason);

@@ -1,0 +1,76 @@
+// What a page asks of a run: pictures no more often than they can be looked at, objects, which cost time to
+// draw, seldom, and seldom of all sonars while pings are late.
+#include "tools/view/feed.h"
+
+#include <gtest/gtest.h>
+
+namespace echoloop::view {
+namespace {
+
+using namespace std::chrono_literals;
+
+Shot shot_of(std::size_t beams, std::size_t bins) {
+    Shot shot;
+    shot.bearings.assign(beams, 0.0);
+    shot.bins = bins;
+    return shot;
+}
+
+class AFeed : public testing::Test {
+  protected:
+    AFeed() { feed.look(1); }
+
+    void heard(const std::string& device, const Shot& shot, Time late) {
+        const Echogram echogram{shot, {}, {}, 1500, std::vector<float>(shot.beams() * shot.bins), 0, {}, {}};
+        feed.ping({.device = device, .late = late, .echogram = echogram, .movers = movers});
+    }
+
+    Feed::Moment now{1h};
+    Feed feed{[this] { return now; }};
+    const Shot fan = shot_of(256, 500), line = shot_of(1, 400);
+    const std::vector<Pose> movers{};
+};
+
+TEST_F(AFeed, WantsNothingWhileNobodyLooks) {
+    feed.look(0);
+    EXPECT_EQ(feed.wants_ping("fan", fan), Wanted::nothing);
+    EXPECT_EQ(feed.wants_ping("head", line), Wanted::nothing);
+}
+
+TEST_F(AFeed, WantsALargePingTenTimesASecondAndItsObjectsOnce) {
+    int pings = 0, objects = 0;
+    for (const auto end = now + 10s; now < end; now += 20ms) {
+        const Wanted wanted = feed.wants_ping("fan", fan);
+        pings += wanted != Wanted::nothing;
+        objects += wanted == Wanted::objects;
+        if (wanted != Wanted::nothing) heard("fan", fan, 0ms);
+    }
+    EXPECT_EQ(pings, 100);
+    EXPECT_EQ(objects, 10);
+}
+
+TEST_F(AFeed, WantsEachLineOfAHeadWithItsObjectsUntilAPingOfAnySonarIsLate) {
+    for (int i = 0; i < 20; ++i, now += 50ms) EXPECT_EQ(feed.wants_ping("head", line), Wanted::objects);
+    heard("fan", fan, 30ms);
+    int objects = 0;
+    for (int i = 0; i < 40; ++i, now += 50ms) {
+        const Wanted wanted = feed.wants_ping("head", line);
+        EXPECT_NE(wanted, Wanted::nothing);
+        objects += wanted == Wanted::objects;
+    }
+    EXPECT_LE(objects, 2);
+    EXPECT_EQ(feed.wants_ping("head", line), Wanted::objects) << "two seconds without a late ping";
+}
+
+TEST_F(AFeed, WantsALargePingThatIsLateOnceASecond) {
+    int pings = 0;
+    for (const auto end = now + 10s; now < end; now += 100ms)
+        if (feed.wants_ping("fan", fan) != Wanted::nothing) {
+            ++pings;
+            heard("fan", fan, 30ms);
+        }
+    EXPECT_EQ(pings, 10);
+}
+
+}  // namespace
+}  // namespace echoloop::view
