@@ -6,17 +6,21 @@
 #include "protocols/altimeter/inspect.h"
 #include "protocols/aris/inspect.h"
 #include "protocols/cerulean/inspect.h"
+#include "protocols/edgetech/inspect.h"
 #include "protocols/imagenex/delta_t_inspect.h"
 #include "protocols/imagenex/inspect.h"
 #include "protocols/kmall/inspect.h"
+#include "protocols/motion/inspect.h"
 #include "protocols/nmea/inspect.h"
 #include "protocols/norbit/inspect.h"
+#include "protocols/nortek/inspect.h"
 #include "protocols/oculus/inspect.h"
 #include "protocols/ping/inspect.h"
 #include "protocols/r2sonic/inspect.h"
 #include "protocols/reson7k/inspect.h"
 #include "protocols/seanet/inspect.h"
 #include "protocols/sonar3d/inspect.h"
+#include "protocols/teledyne/inspect.h"
 #include "protocols/waterlinked/inspect.h"
 
 namespace echoloop::inspect {
@@ -96,6 +100,15 @@ constexpr std::array table = {
            .rewritten = norbit::rewritten,
            .checksums = norbit::checksums,
            .longest_frame = std::size_t{2} << 20},
+    Family{.name = "edgetech",
+           .title = "EdgeTech side-scans, TCP and .jsf files",
+           .places = {.tcp = "1700-1701"},
+           .framing = Framing::stream,
+           .decode = edgetech::decode,
+           .recognise = edgetech::recognise,
+           .tables = edgetech::tables,
+           .rewritten = edgetech::rewritten,
+           .longest_frame = std::size_t{256} << 10},
     // Before ping: its objects and sentences say what they are.
     Family{.name = "waterlinked",
            .title = "Water Linked DVL A50 and A125, TCP and serial",
@@ -106,6 +119,26 @@ constexpr std::array table = {
            .tables = waterlinked::tables,
            .rewritten = waterlinked::rewritten,
            .checksums = waterlinked::checksums},
+    // Behind waterlinked, whose PD4 is the same block; before ping: a sum tells an ensemble.
+    Family{.name = "teledyne",
+           .title = "Teledyne Doppler logs, PD0, PD4 and PD5, serial",
+           .places = {.serial = true},
+           .framing = Framing::stream,
+           .decode = teledyne::decode,
+           .recognise = teledyne::recognise,
+           .tables = teledyne::tables,
+           .rewritten = teledyne::rewritten,
+           .checksums = teledyne::checksums},
+    // Before ping: two sums tell a frame.
+    Family{.name = "nortek",
+           .title = "Nortek Nucleus, TCP and serial",
+           .places = {.tcp = "9000,9002", .serial = true},
+           .framing = Framing::stream,
+           .decode = nortek::decode,
+           .recognise = nortek::recognise,
+           .tables = nortek::tables,
+           .rewritten = nortek::rewritten,
+           .checksums = nortek::checksums},
     // Before ping: it wants a message that no Ping device has, while a ping frame is any whole one.
     Family{.name = "cerulean",
            .title = "Cerulean sonars, TCP and UDP",
@@ -142,6 +175,14 @@ constexpr std::array table = {
            .tables = nmea::tables,
            .rewritten = nmea::rewritten,
            .checksums = nmea::checksums},
+    Family{.name = "motion",
+           .title = "TSS1 and EM Attitude 3000 of motion sensors, serial and UDP",
+           .places = {.serial = true},
+           .framing = Framing::stream,
+           .decode = motion::decode,
+           .recognise = motion::recognise,
+           .tables = motion::tables,
+           .rewritten = motion::rewritten},
     Family{.name = "altimeter",
            .title = "Altimeters of Tritech, Benthos, Echologger and Imagenex, serial",
            .places = {.serial = true},

@@ -38,6 +38,11 @@ void Recorded::start(Events events) {
         begin_conversation();
         reconnected();
     };
+    // The driver of a free run was there from the start, and no connection of its own is told of.
+    ours.connected = [this, connected = std::move(events.connected)](Address peer) {
+        if (!conversation_) begin_conversation();
+        connected(peer);
+    };
     line().start(std::move(ours));
 }
 

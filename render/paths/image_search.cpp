@@ -6,14 +6,15 @@
 #include <numbers>
 
 #include "render/acoustics/scattering.h"
-#include "render/paths/chains.h"
+#include "render/paths/chain_spread.h"
 #include "render/paths/searches.h"
 
 namespace echoloop {
 namespace {
 
 constexpr std::size_t most_images = 64, most_mirrors = 16, most_order = 5;
-constexpr int most_tries = 20'000;  ///< sequences of mirrors in one ping
+constexpr std::size_t most_spread = 4;  ///< of the loudest, that go through the pattern of a single beam
+constexpr int most_tries = 20'000;      ///< sequences of mirrors in one ping
 constexpr double square_cosine =
     0.0175;  ///< faces this near to a right angle are corners, which have their own search
 constexpr std::size_t no_outline = ~std::size_t{0};
@@ -197,7 +198,7 @@ class ImageSearch {
         return true;
     }
 
-    void add(const ImagePath& path, std::vector<TargetEcho>& targets, std::vector<PathEcho>& diffuse) const {
+    void add(const ImagePath& path, std::vector<TargetEcho>& targets, std::vector<PathEcho>& diffuse) {
         const double power = path.smooth * path.smooth;
         if (path.coherent > faintest_part) {
             const double phase = 2 * ping_.wavenumber * path.range + std::arg(path.share) +
@@ -210,7 +211,7 @@ class ImageSearch {
     }
 
     /// The incoherent part, over the range by which its paths are longer and, for a fan, over its bearings.
-    void add_chain(const ImagePath& path, double power, std::vector<PathEcho>& diffuse) const {
+    void add_chain(const ImagePath& path, double power, std::vector<PathEcho>& diffuse) {
         std::array<ChainMirror, most_order> mirrors{};
         double at = 0, sent_back = 1;
         Vec3 from = ping_.sonar;
@@ -228,6 +229,16 @@ class ImageSearch {
         const bool one_beam = shot.beams() == 1, rows = shot.rows() > 1;
         const ChainShare across = chain_share(chain, one_beam ? shot.beam_width * per_width : everywhere),
                          up = chain_share(chain, rows ? everywhere : shot.fan_height * per_width);
+        if (one_beam && !rows && spread_ < most_spread &&
+            (across.variance + up.variance) * path.range > ping_.resolution) {
+            const double patterns = path.leaves.transmit * path.arrives.receive;
+            const RoughChain rough{chain, path.range, path.leaves, path.arrives,
+                                   power * sent_back / (patterns * patterns)};
+            if (add_through_pattern(ping_, rough, spread_, diffuse)) {
+                ++spread_;
+                return;
+            }
+        }
         PathEcho echo;
         echo.elevation = static_cast<float>(path.arrives.elevation);
         const double whole = power * sent_back * across.power * up.power, spread = std::sqrt(across.variance);
@@ -261,6 +272,7 @@ class ImageSearch {
     std::array<const ImageMirror*, most_order> sequence_{};
     std::array<Vec3, most_order + 1> images_{};  ///< of the sonar in the mirrors of the sequence so far
     std::vector<ImagePath> paths_;
+    std::size_t spread_ = 0;  ///< chains that went through the pattern of a single beam
     int tries_ = 0;
 };
 

@@ -19,7 +19,7 @@ constexpr double smooth_share = 0.4;  ///< of an outline; own choice: strips of 
 constexpr double smaller_area = 0.125;  ///< of a neighbour that goes on as the same curve; own choice
 constexpr double least_area = 1e-4;     ///< m^2
 constexpr std::uint32_t none = Neighbours::none;
-constexpr std::size_t shares = 16;  ///< of the patches, among threads
+constexpr std::size_t shares = 4;  ///< of the patches, among threads: each looks at all triangles
 
 /// Triangles in one plane while they are collected.
 class PlaneSum {

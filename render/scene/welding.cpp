@@ -26,7 +26,7 @@ std::uint64_t hash_of(const MicroCell& cell) {
 
 /// Shares of equal hashes are independent of each other; each is an open table of vertex numbers.
 std::vector<std::uint32_t> welded(std::span<const Vec3> positions, MeshLoops& loops) {
-    constexpr unsigned share_bits = 3;
+    constexpr unsigned share_bits = 2;
     constexpr std::uint32_t empty = ~0U;
     std::vector<std::uint64_t> hashes(positions.size());
     loops.each(positions.size(), [&](std::size_t i) { hashes[i] = hash_of(micro_cell(positions[i])); });

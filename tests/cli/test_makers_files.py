@@ -139,7 +139,7 @@ class Xtf(Makers):
     def test_without_a_sounder_of_that_maker_it_says_what_is_missing(self):
         path = self.file(made.xtf([made.xtf_packet(0, bytes(50)), made.attitude()]), "side.xtf")
         text = self.bad(65, "inspect", path)
-        self.assertIn("none of its 2 packets is one (types 65, 66, 68, 69)", text)
+        self.assertIn("(types 65, 66, 68, 69) are read, and none of its 2 packets is one", text)
 
 
 class Oculus(Makers):

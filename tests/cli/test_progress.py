@@ -1,12 +1,13 @@
 """What long work shows on a terminal, and that it shows nothing anywhere else (the other tests read stderr in pipes)."""
-import os
-import shutil
+import sys
 import unittest
-from pathlib import Path
 
 from captures import RTAC_SERIAL, Pcapng, rtac
-from program import DEMO, PROGRAM, TANK, ProgramTest
+from program import DEMO, ROOT, TANK, ProgramTest
 from test_capture_files import device_data
+
+sys.path.insert(0, str(ROOT / "tests" / "tools" / "import"))
+from worlds import needs_worlds  # noqa: E402
 
 WORLD = """<?xml version="1.0"?><sdf version="1.7"><world name="w"><model name="stones"><static>true</static><link name="link">
 %s</link></model></world></sdf>"""
@@ -48,10 +49,7 @@ class Progress(ProgramTest):
         self.assertTrue((self.folder / "set" / "index.jsonl").exists())
 
     def test_a_world_that_is_imported(self):
-        if not Path(PROGRAM).with_name("echoloop-import").exists() and not shutil.which("echoloop-import"):
-            missing = "echoloop-import is not built: its Debian packages are missing (tools/install test)"
-            self.assertNotEqual(os.environ.get("CI"), "true", missing)
-            self.skipTest(missing)
+        needs_worlds(self)
         world = self.folder / "a.world"
         world.write_text(WORLD % "".join(STONE % (i, 3 * i) for i in range(40)))
         shown = self.on_a_terminal("import", world, "--out", self.folder / "a.glb")

@@ -2,18 +2,20 @@
 Python package, which finds the manifold, and the AUV where a scenario puts it."""
 
 import math
-import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 
 import public_driver
 
 public_driver.use("ping360", "brping")
+sys.path.insert(0, str(public_driver.ROOT / "tests" / "tools" / "import"))
 
 from brping import Ping360  # noqa: E402
 from program import PROGRAM, Emulator  # noqa: E402
+from worlds import needs_worlds  # noqa: E402
 
 WORLDS = public_driver.ROOT / "tests" / "data" / "worlds"
 SAMPLES, PERIOD = 1200, 444  # 10 m
@@ -35,10 +37,7 @@ class ImportedWorld(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="echoloop-imported-")
         self.addCleanup(folder.cleanup)
         self.scene = pathlib.Path(folder.name) / "manifold.glb"
-        if not (pathlib.Path(PROGRAM).parent / "echoloop-import").exists():
-            if os.environ.get("CI") == "true":
-                self.fail("echoloop-import is not built")
-            self.skipTest("echoloop-import is not built")
+        needs_worlds(self)
 
     def edge(self, sonar, angle):
         """Range (m) of the first strong echo beyond the ring-down; 200 gradians is ahead, more is to starboard."""

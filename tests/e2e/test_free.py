@@ -102,6 +102,14 @@ class Free(unittest.TestCase):
         profiles = [a for a in frames(capture, 9093) if a[4:6] == struct.pack("<H", 1300)]
         self.assertEqual(len(profiles), 5)
 
+    def test_what_goes_over_tcp_is_recorded_too(self):
+        self.write(SCENARIO[:SCENARIO.index("  - name: scanner")] +
+                   "  - {name: sidescan, model: edgetech-2205, options: {start: high}}\n")
+        capture, _, lines = self.record("tcp", "--duration", "1")
+        sides = capture.read_bytes().count(b"\x01\x16\x0D\0\x50\0")  # headers of its data, one for each side of a ping
+        self.assertGreater(sides, 20)
+        self.assertEqual(sides, 2 * lines[-1]["devices"][0]["pings"])
+
     def test_the_same_bytes_each_time_and_beside_a_twin(self):
         one, truth, _ = self.record("one")
         # A twin at the same time: both name the port 9092, and neither opens it.

@@ -1,147 +1,22 @@
 """Runs under the settings of recordings: no word of one side lies where the other has none. docs/recordings.md has the table."""
 
-import json
 import math
 import socket
 import struct
-import subprocess
-import tempfile
 import time
 import unittest
 from collections import Counter
-from pathlib import Path
-from random import Random
 
 from ports import free_port
-from program import PROGRAM, Emulator
+from recorded_case import ALIKE, HEAD, Case
 
-import imagenex_wire
 import oculus_wire
 import words
-from byte_line import open_line
-from imagenex_host import Host as Sounder
 from mesh_scene import grid_triangles, mesh_scene
 from oculus_host import Host as OculusHost
 from r2sonic_host import Host as R2SonicHost
 from shared_data import needs_data
 from sonar3d_wire import Image
-
-HEAD = """
-scene: {scenes}/%s.glb
-seed: 1
-water: {temperature: 10, salinity: 35, ph: 8%s}
-vehicle: {%s}
-devices:
-"""
-ALIKE = 0.25  # the Jensen-Shannon distance up to which two histograms are the same
-
-
-class Case(unittest.TestCase):
-    def start(self, scenario, files=()):
-        folder = tempfile.TemporaryDirectory(prefix="echoloop-recordings-")
-        self.addCleanup(folder.cleanup)
-        self.capture = Path(folder.name) / "run.pcapng"
-        self.emulator = Emulator(scenario, "--record", str(self.capture), files=files)
-        self.addCleanup(self.emulator.__exit__, None, None, None)
-        return self.emulator.__enter__()
-
-    def neither_is_constant_alone(self, real, message, kind=None, known=()):
-        """Ends the run. No field of that message may be constant in its capture and vary in the recording, or the other way
-        round, but the `known` ones. `kind`: the maker's kind of file, into which the capture is converted first."""
-        self.emulator.stop()
-        ours = self.capture
-        if kind:
-            ours = ours.with_suffix(kind)
-            subprocess.run([PROGRAM, "convert", str(self.capture), str(ours)], check=True, capture_output=True)
-        done = subprocess.run([PROGRAM, "diff", "--json", str(ours), str(real)], capture_output=True, text=True)
-        fields = [f for d in json.loads(done.stdout)["directions"] for t in d["types"] if t["name"] == message for f in t["fields"]]
-        self.assertGreater(len(fields), 5, done.stderr)
-        sides = [f for f in fields if "distinct" in f.get("a", {}) and "distinct" in f.get("b", {})]
-        alone = {f["name"]: (f["a"], f["b"]) for f in sides if (f["a"]["distinct"] == 1) != (f["b"]["distinct"] == 1)}
-        self.assertEqual({name: both for name, both in alone.items() if name not in known}, {})
-
-    def alike(self, ours, real, what):
-        fours = lambda side: [int(word) // 4 for word in side]  # so that some thousand words fill the classes
-        distance = words.distance(fours(ours), fours(real))
-        print(f"{what}: distance {distance:.3f}", *("%s %d, mean %.1f, 5 %% %d, 50 %% %d, 95 %% %d;" % (
-            name, s["words"], s["mean"], s["5 %"], s["50 %"], s["95 %"])
-            for name, s in (("ours", words.summary(ours)), ("real", words.summary(real)))))
-        self.assertLess(distance, ALIKE, what)
-
-
-def waves(random, rms, period, times):
-    """A swell of that standard deviation about a period in s, at the times: the sum of a dozen sines."""
-    parts = [(2 * math.pi / (period * random.uniform(0.6, 1.6)), random.uniform(0, 2 * math.pi)) for _ in range(12)]
-    return [rms * math.sqrt(2 / 12) * sum(math.sin(w * t + phase) for w, phase in parts) for t in times]
-
-
-def boat(seconds=60, step=0.1, tilt=0.08, heave=0.03, speed=0.1):
-    """A trajectory 8.5 m above the bottom; `tilt` (rad) and `heave` (m) are standard deviations. The recording's edge lies still
-    within half a bin (0.1 m) for minutes, so it heaves by no more; how far it tilts is our own choice."""
-    random = Random(3)
-    times = [n * step for n in range(int(seconds / step))]
-    lines = ["t,x,y,z,qw,qx,qy,qz"]
-    for t, roll, pitch, z in zip(times, *(waves(random, rms, period, times) for rms, period in ((tilt, 2.5), (tilt, 3.0), (heave, 4.0)))):
-        c, s, d, p = math.cos(roll / 2), math.sin(roll / 2), math.cos(pitch / 2), math.sin(pitch / 2)
-        lines.append(f"{t:.2f},{speed * t:.3f},0,{z - 11.5:.3f},{c * d:.6f},{s * d:.6f},{c * p:.6f},{-s * p:.6f}")
-    return "\n".join(lines) + "\n"
-
-
-def rough_bottom(sonar, relief=0.03, wavelength=2, spacing=0.25, size=81):
-    """Relief of that standard deviation (m) 20 m down, as the jitter of the recording's edge of 0.6 bins leaves room for."""
-    random = Random(1)
-    parts = [(2 * math.pi / (wavelength * random.uniform(0.6, 1.6)), random.uniform(0, 2 * math.pi), random.uniform(0, 2 * math.pi)) for _ in range(16)]
-    places = [spacing * (n - size // 2) for n in range(size)]
-    height = lambda x, y: relief * math.sqrt(2 / 16) * sum(math.sin(k * (x * math.cos(way) + y * math.sin(way)) + phase) for k, way, phase in parts)
-    return mesh_scene([(x, y, height(x, y) - 20) for y in places for x in places], list(grid_triangles(size, size)), sonar)
-
-
-class Imagenex852(Case):
-    """hydroball.852: 177 shots over 50 m, 12 dB, 0.2 dB/m, 4 us; a bottom at 7.4 to 9.4 m."""
-
-    def shots(self, count, surface="none"):
-        emulator = self.start("scene: bottom.gltf\nseed: 1\nwater: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500, scattering: pure, surface: " + surface + "}\nvehicle: {trajectory: boat.csv}\ndevices:\n"
-                              "  - {name: s, model: imagenex-852, mount: {rpy_deg: [0, 90, 0]}, endpoints: ['pty:{folder}/line']}\n",
-                              {"boat.csv": boat(), "bottom.gltf": rough_bottom({"material": "rock"})})
-        line = open_line(str(emulator.folder / "line"))
-        self.addCleanup(line.close)
-        host = Sounder(line)
-        return [list(host.ask(imagenex_wire.sounder_command(range=50, pulse=4, gain=12, absorption=20)).data)
-                for _ in range(count)]
-
-    @staticmethod
-    def bottom(shot):
-        """The edge and what follows it within 1.2 m."""
-        edge = next(i for i, word in enumerate(shot) if i > 10 and word > 63)
-        return shot[edge : edge + 12]
-
-    def test_words(self):
-        real = [m["reply.data"] for m in words.messages(needs_data("imagenex852/hydroball.852"), "Shot852")]
-        ours = self.shots(110)
-        part = lambda shots, first, last: [w for shot in shots for w in shot[first:last]]
-        self.alike(part(ours, 420, 499), part(real, 420, 499), "852, noise at 42 to 50 m")
-        self.alike([w for s in ours for w in self.bottom(s)], [w for s in real for w in self.bottom(s)], "852, bottom")
-        self.neither_is_constant_alone(needs_data("imagenex852/hydroball.852"), "Shot852", ".852", known=["time"])  # of that file: reply bytes
-        for i in range(8):
-            mean = lambda shots: sum(shot[i] for shot in shots) / len(shots)
-            self.assertAlmostEqual(mean(ours), mean(real), delta=3, msg=f"sample {i}")
-
-    @staticmethod
-    def second_bottom(shots):
-        """Where the mean over all shots is loudest about twice the edge, in samples behind that, and that mean."""
-        edges = [next(i for i, word in enumerate(shot) if i > 10 and word > 63) for shot in shots]
-        parts = [shot[2 * edge - 5 : 2 * edge + 15] for shot, edge in zip(shots, edges)]
-        means = [sum(words) / len(words) for words in zip(*parts)]
-        return means.index(max(means)) - 5, max(means)
-
-    def test_the_second_bottom(self):
-        """By way of the surface, 0.3 m above the sounder. The sea of the recording is not known: with 6 m/s of wind the level is
-        met, in a light air it is 6 dB higher."""
-        real = self.second_bottom([m["reply.data"] for m in words.messages(needs_data("imagenex852/hydroball.852"), "Shot852")])
-        ours = self.second_bottom(self.shots(60, "{height: -11.2, wind: 6}"))
-        print("852, second bottom: samples behind twice the edge, mean word; real", real, "ours", ours)
-        self.assertAlmostEqual(ours[0], real[0], delta=2)
-        self.assertLess(abs(20 * math.log10(ours[1] / real[1])), 3)
 
 
 class Oculus(Case):

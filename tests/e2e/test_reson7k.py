@@ -1,5 +1,6 @@
 """The 7k multibeam end to end over TCP and UDP on loopback, against a host written apart from the C++."""
 
+import bisect
 import json
 import math
 import statistics
@@ -131,6 +132,52 @@ class Tank(ResonCase):
         self.assertAlmostEqual(statistics.median(ahead), 6, delta=0.03)
         self.assertAlmostEqual(statistics.median(port), -4, delta=0.02, msg="port is negative")
         self.assertAlmostEqual(statistics.median(starboard), 4, delta=0.02)
+
+
+class RollingVessel(ResonCase):
+    """What a host makes of soundings and the motion records beside them: a vessel that rolls by 5 deg within 4 s."""
+
+    def test_soundings_reduced_with_its_motion_lie_on_the_floor_and_with_a_wrong_one_do_not(self):
+        rows = ["t,x,y,z,qw,qx,qy,qz"]
+        for i in range(1200):
+            half, north = math.radians(5 * math.sin(2 * math.pi * 0.05 * i / 4)) / 2, math.sqrt(0.5)  # a yaw of 90 deg
+            c, s = north * math.cos(half), north * math.sin(half)
+            rows.append(f"{0.05 * i:.2f},0,0,-12,{c:.9f},{s:.9f},{s:.9f},{c:.9f}")
+        self.port = free_port()
+        scenario = (SCENARIO % ("flat", "", 90, self.port)).replace("{pose: {position: }}", "{trajectory: way.csv}")
+        emulator = Emulator(scenario, files={"way.csv": "\n".join(rows) + "\n"})
+        self.addCleanup(emulator.__exit__, None, None, None)
+        emulator.__enter__()
+        host = self.connect()
+        self.assertEqual(host.subscribe(wire.DETECTIONS, wire.MOTION), 0)
+        pings, motion = [], []
+        while len(pings) < 30 or motion[-1][0] < pings[-1].time.timestamp() + 0.3:
+            record = host.record()
+            if record.kind == wire.MOTION:
+                motion.append((record.time.timestamp(), *record.get("3f", 0)))
+            elif record.kind == wire.DETECTIONS and len(pings) < 30 and motion and record.time.timestamp() > motion[0][0] + 0.3:
+                pings.append(record)
+
+        def roll_at(t):
+            after = bisect.bisect(motion, (t,))
+            (t0, r0, *_), (t1, r1, *_) = motion[after - 1 : after + 1]
+            return r0 + (r1 - r0) * (t - t0) / (t1 - t0)
+
+        def worst(sign, latency):
+            """Of 95 % of a ping's depths. The receiver's array steers: its roll counts when the echo comes."""
+            worst = 0
+            for ping in pings:
+                at, left = ping.time.timestamp() + latency, []
+                for _, travel, angle, *_ in ping.points():
+                    depth = C / 2 * travel * math.cos(angle - sign * roll_at(at + travel))  # port up; starboard positive
+                    left.append(abs(depth / 8 - 1))
+                worst = max(worst, sorted(left)[int(0.95 * len(left))])
+            return worst
+
+        self.assertLess(worst(1, 0), 0.005)
+        self.assertGreater(worst(-1, 0), 0.05, "with a swapped sign")
+        self.assertGreater(worst(1, 0.2), 0.02, "with a latency of 0.2 s")
+        self.assertGreater(worst(1, -0.2), 0.02, "with a latency of -0.2 s")
 
 
 class Files(ResonCase):

@@ -15,7 +15,8 @@ std::unique_ptr<CaptureReader> open_oculus(Input& input, const OpenSettings& set
 /// .aris: frames, given out as the parts that carry them. One part each unless the device's own are asked
 /// for.
 std::unique_ptr<CaptureReader> open_aris(Input& input, const OpenSettings& settings);
-/// .xtf: of R2Sonic sounders, as QINSy and Triton write them. What other instruments said is passed over.
+/// .xtf: of R2Sonic sounders, as QINSy and Triton write them, or of side-scans, as messages of JSF. What
+/// other instruments said is passed over.
 std::unique_ptr<CaptureReader> open_xtf(Input& input, const OpenSettings& settings);
 
 }  // namespace echoloop::capture

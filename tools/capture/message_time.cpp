@@ -46,6 +46,13 @@ std::optional<double> split_seconds(const inspect::Message& message) {
     return {};
 }
 
+/// Seconds, and milliseconds of the second or of the day.
+std::optional<double> seconds_and_milliseconds(const inspect::Message& message) {
+    const double milliseconds = number(message, "milliseconds");
+    const double time = number(message, "seconds") + std::fmod(milliseconds, 1000) * 1e-3;
+    return std::isfinite(time) ? std::optional(time) : std::nullopt;
+}
+
 /// One number in its unit.
 std::optional<double> one_number(const inspect::Message& message) {
     for (const auto name : {"sonar_time", "pwr_up_msec", "timestamp_ms", "timestamp_msec", "timestamp",
@@ -98,7 +105,8 @@ std::optional<double> date_and_time(const inspect::Message& message) {
 }  // namespace
 
 std::optional<double> message_time(const inspect::Message& message) {
-    for (const auto source : {split_seconds, one_number, day_of_year, date_and_time})
+    for (const auto source :
+         {split_seconds, seconds_and_milliseconds, one_number, day_of_year, date_and_time})
         if (const auto time = source(message); time && *time >= 0) return time;
     return {};
 }

@@ -3,6 +3,7 @@
 
 #include "tools/capture/little_endian.h"
 #include "tools/capture/makers_files.h"
+#include "tools/capture/xtf_sides.h"
 
 namespace echoloop::capture {
 namespace {
@@ -10,7 +11,8 @@ namespace {
 constexpr std::uint8_t xtf_mark = 0x7B;
 constexpr std::size_t xtf_header = 1024, channels_in_header = 6;
 constexpr std::uint16_t xtf_packet_mark = 0xFACE;
-constexpr std::size_t xtf_packet_header = 14, ping_header = 256, xtf_unit = 64;
+constexpr std::size_t xtf_packet_header = 14, xtf_unit = 64;
+constexpr std::uint8_t side_scan = 0;
 constexpr std::size_t longest_xtf_packet = std::size_t{16} << 20;
 
 bool is_xtf_packet(ByteView bytes) {
@@ -36,7 +38,7 @@ double ping_time(ByteView packet) {
 
 /// The datagram behind a ping header: big-endian, its own length in it; zeros fill the packet.
 ByteView datagram_in(ByteView packet) {
-    const ByteView rest = packet.subspan(ping_header);
+    const ByteView rest = packet.subspan(xtf_ping_header);
     constexpr std::size_t start = 12;
     if (rest.size() < start) return {};
     const std::size_t size = wire::load<wire::ByteOrder::big, std::uint32_t>(rest.data() + 4);
@@ -45,6 +47,8 @@ ByteView datagram_in(ByteView packet) {
 
 class XtfFile final : public Container {
   public:
+    explicit XtfFile(const XtfSides& sides) : sides_(sides) {}
+
     Entry look(ByteView pending, bool last) override {
         if (pending.size() < xtf_packet_header && !last) return {};
         const std::size_t size = is_xtf_packet(pending) ? little::u32(pending, 10) : 0;
@@ -57,8 +61,15 @@ class XtfFile final : public Container {
         if (*lost > 0) return {.size = *lost, .damaged = true};
         Entry entry{.size = size};
         ++packets_;
-        if (!is_r2sonic(pending[2]) || size < ping_header) return entry;
-        const ByteView packet = pending.first(size), datagram = datagram_in(packet);
+        if (size < xtf_ping_header) return entry;
+        const ByteView packet = pending.first(size);
+        if (sides_.any()) {
+            entry.time = ping_time(packet);
+            if (pending[2] == side_scan) entry.said = sides_.messages(packet, entry.time);
+            return entry;
+        }
+        if (!is_r2sonic(pending[2])) return entry;
+        const ByteView datagram = datagram_in(packet);
         entry.time = ping_time(packet);
         if (!datagram.empty()) entry.said.emplace_back(datagram.begin(), datagram.end());
         return entry;
@@ -66,11 +77,13 @@ class XtfFile final : public Container {
 
     std::string others() const override {
         if (packets_ == 0) return {};
-        return "of XTF, the datagrams of R2Sonic sounders are read, and none of its " +
-               std::to_string(packets_) + " packets is one (types 65, 66, 68, 69)";
+        return "of XTF, side-scans (type 0) and the datagrams of R2Sonic sounders (types 65, 66, 68, 69) are "
+               "read, and none of its " +
+               std::to_string(packets_) + " packets is one";
     }
 
   private:
+    XtfSides sides_;
     std::uint64_t packets_ = 0;
 };
 
@@ -85,8 +98,11 @@ std::unique_ptr<CaptureReader> open_xtf(Input& input, const OpenSettings&) {
         channels <= channels_in_header ? 1 : 1 + (channels - channels_in_header + 7) / 8;
     if (headers == 1 && little::u16(start, xtf_header) != xtf_packet_mark) return nullptr;
     const std::size_t begin = input.read(headers * xtf_header).size();
-    return std::make_unique<ContainerFile>(input, std::make_unique<XtfFile>(), "r2sonic",
-                                           ContainerFile::Speech::datagrams, begin);
+    const XtfSides sides(start);
+    using Speech = ContainerFile::Speech;
+    return std::make_unique<ContainerFile>(input, std::make_unique<XtfFile>(sides),
+                                           sides.any() ? "edgetech" : "r2sonic",
+                                           sides.any() ? Speech::stream : Speech::datagrams, begin);
 }
 
 }  // namespace echoloop::capture

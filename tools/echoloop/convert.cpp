@@ -189,8 +189,8 @@ Verb convert_verb() {
              {Kind::positional,
               "OUT",
               "",
-              "file to write: .852 or .81A (Imagenex), .kmall, .s7k, .svlog (Cerulean), .bin (Ping Viewer), "
-              ".aris, .csv, .mcap (bag for ROS 2 and Foxglove)",
+              "file to write: .852 or .81A (Imagenex), .kmall, .s7k, .jsf and .xtf (EdgeTech), .svlog "
+              "(Cerulean), .bin (Ping Viewer), .aris, .csv, .mcap (bag for ROS 2 and Foxglove)",
               {},
               true},
              {Kind::value, "--line", "NAME",

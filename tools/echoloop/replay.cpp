@@ -190,7 +190,8 @@ Verb replay_verb() {
         {{Kind::positional,
           "CAPTURE",
           "",
-          "pcap, pcapng, .kmall, .s7k, .aris, .oculus, .xtf, .bin, .svlog, .sonar, .852, .81A, a serial log "
+          "pcap, pcapng, .kmall, .s7k, .jsf, .aris, .oculus, .xtf, .bin, .svlog, .sonar, .852, .81A, a "
+          "serial log "
           "as text, ...; .gz of all",
           {},
           true},

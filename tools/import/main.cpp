@@ -154,6 +154,7 @@ Inputs inputs_of(const Given& given) {
         if (!out.world.empty())
             throw StartError(Exit::usage, printable(file.string()) +
                                               ": is a second world; name one, and surveys beside it");
+        require_sdf(file);
         out.world = file;
     }
     return out;

@@ -10,6 +10,7 @@
 
 #include "tools/import/fault.h"
 #include "tools/import/materials.h"
+#include "tools/import/meshes.h"
 #include "tools/import/shapes.h"
 #include "tools/import/xml.h"
 
@@ -30,7 +31,8 @@ class Converter {
           report_(report),
           stage_(stage),
           told_(told),
-          shapes_(sources, paths, report.notes) {}
+          shapes_(sources, paths, report.notes),
+          meshes_(world, report, choices.rules) {}
 
     void convert() {
         ::unsetenv("SDF_PATH");  // libsdformat looks there by itself
@@ -247,7 +249,7 @@ class Converter {
         if (const auto* mesh = visual.Geom()->MeshShape()) stage_.set(printable(mesh->Uri(), 1000));
         try {
             const Shape& shape = shapes_.get(*visual.Geom(), key);
-            const auto mesh = mesh_of(key, shape, clues);
+            const auto mesh = meshes_.mesh_of(key, shape, clues);
             if (!mesh) {
                 report_.left_out.push_back(printable(name) + ": a rule says so");
                 return;
@@ -260,39 +262,6 @@ class Converter {
         }
     }
 
-    /// The mesh of a shape with the materials that its clues give it; nothing where rules leave all of it
-    /// out.
-    std::optional<std::size_t> mesh_of(std::string key, const Shape& shape, Clues& clues) {
-        std::vector<std::pair<const ShapeSurface*, std::size_t>> parts;
-        for (const ShapeSurface& surface : shape) {
-            clues.surface = surface.material;
-            Choice choice = choose_material(clues, choices_.rules);
-            if (choice.leave_out) continue;
-            const std::string label = choice.material.name;
-            choice.material.double_sided = surface.double_sided;
-            if (surface.double_sided) choice.material.name += " two-sided";
-            parts.emplace_back(&surface, material_index(choice.material));
-            key += " " + std::to_string(parts.back().second);
-            report_.add({clues.model, label, choice.from, choice.guessed, parts.size() == 1 ? 1U : 0U,
-                         surface.indices.size() / 3});
-        }
-        if (parts.empty()) return std::nullopt;
-        if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
-        Mesh mesh{clues.mesh.empty() ? clues.visual : clues.mesh};
-        for (const auto& [surface, material] : parts)
-            mesh.surfaces.push_back({surface->positions, surface->indices, material});
-        world_.meshes.push_back(std::move(mesh));
-        return meshes_[key] = world_.meshes.size() - 1;
-    }
-
-    std::size_t material_index(const Material& material) {
-        const auto known = std::ranges::find(world_.materials, material);
-        if (known != world_.materials.end())
-            return static_cast<std::size_t>(known - world_.materials.begin());
-        world_.materials.push_back(material);
-        return world_.materials.size() - 1;
-    }
-
     const Sources& sources_;
     SdfChoices& choices_;
     World& world_;
@@ -301,11 +270,14 @@ class Converter {
     const Told& told_;
     std::size_t shapes_done_ = 0, shapes_all_ = 0;
     Shapes shapes_;
-    std::map<std::string, std::size_t> meshes_, links_;
+    Meshes meshes_;
+    std::map<std::string, std::size_t> links_;
     std::vector<std::string> seen_;
 };
 
 }  // namespace
+
+void require_sdf(const std::filesystem::path&) {}
 
 void add_sdf(const Sources& sources, const ModelPaths& paths, SdfChoices& choices, World& world,
              Report& report, Stage& stage, const Told& told) {

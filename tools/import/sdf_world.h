@@ -1,6 +1,7 @@
 // Makes a world of what libsdformat reads: models, links, joints and visuals become nodes.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -24,6 +25,9 @@ struct SdfChoices {
 
 /// Of the world's shapes, how many are read.
 using Told = std::function<void(std::size_t done, std::size_t of)>;
+
+/// Throws StartError for the world in the file where this program was built without libsdformat.
+void require_sdf(const std::filesystem::path& world);
 
 /// Reads the copy. Nodes are named model, model::link, model::joint and model::link::visual. Throws Fault.
 void add_sdf(const Sources& sources, const ModelPaths& paths, SdfChoices& choices, World& world,

@@ -79,5 +79,6 @@ std::unique_ptr<Maker> make_kmall();
 std::unique_ptr<Maker> make_reson7k();
 std::unique_ptr<Maker> make_r2sonic();
 std::unique_ptr<Maker> make_norbit();
+std::unique_ptr<Maker> make_edgetech();
 
 }  // namespace echoloop::said

@@ -55,11 +55,14 @@ Shot make_shot(const Settings& s, std::uint64_t ping) {
 }
 
 Surface surface_of(const Pose& world_from_sonar) {
-    Vec3 ahead = rotate(world_from_sonar.orientation, {0, 0, 1});
-    if (std::hypot(ahead.x, ahead.y) < 0.5)  // a head that looks ahead, not down
-        ahead = rotate(world_from_sonar.orientation, {1, 0, 0});
-    const double length = std::hypot(ahead.x, ahead.y);
     Surface surface;
+    Vec3 ahead = rotate(world_from_sonar.orientation, {0, 0, 1});
+    surface.keel = rotate(world_from_sonar.orientation, {1, 0, 0});
+    if (std::hypot(ahead.x, ahead.y) < 0.5) {  // a head that looks ahead, not down
+        surface.keel = -1 * ahead;
+        ahead = rotate(world_from_sonar.orientation, {1, 0, 0});
+    }
+    const double length = std::hypot(ahead.x, ahead.y);
     surface.ahead = {ahead.x / length, ahead.y / length, 0};
     surface.starboard = {surface.ahead.y, -surface.ahead.x, 0};
     surface.heading = std::atan2(ahead.x, ahead.y);  // east is x, north is y

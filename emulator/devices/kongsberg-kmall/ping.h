@@ -21,6 +21,7 @@ Shot make_shot(const Settings& settings, std::uint64_t ping);
 struct Surface {
     double heading = 0;     ///< rad, clockwise from north
     Vec3 ahead, starboard;  ///< unit vectors in the world
+    Vec3 keel;              ///< the same, from deck to keel: down, if the vessel is level
 
     Vec3 from_world(Vec3 v) const { return {dot(v, ahead), dot(v, starboard), -v.z}; }
 };

@@ -10,9 +10,9 @@ namespace {
 using kmall::Sounding;
 using multibeam::Detection;
 
-// Of real soundings: rejectionInfo1 of an EM 2042's rejected ones, rejectionInfo2 and the confidence of an EM
-// 2040P.
-constexpr std::uint8_t no_bottom = 15, rejected = 40, by_amplitude = 88, by_phase = 98, confidence = 12;
+// rejectionInfo2 and the confidence of real soundings of an EM 2040P and, by phase, of an EM 2042 (98 in one
+// of 13 there); rejectionInfo1 is 0 in all 46,000.
+constexpr std::uint8_t rejected = 40, by_amplitude = 88, by_phase = 99, confidence = 12;
 
 /// Standard deviation in parts of the range, %. Real ones by amplitude are 0.117 to 0.34 (0.135 in the mean
 /// at the nadir, 0.168 at 45 deg), by phase 0.04 to 0.46, new for each sounding; that they follow the speckle
@@ -56,7 +56,6 @@ Sounding beam(const Settings& s, std::size_t index, double bearing, Vec3 directi
     Sounding out;
     out.index = out.water_beam = static_cast<std::uint16_t>(index);
     out.type = 2;
-    out.rejection1 = no_bottom;
     out.rejection2 = rejected;
     out.confidence = confidence;
     out.water_angle = f(rad_to_deg(std::atan2(-direction.y, direction.z)));
@@ -67,7 +66,7 @@ Sounding beam(const Settings& s, std::size_t index, double bearing, Vec3 directi
 }
 
 void add_bottom(Sounding& out, const Detection& d, double sample_rate) {
-    out.type = out.rejection1 = 0;
+    out.type = 0;
     const bool phase = d.method == multibeam::Method::phase;
     out.method = phase ? 2 : 1;
     out.rejection2 = phase ? by_phase : by_amplitude;

@@ -32,12 +32,13 @@ Dvl::Dvl(const Settings& settings, const Wiring& wiring)
     : settings_(settings),
       wiring_(wiring),
       web_(http_port(wiring)),
+      modes_(range_modes(settings.acoustics.highest_altitude)),
       pacer_(settings.sensors, jitter::processor),
       measurement_(settings) {
     state_.configuration = settings.start;
     state_.output = settings.serial_output;
     state_.address = wiring.address;
-    search_.restart(state_.configuration.range_mode);
+    restart_search();
 }
 
 std::vector<Port> Dvl::ports() const {
@@ -126,8 +127,7 @@ void Dvl::obey(Answer answer, Peer host, Time now) {
 }
 
 void Dvl::after_command(const Configuration& before, Time now) {
-    if (state_.configuration.range_mode != before.range_mode)
-        search_.restart(state_.configuration.range_mode);
+    if (state_.configuration.range_mode != before.range_mode) restart_search();
     if (state_.configuration.acoustic_enabled) state_.triggers = 0;
     plan(now);
     ping_if_due(now);
@@ -196,10 +196,14 @@ void Dvl::plan(Time now) {
     if (!pacer_.under_way() && pacer_.wake() == Time::max()) pacer_.start(now, from_seconds(plan_.period));
 }
 
-ModeFigures Dvl::mode_of_next(Time now) {
+void Dvl::restart_search() {
+    const RangeMode& mode = state_.configuration.range_mode;
+    search_.restart(mode.lowest, mode.highest);
+}
+
+Mode Dvl::mode_of_next(Time now) {
     if (sends_water()) return water_layer;
-    const int mode = search_.next(state_.configuration.periodic_cycling_enabled, now);
-    return figures_of(mode, settings_.acoustics.highest_altitude);
+    return modes_.at(search_.next(state_.configuration.periodic_cycling_enabled, now));
 }
 
 void Dvl::ping_if_due(Time now) {
@@ -223,14 +227,17 @@ Actions Dvl::heard(const Echogram& echogram, Time now) {
     const Time began = pacer_.began().value_or(now);
     if (!pacer_.end(now, from_seconds(plan_.period))) return take_actions(now);
     ++counters_.pings;
-    if (echogram.beams() == transducers) {
-        VelocityReport report = measurement_.measure(echogram, state_.configuration, plan_, began);
+    if (echogram.beams() == settings_.azimuths.size()) {
+        const Configuration& set = state_.configuration;
+        VelocityReport report{measurement_.measure(
+            echogram, {set.speed_of_sound, deg_to_rad(set.mounting_rotation_offset), set.range_mode.water},
+            plan_, began)};
         const double reflection =
             measurement_.echo_time() > 0 ? measurement_.echo_time() / 2 : plan_.window / 2;
         const Time validity = began + from_seconds(reflection);
         if (!report.water) {
             const auto altitude = report.altitude > 0 ? std::optional(report.altitude) : std::nullopt;
-            search_.found(altitude, settings_.acoustics.highest_altitude, now);
+            search_.found(altitude, modes_, now);
         }
         if (report.water || !search_.lost()) {
             measurement_.follow(report, validity);
@@ -263,7 +270,7 @@ Actions Dvl::woken(Time now) {
     plan(now);
     ping_if_due(now);
     if (now >= next_empty_) {
-        VelocityReport report = Measurement::nothing(settings_);
+        VelocityReport report{doppler::Measurement::nothing(settings_, settings_.start.speed_of_sound)};
         report.time = 1e3 * to_seconds(now - last_report_);
         report.validity = report.transmission = unix_us(now);
         last_report_ = now;

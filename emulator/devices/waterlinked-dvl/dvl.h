@@ -9,10 +9,9 @@
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/family/waterlinked/http_hosts.h"
 #include "emulator/devices/waterlinked-dvl/commands.h"
-#include "emulator/devices/waterlinked-dvl/echo.h"
 #include "emulator/devices/waterlinked-dvl/host_text.h"
-#include "emulator/devices/waterlinked-dvl/measurement.h"
 #include "emulator/devices/waterlinked-dvl/pages.h"
+#include "emulator/devices/waterlinked-dvl/report.h"
 
 namespace echoloop::waterlinked_dvl {
 
@@ -43,7 +42,8 @@ class Dvl final : public Device {
     bool boots(Time now) const { return now < boot_end_; }
     bool pings() const;
     bool sends_water() const { return state_.configuration.range_mode.water; }
-    ModeFigures mode_of_next(Time now);
+    void restart_search();
+    Mode mode_of_next(Time now);
     void plan(Time now);
     void ping_if_due(Time now);
 
@@ -71,12 +71,13 @@ class Dvl final : public Device {
     std::map<std::size_t, std::size_t> clients_;  ///< how many, by port
     waterlinked_family::HttpHosts web_;
 
-    ModeSearch search_;
+    Modes modes_;
+    doppler::ModeSearch search_;
     PingPacer pacer_;
-    Plan plan_;
+    doppler::Plan plan_;
     bool triggered_ = false;  ///< the ping under way was asked for
     std::uint64_t shots_ = 0;
-    Measurement measurement_;
+    doppler::Measurement measurement_;
     Time last_report_{};
     Time next_position_ = Time::max(), reset_at_ = Time::max(), calibrated_at_ = Time::max();
     Time next_empty_ = Time::max();  ///< report while acoustics are off

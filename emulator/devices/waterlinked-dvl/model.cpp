@@ -39,13 +39,13 @@ std::unique_ptr<Device> make(const DeviceConfig& config) {
 
 /// In the mode whose altitudes reach out to `range`.
 Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
-    constexpr int usual = 2;
+    constexpr std::size_t usual = 2;
     const Settings settings = read_settings(config, "");
-    const double highest = settings.acoustics.highest_altitude;
-    int mode = usual;
+    const Modes modes = range_modes(settings.acoustics.highest_altitude);
+    std::size_t mode = usual;
     if (range > 0)
-        for (mode = 0; mode + 1 < modes && figures_of(mode, highest).farthest < range;) ++mode;
-    return make_shot(make_plan(figures_of(mode, highest), config.sound_speed, settings), settings, step + 1);
+        for (mode = 0; mode + 1 < modes.size() && modes[mode].farthest < range;) ++mode;
+    return make_shot(make_plan(modes[mode], config.sound_speed, settings), settings, step + 1);
 }
 
 constexpr char a50[] = "DVL A50", a125[] = "DVL A125";

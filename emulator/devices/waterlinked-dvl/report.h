@@ -4,36 +4,21 @@
 #include <cstdint>
 #include <string>
 
-#include "emulator/devices/waterlinked-dvl/beams.h"
-#include "emulator/devices/waterlinked-dvl/dead_reckoning.h"
+#include "emulator/devices/family/doppler/measurement.h"
 #include "emulator/devices/waterlinked-dvl/settings.h"
 
 namespace echoloop::waterlinked_dvl {
 
-struct TransducerReport {
-    double velocity = 0;       ///< m/s along the beam
-    double distance = -1;      ///< m along the beam
-    double rssi = 0, nsd = 0;  ///< dBm
-    bool valid = false;
-};
-
-struct VelocityReport {
+/// Of transducers 0 to 3.
+struct VelocityReport : doppler::Measured {
     double time = 0;  ///< ms since the report before
-    Vec3 velocity;    ///< m/s
-    double fom = 0;   ///< m/s
-    Covariance covariance{};
-    double error = 0;      ///< m/s, what four beams disagree by
-    double altitude = -1;  ///< m
-    std::array<TransducerReport, transducers> beams;
-    bool valid = false, water = false;
     int status = 0;
     std::int64_t validity = 0, transmission = 0;  ///< us, Unix time
-    double speed_of_sound = 0;                    ///< m/s
 };
 
 struct PositionReport {
     double time = 0;  ///< s
-    LocalPosition local;
+    doppler::LocalPosition local;
     int status = 0;
 };
 

@@ -38,7 +38,7 @@ std::string list(const std::vector<std::string>& items) {
     return text + ']';
 }
 
-std::string matrix(const Covariance& covariance) {
+std::string matrix(const doppler::Covariance& covariance) {
     std::vector<std::string> rows;
     for (const auto& row : covariance) {
         std::vector<std::string> numbers;
@@ -48,7 +48,7 @@ std::string matrix(const Covariance& covariance) {
     return list(rows);
 }
 
-std::string transducer(std::size_t id, const TransducerReport& beam) {
+std::string transducer(std::size_t id, const doppler::BeamReport& beam) {
     return Object()
         .whole("id", static_cast<std::int64_t>(id))
         .number("velocity", beam.velocity, 8)
@@ -74,7 +74,7 @@ std::string ended(std::string line, const Settings& settings) {
 
 std::string json_line(const VelocityReport& r, const Settings& settings) {
     std::vector<std::string> beams;
-    for (std::size_t id = 0; id < transducers; ++id) beams.push_back(transducer(id, r.beams[id]));
+    for (std::size_t id = 0; id < r.beams.size(); ++id) beams.push_back(transducer(id, r.beams[id]));
     const bool as_water = r.water && !settings.water_as_velocity;
     return ended(Object()
                      .number("time", r.time, 6)
@@ -96,7 +96,7 @@ std::string json_line(const VelocityReport& r, const Settings& settings) {
 }
 
 std::string json_line(const PositionReport& r, const Settings& settings) {
-    const LocalPosition& p = r.local;
+    const doppler::LocalPosition& p = r.local;
     char time[32];
     std::snprintf(time, sizeof time, "%.3f", r.time);
     return ended(Object()

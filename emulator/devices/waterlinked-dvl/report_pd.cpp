@@ -1,36 +1,20 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 
+#include "emulator/devices/family/doppler/moment.h"
 #include "emulator/devices/waterlinked-dvl/report.h"
 #include "protocols/waterlinked/pd4.h"
 
 namespace echoloop::waterlinked_dvl {
 namespace {
 
-using namespace std::chrono;
-
-struct Moment {
-    year_month_day date;
-    hh_mm_ss<microseconds> time;
-};
-
-Moment moment_of(std::int64_t unix_us) {
-    const sys_time<microseconds> at{microseconds(unix_us)};
-    const auto day = floor<days>(at);
-    return {year_month_day(day), hh_mm_ss<microseconds>(at - day)};
-}
-
-int hundredths(const Moment& moment) { return static_cast<int>(moment.time.subseconds().count() / 10000); }
+using doppler::Moment, doppler::moment_of;
 
 std::string date_text(const Moment& moment) {
     char text[32];
-    std::snprintf(text, sizeof text, "%02d%02u%02u%02d%02d%02d%02d",
-                  static_cast<int>(moment.date.year()) % 100, static_cast<unsigned>(moment.date.month()),
-                  static_cast<unsigned>(moment.date.day()), static_cast<int>(moment.time.hours().count()),
-                  static_cast<int>(moment.time.minutes().count()),
-                  static_cast<int>(moment.time.seconds().count()), hundredths(moment));
+    std::snprintf(text, sizeof text, "%02d%02d%02d%02d%02d%02d%02d", moment.year() % 100, moment.month(),
+                  moment.day(), moment.hour(), moment.minute(), moment.second(), moment.hundredth());
     return text;
 }
 
@@ -67,7 +51,7 @@ std::string pd6_lines(const VelocityReport& r, const Settings& settings) {
 }
 
 Bytes pd4_block(const VelocityReport& r, const Settings& settings) {
-    constexpr std::array<std::size_t, transducers> transducer_of{2, 0, 3, 1};  // beams 1 to 4
+    constexpr std::array<std::size_t, 4> transducer_of{2, 0, 3, 1};  // beams 1 to 4
     waterlinked::Pd4 block;
     const std::array<std::int16_t, 4> velocity{static_cast<std::int16_t>(millimetres(r.velocity.x)),
                                                static_cast<std::int16_t>(millimetres(r.velocity.y)),
@@ -81,15 +65,15 @@ Bytes pd4_block(const VelocityReport& r, const Settings& settings) {
         block.layer_start = static_cast<std::uint16_t>(std::lround(10 * water_layer.nearest));
         block.layer_end = static_cast<std::uint16_t>(std::lround(10 * water_layer.farthest));
     }
-    for (std::size_t i = 0; i < transducers; ++i) {
+    for (std::size_t i = 0; i < transducer_of.size(); ++i) {
         const double distance = std::clamp(r.beams[transducer_of[i]].distance, 0.0, 655.0);
         block.range[i] = static_cast<std::uint16_t>(std::lround(100 * distance));
     }
     const Moment moment = moment_of(r.validity);
-    block.hour = static_cast<std::uint8_t>(moment.time.hours().count());
-    block.minute = static_cast<std::uint8_t>(moment.time.minutes().count());
-    block.second = static_cast<std::uint8_t>(moment.time.seconds().count());
-    block.hundredth = static_cast<std::uint8_t>(hundredths(moment));
+    block.hour = static_cast<std::uint8_t>(moment.hour());
+    block.minute = static_cast<std::uint8_t>(moment.minute());
+    block.second = static_cast<std::uint8_t>(moment.second());
+    block.hundredth = static_cast<std::uint8_t>(moment.hundredth());
     block.sound_speed = static_cast<std::uint16_t>(std::lround(r.speed_of_sound));
     block.temperature = static_cast<std::int16_t>(std::lround(100 * settings.water_temperature));
     return waterlinked::encode(block);

@@ -18,7 +18,7 @@ namespace {
 }
 
 /// Two digits, since hosts have short buffers.
-std::string numbers(const Covariance& covariance) {
+std::string numbers(const doppler::Covariance& covariance) {
     std::string text;
     for (const auto& row : covariance)
         for (const double value : row) text += print(text.empty() ? "%.2g" : ";%.2g", value);
@@ -36,8 +36,8 @@ std::string serial_v2(const VelocityReport& r) {
         print("%s,%.3f,%.3f,%.3f,%c,%s%.3f,%s,%lld,%lld,%.2f,%d", r.water ? "wrs" : "wrz", v.x, v.y, v.z,
               letter(r.valid), altitude.c_str(), r.fom, numbers(r.covariance).c_str(),
               static_cast<long long>(r.validity), static_cast<long long>(r.transmission), r.time, r.status));
-    for (std::size_t id = 0; id < transducers; ++id) {
-        const TransducerReport& beam = r.beams[id];
+    for (std::size_t id = 0; id < r.beams.size(); ++id) {
+        const doppler::BeamReport& beam = r.beams[id];
         text += waterlinked::sentence(
             print("wru,%zu,%.3f,%.2f,%.0f,%.0f", id, beam.velocity, beam.distance, beam.rssi, beam.nsd));
     }
@@ -53,7 +53,7 @@ std::string serial_v1(const VelocityReport& r) {
 }
 
 std::string serial_line(const PositionReport& r) {
-    const LocalPosition& p = r.local;
+    const doppler::LocalPosition& p = r.local;
     return waterlinked::sentence(print("wrp,%.3f,%.2f,%.2f,%.2f,%.1f,%.1f,%.1f,%.1f,%d", r.time, p.position.x,
                                        p.position.y, p.position.z, p.deviation, rad_to_deg(p.roll),
                                        rad_to_deg(p.pitch), rad_to_deg(p.yaw), r.status));

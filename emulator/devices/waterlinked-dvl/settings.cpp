@@ -9,7 +9,6 @@ namespace echoloop::waterlinked_dvl {
 namespace {
 
 const char* const maker = "maker's documentation";
-const char* const nitsch = "maximilian-nitsch/DVL-Simulator, fitted to real A50 data";
 const char* const own = "own choice";
 
 void describe_start(Configuration& c, OptionList& o) {
@@ -71,33 +70,18 @@ void describe_unit(Settings& s, OptionList& o) {
              "own choice; limits: " + std::string(maker));
     o.number(s.water_temperature, "water_temperature", "degC", -4, 40, "in PD4 and PD6", own);
     o.number(s.baud, "baud", "bit/s", 0, 4e6, "of the serial line; 0: not paced", maker);
-    o.number(s.noise.floor, "noise", "m/s", 0, 1, "of a beam's velocity at rest and near the bottom",
-             "own estimate by published samples (figures of merit 1.6e-4 to 2e-3)");
-    o.number(s.noise.by_altitude, "noise_by_altitude", "m/s per m", 0, 0.1, "more of it with altitude",
-             "own estimate");
-    o.number(s.noise.by_speed, "noise_by_speed", "", 0, 0.1, "more of it with speed", "own estimate");
-    o.number(s.noise.bias, "bias", "m/s", 0, 0.1, "of a beam's velocity, which drifts within minutes",
-             nitsch);
+    doppler::describe(s.noise, o);
     o.number(s.noise.gyro, "gyro_bias", "deg/h", 0, 360,
              "of the yaw, which dead reckoning follows; calibrate_gyro takes nine tenths of it",
              "own estimate");
 }
 
-void describe_profile(Acoustics& a, FigureList& f) {
-    f.number(a.frequency, "frequency", "Hz", 100e3, 2e6, "of the pulses");
-    f.number(a.shortest_pulse, "shortest_pulse", "s", 1e-6, 1e-2, "in the mode of the lowest altitudes");
-    f.number(a.longest_pulse, "longest_pulse", "s", 1e-6, 1e-2, "in the mode of the highest");
-    f.number(a.source_level, "source_level", "dB re 1 uPa at 1 m", 100, 240, "of each transducer");
-    f.degrees(a.beam_width, "beam_width", 0.5, 20, "of each beam, -3 dB full width, two-way");
-    f.number(a.lowest_altitude, "lowest_altitude", "m", 0.01, 5, "at which it has bottom lock");
-    f.number(a.highest_altitude, "highest_altitude", "m", 20, 300, "at which it looks for the bottom");
-    f.number(a.fastest, "fastest", "m/s", 0.5, 20, "velocity that it can measure");
-    f.number(a.detection, "detection_level", "dB", 0, 60, "above the noise that an echo must have");
-    f.number(a.reference_level, "reference_level", "dB re 1 uPa", 0, 300, "reads 0 dBm in rssi and nsd");
-    f.common(a.horizontal, a.vertical, a.receiver);
-}
-
 }  // namespace
+
+Settings::Settings() {
+    for (const double azimuth : {135, 225, 315, 45}) azimuths.push_back(deg_to_rad(azimuth));
+    altitude_offset = 0.015;
+}
 
 std::string_view Settings::version() const {
     constexpr std::string_view names[] = {"2.2.1", "2.4.0", "2.6.0", "2.7.1", "2.7.2"};
@@ -113,11 +97,13 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
     describe_start(s.start, o);
     describe_words(s, o);
     describe_unit(s, o);
-    describe_profile(s.acoustics, f);
+    doppler::describe(s.acoustics, f, "reads 0 dBm in rssi and nsd");
 }
 
 Settings read_settings(const DeviceConfig& config, std::string_view product) {
     auto s = fill_settings<Settings>(config);
+    constexpr double standard_scale = 0.01, performance_scale = 0.001;
+    s.noise.scale = s.performance ? performance_scale : standard_scale;
     s.product = product;
     s.unix_start = config.unix_start;
     s.chip_id = split_mix(config.random_key);

@@ -1,5 +1,6 @@
 // What an #MRZ tells beside the places of its soundings, against figures of an EM 2040P's and an EM 2042's
 // datagrams; sound speed texts, and parts.
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -44,9 +45,36 @@ TEST(KmallContents, QualitiesAndUncertaintiesVaryAsRealOnesDo) {
                      angle = deg_to_rad(f32(b, s + 40));
         EXPECT_NEAR(f32(b, s + 20), q * range * std::cos(angle), 1e-5) << "exact in the 2040P";
         EXPECT_NEAR(f32(b, s + 24), std::hypot(q * range * std::sin(angle), 0.078), 1e-5);
-        EXPECT_EQ(b[s + 6], b[s + 4] == 2 ? 98 : 88) << "rejection info 2";
+        EXPECT_EQ(b[s + 5], 0) << "rejection info 1";
+        EXPECT_EQ(b[s + 6], b[s + 4] == 2 ? 99 : 88) << "rejection info 2";
         EXPECT_EQ(b[s + 9], 12) << "confidence";
     }
+}
+
+/// x and y offset of a head whose water line lies so far below it, m, turned so, above a bottom or with
+/// nothing to hear.
+std::array<float, 2> offsets(double water_line, double roll_deg, double pitch_deg, bool bottom = true) {
+    Bench bench = sounder();
+    bench.run_to(0ns);
+    const Shot& shot = bench.ping->shot;
+    Echogram echo = bottom ? bottom_echo(shot, flat(8), {}) : echo_of(shot, 0, 0);
+    const Quat vessel = from_rpy(deg_to_rad(roll_deg), -deg_to_rad(pitch_deg), 0);
+    echo.world_from_sonar = {{0, 0, water_line}, vessel * from_rpy(0, deg_to_rad(90), 0)};
+    bench.hear(echo);
+    const Bytes b = bench.sent().at(0).bytes;
+    return {f32(b, ping + 112), f32(b, ping + 116)};
+}
+
+// What two of 25 pings of an EM 2040P say whose water line lies 0.33 m below its reference point, at the roll
+// (port up) and the pitch (bow up) of its motion sensor.
+TEST(KmallContents, TheWaterLinesOffsetTurnsWithTheVessel) {
+    const auto first_ping = offsets(0.33, 4.684, 1.018), later = offsets(0.33, 3.051, 1.124);
+    EXPECT_NEAR(first_ping[0], 0.00584, 3e-5);
+    EXPECT_NEAR(first_ping[1], -0.02695, 3e-5);
+    EXPECT_NEAR(later[0], 0.00646, 3e-5);
+    EXPECT_NEAR(later[1], -0.01757, 3e-5);
+    EXPECT_NEAR(offsets(-12, 0, 1)[0], -0.2094, 1e-4);
+    EXPECT_EQ(offsets(0.33, 4.684, 1.018, false), (std::array<float, 2>{0, 0})) << "no valid sounding";
 }
 
 // 25 pings of an EM 2040: source levels from 198.9755 to 198.9788 dB, absorption from 90.598 to 90.604 dB/km.

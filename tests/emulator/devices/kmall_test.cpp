@@ -116,7 +116,8 @@ TEST(Kmall, RejectedSoundingsLieWhereTheBottomOfTheOthersGoesOn) {
         }
         EXPECT_EQ(b[s + 3], 2);
         EXPECT_EQ(b[s + 4], 0) << "no method";
-        EXPECT_EQ(b[s + 5], 15);
+        EXPECT_EQ(b[s + 5], 0) << "rejection info 1, in all real ones";
+        EXPECT_EQ(b[s + 6], 40) << "rejection info 2";
         EXPECT_EQ(f32(b, s + 12), 100);
         EXPECT_NEAR(f32(b, s + 100), range * std::sin(angle), 1e-3) << "y";
         EXPECT_NEAR(z, range * std::cos(angle), 1e-3);

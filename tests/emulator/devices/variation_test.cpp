@@ -23,6 +23,7 @@ DeviceConfig unit(const Model& model, std::uint64_t key, bool varies) {
     config.random_key = key;
     config.effects.set(Effect::sensor_noise, varies).set(Effect::ping_jitter, varies);
     if (model.name == "norbit-wbms") config.options.at("power") = true;
+    if (model.name == "nortek-nucleus") config.options.at("starts_at_once") = true;
     if (model.name == "sonar-3d-15") config.options.at("acoustics") = true;
     return config;
 }

@@ -14,6 +14,8 @@ constexpr std::array formats{
     Format{".svlog", "cerulean", "frames of a Cerulean sonar", make_svlog},
     Format{".bin", "ping", "frames of a Ping sonar", make_ping_viewer_log},
     Format{".aris", "aris", "frames of an ARIS", make_aris},
+    Format{".jsf", "edgetech", "data of an EdgeTech side-scan", make_jsf, "SonarData"},
+    Format{".xtf", "edgetech", "data of an EdgeTech side-scan", make_xtf, "SonarData"},
 };
 
 }  // namespace

@@ -78,8 +78,10 @@ std::vector<std::string> for_messages(const Source& source, const inspect::Famil
 const inspect::Family& family_of(const Source& source, const Format& format, std::map<PortKey, bool>& ports) {
     const inspect::Family* const family = inspect::find_family(format.family);
     std::map<PortKey, std::size_t> spoken;
-    for_messages(source, *family, ports,
-                 [&](const PortKey& key, const Heard& heard) { spoken[key] += heard.name.empty() ? 0 : 1; });
+    for_messages(source, *family, ports, [&](const PortKey& key, const Heard& heard) {
+        const bool counts = format.holds.empty() ? !heard.name.empty() : heard.name == format.holds;
+        spoken[key] += counts ? 1 : 0;
+    });
     std::erase_if(ports, [&](const auto& port) { return spoken[port.first] == 0; });
     return *family;
 }

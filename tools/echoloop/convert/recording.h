@@ -46,6 +46,7 @@ struct Format {
     std::string_view family;    ///< that it holds messages of; "" for any
     std::string_view contents;  ///< "KMALL datagrams"
     std::unique_ptr<Recording> (*make)();
+    std::string_view holds = {};  ///< the message that a line must have to be chosen by itself; "" for any
 };
 
 /// nullptr if there is none of that ending, in upper or lower case.
@@ -58,6 +59,8 @@ std::unique_ptr<Recording> make_s7k();
 std::unique_ptr<Recording> make_svlog();
 std::unique_ptr<Recording> make_ping_viewer_log();
 std::unique_ptr<Recording> make_aris();
+std::unique_ptr<Recording> make_jsf();
+std::unique_ptr<Recording> make_xtf();
 
 inline void put(std::ostream& out, ByteView bytes) {
     out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

@@ -8,16 +8,10 @@
 
 namespace echoloop::poses {
 
-int run_program(int argc, const char* const* argv, const Program& program, Listen listen) {
-    name_program(program.name);
+int exit_status(const std::string& name, const std::function<void()>& work) {
+    name_program(name);
     try {
-        const auto options = read_options(argc, argv, program);
-        if (!options) return static_cast<int>(Exit::ok);
-        catch_signals();
-        Sender sender(options->to);
-        Feed feed(*options, sender);
-        listen(*options, feed);
-        feed.print_summary();
+        work();
         return static_cast<int>(Exit::ok);
     } catch (const StartError& error) {
         say(error.what());
@@ -26,6 +20,18 @@ int run_program(int argc, const char* const* argv, const Program& program, Liste
         say(std::string("internal: ") + error.what());
         return static_cast<int>(Exit::software);
     }
+}
+
+int run_program(int argc, const char* const* argv, const Program& program, Listen listen) {
+    return exit_status(program.name, [&] {
+        const auto options = read_options(argc, argv, program);
+        if (!options) return;
+        catch_signals();
+        Sender sender(options->to);
+        Feed feed(*options, sender);
+        listen(*options, feed);
+        feed.print_summary();
+    });
 }
 
 void say_ready(const Options& options, const std::string& from) {

@@ -2,6 +2,9 @@
 // summary. Knows no middleware.
 #pragma once
 
+#include <functional>
+#include <string>
+
 #include "tools/poses/common/feed.h"
 #include "tools/poses/common/options.h"
 
@@ -9,6 +12,10 @@ namespace echoloop::poses {
 
 /// Listens until stopped() and hands what it hears to the feed.
 using Listen = void (*)(const Options&, Feed&);
+
+/// Does the work of the program of this name and says what went wrong. The exit status of the process
+/// (sysexits).
+int exit_status(const std::string& name, const std::function<void()>& work);
 
 /// The exit status of the process (sysexits).
 int run_program(int argc, const char* const* argv, const Program& program, Listen listen);

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "emulator/contract/error.h"
+#include "tools/poses/common/program.h"
 #include "tools/poses/common/say.h"
 #include "tools/poses/common/stop.h"
 #include "tools/poses/rosbridge/connection.h"
@@ -198,26 +199,19 @@ bool read_options(int argc, char** argv, TruthOptions& options) {
     return true;
 }
 
-int publish_truth(int argc, char** argv) {
-    name_program(name);
-    try {
-        TruthOptions options;
-        if (!read_options(argc, argv, options)) return static_cast<int>(Exit::ok);
-        catch_signals();
-        Publisher publisher(options);
-        listen(publisher);
-        publisher.print_summary();
-        return static_cast<int>(Exit::ok);
-    } catch (const StartError& error) {
-        say(error.what());
-        return static_cast<int>(error.exit());
-    } catch (const std::exception& error) {
-        say(std::string("internal: ") + error.what());
-        return static_cast<int>(Exit::software);
-    }
+void publish_truth(int argc, char** argv) {
+    TruthOptions options;
+    if (!read_options(argc, argv, options)) return;
+    catch_signals();
+    Publisher publisher(options);
+    listen(publisher);
+    publisher.print_summary();
 }
 
 }  // namespace
 }  // namespace echoloop::poses
 
-int main(int argc, char** argv) { return echoloop::poses::publish_truth(argc, argv); }
+int main(int argc, char** argv) {
+    using namespace echoloop::poses;
+    return exit_status(name, [&] { publish_truth(argc, argv); });
+}
