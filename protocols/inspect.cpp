@@ -10,6 +10,7 @@
 #include "protocols/imagenex/delta_t_inspect.h"
 #include "protocols/imagenex/inspect.h"
 #include "protocols/kmall/inspect.h"
+#include "protocols/motion/inspect.h"
 #include "protocols/nmea/inspect.h"
 #include "protocols/norbit/inspect.h"
 #include "protocols/nortek/inspect.h"
@@ -158,8 +159,8 @@ constexpr std::array table = {
            .rewritten = ping::rewritten,
            .checksums = ping::checksums},
     Family{.name = "imagenex",
-           .title = "Imagenex 881A and 852, serial and files",
-           .places = {.serial = true},
+           .title = "Imagenex 881A, 852 and 872, serial, TCP and files",
+           .places = {.tcp = "4040", .serial = true},
            .framing = Framing::stream,
            .decode = imagenex::decode,
            .recognise = imagenex::recognise,
@@ -174,6 +175,14 @@ constexpr std::array table = {
            .tables = nmea::tables,
            .rewritten = nmea::rewritten,
            .checksums = nmea::checksums},
+    Family{.name = "motion",
+           .title = "TSS1 and EM Attitude 3000 of motion sensors, serial and UDP",
+           .places = {.serial = true},
+           .framing = Framing::stream,
+           .decode = motion::decode,
+           .recognise = motion::recognise,
+           .tables = motion::tables,
+           .rewritten = motion::rewritten},
     Family{.name = "altimeter",
            .title = "Altimeters of Tritech, Benthos, Echologger and Imagenex, serial",
            .places = {.serial = true},

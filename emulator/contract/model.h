@@ -64,7 +64,7 @@ struct Model {
     /// Throws std::invalid_argument with a sentence for the user if an endpoint or option does not fit.
     std::unique_ptr<Device> (*make)(const DeviceConfig&) = nullptr;
     /// The ping that the device sends by itself or after a plain start: `step` counts the pings of a turn,
-    /// `range` is in m, 0 for the default.
+    /// `range` is in m, 0 for the default. nullptr: it is no sonar and sends no pings.
     Shot (*default_shot)(const DeviceConfig&, std::size_t step, double range) = nullptr;
     std::size_t turn_steps = 1;  ///< pings of a full turn; 1: one fan
     std::string_view family{};   ///< of its messages, as protocols/inspect.h calls it

@@ -5,11 +5,13 @@
 #include "emulator/devices/aris/aris.h"
 #include "emulator/devices/edgetech-2205/edgetech_2205.h"
 #include "emulator/devices/imagenex-852/sounder.h"
+#include "emulator/devices/imagenex-872/imagenex_872.h"
 #include "emulator/devices/imagenex-881a/sonar.h"
 #include "emulator/devices/imagenex-deltat/delta_t.h"
 #include "emulator/devices/kongsberg-kmall/kongsberg.h"
 #include "emulator/devices/micron-echosounder/echosounder.h"
 #include "emulator/devices/nmea-echosounder/echosounder.h"
+#include "emulator/devices/nmea-ins/ins.h"
 #include "emulator/devices/norbit-wbms/norbit_wbms.h"
 #include "emulator/devices/nortek-nucleus/models.h"
 #include "emulator/devices/oculus/oculus.h"
@@ -44,6 +46,7 @@ std::vector<Model> make_models() {
     all.push_back(profiler::model());
     all.push_back(seaking::model());
     all.push_back(nmea_echosounder::model());
+    all.push_back(nmea_ins::model());
     all.push_back(norbit_device::model());
     all.push_back(nortek_nucleus::model());
     for (Model& model : oculus_device::models()) all.push_back(std::move(model));
@@ -59,6 +62,7 @@ std::vector<Model> make_models() {
     for (Model& model : teledyne_dvl::models()) all.push_back(std::move(model));
     for (Model& model : waterlinked_dvl::models()) all.push_back(std::move(model));
     all.push_back(edgetech_2205::model());
+    all.push_back(imagenex872::model());
     for (Model& model : all) model.has_checksums = find_checksums(model.family) != nullptr;
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });
     return all;

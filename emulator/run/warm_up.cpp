@@ -8,6 +8,7 @@ namespace echoloop {
 void warm_up(Renderer& renderer, const Scenario& scenario, const SharedWater& water) {
     constexpr double everywhere = 1e7;  // m: a scene so large that late echoes matter
     for (const ScenarioDevice& device : scenario.devices) {
+        if (device.model->default_shot == nullptr) continue;  // no sonar
         const Shot shot = device.model->default_shot(device.config, 0, 0);
         const Pose pose = scenario.world_from_body * device.body_from_sonar;
         renderer.render(shot, pose);

@@ -38,6 +38,7 @@ std::string check(const SentenceRow& row, const Sentence& sentence, std::size_t 
     if (place >= sentence.fields.size())
         return place < row.required ? fault(row.formatter, expected.name, offset, "the fields end here") : "";
     const std::string& text = sentence.fields[place];
+    if (expected.letter == any_letters) return {};
     if (expected.letter != 0 && text != std::string(1, expected.letter))
         return fault(row.formatter, expected.name, offset, "not the letter of this unit");
     if (expected.letter == 0 && !text.empty() && !read_number(text))

@@ -17,27 +17,37 @@ std::string text(const char* format, Values... values) {
     return buffer;
 }
 
-/// Rounded to a hundredth of a second, so that no field says 60.00 s.
+/// Rounded to so many decimals of a second, so that no field says 60.00 s.
 struct Civil {
-    explicit Civil(const Moment& moment) {
+    explicit Civil(const Moment& moment, int decimals_of_second = 2) : decimals(decimals_of_second) {
         using namespace std::chrono;
-        const auto hundredths = static_cast<std::int64_t>(std::llround(moment.unix_time * 100));
-        const sys_time<duration<std::int64_t, std::centi>> time{
-            duration<std::int64_t, std::centi>(hundredths)};
+        const double parts = std::pow(10, decimals);
+        const auto whole = static_cast<std::int64_t>(std::llround(moment.unix_time * parts));
+        const auto parts_of_second = static_cast<std::int64_t>(parts);
+        const sys_seconds time{std::chrono::seconds(whole / parts_of_second)};
         const auto day = floor<days>(time);
         date = year_month_day(day);
         const hh_mm_ss clock(time - day);
         hours = static_cast<int>(clock.hours().count());
         minutes = static_cast<int>(clock.minutes().count());
         seconds = static_cast<double>(clock.seconds().count()) +
-                  0.01 * static_cast<double>(clock.subseconds().count());
+                  static_cast<double>(whole % parts_of_second) / parts;
     }
-    std::string clock() const { return text("%02d%02d%05.2f", hours, minutes, seconds); }
+    std::string clock() const {
+        return text("%02d%02d%0*.*f", hours, minutes, decimals + 3, decimals, seconds);
+    }
 
     std::chrono::year_month_day date;
+    int decimals = 2;
     int hours = 0, minutes = 0;
     double seconds = 0;
 };
+
+/// Of a circle, to a hundredth, so that no field says 360.00 deg.
+double bearing(double degrees) {
+    constexpr long turn = 36000;
+    return static_cast<double>(((std::lround(100 * degrees) % turn) + turn) % turn) / 100;
+}
 
 /// "5924.0000000,N": rounded as a whole, so that no field says 60 minutes.
 std::string place(double degrees, int digits, char positive, char negative) {
@@ -68,6 +78,22 @@ std::string gst(const Moment& time, double horizontal, double vertical, const st
     return sentence(talker + "GST," + Civil(time).clock() +
                     text(",%.3f,%.3f,%.3f,0.0,%.3f,%.3f,%.3f", horizontal, horizontal, horizontal, horizontal,
                          horizontal, vertical));
+}
+
+std::string hdt(double heading, const std::string& talker) {
+    return sentence(talker + text("HDT,%.2f,T", bearing(heading)));
+}
+
+std::string vtg(double course, double speed, const std::string& talker) {
+    constexpr double knot = 1852.0 / 3600, kilometre_per_hour = 1 / 3.6;  // m/s
+    return sentence(talker + text("VTG,%.2f,T,,M,%.3f,N,%.3f,K,D", bearing(course), speed / knot,
+                                  speed / kilometre_per_hour));
+}
+
+std::string pashr(const Attitude& a) {
+    return sentence("PASHR," + Civil(a.time, 3).clock() +
+                    text(",%.2f,T,%+.2f,%+.2f,%+.2f,%.3f,%.3f,%.3f,2,1", bearing(a.heading), a.roll, a.pitch,
+                         a.heave, a.tilt_error, a.tilt_error, a.heading_error));
 }
 
 }  // namespace echoloop::nmea

@@ -23,12 +23,80 @@ constexpr std::array mtw_fields{
     FieldRow{"temperature", "degC", "of the water"},
     FieldRow{"C", "", "unit", 'C'},
 };
+constexpr std::array gga_fields{
+    FieldRow{"time", "", "UTC, hhmmss.ss"},
+    FieldRow{"latitude", "", "ddmm.m..; degrees and minutes"},
+    FieldRow{"north_south", "", "N or S", any_letters},
+    FieldRow{"longitude", "", "dddmm.m.."},
+    FieldRow{"east_west", "", "E or W", any_letters},
+    FieldRow{"quality", "", "0 none, 1 alone, 2 with corrections, 4 to the centimetre, 5 nearly so"},
+    FieldRow{"satellites", "", "in use"},
+    FieldRow{"dilution", "", "of the horizontal position"},
+    FieldRow{"altitude", "m", "above the sea's mean level"},
+    FieldRow{"M", "", "unit", 'M'},
+    FieldRow{"separation", "m", "of the sea's mean level from the ellipsoid"},
+    FieldRow{"M", "", "unit", 'M'},
+    FieldRow{"age", "s", "of the corrections"},
+    FieldRow{"station", "", "that makes them"},
+};
+constexpr std::array gst_fields{
+    FieldRow{"time", "", "UTC, hhmmss.ss"},
+    FieldRow{"rms", "m", "of the ranges"},
+    FieldRow{"major_axis", "m", "of the ellipse of errors"},
+    FieldRow{"minor_axis", "m", "of the ellipse of errors"},
+    FieldRow{"orientation", "deg", "of its major axis"},
+    FieldRow{"latitude_error", "m", "standard deviation"},
+    FieldRow{"longitude_error", "m", "standard deviation"},
+    FieldRow{"height_error", "m", "standard deviation"},
+};
+constexpr std::array hdt_fields{
+    FieldRow{"heading", "deg", "clockwise from true north"},
+    FieldRow{"T", "", "true", 'T'},
+};
+constexpr std::array vtg_fields{
+    FieldRow{"course", "deg", "over ground, clockwise from true north"},
+    FieldRow{"T", "", "true", 'T'},
+    FieldRow{"magnetic_course", "deg", "null where it is not known"},
+    FieldRow{"M", "", "magnetic", 'M'},
+    FieldRow{"speed_in_knots", "kn", "over ground"},
+    FieldRow{"N", "", "unit", 'N'},
+    FieldRow{"speed", "km/h", "over ground"},
+    FieldRow{"K", "", "unit", 'K'},
+    FieldRow{"mode", "", "A alone, D with corrections, N not valid; from version 2.3 on", any_letters},
+};
+constexpr std::array zda_fields{
+    FieldRow{"time", "", "UTC, hhmmss.ss"},
+    FieldRow{"day", "", "1 to 31"},
+    FieldRow{"month", "", "1 to 12"},
+    FieldRow{"year", "", "four digits"},
+    FieldRow{"zone_hours", "h", "of local time"},
+    FieldRow{"zone_minutes", "min", "of local time"},
+};
+constexpr std::array pashr_fields{
+    FieldRow{"time", "", "UTC, hhmmss.sss"},
+    FieldRow{"heading", "deg", "clockwise from true north"},
+    FieldRow{"T", "", "true", 'T'},
+    FieldRow{"roll", "deg", "port up"},
+    FieldRow{"pitch", "deg", "bow up"},
+    FieldRow{"heave", "m", "up"},
+    FieldRow{"roll_error", "deg", "standard deviation"},
+    FieldRow{"pitch_error", "deg", "standard deviation"},
+    FieldRow{"heading_error", "deg", "standard deviation"},
+    FieldRow{"quality", "", "of the position: 0 none, 1 any, 2 to the centimetre"},
+    FieldRow{"aligned", "", "0 not yet, 1 it is"},
+};
 constexpr std::array rows{
     SentenceRow{"DBK", "depth below the keel", depths, depths.size()},
     SentenceRow{"DBS", "depth below the surface", depths, depths.size()},
     SentenceRow{"DBT", "depth below the transducer", depths, depths.size()},
     SentenceRow{"DPT", "depth", dpt_fields, 2},
+    SentenceRow{"GGA", "position", gga_fields, gga_fields.size()},
+    SentenceRow{"GST", "errors of the position", gst_fields, gst_fields.size()},
+    SentenceRow{"HDT", "heading", hdt_fields, hdt_fields.size()},
     SentenceRow{"MTW", "temperature of the water", mtw_fields, mtw_fields.size()},
+    SentenceRow{"SHR", "attitude, in PASHR", pashr_fields, 10},
+    SentenceRow{"VTG", "course and speed over ground", vtg_fields, 8},
+    SentenceRow{"ZDA", "date and time", zda_fields, 4},
 };
 
 std::vector<std::string> split(std::string_view text) {

@@ -1,5 +1,5 @@
-// A received NMEA 0183 sentence in its parts, and the tables of those that echosounders say. Reads text in
-// memory; never opens anything.
+// A received NMEA 0183 sentence in its parts, and the tables of those that echosounders and navigation units
+// say. Reads text in memory; never opens anything.
 #pragma once
 
 #include <cstddef>
@@ -29,11 +29,12 @@ std::optional<Sentence> read_sentence(std::string_view text);
 /// The sentence with CR LF, and with a checksum where it has one, which is written as it stands.
 std::string write_sentence(const Sentence& sentence);
 
-/// One field of a sentence: a number, or the letter of the number's unit before it.
+/// One field of a sentence: a number, or the letter of the number's unit before it, or any letters.
 struct FieldRow {
     std::string_view name, unit, help;
     char letter = 0;  ///< 0: a number
 };
+inline constexpr char any_letters = '?';
 
 struct SentenceRow {
     std::string_view formatter, help;
@@ -41,7 +42,7 @@ struct SentenceRow {
     std::size_t required = 0;  ///< fields that must be there, if only as null fields
 };
 
-/// DBK, DBS, DBT, DPT, MTW.
+/// In the order of their formatters.
 std::span<const SentenceRow> known_sentences();
 /// The row for an address of two letters of the talker and three of the formatter; nullptr if it is unknown.
 const SentenceRow* find_row(std::string_view address);

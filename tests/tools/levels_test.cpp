@@ -54,8 +54,9 @@ Report heard_in(const std::filesystem::path& file) {
     Renderer renderer(scene, scenario.water, scenario.render);
     Report report;
     for (const ScenarioDevice& device : scenario.devices)
-        each_way_to_ask(device,
-                        [&](const WireCase* words) { listen(scenario, device, renderer, words, report); });
+        if (is_sonar(*device.model))
+            each_way_to_ask(
+                device, [&](const WireCase* words) { listen(scenario, device, renderer, words, report); });
     return report;
 }
 

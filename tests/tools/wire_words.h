@@ -174,8 +174,8 @@ void each_way_to_ask(const ScenarioDevice& device, const Take& take) {
 /// Scenarios that show something else than their sonars: faults, load, movement, a clock from outside, waters
 /// and rooms that hide what is in them.
 inline bool shows_sonars(const std::string& name) {
-    static const std::set<std::string> others{"basin",   "busy",   "deep-water", "faults",
-                                              "harbour", "moving", "stepped",    "sweep"};
+    static const std::set<std::string> others{"basin",  "busy",    "deep-water", "faults", "harbour",
+                                              "moving", "stepped", "survey",     "sweep"};
     return !others.contains(name);
 }
 

@@ -63,7 +63,9 @@ void print_devices(const Scenario& scenario) {
                                                                 : to_string(end));
         std::printf("%s%s%s%s\n", padded("device", 12).c_str(), padded(device.name, 16).c_str(),
                     padded(device.model->name, 18).c_str(), endpoints.c_str());
-        std::printf("%s%s\n", padded("", 12).c_str(), text_of(time_budget(device)).c_str());
+        const bool pings = device.model->default_shot != nullptr;
+        std::printf("%s%s\n", padded("", 12).c_str(),
+                    pings ? text_of(time_budget(device)).c_str() : "it is no sonar and sends no pings");
     }
 }
 

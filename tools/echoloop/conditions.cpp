@@ -69,6 +69,7 @@ std::vector<RayBound> ray_bounds(const Scenario& scenario) {
     std::vector<RayBound> bounds;
     if (scenario.water.profile.empty() || bends_rays(scenario)) return bounds;
     for (const auto& device : scenario.devices) {
+        if (device.model->default_shot == nullptr) continue;  // no sonar
         const Shot shot = device.model->default_shot(device.config, 0, 0);
         const double end = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval;
         const double speed = sound_speed(scenario.water), range = end * speed / 2;
@@ -92,6 +93,8 @@ std::vector<std::string> deafened(const Scenario& scenario) {
     const auto& devices = scenario.devices;
     for (std::size_t i = 0; i < devices.size(); ++i)
         for (std::size_t j = i + 1; j < devices.size(); ++j) {
+            const auto is_sonar = [&](std::size_t k) { return devices[k].model->default_shot != nullptr; };
+            if (!is_sonar(i) || !is_sonar(j)) continue;
             const double apart =
                 norm(devices[i].body_from_sonar.position - devices[j].body_from_sonar.position);
             const auto shot = [&](std::size_t k) {
@@ -116,6 +119,7 @@ std::vector<std::string> warnings(const Scenario& scenario) {
             "effect refraction off");
     if (by_paper(scenario) || !scenario.render.effects.has(Effect::absorption)) return all;
     for (const auto& device : scenario.devices) {
+        if (device.model->default_shot == nullptr) continue;  // no sonar
         const double frequency = device.model->default_shot(device.config, 0, 0).frequency;
         if (absorption_is_extrapolated(frequency))
             all.push_back(device.name + ": absorption at " + plain(frequency / 1e3, 1) +

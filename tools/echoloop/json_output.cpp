@@ -184,7 +184,7 @@ std::string check_json(const Scenario& s, const Scene& scene) {
     Json devices = Json::array();
     for (const auto& d : s.devices) {
         devices.push_back(device(d));
-        devices.back()["ping_time"] = ping_time(time_budget(d));
+        if (d.model->default_shot != nullptr) devices.back()["ping_time"] = ping_time(time_budget(d));
     }
     const Json water{{"temperature", s.water.temperature},
                      {"salinity", s.water.salinity},

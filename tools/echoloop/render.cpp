@@ -83,6 +83,10 @@ class Job {
           count_(pings_of(steps_.second - steps_.first, arguments)),
           range_(arguments.number("--range", 0, 0.1, 10'000)),
           moment_(from_seconds(arguments.number("--at", 0, 0, 1e6))) {
+        if (device_.model->default_shot == nullptr)
+            throw StartError(Exit::usage,
+                             device_.name + " is a " + device_.model->name +
+                                 ", which is no sonar and sends no pings; name another with --device");
         check_size(shot(0));
         require_creatable(out_);
         if (arguments.has("--rule"))

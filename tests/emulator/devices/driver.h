@@ -51,6 +51,8 @@ inline Echogram echo_of(const Shot& shot, std::size_t bin, float power) {
     return echogram;
 }
 
+inline bool is_sonar(const Model& model) { return model.default_shot != nullptr; }
+
 /// A model's device with its own profile and default options, some of them changed. Its sensors and its timer
 /// are exact; variation_test.cpp has them as they are in life.
 inline DeviceConfig make_config(const Model& row, const Options& changes = {}) {

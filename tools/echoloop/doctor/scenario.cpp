@@ -81,9 +81,12 @@ Findings look_at_scenario(const Scenario& scenario) {
     RendererOptions options = scenario.render;
     options.drawing_threads = RenderThreads::drawing_threads(scenario.devices.size());
     Renderer renderer(scene_of(scenario), scenario.water, options);
-    for (const ScenarioDevice& device : scenario.devices) found.push_back(converter(device));
+    const auto is_sonar = [](const ScenarioDevice& device) { return device.model->default_shot != nullptr; };
     for (const ScenarioDevice& device : scenario.devices)
-        found.push_back(ping(renderer, device, scenario.world_from_body * device.body_from_sonar));
+        if (is_sonar(device)) found.push_back(converter(device));
+    for (const ScenarioDevice& device : scenario.devices)
+        if (is_sonar(device))
+            found.push_back(ping(renderer, device, scenario.world_from_body * device.body_from_sonar));
     return found;
 }
 

@@ -10,20 +10,12 @@
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/family/sounder/sounding.h"
 #include "emulator/devices/family/sounder/tracker.h"
+#include "emulator/devices/family/talker/wiring.h"
 
 namespace echoloop::echosounder {
 
-/// Where its lines go: to the other end of a line, or as datagrams to a host.
-struct Wiring {
-    Port port;
-    Address host;  ///< of datagrams
-};
-
-/// One to `most` endpoints of any kind but udp-listen, since nobody would speak first. Up to eight programs
-/// may connect to one that listens, if `most` is more than one. std::invalid_argument that names `model`
-/// otherwise.
-std::vector<Wiring> read_wiring(const std::vector<Endpoint>& endpoints, const std::string& model,
-                                std::size_t most = 1);
+using talker::read_wiring;
+using talker::Wiring;
 
 class TalkingSounder : public Device {
   public:

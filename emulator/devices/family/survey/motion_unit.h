@@ -16,6 +16,7 @@ struct Axes {
     Vec3 ahead, starboard, down;
 };
 Axes axes_of(Quat world_from_device);
+Axes axes_of_vehicle(Quat world_from_body);
 
 /// Angles deg: roll with port up, pitch with the bow up, heading and course clockwise from north, 0 to below
 /// 360.
@@ -41,10 +42,24 @@ class Heave {
     Time last_{};
 };
 
+/// How the sensors of a unit stray.
+struct Strays {
+    Stray position = stray::position;  ///< m, each axis, and heave
+    Stray motion = stray::motion;      ///< deg, roll and pitch
+    Stray heading = stray::heading;    ///< deg
+    Stray velocity = stray::velocity;  ///< m/s, each axis
+};
+
 class MotionUnit {
   public:
+    enum class Mount {
+        head,     ///< of a sonar, see axes_of()
+        vehicle,  ///< x to the bow, z up, however it lies
+    };
     /// `origin`: of the scene.
-    MotionUnit(const Sensors& sensors, const GeoPlace& origin) : sensors_(sensors), origin_(origin) {}
+    MotionUnit(const Sensors& sensors, const GeoPlace& origin, const Strays& strays = {},
+               Mount mount = Mount::head)
+        : sensors_(sensors), origin_(origin), strays_(strays), mount_(mount) {}
 
     /// Times must not fall.
     Reading read(const Located& where);
@@ -52,6 +67,8 @@ class MotionUnit {
   private:
     Sensors sensors_;
     GeoPlace origin_;
+    Strays strays_;
+    Mount mount_;
     Heave heave_;
 };
 
