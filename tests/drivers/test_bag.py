@@ -126,6 +126,15 @@ class Run(unittest.TestCase):
         truth = json.loads(self.found["/fan/truth"][-1][1].data)
         self.assertTrue(any("wall" in name for name in truth["names"].values()), truth["names"])
 
+    def test_the_floor_is_at_its_depth_in_a_raw_image(self):
+        raw = self.found["/bottom/raw"][-1][1]
+        levels = samples(raw.image)[:, 0]
+        metres = (np.arange(len(levels)) + raw.sample0 + 0.5) / raw.sample_rate * raw.ping_info.sound_speed / 2
+        beyond = np.flatnonzero(metres > 0.5)
+        loudest = beyond[levels[beyond].argmax()]
+        self.assertAlmostEqual(metres[loudest], 2.0, delta=0.1)
+        self.assertAlmostEqual(self.found["/bottom/truth/ranges"][-1][1].ranges[0], 2.0, delta=0.01)
+
     def test_poses_are_those_of_the_scenario(self):
         odometry = self.found["/odom"][-1][1]
         at = odometry.pose.pose
