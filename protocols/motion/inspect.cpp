@@ -52,7 +52,7 @@ inspect::Message inspected(const Reading& reading, std::size_t offset, std::size
                               .size = row.size,
                               .number = value});
     }
-    std::snprintf(text, sizeof text, line ? "%c" : "%02X", reading.status);
+    std::snprintf(text, sizeof text, line ? "%c" : "%u", reading.status);
     out.fields.push_back({.name = "status", .text = text, .offset = offset + (line ? 13 : 0), .size = 1});
     return out;
 }
@@ -89,7 +89,7 @@ std::vector<wire::Table> tables() {
         table_of("Tss1", "a line of 27 characters, ':' to CR LF", Format::tss1, "char",
                  "u unaided, g by GPS, h by heading, f by both; in capitals once it has settled"),
         table_of("EmAttitude3000", "ten bytes: status, 90 and four numbers, low byte first", Format::em3000,
-                 "u8", "90 valid, to 99 less accurate, 9A to 9F not valid, A0 to AF at fault")};
+                 "u8", "144 valid, to 153 less accurate, to 159 not valid, to 175 at fault")};
 }
 
 wire::Bytes rewritten(wire::ByteView bytes) {
