@@ -13,12 +13,14 @@
 #include "protocols/motion/inspect.h"
 #include "protocols/nmea/inspect.h"
 #include "protocols/norbit/inspect.h"
+#include "protocols/nortek/inspect.h"
 #include "protocols/oculus/inspect.h"
 #include "protocols/ping/inspect.h"
 #include "protocols/r2sonic/inspect.h"
 #include "protocols/reson7k/inspect.h"
 #include "protocols/seanet/inspect.h"
 #include "protocols/sonar3d/inspect.h"
+#include "protocols/teledyne/inspect.h"
 #include "protocols/waterlinked/inspect.h"
 
 namespace echoloop::inspect {
@@ -117,6 +119,26 @@ constexpr std::array table = {
            .tables = waterlinked::tables,
            .rewritten = waterlinked::rewritten,
            .checksums = waterlinked::checksums},
+    // Behind waterlinked, whose PD4 is the same block; before ping: a sum tells an ensemble.
+    Family{.name = "teledyne",
+           .title = "Teledyne Doppler logs, PD0, PD4 and PD5, serial",
+           .places = {.serial = true},
+           .framing = Framing::stream,
+           .decode = teledyne::decode,
+           .recognise = teledyne::recognise,
+           .tables = teledyne::tables,
+           .rewritten = teledyne::rewritten,
+           .checksums = teledyne::checksums},
+    // Before ping: two sums tell a frame.
+    Family{.name = "nortek",
+           .title = "Nortek Nucleus, TCP and serial",
+           .places = {.tcp = "9000,9002", .serial = true},
+           .framing = Framing::stream,
+           .decode = nortek::decode,
+           .recognise = nortek::recognise,
+           .tables = nortek::tables,
+           .rewritten = nortek::rewritten,
+           .checksums = nortek::checksums},
     // Before ping: it wants a message that no Ping device has, while a ping frame is any whole one.
     Family{.name = "cerulean",
            .title = "Cerulean sonars, TCP and UDP",
@@ -137,8 +159,8 @@ constexpr std::array table = {
            .rewritten = ping::rewritten,
            .checksums = ping::checksums},
     Family{.name = "imagenex",
-           .title = "Imagenex 881A and 852, serial and files",
-           .places = {.serial = true},
+           .title = "Imagenex 881A, 852 and 872, serial, TCP and files",
+           .places = {.tcp = "4040", .serial = true},
            .framing = Framing::stream,
            .decode = imagenex::decode,
            .recognise = imagenex::recognise,

@@ -5,6 +5,7 @@
 #include "emulator/devices/aris/aris.h"
 #include "emulator/devices/edgetech-2205/edgetech_2205.h"
 #include "emulator/devices/imagenex-852/sounder.h"
+#include "emulator/devices/imagenex-872/imagenex_872.h"
 #include "emulator/devices/imagenex-881a/sonar.h"
 #include "emulator/devices/imagenex-deltat/delta_t.h"
 #include "emulator/devices/kongsberg-kmall/kongsberg.h"
@@ -12,6 +13,7 @@
 #include "emulator/devices/nmea-echosounder/echosounder.h"
 #include "emulator/devices/nmea-ins/ins.h"
 #include "emulator/devices/norbit-wbms/norbit_wbms.h"
+#include "emulator/devices/nortek-nucleus/models.h"
 #include "emulator/devices/oculus/oculus.h"
 #include "emulator/devices/omniscan450/omniscan450.h"
 #include "emulator/devices/ping1d/ping1d.h"
@@ -21,6 +23,7 @@
 #include "emulator/devices/s500/s500.h"
 #include "emulator/devices/sonar-3d-15/sonar.h"
 #include "emulator/devices/surveyor240/surveyor240.h"
+#include "emulator/devices/teledyne-dvl/models.h"
 #include "emulator/devices/tritech-micron/micron.h"
 #include "emulator/devices/tritech-profiler/profiler.h"
 #include "emulator/devices/tritech-seaking/seaking.h"
@@ -45,6 +48,7 @@ std::vector<Model> make_models() {
     all.push_back(nmea_echosounder::model());
     all.push_back(nmea_ins::model());
     all.push_back(norbit_device::model());
+    all.push_back(nortek_nucleus::model());
     for (Model& model : oculus_device::models()) all.push_back(std::move(model));
     all.push_back(omniscan450::model());
     all.push_back(ping1d::model());
@@ -55,8 +59,10 @@ std::vector<Model> make_models() {
     all.push_back(surveyor240::model());
     all.push_back(micron_echosounder::model());
     all.push_back(s500::model());
+    for (Model& model : teledyne_dvl::models()) all.push_back(std::move(model));
     for (Model& model : waterlinked_dvl::models()) all.push_back(std::move(model));
     all.push_back(edgetech_2205::model());
+    all.push_back(imagenex872::model());
     for (Model& model : all) model.has_checksums = find_checksums(model.family) != nullptr;
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });
     return all;

@@ -214,9 +214,9 @@ struct PitchRoll {
     std::int16_t pitch = 0, roll = 0;            ///< 180 deg / 32768
     std::int16_t temperature = 0;                ///< 0.1 degC
     std::uint16_t device_info = 0;
-    std::int16_t heave = 0;     ///< mm
-    std::uint16_t heading = 0;  ///< 0.01 deg
-    std::int32_t validity = 0;  ///< bits of the fields in this order
+    std::int16_t heave = 0;      ///< mm
+    std::uint16_t heading = 0;   ///< 0.01 deg
+    std::uint32_t validity = 0;  ///< bits of the fields in this order
     std::int32_t reserved_40 = 0;
 
     friend bool operator==(const PitchRoll&, const PitchRoll&) = default;
@@ -228,7 +228,7 @@ struct Pressure {
     std::array<std::uint8_t, 4> reserved_8{};
     std::int32_t pressure = 0;  ///< 0.001 psi
     std::int32_t salinity = 0;  ///< ppm
-    std::int32_t validity = 0;
+    std::uint32_t validity = 0;
     std::int32_t conductivity = 0;  ///< uS/cm
     std::int32_t sound_speed = 0;   ///< mm/s
     wire::Bytes rest;

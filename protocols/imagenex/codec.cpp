@@ -46,7 +46,7 @@ std::size_t room(ByteView bytes) {
 }  // namespace
 
 bool is_legal_data_size(std::uint64_t bytes) {
-    return bytes == 0 || bytes == 128 || bytes == 250 || bytes == 252 || bytes == 500;
+    return bytes == 0 || bytes == 128 || bytes == 250 || bytes == 252 || bytes == 500 || bytes == 1000;
 }
 
 wire::Result<SwitchCommand> parse_switch_command(ByteView bytes) { return wire::parse<SwitchCommand>(bytes); }

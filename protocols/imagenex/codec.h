@@ -31,7 +31,7 @@ wire::Bytes encode(const FileShot& shot);
 /// must come first.
 std::optional<std::size_t> shot_bytes(wire::ByteView bytes);
 
-/// Echo data of a real reply: 0, 128, 250, 252 or 500 bytes.
+/// Echo data of a real reply: 0, 128, 250, 252, 500 or, of an 872, 1000 bytes.
 bool is_legal_data_size(std::uint64_t bytes);
 
 /// "SwitchCommand", "IMX", "IAX".

@@ -51,7 +51,7 @@ struct Turns {
 
 /// Mean of what the mirrors between the first and the last lengthen the path by, m for a path of 1 m: each as
 /// far off the straight line as its own slope and those of its neighbours let it be.
-double between(std::span<const ChainMirror> mirrors) {
+double detours_of(std::span<const ChainMirror> mirrors) {
     const auto precision = [](double slope) { return slope > 0 ? 1 / (4 * slope * slope) : 1e12; };
     double sum = 0;
     for (std::size_t i = 1; i + 1 < mirrors.size(); ++i) {
@@ -75,7 +75,7 @@ bool add_through_pattern(const PathPing& ping, const RoughChain& chain, std::uin
         return false;
     const double axis = ping.shot.bearings.front();
     const double first = chain.mirrors.front().at, last = 1 - chain.mirrors.back().at;
-    const double middle = 1 - first - last, detours = between(chain.mirrors);
+    const double middle = 1 - first - last, detours = detours_of(chain.mirrors);
     const double density =
         1 / (4 * std::numbers::pi * std::numbers::pi * turns.determinant() * static_cast<double>(samples));
     for (std::uint64_t i = 0; i < samples; ++i) {

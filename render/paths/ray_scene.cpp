@@ -154,7 +154,7 @@ class RayScene::Impl {
     RTCScene tree() const { return all_ ? all_.get() : groups_[0].tree.get(); }
 
     /// Large scenes are kept in a third of the memory, where a ray takes a third longer, by trees that are
-    /// made in a quarter of the time; and half of what stands still in a tree of its own, which another
+    /// made in a third of the time; and half of what stands still in a tree of its own, which another
     /// thread makes.
     bool is_large() const { return scene_->triangles() > 500'000; }
     std::size_t still_chunks() const {

@@ -9,7 +9,8 @@
 namespace echoloop {
 namespace {
 
-/// m; a third of the largest cell, so that no plane at a round coordinate lies between two cells of any size.
+/// m; a third of the largest cell, so that no plane at a round coordinate, a multiple of 2^-n m, lies between
+/// two cells of any size.
 constexpr double grid_origin = 131'072.0 / 3;
 
 /// Of the planes that hold a border against those of the surface, which are many more in a large cell.
@@ -170,9 +171,9 @@ void Clusters::list_triangles(std::span<const std::uint32_t> indices,
     }
 }
 
-Clusters::Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, int exponent,
+Clusters::Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, double cell,
                    std::vector<std::uint32_t>* place_of_corner)
-    : cell_(std::ldexp(1.0, exponent)), middle_(middle_of(mesh)) {
+    : cell_(cell), middle_(middle_of(mesh)) {
     MeshLoops loops(indices.size() / 3);
     const auto borders = border_chords(mesh, indices, loops);
     const auto cell_of = number_cells(mesh, indices);
@@ -190,6 +191,7 @@ Clusters::Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, int
         for (std::size_t k = 0; k < 3; ++k)
             triangle.corners[k] += first[cell_of[indices[3 * std::size_t{triangle.number} + k]]];
     if (place_of_corner == nullptr) return;
+    place_of_corner->reserve(indices.size());
     for (const std::uint32_t vertex : indices) place_of_corner->push_back(cell_of[vertex]);
 }
 

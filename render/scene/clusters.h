@@ -57,9 +57,9 @@ struct MergedTriangle {
 /// area of those that look the same way.
 class Clusters {
   public:
-    /// By cells of 2^exponent m. Every triangle has an area. Appends to `place_of_corner`, if there is one,
-    /// the place of every index.
-    Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, int exponent,
+    /// By cells of `cell` m, a multiple of 2^-n. Every triangle has an area. Appends to `place_of_corner`,
+    /// if there is one, the place of every index.
+    Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, double cell,
              std::vector<std::uint32_t>* place_of_corner = nullptr);
 
     Vec3 middle() const { return middle_; }

@@ -16,14 +16,15 @@ namespace {
 
 /// A mesh of more triangles is made coarser by a grid first, which is quicker, down to at most so many
 /// places.
-constexpr std::size_t most_contracted = 300'000, most_places = 300'000;
+constexpr std::size_t most_contracted = 300'000, most_places = 160'000;
 
-/// m, of the cells that merge vertices first: for large meshes the smallest in which few enough places are
-/// left, else those that hold one position only. A cell holds the corners of many triangles that are smaller
-/// than it; a larger triangle has half a corner of its own, so walls of few triangles make no seabed coarser.
-int first_exponent(const Mesh& mesh, std::span<const std::uint32_t> indices) {
+/// m, of the cells that merge vertices first: for large meshes the smallest, in quarters of a power of two,
+/// in which few enough places are left, else those that hold one position only. A cell holds the corners of
+/// many triangles that are smaller than it; a larger triangle has half a corner of its own, so walls of few
+/// triangles make no seabed coarser.
+double first_cell(const Mesh& mesh, std::span<const std::uint32_t> indices) {
     constexpr int smallest = -12, largest = 20;  // a scene's extent in the smallest fits an int
-    if (indices.size() / 3 <= most_contracted) return smallest;
+    if (indices.size() / 3 <= most_contracted) return std::ldexp(1.0, smallest);
     struct Amount {
         double area = 0, count = 0;
     };
@@ -42,9 +43,12 @@ int first_exponent(const Mesh& mesh, std::span<const std::uint32_t> indices) {
         const Amount& these = by_size[static_cast<std::size_t>(exponent - smallest)];
         smaller.area += these.area;
         larger.count -= these.count;
-        if (std::ldexp(smaller.area, -2 * exponent) + larger.count / 2 <= most_places) return exponent;
+        for (const double step : {1.0, 1.25, 1.5, 1.75}) {
+            const double cell = std::ldexp(step, exponent);
+            if (smaller.area / (cell * cell) + larger.count / 2 <= most_places) return cell;
+        }
     }
-    return largest;
+    return std::ldexp(1.0, largest);
 }
 
 /// Of a node with so many of the mesh's triangles, how many its stand-ins may have: the coarser and the
@@ -246,7 +250,7 @@ void add_stand_ins(const Mesh& mesh, std::span<const std::uint32_t> mesh_indices
     if (tree.nodes.size() < 2) return done_with_mesh();
     std::vector<std::uint32_t> corners;
     auto clusters = std::make_unique<const Clusters>(mesh, in_order_of(tree, mesh_indices),
-                                                     first_exponent(mesh, mesh_indices), &corners);
+                                                     first_cell(mesh, mesh_indices), &corners);
     done_with_mesh();
     const NodePlaces places(tree, std::exchange(corners, {}), clusters->places());
     Contraction contraction(*clusters);

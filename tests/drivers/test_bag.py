@@ -126,6 +126,15 @@ class Run(unittest.TestCase):
         truth = json.loads(self.found["/fan/truth"][-1][1].data)
         self.assertTrue(any("wall" in name for name in truth["names"].values()), truth["names"])
 
+    def test_the_floor_is_at_its_depth_in_a_raw_image(self):
+        raw = self.found["/bottom/raw"][-1][1]
+        levels = samples(raw.image)[:, 0]
+        metres = (np.arange(len(levels)) + raw.sample0 + 0.5) / raw.sample_rate * raw.ping_info.sound_speed / 2
+        beyond = np.flatnonzero(metres > 0.5)
+        loudest = beyond[levels[beyond].argmax()]
+        self.assertAlmostEqual(metres[loudest], 2.0, delta=0.1)
+        self.assertAlmostEqual(self.found["/bottom/truth/ranges"][-1][1].ranges[0], 2.0, delta=0.01)
+
     def test_poses_are_those_of_the_scenario(self):
         odometry = self.found["/odom"][-1][1]
         at = odometry.pose.pose
@@ -167,6 +176,32 @@ class Run(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         count = self.summary.statistics.message_count
         self.assertEqual(json.loads(done.stdout), {"done": True, "streamed": count, "indexed": count, "counted": count})
+
+
+class Moving(unittest.TestCase):
+    def test_the_vehicles_velocity_is_told_in_its_own_frame(self):
+        """It goes north at 0.5 m/s, looks west and sinks at 0.1 m/s: north is to its right, and y is to the left."""
+        with tempfile.TemporaryDirectory() as folder:
+            bag, scenario, way = (Path(folder) / name for name in ("moving.mcap", "moving.yaml", "way.csv"))
+            way.write_text("t,x,y,z,qw,qx,qy,qz\n0,0,-1,-1,0,0,0,1\n4,0,1,-1.4,0,0,0,1\n")
+            scenario.write_text(f"""
+scene: {ROOT}/config/scenes/tank.glb
+water: {{temperature: 15, salinity: 0, ph: 7, sound_speed: 1500}}
+vehicle: {{trajectory: way.csv}}
+clock: {{mode: free, duration: 3}}
+devices:
+  - {{name: bottom, model: nmea-echosounder, mount: {{rpy_deg: [0, 90, 0]}}, endpoints: ["udp://127.0.0.1:{free_port()}"]}}
+""")
+            done = subprocess.run([PROGRAM, "run", str(scenario), "--mcap", str(bag)], capture_output=True, text=True, timeout=60)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            found = messages(bag)[0]["/odom"]
+        middle = found[len(found) // 2][1]
+        linear = middle.twist.twist.linear
+        for value, wanted in zip((linear.x, linear.y, linear.z), (0, -0.5, -0.1), strict=True):
+            self.assertAlmostEqual(value, wanted, places=2)
+        apart = found[-1][1].pose.pose.position.y - found[0][1].pose.pose.position.y
+        seconds = (found[-1][0].log_time - found[0][0].log_time) / 1e9
+        self.assertAlmostEqual(apart / seconds, 0.5, delta=0.02)
 
 
 class Live(unittest.TestCase):

@@ -97,6 +97,9 @@ class DvlTest(unittest.TestCase):
         dvl.valid(5)
         reports = dvl.valid(40)
         self.check_velocity(reports, (0.9, 0, 0))
+        scatter = statistics.stdev(report["vx"] for report in reports)
+        self.assertAlmostEqual(scatter / statistics.mean(report["fom"] for report in reports), 1, delta=0.5,
+                               msg="the figure of merit tells how far readings scatter")
         altitude = statistics.mean(report["altitude"] for report in reports)
         self.assertAlmostEqual(altitude + 0.015, ALTITUDE, delta=0.005 * ALTITUDE)
         for beam in range(4):
@@ -117,7 +120,7 @@ class DvlTest(unittest.TestCase):
                 self.assertAlmostEqual(distance, ALTITUDE / down, delta=0.012 * ALTITUDE / down, msg=f"beam {beam}")
 
     def test_dead_reckoning_comes_home_from_a_square(self):
-        rows, t, x, y = [], 5.0, 0.0, 0.0
+        rows, t, x, y = [], 20.0, 0.0, 0.0  # at rest until its host is there
         rows.append((0, x, y, turned(0)))
         rows.append((t, x, y, turned(0)))
         for side in range(4):

@@ -11,8 +11,10 @@
 
 #include "protocols/inspect.h"
 #include "protocols/nmea/sentences.h"
+#include "protocols/nortek/codec.h"
 #include "protocols/ping/codec.h"
 #include "protocols/reson7k/codec.h"
+#include "protocols/teledyne/codec.h"
 #include "protocols/waterlinked/pd4.h"
 #include "protocols/waterlinked/sentence.h"
 #include "protocols/wire/crc.h"
@@ -62,6 +64,8 @@ struct Length {
     bool digits = false;  ///< upper-case hexadecimal
 };
 inline constexpr Length lengths[] = {{"ping", 2, 2, 10},
+                                     {"teledyne", 2, 2, 2},
+                                     {"nortek", 4, 2, 10},
                                      {"cerulean", 2, 2, 10},
                                      {"norbit", 8, 4},
                                      {"oculus", 10, 4, 16},
@@ -120,6 +124,13 @@ inline void set_checksum(std::string_view family, Bytes& message) {
         Bytes record(message.begin() + 36, message.end());
         reson7k::seal(record);
         std::ranges::copy(record, message.begin() + 36);
+    } else if (family == "nortek" && size >= nortek::header_size && message[0] == 0xA5) {
+        put(message.data() + 6, 2, ByteOrder::little,
+            nortek::checksum(ByteView(message).subspan(nortek::header_size)));
+        put(message.data() + 8, 2, ByteOrder::little, nortek::checksum(ByteView(message).first(8)));
+    } else if (family == "teledyne" && size > 2 && (message[0] == 0x7D || message[0] == 0x7F)) {
+        put(message.data() + size - 2, 2, ByteOrder::little,
+            teledyne::sum(ByteView(message).first(size - 2)));
     } else if (family == "waterlinked" && !message.empty() && message[0] == '}' && size > 2) {
         put(message.data() + size - 2, 2, ByteOrder::little, waterlinked::pd4_sum(message));
     } else if (family == "waterlinked" && !message.empty() && message[0] == 'w') {

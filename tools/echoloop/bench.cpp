@@ -137,25 +137,34 @@ int run_wire(const Arguments& arguments) {
 }
 
 void print_fans(const bench::FansFigures& f) {
-    std::printf("%4zu %9.1f %13.1f %6.0f %9.0f %9.0f %13.0f %7.0f\n", f.fans, f.pings_a_second(),
-                f.pings / f.cpu, 100 * f.late / std::max(f.pings, 1.0), 1e3 * f.p99_lateness,
-                1e3 * f.worst_lateness, 100 * f.spared / std::max(f.pings, 1.0),
+    std::printf("%4zu %5zu %9.1f %10.2f %13.1f %6.0f %9.0f %9.0f %13.0f %7.0f\n", f.fans, f.heads,
+                f.pings_a_second(), f.processors(), f.pings / f.cpu, 100 * f.late / std::max(f.pings, 1.0),
+                1e3 * f.p99_lateness, 1e3 * f.worst_lateness, 100 * f.spared / std::max(f.pings, 1.0),
                 100 * f.coarse / std::max(f.pings, 1.0));
     std::fflush(stdout);
 }
 
 nlohmann::ordered_json fans_json(const bench::FansFigures& f) {
-    return {{"fans", f.fans},           {"seconds", f.seconds},
-            {"pings", f.pings},         {"cpu_s", f.cpu},
-            {"late_pings", f.late},     {"p99_lateness_s", f.p99_lateness},
-            {"spared_pings", f.spared}, {"worst_lateness_s", f.worst_lateness},
+    return {{"fans", f.fans},
+            {"heads", f.heads},
+            {"seconds", f.seconds},
+            {"pings", f.pings},
+            {"head_pings", f.head_pings},
+            {"late_head_pings", f.late_head_pings},
+            {"cpu_s", f.cpu},
+            {"late_pings", f.late},
+            {"p99_lateness_s", f.p99_lateness},
+            {"spared_pings", f.spared},
+            {"worst_lateness_s", f.worst_lateness},
             {"coarse_pings", f.coarse}};
 }
 
-/// 1, 2, 4, ... fans at once, and as many as asked for.
+/// 1, 2, 4, ... fans at once, and as many as asked for; beside single beams only those.
 int run_fans(const Arguments& arguments) {
     keep_freed_memory();  // as `echoloop run` does
     const auto most = static_cast<std::size_t>(arguments.number("--fans", 16, 1, 64));
+    const auto heads = static_cast<std::size_t>(arguments.number("--heads", 0, 0, 64));
+    const std::size_t first = heads > 0 ? most : 1;
     const double seconds = arguments.number("--seconds", 10, 0.5, 3600);
     const auto example = file_or_example("demo");
     const bool json = arguments.has("--json");
@@ -163,12 +172,13 @@ int run_fans(const Arguments& arguments) {
     if (!json)
         std::printf(
             "%.1f s each. Of the pings, in %%: late, without late echoes, coarse; lateness in ms\n"
-            "fans   pings/s   a CPU second   late       p99     worst  without late   coarse\n",
+            "fans heads   pings/s processors   a CPU second   late       p99     worst  without late   "
+            "coarse\n",
             seconds);
     std::vector<bench::FansFigures> all;
-    Progress progress("measuring", std::bit_width(most - 1) + 1);
-    for (std::size_t fans = 1;; fans = std::min(2 * fans, most)) {
-        const bench::FansFigures f = bench::measure_fans(fans, seconds, example);
+    Progress progress("measuring", heads > 0 ? 1 : std::bit_width(most - 1) + 1);
+    for (std::size_t fans = first;; fans = std::min(2 * fans, most)) {
+        const bench::FansFigures f = bench::measure_fans(fans, heads, seconds, example);
         if (f.failure[0] != '\0')
             throw StartError(Exit::unavailable, std::to_string(fans) + " fans: " + f.failure);
         progress.clear();
@@ -186,6 +196,7 @@ int run_bench(const Arguments& arguments) {
     require_picture(arguments);
     if (arguments.has("--wire")) return run_wire(arguments);
     if (arguments.has("--fans")) return run_fans(arguments);
+    if (arguments.has("--heads")) throw StartError(Exit::usage, "--heads: give --fans, too");
     const auto settings = settings_of(arguments);
     const auto report = measured(settings, cases_of(arguments, settings));
     draw_if_asked(arguments, [&] { return bench::bars_of(report); });
@@ -206,6 +217,8 @@ Verb bench_verb() {
              {Kind::flag, "--wire", "", "measure the time from echogram to bytes instead, for each model"},
              {Kind::value, "--fans", "N",
               "measure 1, 2, 4 and so on up to N multibeams at once instead, as run serves them"},
+             {Kind::value, "--heads", "N",
+              "with --fans: N single beams beside them; then no fewer fans are tried"},
              {Kind::value, "--seconds", "S", "with --fans: how long each; default 10"},
              {Kind::value, "--pings", "N", "pings for each case, 1 to 100000; default 100"},
              {Kind::value, "--pixels", "FACTOR", "factor on the number of pixels, 0.1 to 64"},
@@ -217,6 +230,7 @@ Verb bench_verb() {
             "  echoloop bench --cases fls,scanning-simple --pings 1000\n"
             "  echoloop bench --wire --picture wire.svg\n"
             "  echoloop bench --fans 16\n"
+            "  echoloop bench --fans 4 --heads 16\n"
             "  echoloop bench --scene config/scenes/tank.glb --json",
             run_bench};
 }

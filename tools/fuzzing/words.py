@@ -24,6 +24,10 @@ SOURCES = {
     "devices-kongsberg-kmall": ["emulator/devices/kongsberg-kmall/*", "protocols/kmall/*"],
     "devices-dvl-a50": ["emulator/devices/waterlinked-dvl/*", "protocols/waterlinked/*", "protocols/http/*.cpp"],
     "devices-dvl-a125": ["emulator/devices/waterlinked-dvl/*", "protocols/waterlinked/*", "protocols/http/*.cpp"],
+    "devices-dvl-pathfinder": ["emulator/devices/teledyne-dvl/*"],
+    "devices-dvl-explorer": ["emulator/devices/teledyne-dvl/*"],
+    "devices-dvl-navigator": ["emulator/devices/teledyne-dvl/*"],
+    "devices-nortek-nucleus": ["emulator/devices/nortek-nucleus/*"],
     "devices-sonar-3d-15": ["emulator/devices/sonar-3d-15/*", "protocols/http/*.cpp"],
 }
 

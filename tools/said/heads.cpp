@@ -1,6 +1,7 @@
 // Sonars of one beam whose echo is one message: scanning heads, echosounders, side-scans, profilers; and two
 // multibeams whose soundings are one row of a message.
 #include <algorithm>
+#include <utility>
 
 #include "protocols/cerulean/surveyor_codec.h"
 #include "protocols/ping/framer.h"
@@ -170,7 +171,9 @@ class Heads final : public Maker {
         if (name == "Distance" || name == "DistanceSimple") return checked(of_distance(message, "distance"));
         if (name == "Altitude") return checked(of_distance(message, "altitude_mm"));
         if (name == "Distance2") return checked(of_distance(message, "ping_distance_mm"));
-        if (name == "IMX" || name == "IGX" || name == "IPX") return checked(of_imagenex(message));
+        if (name == "IMX" || name == "IGX" || name == "IPX")
+            return Fields(message).numbers("data").size() == side_points ? of_side_scan(message)
+                                                                         : checked(of_imagenex(message));
         if (name == "83P") return checked(of_delta_t(message));
         if (name == "AtofPointData" || name == "YzPointData") {
             auto picture = of_surveyor(message, bytes);
@@ -180,6 +183,29 @@ class Heads final : public Maker {
     }
 
   private:
+    static constexpr std::size_t side_points = 1000;  ///< that an 872 alone has
+
+    /// An 872 sends port, then starboard of the same ping.
+    std::optional<Picture> of_side_scan(const Message& message) {
+        const Fields f(message);
+        constexpr double port = 256;  // the channel stands where others have their position
+        const bool is_port = f.number("head_position") == port;
+        std::vector<float> levels = as_floats(f.numbers("data"));
+        if (is_port) {
+            port_ = std::move(levels);
+            return std::nullopt;
+        }
+        if (port_.empty()) port_.assign(side_points, std::numeric_limits<float>::quiet_NaN());
+        port_.insert(port_.end(), levels.begin(), levels.end());
+        Picture picture = beam(message, std::exchange(port_, {}), "counts");
+        picture.bearings = {-1, 1};  // sides, whatever their angles
+        picture.waterfall = true;
+        picture.assumed = true;
+        picture.bins = side_points;
+        place(picture, 0, f.number("range"));
+        return checked(std::move(picture));
+    }
+
     /// How many bits a point has the request says; without one they are taken for 8.
     Picture of_imagenex(const Message& message) const {
         const Fields f(message);
@@ -209,6 +235,7 @@ class Heads final : public Maker {
         return picture;
     }
 
+    std::vector<float> port_;            ///< of an 872's ping
     double data_bits_ = 8, points_ = 0;  ///< as asked for last; 0 points: not known
 };
 

@@ -10,8 +10,8 @@ namespace {
 constexpr std::chrono::milliseconds between_large(100);
 constexpr std::chrono::seconds between_late(1);  // of a sonar whose pings are late: looking costs time, too
 constexpr std::chrono::seconds between_objects(
-    1);                                      // that cost much: a ping with them takes up to 1.6 times as long
-constexpr std::chrono::seconds late_for(2);  // after a late ping of any sonar, since all share the processors
+    1);  // that cost much: a ping with them takes up to 1.6 times as long
+constexpr std::chrono::seconds between_late_objects(5);
 constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t large = 8192;           // values; smaller ones are lines of a picture, and all are kept
 constexpr std::size_t most_lines = 64;        // of a sonar, between two calls of take()
@@ -58,8 +58,9 @@ Wanted Feed::wants_ping(std::string_view device, const Shot& shot) {
         if (now - sonar.wanted < between) return Wanted::nothing;
         sonar.wanted = now;
     }
-    const bool sparing = is_large || now - last_late_ < late_for;
-    if (sparing && now - sonar.wanted_objects < between_objects) return Wanted::levels;
+    const bool sparing = is_sparing();
+    const auto between = sparing ? between_late_objects : between_objects;
+    if ((is_large || sparing) && now - sonar.wanted_objects < between) return Wanted::levels;
     sonar.wanted_objects = now;
     return Wanted::objects;
 }
@@ -122,6 +123,7 @@ void Feed::fault(const SeenFault& seen) {
 Feed::News Feed::take() {
     News news;
     const std::scoped_lock lock(mutex_);
+    news.sparing = is_sparing();
     for (auto& [name, sonar] : sonars_) {
         news.pings.insert(news.pings.end(), sonar.pings.begin(), sonar.pings.end());
         sonar.pings.clear();

@@ -45,7 +45,7 @@ class Feed final : public Watch {
     void look(std::size_t viewers);
     std::size_t viewers() const { return viewers_; }
 
-    /// Of a large ping the objects once a second, of a small one always; once a second while pings are late.
+    /// Of a large ping the objects once a second, of a small one always; every 5 s while pings are late.
     Wanted wants_ping(std::string_view device, const Shot& shot) override;
     void ping(const SeenPing& ping) override;
     void bytes(const SeenBytes& bytes) override;
@@ -53,6 +53,7 @@ class Feed final : public Watch {
 
     /// What has come since the last call, oldest first; of large pictures the latest of each sonar.
     struct News {
+        bool sparing = false;  ///< pings are late: what can wait had better
         std::vector<std::shared_ptr<const Kept>> pings;
         std::vector<Passed> passed;
         std::vector<bag::Fault> faults;
@@ -63,6 +64,9 @@ class Feed final : public Watch {
     std::map<Line, LineCount> lines() const;
 
   private:
+    static constexpr std::chrono::seconds late_for{
+        2};  ///< after a late ping: all sonars share the processors
+
     struct Sonar {
         Moment wanted{};          ///< when a large ping was asked for last
         Moment wanted_objects{};  ///< when objects were
@@ -70,6 +74,7 @@ class Feed final : public Watch {
         std::deque<std::shared_ptr<const Kept>> pings{};
     };
 
+    bool is_sparing() const { return now_() - last_late_ < late_for; }
     void keep_for_later(const SeenBytes& seen);
 
     std::function<Moment()> now_;

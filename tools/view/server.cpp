@@ -219,7 +219,7 @@ class Server::Impl {
             if (viewers_.empty()) continue;
             for (const auto& ping : news.pings)
                 tell(std::make_shared<const News>(News{true, view::message_of(*ping)}));
-            Ticker::Told told = ticker_.take(news.passed, news.faults, news.bytes_left_out);
+            Ticker::Told told = ticker_.take(news.passed, news.faults, news.bytes_left_out, news.sparing);
             for (std::string& picture : told.pictures)
                 tell(std::make_shared<const News>(News{true, std::move(picture)}));
             if (!told.messages.empty()) tell(text_news(std::move(told.messages)));

@@ -73,13 +73,21 @@ std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 /// What one call of take() tells.
 struct Ticker::Batch {
     Json rows = Json::array();
-    std::map<std::string, Json> said{}, set{};            ///< by device and message: the last
-    std::map<std::string, std::string> large_pictures{};  ///< the same
+    std::map<std::string, Json> said{}, set{};  ///< by device and message: the last
+    /// The same, of pictures that are worth no more than a look.
+    struct Large {
+        said::Picture picture;
+        std::string device;
+        std::uint64_t number;
+        double unix_time;
+    };
+    std::map<std::string, Large> large_pictures{};
+    std::map<std::string, std::size_t> last_row{};  ///< by way and name: place in `rows`
     std::vector<std::string> pictures{};
 };
 
 Ticker::Told Ticker::take(const std::vector<Passed>& passed, const std::vector<bag::Fault>& faults,
-                          std::size_t left_out) {
+                          std::size_t left_out, bool sparing) {
     if (passed.empty() && faults.empty() && left_out == 0) return {};
     Batch batch;
     for (const Passed& one : passed) decode(one, batch);
@@ -91,7 +99,14 @@ Ticker::Told Ticker::take(const std::vector<Passed>& passed, const std::vector<b
              {"set", Json::array()}};
     for (auto& [key, numbers] : batch.said) all["said"].push_back(std::move(numbers));
     for (auto& [key, setting] : batch.set) all["set"].push_back(std::move(setting));
-    for (auto& [key, picture] : batch.large_pictures) batch.pictures.push_back(std::move(picture));
+    constexpr double between_spared = 1;  // s
+    for (const auto& [key, large] : batch.large_pictures) {
+        double& shown = shown_[key];
+        if (sparing && large.unix_time - shown < between_spared && large.unix_time >= shown) continue;
+        shown = large.unix_time;
+        batch.pictures.push_back(
+            view::message_of(large.picture, large.device, large.number, large.unix_time));
+    }
     return {text_of(all), std::move(batch.pictures)};
 }
 
@@ -160,6 +175,8 @@ void Ticker::decode(const Passed& one, Batch& batch) {
 
 void Ticker::add(const Passed& one, const inspect::Message& message, ByteView bytes, std::size_t size,
                  Batch& batch) {
+    if (message.reason.empty()) look_for_picture(one, message, bytes, batch);
+    if (is_part(one, message, batch)) return;
     Json row{{"n", ++count_},
              {"unix", one.unix_time},
              {"device", one.device},
@@ -172,10 +189,26 @@ void Ticker::add(const Passed& one, const inspect::Message& message, ByteView by
              {"fields", fields_of(message)}};
     if (!one.sent && message.reason.empty() && !message.name.empty()) note_setting(one, row, batch);
     batch.rows.push_back(std::move(row));
-    if (message.reason.empty()) look_for_picture(one, message, bytes, batch);
-    if (!one.sent) return;
+    const auto maker = makers_.find(one.device);
+    if (!one.sent || (maker != makers_.end() && maker->second)) return;
     if (auto numbers = said_of(one.device, message))
         batch.said[one.device + "\n" + message.name] = std::move(*numbers);
+}
+
+/// The parts of one picture come as many messages in a few milliseconds: they share a row.
+bool Ticker::is_part(const Passed& one, const inspect::Message& message, Batch& batch) {
+    if (!one.sent || !message.reason.empty()) return false;
+    constexpr double together = 0.01;  // s
+    const auto [last, first] =
+        batch.last_row.try_emplace(one.device + "\n" + one.port + "\n" + message.name, batch.rows.size());
+    if (first) return false;
+    Json& row = batch.rows[last->second];
+    if (one.unix_time - row["unix"].get<double>() > together) {
+        last->second = batch.rows.size();
+        return false;
+    }
+    row["parts"] = row.value("parts", 1) + 1;
+    return true;
 }
 
 void Ticker::note_setting(const Passed& one, const Json& row, Batch& batch) {
@@ -203,11 +236,12 @@ void Ticker::look_for_picture(const Passed& one, const inspect::Message& message
     if (!maker->second) return;
     const auto picture = maker->second->take(message, bytes, one.sent);
     if (!picture) return;
-    std::string told = view::message_of(*picture, one.device, ++pictures_[one.device], one.unix_time);
+    const std::uint64_t number = ++pictures_[one.device];
     if (picture->levels.size() + picture->ranges.size() < large_said)
-        batch.pictures.push_back(std::move(told));
+        batch.pictures.push_back(view::message_of(*picture, one.device, number, one.unix_time));
     else
-        batch.large_pictures[one.device + "\n" + picture->name] = std::move(told);
+        batch.large_pictures[one.device + "\n" + picture->name] = {*picture, one.device, number,
+                                                                   one.unix_time};
 }
 
 }  // namespace echoloop::view

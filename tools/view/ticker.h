@@ -21,14 +21,17 @@ class Ticker {
 
     struct Told {
         /// {"type": "messages", "left_out": bytes, "messages": [{"n", "unix", "device", "port", "sent",
-        /// "size", "name", "reason", "fields": [[name, text, unit], ...], "fault": what was made on it, on
-        /// those alone}], "said": the longest array of
-        /// numbers in the last message of each kind that a device sent: [{"device", "name", "unit",
-        /// "numbers"}], "set": as settings() tells them}; "" where there are none.
+        /// "size", "name", "reason", "parts": of its kind within 10 ms, where there are several, "fields":
+        /// [[name, text, unit], ...], "fault": what was made on it, on those alone}], "said": the longest
+        /// array of numbers in the last message of each kind that a device sent whose family has no pictures:
+        /// [{"device", "name", "unit", "numbers"}], "set": as settings() tells them}; "" where there are
+        /// none.
         std::string messages;
         std::vector<std::string> pictures;  ///< said_picture.h; of large ones the latest of each kind
     };
-    Told take(const std::vector<Passed>& passed, const std::vector<bag::Fault>& faults, std::size_t left_out);
+    /// `sparing`: large pictures once a second.
+    Told take(const std::vector<Passed>& passed, const std::vector<bag::Fault>& faults, std::size_t left_out,
+              bool sparing);
 
     /// {"type": "messages", "messages": [], "said": [], "set": [{"device", "name", "unix", "times", "fields",
     /// "changed": names of the fields that differ from the message of that name before}]}: the last of each
@@ -44,6 +47,7 @@ class Ticker {
     void decode(const Passed& one, Batch& batch);
     void add(const Passed& one, const inspect::Message& message, ByteView bytes, std::size_t size,
              Batch& batch);
+    static bool is_part(const Passed& one, const inspect::Message& message, Batch& batch);
     void note_setting(const Passed& one, const Json& row, Batch& batch);
     void look_for_picture(const Passed& one, const inspect::Message& message, ByteView bytes, Batch& batch);
 
@@ -51,7 +55,8 @@ class Ticker {
     std::map<Way, std::unique_ptr<inspect::StreamDecoder>> streams_;
     std::map<std::string, std::unique_ptr<said::Maker>> makers_;  ///< by device
     std::map<std::string, std::uint64_t> pictures_;               ///< made so far, by device
-    std::map<std::string, Json> settings_;                        ///< by device and message
+    std::map<std::string, double> shown_;   ///< s since 1970, when a large one was; by device and message
+    std::map<std::string, Json> settings_;  ///< by device and message
     std::uint64_t count_ = 0;
 };
 

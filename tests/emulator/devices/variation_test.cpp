@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 
 /// These ping when their host says so, and have no sensors beside the transducer.
-const std::set<std::string> without{"imagenex-852",   "imagenex-881a",    "ping360",
+const std::set<std::string> without{"imagenex-852",   "imagenex-872",     "imagenex-881a",  "ping360",
                                     "tritech-micron", "tritech-profiler", "tritech-seaking"};
 
 DeviceConfig unit(const Model& model, std::uint64_t key, bool varies) {
@@ -23,6 +23,8 @@ DeviceConfig unit(const Model& model, std::uint64_t key, bool varies) {
     config.random_key = key;
     config.effects.set(Effect::sensor_noise, varies).set(Effect::ping_jitter, varies);
     if (model.name == "norbit-wbms") config.options.at("power") = true;
+    if (model.name == "edgetech-2205") config.options.at("start") = std::string("both");
+    if (model.name == "nortek-nucleus") config.options.at("starts_at_once") = true;
     if (model.name == "sonar-3d-15") config.options.at("acoustics") = true;
     return config;
 }

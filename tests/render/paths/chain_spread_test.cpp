@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <numbers>
+
 #include "tests/render/paths/path_rooms.h"
 
 namespace echoloop {

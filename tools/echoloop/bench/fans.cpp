@@ -11,7 +11,7 @@
 namespace echoloop::bench {
 namespace {
 
-std::string scenario_of(std::size_t fans) {
+std::string scenario_of(std::size_t fans, std::size_t heads) {
     std::string text =
         "scene: scenes/manifold.glb\n"
         "water: {temperature: 8, salinity: 35, ph: 8}\n"
@@ -27,6 +27,12 @@ std::string scenario_of(std::size_t fans) {
                 ":45400\"]\n"
                 "    options: {projector: wide, range: 40, ping_rate: 10, image_height: 500}\n";
     }
+    for (std::size_t i = 1; i <= heads; ++i) {
+        const std::string number = std::to_string(i);
+        text += "  - name: head" + number + "\n    model: nmea-echosounder\n    mount: {rpy_deg: [0, 0, " +
+                std::to_string(360 * i / heads) + "]}\n    endpoints: [\"udp://127.9.10." + number +
+                ":45400\"]\n    options: {range: 40, rate: 10}\n";
+    }
     return text;
 }
 
@@ -36,15 +42,18 @@ double processor_time() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-FansFigures run_fans(std::size_t fans, double seconds, const std::filesystem::path& example) {
-    Runtime runtime(parse_scenario(scenario_of(fans), example, {}, models()));
+FansFigures run_fans(std::size_t fans, std::size_t heads, double seconds,
+                     const std::filesystem::path& example) {
+    Runtime runtime(parse_scenario(scenario_of(fans, heads), example, {}, models()));
     const double before = processor_time();
     runtime.run(seconds);
     FansFigures figures;
-    figures.fans = fans, figures.seconds = seconds;
+    figures.fans = fans, figures.heads = heads, figures.seconds = seconds;
     figures.cpu = processor_time() - before;
     for (const SessionSummary& s : runtime.summary()) {
-        figures.pings += static_cast<double>(s.pings), figures.late += static_cast<double>(s.late_pings);
+        const auto pings = static_cast<double>(s.pings), late = static_cast<double>(s.late_pings);
+        figures.pings += pings, figures.late += late;
+        if (s.name.starts_with("head")) figures.head_pings += pings, figures.late_head_pings += late;
         figures.spared += static_cast<double>(s.spared_pings);
         figures.coarse += static_cast<double>(s.coarse_pings);
         figures.p99_lateness = std::max(figures.p99_lateness, to_seconds(s.p99_lateness));
@@ -55,8 +64,9 @@ FansFigures run_fans(std::size_t fans, double seconds, const std::filesystem::pa
 
 }  // namespace
 
-FansFigures measure_fans(std::size_t fans, double seconds, const std::filesystem::path& example) {
-    return in_child_process<FansFigures>([&] { return run_fans(fans, seconds, example); });
+FansFigures measure_fans(std::size_t fans, std::size_t heads, double seconds,
+                         const std::filesystem::path& example) {
+    return in_child_process<FansFigures>([&] { return run_fans(fans, heads, seconds, example); });
 }
 
 }  // namespace echoloop::bench

@@ -26,7 +26,7 @@ export class Wire {
     for (const message of messages.slice(-most)) {
       const last = this.kept[0];
       if (last !== undefined && alike(last, message)) {
-        message.parts = (last.parts ?? 1) + 1;
+        message.parts = (last.parts ?? 1) + (message.parts ?? 1);
         this.kept[0] = message;
         if (this.passes(message)) this.list.firstElementChild?.replaceWith(row(message));
         continue;

@@ -10,6 +10,8 @@
 namespace echoloop::doppler {
 namespace {
 
+constexpr double bins_per_pulse = 4;
+
 double time_of(const Shot& shot, std::size_t bin) {
     return shot.first_bin_time + (static_cast<double>(bin) + 0.5) * shot.bin_interval;
 }
@@ -45,25 +47,43 @@ struct Around {
     const Echogram& echogram;
     std::size_t beam;
 
-    /// Mean of `value(bin)` within `half` s of `time`; nothing where there is no power.
-    template <class Value>
-    std::optional<double> mean(double time, double half, const Value& value) const {
+    /// Sums over the bins within `half` s of `time`, each weighed by `weigh(power above the noise)`.
+    struct Sums {
+        double weights = 0, values = 0;
+    };
+    template <class Value, class Weigh>
+    Sums sums(double time, double half, const Value& value, const Weigh& weigh) const {
         const Shot& shot = echogram.shot;
         const auto place = [&](double t) {
             const double bin = std::floor((t - shot.first_bin_time) / shot.bin_interval);
             return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(shot.bins)));
         };
         const auto powers = echogram.beam(beam);
-        double sum = 0, weights = 0;
+        Sums out;
         const std::size_t end = std::min(place(time + half) + 1, shot.bins);
         for (std::size_t bin = place(time - half); bin < end; ++bin) {
-            const double weight = static_cast<double>(powers[bin]) - echogram.noise_power;
+            const double power = static_cast<double>(powers[bin]) - echogram.noise_power;
             const double one = value(bin);
-            if (!(weight > 0) || std::isnan(one)) continue;
-            sum += weight * one;
-            weights += weight;
+            if (!(power > 0) || std::isnan(one)) continue;
+            out.weights += weigh(power);
+            out.values += weigh(power) * one;
         }
-        return weights > 0 ? std::optional(sum / weights) : std::nullopt;
+        return out;
+    }
+    /// Mean of `value(bin)`; nothing where there is no power.
+    template <class Value>
+    std::optional<double> mean(double time, double half, const Value& value) const {
+        const Sums all = sums(time, half, value, [](double power) { return power; });
+        return all.weights > 0 ? std::optional(all.values / all.weights) : std::nullopt;
+    }
+    /// Standard deviation of that mean by speckle alone: powers are exponentially distributed, so the sum of
+    /// their squares is twice that of the squares of their means; bins that one pulse fills vary together.
+    template <class Value>
+    double scatter(double time, double half, double mean, const Value& value) const {
+        const auto square = [&](std::size_t bin) { return std::pow(value(bin) - mean, 2); };
+        const double strays = sums(time, half, square, [](double power) { return power * power; }).values;
+        const double weights = sums(time, half, value, [](double power) { return power; }).weights;
+        return std::sqrt(bins_per_pulse / 2 * strays) / weights;
     }
 };
 
@@ -88,7 +108,6 @@ std::vector<std::size_t> order_of_beams(const Settings& settings) {
 }
 
 Shot make_shot(const Plan& plan, const Settings& settings, std::uint64_t number) {
-    constexpr double bins_per_pulse = 4;
     const Acoustics& a = settings.acoustics;
     Shot shot;
     shot.ping = number;
@@ -133,6 +152,7 @@ std::optional<Echo> find_bottom_echo(const Echogram& e, std::size_t beam, const 
         return static_cast<double>(e.velocities[first + bin - std::min(bin, later)].mean);
     };
     if (e.velocities.size() == e.values.size()) echo.closing = around.mean(middle, half, closing_in);
+    if (echo.closing) echo.scatter = around.scatter(middle, half, *echo.closing, closing_in);
     echo.level = static_cast<double>(level_db(e.beam(beam)[*peak]));
     return echo.time > 0 ? std::optional(echo) : std::nullopt;
 }

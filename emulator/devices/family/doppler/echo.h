@@ -29,6 +29,7 @@ struct Echo {
     double time = 0;                  ///< s, two-way, to the middle of what the beam sees of the bottom
     double level = 0;                 ///< dB re 1 uPa, of the strongest bin
     std::optional<double> closing{};  ///< m/s, by Doppler; nothing: the echogram tells of no velocities
+    double scatter = 0;               ///< m/s, by how much speckle over the footprint lets that stray
 };
 
 /// Looks for the strongest echo, what spreading takes given back, and takes the centre of the power around

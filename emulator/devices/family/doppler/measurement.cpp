@@ -80,13 +80,14 @@ BeamReport Measurement::hear(const Echogram& echogram, std::size_t beam, const A
     const double scale = assumed.speed_of_sound / echogram.sound_speed;  // what it believes of a shift
     const double distance = echo ? assumed.speed_of_sound / 2 * echo->time : -1;
     if (echo) out.rssi = dbm(echo->level);
-    out.deviation = settings_.noise.floor + settings_.noise.by_altitude * std::max(distance, 0.0) +
-                    settings_.noise.by_speed * std::abs(closing);
+    const double noise = settings_.noise.floor + settings_.noise.by_altitude * std::max(distance, 0.0) +
+                         settings_.noise.by_speed * std::abs(closing);
+    out.deviation = doppler ? std::hypot(noise, echo->scatter) : noise;
     const Sensors& sensors = settings_.sensors;
     const double own_scale = 1 + sensors.read("scale " + number, 0, {.drift = settings_.noise.scale}, Time{});
     constexpr double resolution = 1e-5;  // m/s, of published samples
     out.velocity = rounded(sensors.read("beam " + number, scale * own_scale * closing,
-                                        {.drift = settings_.noise.bias, .noise = out.deviation}, began),
+                                        {.drift = settings_.noise.bias, .noise = noise}, began),
                            resolution);
     out.distance = water ? -1 : distance;
     out.valid = true;

@@ -1,5 +1,7 @@
 #include "emulator/devices/family/doppler/modes.h"
 
+#include <algorithm>
+
 namespace echoloop::doppler {
 namespace {
 
@@ -7,6 +9,16 @@ constexpr Time between_tries = std::chrono::seconds(10);
 constexpr int patience = 3;  // pings without a bottom before it looks elsewhere; own choice
 
 }  // namespace
+
+Modes usual_modes(double lowest, double highest) {
+    constexpr double often = 1000;  // Hz
+    const double end = std::max(highest, 2 * lowest);
+    Modes modes{{lowest, 1.5, often}, {0.7, 7, often}, {3, 30, often}, {12, end, often}};
+    while (modes.size() > 1 && modes.back().nearest >= 0.8 * end) modes.pop_back();
+    for (Mode& mode : modes) mode.farthest = std::min(mode.farthest, end);
+    modes.back().farthest = end;
+    return modes;
+}
 
 void ModeSearch::restart(std::size_t lowest, std::size_t highest) {
     *this = {};

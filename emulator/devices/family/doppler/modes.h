@@ -15,6 +15,10 @@ struct Mode {
 };
 using Modes = std::vector<Mode>;  ///< from the lowest altitudes to the highest
 
+/// Of a log whose maker tells none: four, each of which reaches ten times as far as its nearest bottom,
+/// between these altitudes, m. As often as its echoes allow.
+Modes usual_modes(double lowest, double highest);
+
 /// Chooses the mode of the next ping: it follows the bottom, goes through all modes without one, and looks
 /// for a nearer one now and then.
 class ModeSearch {

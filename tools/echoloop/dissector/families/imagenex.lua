@@ -24,7 +24,7 @@ local function reply_frame(text, at)
   local low, high = text:byte(at + 11), text:byte(at + 12)
   if low > 127 or high > 127 then return 0 end
   local data = high * 128 + low
-  local legal = data == 0 or data == 128 or data == 250 or data == 252 or data == 500
+  local legal = data == 0 or data == 128 or data == 250 or data == 252 or data == 500 or data == 1000
   return legal and overhead + data or 0
 end
 

@@ -1,0 +1,192 @@
+#include "emulator/devices/teledyne-dvl/dvl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "emulator/devices/family/doppler/moment.h"
+#include "emulator/devices/teledyne-dvl/profile.h"
+
+namespace echoloop::teledyne_dvl {
+namespace {
+
+constexpr std::size_t longest_command = 128;  // B
+// Of the Wayfinder's guide, whose printed 0.42e-3 s per m is shorter than the sound's way; its table fits ten
+// times that. A guess for the others.
+constexpr double period_floor = 0.03, period_per_metre = 4.2e-3;  // s, s per m
+
+}  // namespace
+
+Dvl::Dvl(const Settings& settings)
+    : settings_(settings),
+      setup_(settings.start),
+      pacer_(settings.sensors, jitter::processor),
+      measurement_(settings) {}
+
+std::vector<Port> Dvl::ports() const { return {{"line", Port::Kind::stream, {}, false}}; }
+
+Actions Dvl::started(Time now) {
+    if (settings_.pings_at_start)
+        start_pinging(now);
+    else
+        say(banner(settings_));
+    ping_if_due(now);
+    return take_actions();
+}
+
+void Dvl::reconnected(std::size_t) {
+    line_.clear();
+    breaks_ = 0;
+    last_ = 0;
+}
+
+std::int64_t Dvl::clock(Time now) const { return doppler::unix_us(settings_.unix_start, now) + clock_error_; }
+
+void Dvl::say(const std::string& text) { actions_.send.push_back({0, {text.begin(), text.end()}, {}, {}}); }
+
+void Dvl::start_pinging(Time now) {
+    pinging_ = true;
+    waits_for_end_ = !setup_.pings_by_itself;
+    const doppler::Acoustics& a = settings_.acoustics;
+    modes_ = doppler::usual_modes(a.lowest_altitude, std::min(0.1 * setup_.most_depth, a.highest_altitude));
+    search_.restart(0, modes_.size() - 1);
+    altitude_ = 0;
+    if (waits_for_end_)
+        say("<");
+    else
+        pacer_.start(now, from_seconds(plan_.period));
+}
+
+void Dvl::stop_pinging() {
+    pinging_ = false;
+    pacer_.stop();
+    say(banner(settings_));
+}
+
+Actions Dvl::received(const Received& data, Time now) {
+    for (const std::uint8_t byte : data.bytes) hear_byte(static_cast<char>(byte), now);
+    ping_if_due(now);
+    return take_actions();
+}
+
+void Dvl::hear_byte(char c, Time now) {
+    const bool ends = c == '\r' || c == '\n', second = c == '\n' && last_ == '\r';
+    breaks_ = (c == '+' || c == '=') && (breaks_ == 0 || c == last_) ? breaks_ + 1 : 0;
+    last_ = c;
+    if (second) return;
+    if (breaks_ == 3) {
+        breaks_ = 0;
+        line_.clear();
+        stop_pinging();
+        return;
+    }
+    if (pinging_ && waits_for_end_) {
+        if (ends) pacer_.start(now, from_seconds(plan_.period));
+        return;
+    }
+    if (pinging_) {
+        if (!settings_.input_is_break || c == '+' || c == '=') return;
+        line_.clear();
+        stop_pinging();
+    }
+    if (ends) return end_line(now);
+    if (c < ' ' || c > '~') {
+        ++counters_.skipped_bytes;
+        return;
+    }
+    say(std::string(1, c));
+    if (line_.size() < longest_command) line_ += c;
+}
+
+void Dvl::end_line(Time now) {
+    const Reply reply = obey(line_, setup_, settings_, clock(now));
+    line_.clear();
+    ++(reply.good ? counters_.messages : counters_.rejected);
+    if (reply.clock) clock_error_ += *reply.clock - clock(now);
+    if (!reply.text.empty()) say(reply.text);
+    if (reply.wake) say(banner(settings_));
+    if (reply.start) {
+        say("\r\n");
+        start_pinging(now);
+    }
+}
+
+double Dvl::period_of(double altitude) const {
+    const double line = settings_.baud > 0 ? 10 * static_cast<double>(last_size_) / settings_.baud : 0;
+    return std::max({period_floor + period_per_metre * altitude, 1.05 * line, 0.01 * setup_.interval});
+}
+
+void Dvl::ping_if_due(Time now) {
+    if (!pinging_ || !pacer_.begin(now)) return;
+    if (waits_for_end_) pacer_.once();
+    const doppler::Mode& mode = modes_.at(search_.next(true, now));
+    plan_ = doppler::make_plan(mode, setup_.sound_speed, settings_);
+    plan_.period = std::max(plan_.window + settings_.processing_time,
+                            period_of(altitude_ > 0 ? altitude_ : mode.farthest));
+    actions_.ping = Ping{doppler::make_shot(plan_, settings_, ++shots_),
+                         now + from_seconds(plan_.window + settings_.processing_time)};
+}
+
+Report Dvl::report_of(const Echogram& echogram, Time began) {
+    Report out;
+    const double alignment = deg_to_rad(0.01 * setup_.alignment);
+    const doppler::Assumed assumed{static_cast<double>(setup_.sound_speed), alignment, false};
+    out.measured = measurement_.measure(echogram, assumed, plan_, began);
+    const doppler::Attitude truth = doppler::attitude_of(measurement_.attitude());
+    const Sensors& s = settings_.sensors;
+    const double heading = rad_to_deg(truth.heading);
+    out.attitude.heading =
+        deg_to_rad(s.read_bearing("heading", heading < 0 ? heading + 360 : heading, stray::compass, began));
+    out.attitude.pitch = deg_to_rad(s.read("pitch", rad_to_deg(truth.pitch), stray::tilt, began));
+    out.attitude.roll = deg_to_rad(s.read("roll", rad_to_deg(truth.roll), stray::tilt, began));
+    out.temperature = s.read("water", settings_.temperature, stray::water_temperature, began);
+    out.period = plan_.period;
+    out.pulse = plan_.pulse * setup_.sound_speed / 2;
+    if (setup_.profile_pings > 0)
+        out.profile = profile_of(echogram, doppler::turned(measurement_.motion(), alignment), out.attitude,
+                                 out.pulse, began, setup_, settings_);
+    return out;
+}
+
+Actions Dvl::heard(const Echogram& echogram, Time now) {
+    const Time began = pacer_.began().value_or(now);
+    if (!pacer_.end(now, from_seconds(plan_.period))) return take_actions();
+    ++counters_.pings;
+    if (pinging_ && echogram.beams() == settings_.azimuths.size()) {
+        Report report = report_of(echogram, began);
+        const double altitude = report.measured.altitude;
+        search_.found(altitude > 0 ? std::optional(altitude) : std::nullopt, modes_, now);
+        if (!search_.lost()) {
+            altitude_ = std::max(altitude, 0.0);
+            report.number = ++ensembles_;
+            report.unix_us = clock(began);
+            const double seconds = followed_ ? to_seconds(began - *followed_) : 0;
+            followed_ = began;
+            Setup in_earth = setup_;
+            in_earth.frame = Frame::earth;
+            const Velocities own = bottom_velocities(report, in_earth);
+            for (std::size_t i = 0; i < 3; ++i) way_[i] -= own[i].value_or(0) * seconds;
+            report.way = way_;
+            Bytes bytes = setup_.format == Format::pd0   ? ensemble_bytes(report, setup_, settings_)
+                          : setup_.format == Format::pd4 ? pd4_bytes(report, setup_, settings_)
+                                                         : pd5_bytes(report, setup_, settings_);
+            last_size_ = bytes.size();
+            actions_.send.push_back({0, std::move(bytes), {}, {}});
+            if (waits_for_end_) say("<");
+        }
+    }
+    ping_if_due(now);
+    return take_actions();
+}
+
+Actions Dvl::woken(Time now) {
+    ping_if_due(now);
+    return take_actions();
+}
+
+Actions Dvl::take_actions() {
+    actions_.wake = pacer_.wake();
+    return std::exchange(actions_, {});
+}
+
+}  // namespace echoloop::teledyne_dvl

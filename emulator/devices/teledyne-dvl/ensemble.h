@@ -1,0 +1,39 @@
+// What a Teledyne DVL has to say of a ping, as PD0, PD4 and PD5. Pure functions.
+#pragma once
+
+#include "emulator/devices/family/doppler/attitude.h"
+#include "emulator/devices/family/doppler/measurement.h"
+#include "emulator/devices/teledyne-dvl/settings.h"
+#include "protocols/teledyne/messages.h"
+
+namespace echoloop::teledyne_dvl {
+
+/// Everything about one ensemble.
+struct Report {
+    doppler::Measured measured;  ///< velocity in the vehicle's axes, which EA turns from the device's own
+    doppler::Attitude attitude;  ///< of the vehicle, as its sensors read it
+    std::uint32_t number = 1;
+    std::int64_t unix_us = 0;
+    double temperature = 0;                  ///< degC
+    double period = 0, pulse = 0;            ///< s; m
+    std::vector<teledyne::Section> profile;  ///< of the water, if any
+    std::array<double, 4> way{};             ///< m made good: east, north, up, error
+};
+
+/// Velocity of the bottom against the log, m/s, in the frame that is set, and the error velocity; nothing
+/// where it cannot be told. Axes of that frame: beams 1 to 4; starboard, aft to forward and to the face;
+/// east, north and up.
+using Velocities = std::array<std::optional<double>, 4>;
+Velocities bottom_velocities(const Report& report, const Setup& setup);
+/// The same for a velocity (x forward, y to starboard, z down) of the vehicle, without the beam frame.
+Velocities in_frame(Vec3 velocity, std::optional<double> error, const doppler::Attitude& attitude,
+                    const Setup& setup);
+
+Bytes ensemble_bytes(const Report& report, const Setup& setup, const Settings& settings);
+Bytes pd4_bytes(const Report& report, const Setup& setup, const Settings& settings);
+Bytes pd5_bytes(const Report& report, const Setup& setup, const Settings& settings);
+
+/// mm/s; -32768 where there is none.
+std::int16_t millimetres(const std::optional<double>& velocity);
+
+}  // namespace echoloop::teledyne_dvl

@@ -1,0 +1,48 @@
+// libFuzzer: a byte stream in pieces whose sizes the input chooses. What is read is written back and read as
+// the same again, and all bytes are accounted for.
+#include <algorithm>
+#include <cstdlib>
+
+#include "protocols/teledyne/codec.h"
+#include "protocols/teledyne/inspect.h"
+#include "tests/protocols/mutator.h"
+
+ECHOLOOP_MUTATOR({.family = "teledyne", .before = 1})
+
+namespace {
+using namespace echoloop::teledyne;
+
+void check(const Piece& piece) {
+    if (piece.kind == Piece::Kind::ensemble) {
+        const auto ensemble = parse_ensemble(piece.bytes);
+        if (!ensemble) return;
+        const auto again = parse_ensemble(encode(*ensemble));
+        if (!again || *again != *ensemble) std::abort();
+    } else if (piece.kind == Piece::Kind::pd5) {
+        const auto block = parse_pd5(piece.bytes);
+        if (!block || encode(*block) != piece.bytes) std::abort();
+    }
+}
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    Framer framer;
+    const std::size_t piece_size = data[0] + 1U;
+    const auto drain = [&] {
+        while (const auto piece = framer.next()) {
+            if (piece->size() != framer.frame_size()) std::abort();
+            check(*piece);
+        }
+    };
+    for (std::size_t at = 1; at < size; at += piece_size) {
+        framer.feed({data + at, std::min(piece_size, size - at)});
+        drain();
+        if (framer.pending_bytes() > longest_ensemble + 2) std::abort();
+    }
+    framer.finish();
+    drain();
+    if (framer.pending_bytes() != 0) std::abort();
+    decode({data, size});
+    return 0;
+}
