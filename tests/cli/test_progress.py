@@ -1,4 +1,5 @@
 """What long work shows on a terminal, and that it shows nothing anywhere else (the other tests read stderr in pipes)."""
+import re
 import sys
 import unittest
 
@@ -47,6 +48,16 @@ class Progress(ProgramTest):
         shown = self.on_a_terminal("run", scenario, "--dataset", self.folder / "set")
         self.assertRegex(shown, r"(pinging|writing the data set) \[")
         self.assertTrue((self.folder / "set" / "index.jsonl").exists())
+
+    def test_a_survey_that_is_imported(self):
+        needs_worlds(self)
+        heights = [" ".join(str((i * j * 7919 + i * 31) % 97 / 10) for i in range(300)) for j in range(300)]
+        survey = self.folder / "rough.asc"
+        survey.write_text("ncols 300\nnrows 300\nxllcorner 0\nyllcorner 0\ncellsize 1\n" + "\n".join(heights) + "\n")
+        shown = self.on_a_terminal("import", survey, "--local", "--out", self.folder / "rough.glb")
+        shares = [int(share) for share in re.findall(r"making triangles \[[#.]{40}\] (\d+) %", shown)]
+        self.assertEqual(shares, sorted(shares))
+        self.assertGreater(shares[-1], 0, shown)
 
     def test_a_world_that_is_imported(self):
         needs_worlds(self)

@@ -186,7 +186,11 @@ void add_surveys(const Given& given, const Inputs& inputs, World& world, Report&
     for (const fs::path& survey : inputs.surveys) {
         const std::string name = printable(survey.string());
         stage.set(name);
-        for (const std::string& note : add_terrain(world, survey, inputs.terrain))
+        constexpr double parts = 100'000;  // so many are shown in percent
+        cli::Progress progress("making triangles", static_cast<std::size_t>(parts));
+        TerrainOptions options = inputs.terrain;
+        options.told = [&](double share) { progress.done(static_cast<std::size_t>(parts * share)); };
+        for (const std::string& note : add_terrain(world, survey, options))
             report.notes.push_back(name + ": " + printable(note));
         report.add({.model = world.nodes.back().name,
                     .material = inputs.terrain.material,

@@ -25,7 +25,8 @@ std::string text(const char* format, Values... values) {
 
 Triangulation simplify(const std::filesystem::path& file, Heights& heights, const Placing& placing,
                        const TerrainOptions& options) {
-    TriangulationRules rules{options.error, options.triangles, placing.lattice(options.error / 4)};
+    const TriangulationRules rules{options.error, options.triangles, placing.lattice(options.error / 4),
+                                   options.told};
     Triangulation out = triangulate(heights, rules);
     if (out.triangles.empty() && out.needed <= options.triangles)
         throw Fault(file, "has no four neighbouring samples that all have a value",

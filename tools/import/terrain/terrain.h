@@ -1,6 +1,8 @@
 // Adds a survey of the bottom to a world, as triangles.
 #pragma once
 
+#include <functional>
+
 #include "tools/import/terrain/survey.h"
 #include "tools/import/world.h"
 
@@ -8,10 +10,11 @@ namespace echoloop::worlds {
 
 struct TerrainOptions {
     SurveyOptions survey{};
-    std::optional<Origin> origin{};     ///< of the world, where it has none yet
-    double error = 0.1;                 ///< m, of any sample, up or down
-    std::size_t triangles = 1'000'000;  ///< at most
-    std::string material = "sand";      ///< a name of the scene reader's table, or one of its seabeds
+    std::optional<Origin> origin{};      ///< of the world, where it has none yet
+    double error = 0.1;                  ///< m, of any sample, up or down
+    std::size_t triangles = 1'000'000;   ///< at most
+    std::function<void(double)> told{};  ///< now and then: which share of the triangles is made, about
+    std::string material = "sand";       ///< a name of the scene reader's table, or one of its seabeds
 };
 
 /// A node that is called as the file is, without its ending. Gives the world an origin if it has none.

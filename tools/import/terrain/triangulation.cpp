@@ -163,14 +163,22 @@ class Refining {
             within_ = std::max(within_, worst.error);
     }
 
+    /// The error falls about as the number of triangles rises.
+    double share_done(double worst) const {
+        return std::clamp(
+            std::max(rules_.error / worst, static_cast<double>(kept_) / static_cast<double>(rules_.most)),
+            0.0, 1.0);
+    }
+
     void refine() {
-        while (!queue_.empty()) {
+        for (std::size_t step = 0; !queue_.empty(); ++step) {
             const Candidate worst = queue_.top();
             if (versions_[worst.triangle] != worst.version) {
                 queue_.pop();
                 continue;
             }
             if (kept_ + 2 > rules_.most) return;
+            if (rules_.told && step % 1024 == 0) rules_.told(share_done(worst.error));
             queue_.pop();
             const std::uint32_t before = mesh_.size();
             if (!mesh_.insert(worst.where, worst.triangle)) continue;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "tools/import/terrain/heights.h"
@@ -12,9 +13,10 @@
 namespace echoloop::worlds {
 
 struct TriangulationRules {
-    double error = 0.1;            ///< m, up or down, of any sample
-    std::size_t most = 2'000'000;  ///< triangles
-    std::int32_t lattice = 0;      ///< every so many samples one is a corner; 0: none has to be
+    double error = 0.1;                  ///< m, up or down, of any sample
+    std::size_t most = 2'000'000;        ///< triangles
+    std::int32_t lattice = 0;            ///< every so many samples one is a corner; 0: none has to be
+    std::function<void(double)> told{};  ///< now and then: which share of the work is done, about
 };
 
 struct Triangulation {
