@@ -54,9 +54,9 @@ void add_pose(PingInfo& p, const Pose& pose, const Surface& surface, Time time, 
 }
 
 /// Between the reference points of two formats lies the position's antenna, projected on the still water line
-/// and turned with the vessel: so 23 pings of an EM 2040P (within 1 um of a straight line over roll and pitch)
-/// and single ones of an EM 2042, by the numbers of their #IIP. The antenna is the head here, and the still water line that of the
-/// ping.
+/// and turned with the vessel: so 23 pings of an EM 2040P (within 1 um of a straight line over roll and
+/// pitch) and single ones of an EM 2042, by the numbers of their #IIP. The antenna is the head here, and the
+/// still water line that of the ping.
 void add_offsets(PingInfo& p, const Surface& surface) {
     const Vec3 offset = surface.from_world(static_cast<double>(p.water_level) * surface.keel);
     p.x_offset = f(offset.x);

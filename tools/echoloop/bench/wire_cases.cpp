@@ -136,7 +136,8 @@ std::vector<WireCase> wire_cases() {
                       "000000010000000180a90300900100000000c03f6808")}}},
             {"delta t", "imagenex-deltat", {}, {}},
             {"sonar 3d", "sonar-3d-15", {{"acoustics", true}}, {}},
-            {"dvl", "dvl-a50", {}, {}}};
+            {"dvl", "dvl-a50", {}, {}},
+            {"nucleus", "nortek-nucleus", {{"starts_at_once", true}}, {}}};
 }
 
 }  // namespace echoloop::bench
