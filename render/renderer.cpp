@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -221,13 +222,15 @@ class Renderer::Impl {
         }
     }
 
-    /// Not inlined: g++ 14 would take it for a copy into nothing (-Wstringop-overflow).
     template <typename Value>
-    [[gnu::noinline]] static void append(std::vector<Value> part, std::vector<Value>& whole) {
-        if (whole.empty())
+    static void append(std::vector<Value> part, std::vector<Value>& whole) {
+        if (whole.empty()) {
             whole = std::move(part);
-        else
-            whole.insert(whole.end(), part.begin(), part.end());
+            return;
+        }
+        // g++ 14 takes insert() here for a copy into nothing (-Wstringop-overflow).
+        whole.resize(whole.size() + part.size());
+        std::ranges::copy(part, whole.end() - static_cast<std::ptrdiff_t>(part.size()));
     }
 
     void trace_paths(Heard& heard, double c) {
