@@ -6,6 +6,7 @@
 
 #include "protocols/altimeter/inspect.h"
 #include "protocols/altimeter/line.h"
+#include "tests/protocols/fuzz_stream.h"
 #include "tests/protocols/mutator.h"
 
 ECHOLOOP_MUTATOR({.family = "altimeter", .before = 1})
@@ -14,24 +15,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace echoloop::altimeter;
     if (size == 0) return 0;
     Framer framer;
-    const std::size_t piece = data[0] + 1U;
-    std::uint64_t framed = 0;
-    const auto drain = [&] {
-        while (const auto line = framer.next()) {
-            framed += framer.frame_size();
-            const auto again = read_line(write_line(*line));
-            if (!again || again->format != line->format) std::abort();
-            if (std::abs(again->metres - std::min(line->metres, 999.99)) > 1e-9) std::abort();
-        }
+    const auto take = [&](const auto& line) {
+        const auto again = read_line(write_line(line));
+        if (!again || again->format != line.format) std::abort();
+        if (std::abs(again->metres - std::min(line.metres, 999.99)) > 1e-9) std::abort();
     };
-    for (std::size_t at = 1; at < size; at += piece) {
-        framer.feed({data + at, std::min(piece, size - at)});
-        drain();
-        if (framer.pending_bytes() > 16) std::abort();
-    }
-    framer.finish();
-    drain();
-    if (framed + framer.skipped_bytes() != size - 1 || framer.pending_bytes() != 0) std::abort();
+    echoloop::stream_in_pieces(framer, {data + 1, size - 1}, data[0] + 1U, 16, take);
     decode({data, size});
     return 0;
 }

@@ -1,10 +1,10 @@
 // libFuzzer: a stream in pieces whose sizes the input chooses, and the same bytes as datagrams. What is
 // understood is written back to something that reads the same, and all bytes are accounted for.
-#include <algorithm>
 #include <cstdlib>
 
 #include "protocols/aris/framer.h"
 #include "protocols/aris/inspect.h"
+#include "tests/protocols/fuzz_stream.h"
 #include "tests/protocols/mutator.h"
 
 using namespace echoloop::aris;
@@ -34,24 +34,13 @@ ECHOLOOP_MUTATOR({.family = "aris", .before = 1})
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     Framer framer;
-    const std::size_t piece = data[0] + 1U;
-    std::uint64_t framed = 0;
-    const auto drain = [&] {
-        while (const auto frame = framer.next()) {
-            framed += framer.frame_size();
-            check(frame, [](const echoloop::wire::Bytes& bytes) {
-                return parse_command(echoloop::wire::ByteView(bytes).subspan(length_bytes));
-            });
-        }
+    const auto take = [&](const auto& frame) {
+        check(std::optional(frame), [](const echoloop::wire::Bytes& bytes) {
+            return parse_command(echoloop::wire::ByteView(bytes).subspan(length_bytes));
+        });
     };
-    for (std::size_t at = 1; at < size; at += piece) {
-        framer.feed({data + at, std::min(piece, size - at)});
-        drain();
-        if (framer.pending_bytes() > longest_command + length_bytes) std::abort();
-    }
-    framer.finish();
-    drain();
-    if (framed + framer.skipped_bytes() != size - 1 || framer.pending_bytes() != 0) std::abort();
+    echoloop::stream_in_pieces(framer, {data + 1, size - 1}, data[0] + 1U, longest_command + length_bytes,
+                               take);
     check_datagram({data + 1, size - 1});
     decode({data, size});
     recognise({data, size});

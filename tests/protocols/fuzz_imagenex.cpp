@@ -6,6 +6,7 @@
 #include "protocols/imagenex/framer.h"
 #include "protocols/imagenex/inspect.h"
 #include "protocols/imagenex/shot_writer.h"
+#include "tests/protocols/fuzz_stream.h"
 #include "tests/protocols/mutator.h"
 
 ECHOLOOP_MUTATOR({.family = "imagenex", .before = 1})
@@ -16,28 +17,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool commands = data[0] % 2 == 1;
     Framer framer(commands ? Framer::Takes::commands : Framer::Takes::everything);
     ShotWriter writer(data[0] % 4 < 2 ? ShotFormat::shot_852 : ShotFormat::shot_81a);
-    const std::size_t piece = data[0] / 2 + 1U;
-    std::uint64_t framed = 0;
-    const auto drain = [&] {
-        while (const auto frame = framer.next()) {
-            framed += frame->size();
-            if (commands && frame->size() != command_bytes) std::abort();
-            if (const auto again = rewritten(*frame); !again.empty() && again != *frame) std::abort();
-            const auto message = parse(*frame);
-            if (!message) continue;
-            if (const auto* c = std::get_if<SwitchCommand>(&*message)) writer.command(*c);
-            if (const auto* r = std::get_if<Reply>(&*message))
-                if (!parse_shot(writer.shot(*r, static_cast<double>(framed)))) std::abort();
-        }
+    const auto take = [&](const auto& frame) {
+        if (commands && frame.size() != command_bytes) std::abort();
+        if (const auto again = rewritten(frame); !again.empty() && again != frame) std::abort();
+        const auto message = parse(frame);
+        if (!message) return frame.size();
+        if (const auto* c = std::get_if<SwitchCommand>(&*message)) writer.command(*c);
+        if (const auto* r = std::get_if<Reply>(&*message))
+            if (!parse_shot(writer.shot(*r, static_cast<double>(frame.size())))) std::abort();
+        return frame.size();
     };
-    for (std::size_t at = 1; at < size; at += piece) {
-        framer.feed({data + at, std::min(piece, size - at)});
-        drain();
-        if (commands && framer.pending_bytes() > command_bytes) std::abort();
-    }
-    framer.finish();
-    drain();
-    if (framed + framer.skipped_bytes() != size - 1 || framer.pending_bytes() != 0) std::abort();
+    echoloop::stream_in_pieces(framer, {data + 1, size - 1}, data[0] / 2 + 1U,
+                               commands ? command_bytes : size, take);
     if (const auto again = rewritten({data, size});
         !again.empty() && !std::equal(again.begin(), again.end(), data))
         std::abort();

@@ -7,6 +7,7 @@
 #include "protocols/norbit/command.h"
 #include "protocols/norbit/framer.h"
 #include "protocols/norbit/inspect.h"
+#include "tests/protocols/fuzz_stream.h"
 #include "tests/protocols/mutator.h"
 
 using namespace echoloop::norbit;
@@ -41,25 +42,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     Framer framer;
     LineFramer lines;
-    const std::size_t piece = data[0] + 1U;
-    std::uint64_t framed = 0;
-    const auto drain = [&] {
-        while (const auto frame = framer.next()) {
-            framed += 24 + frame->payload.size();
-            check(*frame);
-        }
+    const echoloop::wire::ByteView stream(data + 1, size - 1);
+    const auto take = [](const auto& frame) { check(frame); };
+    echoloop::stream_in_pieces(framer, stream, data[0] + 1U, 24 + max_packet, take);
+    for (std::size_t at = 0; at < stream.size(); at += data[0] + 1U) {
+        lines.feed(stream.subspan(at, std::min(data[0] + std::size_t{1}, stream.size() - at)));
         while (const auto line = lines.next()) check(*line);
-    };
-    for (std::size_t at = 1; at < size; at += piece) {
-        const echoloop::wire::ByteView bytes(data + at, std::min(piece, size - at));
-        framer.feed(bytes);
-        lines.feed(bytes);
-        drain();
     }
     check(lines.rest());
-    framer.finish();
-    drain();
-    if (framed + framer.skipped_bytes() != size - 1 || framer.pending_bytes() != 0) std::abort();
     decode({data, size});
     recognise({data, size});
     return 0;

@@ -5,6 +5,7 @@
 #include "protocols/oculus/codec.h"
 #include "protocols/oculus/framer.h"
 #include "protocols/oculus/inspect.h"
+#include "tests/protocols/fuzz_stream.h"
 #include "tests/protocols/mutator.h"
 
 using namespace echoloop::oculus;
@@ -37,22 +38,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     const std::size_t longest = data[0] % 2 == 0 ? max_payload : host_payload;
     Framer framer(longest);
-    const std::size_t piece = data[0] / 2 + 1U;
-    std::uint64_t framed = 0;
-    const auto drain = [&] {
-        while (const auto frame = framer.next()) {
-            framed += 16 + frame->payload.size();
-            check(*frame);
-        }
+    const auto take = [&](const auto& frame) {
+        check(frame);
+        return 16 + frame.payload.size();
     };
-    for (std::size_t at = 1; at < size; at += piece) {
-        framer.feed({data + at, std::min(piece, size - at)});
-        drain();
-        if (framer.pending_bytes() > longest + 16) std::abort();
-    }
-    framer.finish();
-    drain();
-    if (framed + framer.skipped_bytes() != size - 1 || framer.pending_bytes() != 0) std::abort();
+    echoloop::stream_in_pieces(framer, {data + 1, size - 1}, data[0] / 2 + 1U, longest + 16, take);
     decode({data, size});
     recognise({data, size});
     return 0;

@@ -1,6 +1,5 @@
 // libFuzzer: a row of packets in pieces whose sizes the input chooses, single packets with a checksum that is
 // put right, and Snappy blocks. What is read is written and read again as the same.
-#include <algorithm>
 #include <cstdlib>
 
 #include "protocols/sonar3d/codec.h"
@@ -8,6 +7,7 @@
 #include "protocols/sonar3d/inspect.h"
 #include "protocols/sonar3d/snappy.h"
 #include "protocols/wire/crc.h"
+#include "tests/protocols/fuzz_stream.h"
 
 using namespace echoloop;
 using namespace echoloop::sonar3d;
@@ -36,21 +36,11 @@ wire::Bytes framed(wire::ByteView payload, char version) {
 
 void stream(wire::ByteView bytes, std::size_t piece) {
     Framer framer;
-    std::uint64_t taken = 0;
-    const auto drain = [&] {
-        while (const auto packet = framer.next()) {
-            taken += packet->size();
-            check(*packet);
-        }
+    const auto take = [](const wire::Bytes& packet) {
+        check(packet);
+        return packet.size();
     };
-    for (std::size_t at = 0; at < bytes.size(); at += piece) {
-        framer.feed(bytes.subspan(at, std::min(piece, bytes.size() - at)));
-        drain();
-        if (framer.pending_bytes() > longest_packet) std::abort();
-    }
-    framer.finish();
-    drain();
-    if (taken + framer.skipped_bytes() != bytes.size() || framer.pending_bytes() != 0) std::abort();
+    stream_in_pieces(framer, bytes, piece, longest_packet, take);
 }
 
 }  // namespace
