@@ -94,6 +94,8 @@ struct Port {
     bool answers_half_closed = false;
     /// Stream that listens by TCP: it serves web browsers, and looks itself at whose page asks.
     bool speaks_http = false;
+    /// Stream: its place among the device's endpoints; none: behind that of the stream before.
+    std::optional<std::size_t> endpoint{};
 };
 
 /// Figures of what went wrong on the wire, printed at the end of a run.

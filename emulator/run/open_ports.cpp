@@ -11,7 +11,7 @@ namespace {
 
 PortPlace place_of(const Port& port, const Transport& transport, const std::vector<Endpoint>& endpoints,
                    std::size_t& next_stream) {
-    if (port.kind == Port::Kind::stream) return {port.name, endpoints.at(next_stream++)};
+    if (port.kind == Port::Kind::stream) return {port.name, endpoint_of(port, endpoints, next_stream)};
     const Address own = transport.wire().local;
     Endpoint place;
     place.scheme = Endpoint::Scheme::udp_listen;

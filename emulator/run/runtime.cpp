@@ -303,6 +303,7 @@ class Runtime::Impl {
         if (records.truth != nullptr || dataset_ != nullptr)
             sessions_.back()->tell(std::make_unique<DeviceTruth>(
                 records.truth, entry.name, [mount](Time time) { return mount->body_from_sonar(time); }));
+        if (entry.model->default_shot == nullptr) sessions_.back()->sends_no_pings();
         if (dataset_ != nullptr) sessions_.back()->keep_in(*dataset_, sessions_.size() - 1);
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
         if (records.remarks) sessions_.back()->remark_pings();

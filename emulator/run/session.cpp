@@ -351,7 +351,9 @@ Task<void> Session::keep_writing() {
         if (log_ != nullptr) log_->sends(ping);
         if (!remark.empty()) transports_[send.port]->annotate(remark);
         transports_[send.port]->speak_at(send.line_rate);
+        const std::uint64_t before = transports_[send.port]->bytes_out();
         co_await transports_[send.port]->write(send.bytes, send.to);
+        summary_.messages_out += transports_[send.port]->bytes_out() > before;
         if (send.hang_up) transports_[send.port]->hang_up(send.to);
     }
 }

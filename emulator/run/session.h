@@ -73,6 +73,7 @@ class Session {
     void be_watched(Watch& watch, BodyAt body) { watch_ = &watch, body_at_ = std::move(body); }
 
     /// Before start(): the first packet of each ping gets a comment that says where the sonar was.
+    void sends_no_pings() { summary_.is_sonar = false; }
     void remark_pings() { remarks_ = true; }
 
     void start();

@@ -13,6 +13,7 @@ namespace echoloop {
 /// What a session did, for the end of a run.
 struct SessionSummary {
     std::string name;
+    bool is_sonar = true;  ///< its model sends pings
     DeviceCounters device;
     std::uint64_t pings = 0;       ///< echograms delivered
     std::uint64_t late_pings = 0;  ///< delivered more than a millisecond after they were due
@@ -29,6 +30,7 @@ struct SessionSummary {
     std::size_t most_waiting = 0, most_waiting_bytes = 0;  ///< messages in the outbox at once
     std::size_t waiting = 0, waiting_bytes = 0;            ///< the same, now
     std::uint64_t bytes_in = 0, bytes_out = 0;
+    std::uint64_t messages_out = 0;      ///< of which any byte reached a driver or the network
     std::uint64_t empty_datagrams = 0;   ///< came in and mean nothing: no serial line carries them
     std::uint64_t bytes_lost = 0;        ///< a driver was there and did not take them
     std::uint64_t targets_refused = 0;   ///< datagrams not sent, since their targets are none of the peers
@@ -56,6 +58,7 @@ void for_each_figure(const SessionSummary& s, const Visit& visit) {
     visit("dropped", s.dropped, true);
     visit("bytes_in", s.bytes_in, true);
     visit("bytes_out", s.bytes_out, true);
+    visit("messages_out", s.messages_out, true);
     visit("empty_datagrams", s.empty_datagrams, true);
     visit("bytes_lost", s.bytes_lost, false);
     visit("targets_refused", s.targets_refused, true);

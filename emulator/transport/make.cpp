@@ -179,6 +179,12 @@ std::unique_ptr<Transport> as_it_is(std::unique_ptr<Transport> wire, const Port&
 
 }  // namespace
 
+const Endpoint& endpoint_of(const Port& port, const std::vector<Endpoint>& endpoints,
+                            std::size_t& next_stream) {
+    if (port.endpoint) return endpoints.at(*port.endpoint);
+    return endpoints.at(next_stream++);
+}
+
 std::unique_ptr<Transport> open_endpoint(asio::io_context& io, const std::string& uri, Browsers browsers,
                                          std::span<const Network> peers) {
     return open_stream(io, parse_endpoint(uri), 0, "", browsers, peers);
@@ -199,7 +205,8 @@ std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std:
                                              Peers(port.bind.ip, config.peers, destinations), {}, steady),
                               nullptr});
         else
-            opened.push_back(open_port(clock.io(), port, config.endpoints.at(next_stream++), config, steady));
+            opened.push_back(open_port(clock.io(), port, endpoint_of(port, config.endpoints, next_stream),
+                                       config, steady));
     }
     std::vector<std::unique_ptr<Transport>> transports;
     next_stream = 0;
@@ -209,7 +216,7 @@ std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std:
             transports.push_back(wrap(in_step(clock, std::move(wire)), ports[i]));
             continue;
         }
-        const Endpoint& endpoint = config.endpoints.at(next_stream++);
+        const Endpoint& endpoint = endpoint_of(ports[i], config.endpoints, next_stream);
         transports.push_back(door ? driver_lines(clock, door, endpoint, config, ports[i], wrap)
                                   : line_of(clock, std::move(wire), endpoint, config, ports[i], wrap));
     }
@@ -228,7 +235,8 @@ std::vector<std::unique_ptr<Transport>> make_scripted_transports(Clock& clock, c
         for (const DriverLine& line : script)
             if (line.port == i) lines.push_back(line);
         const bool stream = ports[i].kind == Port::Kind::stream;
-        const Endpoint* const endpoint = stream ? &config.endpoints.at(next_stream++) : nullptr;
+        const Endpoint* const endpoint =
+            stream ? &endpoint_of(ports[i], config.endpoints, next_stream) : nullptr;
         auto line = std::make_unique<ScriptedLine>(clock, wire_of(ports[i], endpoint, i), std::move(lines));
         if (!stream) {
             transports.push_back(wrap(std::move(line), ports[i]));

@@ -32,6 +32,10 @@ using Around = std::function<std::unique_ptr<Transport>(std::unique_ptr<Transpor
 /// port are as slow as that. A pty whose driver has set another rate carries garbage, unless the device's
 /// "automatic_baud" follows it or the endpoint says not to check. `around` comes between the wire and what a
 /// UART makes of it; nothing is put around anything before all ports are open. Throws StartError.
+/// The endpoint of a stream port, for one port after the other: `next_stream` counts, from 0.
+const Endpoint& endpoint_of(const Port& port, const std::vector<Endpoint>& endpoints,
+                            std::size_t& next_stream);
+
 std::vector<std::unique_ptr<Transport>> make_transports(Clock& clock, const std::vector<Port>& ports,
                                                         const DeviceConfig& config,
                                                         const Around& around = {});

@@ -110,7 +110,7 @@ void BeamSums::sum_beams(const FanPlan& plan, std::size_t first, std::size_t cou
     sum_rows(rows, gain, bins, count, out);
 }
 
-void BeamSums::find_stretches(const BinningInput& in) {
+void BeamSums::find_stretches(const BinningInput& in, bool with_water) {
     const double step = std::min(0.2 * in.plan.geometry.beam_width, deg_to_rad(0.05));
     constexpr std::size_t whole = 16;  // bins that the loops take at once
     stretches_.clear();
@@ -127,12 +127,11 @@ void BeamSums::find_stretches(const BinningInput& in) {
         const double middle = first + static_cast<double>(begin + end) / 2 * bin;
         stretches_.push_back({begin, end, static_cast<float>(turned(middle))});
     }
-    add_steps_of_water(in);
+    if (with_water) add_steps_of_water(in);
 }
 
 /// A few stretches of steps; the volume's echo and the surface's change little.
 void BeamSums::add_steps_of_water(const BinningInput& in) {
-    if (in.water == nullptr) return;
     constexpr std::size_t at_once = 16;  // as many as the loops take
     const RangeSteps& steps = in.water->steps();
     for (std::size_t kind = 0; kind < 2; ++kind)
@@ -216,7 +215,7 @@ void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<fl
     values.resize(plan.beams.size() * bins);
     sum_sectors(plan, lines);
     find_bearings(plan, in.offset.level);
-    find_stretches(in);
+    find_stretches(in, lines.steps() > 0);
     if (plan.far_lobes.sectors > 0) sum_nodes(plan.far_lobes, bins, lines, workers);
     const std::size_t beams = plan.beams.size();
     workers.run((beams + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {

@@ -32,7 +32,8 @@ class BeamSums {
         float turned;
     };
 
-    void find_stretches(const BinningInput& in);
+    /// `with_water`: the rows have the water's steps behind their bins.
+    void find_stretches(const BinningInput& in, bool with_water);
     void add_steps_of_water(const BinningInput& in);
     void sum_beams(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
                    LineSums& lines, const float* gain, float* out) const;

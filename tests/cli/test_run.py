@@ -31,6 +31,13 @@ class Run(ProgramTest):
         self.assertRegex(text, r"(?m)^  from the driver: 0 bytes, 0 messages understood, 0 refused")
         self.assertFalse(link.is_symlink())
 
+    def test_a_unit_that_sends_no_pings_is_summed_up_by_its_messages(self):
+        unit = ("--set", "devices.ins.endpoints=['udp://127.0.0.1:9']")
+        text = self.good("run", str(ROOT / "config" / "ins.yaml"), "--duration", "1", *unit)
+        self.assertRegex(text, r"(?m)^ins +[1-9][0-9]* messages; it is no sonar and sends no pings$")
+        self.assertNotIn("late", text)
+        self.assertNotIn("all sonars", text)
+
     def test_a_signal_ends_it_cleanly(self):
         link = self.folder / "micron"
         for number in (signal.SIGINT, signal.SIGTERM):

@@ -1,6 +1,7 @@
 """Stepped runs of the net: one of each model, and some of several sonars at once. Names of models are those of
 `echoloop list`; a model that stands in no run is an error of the net."""
 
+import log_talkers
 import talkers
 from stepped import Device, Run
 
@@ -36,11 +37,36 @@ def br(model, words, **more):
     return one(model, ["tcp-listen://127.0.0.1:51200", "udp-listen://127.0.0.1:51200"], ports, words, **more)
 
 
+def altimeter(model):
+    return one(model, PTY, LINE, talkers.on("line", *log_talkers.ALTIMETERS[model]), pitch=90, **DOWN)
+
+
+def waterlinked(model):
+    """JSON by TCP, HTTP and the serial line."""
+    ports = {"tcp": ("tcp", 16171), "line": ("pty", "line")}
+    return one(model, ["tcp-listen://127.0.0.1:16171", "tcp-listen://127.0.0.1:8070", *PTY], ports, log_talkers.waterlinked(), **DOWN)
+
+
+def teledyne(model, options):
+    return one(model, PTY, LINE, log_talkers.teledyne(), options=options, **DOWN)
+
+
+INS = ["udp://127.0.0.1:10110?local_port=10111", "pty:{folder}/tss1", "pty:{folder}/em3000"]
 MODELS = {
     "aris-1200": aris("aris-1200", 1),
     "aris-1800": aris("aris-1800", 3),
     "aris-3000": aris("aris-3000", 6),
+    **{model: altimeter(model) for model in log_talkers.ALTIMETERS},
+    "dvl-a50": waterlinked("dvl-a50"),
+    "dvl-a125": waterlinked("dvl-a125"),
+    "dvl-explorer": teledyne("dvl-explorer", "format: pd5"),
+    "dvl-navigator": teledyne("dvl-navigator", "frame: ship"),
+    "dvl-pathfinder": teledyne("dvl-pathfinder", "heading_alignment: 4500"),
+    "edgetech-2205": one("edgetech-2205", ["tcp-listen://127.0.0.1:1700", "tcp-listen://127.0.0.1:1701"],
+                         {"commands": ("tcp", 1700), "data": ("tcp", 1701)}, log_talkers.edgetech(), scene="manifold", at=(-9, 0, -5)),
     "imagenex-852": one("imagenex-852", PTY, LINE, talkers.imagenex_852(), pitch=90, **DOWN),
+    "imagenex-872": one("imagenex-872", ["tcp-listen://127.0.0.1:4040"], {"tcp": ("tcp", 4040)}, log_talkers.imagenex_872(),
+                        scene="manifold", at=(-9, 0, -5)),
     "imagenex-881a": one("imagenex-881a", PTY, LINE, talkers.imagenex_881a(), options="azimuth_drive: true"),
     "imagenex-deltat": one("imagenex-deltat", ["udp://127.0.0.1:4040?local_port=4041"], {"83P": ("udp", 4040, 4041)},
                            talkers.deltat(), pitch=90, options="range: 20, frame_rate: 4", **DOWN),
@@ -49,9 +75,13 @@ MODELS = {
                            options="range: 15, ping_rate: 4, pinging: false", **DOWN),
     "micron-echosounder": one("micron-echosounder", PTY, LINE, [None] * 12, pitch=90, **DOWN),
     "nmea-echosounder": one("nmea-echosounder", PTY, LINE, [None] * 12, pitch=90, **DOWN),
+    "nmea-ins": one("nmea-ins", INS, {"sentences": ("udp", 10110, None), "tss1": ("pty", "tss1"), "em3000": ("pty", "em3000")},
+                    [None] * 8, **DOWN),
     "norbit-wbms": one("norbit-wbms", [f"tcp-listen://127.0.0.1:{port}" for port in (2209, 2210, 2211)],
                        {"commands": ("tcp", 2209), "bathymetry": ("tcp", 2210), "water column": ("tcp", 2211)}, talkers.norbit(),
                        pitch=90, **DOWN),
+    "nortek-nucleus": one("nortek-nucleus", ["tcp-listen://127.0.0.1:9000", "tcp-listen://127.0.0.1:9002", *PTY],
+                          {"commands": ("tcp", 9000), "data": ("tcp", 9002), **LINE}, log_talkers.nucleus(), **DOWN),
     "oculus-m1200d": oculus("oculus-m1200d"),
     "oculus-m3000d": oculus("oculus-m3000d"),
     "oculus-m370s": oculus("oculus-m370s"),

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/render/meshes.h"
+#include "tests/render/ping_motions.h"
 #include "tests/render/shots.h"
 
 namespace echoloop {
@@ -53,6 +54,26 @@ TEST(ObjectTruth, NamesWhatStandsAtTheRangeOfABin) {
     const std::size_t at_box = beam_at(shot, std::atan2(2, 6));  // clockwise is starboard, -y
     EXPECT_EQ(object_at(e, at_box, 6.05 / std::cos(shot.bearings[at_box])), 3);
     EXPECT_EQ(object_at(e, at_box, 12.1 / std::cos(shot.bearings[at_box])), 0) << "the box hides the wall";
+}
+
+/// The water's steps, which stand behind the bins of the levels, have no place behind these.
+TEST(ObjectTruth, IsThatOfARestingFanWhereItTurnsInWaterThatSendsSoundBack) {
+    RendererOptions options = patterned();
+    options.effects.set(Effect::reverberation);
+    Water water = water_of(1500);
+    water.scattering = {{0, -75}};  // dB, of a clear sea
+    Renderer renderer(room(), water, options);
+    const Shot shot = fan(90, 10, 90, bins, range);
+    const Echogram still = renderer.render(shot, with_objects());
+    Situation turning = with_objects();
+    turning.turning.z = deg_to_rad(5);  // 0.1 deg in 20 ms
+    for (int ping = 0; ping < 5; ++ping) {
+        const Echogram e = renderer.render(shot, turning);
+        ASSERT_EQ(e.objects.size(), still.objects.size());
+        std::size_t others = 0;
+        for (std::size_t i = 0; i < e.objects.size(); ++i) others += e.objects[i] != still.objects[i];
+        EXPECT_LT(others, e.objects.size() / 50) << "a bin or two at the box's edges";
+    }
 }
 
 TEST(ObjectTruth, NamesTheFloorBelowADippedFan) {

@@ -27,7 +27,10 @@ std::string late(const SessionSummary& s) {
            " because the program was woken late), the worst by " + in_ms(s.worst_lateness) + ": " + remedy(s);
 }
 
-std::string punctuality(const SessionSummary& s) { return counted(s.pings, "ping") + ", " + late(s); }
+std::string punctuality(const SessionSummary& s) {
+    if (!s.is_sonar) return counted(s.messages_out, "message") + "; it is no sonar and sends no pings";
+    return counted(s.pings, "ping") + ", " + late(s);
+}
 
 /// Of all sonars together, as far as punctuality() tells it.
 SessionSummary sum_of(const std::vector<SessionSummary>& sessions) {
@@ -77,7 +80,8 @@ void print_summary(const std::vector<SessionSummary>& sessions) {
             std::printf("  not sent: %s to addresses that are none of the peers\n",
                         counted(s.targets_refused, "datagram").c_str());
     }
-    if (sessions.size() > 1)
+    const auto sonars = std::ranges::count(sessions, true, &SessionSummary::is_sonar);
+    if (sonars > 1)
         std::printf("%s%s\n", padded("all sonars", 16).c_str(), punctuality(sum_of(sessions)).c_str());
 }
 

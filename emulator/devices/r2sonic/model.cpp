@@ -6,6 +6,8 @@
 namespace echoloop::r2sonic_device {
 namespace {
 
+constexpr std::size_t most_endpoints = first_input + input_count;
+
 Address base_address(const Endpoint& endpoint, Endpoint::Scheme scheme, const char* what) {
     if (endpoint.scheme != scheme)
         throw std::invalid_argument(to_string(endpoint) + ": " + what + " must be " +
@@ -17,15 +19,23 @@ Address base_address(const Endpoint& endpoint, Endpoint::Scheme scheme, const ch
 }
 
 Wiring read_wiring(const std::vector<Endpoint>& endpoints) {
-    if (endpoints.size() < 2 || endpoints.size() > 3)
+    if (endpoints.size() < 2 || endpoints.size() > most_endpoints)
         throw std::invalid_argument(
             "an r2sonic head needs two endpoints, its own and the host's base port, e.g. "
-            "[\"udp-listen://127.0.0.1:65500\", \"udp://127.0.0.1:65400\"]; a third, udp-listen, adds a SIM");
+            "[\"udp-listen://127.0.0.1:65500\", \"udp://127.0.0.1:65400\"]; a third, udp-listen, adds a SIM, "
+            "and up to three "
+            "more its motion sensor, GPS receiver and sound velocity probe");
     Wiring wiring;
     wiring.head = base_address(endpoints[0], Endpoint::Scheme::udp_listen, "the head's own endpoint");
     wiring.gui = base_address(endpoints[1], Endpoint::Scheme::udp, "the host's endpoint");
-    if (endpoints.size() == 3)
+    if (endpoints.size() > 2)
         wiring.sim = base_address(endpoints[2], Endpoint::Scheme::udp_listen, "the SIM's endpoint");
+    for (std::size_t i = first_input; i < endpoints.size(); ++i)
+        if (endpoints[i].scheme == Endpoint::Scheme::udp)
+            throw std::invalid_argument(to_string(endpoints[i]) +
+                                        ": an input of the SIM hears, e.g. at udp-listen://127.0.0.1:5001 or "
+                                        "pty:/tmp/echoloop/motion");
+    wiring.all = endpoints;
     return wiring;
 }
 

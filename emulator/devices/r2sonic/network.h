@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "emulator/contract/endpoint.h"
 #include "emulator/devices/r2sonic/settings.h"
 #include "protocols/r2sonic/messages.h"
 
@@ -16,6 +17,7 @@ struct Wiring {
     Address head;                ///< own address, base port
     Address gui;                 ///< host, base port: where data goes
     std::optional<Address> sim;  ///< own address of the SIM, base port
+    std::vector<Endpoint> all;   ///< as the scenario has them
 };
 
 /// R2Sonic counts up to 7 ports from a base port.

@@ -1,9 +1,12 @@
 // The datagrams that a Sonic 20xx sends about one ping, and its status. Pure functions; no sockets, no clock.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "emulator/devices/family/multibeam/bottom.h"
+#include "emulator/devices/r2sonic/inputs.h"
 #include "emulator/devices/r2sonic/ping.h"
 #include "protocols/r2sonic/messages.h"
 #include "render/echogram.h"
@@ -62,6 +65,9 @@ struct Health {
     std::uint32_t received = 0, sent = 0;  ///< datagrams
     bool head_on = true;
     bool sync_pulses = false;
+    std::optional<MotionReading> motion{};  ///< of the SIM's input, where there is one
+    std::optional<double> sound_speed{};    ///< m/s, the same
+    std::array<Lamp, input_count> lamps{Lamp::good, Lamp::good, Lamp::good};  ///< by Input
 };
 r2sonic::Sth0 head_status(const Settings& settings, const Health& health);
 r2sonic::Sts0 sim_status(const Settings& settings, const Health& health);

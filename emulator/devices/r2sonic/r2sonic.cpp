@@ -23,8 +23,33 @@ bool follows_bottom(const Controls& controls) { return (controls.auto_range & 0x
 R2Sonic::R2Sonic(const Settings& settings, const Wiring& wiring)
     : settings_(settings),
       network_(wiring, settings),
+      inputs_(wiring.all, first_input),
+      first_input_port_(network_.ports().size()),
       controls_(settings.start),
       sync_edge_(wiring.sim ? 0 : 1) {}  // without a SIM nobody can set it
+
+std::vector<Port> R2Sonic::ports() const {
+    std::vector<Port> ports = network_.ports();
+    for (Port& port : inputs_.ports()) ports.push_back(std::move(port));
+    return ports;
+}
+
+void R2Sonic::reconnected(std::size_t port) {
+    if (is_input(port)) inputs_.reconnected(port - first_input_port_);
+}
+
+void R2Sonic::line_rate(std::size_t port, double rate) {
+    if (is_input(port)) inputs_.line_rate(port - first_input_port_, rate);
+}
+
+DeviceCounters R2Sonic::counters() const {
+    DeviceCounters sum = counters_;
+    const DeviceCounters& heard = inputs_.counters();
+    sum.messages += heard.messages;
+    sum.rejected += heard.rejected;
+    sum.skipped_bytes += heard.skipped_bytes;
+    return sum;
+}
 
 Actions R2Sonic::started(Time now) {
     next_status_ = next_presence_ = now;
@@ -33,6 +58,10 @@ Actions R2Sonic::started(Time now) {
 }
 
 Actions R2Sonic::received(const Received& data, Time now) {
+    if (is_input(data.port)) {
+        inputs_.received(data.port - first_input_port_, data.bytes, now, true_time(now));
+        return take_actions();
+    }
     ++datagrams_received_;
     if (const auto packet = r2sonic::parse(data.bytes))
         obey(*packet, data, now);
@@ -71,11 +100,23 @@ void R2Sonic::obey_head(const r2sonic::Cmd0& set) {
 Controls R2Sonic::controls_in_use() const {
     Controls in_use = controls_;
     in_use.range = followed_range_.value_or(controls_.range);
+    if (inputs_.is_wired(Input::svp) && !in_use.use_sound_speed) {
+        in_use.use_sound_speed = true;
+        in_use.sound_speed = inputs_.sound_speed().value_or(controls_.sound_speed);
+    }
     return in_use;
+}
+
+/// As the head is told it: by the SIM's motion input, where there is one, which knows no depth.
+Attitude R2Sonic::attitude(Time now) const {
+    if (!inputs_.is_wired(Input::motion)) return attitude_;
+    const MotionReading told = inputs_.motion(now).value_or(MotionReading{});
+    return {told.roll, told.pitch, attitude_.depth};
 }
 
 void R2Sonic::obey_sim(const r2sonic::Cmd0& set) {
     for (const r2sonic::Command& command : set.commands) {
+        inputs_.obey(command);
         const std::string_view name = command.name.view();
         if (name == "SPO0") switch_head(command.as_u32() != 0);
         if (name == "SYI0") sync_edge_ = std::min(command.as_u32(), 2U);
@@ -126,13 +167,14 @@ void R2Sonic::transmit(Time now) {
         ping_.controls = with_set(ping_.controls, ping_.number % settings_.mode_sets);
     ping_.time = unix_time(now);
     ping_.since_start = now;
-    ping_.attitude = attitude_;
+    ping_.attitude = attitude(now);
     ++ping_.number;
-    ping_.beams = beam_angles(ping_.controls, attitude_.roll, bottom_normal(seabed_, attitude_.roll));
+    const double roll = ping_.attitude.roll;
+    ping_.beams = beam_angles(ping_.controls, roll, bottom_normal(seabed_, roll));
     const Time due =
         now + from_seconds(range_time(ping_.controls, settings_)) + from_seconds(settings_.processing_time);
     actions_.ping =
-        Ping{make_shot(ping_.controls, settings_, ping_.beams, attitude_.pitch, ping_.number), due};
+        Ping{make_shot(ping_.controls, settings_, ping_.beams, ping_.attitude.pitch, ping_.number), due};
 }
 
 Actions R2Sonic::heard(const Echogram& echogram, Time now) {
@@ -177,7 +219,7 @@ void R2Sonic::follow_bottom(const std::vector<multibeam::Detection>& detections)
     if (times.size() > detections.size() / 4) {
         const auto farthest = times.begin() + static_cast<std::ptrdiff_t>(times.size() * 49 / 50);
         std::nth_element(times.begin(), farthest, times.end());
-        range = 1.2 * *farthest * working_sound_speed(controls_, settings_) / 2;
+        range = 1.2 * *farthest * working_sound_speed(controls_in_use(), settings_) / 2;
     }
     if (std::abs(range - in_use) > 0.05 * in_use) followed_range_ = std::clamp(range, 2.0, 1200.0);
 }
@@ -213,10 +255,23 @@ void R2Sonic::send_presence(Time now) {
     if (network_.has_sim()) tell(sim_commands, settings_.sim_serial, network_.sim_config());
 }
 
+Health R2Sonic::health(Time now) const {
+    Health h{.unix_time = unix_time(now),
+             .since_start = now,
+             .attitude = attitude(now),
+             .received = datagrams_received_,
+             .sent = datagrams_sent_,
+             .head_on = head_on_,
+             .sync_pulses = settings_.sync_in > 0};
+    if (inputs_.is_wired(Input::motion)) h.motion = inputs_.motion(now).value_or(MotionReading{});
+    if (inputs_.is_wired(Input::svp)) h.sound_speed = inputs_.sound_speed().value_or(0);
+    for (std::size_t i = 0; i < input_count; ++i) h.lamps[i] = inputs_.lamp(static_cast<Input>(i), now);
+    return h;
+}
+
 void R2Sonic::send_status(Time now) {
     next_status_ = now + status_period;
-    const Health health{unix_time(now),       now, attitude_, datagrams_received_, datagrams_sent_, head_on_,
-                        settings_.sync_in > 0};
+    const Health health = this->health(now);
     if (head_on_ && controls_.status != 0)
         send(head_commands, head_status(settings_, health), Product::status);
     if (network_.has_sim() && sim_status_ != 0)

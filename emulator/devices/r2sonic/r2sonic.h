@@ -8,6 +8,7 @@
 #include "emulator/contract/last_measured.h"
 #include "emulator/contract/model.h"
 #include "emulator/contract/ping_pacer.h"
+#include "emulator/devices/r2sonic/inputs.h"
 #include "emulator/devices/r2sonic/network.h"
 #include "emulator/devices/r2sonic/packets.h"
 #include "emulator/devices/r2sonic/settings.h"
@@ -18,13 +19,14 @@ class R2Sonic final : public Device {
   public:
     R2Sonic(const Settings& settings, const Wiring& wiring);
 
-    std::vector<Port> ports() const override { return network_.ports(); }
+    std::vector<Port> ports() const override;
     Actions started(Time now) override;
     Actions received(const Received& data, Time now) override;
     Actions heard(const Echogram& echogram, Time now) override;
     Actions woken(Time now) override;
-    void reconnected(std::size_t) override {}
-    DeviceCounters counters() const override { return counters_; }
+    void reconnected(std::size_t port) override;
+    void line_rate(std::size_t port, double rate) override;
+    DeviceCounters counters() const override;
 
   private:
     void obey(const r2sonic::Packet& packet, const Received& data, Time now);
@@ -33,6 +35,9 @@ class R2Sonic final : public Device {
     void count_unknown(std::string_view name);
     void switch_head(bool on);
     Controls controls_in_use() const;
+    Attitude attitude(Time now) const;
+    Health health(Time now) const;
+    bool is_input(std::size_t port) const { return port >= first_input_port_; }
     void plan_next_ping(Time now);
     Time next_sync(Time from) const;
     void transmit(Time now);
@@ -42,11 +47,15 @@ class R2Sonic final : public Device {
     void send_products(const Echogram& echogram, const std::vector<multibeam::Detection>& detections,
                        const std::vector<multibeam::TimeGate>& gates, Time now);
     void send(std::size_t port, const r2sonic::Packet& packet, Product product);
-    double unix_time(Time now) const { return settings_.unix_start + to_seconds(now); }
+    double true_time(Time now) const { return settings_.unix_start + to_seconds(now); }
+    /// As head and SIM take it to be, s.
+    double unix_time(Time now) const { return inputs_.clock(now, true_time(now)); }
     Actions take_actions();
 
     Settings settings_;
     Network network_;
+    Inputs inputs_;
+    std::size_t first_input_port_;
     Controls controls_;
     std::optional<double> followed_range_;  ///< m, in the place of RNG0 while AUT0 is set
     bool head_on_ = true;                   ///< SPO0
@@ -68,6 +77,9 @@ class R2Sonic final : public Device {
     DeviceCounters counters_;
     std::set<std::string> unknown_names_;  ///< of commands, counted already
 };
+
+/// Place of the SIM's first input among the endpoints.
+inline constexpr std::size_t first_input = 3;
 
 /// The rows of the table of models: one for each of the series.
 std::vector<Model> models();

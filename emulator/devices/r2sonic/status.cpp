@@ -28,6 +28,12 @@ void put_motion(const Settings& settings, const Health& health, To& to) {
     to.pitch = read("pitch", health.attitude.pitch, deg_to_rad(1) * stray::motion);
     to.heave = read("heave", 0, stray::depth);
     to.sound_speed = read("sound speed", settings.sound_speed, stray::sound_speed);
+    if (health.motion) {
+        to.roll = static_cast<float>(health.motion->roll);
+        to.pitch = static_cast<float>(health.motion->pitch);
+        to.heave = static_cast<float>(health.motion->heave);
+    }
+    if (health.sound_speed) to.sound_speed = static_cast<float>(*health.sound_speed);
 }
 
 }  // namespace
@@ -66,9 +72,13 @@ Sts0 sim_status(const Settings& settings, const Health& health) {
     sensors.gps_fraction = fraction;
     put_motion(settings, health, sensors);
     constexpr std::uint32_t good = 3, off = 0;
-    const std::uint32_t lamps =
-        good | good << 2 | good << 6 | good << 16 | (health.sync_pulses ? good : off) << 18 |
-        (health.head_on ? good : off) << 22;  // gps, motion, svp, pps, sync in, head on
+    const auto lamp = [&](Input input) {
+        return static_cast<std::uint32_t>(health.lamps[static_cast<std::size_t>(input)]);
+    };
+    const std::uint32_t lamps = lamp(Input::gps) | lamp(Input::motion) << 2 | lamp(Input::svp) << 6 |
+                                good << 16 | (health.sync_pulses ? good : off) << 18 |
+                                (health.head_on ? good : off)
+                                    << 22;  // gps, motion, svp, pps, sync in, head on
     Sts0 status;
     status.sections = {
         Ser3{settings.sim_serial},

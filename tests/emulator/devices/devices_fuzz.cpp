@@ -53,9 +53,13 @@ Options some_options(const Model& model, unsigned seed) {
 /// Reading a profile takes longer than most inputs, so it is read once.
 DeviceConfig config_of(const Model& model) {
     static std::map<std::string, DeviceConfig> read;
-    const auto found = read.find(model.name);
-    return found != read.end() ? found->second
-                               : read.emplace(model.name, test::make_config(model)).first->second;
+    if (const auto found = read.find(model.name); found != read.end()) return found->second;
+    DeviceConfig config = test::make_config(model);
+    if (model.family == "r2sonic")  // with a SIM and all that may be wired to it
+        for (const char* more : {"udp-listen://127.0.0.1:65300", "pty:/tmp/echoloop-motion",
+                                 "udp-listen://127.0.0.1:5002", "pty:/tmp/echoloop-svp"})
+            config.endpoints.push_back(parse_endpoint(more));
+    return read.emplace(model.name, config).first->second;
 }
 
 /// A device on a bench that hears a few pings only: one that pings by itself must not eat the time.
