@@ -102,13 +102,13 @@ def school():
     return mesh_scene(points, triangles, {"mu_db": -10})
 
 
-def boat(seconds=30, step=0.05):
-    """1 m/s to the east in waves: 0.1 m up and down in 5 s, 10 deg of roll in 4 s."""
+def boat(seconds=30, step=0.05, depth=12, roll_deg=10, heave=0.1):
+    """1 m/s to the east in waves: `heave` m up and down in 5 s, `roll_deg` of roll in 4 s."""
     lines = ["t,x,y,z,qw,qx,qy,qz"]
     for n in range(int(seconds / step)):
         t = n * step
-        roll = math.radians(10) * math.sin(2 * math.pi * t / 4)
-        lines.append(f"{t},{t - 3},0,{-12 + 0.1 * math.sin(2 * math.pi * t / 5)},{math.cos(roll / 2)},{math.sin(roll / 2)},0,0")
+        roll = math.radians(roll_deg) * math.sin(2 * math.pi * t / 4)
+        lines.append(f"{t},{t - 3},0,{-depth + heave * math.sin(2 * math.pi * t / 5)},{math.cos(roll / 2)},{math.sin(roll / 2)},0,0")
     return "\n".join(lines) + "\n"
 
 
@@ -151,6 +151,22 @@ class ThingsInTheWater(unittest.TestCase):
         self.assertGreater(len(set(heaves)), 5)
         self.assertTrue(all(abs(h) < 0.35 for h in heaves))
         self.assertGreater(max(heaves) - min(heaves), 0.05)
+
+
+class OneSecond(unittest.TestCase):
+    """25 pings of an EM 2040P within 1.0 s, 3.3 m above a bottom (512 soundings 13 mm apart): 24 pings a second, edges at
+    45.06 deg, 3 m of coverage to port and one sound speed at the head in all."""
+
+    def test_coverage_and_sound_speed_stand_still(self):
+        scenario = SCENARIO.replace("scenes/flat.glb", "{scenes}/flat.glb").replace("range: 25, water_column: true,", "range: 6, sector_width: 90.12, ping_rate: 24, probe_interval: 5,")
+        scenario = scenario.replace("pose: {position: [0, 0, -12], rpy_deg: [0, 0, 0]}", "trajectory: boat.csv")
+        pings, _ = capture(self, scenario, 25, {"boat.csv": boat(depth=16.7, roll_deg=1, heave=0.02)})
+        pings = pings[:25]
+        values = lambda field: {p[field] for p in pings}
+        print("coverage", values("ping.port_coverage_m"), values("ping.starboard_coverage_m"), "deg", values("ping.port_coverage"), "speed", values("ping.sound_speed"))
+        self.assertEqual(values("ping.port_coverage_m"), {-3}, "negative to port")
+        self.assertEqual(len(values("ping.sound_speed")), 1)
+        self.assertGreater(len(values("ping.port_coverage")), 5, "in degrees they vary")
 
 
 if __name__ == "__main__":

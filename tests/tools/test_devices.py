@@ -69,6 +69,17 @@ class EveryModel(unittest.TestCase):
                 self.assertRegex(text, r"(?i)\bsource", f"{name}: where do the numbers come from?")
                 self.assertLess(len(device_table.few_words(folder / "README.md")), 160, "few words for the main README")
 
+    def test_says_how_long_it_takes_between_echo_and_answer(self):
+        """Nothing is published of most: then it is an option, and the README says so."""
+        for model, (name, folder) in zip(MODELS, FOLDERS):
+            if any(option["name"] == "processing_time" for option in model["options"]):
+                with self.subTest(name):
+                    shared = (ROOT / "emulator" / "devices" / "nmea-echosounder" / "README.md").read_text()
+                    text = (folder / "README.md").read_text()
+                    if "as in the `nmea-echosounder`" in text:
+                        text += shared
+                    self.assertIn("`processing_time`", text)
+
     def test_has_a_profile_with_a_source_for_every_figure(self):
         for model in MODELS:
             with self.subTest(model["name"]):

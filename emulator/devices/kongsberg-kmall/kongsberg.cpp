@@ -14,9 +14,10 @@ constexpr std::string_view text_ends{"\r\n\0", 3};
 
 constexpr Time texts_interval = std::chrono::seconds(1);  // of 616; that of the others is own choice
 
-/// m/s, of the probe at the head. Within a second 25 and 6 pings of real systems have one value or two, some
-/// mm/s apart; 5 pings within 4 s have five, 3 to 8 mm/s apart.
-constexpr Stray probe{.drift = 0.05, .noise = 0.004, .every = 1};
+/// m/s, of the probe at the head: values of real systems lie 3 to 8 mm/s apart.
+Stray probe_of(const Settings& settings) {
+    return {.drift = 0.05, .noise = 0.004, .every = settings.probe_interval};
+}
 
 // Numbers of the texts to the controller, and of one of its own.
 constexpr unsigned choose = 13, ready = 39, get_values = 261, set_values_number = 262,
@@ -154,6 +155,7 @@ Actions Kongsberg::heard(const Echogram& echogram, Time now) {
     const multibeam::TimeGate window{0, static_cast<double>(shot.bins) * shot.bin_interval};
     const std::vector<multibeam::TimeGate> gates(echogram.beams(), window);
     // Of the head's own sensor, where it was when it last measured.
+    const Stray probe = probe_of(settings_);
     settings_.sound_speed = probe_.of(echogram.sound_speed, settings_.sensors, probe, now);
     Settings s = ping_settings_;
     s.sound_speed = s.sensors.read("sound speed", settings_.sound_speed, probe, now);

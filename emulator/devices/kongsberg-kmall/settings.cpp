@@ -64,6 +64,9 @@ void describe_words(Settings& s, OptionList& o) {
              "401: a known driver's list of texts; 814: its code");
     o.number(s.datagram_gap, "datagram_gap", "s", 0, 0.1, "pause between the parts of a water column",
              "own choice: receivers with default buffers lose faster bursts");
+    o.number(
+        s.probe_interval, "probe_interval", "s", 0.02, 60, "from one sound speed at the head to the next",
+        "files of an EM 2042: five values in 5 pings within 4 s; an EM 2040P has one in 25 pings within 1 s");
     o.number(s.processing_time, "processing_time", "s", 0, 1, "from the last echo to the datagrams", own);
 }
 

@@ -40,6 +40,7 @@ struct Settings {
     double latitude = 0, longitude = 0;  ///< deg, of the scene's origin
     double datagram_gap = 2e-3;          ///< s
     double processing_time = 5e-3;       ///< s from the last sample to the datagrams
+    double probe_interval = 1;           ///< s from one sound speed at the head to the next
     // The profile; beam widths in rad at the frequency.
     double source_level = 0;         ///< dB re 1 uPa at 1 m, at full power
     double reference_frequency = 0;  ///< Hz, of the profile's beam widths

@@ -35,8 +35,12 @@ struct Pixel {
 std::optional<Pixel> strongest(const Echogram& echogram, std::size_t beam, const Plan& plan,
                                const Settings& settings);
 
+/// m, between distances that it tells: all 62,000 of six real images lie on a comb of 1.5624 mm, each rounded
+/// to the nearest count of its pixel's scale.
+inline constexpr double range_step = 1.0 / 640;
+
 /// The range image with its distances as a real sonar has them: each the median of itself and its four
-/// neighbours, so that neighbours are often equal. 0 is no distance and stays so.
+/// neighbours, twice, so that neighbours are often equal. 0 is no distance and stays so.
 std::vector<std::uint32_t> smoothed(std::vector<std::uint32_t> distances);
 
 /// m/s, of water near the surface: Mackenzie 1981. `temperature` in degC, `salinity` in ppt.

@@ -164,7 +164,8 @@ void Sonar::send_image(const Echogram& echogram) {
         constexpr Stray echo{.noise = 0.05};
         const Time own{static_cast<Time::rep>(beam)};
         const double told = settings_.sensors.read("range", pixel->distance, echo, shooting_->start + own);
-        const long counts = std::lround(told / static_cast<double>(pixel_scale));
+        const double stepped = range_step * std::round(told / range_step);
+        const long counts = std::lround(stepped / static_cast<double>(pixel_scale));
         distances[view_.pixel_of(beam)] = static_cast<std::uint32_t>(std::clamp(counts, 1L, 65535L));
         strengths[view_.pixel_of(beam)] = pixel->strength;
     }

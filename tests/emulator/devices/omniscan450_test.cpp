@@ -289,6 +289,7 @@ TEST(Omniscan450, DropsWhatItDoesNotKnowAndNeverAnswersAnswers) {
 }
 
 TEST(Omniscan450, IsFoundWhereItIsToldTo) {
+    EXPECT_EQ(omniscan({{"discovery", std::string("off")}}).device().ports().size(), 2U) << "as a Ping360's";
     Bench bench = omniscan({{"discovery", std::string("127.0.0.1")}});
     const auto ports = bench.device().ports();
     ASSERT_EQ(ports.size(), 3U);

@@ -39,8 +39,8 @@ void describe(Identity& i, OptionList& o) {
             "4096",
             "Ethernet frame of 1500 bytes less the headers of IP and UDP");
     describe(i.baud, i.line, o);
-    o.text(i.discovery, "discovery", "IPv4 address to announce on UDP 30303 of that interface; empty: silent",
-           spec);
+    o.text(i.discovery, "discovery",
+           "IPv4 address to announce on UDP 30303 of that interface; empty or off: silent", spec);
     o.text(i.discovery_name, "discovery_name", "first line of the announcement",
            "own choice after the maker's other sonars; their real line is not public");
 }
@@ -64,7 +64,7 @@ bool is_speed_of_sound(std::uint32_t speed) {
 
 std::vector<Port> make_ports(const std::vector<Endpoint>& endpoints, const Identity& identity) {
     std::vector<Port> ports = ping_device::link_ports(endpoints, identity.baud);
-    if (!identity.discovery.empty()) {
+    if (!identity.discovery.empty() && identity.discovery != "off") {
         const Endpoint at =
             parse_endpoint("udp-listen://" + identity.discovery + ":" + std::to_string(discovery_port));
         ports.push_back({"discovery", Port::Kind::datagram, {at.ip, at.port}, true});
