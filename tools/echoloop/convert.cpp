@@ -178,31 +178,31 @@ int run_convert(const Arguments& arguments) {
 
 Verb convert_verb() {
     using Kind = Argument::Kind;
-    return {
-        "convert",
-        "convert a capture to the sonar maker's own file format",
-        {{Kind::positional,
-          "CAPTURE",
-          "",
-          "pcap, pcapng, a maker's recording, a serial log as text, or raw bytes",
-          {},
-          true},
-         {Kind::positional,
-          "OUT",
-          "",
-          "file to write: .852 or .81A (Imagenex), .kmall, .s7k, .jsf (EdgeTech), .xtf (EdgeTech, Imagenex "
-          "872), .svlog (Cerulean), .bin (Ping Viewer), .aris, .csv, .mcap (bag for ROS 2 and Foxglove)",
-          {},
-          true},
-         {Kind::value, "--line", "NAME",
-          "the line to convert, if the capture holds several: its name, an address or a port number"},
-         {Kind::value, "--message", "NAME", "of .csv: only this kind of message, e.g. DeviceData"}},
-        "  echoloop run config/imagenex-852.yaml --record dive.pcapng\n"
-        "  echoloop convert dive.pcapng dive.852\n"
-        "  echoloop convert survey.pcap survey.kmall\n"
-        "  echoloop convert dive.pcapng dive.mcap\n"
-        "  echoloop convert dive.pcapng angles.csv --message DeviceData",
-        run_convert};
+    return {"convert",
+            "convert a capture to the sonar maker's own file format",
+            {{Kind::positional,
+              "CAPTURE",
+              "",
+              "pcap, pcapng, a maker's recording, a serial log as text, or raw bytes",
+              {},
+              true},
+             {Kind::positional,
+              "OUT",
+              "",
+              "file to write: .852 or .81A (Imagenex), .kmall, .s7k, .jsf (EdgeTech), .xtf (EdgeTech, "
+              "Imagenex 872), .svlog (Cerulean), .bin (Ping Viewer), .aris, .csv, .mcap (bag for ROS 2 and "
+              "Foxglove)",
+              {},
+              true},
+             {Kind::value, "--line", "NAME",
+              "the line to convert, if the capture holds several: its name, an address or a port number"},
+             {Kind::value, "--message", "NAME", "of .csv: only this kind of message, e.g. DeviceData"}},
+            "  echoloop run config/imagenex-852.yaml --record dive.pcapng\n"
+            "  echoloop convert dive.pcapng dive.852\n"
+            "  echoloop convert survey.pcap survey.kmall\n"
+            "  echoloop convert dive.pcapng dive.mcap\n"
+            "  echoloop convert dive.pcapng angles.csv --message DeviceData",
+            run_convert};
 }
 
 }  // namespace echoloop::cli
