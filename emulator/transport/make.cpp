@@ -25,8 +25,13 @@ struct OwnEnd {
     Paced::OtherRate other = Paced::OtherRate::ignored;
 };
 
+/// Devices call the port of their serial line "line", with a number where there are several. By TCP it stands
+/// for a server of that line, and is as slow; other ports are sockets of the device's own.
+bool is_serial_line(const Port& port) { return port.name.starts_with("line"); }
+
 /// By the options "baud" and "automatic_baud", where a model has them.
-OwnEnd own_end(const DeviceConfig& config, const Endpoint& endpoint) {
+OwnEnd own_end(const DeviceConfig& config, const Port& port, const Endpoint& endpoint) {
+    if (!is_serial_line(port)) return {};
     const auto baud = config.options.find("baud"), automatic = config.options.find("automatic_baud");
     OwnEnd end;
     if (baud == config.options.end()) return end;
@@ -104,7 +109,7 @@ bool has_driver_lines(const Port& port, const Endpoint& endpoint) {
 Opened open_port(asio::io_context& io, const Port& port, const Endpoint& endpoint, const DeviceConfig& config,
                  const std::string& steady) {
     if (!has_driver_lines(port, endpoint))
-        return {open_stream(io, endpoint, own_end(config, endpoint).rate, steady, Browsers::turned_away,
+        return {open_stream(io, endpoint, own_end(config, port, endpoint).rate, steady, Browsers::turned_away,
                             config.peers),
                 nullptr};
     constexpr int few_messages = 256 << 10;  // B, which the system doubles
@@ -127,7 +132,7 @@ std::unique_ptr<Transport> paced(Clock& clock, std::unique_ptr<Transport> line, 
 
 std::unique_ptr<Transport> line_of(Clock& clock, std::unique_ptr<Transport> opened, const Endpoint& endpoint,
                                    const DeviceConfig& config, const Port& port, const Around& around) {
-    const OwnEnd own = own_end(config, endpoint);
+    const OwnEnd own = own_end(config, port, endpoint);
     auto wire = around(paced(clock, in_step(clock, std::move(opened)), endpoint, own), port);
     if (own.other != Paced::OtherRate::garbage) return wire;
     return std::make_unique<BaudCheck>(clock, std::move(wire), own.rate, config.name);
@@ -136,7 +141,7 @@ std::unique_ptr<Transport> line_of(Clock& clock, std::unique_ptr<Transport> open
 std::unique_ptr<Transport> driver_lines(Clock& clock, const std::shared_ptr<TcpDoor>& door,
                                         const Endpoint& endpoint, const DeviceConfig& config,
                                         const Port& port, const Around& around) {
-    const OwnEnd own = own_end(config, endpoint);
+    const OwnEnd own = own_end(config, port, endpoint);
     std::vector<std::unique_ptr<Transport>> lines;
     for (std::size_t i = 0; i < port.drivers; ++i)
         lines.push_back(
@@ -243,7 +248,7 @@ std::vector<std::unique_ptr<Transport>> make_scripted_transports(Clock& clock, c
             continue;
         }
         Endpoint cable = *endpoint;
-        OwnEnd own = own_end(config, *endpoint);
+        OwnEnd own = own_end(config, ports[i], *endpoint);
         own.other = Paced::OtherRate::ignored;  // the driver has the device's rate
         if (std::exchange(cable.scheme, Endpoint::Scheme::pty) == Endpoint::Scheme::serial)
             own.rate = line_rate({endpoint, 1}, own.rate);  // nothing else paces it

@@ -107,11 +107,17 @@ class Endpoints(ProgramTest):
         for name, section, key, port in (
             ("imagenex-852", "Sensors.Imagenex852", "io port - device", "uart:///tmp/echoloop/imagenex-852"),
             ("imagenex-881a", "Sensors.Imagenex881A", "serial port - device", "/tmp/echoloop/imagenex-881a"),
+            ("imagenex-872", "Sensors.Imagenex872", "io port - device", "tcp://127.0.0.1:4040"),
+            ("edgetech-2205", "Sensors.Edgetech2205", "tcp port - data", "1701"),
+            ("dvl-a50", "Sensors.WaterLinkedDVL", "io port - device", "tcp://127.0.0.1:16171"),
+            ("dvl-a125", "Sensors.WaterLinkedDVL", "dvl model", "A125"),
         ):
             text = self.good("endpoints", str(Path(DEMO).with_name(name + ".yaml")), "--format", "dune")
             ini = configparser.ConfigParser()
             ini.read_string(text)
             self.assertEqual(ini[section][key], port)
+            if name != "imagenex-881a":  # the others are drivers that refuse to start without it
+                self.assertGreater(float(ini[section]["activation time"]), 0)
 
     def test_sample_program_of_the_maker(self):
         aris = str(Path(DEMO).with_name("aris.yaml"))

@@ -1,5 +1,6 @@
-"""Public readers of side-scan files, pyjsf and pyxtf, draw what an EdgeTech heard: a vehicle passes a low wall to port on a flat
-floor. Floor, wall and the wall's shadow lie in both pictures where geometry puts them, on the right side and in the right pings."""
+"""Public readers of side-scan files, pyjsf and pyxtf, draw what an EdgeTech and an Imagenex 872 heard: a vehicle passes a low wall to
+port on a flat floor. Floor, wall and the wall's shadow lie in all pictures where geometry puts them, on the right side and in the
+right pings."""
 
 import subprocess
 import tempfile
@@ -32,11 +33,23 @@ vehicle: {trajectory: way.csv}
 clock: {mode: free, duration: 5}
 effects: {sensor_noise: off, ping_jitter: off}
 devices:
+"""
+EDGETECH = """
   - name: sidescan
     model: edgetech-2205
     endpoints: ["tcp-listen://127.0.0.1:1700", "tcp-listen://127.0.0.1:1701"]
     options: {start: high}
     driver: [{at: 0, port: commands, hex: "01160d00 8000 00 15 00 00 0000 04000000 30750000"}]
+"""
+# Both sides of a ping to 30 m at 260 kHz, whose beam is the highest, asked for every 60 ms.
+PACE_872, SPAN_872 = 0.06, 60  # s; dB between the samples 0 and 255
+IMAGENEX = f"""
+  - name: yellow
+    model: imagenex-872
+    endpoints: ["tcp-listen://127.0.0.1:4040"]
+    driver:
+      - {{at: 0, every: {PACE_872}, hex: "FE44001E0000000028001E000000000000000000000000000000FD"}}
+      - {{at: 0.055, every: {PACE_872}, hex: "FE44001E0000000028001E000000000000000200000000000000FD"}}
 """
 FLOOR = [(-80, -80, -10), (80, -80, -10), (80, 80, -10), (-80, 80, -10)]
 BOX = [(x, y, z) for z in (-10, HEIGHT - 10) for x, y in ((-HALF, WALL), (HALF, WALL), (HALF, WALL + 0.2), (-HALF, WALL + 0.2))]
@@ -52,10 +65,11 @@ def setUpModule():
     ends = ((0, -10), (5, -10 + 5 * SPEED))
     rows = [f"{t},{x},0,{ALTITUDE - 10},1,0,0,0" for t, x in ends]
     (folder / "way.csv").write_text("\n".join(["t,x,y,z,qw,qx,qy,qz", *rows]) + "\n")
-    (folder / "run.yaml").write_text(SCENARIO)
-    command("run", "run.yaml", "--record", "run.pcapng")
-    for ending in ("jsf", "xtf"):
-        command("convert", "run.pcapng", f"line.{ending}")
+    for name, device in (("line", EDGETECH), ("yellow", IMAGENEX)):
+        (folder / "run.yaml").write_text(SCENARIO + device)
+        command("run", "run.yaml", "--record", f"{name}.pcapng")
+    for out in ("line.jsf", "line.xtf", "yellow.xtf"):
+        command("convert", Path(out).with_suffix(".pcapng"), out)
 
 
 def tearDownModule():
@@ -76,9 +90,9 @@ def by_pyjsf():
     return np.array(sides)
 
 
-def by_pyxtf():
+def by_pyxtf(file="line.xtf"):
     """The same in counts of one scale; port begins far away in such files."""
-    header, packets = pyxtf.xtf_read(str(folder / "line.xtf"))
+    header, packets = pyxtf.xtf_read(str(folder / file))
     pings = packets[pyxtf.XTFHeaderType.sonar]
     port, starboard = (
         pyxtf.concatenate_channel(pings, file_header=header, channel=n, weighted=True).astype(float)[::-1] for n in (0, 1)
@@ -87,11 +101,11 @@ def by_pyxtf():
 
 
 class Picture(unittest.TestCase):
-    def check(self, sides):
+    def check(self, sides, pace=2 * RANGE / SOUND + 0.005):
         pings = sides.shape[1]
-        self.assertGreater(pings, 100)
+        self.assertGreater(pings, 0.9 * 5 / pace)
         metres = RANGE / sides.shape[2]
-        x = -10 + SPEED * (2 * RANGE / SOUND + 0.005) * np.arange(pings)
+        x = -10 + SPEED * pace * np.arange(pings)
         beside, past = np.abs(x) < HALF - 0.5, np.abs(x) > HALF + 1
         power = sides**2
 
@@ -127,6 +141,15 @@ class Picture(unittest.TestCase):
 
     def test_pyxtf(self):
         self.check(by_pyxtf())
+
+    def test_pyxtf_of_an_872(self):
+        """Its samples are decibels."""
+        sides = 10 ** (by_pyxtf("yellow.xtf") / 255 * SPAN_872 / 20)
+        self.check(sides, PACE_872)
+        _, packets = pyxtf.xtf_read(str(folder / "yellow.xtf"))
+        for ping in packets[pyxtf.XTFHeaderType.sonar]:
+            self.assertEqual([head.Frequency for head in ping.ping_chan_headers], [260, 260])
+            self.assertEqual([head.SlantRange for head in ping.ping_chan_headers], [RANGE, RANGE])
 
     def test_pyxtf_finds_the_track(self):
         _, packets = pyxtf.xtf_read(str(folder / "line.xtf"))

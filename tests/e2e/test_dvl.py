@@ -153,6 +153,27 @@ class DvlTest(unittest.TestCase):
         with urllib.request.urlopen(f"http://127.0.0.1:{self.web}/api/v1/about", timeout=30) as answer:
             self.assertEqual(json.load(answer)["product_name"], "DVL A50")
 
+    def test_by_tcp_a_report_comes_in_one_piece(self):
+        """A real one has Ethernet, which the rate of its serial line does not slow; DUNE's reader throws at pieces."""
+        dvl = self.start([(0, 0, 0, turned(0))], options=", baud: 1200")
+        for _ in range(10):
+            self.assertRegex(dvl.socket.recv(65536), rb'(?s)\A\{.*\}\r\n\Z')
+
+
+class NucleusTest(unittest.TestCase):
+    def test_by_tcp_a_frame_comes_in_one_piece(self):
+        port = free_port()
+        scenario = SCENARIO % (1, free_port(), port, ", baud: 1200, starts_at_once: true")
+        with Emulator(scenario.replace("dvl-a50", "nortek-nucleus"), files={"way.csv": way([(0, 0, 0, turned(0))])}):
+            with socket.create_connection(("127.0.0.1", port), timeout=60) as host:
+                for _ in range(10):
+                    piece = host.recv(65536)
+                    while piece:
+                        self.assertEqual(piece[:2], b"\xa5\x0a")
+                        size = 10 + int.from_bytes(piece[4:6], "little")
+                        self.assertGreaterEqual(len(piece), size)
+                        piece = piece[size:]
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -126,19 +126,19 @@ std::string write_other(const Arguments& arguments, const std::filesystem::path&
                         const std::filesystem::path& file) {
     const convert::Source source{arguments.text("CAPTURE"), arguments.text("--line"),
                                  arguments.text("--message")};
-    const auto* format = convert::format_of(out);
+    const auto formats = convert::formats_of(out);
     const bool is_bag = ending_of(out) == ".mcap";
-    const auto written = format != nullptr ? convert::write_recording(source, *format, file)
-                         : is_bag          ? convert::write_bag(source, file)
-                                           : convert::write_table(source, file);
+    const auto written = !formats.empty() ? convert::write_recording(source, formats, file)
+                         : is_bag         ? convert::write_bag(source, file)
+                                          : convert::write_table(source, file);
     for (const auto& trouble : written.troubles) print_warning(trouble);
     if (written.lost > 0)
         print_warning(counted(written.lost, "message") + " of which parts are missing, not written");
-    return counted(written.count, format == nullptr && !is_bag ? "row" : "message");
+    return counted(written.count, formats.empty() && !is_bag ? "row" : "message");
 }
 
 void require_known_kind(const std::filesystem::path& out) {
-    if (shot_format_of(out) || convert::format_of(out) != nullptr || ending_of(out) == ".csv" ||
+    if (shot_format_of(out) || !convert::formats_of(out).empty() || ending_of(out) == ".csv" ||
         ending_of(out) == ".mcap")
         return;
     throw StartError(Exit::usage, "OUT: " + scenario::in_quotes(out.string()) +
@@ -189,8 +189,9 @@ Verb convert_verb() {
              {Kind::positional,
               "OUT",
               "",
-              "file to write: .852 or .81A (Imagenex), .kmall, .s7k, .jsf and .xtf (EdgeTech), .svlog "
-              "(Cerulean), .bin (Ping Viewer), .aris, .csv, .mcap (bag for ROS 2 and Foxglove)",
+              "file to write: .852 or .81A (Imagenex), .kmall, .s7k, .jsf (EdgeTech), .xtf (EdgeTech, "
+              "Imagenex 872), .svlog (Cerulean), .bin (Ping Viewer), .aris, .csv, .mcap (bag for ROS 2 and "
+              "Foxglove)",
               {},
               true},
              {Kind::value, "--line", "NAME",

@@ -42,11 +42,12 @@ Model model() {
     m.make = make;
     m.default_shot = default_shot;
     m.family = "edgetech";
-    m.drivers = {{"dune",
-                  "DUNE, Sensors/Edgetech2205",
-                  {"[Sensors.Edgetech2205]", "Enabled = Hardware", "Entity Label = Sidescan",
-                   "IPv4 Address = {host}", "TCP Port - Command = {number}", "TCP Port - Data = {number 2}"},
-                  "goes into the vehicle's .ini file"}};
+    m.drivers = {
+        {"dune",
+         "DUNE, Sensors/Edgetech2205",
+         {"[Sensors.Edgetech2205]", "Enabled = Hardware", "Entity Label = Sidescan", "Activation Time = 120",
+          "IPv4 Address = {host}", "TCP Port - Command = {number}", "TCP Port - Data = {number 2}"},
+         "goes into the vehicle's .ini file"}};
     return m;
 }
 

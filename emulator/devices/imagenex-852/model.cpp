@@ -48,15 +48,16 @@ Model model() {
     list_settings<Settings>(m);
     m.make = make;
     m.default_shot = default_shot;
-    m.drivers = {{"ros1",
-                  "srv imagenex_echosounder",
-                  {"rosparam load $(rospack find imagenex_echosounder)/config/imagenex_echosounder.yaml",
-                   "rosrun imagenex_echosounder imagenex_echosounder _devname:={port}"}},
-                 {"dune",
-                  "LSTS DUNE",
-                  {"[Sensors.Imagenex852]", "Enabled                                 = Hardware",
-                   "Entity Label                            = {name}",
-                   "IO Port - Device                        = uart://{port}"}}};
+    m.drivers = {
+        {"ros1",
+         "srv imagenex_echosounder",
+         {"rosparam load $(rospack find imagenex_echosounder)/config/imagenex_echosounder.yaml",
+          "rosrun imagenex_echosounder imagenex_echosounder _devname:={port}"}},
+        {"dune",
+         "LSTS DUNE",
+         {"[Sensors.Imagenex852]", "Enabled                                 = Hardware",
+          "Entity Label                            = {name}", "Activation Time                         = 3",
+          "IO Port - Device                        = uart://{port}"}}};
     return m;
 }
 

@@ -53,7 +53,7 @@ Model model() {
     m.drivers = {{"dune",
                   "DUNE, Sensors/Imagenex872",
                   {"[Sensors.Imagenex872]", "Enabled = Hardware", "Entity Label = Sidescan",
-                   "IPv4 Address = {host}", "TCP Port = {number}"},
+                   "Activation Time = 3", "IO Port - Device = tcp://{host}:{number}"},
                   "goes into the vehicle's .ini file"}};
     return m;
 }

@@ -23,7 +23,7 @@ void describe(Settings& s, OptionList& o, FigureList& f) {
     o.whole(s.serial_number, "serial_number", "", 0, 999999, "of the unit", choice);
     o.number(s.processing_time, "processing_time", "s", 0, 1, "from the last echo to the report", choice);
     o.number(s.temperature, "water_temperature", "degC", -4, 40, "which its sensor reads", choice);
-    o.number(s.baud, "baud", "bit/s", 0, 4e6, "of the serial line; 0: not paced", driver);
+    o.number(s.baud, "baud", "bit/s", 0, 4e6, "of the serial line, not of TCP; 0: not paced", driver);
     doppler::describe(s.noise, o);
     o.number(s.noise.scale, "scale", "", 0, 0.1, "of velocities: standard deviation among units", choice);
     doppler::describe(s.acoustics, f, "reads 0 dBm, which it does not tell");

@@ -50,7 +50,7 @@ Shot default_shot(const DeviceConfig& config, std::size_t step, double range) {
 
 constexpr char a50[] = "DVL A50", a125[] = "DVL A125";
 
-Model row(const std::string& name, const std::string& title) {
+Model row(const std::string& name, const std::string& title, const std::string& in_dune) {
     Model m;
     m.name = name;
     m.title = title;
@@ -78,15 +78,22 @@ Model row(const std::string& name, const std::string& title) {
         {"python",
          "waterlinked dvl-python, serial",
          {"from wldvl import WlDVL", "WlDVL(\"{port}\").read()"},
-         "it reads wrx only: option serial_output v1_v2"}};
+         "it reads wrx only: option serial_output v1_v2"},
+        {"dune",
+         "LSTS DUNE",
+         {"[Sensors.WaterLinkedDVL]", "Enabled = Hardware", "Entity Label = {name}", "Activation Time = 30",
+          "DVL Model = " + in_dune, "Device Orientation = 0, -90, 0", "Acoustics Activation = Always",
+          "IO Port - Device = tcp://{host}:{number}"},
+         "goes into the vehicle's .ini file",
+         "tcp-listen"}};
     return m;
 }
 
 }  // namespace
 
 std::vector<Model> models() {
-    std::vector<Model> all{row("dvl-a50", "Water Linked DVL A50 Doppler velocity log"),
-                           row("dvl-a125", "Water Linked DVL A125 Doppler velocity log")};
+    std::vector<Model> all{row("dvl-a50", "Water Linked DVL A50 Doppler velocity log", "A50"),
+                           row("dvl-a125", "Water Linked DVL A125 Doppler velocity log", "A125")};
     all[0].make = make<a50>;
     all[1].make = make<a125>;
     return all;

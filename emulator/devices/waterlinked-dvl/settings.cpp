@@ -69,7 +69,7 @@ void describe_unit(Settings& s, OptionList& o) {
              "inside: from 50 on its status says so, at 55 it stops pinging",
              "own choice; limits: " + std::string(maker));
     o.number(s.water_temperature, "water_temperature", "degC", -4, 40, "in PD4 and PD6", own);
-    o.number(s.baud, "baud", "bit/s", 0, 4e6, "of the serial line; 0: not paced", maker);
+    o.number(s.baud, "baud", "bit/s", 0, 4e6, "of the serial line, not of TCP; 0: not paced", maker);
     doppler::describe(s.noise, o);
     o.number(s.noise.gyro, "gyro_bias", "deg/h", 0, 360,
              "of the yaw, which dead reckoning follows; calibrate_gyro takes nine tenths of it",

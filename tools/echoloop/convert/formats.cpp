@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 
 #include "tools/echoloop/convert/recording.h"
 
@@ -16,21 +17,28 @@ constexpr std::array formats{
     Format{".aris", "aris", "frames of an ARIS", make_aris},
     Format{".jsf", "edgetech", "data of an EdgeTech side-scan", make_jsf, "SonarData"},
     Format{".xtf", "edgetech", "data of an EdgeTech side-scan", make_xtf, "SonarData"},
+    Format{".xtf", "imagenex", "replies of an Imagenex 872", make_xtf_872, "IGX"},
 };
 
 }  // namespace
 
-const Format* format_of(const std::filesystem::path& file) {
+std::vector<Format> formats_of(const std::filesystem::path& file) {
     std::string ending = file.extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const auto found = std::ranges::find(formats, ending, &Format::ending);
-    return found == formats.end() ? nullptr : &*found;
+    std::vector<Format> found;
+    std::ranges::copy_if(formats, std::back_inserter(found),
+                         [&](const Format& format) { return format.ending == ending; });
+    return found;
 }
 
 std::string endings() {
     std::string out;
-    for (const Format& format : formats)
-        out += std::string(out.empty() ? "" : ", ") + std::string(format.ending);
+    std::string_view last;
+    for (const Format& format : formats) {
+        if (format.ending == last) continue;
+        last = format.ending;
+        out += std::string(out.empty() ? "" : ", ") + std::string(last);
+    }
     return out;
 }
 

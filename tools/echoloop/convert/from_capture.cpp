@@ -38,78 +38,115 @@ std::map<PortKey, bool> chosen_ports(const Source& source) {
     return ports;
 }
 
-using Each = std::function<void(const PortKey&, const Heard&)>;
+/// Who spoke at a port.
+struct LineSpeaker {
+    PortKey port;
+    bool is_device = true;
+    friend auto operator<=>(const LineSpeaker&, const LineSpeaker&) = default;
+};
+using Each = std::function<void(const LineSpeaker&, const Heard&)>;
 
-/// What the devices at these ports say.
+/// What the devices at these ports say, and what is said to them.
 std::vector<std::string> for_messages(const Source& source, const inspect::Family& family,
                                       const std::map<PortKey, bool>& ports, const Each& each) {
     capture::Input input(source.file);
     const auto file =
         std::make_unique<cli::WatchedCapture>(input, capture::open_capture(input, {.as_sent = true}));
-    std::map<PortKey, replay::MessageReader> readers;
+    std::map<LineSpeaker, replay::MessageReader> readers;
     double last = 0;
     while (const auto event = file->next()) {
         const auto [key, by_first] = capture::origin_of(*event, file->of_ports());
         const auto port = ports.find(key);
-        if (port == ports.end() || port->second != by_first) continue;
+        if (port == ports.end()) continue;
+        const LineSpeaker speaker{key, port->second == by_first};
         const auto* datagram = std::get_if<capture::Datagram>(&event->content);
         if (datagram != nullptr && datagram->cut) continue;
         // Parts of an ARIS' frame and KMALL's datagrams keep their bounds; frames of others may go on.
         const bool keeps_bounds = datagram != nullptr && (family.framing == inspect::Framing::datagram ||
                                                           family.name == std::string_view("aris"));
-        auto& reader = readers.try_emplace(key, replay::MessageReader(&family, keeps_bounds)).first->second;
+        auto& reader =
+            readers.try_emplace(speaker, replay::MessageReader(&family, keeps_bounds)).first->second;
         last = event->time;
         const auto take = [&](const replay::WholeMessage& message) {
-            if (keeps_bounds || !message.name.empty()) each(key, {event->time, message.bytes, message.name});
+            if (keeps_bounds || !message.name.empty())
+                each(speaker, {event->time, message.bytes, message.name});
         };
         const auto* piece = std::get_if<capture::StreamPiece>(&event->content);
         if (piece != nullptr && piece->gap) reader.finish(take);
         reader.add(capture::bytes_of(*event), take);
     }
-    for (auto& [key, reader] : readers)
-        reader.finish([&, &port = key](const replay::WholeMessage& message) {
-            if (!message.name.empty()) each(port, {last, message.bytes, message.name});
+    for (auto& [speaker, reader] : readers)
+        reader.finish([&, &who = speaker](const replay::WholeMessage& message) {
+            if (!message.name.empty()) each(who, {last, message.bytes, message.name});
         });
     return capture::troubles(file->counts());
 }
 
-/// Frames of a Ping Viewer's log and of Cerulean's programs have one form; which family they are of says
-/// their content.
+/// Which family the frames are of says their content: Ping Viewer's and Cerulean's have one form.
 const inspect::Family& family_of(const Source& source, const Format& format, std::map<PortKey, bool>& ports) {
     const inspect::Family* const family = inspect::find_family(format.family);
     std::map<PortKey, std::size_t> spoken;
-    for_messages(source, *family, ports, [&](const PortKey& key, const Heard& heard) {
+    for_messages(source, *family, ports, [&](const LineSpeaker& speaker, const Heard& heard) {
         const bool counts = format.holds.empty() ? !heard.name.empty() : heard.name == format.holds;
-        spoken[key] += counts ? 1 : 0;
+        spoken[speaker.port] += speaker.is_device && counts ? 1 : 0;
     });
     std::erase_if(ports, [&](const auto& port) { return spoken[port.first] == 0; });
     return *family;
 }
 
-}  // namespace
+/// What is written: a family at its ports.
+struct Chosen {
+    const Format* format = nullptr;
+    const inspect::Family* family = nullptr;
+    std::map<PortKey, bool> ports{};
+};
 
-Written write_recording(const Source& source, const Format& format, const std::filesystem::path& out) {
-    auto ports = chosen_ports(source);
-    const inspect::Family& family = family_of(source, format, ports);
-    if (ports.empty())
-        throw StartError(Exit::data, in_quotes(source.file) + ": no " + std::string(format.contents));
-    if (ports.size() > 1 && source.line.empty()) {
-        std::string names;
+Chosen choose(const Source& source, const std::vector<Format>& kinds, const std::string& nothing) {
+    const auto all = chosen_ports(source);
+    Chosen chosen;
+    std::string names;
+    std::size_t lines = 0;
+    for (const Format& format : kinds) {
+        auto ports = all;
+        const inspect::Family& family = family_of(source, format, ports);
+        lines += ports.size();
         for (const auto& [key, first] : ports)
             names +=
                 (names.empty() ? "" : ", ") + in_quotes(capture::PortSummary{key, {}, {}, 0, 0, {}}.text());
-        throw StartError(Exit::usage, "the capture holds several lines; choose one with --line: " + names);
+        if (chosen.ports.empty() && !ports.empty()) chosen = {&format, &family, std::move(ports)};
     }
-    const auto recording = format.make();
+    if (lines == 0) throw StartError(Exit::data, nothing);
+    if (lines > 1 && source.line.empty())
+        throw StartError(Exit::usage, "the capture holds several lines; choose one with --line: " + names);
+    return chosen;
+}
+
+}  // namespace
+
+Written write_recording(const Source& source, const std::vector<Format>& kinds,
+                        const std::filesystem::path& out) {
+    std::string nothing;
+    for (const Format& format : kinds)
+        nothing +=
+            (nothing.empty() ? in_quotes(source.file) + ": no " : " and no ") + std::string(format.contents);
+    const Chosen chosen = choose(source, kinds, nothing);
+    const auto recording = chosen.format->make();
+    const auto read = [&](auto device_said) {
+        return for_messages(source, *chosen.family, chosen.ports,
+                            [&](const LineSpeaker& speaker, const Heard& heard) {
+                                if (speaker.is_device)
+                                    device_said(heard);
+                                else
+                                    recording->asked(heard);
+                            });
+    };
     std::ofstream file(out, std::ios::binary);
-    for_messages(source, family, ports, [&](const auto&, const Heard& heard) { recording->look(heard); });
+    read([&](const Heard& heard) { recording->look(heard); });
     recording->begin(file);
     Written written;
-    written.troubles = for_messages(source, family, ports,
-                                    [&](const auto&, const Heard& heard) { recording->add(heard, file); });
+    written.troubles = read([&](const Heard& heard) { recording->add(heard, file); });
     recording->end(file);
-    if (recording->count() == 0)
-        throw StartError(Exit::data, in_quotes(source.file) + ": no " + std::string(format.contents));
+    if (recording->count() == 0) throw StartError(Exit::data, nothing);
     if (!file.flush()) throw std::runtime_error("cannot write all of it");
     written.count = recording->count();
     written.lost = recording->lost();

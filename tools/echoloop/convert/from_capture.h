@@ -21,9 +21,10 @@ struct Written {
     std::vector<std::string> troubles{};  ///< of the capture
 };
 
-/// Throws StartError: (usage) if several lines speak the format's family and none is chosen, (data) if none
-/// does.
-Written write_recording(const Source& source, const Format& format, const std::filesystem::path& out);
+/// In the first of these formats whose family is spoken. Throws StartError: (usage) if several lines speak it
+/// and none is chosen, (data) if none does.
+Written write_recording(const Source& source, const std::vector<Format>& kinds,
+                        const std::filesystem::path& out);
 
 /// A row for each message: time in s, direction, name, and a column for each field; arrays are numbers with
 /// blanks between. Throws StartError (data) if there is no message.

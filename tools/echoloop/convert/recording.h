@@ -7,12 +7,13 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "emulator/contract/device.h"
 
 namespace echoloop::convert {
 
-/// A whole message of a device.
+/// A whole message of a device, or of its host.
 struct Heard {
     double time = 0;  ///< s, as captured
     ByteView bytes;
@@ -26,6 +27,8 @@ class Recording {
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
 
+    /// What the host said to the device, between what that says; in both readings.
+    virtual void asked(const Heard&) {}
     /// In the first reading.
     virtual void look(const Heard&) {}
     virtual void begin(std::ostream&) {}
@@ -49,8 +52,8 @@ struct Format {
     std::string_view holds = {};  ///< the message that a line must have to be chosen by itself; "" for any
 };
 
-/// nullptr if there is none of that ending, in upper or lower case.
-const Format* format_of(const std::filesystem::path& file);
+/// Those of that ending, in upper or lower case: one for each family that such files may hold.
+std::vector<Format> formats_of(const std::filesystem::path& file);
 /// ".kmall, .s7k, ..."
 std::string endings();
 
@@ -61,6 +64,7 @@ std::unique_ptr<Recording> make_ping_viewer_log();
 std::unique_ptr<Recording> make_aris();
 std::unique_ptr<Recording> make_jsf();
 std::unique_ptr<Recording> make_xtf();
+std::unique_ptr<Recording> make_xtf_872();
 
 inline void put(std::ostream& out, ByteView bytes) {
     out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
