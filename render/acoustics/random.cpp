@@ -80,15 +80,17 @@ ECHOLOOP_INLINE void box_muller(const std::uint32_t* word, float* real, float* i
     }
 }
 
-ECHOLOOP_SIMD void fill_normals(const RandomStream& stream, std::int64_t first_tile, std::size_t tiles,
-                                float* out) {
+/// Of whole tiles, the numbers from..to - 1 and some around them.
+ECHOLOOP_SIMD void fill_normals(const RandomStream& stream, std::int64_t first_tile, std::size_t from,
+                                std::size_t to, float* out) {
+    constexpr std::size_t pairs = 2 * blocks;  // of one word
     Words words;
-    for (std::size_t tile = 0; tile < tiles; ++tile) {
+    for (std::size_t tile = 0; tile * normals_tile < to; ++tile) {
         const auto block = static_cast<std::size_t>(first_tile + static_cast<std::int64_t>(tile)) * blocks;
         fill(stream, 0, block, words);
         for (std::size_t w = 0; w < 4; ++w) {
-            float* at = out + tile * normals_tile + 2 * w * blocks;
-            box_muller(words.word[w], at, at + blocks);
+            const std::size_t at = tile * normals_tile + w * pairs;
+            if (at < to && at + pairs > from) box_muller(words.word[w], out + at, out + at + blocks);
         }
     }
 }
@@ -117,9 +119,9 @@ std::array<std::uint32_t, 4> threefry(std::array<std::uint32_t, 4> counter,
 std::size_t normals(const RandomStream& stream, std::int64_t first, std::size_t count, float* out) {
     constexpr auto tile = static_cast<std::int64_t>(normals_tile);
     const std::int64_t within = (first % tile + tile) % tile;
-    const std::size_t tiles = (static_cast<std::size_t>(within) + count + normals_tile - 1) / normals_tile;
-    fill_normals(stream, (first - within) / tile, tiles, out);
-    return static_cast<std::size_t>(within);
+    const auto from = static_cast<std::size_t>(within);
+    fill_normals(stream, (first - within) / tile, from, from + count, out);
+    return from;
 }
 
 void random_cosines(const RandomStream& stream, std::size_t count, float* cosine) {

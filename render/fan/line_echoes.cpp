@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "render/simd.h"
@@ -9,17 +10,32 @@
 namespace echoloop {
 namespace {
 
-/// StrengthTable::at() of every cosine, times weights that are above 0.
+/// StrengthTable::at() of every cosine, times weights where they are above 0. Nothing is looked up under a
+/// condition, and cosines above 1 are cut off last: else the loop does not become vectors.
 ECHOLOOP_SIMD
 void look_up(const float* __restrict values, const float* __restrict cosine, const float* __restrict weight,
              std::size_t count, float* __restrict amount) {
     constexpr auto last = static_cast<std::int32_t>(StrengthTable::cells - 1);
     for (std::size_t i = 0; i < count; ++i) {
-        const float place = std::min(cosine[i], 1.0F) * static_cast<float>(StrengthTable::cells);
+        const float place = cosine[i] * static_cast<float>(StrengthTable::cells);
         const std::int32_t whole = static_cast<std::int32_t>(place), cell = whole < last ? whole : last;
-        const float share = place - static_cast<float>(cell);
+        const float share = std::min(place - static_cast<float>(cell), 1.0F);
         const float strength = values[cell] + share * (values[cell + 1] - values[cell]);
-        amount[i] = weight[i] > 0 ? weight[i] * strength : 0.0F;
+        amount[i] = std::max(weight[i], 0.0F) * strength;
+    }
+}
+
+/// LobeTable::at() of each direction's sine off the axis, times weights.
+ECHOLOOP_SIMD
+void look_up_lobe(const float* __restrict values, std::int32_t last, float cell_width,
+                  const LineDirections line, const float* __restrict weight, std::int32_t count,
+                  float* __restrict out) {
+    for (std::int32_t i = 0; i < count; ++i) {
+        const float y = line.top - static_cast<float>(i) * line.step;
+        const float place = std::abs(line.aside / std::sqrt(line.ahead + y * y)) / cell_width;
+        const std::int32_t whole = static_cast<std::int32_t>(place), cell = whole < last ? whole : last;
+        const float share = std::min(place - static_cast<float>(cell), 1.0F);
+        out[i] = weight[i] * (values[cell] + share * (values[cell + 1] - values[cell]));
     }
 }
 
@@ -101,6 +117,12 @@ void find_amounts_alike(PixelArrays row, const float* weight, const StrengthTabl
     if (table == nullptr) return keep_weights(row.surface, weight, samples, out.amount.data());
     look_up(table->values().data(), row.cosine, weight, samples, out.amount.data());
     drop_where_nothing_is(row.surface, samples, out.amount.data());
+}
+
+void weigh_by_lobe(const LobeTable& lobe, const LineDirections& line, const float* weight,
+                   std::size_t samples, float* out) {
+    look_up_lobe(lobe.values.data(), static_cast<std::int32_t>(lobe.values.size()) - 2,
+                 static_cast<float>(lobe.step), line, weight, static_cast<std::int32_t>(samples), out);
 }
 
 void multiply(const float* factor, std::size_t samples, float* amount) {

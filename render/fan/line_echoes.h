@@ -30,6 +30,15 @@ void find_amounts(PixelArrays row, const float* weight, std::span<const Strength
 /// The same with a strength of 1 (`table` null), or of one table for all surfaces.
 void find_amounts_alike(PixelArrays row, const float* weight, const StrengthTable* table, std::size_t samples,
                         LineEchoes& out);
+/// The directions (1, x, y) of a line's samples on a view's image plane, as an axis in the plane y = 0 sees
+/// them: the part of each that is beside the axis, 1 + x^2, and y of the first sample and down to the next.
+struct LineDirections {
+    float aside, ahead, top, step;
+};
+/// Fills `out` with weight times the lobe at the sine of each direction's angle off the axis' plane of
+/// symmetry.
+void weigh_by_lobe(const LobeTable& lobe, const LineDirections& line, const float* weight,
+                   std::size_t samples, float* out);
 /// amount *= factor.
 void multiply(const float* factor, std::size_t samples, float* amount);
 /// Fills low, high and slope. Along a plane seen at grazing incidence the solid angle of a slice of range

@@ -128,10 +128,7 @@ void weigh_beside(const BinningInput& in, const View& view, std::size_t line, co
     const auto top = static_cast<float>(view.y(0.5 + in.offset.level.sample)),
                step = static_cast<float>(view.sample_height());
     out.resize(view.samples);
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const float y = top - static_cast<float>(i) * step;
-        out[i] = weight[i] * in.plan.beside.at(aside / std::sqrt(ahead + y * y));
-    }
+    weigh_by_lobe(in.plan.beside, {aside, ahead, top, step}, weight, view.samples, out.data());
 }
 
 }  // namespace

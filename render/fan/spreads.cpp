@@ -32,13 +32,15 @@ void find_outlines(const float* __restrict range, const float* __restrict footpr
         const float turn = std::max(std::abs(before - change), std::abs(after - change));
         const float upper_size = std::abs(footprint[i - step]), lower_size = std::abs(footprint[i]);
         const float steepest = std::min(upper_size * upper * upper, lower_size * lower * lower);
-        const bool plane = (turn < straight * size) & (size < 1.25F * steepest);
         const float difference = std::abs(range[i] - range[i - step]);
-        const bool both = (upper != 0) & (lower != 0), none = (upper == 0) & (lower == 0);
-        const bool beyond = std::max(range[i], range[i - step]) >= end;
-        const bool smooth = none | (both ? (difference < least) | plane : beyond);
-        const bool jump = difference > 3 * std::max(upper_size, lower_size) + 0.01F;
-        outline[i] = smooth | (both & !jump) ? 0.0F : 1.0F;
+        const float jump = 3 * std::max(upper_size, lower_size) + 0.01F;
+        // By selection: conditions that are joined do not become vectors.
+        const float bent = turn < straight * size ? 0.0F : 1.0F,
+                    steep = size < 1.25F * steepest ? bent : 1.0F;
+        const float unlike = difference < least ? 0.0F : steep, both = difference > jump ? unlike : 0.0F;
+        const float one = std::max(range[i], range[i - step]) >= end ? 0.0F : 1.0F;
+        const float with_upper = lower != 0 ? both : one, without_upper = lower != 0 ? one : 0.0F;
+        outline[i] = upper != 0 ? with_upper : without_upper;
     }
 }
 
