@@ -1,6 +1,7 @@
 #include "render/scene/builder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <future>
@@ -11,7 +12,9 @@
 #include "render/scene/chunk_writer.h"
 #include "render/scene/corner_normal.h"
 #include "render/scene/fault.h"
+#include "render/scene/forget.h"
 #include "render/scene/limits.h"
+#include "render/scene/mesh_loops.h"
 #include "render/scene/stand_ins.h"
 
 namespace echoloop {
@@ -47,9 +50,13 @@ bool is_sliver(const Mesh& mesh, std::size_t i) { return face_normal(mesh, &mesh
 
 /// The indices without slivers: the mesh's own where it has none, else those that are put into `kept`.
 std::span<const std::uint32_t> without_slivers(const Mesh& mesh, std::vector<std::uint32_t>& kept) {
+    std::atomic<bool> all = true;
+    MeshLoops(mesh.indices.size() / 3).each(mesh.indices.size() / 3, [&](std::size_t i) {
+        if (is_sliver(mesh, 3 * i)) all = false;
+    });
+    if (all) return mesh.indices;
     std::size_t first = 0;
-    while (first < mesh.indices.size() && !is_sliver(mesh, first)) first += 3;
-    if (first == mesh.indices.size()) return mesh.indices;
+    while (!is_sliver(mesh, first)) first += 3;
     kept.reserve(mesh.indices.size());
     kept.assign(mesh.indices.data(), mesh.indices.data() + first);
     for (std::size_t i = first + 3; i < mesh.indices.size(); i += 3)
@@ -66,13 +73,14 @@ void make_room(std::vector<T>& in, std::size_t more) {
 /// From now on in one piece with what comes behind it.
 template <typename T>
 void append(std::vector<T>& to, std::vector<T>& more) {
-    std::vector<T> all;
-    all.reserve(to.size() + more.size());
-    all.insert(all.end(), to.begin(), to.end());
-    std::exchange(to, {});
-    all.insert(all.end(), more.begin(), more.end());
-    std::exchange(more, {});
-    to = std::move(all);
+    if (to.capacity() - to.size() < more.size()) {
+        std::vector<T> all;
+        all.reserve(to.size() + more.size());
+        all.insert(all.end(), to.begin(), to.end());
+        to = std::move(all);
+    }
+    to.insert(to.end(), more.begin(), more.end());
+    forget(more);
 }
 
 void enclose(Bounds& bounds, const Bounds& more) {
@@ -165,7 +173,7 @@ void SceneBuilder::add(Mesh mesh, const std::string& place) {
                     "the scene has more than " + std::to_string(scene_limits::triangles) + " triangles",
                     "simplify its meshes");
     MeshSurfaces surfaces = find_surfaces(mesh.positions, indices);
-    kept = {}, mesh.indices = {};
+    forget(kept), forget(mesh.indices);
     Material material = without_excess(mesh.material);
     if (!surfaces.flat.empty()) {
         const std::uint32_t flat = material_index(material);
@@ -192,7 +200,7 @@ void SceneBuilder::add_part(Mesh& mesh, std::vector<std::uint32_t> indices, std:
                              [&] { add_chunks(mesh, indices, facet, tree, place_of, number); });
     const auto forget_mesh = [&] {
         chunks.get();
-        indices = {};
+        forget(indices);
         if (last) mesh = {};
     };
     add_stand_ins(mesh, indices, tree, place_of, number, scene_->nodes_, coarse_vertices_, coarse_indices_,
@@ -216,8 +224,9 @@ void SceneBuilder::add_nodes(const ChunkTree& tree, std::span<const std::uint32_
 void SceneBuilder::add_chunks(const Mesh& mesh, std::span<const std::uint32_t> indices,
                               std::span<const float> facet, const ChunkTree& tree,
                               std::span<const std::uint32_t> place_of, float surface) {
-    make_room(scene_->indices_, indices.size());
-    make_room(scene_->vertices_, std::min(indices.size(), mesh.positions.size() * 3 / 2));
+    // The stand-ins follow in the same vectors: room that nothing is written to takes no memory.
+    make_room(scene_->indices_, 2 * indices.size());
+    make_room(scene_->vertices_, 2 * std::min(indices.size(), mesh.positions.size() * 3 / 2));
     ChunkWriter writer(mesh, surface, scene_->vertices_, scene_->indices_);
     Bounds& bounds = scene_->movers_.empty() ? scene_->still_bounds_ : scene_->movers_.back().bounds;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {

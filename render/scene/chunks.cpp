@@ -5,6 +5,9 @@
 #include <future>
 #include <limits>
 
+#include "render/scene/mesh_loops.h"
+#include "render/scene/scratch.h"
+
 namespace echoloop {
 namespace {
 
@@ -16,21 +19,19 @@ struct Item {
 };
 using Items = std::span<Item>;
 
-std::vector<Item> items_of(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
-    std::vector<Item> out;
-    out.reserve(indices.size() / 3);
-    for (std::size_t i = 0; i < indices.size(); i += 3) {
+void list_items(std::span<const Vec3> positions, std::span<const std::uint32_t> indices, Items out) {
+    MeshLoops(out.size()).each(out.size(), [&](std::size_t triangle) {
+        const std::size_t i = 3 * triangle;
         const Vec3 &a = positions[indices[i]], &b = positions[indices[i + 1]], &c = positions[indices[i + 2]];
         const auto side = [](double u, double v, double w) {
             return std::max({u, v, w}) - std::min({u, v, w});
         };
-        out.push_back(
-            {{static_cast<float>((a.x + b.x + c.x) / 3), static_cast<float>((a.y + b.y + c.y) / 3),
-              static_cast<float>((a.z + b.z + c.z) / 3)},
-             static_cast<float>(std::max({side(a.x, b.x, c.x), side(a.y, b.y, c.y), side(a.z, b.z, c.z)})),
-             static_cast<std::uint32_t>(i / 3)});
-    }
-    return out;
+        out[triangle] = {
+            {static_cast<float>((a.x + b.x + c.x) / 3), static_cast<float>((a.y + b.y + c.y) / 3),
+             static_cast<float>((a.z + b.z + c.z) / 3)},
+            static_cast<float>(std::max({side(a.x, b.x, c.x), side(a.y, b.y, c.y), side(a.z, b.z, c.z)})),
+            static_cast<std::uint32_t>(triangle)};
+    });
 }
 
 struct Axis {
@@ -140,11 +141,12 @@ class TreeMaker {
 }  // namespace
 
 ChunkTree cut_into_chunks(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
-    auto items = items_of(positions, indices);
+    Scratch<Item> items(indices.size() / 3);
+    list_items(positions, indices, items.all());
     ChunkTree tree;
-    TreeMaker(items, tree.nodes).add_node(0, items.size());
+    TreeMaker(items.all(), tree.nodes).add_node(0, items.size());
     tree.triangles.reserve(items.size());
-    for (const Item& item : items) tree.triangles.push_back(item.triangle);
+    for (const Item& item : items.all()) tree.triangles.push_back(item.triangle);
     return tree;
 }
 

@@ -8,6 +8,7 @@
 
 #include "render/scene/neighbours.h"
 #include "render/scene/outline.h"
+#include "render/scene/scratch.h"
 
 namespace echoloop {
 namespace {
@@ -41,13 +42,6 @@ class PlaneSum {
     Vec3 normal_, middle_;
 };
 
-/// Triangles in one plane.
-struct Patch {
-    double area = 0;                 ///< m^2
-    double outline = 0, smooth = 0;  ///< m
-    bool curved = false;
-};
-
 /// Square of an angle of which the cosine is near 1, in rad^2, within 1e-6 of itself up to 15 deg (the series
 /// of arccos).
 double squared_angle(double cosine) {
@@ -58,17 +52,19 @@ double squared_angle(double cosine) {
 class SurfaceFinder {
   public:
     SurfaceFinder(std::span<const Vec3> positions, std::span<const std::uint32_t> indices)
-        : positions_(positions), indices_(indices), loops_(indices.size() / 3) {
+        : positions_(positions), indices_(indices), loops_(indices.size() / 3), normals_(indices.size() / 3) {
         const std::size_t count = indices.size() / 3;
-        normals_.resize(count);
         loops_.each(count, [&](std::size_t t) {
             const Vec3 doubled = doubled_area_of(static_cast<std::uint32_t>(t));
             normals_[t] = 1 / norm(doubled) * doubled;
         });
-        neighbours_.emplace(positions, indices, normals_, loops_);
+        neighbours_.emplace(positions, indices, normals_.all(), loops_);
         patch_of_.assign(count, none);
+        areas_.reserve(count);
+        Scratch<std::uint8_t> alone(count);
+        loops_.each(count, [&](std::size_t t) { alone[t] = joins_none(static_cast<std::uint32_t>(t)); });
         for (std::uint32_t t = 0; t < count; ++t)
-            if (patch_of_[t] == none) grow_patch(t);
+            if (patch_of_[t] == none) alone[t] ? make_patch(t) : grow_patch(t);
         measure_outlines();
     }
 
@@ -76,7 +72,7 @@ class SurfaceFinder {
         MeshSurfaces out;
         out.mesh_slope = mesh_slope();
         std::vector<std::uint32_t> flat;
-        const auto is_curved = [this](std::uint32_t patch) { return patches_[patch].curved; };
+        const auto is_curved = [this](std::uint32_t patch) { return curved_[patch] != 0; };
         const auto curved_ones = static_cast<std::size_t>(std::ranges::count_if(patch_of_, is_curved));
         out.curved.reserve(3 * curved_ones), out.flat.reserve(indices_.size() - 3 * curved_ones);
         for (std::uint32_t t = 0; t < patch_of_.size(); ++t) {
@@ -87,7 +83,7 @@ class SurfaceFinder {
         }
         std::vector<std::uint32_t> by_patch = flat;
         std::ranges::stable_sort(by_patch, {}, [this](std::uint32_t t) { return patch_of_[t]; });
-        std::vector<float> facet(patches_.size());
+        std::vector<float> facet(areas_.size());
         for (std::size_t first = 0, last = 0; first < by_patch.size(); first = last) {
             const std::uint32_t patch = patch_of_[by_patch[first]];
             while (last < by_patch.size() && patch_of_[by_patch[last]] == patch) ++last;
@@ -119,8 +115,25 @@ class SurfaceFinder {
                   1.0 / 3 * (at(triangle, 0) + at(triangle, 1) + at(triangle, 2)));
     }
 
+    /// So that most of a curved surface is looked at by all threads.
+    bool joins_none(std::uint32_t triangle) const {
+        PlaneSum plane;
+        add_to(plane, triangle);
+        for (unsigned side = 0; side < 3; ++side)
+            if (const std::uint32_t other = neighbours_->beyond(triangle, side);
+                other != none && joins(plane, other))
+                return false;
+        return true;
+    }
+
+    /// Of one triangle.
+    void make_patch(std::uint32_t triangle) {
+        patch_of_[triangle] = static_cast<std::uint32_t>(areas_.size());
+        areas_.push_back(norm(doubled_area_of(triangle)) / 2);
+    }
+
     void grow_patch(std::uint32_t seed) {
-        const auto patch = static_cast<std::uint32_t>(patches_.size());
+        const auto patch = static_cast<std::uint32_t>(areas_.size());
         PlaneSum plane;
         const auto take = [&](std::uint32_t triangle) {
             add_to(plane, triangle);
@@ -134,14 +147,14 @@ class SurfaceFinder {
                 const std::uint32_t other = neighbours_->beyond(queue_[next], side);
                 if (other != none && patch_of_[other] == none && joins(plane, other)) take(other);
             }
-        patches_.push_back({plane.area()});
+        areas_.push_back(plane.area());
     }
 
     /// Calls use(length, patch, the other one or none, cosine between them) for all edges of the patches of
     /// one of `shares`, in the order of the triangles.
     template <typename Use>
     void each_edge(std::size_t share, const Use& use) const {
-        const Share own(share, shares, patches_.size());
+        const Share own(share, shares, areas_.size());
         for (std::uint32_t t = 0; t < patch_of_.size(); ++t) {
             const std::uint32_t patch = patch_of_[t];
             if (!own.has(patch)) continue;
@@ -156,14 +169,20 @@ class SurfaceFinder {
     }
 
     void measure_outlines() {
-        loops_.parts(shares, [this](std::size_t share) {
-            each_edge(share, [this](double length, std::uint32_t patch, std::uint32_t other, double cosine) {
-                patches_[patch].outline += length;
-                if (cosine > smooth_cosine && patches_[other].area > smaller_area * patches_[patch].area)
-                    patches_[patch].smooth += length;
+        struct Outline {
+            double all = 0, smooth = 0;  // m
+        };
+        std::vector<Outline> outlines(areas_.size());
+        loops_.parts(shares, [&](std::size_t share) {
+            each_edge(share, [&](double length, std::uint32_t patch, std::uint32_t other, double cosine) {
+                outlines[patch].all += length;
+                if (cosine > smooth_cosine && areas_[other] > smaller_area * areas_[patch])
+                    outlines[patch].smooth += length;
             });
         });
-        for (Patch& patch : patches_) patch.curved = patch.smooth > smooth_share * patch.outline;
+        curved_.reserve(outlines.size());
+        for (const Outline& outline : outlines)
+            curved_.push_back(outline.smooth > smooth_share * outline.all);
     }
 
     double mesh_slope() {
@@ -171,7 +190,7 @@ class SurfaceFinder {
         loops_.parts(shares, [&](std::size_t share) {
             double sum = 0, weight = 0;
             each_edge(share, [&](double length, std::uint32_t patch, std::uint32_t other, double cosine) {
-                if (cosine < smooth_cosine || !patches_[patch].curved || !patches_[other].curved) return;
+                if (cosine < smooth_cosine || !curved_[patch] || !curved_[other]) return;
                 sum += length * squared_angle(cosine) / 4, weight += length;
             });
             sums[share] = sum, weights[share] = weight;
@@ -183,8 +202,8 @@ class SurfaceFinder {
     /// Returns the smaller side.
     float add_face(std::uint32_t number, std::span<const std::uint32_t> triangles,
                    std::vector<OutlinedFace>& faces) const {
-        const Patch& patch = patches_[number];
-        if (patch.area < least_area) return static_cast<float>(std::sqrt(patch.area));
+        const double area = areas_[number];
+        if (area < least_area) return static_cast<float>(std::sqrt(area));
         std::vector<OutlineEdge> edges;
         PlaneSum plane;
         for (const std::uint32_t t : triangles) {
@@ -197,7 +216,7 @@ class SurfaceFinder {
             }
         }
         OutlinedFace out = outlined(plane.middle(), plane.normal(), edges);
-        out.face.area = patch.area;
+        out.face.area = area;
         const double smaller =
             std::min(out.face.high[0] - out.face.low[0], out.face.high[1] - out.face.low[1]);
         faces.push_back(std::move(out));
@@ -207,10 +226,11 @@ class SurfaceFinder {
     std::span<const Vec3> positions_;
     std::span<const std::uint32_t> indices_;
     MeshLoops loops_;
-    std::vector<Vec3> normals_;
+    Scratch<Vec3> normals_;
     std::optional<Neighbours> neighbours_;
     std::vector<std::uint32_t> patch_of_, queue_;
-    std::vector<Patch> patches_;
+    std::vector<double> areas_;         ///< m^2, of each patch: triangles in one plane
+    std::vector<std::uint8_t> curved_;  ///< which of them stand for a curved surface
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "render/scene/neighbours.h"
 
 #include <numeric>
+#include <vector>
 
 #include "render/scene/welding.h"
 
@@ -11,7 +12,8 @@ constexpr std::uint32_t most_at_a_place = 64;  ///< triangles; beyond, a fan has
 
 /// Corners by their places.
 struct CornersAt {
-    std::vector<std::uint32_t> first, corners;  ///< first[place] up to first[place + 1] of the corners
+    std::vector<std::uint32_t> first;  ///< first[place] up to first[place + 1] of the corners
+    Scratch<std::uint32_t> corners;
 
     CornersAt(std::span<const std::uint32_t> places, std::size_t count)
         : first(count + 1), corners(places.size()) {
@@ -21,7 +23,7 @@ struct CornersAt {
             corners[--first[places[i]]] = static_cast<std::uint32_t>(i);
     }
     std::span<const std::uint32_t> at(std::uint32_t place) const {
-        return std::span(corners).subspan(first[place], first[place + 1] - first[place]);
+        return corners.all().subspan(first[place], first[place + 1] - first[place]);
     }
 };
 
@@ -34,7 +36,7 @@ Neighbours::Neighbours(std::span<const Vec3> positions, std::span<const std::uin
         const auto first = welded(positions, loops);
         loops.each(indices.size(), [&](std::size_t i) { corners_[i] = first[indices[i]]; });
     }
-    const CornersAt corners(corners_, positions.size());
+    const CornersAt corners(corners_.all(), positions.size());
     loops.each(indices.size() / 3, [&](std::size_t t) {
         const auto triangle = static_cast<std::uint32_t>(t);
         for (unsigned side = 0; side < 3; ++side) {

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "render/scene/mesh_loops.h"
 #include "render/scene/scene.h"
+#include "render/scene/scratch.h"
 
 namespace echoloop {
 
@@ -30,7 +30,7 @@ class Neighbours {
     }
 
   private:
-    std::vector<std::uint32_t> corners_, beyond_;
+    Scratch<std::uint32_t> corners_, beyond_;
 };
 
 }  // namespace echoloop

@@ -1,9 +1,11 @@
 #include "render/scene/reader.h"
 
+#include <algorithm>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/mat3x3.hpp>
 
 #include "render/scene/builder.h"
+#include "render/scene/forget.h"
 #include "render/scene/movers.h"
 
 namespace echoloop {
@@ -64,6 +66,16 @@ Mesh read_primitive(const GltfModel& model, const GltfPrimitive& primitive, cons
     return mesh;
 }
 
+bool has_area(const GltfPrimitive& primitive) { return primitive.mode >= 4; }  // points and lines have none
+
+std::size_t primitives_of(std::span<const PlacedNode> placed, const GltfModel& model) {
+    std::size_t count = 0;
+    for (const PlacedNode& node : placed)
+        if (node.mesh)
+            count += static_cast<std::size_t>(std::ranges::count_if(model.primitives(*node.mesh), has_area));
+    return count;
+}
+
 void add_target(const PlacedNode& placed, const SceneDocument& document, const SceneMover* mover,
                 SceneBuilder& builder) {
     const auto strength = document.target_strengths[placed.node];
@@ -76,22 +88,27 @@ void add_target(const PlacedNode& placed, const SceneDocument& document, const S
 
 }  // namespace
 
-std::shared_ptr<const Scene> read_scene(std::span<const unsigned char> bytes, const SceneFolder& folder,
+std::shared_ptr<const Scene> read_scene(SceneFolder::Bytes bytes, const SceneFolder& folder,
                                         const SceneOptions& options) {
-    const SceneDocument document = check_document(open_container(bytes), folder, options.animations);
+    SceneDocument document = check_document(open_container(bytes), folder, options.animations);
     const GltfModel model(document);
     SceneBuilder builder;
     const auto placed = flatten_nodes(model);
     const MoverPlan plan = plan_movers(document, model, placed, options);
+    std::size_t unread = primitives_of(placed, model);
+    const auto read = [&](const GltfPrimitive& primitive, const PlacedNode& node, const SceneMover* mover) {
+        Mesh mesh = read_primitive(model, primitive, node, document, mover);
+        if (--unread == 0)
+            document.buffers.clear(), forget(document.files), forget(bytes);  // as large as the mesh
+        return mesh;
+    };
     const auto add_all_of = [&](std::uint32_t number, const SceneMover* mover) {
         for (std::size_t i = 0; i < placed.size(); ++i) {
             if (plan.of[i] != number) continue;
             add_target(placed[i], document, mover, builder);
             if (!placed[i].mesh) continue;
             for (const auto& primitive : model.primitives(*placed[i].mesh))
-                if (primitive.mode >= 4)  // points and lines have no area to scatter from
-                    builder.add(read_primitive(model, primitive, placed[i], document, mover),
-                                primitive.place);
+                if (has_area(primitive)) builder.add(read(primitive, placed[i], mover), primitive.place);
         }
     };
     add_all_of(0, nullptr);

@@ -11,7 +11,7 @@
 namespace echoloop {
 
 /// Throws SceneFault for anything that is wrong with the bytes.
-std::shared_ptr<const Scene> read_scene(std::span<const unsigned char> bytes, const SceneFolder& folder,
+std::shared_ptr<const Scene> read_scene(SceneFolder::Bytes bytes, const SceneFolder& folder,
                                         const SceneOptions& options = {});
 
 }  // namespace echoloop

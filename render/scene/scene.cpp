@@ -1,6 +1,7 @@
 #include "render/scene/scene.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/scene/builder.h"
 #include "render/scene/fault.h"
@@ -51,6 +52,15 @@ std::shared_ptr<const Scene> Scene::from_meshes(std::span<const Mesh> meshes,
         builder.begin({.name = name, .bounds = empty_bounds()});
         add([&](const std::string& object) { return object == name; });
     }
+    return builder.finish();
+} catch (const SceneFault& fault) {
+    throw SceneError("meshes", fault.place, fault.reason, fault.remedy);
+}
+
+std::shared_ptr<const Scene> Scene::from_own_meshes(std::vector<Mesh> meshes) try {
+    SceneBuilder builder;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        builder.add(std::move(meshes[i]), "meshes[" + std::to_string(i) + "]");
     return builder.finish();
 } catch (const SceneFault& fault) {
     throw SceneError("meshes", fault.place, fault.reason, fault.remedy);

@@ -147,6 +147,8 @@ class Scene {
     static std::shared_ptr<const Scene> from_meshes(std::span<const Mesh> meshes,
                                                     std::span<const PointTarget> targets = {},
                                                     std::span<const std::string> movable = {});
+    /// The same of meshes that the caller needs no more: large ones are not copied.
+    static std::shared_ptr<const Scene> from_own_meshes(std::vector<Mesh> meshes);
 
     std::span<const SceneVertex> vertices() const { return all_vertices().first(fine_vertices_); }
     std::span<const std::uint16_t> indices() const { return all_indices().first(fine_indices_); }

@@ -10,6 +10,8 @@
 #include "render/scene/clusters.h"
 #include "render/scene/contraction.h"
 #include "render/scene/corner_normal.h"
+#include "render/scene/forget.h"
+#include "render/scene/scratch.h"
 
 namespace echoloop {
 namespace {
@@ -147,7 +149,7 @@ class StandInWriter {
         }
         vertices.insert(vertices.end(), vertices_.begin(), vertices_.end());
         indices.insert(indices.end(), indices_.begin(), indices_.end());
-        vertices_ = {}, indices_ = {}, nodes_ = {};
+        forget(vertices_), forget(indices_), forget(nodes_);
     }
 
   private:
@@ -232,12 +234,11 @@ class Waiting {
     std::vector<StandIn> waiting_;
 };
 
-std::vector<std::uint32_t> in_order_of(const ChunkTree& tree, std::span<const std::uint32_t> indices) {
-    std::vector<std::uint32_t> out;
-    out.reserve(indices.size());
-    for (const std::uint32_t t : tree.triangles)
-        for (std::size_t k = 0; k < 3; ++k) out.push_back(indices[std::size_t{3} * t + k]);
-    return out;
+void put_in_order(const ChunkTree& tree, std::span<const std::uint32_t> indices,
+                  std::span<std::uint32_t> out) {
+    MeshLoops(tree.triangles.size()).each(tree.triangles.size(), [&](std::size_t i) {
+        for (std::size_t k = 0; k < 3; ++k) out[3 * i + k] = indices[std::size_t{3} * tree.triangles[i] + k];
+    });
 }
 
 }  // namespace
@@ -249,8 +250,13 @@ void add_stand_ins(const Mesh& mesh, std::span<const std::uint32_t> mesh_indices
     constexpr double step = 1.4, first_limit = 1e-3;  // m
     if (tree.nodes.size() < 2) return done_with_mesh();
     std::vector<std::uint32_t> corners;
-    auto clusters = std::make_unique<const Clusters>(mesh, in_order_of(tree, mesh_indices),
-                                                     first_cell(mesh, mesh_indices), &corners);
+    std::unique_ptr<const Clusters> clusters;
+    {
+        Scratch<std::uint32_t> in_order(mesh_indices.size());
+        put_in_order(tree, mesh_indices, in_order.all());
+        clusters =
+            std::make_unique<const Clusters>(mesh, in_order.all(), first_cell(mesh, mesh_indices), &corners);
+    }
     done_with_mesh();
     const NodePlaces places(tree, std::exchange(corners, {}), clusters->places());
     Contraction contraction(*clusters);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/scene/numbering.h"
+#include "render/scene/scratch.h"
 
 namespace echoloop {
 namespace {
@@ -28,12 +29,12 @@ std::uint64_t hash_of(const MicroCell& cell) {
 std::vector<std::uint32_t> welded(std::span<const Vec3> positions, MeshLoops& loops) {
     constexpr unsigned share_bits = 2;
     constexpr std::uint32_t empty = ~0U;
-    std::vector<std::uint64_t> hashes(positions.size());
+    Scratch<std::uint64_t> hashes(positions.size());
     loops.each(positions.size(), [&](std::size_t i) { hashes[i] = hash_of(micro_cell(positions[i])); });
     std::vector<std::uint32_t> first(positions.size());
     loops.parts(std::size_t{1} << share_bits, [&](std::size_t share) {
         const auto is_own = [&](std::uint64_t hash) { return hash >> (64 - share_bits) == share; };
-        const auto count = static_cast<std::size_t>(std::ranges::count_if(hashes, is_own));
+        const auto count = static_cast<std::size_t>(std::ranges::count_if(hashes.all(), is_own));
         std::vector<std::uint32_t> slots(std::bit_ceil(2 * count + 1), empty);
         const std::size_t mask = slots.size() - 1;
         for (std::uint32_t vertex = 0; vertex < positions.size(); ++vertex) {

@@ -43,7 +43,7 @@ double peak_mb() {
 }
 
 std::shared_ptr<const Scene> make_scene(const Case& the_case, const Settings& settings) {
-    if (settings.scene_file.empty()) return Scene::from_meshes(scene_meshes(the_case.scene));
+    if (settings.scene_file.empty()) return Scene::from_own_meshes(scene_meshes(the_case.scene));
     return Scene::load(settings.scene_file);
 }
 

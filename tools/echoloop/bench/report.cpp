@@ -12,6 +12,8 @@ namespace echoloop::bench {
 namespace {
 
 constexpr double most_start_up = 1, most_memory = 200, most_growth = 2, most_bending = 1.2;
+/// Of two million triangles.
+constexpr double most_long_start_up = 2, most_peak = 400;
 
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
     char buffer[512];
@@ -26,6 +28,18 @@ const Row* find(const Report& report, const std::string& name, EchoRule rule) {
     for (const Row& row : report.rows)
         if (row.the_case.name() == name && row.rule == rule && row.figures.failure[0] == '\0') return &row;
     return nullptr;
+}
+
+void add_start_up(const Report& report, std::vector<Limit>& limits) {
+    double start_up = 0, peak = 0;
+    for (const Row& row : report.rows) {
+        if (row.the_case.scene != "big2m" && row.the_case.scene != "one2m") continue;
+        start_up = std::max(start_up, row.figures.start_up);
+        peak = std::max(peak, row.figures.peak);
+    }
+    if (!(peak > 0)) return;
+    limits.push_back({"start-up with two million triangles, the slowest", start_up, most_long_start_up, "s"});
+    limits.push_back({"peak memory with two million triangles, the most", peak, most_peak, "MB"});
 }
 
 void add_growth(const Report& report, const std::string& sonar, std::vector<Limit>& limits) {
@@ -102,6 +116,7 @@ std::vector<Limit> limits_of(const Report& report) {
         limits.push_back({"start-up with big100k, the slowest", start_up, most_start_up, "s"});
         limits.push_back({"resident memory with big100k, the most", memory, most_memory, "MB"});
     }
+    add_start_up(report, limits);
     add_growth(report, "fls", limits);
     add_growth(report, "scanning", limits);
     for (const Row& row : report.rows)

@@ -208,8 +208,10 @@ std::span<const SceneRow> scene_rows() { return rows; }
 std::vector<Mesh> scene_meshes(std::string_view name) {
     for (const SceneRow& row : rows)
         if (row.name == name) {
-            if (row.kind == Kind::terrain) return {terrain(row)};
-            std::vector<Mesh> meshes{seabed(row), objects()};
+            std::vector<Mesh> meshes;
+            meshes.push_back(row.kind == Kind::terrain ? terrain(row) : seabed(row));
+            if (row.kind == Kind::terrain) return meshes;
+            meshes.push_back(objects());
             if (row.kind == Kind::one_mesh) join(meshes);
             if (row.kind == Kind::stones) add_stones(meshes);
             return meshes;
