@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace echoloop::view {
 namespace {
 
@@ -49,7 +51,30 @@ TEST_F(AFeed, WantsALargePingTenTimesASecondAndItsObjectsOnce) {
     EXPECT_EQ(objects, 10);
 }
 
-TEST_F(AFeed, WantsEachLineOfAHeadWithItsObjectsUntilAPingOfAnySonarIsLate) {
+TEST_F(AFeed, WantsALargePingOnceASecondWhereNobodyHasItOnTheScreen) {
+    for (const auto& [looks, count] :
+         {std::pair(Looks{false, {}, {"fan"}}, 10), {Looks{false, {"fan"}}, 100}}) {
+        feed.look(1, looks);
+        int pings = 0;
+        now += 1s;
+        for (const auto end = now + 10s; now < end; now += 100ms)
+            pings += feed.wants_ping("fan", fan) != Wanted::nothing;
+        EXPECT_EQ(pings, count);
+    }
+}
+
+TEST_F(AFeed, WantsEachLineOfAHeadAndObjectsFiveTimesASecond) {
+    int objects = 0;
+    for (const auto end = now + 2s; now < end; now += 50ms) {
+        const Wanted wanted = feed.wants_ping("head", line);
+        EXPECT_NE(wanted, Wanted::nothing);
+        objects += wanted == Wanted::objects;
+    }
+    EXPECT_EQ(objects, 10);
+}
+
+TEST_F(AFeed, WantsTheObjectsOfEachLineThatShowsThemUntilAPingOfAnySonarIsLate) {
+    feed.look(1, {false, {}, {}, {"head"}});
     for (int i = 0; i < 20; ++i, now += 50ms) EXPECT_EQ(feed.wants_ping("head", line), Wanted::objects);
     heard("fan", fan, 30ms);
     int objects = 0;

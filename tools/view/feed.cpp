@@ -8,10 +8,11 @@ namespace echoloop::view {
 namespace {
 
 constexpr std::chrono::milliseconds between_large(100);
-constexpr std::chrono::seconds between_late(1);  // of a sonar whose pings are late: looking costs time, too
-constexpr std::chrono::seconds between_objects(
-    1);  // that cost much: a ping with them takes up to 1.6 times as long
-constexpr std::chrono::seconds between_late_objects(5);
+constexpr std::chrono::seconds between_unseen(1);  // that nobody has on the screen
+constexpr std::chrono::seconds between_late(1);    // of a sonar whose pings are late: looking costs time, too
+// Objects cost much: a ping with them takes up to 1.6 times as long.
+constexpr std::chrono::seconds between_objects(1), between_late_objects(5);
+constexpr std::chrono::milliseconds between_small_objects(200);
 constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t large = 8192;           // values; smaller ones are lines of a picture, and all are kept
 constexpr std::size_t most_lines = 64;        // of a sonar, between two calls of take()
@@ -36,8 +37,9 @@ Passed copied(const SeenBytes& seen, std::size_t keep) {
 
 }  // namespace
 
-void Feed::look(std::size_t viewers) {
+void Feed::look(std::size_t viewers, Looks looks) {
     const std::scoped_lock lock(mutex_);
+    looks_ = std::move(looks);
     if (viewers > 0 && viewers_ == 0) {
         passed_.assign(std::make_move_iterator(before_.begin()), std::make_move_iterator(before_.end()));
         before_.clear();
@@ -54,13 +56,17 @@ Wanted Feed::wants_ping(std::string_view device, const Shot& shot) {
     Sonar& sonar = sonars_[std::string(device)];
     const Moment now = now_();
     if (is_large) {
-        const auto between = sonar.late ? Moment::duration(between_late) : between_large;
+        const auto between = sonar.late                   ? Moment::duration(between_late)
+                             : looks_.shows_heard(device) ? between_large
+                                                          : between_unseen;
         if (now - sonar.wanted < between) return Wanted::nothing;
         sonar.wanted = now;
     }
-    const bool sparing = is_sparing();
-    const auto between = sparing ? between_late_objects : between_objects;
-    if ((is_large || sparing) && now - sonar.wanted_objects < between) return Wanted::levels;
+    const auto between = is_sparing()                 ? Moment::duration(between_late_objects)
+                         : is_large                   ? between_objects
+                         : looks_.shows_truth(device) ? Moment::duration::zero()
+                                                      : between_small_objects;
+    if (now - sonar.wanted_objects < between) return Wanted::levels;
     sonar.wanted_objects = now;
     return Wanted::objects;
 }

@@ -1,5 +1,6 @@
-// What a run shows to those who look: the last pings of each sonar and the messages on its wires. It keeps
-// little, and nothing while nobody looks. Knows no sockets.
+// What a run shows to those who look: the last pings of each sonar and the
+// messages on its wires. It keeps little, and nothing while nobody looks. Knows
+// no sockets.
 #pragma once
 
 #include <atomic>
@@ -35,23 +36,39 @@ struct LineCount {
     double rate = 0;                ///< bit/s of a serial line; 0: of none
 };
 
+/// What viewers have on their screens, by device. Of the rest they get a large
+/// picture once a second.
+struct Looks {
+    bool all_heard = true;  ///< somebody has not said what
+    std::set<std::string, std::less<>> heard{}, said{}, truth{};
+
+    bool shows_heard(std::string_view device) const { return all_heard || heard.contains(device); }
+    bool shows_said(std::string_view device) const { return said.contains(device); }
+    /// Which object each bin hears.
+    bool shows_truth(std::string_view device) const { return truth.contains(device); }
+};
+
 class Feed final : public Watch {
   public:
     using Moment = std::chrono::steady_clock::time_point;
 
     explicit Feed(std::function<Moment()> now = std::chrono::steady_clock::now) : now_(std::move(now)) {}
 
-    /// While nobody looks, nothing is kept but the last that drivers said: it tells what they have set.
-    void look(std::size_t viewers);
+    /// While nobody looks, nothing is kept but the last that drivers said: it
+    /// tells what they have set.
+    void look(std::size_t viewers, Looks looks = {});
     std::size_t viewers() const { return viewers_; }
 
-    /// Of a large ping the objects once a second, of a small one always; every 5 s while pings are late.
+    /// A large ping ten times a second where it is shown, else once. Objects of a
+    /// large ping once a second, of small ones five times, always where they are
+    /// shown; every 5 s while pings are late.
     Wanted wants_ping(std::string_view device, const Shot& shot) override;
     void ping(const SeenPing& ping) override;
     void bytes(const SeenBytes& bytes) override;
     void fault(const SeenFault& fault) override;
 
-    /// What has come since the last call, oldest first; of large pictures the latest of each sonar.
+    /// What has come since the last call, oldest first; of large pictures the
+    /// latest of each sonar.
     struct News {
         bool sparing = false;  ///< pings are late: what can wait had better
         std::vector<std::shared_ptr<const Kept>> pings;
@@ -80,7 +97,8 @@ class Feed final : public Watch {
     std::function<Moment()> now_;
     std::atomic<std::size_t> viewers_{0};
     mutable std::mutex mutex_;  // of all below
-    Moment last_late_{};        ///< when a ping of any sonar was late
+    Looks looks_{};
+    Moment last_late_{};  ///< when a ping of any sonar was late
     std::map<std::string, Sonar, std::less<>> sonars_;
     std::map<Line, LineCount> lines_;
     std::set<std::pair<Line, bool>> gaps_;  ///< ways on which bytes were left out
