@@ -46,11 +46,12 @@ class SaidCase(unittest.TestCase):
         self.emulator.__enter__()
 
     def said(self, *names):
-        """{name of the message: (head, levels, ranges)}, of the third picture or a later one; self.heard: the last ping."""
+        """{name of the message: (head, levels, ranges)}, of the third picture or a later one; self.heard: the last ping,
+        self.names: of all pictures."""
 
         async def look():
             host, token = LINK.search(self.emulator.output).groups()
-            found, self.heard = {}, None
+            found, self.heard, self.names = {}, None, set()
             async with websockets.connect(f"ws://{host}/news", subprotocols=["echoloop.view", token], max_size=None) as viewer:
                 while set(names) - set(found) or self.heard is None:
                     message = await viewer.recv()
@@ -60,6 +61,7 @@ class SaidCase(unittest.TestCase):
                         self.heard = picture(message)
                         continue
                     head, levels, ranges = picture(message)
+                    self.names.add(head["name"])
                     gain_has_settled = head["number"] > 2
                     if head["name"] in names and gain_has_settled and (any(levels) or any(ranges)):
                         found[head["name"]] = head, levels, ranges

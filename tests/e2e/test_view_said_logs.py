@@ -47,6 +47,7 @@ class Logs(SaidCase):
         self.start("nortek-nucleus", [command, data], "speed_of_sound: 1500, starts_at_once: true", LEVEL)
         drain(self.connect(data))
         found = self.said("BottomTrack", "Altimeter")
+        self.assertNotIn("Ahrs", self.names, "the vehicle's own depth is no picture")
         for name, beams in (("BottomTrack", 3), ("Altimeter", 1)):
             head, _, ranges = found[name]
             self.assertEqual((head["beams"], head["numbered"], len(ranges)), (beams, beams > 1, beams))

@@ -52,8 +52,8 @@ TEST_F(AFeed, WantsALargePingTenTimesASecondAndItsObjectsOnce) {
 }
 
 TEST_F(AFeed, WantsALargePingOnceASecondWhereNobodyHasItOnTheScreen) {
-    for (const auto& [looks, count] :
-         {std::pair(Looks{false, {}, {"fan"}}, 10), {Looks{false, {"fan"}}, 100}}) {
+    for (const auto& [looks, count] : {std::pair(Looks{.all_heard = false, .said = {"fan"}}, 10),
+                                       {Looks{.all_heard = false, .heard = {"fan"}}, 100}}) {
         feed.look(1, looks);
         int pings = 0;
         now += 1s;
@@ -74,7 +74,7 @@ TEST_F(AFeed, WantsEachLineOfAHeadAndObjectsFiveTimesASecond) {
 }
 
 TEST_F(AFeed, WantsTheObjectsOfEachLineThatShowsThemUntilAPingOfAnySonarIsLate) {
-    feed.look(1, {false, {}, {}, {"head"}});
+    feed.look(1, {.all_heard = false, .truth = {"head"}});
     for (int i = 0; i < 20; ++i, now += 50ms) EXPECT_EQ(feed.wants_ping("head", line), Wanted::objects);
     heard("fan", fan, 30ms);
     int objects = 0;
@@ -85,6 +85,28 @@ TEST_F(AFeed, WantsTheObjectsOfEachLineThatShowsThemUntilAPingOfAnySonarIsLate) 
     }
     EXPECT_EQ(objects, 0) << "the last ones are not five seconds old";
     EXPECT_EQ(feed.wants_ping("head", line), Wanted::objects) << "two seconds without a late ping";
+}
+
+TEST_F(AFeed, KeepsALongMessageOfAStreamOnceASecondWhereNobodyHasItOnTheScreen) {
+    const Bytes image(20'000), words(500);
+    for (const auto& [looks, count] :
+         {std::pair(Looks{.all_heard = false}, 3U), {Looks{.all_heard = false, .said = {"fan"}}, 30U}}) {
+        feed.look(1, looks);
+        feed.take();
+        now += 2s;
+        std::size_t images = 0, lines = 0, told = 0;
+        for (const auto end = now + 3s; now < end; now += 100ms) {
+            feed.bytes({.device = "fan", .port = "data", .sent = true, .bytes = image});
+            feed.bytes({.device = "fan", .port = "data", .sent = true, .bytes = words});
+            for (const Passed& one : feed.take().passed) {
+                (one.size == image.size() ? images : lines) += 1;
+                told += one.unread;
+            }
+        }
+        EXPECT_EQ(images, count);
+        EXPECT_EQ(lines, 30U);
+        EXPECT_EQ(told, count == 3 ? 18U : 9U) << "those since the last that was read";
+    }
 }
 
 TEST_F(AFeed, WantsALargePingThatIsLateOnceASecond) {

@@ -82,18 +82,24 @@ std::vector<double> of_fields(const Message& message) {
     return metres;
 }
 
+/// Of one number. A vehicle's own depth is none below it, nor is an altitude above the sea.
+bool is_depth(std::string_view message, std::string_view field) {
+    if (field == "depth") return message.ends_with("DPT");
+    if (field == "distance") return message == "Altimeter";
+    if (field == "altitude") return !message.ends_with("GGA");
+    return field == "range" || field == "metres";
+}
+
 class Depths final : public Maker {
   public:
     std::optional<Picture> take(const Message& message, wire::ByteView, bool sent) override {
-        if (!sent || message.name == "GGA") return std::nullopt;  // an altitude above the sea is no depth
+        if (!sent) return std::nullopt;
         if (auto beams = of_beams(message, of_transducers(message))) return beams;
         if (auto beams = of_beams(message, of_fields(message))) return beams;
         for (const auto& field : message.fields) {
             const double unit = metres_of(field.unit);
             if (!field.number || unit == 0) continue;
-            if (field.name == "altitude" || field.name == "range" || field.name == "metres" ||
-                field.name == "depth" || (field.name == "distance" && message.name == "Altimeter"))
-                return of_depth(message, *field.number * unit);
+            if (is_depth(message.name, field.name)) return of_depth(message, *field.number * unit);
         }
         return std::nullopt;
     }

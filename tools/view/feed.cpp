@@ -18,7 +18,8 @@ constexpr std::size_t large = 8192;           // values; smaller ones are lines 
 constexpr std::size_t most_lines = 64;        // of a sonar, between two calls of take()
 constexpr std::size_t most_passed = 1000;     // between two calls of take()
 constexpr std::size_t most_bytes = 4U << 20;  // the same
-constexpr std::size_t longest_kept = 4U << 20;  // of one message
+constexpr std::size_t long_message = 12U << 10;  // by TCP: images and soundings
+constexpr std::size_t longest_kept = 4U << 20;   // of one message
 constexpr std::size_t most_before = 256U << 10;
 
 double unix_now() {
@@ -91,6 +92,7 @@ void Feed::bytes(const SeenBytes& seen) {
     LineCount& count = lines_[line];
     (seen.sent ? count.out : count.in) += seen.bytes.size();
     count.rate = seen.line_rate;
+    if (is_unwanted(seen)) return;
     const std::size_t keep = std::min(seen.bytes.size(), longest_kept);
     if (passed_.size() >= most_passed || passed_bytes_ + keep > most_bytes) {
         left_out_ += seen.bytes.size();
@@ -100,6 +102,23 @@ void Feed::bytes(const SeenBytes& seen) {
     passed_bytes_ += keep;
     passed_.push_back(copied(seen, keep));
     passed_.back().gap = gaps_.erase({line, seen.sent}) > 0;
+    const auto found = seen.sent ? long_.find(line) : long_.end();
+    if (found != long_.end() && seen.bytes.size() >= long_message)
+        passed_.back().unread = std::exchange(found->second.unread, 0);
+}
+
+/// Long messages of a sonar, each in one piece, where what it says is on no screen: one a second is wanted.
+bool Feed::is_unwanted(const SeenBytes& seen) {
+    if (!seen.sent || seen.packets || seen.bytes.size() < long_message) return false;
+    Long& known = long_[{std::string(seen.device), std::string(seen.port)}];
+    const Moment now = now_();
+    const bool wanted =
+        (looks_.shows_said(seen.device) && !is_sparing()) || now - known.read >= between_unseen;
+    if (wanted)
+        known.read = now;
+    else
+        ++known.unread;
+    return !wanted;
 }
 
 /// The oldest goes first: of a driver that says much, what it set long ago.

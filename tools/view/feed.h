@@ -27,7 +27,8 @@ struct Passed {
     double unix_time = 0;  ///< s since 1970
     Bytes bytes;           ///< the first of them, where there are very many
     std::size_t size = 0;
-    bool gap = false;  ///< before these some were left out
+    bool gap = false;        ///< before these some were left out
+    std::size_t unread = 0;  ///< long messages before it that nobody wanted
 };
 
 /// What a port has carried since the first viewer came.
@@ -40,10 +41,11 @@ struct LineCount {
 /// picture once a second.
 struct Looks {
     bool all_heard = true;  ///< somebody has not said what
+    bool all_said = false;  ///< somebody wants every byte
     std::set<std::string, std::less<>> heard{}, said{}, truth{};
 
     bool shows_heard(std::string_view device) const { return all_heard || heard.contains(device); }
-    bool shows_said(std::string_view device) const { return said.contains(device); }
+    bool shows_said(std::string_view device) const { return all_said || said.contains(device); }
     /// Which object each bin hears.
     bool shows_truth(std::string_view device) const { return truth.contains(device); }
 };
@@ -93,6 +95,7 @@ class Feed final : public Watch {
 
     bool is_sparing() const { return now_() - last_late_ < late_for; }
     void keep_for_later(const SeenBytes& seen);
+    bool is_unwanted(const SeenBytes& seen);
 
     std::function<Moment()> now_;
     std::atomic<std::size_t> viewers_{0};
@@ -102,6 +105,11 @@ class Feed final : public Watch {
     std::map<std::string, Sonar, std::less<>> sonars_;
     std::map<Line, LineCount> lines_;
     std::set<std::pair<Line, bool>> gaps_;  ///< ways on which bytes were left out
+    struct Long {
+        Moment read{};
+        std::size_t unread = 0;
+    };
+    std::map<Line, Long> long_;  ///< messages of sonars by TCP
     std::vector<Passed> passed_;
     std::deque<Passed> before_;  ///< what drivers said while nobody looked
     std::size_t before_bytes_ = 0;

@@ -181,7 +181,8 @@ class Server::Impl {
     }
 
     void look() {
-        looks_ = {foxglove_.viewers() > 0};
+        const bool all = foxglove_.viewers() > 0;
+        looks_ = {all, all};
         for (const auto& viewer : viewers_) {
             if (!viewer->looks) {
                 looks_.all_heard = true;

@@ -188,6 +188,7 @@ void Ticker::add(const Passed& one, const inspect::Message& message, ByteView by
              {"reason", message.reason},
              {"bytes", hexadecimal(bytes)},
              {"fields", fields_of(message)}};
+    if (one.unread > 0) row["parts"] = 1 + one.unread;
     if (!one.sent && message.reason.empty() && !message.name.empty()) note_setting(one, row, batch);
     batch.rows.push_back(std::move(row));
     const auto maker = makers_.find(one.device);
