@@ -43,6 +43,22 @@ class Progress(ProgramTest):
             self.assertRegex(shown, r"reading \[#{40}\] 100 %")
             self.assertTrue(shown.endswith("\r\x1b[K"))
 
+    def test_shots_that_are_written(self):
+        """Replies of a head, in a capture and one behind the other in a file."""
+        reply = b"IMX\x10\x45\x58\x05\x0a\0\0\x7c\x01" + bytes(252) + b"\xfc"  # id 10, 0 deg, 10 m, 252 points
+        capture = Pcapng().interface(RTAC_SERIAL, b"head")
+        for i in range(2000):
+            capture.packet(0, rtac(reply, 1), round((1000 + i / 10) * 1e9))
+        for name, data in (("dive.pcapng", capture.data), ("dive.raw", 2000 * reply)):
+            source = self.folder / name
+            source.write_bytes(data)
+            for ending in ("852", "81A"):
+                with self.subTest(name, ending=ending):
+                    shown = self.on_a_terminal("convert", source, self.folder / f"out.{ending}")
+                    self.assertRegex(shown, r"reading \[\.{40}\] \d+ %")
+                    self.assertRegex(shown, r"reading \[#{40}\] 100 %")
+                    self.assertTrue(shown.endswith("\r\x1b[K"))
+
     def test_a_data_set(self):
         scenario = self.scenario(FREE)
         shown = self.on_a_terminal("run", scenario, "--dataset", self.folder / "set")

@@ -1,8 +1,11 @@
 """The page of a run in Debian's Chromium, driven by playwright: what a person sees and can do there."""
 
+import math
 import os
 import re
 import shutil
+import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -19,6 +22,7 @@ from ports import free_port  # noqa: E402
 from program import PROGRAM, ROOT, Emulator  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "tests" / "hosts"))
+import blping_host  # noqa: E402
 import ping360_host  # noqa: E402
 
 TANK = """
@@ -27,6 +31,7 @@ water: {temperature: 15, salinity: 0, ph: 7, sound_speed: 1500}
 vehicle: {pose: {position: [0, 0, -2]}}
 devices:
   - {name: head, model: ping360, endpoints: ["udp-listen://127.0.0.1:%d"]}
+  - {name: down, model: ping1d, mount: {rpy_deg: [0, 90, 0]}, endpoints: ["udp-listen://127.0.0.1:%d"]}
 """
 LINK = re.compile(r"http://127\.0\.0\.1:\d+/#[0-9a-f]{32}")
 AHEAD, WALL = 6.0, "wall"  # m, to the tank's front wall
@@ -54,8 +59,8 @@ class Page(unittest.TestCase):
         cls.addClassCleanup(cls.browser.close)
 
     def start(self, *arguments, width=1280):
-        self.udp = free_port()
-        emulator = Emulator(TANK % self.udp, "--view", "--view-control", *arguments)
+        self.udp, self.down = free_port(), free_port()
+        emulator = Emulator(TANK % (self.udp, self.down), "--view", "--view-control", *arguments)
         emulator.__enter__()
         self.addCleanup(emulator.__exit__, None, None, None)
         self.emulator = emulator
@@ -82,12 +87,12 @@ class Page(unittest.TestCase):
             while host.ask(ping360_host.DEVICE_INFORMATION, 0.5) is None and time.monotonic() < end:
                 pass
 
-    def read_at(self, page, x, y):
-        """What the card says of a dot of its 480 x 360."""
-        box = page.locator("[data-device=head] canvas:not([hidden])").bounding_box()
+    def read_at(self, page, x, y, card="head"):
+        """What a card says of a dot of its 480 x 360."""
+        box = page.locator(f"[data-device={card}] canvas:not([hidden])").bounding_box()
         scale = box["width"] / 480
         page.mouse.move(box["x"] + (x + 0.5) * scale, box["y"] + (y + 0.5) * scale)
-        return page.locator("[data-device=head] .read").inner_text()
+        return page.locator(f"[data-device={card}] .read").inner_text()
 
     def test_the_wall_is_at_its_place_in_all_three_layers(self):
         page = self.start()
@@ -123,6 +128,54 @@ class Page(unittest.TestCase):
         self.assertEqual(colours[1], 0, "the water before wall and floor has none")
         self.assertEqual(self.faults, [])
 
+    def drag(self, page, card, a, b):
+        """m, that the ruler tells from one dot of a card's 480 x 360 to another."""
+        box = page.locator(f"[data-device={card}] canvas:not([hidden])").bounding_box()
+        scale = box["width"] / 480
+        page.mouse.move(box["x"] + a[0] * scale, box["y"] + a[1] * scale)
+        page.mouse.down()
+        page.mouse.move(box["x"] + b[0] * scale, box["y"] + b[1] * scale, steps=4)
+        text = page.locator(f"[data-device={card}] .read").inner_text()
+        page.mouse.up()
+        return float(re.search(r"ruler ([\d.]+) m", text)[1])
+
+    def test_the_ruler_tells_how_far_the_walls_are_apart(self):
+        """Walls are 6 m ahead and astern and 4 m to either side; each is found by its level under the pointer."""
+        page = self.start()
+        for angle in (0, 100, 200, 300):  # astern, port, ahead, starboard
+            self.ping(angle=angle)
+        page.locator("[data-device=head] .facts", has_text="ping 4 ").wait_for()
+        dot = 8 / 172  # m; a bin is shorter
+
+        def wall(right, ahead, metres):
+            """Dots of the loudest level within 0.3 m of a wall."""
+            places = [(240 + right * r / dot, 180 - ahead * r / dot) for r in (metres + 0.02 * i for i in range(-15, 16))]
+            levels = [re.search(r"([\d.-]+) dB", self.read_at(page, x - 0.5, y - 0.5)) for x, y in places]
+            return max(zip(places, levels), key=lambda one: float(one[1][1]) if one[1] else -math.inf)[0]
+
+        ahead, astern, port, starboard = wall(0, 1, 6), wall(0, -1, 6), wall(-1, 0, 4), wall(1, 0, 4)
+        self.assertAlmostEqual(self.drag(page, "head", ahead, astern), 12, delta=2 * dot)
+        self.assertAlmostEqual(self.drag(page, "head", port, starboard), 8, delta=2 * dot)
+        self.assertAlmostEqual(self.drag(page, "head", ahead, starboard), math.hypot(6, 4), delta=2 * dot)
+
+    def test_the_ruler_of_an_echogram_begins_where_its_ranges_do(self):
+        """From its first range, 1.5 m, to the floor at 2 m."""
+        page = self.start()
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as host:
+            for number, payload in ((1003, b"\0"), (1001, struct.pack("<II", 1500, 2000)), (1400, struct.pack("<H", 1300))):
+                host.sendto(blping_host.frame(number, payload), ("127.0.0.1", self.down))  # by hand, 1.5 to 3.5 m, profiles
+            page.locator("[data-device=down] .facts", has_text="1.5 to 3.5 m").wait_for()
+        page.locator("#pause").click()  # the picture stands
+
+        def read(row):
+            """Range and level that the last line has in a row."""
+            return [float(word) for word in re.match(r"([\d.]+) m.*?, ([\d.-]+) dB", self.read_at(page, 405, row, "down")).groups()]
+
+        row = max(range(60, 121, 2), key=lambda row: read(row)[1])
+        metres = read(row)[0]
+        self.assertAlmostEqual(metres, 2, delta=0.05)
+        self.assertAlmostEqual(self.drag(page, "down", (100, 0), (100, row + 0.5)), metres - 1.5, delta=0.02)
+
     def test_a_drivers_range_changes_the_card(self):
         page = self.start()
         card = page.locator("[data-device=head] .facts")
@@ -150,7 +203,7 @@ class Page(unittest.TestCase):
         page.locator("[data-device=head] .facts", has_text="ping 1").wait_for()
         self.emulator.stop()
         page.locator("#state", has_text="has ended").wait_for()
-        with Emulator(TANK % self.udp, "--view", "--view-at", place):
+        with Emulator(TANK % (self.udp, free_port()), "--view", "--view-at", place):
             page.locator("#state.live").wait_for()
             page.locator("[data-device=head] .read", has_text="no ping yet").wait_for()
             self.awake()
@@ -159,7 +212,7 @@ class Page(unittest.TestCase):
 
     def test_the_page_of_a_run_that_is_gone_says_that_another_is_there(self):
         place = f"127.0.0.1:{free_port()}"
-        with Emulator(TANK % free_port(), "--view", "--view-at", place):
+        with Emulator(TANK % (free_port(), free_port()), "--view", "--view-at", place):
             other = self.browser.new_page()
             self.addCleanup(other.close)
             other.goto(f"http://{place}/#{'0' * 32}")

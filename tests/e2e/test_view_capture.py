@@ -28,7 +28,7 @@ def picture(message):
     head = json.loads(message[4: 4 + length])
     directions = head["rows"] * head["beams"]
     levels = message[4 + length:][: directions * head["bins"]]
-    ranges = struct.unpack_from(f"<{directions}f", message, 4 + length + len(levels)) if head["ranges"] else ()
+    ranges = struct.unpack_from(f"<{directions}f", message, 4 + length + len(levels)) if head.get("ranges") else ()
     return head, levels, ranges
 
 

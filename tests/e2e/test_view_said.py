@@ -1,89 +1,23 @@
 """Pictures that the page of a run reads back from what sonars say to drivers of another make: the floor is at its range in
 each. The sonars that ask for no driver, or for one request alone, are in test_view_capture.py."""
 
-import asyncio
-import contextlib
-import re
+import math
 import socket
-import threading
 import unittest
 
-import websockets
-
 from ports import free_port
-from program import Emulator
-from test_view_capture import loudest_range, picture
+from said_case import DEPTH, SaidCase, begins, drain
+from test_view_capture import loudest_range
 
+import aris_host
 import cerulean_wire
 import norbit_host
 import reson_host
 import reson_wire
 import surveyor_host
 
-DEPTH = 8.0  # m, of the floor below the head
-FLAT = """
-scene: {scenes}/flat.glb
-seed: 5
-water: {temperature: 10, salinity: 35, ph: 8, sound_speed: 1500}
-vehicle: {pose: {position: [0, 0, -12]}}
-devices:
-  - {name: sonar, model: %s, mount: {rpy_deg: [0, 90, 0]}, endpoints: [%s]%s}
-"""
-LINK = re.compile(r"http://(127\.0\.0\.1:\d+)/#([0-9a-f]{32})")
 
-
-def drain(*connections):
-    """Reads on, as a driver does, until the run ends."""
-
-    def read(one):
-        with contextlib.suppress(OSError):
-            while one.recv(65536):
-                pass
-
-    for one in connections:
-        one.settimeout(None)
-        threading.Thread(target=read, args=(one,), daemon=True).start()
-
-
-class Said(unittest.TestCase):
-    def start(self, model, ports, options=""):
-        places = ", ".join(f'"tcp-listen://127.0.0.1:{port}"' for port in ports)
-        self.emulator = Emulator(FLAT % (model, places, f", options: {{{options}}}" if options else ""), "--view")
-        self.addCleanup(self.emulator.__exit__, None, None, None)
-        self.emulator.__enter__()
-
-    def said(self, *names):
-        """{name of the message: (head, levels, ranges)}, of the third ping or a later one."""
-
-        async def look():
-            host, token = LINK.search(self.emulator.output).groups()
-            found = {}
-            async with websockets.connect(f"ws://{host}/news", subprotocols=["echoloop.view", token], max_size=None) as viewer:
-                while set(names) - set(found):
-                    message = await viewer.recv()
-                    if not isinstance(message, bytes) or b'"type":"said"' not in message[:60]:
-                        continue
-                    head, levels, ranges = picture(message)
-                    gain_has_settled = head["number"] > 2
-                    if gain_has_settled and (any(levels) or any(ranges)):
-                        found[head["name"]] = head, levels, ranges
-            return found
-
-        return asyncio.run(asyncio.wait_for(look(), 60))
-
-    def check_floor(self, head, levels, ranges, along=1.0):
-        """`along`: of the beams' way to the depth."""
-        middle = min(range(head["beams"]), key=lambda b: abs(head["bearings"][b] + head["pan"]))
-        if ranges:
-            self.assertAlmostEqual(ranges[middle], DEPTH * along, delta=0.1)
-        if levels and any(levels):
-            self.assertAlmostEqual(loudest_range(head, levels, middle), DEPTH * along, delta=0.15)
-
-    def check(self, *names):
-        for name, one in self.said(*names).items():
-            with self.subTest(name):
-                self.check_floor(*one)
-
+class Said(SaidCase):
     def test_norbits_soundings_and_water_column(self):
         ports = [free_port() for _ in range(3)]
         self.start("norbit-wbms", ports)
@@ -122,6 +56,58 @@ class Said(unittest.TestCase):
             host.sendall(cerulean_wire.s500_ping_params(length_mm=20000, msec_per_ping=60))
             drain(host)
             self.check("Profile6")
+
+    def test_an_aris_frame(self):
+        """In each beam the floor, slanting away to both sides, where the echogram has it."""
+        commands, beacon = free_port(), free_port()
+        self.start("aris-1800", [commands, f"udp://127.255.255.255:{beacon}"], "temperature: 10")
+        host = aris_host.Host(beacon, commands)
+        self.addCleanup(host.close)
+        host.wait_beacon()
+        host.connect()
+        host.start()
+        settings = {"mode": 3, "rate": 5.0, "samples": 1250, "delay": 2024, "cycle": 20000, "period": 14, "pulse": 20, "gain": 18.0}
+        host.next_with(host.acoustics(**settings))  # 1.5 to 14.5 m
+        drain(host.frames)
+        head, levels, _ = self.said("frame")["frame"]
+        heard, heard_levels, _ = self.heard
+        self.assertEqual((head["beams"], heard["beams"]), (96, 96))
+        self.check_floor(head, levels, ())
+        for beam in (5, 30, 65, 90):
+            slant = DEPTH / math.cos(head["bearings"][beam])
+            self.assertAlmostEqual(head["bearings"][beam], heard["bearings"][beam], delta=math.radians(0.5))
+            self.assertAlmostEqual(loudest_range(head, levels, beam), slant, delta=0.2)
+            self.assertAlmostEqual(loudest_range(heard, heard_levels, beam), slant, delta=0.2)
+
+    def r2sonic(self, options):
+        head = free_port(16)
+        data = free_port(8)
+        receivers = []
+        for port in range(data, data + 8):
+            one = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+            one.bind(("127.0.0.1", port))
+            self.addCleanup(one.close)
+            receivers.append(one)
+        self.start("r2sonic-2024", [f"udp-listen://127.0.0.1:{head}", f"udp://127.0.0.1:{data}"], "ping_rate: 5, range: 20, " + options)
+        drain(*receivers)
+
+    def test_an_r2sonics_image_and_water_column(self):
+        """The floor is flat in both: its range grows as 1 / cos of the beam's angle, to either side alike."""
+        self.r2sonic("image_height: 400, water_column: magnitude")
+        for name, (head, levels, ranges) in self.said("AID0", "WCD0").items():
+            with self.subTest(name):
+                self.check_floor(head, levels, ranges)
+                for bearing in (-40, 40):
+                    beam = min(range(head["beams"]), key=lambda b: abs(math.degrees(head["bearings"][b]) - bearing))
+                    slant = DEPTH / math.cos(head["bearings"][beam])
+                    self.assertAlmostEqual(loudest_range(head, levels, beam), slant, delta=0.25)
+
+    def test_an_r2sonics_truepix_is_water_to_the_depth_on_both_sides(self):
+        self.r2sonic("truepix: direction")
+        head, levels, _ = self.said("TPX0")["TPX0"]
+        self.assertEqual((head["waterfall"], head["beams"]), (True, 2))
+        for side in (0, 1):
+            self.assertAlmostEqual(begins(head, levels, side, below=15), DEPTH, delta=0.15)
 
 
 if __name__ == "__main__":

@@ -35,6 +35,14 @@ def sounder_command(**settings):
     return command(**{**values, **settings})
 
 
+def side_scan_command(packet, metres=30, frequency=2):
+    """An 872's for port (packet 0) or starboard (2), as DUNE asks: frequency 0 low to 2 high, data gain 40 %, balance gain 30."""
+    data = bytearray(COMMAND_BYTES)
+    data[0], data[1], data[26] = 0xFE, 0x44, 0xFD
+    data[3], data[7], data[8], data[10], data[18] = metres, frequency, 40, 30, packet
+    return bytes(data)
+
+
 def number14(low, high):
     """In the words of the specification."""
     return ((high & 0x7E) >> 1) << 8 | (high & 0x01) << 7 | (low & 0x7F)

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace echoloop::view {
 namespace {
 
@@ -49,7 +51,30 @@ TEST_F(AFeed, WantsALargePingTenTimesASecondAndItsObjectsOnce) {
     EXPECT_EQ(objects, 10);
 }
 
-TEST_F(AFeed, WantsEachLineOfAHeadWithItsObjectsUntilAPingOfAnySonarIsLate) {
+TEST_F(AFeed, WantsALargePingOnceASecondWhereNobodyHasItOnTheScreen) {
+    for (const auto& [looks, count] : {std::pair(Looks{.all_heard = false, .said = {"fan"}}, 10),
+                                       {Looks{.all_heard = false, .heard = {"fan"}}, 100}}) {
+        feed.look(1, looks);
+        int pings = 0;
+        now += 1s;
+        for (const auto end = now + 10s; now < end; now += 100ms)
+            pings += feed.wants_ping("fan", fan) != Wanted::nothing;
+        EXPECT_EQ(pings, count);
+    }
+}
+
+TEST_F(AFeed, WantsEachLineOfAHeadAndObjectsFiveTimesASecond) {
+    int objects = 0;
+    for (const auto end = now + 2s; now < end; now += 50ms) {
+        const Wanted wanted = feed.wants_ping("head", line);
+        EXPECT_NE(wanted, Wanted::nothing);
+        objects += wanted == Wanted::objects;
+    }
+    EXPECT_EQ(objects, 10);
+}
+
+TEST_F(AFeed, WantsTheObjectsOfEachLineThatShowsThemUntilAPingOfAnySonarIsLate) {
+    feed.look(1, {.all_heard = false, .truth = {"head"}});
     for (int i = 0; i < 20; ++i, now += 50ms) EXPECT_EQ(feed.wants_ping("head", line), Wanted::objects);
     heard("fan", fan, 30ms);
     int objects = 0;
@@ -60,6 +85,28 @@ TEST_F(AFeed, WantsEachLineOfAHeadWithItsObjectsUntilAPingOfAnySonarIsLate) {
     }
     EXPECT_EQ(objects, 0) << "the last ones are not five seconds old";
     EXPECT_EQ(feed.wants_ping("head", line), Wanted::objects) << "two seconds without a late ping";
+}
+
+TEST_F(AFeed, KeepsALongMessageOfAStreamOnceASecondWhereNobodyHasItOnTheScreen) {
+    const Bytes image(20'000), words(500);
+    for (const auto& [looks, count] :
+         {std::pair(Looks{.all_heard = false}, 3U), {Looks{.all_heard = false, .said = {"fan"}}, 30U}}) {
+        feed.look(1, looks);
+        feed.take();
+        now += 2s;
+        std::size_t images = 0, lines = 0, told = 0;
+        for (const auto end = now + 3s; now < end; now += 100ms) {
+            feed.bytes({.device = "fan", .port = "data", .sent = true, .bytes = image});
+            feed.bytes({.device = "fan", .port = "data", .sent = true, .bytes = words});
+            for (const Passed& one : feed.take().passed) {
+                (one.size == image.size() ? images : lines) += 1;
+                told += one.unread;
+            }
+        }
+        EXPECT_EQ(images, count);
+        EXPECT_EQ(lines, 30U);
+        EXPECT_EQ(told, count == 3 ? 18U : 9U) << "those since the last that was read";
+    }
 }
 
 TEST_F(AFeed, WantsALargePingThatIsLateOnceASecond) {

@@ -22,26 +22,9 @@ struct Grouping {
 
     Grouping(std::size_t rows, std::size_t columns, std::size_t bins);
 
-    /// Calls `each` with the place of the greatest `value(place)` of each group, beam by beam; one that is no
-    /// number is less than all others.
-    template <class Value, class Each>
-    void for_each(const Value& value, const Each& each) const {
-        for (std::size_t row = 0; row < rows; ++row)
-            for (std::size_t beam = 0; beam < beams; ++beam)
-                for (std::size_t bin = 0; bin < bins; ++bin) each(greatest(value, row, beam, bin));
-    }
-
-  private:
-    template <class Value>
-    std::size_t greatest(const Value& value, std::size_t row, std::size_t beam, std::size_t bin) const {
-        std::size_t best = (row * columns + beam * per_beam) * all_bins + bin * per_bin;
-        for (std::size_t c = beam * per_beam; c < std::min(columns, (beam + 1) * per_beam); ++c)
-            for (std::size_t b = bin * per_bin; b < std::min(all_bins, (bin + 1) * per_bin); ++b) {
-                const std::size_t at = (row * columns + c) * all_bins + b;
-                if (!(value(at) <= value(best)) && !std::isnan(value(at))) best = at;
-            }
-        return best;
-    }
+    /// The greatest of each group, beam by beam, of `values` (all rows, columns and bins); -inf where a group
+    /// holds no number. With `places` also where each stands.
+    std::vector<float> greatest(const std::vector<float>& values, std::vector<std::size_t>* places) const;
 };
 
 /// Levels of a picture. A byte is 0 for nothing, else floor + (byte - 1) step.

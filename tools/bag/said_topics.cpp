@@ -8,7 +8,7 @@
 namespace echoloop::bag {
 namespace {
 
-/// Where a message tells ranges and no levels: a dot at each.
+/// Where a message tells ranges and no levels: a dot at each, of numbered beams in one line.
 Levels dots_of(const said::Picture& picture) {
     constexpr std::size_t bins = 360;
     Levels levels = levels_of(picture);
@@ -16,12 +16,13 @@ Levels dots_of(const said::Picture& picture) {
     const float farthest = *std::ranges::max_element(ranges);
     levels.bins = bins;
     levels.first_range = 0, levels.bin_size = std::max(farthest, 0.1F) * 1.05 / bins;
-    levels.bytes.assign(ranges.size() * bins, '\0');
+    if (picture.numbered) levels.beams = 1, levels.bearings = {0};
+    levels.bytes.assign(levels.rows * levels.beams * bins, '\0');
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         if (!(ranges[i] > 0)) continue;
         const auto at = static_cast<std::size_t>(ranges[i] / levels.bin_size);
         for (std::size_t bin = at > 0 ? at - 1 : 0; bin <= std::min(at + 1, bins - 1); ++bin)
-            levels.bytes[i * bins + bin] = static_cast<char>(bin == at ? 255 : 200);
+            levels.bytes[(picture.numbered ? 0 : i) * bins + bin] = static_cast<char>(bin == at ? 255 : 200);
     }
     return levels;
 }
@@ -67,7 +68,7 @@ void Topics::say(const Wire& wire, const said::Picture& told) {
     // A message of soundings, and one of levels, make a picture each.
     draw(topic + "/" + (told.levels.empty() ? "soundings" : "picture"), head, said,
          told.levels.empty() ? dots_of(told) : levels_of(told));
-    if (told.ranges.empty()) return;
+    if (told.ranges.empty() || told.numbered) return;  // nobody knows where a numbered beam looks
     Soundings all = empty_soundings(echo);
     all.beam_width = 0;
     for (std::size_t i = 0; i < std::min(all.beams.size(), told.ranges.size()); ++i) {

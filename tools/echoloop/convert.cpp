@@ -19,6 +19,7 @@
 #include "tools/echoloop/output_file.h"
 #include "tools/echoloop/terminal.h"
 #include "tools/echoloop/verb.h"
+#include "tools/echoloop/watched_capture.h"
 
 namespace echoloop::cli {
 namespace {
@@ -104,8 +105,11 @@ std::size_t convert_bytes(Input& input, Line& line) {
     struct stat status {};
     const bool is_file = ::stat(input.name().c_str(), &status) == 0;
     const auto time = static_cast<double>(is_file ? status.st_mtime : 0);
-    for (Bytes bytes; !(bytes = input.read(std::size_t{64} << 10)).empty();)
+    Progress progress("reading", input.size());
+    for (Bytes bytes; !(bytes = input.read(std::size_t{64} << 10)).empty();) {
         line.add(false, time, bytes, false);
+        progress.done(input.offset());
+    }
     return line.shots();
 }
 
@@ -113,8 +117,14 @@ std::size_t write_shots(Input& input, const std::string& line, ShotFormat format
                         const std::filesystem::path& file) {
     std::ofstream out(file, std::ios::binary);
     Line shots(format, out);
-    const auto log = capture::open_if_log(input);
-    const auto count = log ? convert_capture(*log, line, shots) : convert_bytes(input, shots);
+    auto log = capture::open_if_log(input);
+    std::size_t count = 0;
+    if (log) {
+        WatchedCapture watched(input, std::move(log));
+        count = convert_capture(watched, line, shots);
+    } else {
+        count = convert_bytes(input, shots);
+    }
     if (count == 0)
         throw StartError(Exit::data, scenario::in_quotes(input.name()) + ": no reply of an Imagenex head");
     if (!out.flush()) throw std::runtime_error("cannot write all of it");

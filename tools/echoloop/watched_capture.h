@@ -19,7 +19,10 @@ class WatchedCapture : public capture::CaptureReader {
         constexpr unsigned now_and_then = 256;
         if (count_++ % now_and_then == 0) progress_.done(input_.offset());
         auto event = reader_->next();
-        if (!event) progress_.done(input_.size());
+        if (!event) {
+            progress_.done(input_.size());
+            progress_.clear();  // warnings may follow
+        }
         return event;
     }
     capture::CaptureCounts counts() const override { return reader_->counts(); }

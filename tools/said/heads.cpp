@@ -239,36 +239,8 @@ class Heads final : public Maker {
     double data_bits_ = 8, points_ = 0;  ///< as asked for last; 0 points: not known
 };
 
-class Depths final : public Maker {
-  public:
-    std::optional<Picture> take(const Message& message, wire::ByteView, bool sent) override {
-        if (!sent) return std::nullopt;
-        const Fields f(message);
-        Picture picture;
-        picture.name = message.name;
-        picture.down = true;
-        if (std::isfinite(f.number("distance_1"))) {
-            picture.bearings.clear();
-            for (const char* name : {"distance_1", "distance_2", "distance_3", "distance_4"}) {
-                picture.bearings.push_back(static_cast<double>(picture.bearings.size()));
-                picture.ranges.push_back(range_or_none(f.number(name)));
-            }
-            return checked(picture);
-        }
-        for (const auto& field : message.fields)
-            if (field.number && (field.unit == "m" || field.unit == "mm") &&
-                (field.name == "altitude" || field.name == "range" || field.name == "metres" ||
-                 field.name == "depth")) {
-                picture.ranges = {range_or_none(*field.number * (field.unit == "mm" ? 0.001 : 1))};
-                return checked(picture);
-            }
-        return std::nullopt;
-    }
-};
-
 }  // namespace
 
 std::unique_ptr<Maker> make_heads() { return std::make_unique<Heads>(); }
-std::unique_ptr<Maker> make_depths() { return std::make_unique<Depths>(); }
 
 }  // namespace echoloop::said

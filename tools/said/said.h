@@ -20,6 +20,7 @@ struct Picture {
     std::string name;                   ///< of the message: "DeviceData"
     std::vector<double> bearings{0};    ///< rad, ascending, clockwise (starboard positive); one a column
     std::vector<double> elevations{0};  ///< rad, up; one a row
+    bool numbered = false;              ///< of a Doppler log: messages tell no bearings, beams are 0, 1, 2
     double pan = 0;                     ///< rad, clockwise, of a head that turns
     bool waterfall = false;             ///< of a side-scan: one beam, or port and starboard
     bool down = false;                  ///< the middle looks down, not ahead

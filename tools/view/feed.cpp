@@ -8,16 +8,18 @@ namespace echoloop::view {
 namespace {
 
 constexpr std::chrono::milliseconds between_large(100);
-constexpr std::chrono::seconds between_late(1);  // of a sonar whose pings are late: looking costs time, too
-constexpr std::chrono::seconds between_objects(
-    1);  // that cost much: a ping with them takes up to 1.6 times as long
-constexpr std::chrono::seconds between_late_objects(5);
+constexpr std::chrono::seconds between_unseen(1);  // that nobody has on the screen
+constexpr std::chrono::seconds between_late(1);    // of a sonar whose pings are late: looking costs time, too
+// Objects cost much: a ping with them takes up to 1.6 times as long.
+constexpr std::chrono::seconds between_objects(1), between_late_objects(5);
+constexpr std::chrono::milliseconds between_small_objects(200);
 constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t large = 8192;           // values; smaller ones are lines of a picture, and all are kept
 constexpr std::size_t most_lines = 64;        // of a sonar, between two calls of take()
 constexpr std::size_t most_passed = 1000;     // between two calls of take()
 constexpr std::size_t most_bytes = 4U << 20;  // the same
-constexpr std::size_t longest_kept = 4U << 20;  // of one message
+constexpr std::size_t long_message = 12U << 10;  // by TCP: images and soundings
+constexpr std::size_t longest_kept = 4U << 20;   // of one message
 constexpr std::size_t most_before = 256U << 10;
 
 double unix_now() {
@@ -36,8 +38,9 @@ Passed copied(const SeenBytes& seen, std::size_t keep) {
 
 }  // namespace
 
-void Feed::look(std::size_t viewers) {
+void Feed::look(std::size_t viewers, Looks looks) {
     const std::scoped_lock lock(mutex_);
+    looks_ = std::move(looks);
     if (viewers > 0 && viewers_ == 0) {
         passed_.assign(std::make_move_iterator(before_.begin()), std::make_move_iterator(before_.end()));
         before_.clear();
@@ -54,13 +57,17 @@ Wanted Feed::wants_ping(std::string_view device, const Shot& shot) {
     Sonar& sonar = sonars_[std::string(device)];
     const Moment now = now_();
     if (is_large) {
-        const auto between = sonar.late ? Moment::duration(between_late) : between_large;
+        const auto between = sonar.late                   ? Moment::duration(between_late)
+                             : looks_.shows_heard(device) ? between_large
+                                                          : between_unseen;
         if (now - sonar.wanted < between) return Wanted::nothing;
         sonar.wanted = now;
     }
-    const bool sparing = is_sparing();
-    const auto between = sparing ? between_late_objects : between_objects;
-    if ((is_large || sparing) && now - sonar.wanted_objects < between) return Wanted::levels;
+    const auto between = is_sparing()                 ? Moment::duration(between_late_objects)
+                         : is_large                   ? between_objects
+                         : looks_.shows_truth(device) ? Moment::duration::zero()
+                                                      : between_small_objects;
+    if (now - sonar.wanted_objects < between) return Wanted::levels;
     sonar.wanted_objects = now;
     return Wanted::objects;
 }
@@ -85,6 +92,7 @@ void Feed::bytes(const SeenBytes& seen) {
     LineCount& count = lines_[line];
     (seen.sent ? count.out : count.in) += seen.bytes.size();
     count.rate = seen.line_rate;
+    if (is_unwanted(seen)) return;
     const std::size_t keep = std::min(seen.bytes.size(), longest_kept);
     if (passed_.size() >= most_passed || passed_bytes_ + keep > most_bytes) {
         left_out_ += seen.bytes.size();
@@ -94,6 +102,23 @@ void Feed::bytes(const SeenBytes& seen) {
     passed_bytes_ += keep;
     passed_.push_back(copied(seen, keep));
     passed_.back().gap = gaps_.erase({line, seen.sent}) > 0;
+    const auto found = seen.sent ? long_.find(line) : long_.end();
+    if (found != long_.end() && seen.bytes.size() >= long_message)
+        passed_.back().unread = std::exchange(found->second.unread, 0);
+}
+
+/// Long messages of a sonar, each in one piece, where what it says is on no screen: one a second is wanted.
+bool Feed::is_unwanted(const SeenBytes& seen) {
+    if (!seen.sent || seen.packets || seen.bytes.size() < long_message) return false;
+    Long& known = long_[{std::string(seen.device), std::string(seen.port)}];
+    const Moment now = now_();
+    const bool wanted =
+        (looks_.shows_said(seen.device) && !is_sparing()) || now - known.read >= between_unseen;
+    if (wanted)
+        known.read = now;
+    else
+        ++known.unread;
+    return !wanted;
 }
 
 /// The oldest goes first: of a driver that says much, what it set long ago.

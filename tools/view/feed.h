@@ -1,5 +1,6 @@
-// What a run shows to those who look: the last pings of each sonar and the messages on its wires. It keeps
-// little, and nothing while nobody looks. Knows no sockets.
+// What a run shows to those who look: the last pings of each sonar and the
+// messages on its wires. It keeps little, and nothing while nobody looks. Knows
+// no sockets.
 #pragma once
 
 #include <atomic>
@@ -26,7 +27,8 @@ struct Passed {
     double unix_time = 0;  ///< s since 1970
     Bytes bytes;           ///< the first of them, where there are very many
     std::size_t size = 0;
-    bool gap = false;  ///< before these some were left out
+    bool gap = false;        ///< before these some were left out
+    std::size_t unread = 0;  ///< long messages before it that nobody wanted
 };
 
 /// What a port has carried since the first viewer came.
@@ -35,23 +37,40 @@ struct LineCount {
     double rate = 0;                ///< bit/s of a serial line; 0: of none
 };
 
+/// What viewers have on their screens, by device. Of the rest they get a large
+/// picture once a second.
+struct Looks {
+    bool all_heard = true;  ///< somebody has not said what
+    bool all_said = false;  ///< somebody wants every byte
+    std::set<std::string, std::less<>> heard{}, said{}, truth{};
+
+    bool shows_heard(std::string_view device) const { return all_heard || heard.contains(device); }
+    bool shows_said(std::string_view device) const { return all_said || said.contains(device); }
+    /// Which object each bin hears.
+    bool shows_truth(std::string_view device) const { return truth.contains(device); }
+};
+
 class Feed final : public Watch {
   public:
     using Moment = std::chrono::steady_clock::time_point;
 
     explicit Feed(std::function<Moment()> now = std::chrono::steady_clock::now) : now_(std::move(now)) {}
 
-    /// While nobody looks, nothing is kept but the last that drivers said: it tells what they have set.
-    void look(std::size_t viewers);
+    /// While nobody looks, nothing is kept but the last that drivers said: it
+    /// tells what they have set.
+    void look(std::size_t viewers, Looks looks = {});
     std::size_t viewers() const { return viewers_; }
 
-    /// Of a large ping the objects once a second, of a small one always; every 5 s while pings are late.
+    /// A large ping ten times a second where it is shown, else once. Objects of a
+    /// large ping once a second, of small ones five times, always where they are
+    /// shown; every 5 s while pings are late.
     Wanted wants_ping(std::string_view device, const Shot& shot) override;
     void ping(const SeenPing& ping) override;
     void bytes(const SeenBytes& bytes) override;
     void fault(const SeenFault& fault) override;
 
-    /// What has come since the last call, oldest first; of large pictures the latest of each sonar.
+    /// What has come since the last call, oldest first; of large pictures the
+    /// latest of each sonar.
     struct News {
         bool sparing = false;  ///< pings are late: what can wait had better
         std::vector<std::shared_ptr<const Kept>> pings;
@@ -76,14 +95,21 @@ class Feed final : public Watch {
 
     bool is_sparing() const { return now_() - last_late_ < late_for; }
     void keep_for_later(const SeenBytes& seen);
+    bool is_unwanted(const SeenBytes& seen);
 
     std::function<Moment()> now_;
     std::atomic<std::size_t> viewers_{0};
     mutable std::mutex mutex_;  // of all below
-    Moment last_late_{};        ///< when a ping of any sonar was late
+    Looks looks_{};
+    Moment last_late_{};  ///< when a ping of any sonar was late
     std::map<std::string, Sonar, std::less<>> sonars_;
     std::map<Line, LineCount> lines_;
     std::set<std::pair<Line, bool>> gaps_;  ///< ways on which bytes were left out
+    struct Long {
+        Moment read{};
+        std::size_t unread = 0;
+    };
+    std::map<Line, Long> long_;  ///< messages of sonars by TCP
     std::vector<Passed> passed_;
     std::deque<Passed> before_;  ///< what drivers said while nobody looked
     std::size_t before_bytes_ = 0;

@@ -44,7 +44,8 @@ std::shared_ptr<const News> text_news(std::string text) {
     return std::make_shared<const News>(News{false, std::move(text)});
 }
 
-/// {"type": "lines", "t": s, "lines": [{"device", "port", "in", "out": bytes so far, "rate": bit/s}]}
+/// {"type": "lines", "t": s, "lines": [{"device", "port", "in", "out": bytes so
+/// far, "rate": bit/s}]}
 std::string lines_message(const Feed& feed) {
     const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
     Json all{{"type", "lines"}, {"t", now.count()}, {"lines", Json::array()}};
@@ -108,6 +109,7 @@ class Server::Impl {
         Batch waiting;  ///< what is being sent, or is to be sent next
         bool writing = false;
         bool closed = false;
+        std::optional<Looks> looks{};  ///< none: it has not said what it shows
     };
 
     Task<void> accept() {
@@ -178,22 +180,52 @@ class Server::Impl {
         look();
     }
 
-    void look() { feed_.look(viewers_.size() + foxglove_.viewers()); }
+    void look() {
+        const bool all = foxglove_.viewers() > 0;
+        looks_ = {all, all};
+        for (const auto& viewer : viewers_) {
+            if (!viewer->looks) {
+                looks_.all_heard = true;
+                continue;
+            }
+            looks_.heard.insert(viewer->looks->heard.begin(), viewer->looks->heard.end());
+            looks_.said.insert(viewer->looks->said.begin(), viewer->looks->said.end());
+            looks_.truth.insert(viewer->looks->truth.begin(), viewer->looks->truth.end());
+        }
+        feed_.look(viewers_.size() + foxglove_.viewers(), looks_);
+    }
 
-    /// {"ask": {"fault": ...}, "id": 3}: what a client of the control place says, and a number for the
-    /// answer.
+    /// {"looks": {"heard": ["sonar", ...], "said": [...], "true": [...]}}: the
+    /// devices whose layers it shows.
+    void note_looks(Viewer& viewer, const Json& told) {
+        Looks looks{false};
+        const std::pair<const char*, std::set<std::string, std::less<>>*> layers[] = {
+            {"heard", &looks.heard}, {"said", &looks.said}, {"true", &looks.truth}};
+        for (const auto& [name, devices] : layers) {
+            if (!told.contains(name) || !told[name].is_array()) continue;
+            for (const Json& device : told[name])
+                if (device.is_string()) devices->insert(device.get<std::string>());
+        }
+        viewer.looks = std::move(looks);
+        look();
+    }
+
+    /// {"ask": {"fault": ...}, "id": 3}: what a client of the control place says,
+    /// and a number for the answer.
     void hear(const std::shared_ptr<Viewer>& viewer, const std::string& text) {
         const Json said = Json::parse(text, nullptr, false);
+        if (said.is_object() && said.contains("looks") && said["looks"].is_object())
+            return note_looks(*viewer, said["looks"]);
         if (!said.is_object() || !said.contains("ask") || !said["ask"].is_object()) return;
         const Json id = said.value("id", Json(nullptr));
         if (!options_.control) {
-            const Json refused{
-                {"type", "answer"},
-                {"id", id},
-                {"answer",
-                 {{"ok", false},
-                  {"error",
-                   "this page only shows; start the run with --view-control to let it ask for faults"}}}};
+            const Json refused{{"type", "answer"},
+                               {"id", id},
+                               {"answer",
+                                {{"ok", false},
+                                 {"error",
+                                  "this page only shows; start the run with --view-control "
+                                  "to let it ask for faults"}}}};
             return offer(viewer, text_news(refused.dump()));
         }
         options_.ask(said["ask"].dump(), [this, id, who = std::weak_ptr(viewer)](const std::string& answer) {
@@ -219,7 +251,9 @@ class Server::Impl {
             if (viewers_.empty()) continue;
             for (const auto& ping : news.pings)
                 tell(std::make_shared<const News>(News{true, view::message_of(*ping)}));
-            Ticker::Told told = ticker_.take(news.passed, news.faults, news.bytes_left_out, news.sparing);
+            Ticker::Told told =
+                ticker_.take(news.passed, news.faults, news.bytes_left_out, news.sparing,
+                             [this](const std::string& device) { return looks_.shows_said(device); });
             for (std::string& picture : told.pictures)
                 tell(std::make_shared<const News>(News{true, std::move(picture)}));
             if (!told.messages.empty()) tell(text_news(std::move(told.messages)));
@@ -270,6 +304,7 @@ class Server::Impl {
 
     Feed& feed_;
     ServerOptions options_;
+    Looks looks_{};  ///< of all viewers
     std::size_t connections_ = 0;
     asio::io_context io_;  // its coroutines, which it ends last, refer to what is above
     std::list<std::shared_ptr<Viewer>> viewers_;

@@ -58,7 +58,8 @@ std::optional<Json> said_of(const std::string& device, const inspect::Message& m
                 {"numbers", std::move(numbers)}};
 }
 
-/// Names of the fields of `now` that stand otherwise in `before`, or not at all.
+/// Names of the fields of `now` that stand otherwise in `before`, or not at
+/// all.
 Json changed_fields(const Json& now, const Json& before) {
     Json names = Json::array();
     for (const Json& field : now)
@@ -84,12 +85,16 @@ struct Ticker::Batch {
     std::map<std::string, Large> large_pictures{};
     std::map<std::string, std::size_t> last_row{};  ///< by way and name: place in `rows`
     std::vector<std::string> pictures{};
+    bool sparing = false;
+    const std::function<bool(const std::string& device)>* shown = nullptr;
 };
 
 Ticker::Told Ticker::take(const std::vector<Passed>& passed, const std::vector<bag::Fault>& faults,
-                          std::size_t left_out, bool sparing) {
+                          std::size_t left_out, bool sparing,
+                          const std::function<bool(const std::string& device)>& shown) {
     if (passed.empty() && faults.empty() && left_out == 0) return {};
     Batch batch;
+    batch.sparing = sparing, batch.shown = &shown;
     for (const Passed& one : passed) decode(one, batch);
     for (const bag::Fault& one : faults) mark(one, batch.rows);
     Json all{{"type", "messages"},
@@ -99,14 +104,9 @@ Ticker::Told Ticker::take(const std::vector<Passed>& passed, const std::vector<b
              {"set", Json::array()}};
     for (auto& [key, numbers] : batch.said) all["said"].push_back(std::move(numbers));
     for (auto& [key, setting] : batch.set) all["set"].push_back(std::move(setting));
-    constexpr double between_spared = 1;  // s
-    for (const auto& [key, large] : batch.large_pictures) {
-        double& shown = shown_[key];
-        if (sparing && large.unix_time - shown < between_spared && large.unix_time >= shown) continue;
-        shown = large.unix_time;
+    for (const auto& [key, large] : batch.large_pictures)
         batch.pictures.push_back(
             view::message_of(large.picture, large.device, large.number, large.unix_time));
-    }
     return {text_of(all), std::move(batch.pictures)};
 }
 
@@ -120,7 +120,8 @@ std::string Ticker::settings() const {
     return text_of(all);
 }
 
-/// On the message that it was made on, which has passed just before or is about to; else as a row of its own.
+/// On the message that it was made on, which has passed just before or is about
+/// to; else as a row of its own.
 void Ticker::mark(const bag::Fault& fault, Json& rows) {
     Json* nearest = nullptr;
     double least = 0.05;  // s
@@ -187,6 +188,7 @@ void Ticker::add(const Passed& one, const inspect::Message& message, ByteView by
              {"reason", message.reason},
              {"bytes", hexadecimal(bytes)},
              {"fields", fields_of(message)}};
+    if (one.unread > 0) row["parts"] = 1 + one.unread;
     if (!one.sent && message.reason.empty() && !message.name.empty()) note_setting(one, row, batch);
     batch.rows.push_back(std::move(row));
     const auto maker = makers_.find(one.device);
@@ -195,7 +197,8 @@ void Ticker::add(const Passed& one, const inspect::Message& message, ByteView by
         batch.said[one.device + "\n" + message.name] = std::move(*numbers);
 }
 
-/// The parts of one picture come as many messages in a few milliseconds: they share a row.
+/// The parts of one picture come as many messages in a few milliseconds: they
+/// share a row.
 bool Ticker::is_part(const Passed& one, const inspect::Message& message, Batch& batch) {
     if (!one.sent || !message.reason.empty()) return false;
     constexpr double together = 0.01;  // s
@@ -234,14 +237,26 @@ void Ticker::look_for_picture(const Passed& one, const inspect::Message& message
     const auto [maker, first] = makers_.try_emplace(one.device);
     if (first) maker->second = said::maker_of(family->second);
     if (!maker->second) return;
-    const auto picture = maker->second->take(message, bytes, one.sent);
+    // Of a message that makes large pictures nothing is read until the next is
+    // wanted.
+    constexpr double between_unseen = 1, most_ahead = 2;  // s
+    const std::string key = one.device + "\n" + message.name;
+    const auto next = next_.find(key);
+    if (next != next_.end() && one.unix_time < next->second && one.unix_time > next->second - most_ahead)
+        return;
+    auto picture = maker->second->take(message, bytes, one.sent);
     if (!picture) return;
     const std::uint64_t number = ++pictures_[one.device];
-    if (picture->levels.size() + picture->ranges.size() < large_said)
+    if (picture->levels.size() + picture->ranges.size() < large_said) {
         batch.pictures.push_back(view::message_of(*picture, one.device, number, one.unix_time));
+        return;
+    }
+    if (batch.sparing || !(*batch.shown)(one.device))
+        next_[key] = one.unix_time + between_unseen;
     else
-        batch.large_pictures[one.device + "\n" + picture->name] = {*picture, one.device, number,
-                                                                   one.unix_time};
+        next_.erase(key);
+    batch.large_pictures[one.device + "\n" + picture->name] = {std::move(*picture), one.device, number,
+                                                               one.unix_time};
 }
 
 }  // namespace echoloop::view

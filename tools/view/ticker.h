@@ -1,7 +1,9 @@
-// Bytes on the wires as named messages for the page, the pictures in them, and what drivers have set. Opens
-// nothing; whatever the bytes hold, it says something.
+// Bytes on the wires as named messages for the page, the pictures in them, and
+// what drivers have set. Opens nothing; whatever the bytes hold, it says
+// something.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,26 +18,31 @@ namespace echoloop::view {
 
 class Ticker {
   public:
-    /// `families`: of the messages of each device, as protocols/inspect.h calls them.
+    /// `families`: of the messages of each device, as protocols/inspect.h calls
+    /// them.
     explicit Ticker(std::map<std::string, std::string> families) : families_(std::move(families)) {}
 
     struct Told {
-        /// {"type": "messages", "left_out": bytes, "messages": [{"n", "unix", "device", "port", "sent",
-        /// "size", "name", "reason", "parts": of its kind within 10 ms, where there are several, "fields":
-        /// [[name, text, unit], ...], "fault": what was made on it, on those alone}], "said": the longest
-        /// array of numbers in the last message of each kind that a device sent whose family has no pictures:
-        /// [{"device", "name", "unit", "numbers"}], "set": as settings() tells them}; "" where there are
-        /// none.
+        /// {"type": "messages", "left_out": bytes, "messages": [{"n", "unix",
+        /// "device", "port", "sent", "size", "name", "reason", "parts": of its kind
+        /// within 10 ms, where there are several, "fields":
+        /// [[name, text, unit], ...], "fault": what was made on it, on those
+        /// alone}], "said": the longest array of numbers in the last message of
+        /// each kind that a device sent whose family has no pictures:
+        /// [{"device", "name", "unit", "numbers"}], "set": as settings() tells
+        /// them}; "" where there are none.
         std::string messages;
         std::vector<std::string> pictures;  ///< said_picture.h; of large ones the latest of each kind
     };
-    /// `sparing`: large pictures once a second.
+    /// `shown`: whether what a device says is on a screen; of others, and while
+    /// `sparing`, a large picture is read once a second.
     Told take(const std::vector<Passed>& passed, const std::vector<bag::Fault>& faults, std::size_t left_out,
-              bool sparing);
+              bool sparing, const std::function<bool(const std::string& device)>& shown);
 
-    /// {"type": "messages", "messages": [], "said": [], "set": [{"device", "name", "unix", "times", "fields",
-    /// "changed": names of the fields that differ from the message of that name before}]}: the last of each
-    /// kind of message that each driver has said.
+    /// {"type": "messages", "messages": [], "said": [], "set": [{"device",
+    /// "name", "unix", "times", "fields", "changed": names of the fields that
+    /// differ from the message of that name before}]}: the last of each kind of
+    /// message that each driver has said.
     std::string settings() const;
 
   private:
@@ -55,7 +62,7 @@ class Ticker {
     std::map<Way, std::unique_ptr<inspect::StreamDecoder>> streams_;
     std::map<std::string, std::unique_ptr<said::Maker>> makers_;  ///< by device
     std::map<std::string, std::uint64_t> pictures_;               ///< made so far, by device
-    std::map<std::string, double> shown_;   ///< s since 1970, when a large one was; by device and message
+    std::map<std::string, double> next_;    ///< s since 1970, when a large one is read; by device and message
     std::map<std::string, Json> settings_;  ///< by device and message
     std::uint64_t count_ = 0;
 };

@@ -1,5 +1,5 @@
 // Where a ping's beams are in the world. East, north, up.
-import type { Ping, PoseNumbers } from "./news";
+import { levelOf, type Ping, type PoseNumbers } from "./news";
 import { farthest } from "./sketch";
 
 export type Vector = [number, number, number];
@@ -64,9 +64,12 @@ export function footprintsOf(ping: Ping): number[] {
   return out;
 }
 
+/** Of an object; where objects were not drawn, of what stands out of the noise. */
 function loudestRange(ping: Ping, beam: number): number {
+  const quiet = ping.noise === null ? Infinity : ping.noise + 13; // dB
+  const counts = (at: number): boolean => (ping.seen !== null ? ping.seen[at] > 0 : levelOf(ping, ping.levels[at]) > quiet);
   let best = -1;
   for (let at = beam * ping.bins; at < (beam + 1) * ping.bins; at++)
-    if (ping.seen !== null && ping.seen[at] > 0 && ping.levels[at] > (best < 0 ? 0 : ping.levels[best])) best = at;
+    if (counts(at) && ping.levels[at] > (best < 0 ? 0 : ping.levels[best])) best = at;
   return best < 0 ? 0 : ping.first_range + (best - beam * ping.bins + 0.5) * ping.bin_size;
 }

@@ -90,6 +90,13 @@ export class Card {
     this.tell();
   }
 
+  /** What it shows: pictures, and which object each bin hears. */
+  layers(): { heard: boolean; said: boolean; truth: boolean } {
+    const shown = this.pictures();
+    const heard = shown.includes(this.heard);
+    return { heard, said: shown.includes(this.said), truth: this.layer.value === "true" || (heard && this.heard.pointer !== null) };
+  }
+
   private pictures(): Picture[] {
     if (this.layer.value === "both") return [this.heard, this.said];
     return this.layer.value.startsWith("said") ? [this.said] : [this.heard];
@@ -195,6 +202,7 @@ export class Card {
     const picture = pointed ?? shown[0];
     if (picture === this.said && this.names.size === 0) return this.tellNumber(picture);
     if (picture.last === null) return;
+    if (!pointed && picture.last.numbered) return this.tellBeams(picture.last);
     const spot = pointed ? picture.spotAt(...pointed.pointer!) : picture.loudest();
     if (spot !== null) this.tellSpot(pointed ? "" : spot.bin < 0 ? "in the middle: " : "loudest echo: ", spot, rulerText(picture));
     else if (pointed) this.read.replaceChildren("nothing there", rulerText(picture) ? " · ruler " + rulerText(picture) : "");
@@ -208,6 +216,12 @@ export class Card {
     this.read.replaceChildren(picture.pointer === null ? "largest: " : "", `${said.name}[${at}] = `, bold(plain(said.numbers[at]) + (said.unit ? " " + said.unit : "")));
   }
 
+  /** The ranges of a Doppler log's beams. */
+  private tellBeams(ping: Ping): void {
+    const ranges = [...(ping.ranges ?? [])].map((range) => (range > 0 ? range.toFixed(2) + " m" : "none"));
+    this.read.replaceChildren("beams: ", bold(ranges.join(", ")));
+  }
+
   private tellSpot(before: string, spot: Spot, ruler: string): void {
     const { ping, beam, bin } = spot;
     const at = beam * ping.bins + bin;
@@ -215,7 +229,8 @@ export class Card {
     const elevation = ping.rows > 1 ? `, ${((ping.elevations[Math.floor(beam / ping.beams)] * 180) / Math.PI).toFixed(1)} deg up` : "";
     const range = rangeOf(spot);
     const parts: (string | HTMLElement)[] = [before, bold(range > 0 ? range.toFixed(2) + " m" : "no range")];
-    if (!ping.sides && !ping.waterfall) parts.push(` at ${bearing.toFixed(1)} deg${elevation}`);
+    if (ping.numbered) parts.push(`, beam ${beam + 1}`);
+    else if (!ping.sides && !ping.waterfall) parts.push(` at ${bearing.toFixed(1)} deg${elevation}`);
     else if (ping.beams > 1) parts.push(ping.beams === 2 ? (beam === 0 ? ", port" : ", starboard") : `, beam ${beam + 1}`);
     if (bin >= 0) {
       const level = levelOf(ping, ping.levels[at]);

@@ -3,6 +3,7 @@ import { Card } from "./card";
 import { Devices } from "./devices";
 import { Faults } from "./faults";
 import { History } from "./history";
+import { Screen } from "./looks";
 import { headOf, pingOf, type Answer, type Hello, type News, type Ping, type SceneNews } from "./news";
 import type { Look } from "./overlay";
 import { paletteOf } from "./palette";
@@ -20,6 +21,7 @@ const devices = new Devices(element<HTMLTableElement>("devices"), element<HTMLTa
 const settings = new Settings(element<HTMLTableElement>("settings"));
 const history = new History();
 const faults = new Faults((line) => ask(line));
+const screen = new Screen(element("scene-panel"));
 const look: Look = { palette: paletteOf("copper"), span: 60 };
 const time = element<HTMLInputElement>("time");
 let about: Hello | null = null;
@@ -163,6 +165,7 @@ function connect(): void {
   socket = here;
   here.onopen = () => {
     opened = true;
+    screen.forget();
     state("live", true);
   };
   here.onmessage = ({ data }) =>
@@ -208,5 +211,12 @@ element("save-scene").onclick = () => {
   scene.draw(true);
   saveCanvas("scene", element<HTMLCanvasElement>("scene"));
 };
+function tellLooks(): void {
+  if (socket === null || socket.readyState !== WebSocket.OPEN) return;
+  const looks = screen.changed(cards);
+  if (looks !== null) socket.send(JSON.stringify({ looks }));
+}
+
+window.setInterval(tellLooks, 250);
 connect();
 frame();

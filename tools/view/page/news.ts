@@ -41,6 +41,7 @@ export interface Ping extends Omit<PingHead, "type"> {
   down: boolean; // the middle looks down
   waterfall: boolean; // a side-scan
   assumed: boolean; // ranges are those at 1500 m/s
+  numbered: boolean; // bearings are numbers of beams
   levels: Uint8Array; // beam by beam; 0: nothing
   seen: Uint16Array | null; // 1 + index of the object; null: not told
   seenOf: number; // the ping that these objects are of: not each has its own (tools/view/feed.h)
@@ -63,6 +64,7 @@ interface SaidHead {
   bearings: number[];
   elevations: number[];
   pan: number;
+  numbered: boolean;
   waterfall: boolean;
   down: boolean;
   assumed: boolean;
@@ -197,7 +199,7 @@ export function pingOf(buffer: ArrayBuffer): Ping {
   const seen = head.objects ? new Uint16Array(buffer.slice(rest + count, rest + 3 * count)) : null;
   const [, , , w, x, y, z] = head.sonar;
   const down = 2 * (x * z - w * y) < -0.7; // the axis in the world
-  return { ...head, name: "", down, waterfall: false, assumed: false, levels, seen, seenOf: head.number, ranges: null };
+  return { ...head, name: "", down, waterfall: false, assumed: false, numbered: false, levels, seen, seenOf: head.number, ranges: null };
 }
 
 /** dB of a byte; NaN for nothing. */

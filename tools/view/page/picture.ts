@@ -12,6 +12,7 @@ export interface Spot {
 
 const slots = 720; // directions of a full circle
 export const scopeWidth = 70; // dots of an echogram's A-scan
+export const beamColours = ["#ffd27f", "#7fd8ff", "#ff9ecb", "#a5e88a"]; // of a Doppler log's
 
 export class Picture {
   readonly canvas = document.createElement("canvas");
@@ -48,13 +49,16 @@ export class Picture {
     this.pans.add(Math.round(ping.pan * 1000));
     const kind = kindOf(ping, this.pans.size > 1, this.waterfall || ping.waterfall);
     const grows = kind === "profile" || kind === "depth";
-    if (this.last === null || kind !== this.kind || ping.bins !== this.last.bins || (!grows && farthest(ping) !== farthest(this.last))) {
+    const alike = this.last !== null && ping.bins === this.last.bins && (grows || farthest(ping) === farthest(this.last));
+    if (!alike || kind !== this.kind) {
+      const first = alike && kind === "circle" ? this.last : null; // before it turned
       this.lines = [];
+      if (first !== null) this.lines[slotOf(first.pan)] = first;
       this.top = -Infinity;
       this.bottom = Infinity;
       this.kind = kind;
     }
-    if (kind !== "echogram" && kind !== "sidescan") inheritObjects(ping, kind === "circle" ? this.lines[slotOf(ping.pan)] : this.last);
+    if (kind !== "echogram" && kind !== "sidescan") inheritObjects(ping, kind === "circle" ? this.lineAt(slotOf(ping.pan)) : this.last);
     this.last = ping;
     this.far = grows ? Math.max(this.far, farthest(ping)) : farthest(ping);
     let loudest = 0;
@@ -120,7 +124,8 @@ export class Picture {
         if (line === undefined) return null;
         const right = x >= width / 2;
         const along = line.beams === 1 ? x / width : right ? (x - width / 2) / (width / 2) : (width / 2 - 1 - x) / (width / 2);
-        return { ping: line, beam: right ? line.beams - 1 : 0, bin: Math.min(line.bins - 1, Math.floor(along * line.bins)) };
+        const bin = Math.floor((along * this.far - line.first_range) / line.bin_size);
+        return bin < 0 || bin >= line.bins ? null : { ping: line, beam: right ? line.beams - 1 : 0, bin };
       }
       case "profile": {
         const [right, ahead] = placeIn(this.frame(ping), x, y);
@@ -129,7 +134,7 @@ export class Picture {
       }
       case "depth": {
         const line = this.lines[this.lines.length - width + x];
-        return line === undefined ? null : { ping: line, beam: 0, bin: -1 };
+        return line === undefined ? null : { ping: line, beam: beamOfRange(line, (y / height) * this.far), bin: -1 };
       }
       default: {
         const column = Math.min(ping.beams - 1, Math.floor((x / width) * ping.beams));
@@ -146,7 +151,8 @@ export class Picture {
     const far = this.far;
     if (this.kind === "fan" || this.kind === "profile") return placeIn(this.frame(ping), x, y);
     if (this.kind === "circle") return [((x - width / 2) / (height / 2 - 8)) * far, ((height / 2 - y) / (height / 2 - 8)) * far];
-    if (this.kind === "echogram" || this.kind === "depth") return [0, (y / height) * far];
+    if (this.kind === "echogram") return [0, ping.first_range + (y / height) * (far - ping.first_range)];
+    if (this.kind === "depth") return [0, (y / height) * far];
     if (this.kind === "sidescan") return [ping.beams === 1 ? (x / width) * far : ((x - width / 2) / (width / 2)) * far, 0];
     return null;
   }
@@ -220,8 +226,12 @@ export class Picture {
       ping.ranges.forEach((range, beam) => range > 0 && dot(...dotIn(this.frame(ping), range, ping.bearings[beam] + ping.pan)));
     if (this.kind !== "depth" && this.kind !== "echogram") return;
     const shown = this.kind === "depth" || ping.beams > 1 ? width : width - scopeWidth;
+    const own = context.fillStyle;
     this.lines.slice(-shown).forEach((line, i, all) => {
-      for (const range of line?.ranges ?? []) if (range > 0) dot(shown - all.length + i, ((range - ping.first_range) / (this.far - ping.first_range)) * height);
+      line?.ranges?.forEach((range, beam) => {
+        context.fillStyle = line.numbered ? beamColours[beam % beamColours.length] : own;
+        if (range > 0) dot(shown - all.length + i, ((range - ping.first_range) / (this.far - ping.first_range)) * height);
+      });
     });
   }
 
@@ -240,6 +250,14 @@ export function rangeOf({ ping, beam, bin }: Spot): number {
   return bin < 0 ? ping.ranges?.[beam] ?? 0 : ping.first_range + (bin + 0.5) * ping.bin_size;
 }
 
+/** The beam whose told range lies nearest. */
+function beamOfRange(ping: Ping, range: number): number {
+  let best = 0;
+  const away = (beam: number): number => (ping.ranges![beam] > 0 ? Math.abs(ping.ranges![beam] - range) : Infinity);
+  for (let beam = 1; beam < ping.beams; beam++) if (away(beam) < away(best)) best = beam;
+  return best;
+}
+
 function slotOf(pan: number): number {
   const turn = pan / (2 * Math.PI);
   return Math.round((turn - Math.floor(turn)) * slots) % slots;
@@ -253,7 +271,7 @@ function loudestOf(ping: Ping, beam: number): Spot | null {
   return Number.isNaN(level) || (ping.noise !== null && level < ping.noise + 13) ? null : { ping, beam, bin: best };
 }
 
-/** Where a ping's objects were not drawn: those of the one before in that direction. */
+/** Where a ping's objects were not drawn: those of the one before in that direction, or the one next to it. */
 function inheritObjects(ping: Ping, before: Ping | null | undefined): void {
   if (ping.type !== "ping" || ping.seen !== null || !before?.seen) return;
   if (before.seen.length !== ping.levels.length || farthest(before) !== farthest(ping)) return;

@@ -23,7 +23,7 @@ export interface Sketch {
 /** `turns`: its pings look in several directions. `waterfall`: a side-scan of one beam. */
 export function kindOf(ping: Ping, turns: boolean, waterfall: boolean): Kind {
   if (ping.rows > 1) return "range image";
-  if (ping.bins === 0) return ping.beams < 8 ? "depth" : "profile";
+  if (ping.bins === 0) return ping.numbered || ping.beams === 1 ? "depth" : "profile";
   if (waterfall || (ping.sides && ping.beams === 2)) return "sidescan";
   if (ping.sides) return "echogram"; // of several beams that look to all sides
   if (ping.beams > 1) return "fan";
