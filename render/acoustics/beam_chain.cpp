@@ -13,10 +13,11 @@ double power_of(double db) { return std::pow(10, db / 10); }
 /// uPa^2; less changes no level, and is what receivers have whose noise somebody else adds.
 constexpr double least_noise = 1e-12;
 
-Scatter scatter_of(const RangeCorrelation& correlation, BinRule rule, double bin_length) {
+Scatter scatter_of(const RangeCorrelation& correlation, const Receiver& receiver, double bin_length) {
     Scatter out;
-    if (rule != BinRule::sample) out.looks = looks_in(correlation, bin_length);
-    out.bins = bin_filter(correlation, rule, out.looks, bin_length);
+    if (receiver.bins != BinRule::sample)
+        out.looks = std::min(looks_in(correlation, bin_length), receiver.most_looks);
+    out.bins = bin_filter(correlation, receiver.bins, out.looks, bin_length);
     out.neighbours = neighbour_correlation(out.bins);
     return out;
 }
@@ -55,8 +56,14 @@ ChainPlan::ChainPlan(const Shot& shot, double sound_speed, Effects effects, Spec
         power = power_filter(shape, bin_length);
         power_gain = shape.energy_until(shape.end()) / bin_length;
         bins_per_look = static_cast<std::size_t>(std::max(1.0, std::round(shape.length() / bin_length)));
-        if (speckle) echo = scatter_of(echo_correlation(shot, sound_speed), rule, bin_length);
-        if (noise_power > 0) noise = scatter_of(noise_correlation(shot, sound_speed), rule, bin_length);
+        if (speckle) echo = scatter_of(echo_correlation(shot, sound_speed), shot.receiver, bin_length);
+        if (noise_power > 0) {
+            noise = scatter_of(noise_correlation(shot, sound_speed), shot.receiver, bin_length);
+            if (shot.receiver.noise_circuit > 0) {
+                noise.bins = tuned_filter(shot.receiver.noise_circuit, sound_speed, bin_length);
+                noise.neighbours = neighbour_correlation(noise.bins);
+            }
+        }
     }
     if (speckle) {
         echo.kernel = echo_kernel(shot, echo.looks);

@@ -129,6 +129,13 @@ LineFilter bin_filter(const RangeCorrelation& correlation, BinRule rule, double 
     return {0, taps_of(over)};
 }
 
+LineFilter tuned_filter(double bandwidth, double sound_speed, double bin_length) {
+    const double left = std::exp(-2 * std::numbers::pi * bandwidth * 2 * bin_length / sound_speed);
+    std::vector<double> taps;
+    for (double tap = 1; tap > 0.02; tap *= left) taps.push_back(tap);
+    return {0, unit_energy(taps)};
+}
+
 double neighbour_correlation(const LineFilter& filter) {
     if (filter.is_identity()) return 0;
     std::vector<float> impulse(filter.room(4 * filter.before() + 4), 0.0F), scratch;

@@ -81,6 +81,8 @@ void describe(Acoustics& a, FigureList& f) {
     f.common(a.horizontal, a.vertical, a.receiver);
     f.number(a.receiver.bandwidth, "receiver_bandwidth", "Hz", 1e3, 1e6,
              "for noise, and for the echoes of shorter pulses; longer ones have a filter that fits them");
+    f.number(a.receiver.noise_circuit, "noise_circuit", "Hz", 0, 1e6,
+             "-3 dB, of the tuned circuit that noise correlates over range behind; 0: an even band");
 }
 
 /// The address to announce, 0 for none.

@@ -200,10 +200,9 @@ void check_micron(Findings& find) {
     find.within("dashes above 70 counts beyond bin 60, a line", "", 305 / 3600.0, 0.25 * 305 / 3600,
                 dashes_a_line(over_10m));
     find.source(
-        "a Micron over 20 m, 200 bins, 3.6 deg; here in still water. Our bins of 100 mm keep the peak of ten "
-        "looks, which "
-        "is louder and scatters less; the head's scatter as those of 50 mm (7.02 and 7.27 counts), by a rule "
-        "unknown",
+        "a Micron over 20 m, 200 bins, 3.6 deg; here in still water. The gain is that which its last eighths "
+        "have; at any gain the recorded noise rises by 24 counts from the second eighth to the last, ours by "
+        "fewer",
         Kind::recording);
     check_turn(find, {", 20 m",
                       64,
@@ -252,10 +251,8 @@ void check_ping360(Findings& find) {
     find.within("median of these lines, over that of all", "", 2.5, 0.25 * 2.5,
                 lifted == loud.end() ? 1 : *(lifted + (loud.end() - lifted) / 2));
     find.source(
-        "99 lines of a Ping360 over 2 m, 750 kHz; here in still water, with noise of an even band. "
-        "Less what whole lines share, the recorded correlation falls as e^(-n / 4), as behind one "
-        "tuned circuit of 28 kHz (0.85 0.73 0.64 0.51 0.37 0.31 over 1, 2, 3, 5, 10, 20 samples), "
-        "which no profile can say",
+        "99 lines of a Ping360 over 2 m, 750 kHz; here in still water. The words are logarithms, which "
+        "correlate less than the intensity does",
         Kind::recording);
     const Grid noise = grid_of(lines, 300, 1200);
     constexpr std::array<std::pair<std::size_t, double>, 6> lags{

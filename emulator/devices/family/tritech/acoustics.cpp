@@ -111,6 +111,7 @@ void describe(Acoustics& a, FigureList& f) {
              "level after time-varied gain that reads 0 dB at zero gain");
     if (a.tunable) describe(*a.tunable, f);
     f.common(a.horizontal, a.vertical, a.receiver);
+    f.number(a.receiver.most_looks, "most_looks", "", 1, 1e6, "that a bin takes, however long it is");
     a.band.directivity_index = a.receiver.directivity_index;
 }
 
