@@ -203,9 +203,11 @@ class Page(unittest.TestCase):
         page.locator("[data-device=head] .facts", has_text="ping 1").wait_for()
         self.emulator.stop()
         page.locator("#state", has_text="has ended").wait_for()
-        with Emulator(TANK % (self.udp, free_port()), "--view", "--view-at", place):
+        ins = f'  - {{name: ins, model: nmea-ins, endpoints: ["udp://127.0.0.1:{free_port()}"]}}\n'
+        with Emulator(TANK % (self.udp, free_port()) + ins, "--view", "--view-at", place):
             page.locator("#state.live").wait_for()
             page.locator("[data-device=head] .read", has_text="no ping yet").wait_for()
+            page.locator("[data-device=ins] .read", has_text="no sonar").wait_for()
             self.awake()
             self.ping(metres=4)
             page.locator("[data-device=head] .facts", has_text=re.compile(r"to (3\.9\d*|4(\.\d+)?) m")).wait_for()

@@ -61,6 +61,7 @@ Json devices_of(const Scenario& scenario) {
         devices.push_back({{"name", device.name},
                            {"model", device.model->name},
                            {"title", device.model->title},
+                           {"sonar", device.model->default_shot != nullptr},
                            {"places", places}});
     }
     return devices;

@@ -11,7 +11,13 @@ export interface CardOf {
   places: string[];
   waterfall: boolean; // a side-scan of one beam
   captured: boolean; // nothing is heard
+  sonar: boolean; // else it sends no pings
   objects: () => string[];
+}
+
+function firstWords(of: CardOf): string {
+  if (of.captured) return "no picture yet";
+  return of.sonar ? "no ping yet: a driver has to ask for one, or to be connected" : "no sonar: what it says is on the wire";
 }
 
 export class Card {
@@ -48,7 +54,7 @@ export class Card {
     canvases.className = "canvases";
     canvases.append(this.heard.canvas, this.said.canvas);
     this.read.className = "read";
-    this.read.append(of.captured ? "no picture yet" : "no ping yet: a driver has to ask for one, or to be connected", ...of.places.flatMap((place) => [document.createElement("br"), place]));
+    this.read.append(firstWords(of), ...of.places.flatMap((place) => [document.createElement("br"), place]));
     for (const picture of [this.heard, this.said]) this.listen(picture);
     this.element.append(head, this.facts, canvases, this.read);
     this.choose();

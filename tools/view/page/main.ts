@@ -46,6 +46,7 @@ function cardOf(device: string): Card {
       places: known?.places ?? [],
       waterfall: known?.model === "omniscan450",
       captured: about?.captured ?? false,
+      sonar: known?.sonar ?? true,
       objects: () => objects,
     });
     cards.set(device, card);

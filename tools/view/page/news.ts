@@ -80,7 +80,7 @@ export interface Hello {
   captured: boolean; // of a capture: nothing is heard, there is no scene
   control: boolean;
   record: boolean; // the page may begin a recording
-  devices: { name: string; model: string; title: string; places: string[] }[];
+  devices: { name: string; model: string; title: string; places: string[]; sonar?: boolean }[]; // false: a unit that sends no pings
   faults: { name: string; help: string; momentary: boolean; parameters: Record<string, number> }[];
 }
 
