@@ -46,8 +46,6 @@ struct Interference;  // render/acoustics/interference.h
 /// What the receiver adds to and does with the echo, before the device's own gain.
 struct Receiver {
     double bandwidth = 0;          ///< Hz, for the noise; 0: that of the pulse
-    /// Hz, -3 dB, of a tuned circuit behind which the noise correlates over range; 0: none, an even band
-    double noise_circuit = 0;
     double directivity_index = 0;  ///< dB, against isotropic noise
     /// dB re 1 uPa^2/Hz, beside the thermal noise and like it before the directivity index; -inf: none
     double self_noise = -std::numeric_limits<double>::infinity();
@@ -57,9 +55,11 @@ struct Receiver {
     /// Converters whose outputs a beam is formed from, one for each stave; 1: one converter behind the beam.
     int staves = 1;
     BinRule bins = BinRule::mean;
-    double most_looks = std::numeric_limits<double>::infinity();  ///< that a bin takes, however long it is
     std::shared_ptr<const RingDown> ring_down = nullptr;         ///< null: none
     std::shared_ptr<const Interference> interference = nullptr;  ///< null: none
+    /// Hz, -3 dB, of a tuned circuit behind which the noise correlates over range; 0: none, an even band
+    double noise_circuit = 0;
+    double most_looks = std::numeric_limits<double>::infinity();  ///< that a bin takes, however long it is
     friend bool operator==(const Receiver&, const Receiver&) = default;
 };
 

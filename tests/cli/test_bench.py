@@ -38,7 +38,7 @@ class Bench(ProgramTest):
         self.assertEqual(shapes["sidescan-big100k"], (2, 2000))
         self.assertEqual(shapes["fls-simple"], (256, 500))
         bending = [x for part in parts for x in part["limits"] if "over that of straight rays" in x["what"]]
-        self.assertEqual((len(bending), [len(part["limits"]) for part in parts]), (5, [5, 6]))
+        self.assertEqual((len(bending), [len(part["limits"]) for part in parts]), (5, [7, 6]))  # of 2 million triangles, 2 s and 400 MB as well
         for limit in bending:
             self.assertTrue(0.3 < limit["ours"] < 10 and limit["most"] == 1.2, limit)
         drawn = {c["case"]: c["triangles"] for c in cases if c["rule"] == "radiometric"}

@@ -252,8 +252,8 @@ void check_ping360(Findings& find) {
     find.within("median of these lines, over that of all", "", 2.5, 0.25 * 2.5,
                 lifted == loud.end() ? 1 : *(lifted + (loud.end() - lifted) / 2));
     find.source(
-        "99 lines of a Ping360 over 2 m, 750 kHz; here in still water. The words are logarithms, which "
-        "correlate less than the intensity does",
+        "99 lines of a Ping360 over 2 m, 750 kHz; here in still water. The words are logarithms cut at 0, "
+        "which correlate less than the intensity does",
         Kind::recording);
     const Grid noise = grid_of(lines, 300, 1200);
     constexpr std::array<std::pair<std::size_t, double>, 6> lags{
