@@ -26,9 +26,9 @@ double normal_correlation(double intensity, double looks);
 /// correlate, it is a box, whose correlation falls along a straight line.
 LineFilter bin_filter(const RangeCorrelation& correlation, BinRule rule, double looks, double bin_length);
 
-/// Of white normal numbers, one a bin, so that they correlate by exp(-2 pi B t), until less than 0.02 is left,
-/// as the intensity of noise behind a circuit that is tuned with -3 dB at `bandwidth` Hz; intensities that are
-/// made of them correlate by up to 0.05 less (normal_correlation()).
+/// Of white normal numbers, one a bin, so that they correlate by exp(-2 pi B t), until less than 0.02 is
+/// left, as the intensity of noise behind a circuit that is tuned with -3 dB at `bandwidth` Hz; intensities
+/// that are made of them correlate by up to 0.05 less (normal_correlation()).
 LineFilter tuned_filter(double bandwidth, double sound_speed, double bin_length);
 
 /// Between neighbours of what such a filter makes of white numbers.
