@@ -1,5 +1,6 @@
 """Pings that come too late are in a bag's log, each with its lateness: those of a 3D sonar whose image of a large scene is due 16 ms
-after the transmission. Read back by mcap from PyPI."""
+after the transmission. Also those whose picture the bag had no room for, as it happens with these on a slow machine. Read back by mcap
+from PyPI."""
 
 import json
 import re

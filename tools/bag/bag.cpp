@@ -13,7 +13,7 @@
 namespace echoloop::bag {
 namespace {
 
-constexpr std::size_t most_waiting = 256 << 20;  // bytes
+constexpr std::size_t most_waiting = 256 << 20, kept_back = 4 << 20;  // bytes
 
 }  // namespace
 
@@ -92,7 +92,9 @@ void Bag::ping(const SeenPing& seen) {
     auto copy = std::make_shared<const Ping>(kept(seen));
     const std::size_t bytes =
         sizeof *copy + copy->echogram.values.size() * (sizeof(float) + sizeof(std::uint16_t));
-    add(bytes, [copy](Topics& topics) { topics.ping(*copy); });
+    if (add(bytes, [copy](Topics& topics) { topics.ping(*copy); })) return;
+    add(
+        sizeof *copy, [copy = course_of(seen)](Topics& topics) { topics.course(copy); }, Room::kept_back);
 }
 
 void Bag::bytes(const SeenBytes& seen) {
@@ -109,29 +111,33 @@ void Bag::bytes(const SeenBytes& seen) {
 }
 
 void Bag::fault(const SeenFault& seen) {
-    add(seen.text.size(),
+    add(
+        seen.text.size(),
         [fault = Fault{std::string(seen.device), std::string(seen.port), seen.unix_time, seen.text,
-                       seen.on_message, seen.sent}](Topics& topics) { topics.fault(fault); });
+                       seen.on_message, seen.sent}](Topics& topics) { topics.fault(fault); },
+        Room::kept_back);
 }
 
-void Bag::add(std::size_t bytes, Work work) {
+bool Bag::add(std::size_t bytes, Work work, Room room) {
     std::unique_lock lock(mutex_);
+    const std::size_t most = most_waiting + (room == Room::kept_back ? kept_back : 0);
     const auto full = [&] {
-        return !summary_.stopped && waiting_bytes_ > 0 && waiting_bytes_ + bytes > most_waiting;
+        return !summary_.stopped && waiting_bytes_ > 0 && waiting_bytes_ + bytes > most;
     };
     if (waits_) room_.wait(lock, [&] { return !full(); });
-    if (summary_.stopped) return;
+    if (summary_.stopped) return true;
     if (full()) {
         if (summary_.lost++ == 0)
             spdlog::warn(
                 "{}: writing is slower than the sonars; messages are left out, and the end of the run says "
                 "how many",
                 path_.string());
-        return;
+        return false;
     }
     waiting_bytes_ += bytes;
     waiting_.push_back({bytes, std::move(work)});
     more_.notify_one();
+    return true;
 }
 
 void Bag::keep_writing(std::stop_token stop, const BagStart& start) {

@@ -79,7 +79,9 @@ class Bag final : public Watch {
         std::size_t bytes;
         Work work;
     };
-    void add(std::size_t bytes, Work work);
+    enum class Room { shared, kept_back };
+    /// False: there was no room, and it is counted as lost.
+    bool add(std::size_t bytes, Work work, Room room = Room::shared);
     void keep_writing(std::stop_token stop, const BagStart& start);
     void fail(const std::string& why);
 

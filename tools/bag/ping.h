@@ -29,6 +29,24 @@ struct Fault {
     bool on_message = false, sent = false;
 };
 
+/// Without its echogram.
+inline Ping course_of(const SeenPing& ping) {
+    Ping course{.device = std::string(ping.device),
+                .number = ping.number,
+                .transmitted = ping.transmitted,
+                .late = ping.late,
+                .drawn = ping.drawn,
+                .due = ping.due,
+                .movers = ping.movers,
+                .unix_time = ping.unix_time,
+                .world_from_body = ping.world_from_body,
+                .body = ping.body,
+                .sonar = ping.sonar,
+                .faults = ping.faults};
+    course.echogram.world_from_sonar = ping.echogram.world_from_sonar;
+    return course;
+}
+
 inline Ping kept(const SeenPing& ping) {
     return {std::string(ping.device),
             ping.number,

@@ -69,6 +69,11 @@ Pose sonar_from_fan() {
     return {{}, {0, half, 0, half}};
 }
 
+/// ns since 1970.
+std::uint64_t said_at(const Ping& ping) {
+    return nanoseconds(ping.unix_time + to_seconds(ping.due + ping.late));
+}
+
 std::string value_of(const inspect::Field& field) {
     constexpr std::size_t most = 4096;
     std::string text = field.text;
@@ -102,7 +107,7 @@ void Topics::ping(const Ping& ping) {
     const Echogram& echo = ping.echogram;
     const std::string name = ros_name(ping.device), topic = "/" + name;
     const Stamped head{nanoseconds(ping.unix_time), name};
-    const std::uint64_t said = nanoseconds(ping.unix_time + to_seconds(ping.due + ping.late));
+    const std::uint64_t said = said_at(ping);
     if (echo.shot.rows() == 1) {
         if (is_fan(echo.shot))
             take_({topic + "/image", projected_type, said}, [&] {
@@ -116,14 +121,7 @@ void Topics::ping(const Ping& ping) {
     draw(topic + "/picture", head, said, bag::levels_of(echo));
     take_({topic + "/points", points_type, said}, [&] { return point_cloud(head, loudest_of(echo)); });
     offer_truth(ping, topic, head, said);
-    offer_poses(ping, head, said);
-    constexpr Time late(1'000'000);
-    if (ping.late > late)
-        take_({"/rosout", log_type, said}, [&] {
-            return log_line(said, Severity::warning, name,
-                            "ping " + std::to_string(ping.number) + " was " +
-                                std::to_string(ping.late.count() / 1'000'000) + " ms late");
-        });
+    course(ping);
 }
 
 void Topics::offer_truth(const Ping& ping, const std::string& topic, const Stamped& head,
@@ -135,7 +133,10 @@ void Topics::offer_truth(const Ping& ping, const std::string& topic, const Stamp
     });
 }
 
-void Topics::offer_poses(const Ping& ping, const Stamped& head, std::uint64_t said) {
+void Topics::course(const Ping& ping) {
+    const std::string name = ros_name(ping.device);
+    const Stamped head{nanoseconds(ping.unix_time), name};
+    const std::uint64_t said = said_at(ping);
     take_({"/tf", "tf2_msgs/msg/TFMessage", said}, [&] {
         std::vector<Transform> all{
             {"world", "base_link", ping.world_from_body},
@@ -147,6 +148,13 @@ void Topics::offer_poses(const Ping& ping, const Stamped& head, std::uint64_t sa
     });
     take_({"/odom", "nav_msgs/msg/Odometry", said},
           [&] { return odometry(head.time, ping.world_from_body, ping.body); });
+    constexpr Time late(1'000'000);
+    if (ping.late > late)
+        take_({"/rosout", log_type, said}, [&] {
+            return log_line(said, Severity::warning, name,
+                            "ping " + std::to_string(ping.number) + " was " +
+                                std::to_string(ping.late.count() / 1'000'000) + " ms late");
+        });
 }
 
 void Topics::fault(const Fault& fault) {

@@ -47,6 +47,8 @@ class Topics {
     Topics(About about, Take take) : about_(std::move(about)), take_(std::move(take)) {}
 
     void ping(const Ping& ping);
+    /// Of a ping, what needs no echogram: the poses, and the lateness if it was late. Part of ping().
+    void course(const Ping& ping);
     void bytes(const Wire& wire);
     void fault(const Fault& fault);
     /// Gives out what never became complete.
@@ -64,7 +66,6 @@ class Topics {
 
     void draw(const std::string& topic, const Stamped& head, std::uint64_t said, Levels levels);
     void offer_truth(const Ping& ping, const std::string& topic, const Stamped& head, std::uint64_t said);
-    void offer_poses(const Ping& ping, const Stamped& head, std::uint64_t said);
     void message(const Wire& wire, const inspect::Family* family, const inspect::Message& message,
                  ByteView bytes);
     void end(Stream& stream);
