@@ -22,6 +22,7 @@
 #include "protocols/sonar3d/inspect.h"
 #include "protocols/teledyne/inspect.h"
 #include "protocols/waterlinked/inspect.h"
+#include "protocols/wayfinder/inspect.h"
 
 namespace echoloop::inspect {
 
@@ -129,6 +130,16 @@ constexpr std::array table = {
            .tables = teledyne::tables,
            .rewritten = teledyne::rewritten,
            .checksums = teledyne::checksums},
+    // Before ping: sizes that agree and a sum tell a packet.
+    Family{.name = "wayfinder",
+           .title = "Teledyne Wayfinder, serial",
+           .places = {.serial = true},
+           .framing = Framing::stream,
+           .decode = wayfinder::decode,
+           .recognise = wayfinder::recognise,
+           .tables = wayfinder::tables,
+           .rewritten = wayfinder::rewritten,
+           .checksums = wayfinder::checksums},
     // Before ping: two sums tell a frame.
     Family{.name = "nortek",
            .title = "Nortek Nucleus, TCP and serial",

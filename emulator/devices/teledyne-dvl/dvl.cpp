@@ -5,15 +5,13 @@
 #include <utility>
 
 #include "emulator/devices/family/doppler/moment.h"
+#include "emulator/devices/family/doppler/teledyne_period.h"
 #include "emulator/devices/teledyne-dvl/profile.h"
 
 namespace echoloop::teledyne_dvl {
 namespace {
 
 constexpr std::size_t longest_command = 128;  // B
-// Of the Wayfinder's guide, whose printed 0.42e-3 s per m is shorter than the sound's way; its table fits ten
-// times that. A guess for the others.
-constexpr double period_floor = 0.03, period_per_metre = 4.2e-3;  // s, s per m
 
 }  // namespace
 
@@ -113,7 +111,7 @@ void Dvl::end_line(Time now) {
 
 double Dvl::period_of(double altitude) const {
     const double line = settings_.baud > 0 ? 10 * static_cast<double>(last_size_) / settings_.baud : 0;
-    return std::max({period_floor + period_per_metre * altitude, 1.05 * line, 0.01 * setup_.interval});
+    return std::max({doppler::teledyne_period(altitude), 1.05 * line, 0.01 * setup_.interval});
 }
 
 void Dvl::ping_if_due(Time now) {
