@@ -122,7 +122,7 @@ constexpr std::array table = {
            .checksums = waterlinked::checksums},
     // Behind waterlinked, whose PD4 is the same block; before ping: a sum tells an ensemble.
     Family{.name = "teledyne",
-           .title = "Teledyne Doppler logs, PD0, PD4 and PD5, serial",
+           .title = "Teledyne Doppler logs, PD0, PD4, PD5, PD6 and PD13, serial",
            .places = {.serial = true},
            .framing = Framing::stream,
            .decode = teledyne::decode,

@@ -67,7 +67,7 @@ constexpr auto wire_layout(Tag<OlderSetup>) {
 constexpr auto wire_layout(Tag<Command>) {
     using M = Command;
     return make_layout<M>(body_of("Command", "without parameters, or with such that do not fit it"),
-                          field(&M::command, "command", "", "").hex(),
+                          field(&M::command, "command", "", ""),
                           rest(&M::parameters, {}, "parameters", "", ""));
 }
 constexpr auto wire_layout(Tag<SetTime>) {
@@ -91,14 +91,13 @@ constexpr auto wire_layout(Tag<SetSoundSpeed>) {
 
 constexpr auto wire_layout(Tag<Response>) {
     using M = Response;
-    return make_layout<M>(body_of("Response", "how a command went"),
-                          field(&M::command, "command", "", "").hex(), field(&M::outcome, "outcome", "", ""),
-                          rest(&M::more, {}, "more", "", ""));
+    return make_layout<M>(body_of("Response", "how a command went"), field(&M::command, "command", "", ""),
+                          field(&M::outcome, "outcome", "", ""), rest(&M::more, {}, "more", "", ""));
 }
 constexpr auto wire_layout(Tag<Refusal>) {
     using M = Refusal;
     return make_layout<M>(body_of("Refusal", "how a command went, and which parameter is to blame"),
-                          field(&M::command, "command", "", "").hex(), field(&M::outcome, "outcome", "", ""),
+                          field(&M::command, "command", "", ""), field(&M::outcome, "outcome", "", ""),
                           field(&M::wrong, "wrong", "", "parameter"));
 }
 template <class M, class... Fields>
@@ -157,8 +156,8 @@ constexpr auto wire_layout(Tag<Data>) {
     using M = Data;
     return make_layout<M>(
         body_of("Data", "a ping, version 0x11"), structure(0xAA), constant<std::uint8_t>(0x11, "version", ""),
-        field(&M::size, "size", "B", "of the data with their sum"),
-        field(&M::type, "type", "", "76: Wayfinder"), field(&M::subtype, "subtype", "", ""),
+        field(&M::size, "data_size", "B", "with the sum"), field(&M::type, "type", "", "76: Wayfinder"),
+        field(&M::subtype, "subtype", "", ""),
         field(&M::firmware, "firmware", "", "major, minor, patch, build"),
         field(&M::year, "year", "", "of the century"), field(&M::month, "month", "", ""),
         field(&M::day, "day", "", ""), field(&M::hour, "hour", "h", ""),

@@ -132,6 +132,7 @@ inline void set_checksum(std::string_view family, Bytes& message) {
             nortek::checksum(ByteView(message).subspan(nortek::header_size)));
         put(message.data() + 8, 2, ByteOrder::little, nortek::checksum(ByteView(message).first(8)));
     } else if (family == "wayfinder" && size > 11) {
+        message[0] = 0xAA, message[1] = 0x10, message[2] = 0x01, message[5] = 0x02;
         if (message[6] == 5 && size > 13)
             put(message.data() + size - 4, 2, ByteOrder::little,
                 wayfinder::sum(ByteView(message).subspan(9, size - 13)));
@@ -187,6 +188,8 @@ inline std::uint64_t edge(Random& random, std::size_t size) {
     }
 }
 
+inline constexpr std::size_t wayfinder_header = 9;  // bytes
+
 /// One message of a table, or a part of one.
 class MadeMessage {
   public:
@@ -197,7 +200,8 @@ class MadeMessage {
 
     /// Behind what the tables of the family have before it, with lengths and checksum.
     Bytes of(const wire::Table& table) {
-        Bytes message(table.base, 0);
+        const bool part = family_.name == "wayfinder" && table.base == 0 && table.name != "Header";
+        Bytes message(part ? wayfinder_header : table.base, 0);  // a part stands where its message would
         if (family_.name == "cerulean" && message.size() >= 2) message[0] = 'B', message[1] = 'R';  // of ping
         for (const auto& head : tables_)
             if (!message.empty() && &head != &table) put_head(head, table, message);

@@ -158,7 +158,7 @@ State state_of(const Settings& settings) {
     return state;
 }
 
-double line_rate(const wayfinder::Setup& setup) { return setup.baud == slow ? slow_rate : fast_rate; }
+double baud_of(const wayfinder::Setup& setup) { return setup.baud == slow ? slow_rate : fast_rate; }
 
 std::optional<Answer> obey(const wayfinder::Body& command, State& state, const Settings& settings,
                            std::int64_t now) {

@@ -27,7 +27,7 @@ std::optional<Answer> obey(const wayfinder::Body& command, State& state, const S
                            std::int64_t now);
 
 /// bit/s of the line by its setup.
-double line_rate(const wayfinder::Setup& setup);
+double baud_of(const wayfinder::Setup& setup);
 /// Of the emulated firmware.
 inline constexpr std::array<std::uint8_t, 4> firmware{1, 0, 0, 24};
 

@@ -33,7 +33,7 @@ void Dvl::choose_modes() {
 std::int64_t Dvl::clock(Time now) const { return doppler::unix_us(settings_.unix_start, now) + clock_error_; }
 
 double Dvl::rate() const {
-    const double now = line_rate(state_.setup), first = line_rate(state_of(settings_).setup);
+    const double now = baud_of(state_.setup), first = baud_of(state_of(settings_).setup);
     return settings_.baud > 0 && now != first ? now : 0;
 }
 

@@ -71,7 +71,7 @@ Reply set_flow(std::string_view value, Setup& setup) {
 
 Reply set_format(std::string_view value, Setup& setup) {
     const auto number = number_in(value, 0, 99);
-    for (const Format format : {Format::pd0, Format::pd4, Format::pd5})
+    for (const Format format : {Format::pd0, Format::pd4, Format::pd5, Format::pd6, Format::pd13})
         if (number == static_cast<int>(format)) {
             setup.format = format;
             return done();

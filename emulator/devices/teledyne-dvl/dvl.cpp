@@ -165,9 +165,9 @@ Actions Dvl::heard(const Echogram& echogram, Time now) {
             const Velocities own = bottom_velocities(report, in_earth);
             for (std::size_t i = 0; i < 3; ++i) way_[i] -= own[i].value_or(0) * seconds;
             report.way = way_;
-            Bytes bytes = setup_.format == Format::pd0   ? ensemble_bytes(report, setup_, settings_)
-                          : setup_.format == Format::pd4 ? pd4_bytes(report, setup_, settings_)
-                                                         : pd5_bytes(report, setup_, settings_);
+            if (own[0]) last_good_ = began;
+            report.since = to_seconds(began - last_good_.value_or(Time{}));
+            Bytes bytes = report_bytes(report, setup_, settings_);
             last_size_ = bytes.size();
             actions_.send.push_back({0, std::move(bytes), {}, {}});
             if (waits_for_end_) say("<");

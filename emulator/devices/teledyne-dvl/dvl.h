@@ -1,4 +1,5 @@
-// A Teledyne DVL on its line: a console, and PD0, PD4 or PD5 while it pings. A pure state machine.
+// A Teledyne DVL on its line: a console, and reports in one of five formats while it pings. A pure state
+// machine.
 #pragma once
 
 #include <optional>
@@ -49,7 +50,7 @@ class Dvl final : public Device {
     doppler::Plan plan_;
     doppler::Measurement measurement_;
     double altitude_ = 0;  ///< m; 0: no bottom
-    std::optional<Time> followed_;
+    std::optional<Time> followed_, last_good_;
     std::array<double, 4> way_{};
     std::uint64_t shots_ = 0;
     std::uint32_t ensembles_ = 0;

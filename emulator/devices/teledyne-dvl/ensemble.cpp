@@ -12,7 +12,6 @@ namespace echoloop::teledyne_dvl {
 namespace {
 
 constexpr double decibels_per_count = 0.61;  // Pathfinder guide
-constexpr double salt_density = 1.025;       // of the pressure of a depth in sea water
 
 template <class T>
 T fitted(double value) {
@@ -75,24 +74,14 @@ teledyne::VariableLeader variable_leader(const Report& report, const Setup& setu
     out.hundredth = static_cast<std::uint8_t>(moment.hundredth());
     out.sound_speed = fitted<std::uint16_t>(setup.sound_speed);
     out.depth = fitted<std::uint16_t>(setup.depth);
-    const double heading = rad_to_deg(report.attitude.heading);
-    out.heading =
-        static_cast<std::uint16_t>(std::lround(100 * (heading < 0 ? heading + 360 : heading)) % 36000);
-    // What a tilt sensor of two axes reads: tan(pitch) / cos(roll); Teledyne's booklet of coordinate
-    // transformation turns it back.
-    const double tilt = std::atan2(std::tan(report.attitude.pitch), std::cos(report.attitude.roll));
-    out.pitch = fitted<std::int16_t>(100 * rad_to_deg(tilt));
+    out.heading = static_cast<std::uint16_t>(std::lround(100 * compass_heading(report.attitude)) % 36000);
+    out.pitch = fitted<std::int16_t>(100 * tilt_pitch(report.attitude));
     out.roll = fitted<std::int16_t>(100 * rad_to_deg(report.attitude.roll));
     out.salinity = fitted<std::uint16_t>(setup.salinity);
     out.temperature = fitted<std::int16_t>(100 * report.temperature);
-    out.pressure = fitted<std::uint32_t>(100 * salt_density * setup.depth);
+    out.pressure = fitted<std::uint32_t>(100 * pressure_of(setup));
     out.more = variable_rest(moment, settings.series->variable_more);
     return out;
-}
-
-/// m, vertical; 0: none.
-double vertical_range(const doppler::BeamReport& beam, const Settings& settings) {
-    return beam.valid && beam.distance > 0 ? beam.distance * std::cos(settings.acoustics.tilt) : 0;
 }
 
 teledyne::BottomTrack bottom_track(const Report& report, const Setup& setup, const Settings& settings) {
@@ -112,17 +101,6 @@ teledyne::BottomTrack bottom_track(const Report& report, const Setup& setup, con
     }
     out.most_depth = fitted<std::uint16_t>(setup.most_depth);
     out.more.assign(settings.series->bottom_more, 0);
-    return out;
-}
-
-/// The vehicle's own velocity, as PD4 and PD5 have it: starboard, forward, up or east, north, up.
-std::array<std::int16_t, 4> own_velocities(const Report& report, const Setup& setup) {
-    const Velocities velocities = bottom_velocities(report, setup);
-    std::array<std::int16_t, 4> out{};
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const bool turned = i < 3 && velocities[i].has_value();
-        out[i] = millimetres(turned ? std::optional(-*velocities[i]) : velocities[i]);
-    }
     return out;
 }
 
@@ -156,6 +134,30 @@ Block block_of(const Report& report, const Setup& setup, const Settings& setting
 }
 
 }  // namespace
+
+double vertical_range(const doppler::BeamReport& beam, const Settings& settings) {
+    return beam.valid && beam.distance > 0 ? beam.distance * std::cos(settings.acoustics.tilt) : 0;
+}
+
+/// tan(pitch) / cos(roll): Teledyne's booklet of coordinate transformation turns it back.
+double tilt_pitch(const doppler::Attitude& attitude) {
+    return rad_to_deg(std::atan2(std::tan(attitude.pitch), std::cos(attitude.roll)));
+}
+
+double compass_heading(const doppler::Attitude& attitude) {
+    const double heading = rad_to_deg(attitude.heading);
+    return heading < 0 ? heading + 360 : heading;
+}
+
+std::array<std::int16_t, 4> own_velocities(const Report& report, const Setup& setup) {
+    const Velocities velocities = bottom_velocities(report, setup);
+    std::array<std::int16_t, 4> out{};
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const bool turned = i < 3 && velocities[i].has_value();
+        out[i] = millimetres(turned ? std::optional(-*velocities[i]) : velocities[i]);
+    }
+    return out;
+}
 
 std::int16_t millimetres(const std::optional<double>& velocity) {
     if (!velocity) return teledyne::bad;

@@ -18,14 +18,19 @@ void describe_setup(Setup& s, OptionList& o) {
     o.whole(s.cells, "profile_cells", "", 1, 255, "of the water profile; WN", guide);
     o.whole(s.cell_size, "cell_size", "cm", 10, 800, "of the water profile, vertical; WS", guide);
     o.whole(s.blank, "blank", "cm", 0, 1000, "from the face to the first cell; WF", guide);
-    o.words(s.format, "format", {{"pd0", Format::pd0}, {"pd4", Format::pd4}, {"pd5", Format::pd5}},
+    o.words(s.format, "format",
+            {{"pd0", Format::pd0},
+             {"pd4", Format::pd4},
+             {"pd5", Format::pd5},
+             {"pd6", Format::pd6},
+             {"pd13", Format::pd13}},
             "of its reports; a host sets it by PD", guide);
 }
 
 }  // namespace
 
 // Firmware: published ensembles of a Pathfinder and of an Explorer (34.11); the Navigator's is an own choice.
-const Series pathfinder{"Pathfinder", 67, 1, 0, 20, 0, 3};
+const Series pathfinder{"Pathfinder", 67, 1, 0, 20, 0, 3, true};
 const Series explorer{"Explorer DVL", 34, 11, 0, 3, 0, 3};
 const Series navigator{"WorkHorse Navigator", 9, 20, 1, 8, 4, 3};
 

@@ -10,7 +10,7 @@
 namespace echoloop::teledyne_dvl {
 
 enum class Frame { beam = 0, instrument = 1, ship = 2, earth = 3 };
-enum class Format { pd0 = 0, pd4 = 4, pd5 = 5 };
+enum class Format { pd0 = 0, pd4 = 4, pd5 = 5, pd6 = 6, pd13 = 13 };
 
 /// What commands change; they are the numbers of the commands.
 struct Setup {
@@ -38,6 +38,7 @@ struct Series {
     int firmware = 0, revision = 0;
     std::size_t fixed_more = 0, variable_more = 0, bottom_more = 0;  ///< bytes behind the common ones
     int frequency_code = 3;                                          ///< 3: 600 kHz
+    bool health = false;                                             ///< PD6 has a line of leaks and supply
 };
 
 struct Settings : doppler::Settings {
