@@ -99,6 +99,18 @@ teledyne::BottomTrack bottom_track(const Report& report, const Setup& setup, con
         out.good[i] = beam.valid ? 100 : 0;
         out.rssi[i] = counts(beam.valid ? beam.rssi : beam.nsd);
     }
+    if (report.water) {
+        const Velocities of_water = water_velocities(report, setup);
+        out.layer_least = fitted<std::uint16_t>(setup.layer_least);
+        out.layer_near = fitted<std::uint16_t>(setup.layer_near);
+        out.layer_far = fitted<std::uint16_t>(setup.layer_far);
+        out.layer_correlation = report.water->correlation;
+        out.layer_amplitude = report.water->amplitude;
+        for (std::size_t i = 0; i < teledyne::beams; ++i) {
+            out.layer_velocity[i] = millimetres(of_water[i]);
+            out.layer_good[i] = report.water->measured.beams[i].valid ? 100 : 0;
+        }
+    }
     out.most_depth = fitted<std::uint16_t>(setup.most_depth);
     out.more.assign(settings.series->bottom_more, 0);
     return out;
@@ -110,19 +122,32 @@ std::uint8_t block_bits(const Setup& setup, const Settings& settings) {
                                      static_cast<unsigned>(settings.series->frequency_code));
 }
 
+/// Bits 0 to 3: a beam's correlation is low; 4: the bottom is too near.
+std::uint8_t layer_status(const WaterLayer& layer) {
+    unsigned bits = layer.too_shallow ? 1U << 4 : 0U;
+    for (std::size_t i = 0; i < teledyne::beams; ++i)
+        if (!layer.measured.beams[i].valid && !layer.too_shallow) bits |= 1U << i;
+    return static_cast<std::uint8_t>(bits);
+}
+
 /// What PD4 and PD5 have in common.
 template <class Block>
 Block block_of(const Report& report, const Setup& setup, const Settings& settings) {
     Block out;
     out.configuration = block_bits(setup, settings);
-    out.velocity = own_velocities(report, setup);
+    out.velocity = own_velocities(bottom_velocities(report, setup));
     for (std::size_t i = 0; i < teledyne::beams; ++i) {
         const doppler::BeamReport& beam = report.measured.beams[i];
         out.range[i] = fitted<std::uint16_t>(100 * vertical_range(beam, settings));
         if (!beam.valid)
             out.status = static_cast<std::uint8_t>(out.status | (2U << (2 * i)));  // low amplitude
     }
-    out.water.fill(teledyne::bad);
+    out.water = own_velocities(water_velocities(report, setup));
+    if (report.water) {
+        out.layer_start = fitted<std::uint16_t>(setup.layer_near);
+        out.layer_end = fitted<std::uint16_t>(setup.layer_far);
+        out.layer_status = layer_status(*report.water);
+    }
     const auto moment = doppler::moment_of(report.unix_us);
     out.hour = static_cast<std::uint8_t>(moment.hour());
     out.minute = static_cast<std::uint8_t>(moment.minute());
@@ -149,8 +174,7 @@ double compass_heading(const doppler::Attitude& attitude) {
     return heading < 0 ? heading + 360 : heading;
 }
 
-std::array<std::int16_t, 4> own_velocities(const Report& report, const Setup& setup) {
-    const Velocities velocities = bottom_velocities(report, setup);
+std::array<std::int16_t, 4> own_velocities(const Velocities& velocities) {
     std::array<std::int16_t, 4> out{};
     for (std::size_t i = 0; i < out.size(); ++i) {
         const bool turned = i < 3 && velocities[i].has_value();
@@ -186,8 +210,7 @@ Velocities in_frame(Vec3 v, std::optional<double> error, const doppler::Attitude
     return {-world.y, -world.x, world.z, error};
 }
 
-Velocities bottom_velocities(const Report& report, const Setup& setup) {
-    const doppler::Measured& m = report.measured;
+Velocities velocities_of(const doppler::Measured& m, const doppler::Attitude& attitude, const Setup& setup) {
     if (setup.frame == Frame::beam) {
         Velocities out;
         for (std::size_t i = 0; i < teledyne::beams; ++i)
@@ -196,7 +219,15 @@ Velocities bottom_velocities(const Report& report, const Setup& setup) {
     }
     const bool all = std::ranges::all_of(m.beams, &doppler::BeamReport::valid);
     if (!m.valid || (!all && !setup.three_beams)) return {};
-    return in_frame(m.velocity, all ? std::optional(m.error) : std::nullopt, report.attitude, setup);
+    return in_frame(m.velocity, all ? std::optional(m.error) : std::nullopt, attitude, setup);
+}
+
+Velocities bottom_velocities(const Report& report, const Setup& setup) {
+    return velocities_of(report.measured, report.attitude, setup);
+}
+
+Velocities water_velocities(const Report& report, const Setup& setup) {
+    return report.water ? velocities_of(report.water->measured, report.attitude, setup) : Velocities{};
 }
 
 Bytes ensemble_bytes(const Report& report, const Setup& setup, const Settings& settings) {
@@ -219,7 +250,10 @@ Bytes pd5_bytes(const Report& report, const Setup& setup, const Settings& settin
     out.pitch = leader.pitch;
     out.roll = leader.roll;
     out.heading = leader.heading;
-    for (std::size_t i = 0; i < teledyne::beams; ++i) out.way[i] = fitted<std::int32_t>(10 * report.way[i]);
+    for (std::size_t i = 0; i < teledyne::beams; ++i) {
+        out.way[i] = fitted<std::int32_t>(10 * report.way[i]);
+        out.way_in_water[i] = fitted<std::int32_t>(10 * report.way_in_water[i]);
+    }
     return teledyne::encode(out);
 }
 

@@ -8,6 +8,15 @@
 
 namespace echoloop::teledyne_dvl {
 
+/// Of the water track.
+struct WaterLayer {
+    doppler::Measured
+        measured;  ///< velocity of the vehicle against it, in the vehicle's axes, and of the beams
+    std::array<std::uint8_t, 4> correlation{}, amplitude{};
+    double middle = 0;  ///< m, vertical
+    bool too_shallow = false;
+};
+
 /// Everything about one ensemble.
 struct Report {
     doppler::Measured measured;  ///< velocity in the vehicle's axes, which EA turns from the device's own
@@ -19,6 +28,9 @@ struct Report {
     std::vector<teledyne::Section> profile;  ///< of the water, if any
     std::array<double, 4> way{};             ///< m made good: east, north, up, error
     double since = 0;                        ///< s since the last good velocity
+    std::optional<WaterLayer> water;         ///< of a water track
+    std::array<double, 4> way_in_water{};    ///< m made good
+    double since_in_water = 0;               ///< s
 };
 
 /// Velocity of the bottom against the log, m/s, in the frame that is set, and the error velocity; nothing
@@ -26,6 +38,8 @@ struct Report {
 /// east, north and up.
 using Velocities = std::array<std::optional<double>, 4>;
 Velocities bottom_velocities(const Report& report, const Setup& setup);
+/// The same of the layer of water, which moves against the log as the bottom does.
+Velocities water_velocities(const Report& report, const Setup& setup);
 /// The same for a velocity (x forward, y to starboard, z down) of the vehicle, without the beam frame.
 Velocities in_frame(Vec3 velocity, std::optional<double> error, const doppler::Attitude& attitude,
                     const Setup& setup);
@@ -41,7 +55,7 @@ Bytes pd13_bytes(const Report& report, const Setup& setup, const Settings& setti
 Bytes report_bytes(const Report& report, const Setup& setup, const Settings& settings);
 
 /// The vehicle's own velocity, mm/s: starboard, forward, up or east, north, up; error.
-std::array<std::int16_t, 4> own_velocities(const Report& report, const Setup& setup);
+std::array<std::int16_t, 4> own_velocities(const Velocities& velocities);
 /// m, vertical; 0: none.
 double vertical_range(const doppler::BeamReport& beam, const Settings& settings);
 /// kPa, of the depth that is set, in sea water.

@@ -1,5 +1,7 @@
 #include "emulator/devices/teledyne-dvl/settings.h"
 
+#include <stdexcept>
+
 namespace echoloop::teledyne_dvl {
 namespace {
 
@@ -18,6 +20,12 @@ void describe_setup(Setup& s, OptionList& o) {
     o.whole(s.cells, "profile_cells", "", 1, 255, "of the water profile; WN", guide);
     o.whole(s.cell_size, "cell_size", "cm", 10, 800, "of the water profile, vertical; WS", guide);
     o.whole(s.blank, "blank", "cm", 0, 1000, "from the face to the first cell; WF", guide);
+    o.whole(s.water_mode, "water_mode", "", 0, 3,
+            "1: water track beside the bottom track, 2: without a bottom, 3: in its place; BK", guide);
+    o.whole(s.layer_least, "layer_least", "dm", 1, 640, "how thick the layer of the water track is; BL",
+            guide);
+    o.whole(s.layer_near, "layer_near", "dm", 0, 9999, "where the layer begins, vertical; BL", guide);
+    o.whole(s.layer_far, "layer_far", "dm", 1, 9999, "where the layer ends, vertical; BL", guide);
     o.words(s.format, "format",
             {{"pd0", Format::pd0},
              {"pd4", Format::pd4},
@@ -61,6 +69,10 @@ Settings read_settings(const DeviceConfig& config, const Series& series) {
     s.noise.gyro = 0;  // a compass tells its heading
     s.series = &series;
     s.unix_start = config.unix_start;
+    if (s.start.layer_far < s.start.layer_near + s.start.layer_least)
+        throw std::invalid_argument(
+            "layer_far is less than layer_near + layer_least, which leaves the water track no layer; raise "
+            "it");
     return s;
 }
 

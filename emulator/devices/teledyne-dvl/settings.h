@@ -26,6 +26,9 @@ struct Setup {
     int cells = 30;          ///< WN
     int cell_size = 200;     ///< WS, cm
     int blank = 88;          ///< WF, cm
+    int water_mode = 0;      ///< BK: 0 no water track, 1 always, 2 without a bottom, 3 and no bottom track
+    int layer_least = 80;    ///< BL, dm: how thick the layer is at least
+    int layer_near = 160, layer_far = 240;  ///< BL, dm
     Format format = Format::pd0;
     bool pings_by_itself = true;  ///< CF, its second digit
     int interval = 0;             ///< TE and TP, the longer one: 0.01 s from ping to ping at least

@@ -9,23 +9,40 @@
 namespace echoloop::teledyne_dvl {
 namespace {
 
+using VelocitiesOf = Velocities (*)(const Report&, const Setup&);
+
 /// mm/s in that frame, and whether they are good.
-bool put_velocities(std::span<int> out, Frame frame, const Report& report, Setup setup) {
+bool put_velocities(std::span<int> out, Frame frame, VelocitiesOf velocities, const Report& report,
+                    Setup setup) {
     setup.frame = frame;
-    const auto own = own_velocities(report, setup);
+    const auto own = own_velocities(velocities(report, setup));
     std::copy_n(own.begin(), out.size(), out.begin());
     return own[0] != teledyne::bad;
 }
 
-std::string bottom_lines(const Report& report, const Setup& setup) {
+waterlinked::Pd6Track track_of(VelocitiesOf velocities, const Report& report, const Setup& setup) {
     waterlinked::Pd6Track track;
-    track.instrument_good = put_velocities(track.instrument, Frame::instrument, report, setup);
-    track.ship_good = put_velocities(track.ship, Frame::ship, report, setup);
-    track.earth_good = put_velocities(track.earth, Frame::earth, report, setup);
+    track.instrument_good = put_velocities(track.instrument, Frame::instrument, velocities, report, setup);
+    track.ship_good = put_velocities(track.ship, Frame::ship, velocities, report, setup);
+    track.earth_good = put_velocities(track.earth, Frame::earth, velocities, report, setup);
+    return track;
+}
+
+std::string bottom_lines(const Report& report, const Setup& setup) {
+    waterlinked::Pd6Track track = track_of(bottom_velocities, report, setup);
     std::copy_n(report.way.begin(), track.way.size(), track.way.begin());
     track.range = std::max(report.measured.altitude, 0.0);
     track.since = report.since;
     return waterlinked::pd6_track('B', track);
+}
+
+std::string water_lines(const Report& report, const Setup& setup) {
+    if (!report.water) return "";
+    waterlinked::Pd6Track track = track_of(water_velocities, report, setup);
+    std::copy_n(report.way_in_water.begin(), track.way.size(), track.way.begin());
+    track.range = report.water->middle;
+    track.since = report.since_in_water;
+    return waterlinked::pd6_track('W', track);
 }
 
 /// Leaks, counts, V, A and ohm of a published sample: no leak, the second sensor is not connected.
@@ -43,7 +60,7 @@ Bytes lines_of(const Report& report, const Setup& setup, const Settings& setting
                                   width) +
         waterlinked::pd6_time(doppler::compact(doppler::moment_of(report.unix_us)), setup.salinity,
                               report.temperature, 0.1 * setup.depth, setup.sound_speed, 0) +
-        ranges + bottom_lines(report, setup) + health_line(settings);
+        ranges + water_lines(report, setup) + bottom_lines(report, setup) + health_line(settings);
     return {text.begin(), text.end()};
 }
 
