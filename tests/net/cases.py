@@ -62,6 +62,7 @@ MODELS = {
     "dvl-explorer": teledyne("dvl-explorer", "format: pd5"),
     "dvl-navigator": teledyne("dvl-navigator", "frame: ship"),
     "dvl-pathfinder": teledyne("dvl-pathfinder", "heading_alignment: 4500"),
+    "dvl-wayfinder": one("dvl-wayfinder", PTY, LINE, log_talkers.wayfinder(), **DOWN),
     "edgetech-2205": one("edgetech-2205", ["tcp-listen://127.0.0.1:1700", "tcp-listen://127.0.0.1:1701"],
                          {"commands": ("tcp", 1700), "data": ("tcp", 1701)}, log_talkers.edgetech(), scene="manifold", at=(-9, 0, -5)),
     "imagenex-852": one("imagenex-852", PTY, LINE, talkers.imagenex_852(), pitch=90, **DOWN),

@@ -24,6 +24,13 @@ def teledyne(port="line"):
     return words + on(port, stop, *[(text + "\r").encode() for text in later], None, None, b"\r", None, b"===", None, None)
 
 
+def wayfinder(port="line"):
+    word = lambda name: golden(f"wayfinder/{name}")  # noqa: E731
+    asked = (None, word("get_system"), word("set_sound_speed"), word("set_time"), word("set_older_setup"), word("set_setup"), word("start"),
+             None, damaged(word("get_system")), b"noise", word("get_system")[:9], word("refusal"), word("data"), word("set_sound_speed"), None)  # fmt: skip
+    return on(port, *asked)
+
+
 def nucleus(commands="commands"):
     asked = ("ID", "GETFW", "GETHW", "GETALL", "START", "", "", "STOP", "SETBT,DS=\"ON\"", "GETBT", "GETBTLIM", "SETTRIG,FREQ=8",
              "SETTRIG,FREQ=99", "SETAHRS,FREQ=5", "SETMISSION,SV=1480", "SETCLOCKSTR,TIME=\"2026-01-02 03:04:05\"", "GETCLOCKSTR",

@@ -27,6 +27,7 @@ SOURCES = {
     "devices-dvl-pathfinder": ["emulator/devices/teledyne-dvl/*"],
     "devices-dvl-explorer": ["emulator/devices/teledyne-dvl/*"],
     "devices-dvl-navigator": ["emulator/devices/teledyne-dvl/*"],
+    "devices-dvl-wayfinder": ["emulator/devices/dvl-wayfinder/*"],
     "devices-nortek-nucleus": ["emulator/devices/nortek-nucleus/*"],
     "devices-sonar-3d-15": ["emulator/devices/sonar-3d-15/*", "protocols/http/*.cpp"],
 }

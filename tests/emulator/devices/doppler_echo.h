@@ -14,10 +14,11 @@ struct OverBottom {
     Vec3 velocity{};               ///< m/s in the world: east, north, up
     Quat orientation{1, 0, 0, 0};  ///< of the log in the world
     std::optional<double> deaf{};  ///< deg, bearing of a beam that hears nothing
+    float water = 0;               ///< echo of the water in each bin, times the noise
 
     Echogram hear(const Shot& shot, Time began) const {
         Echogram e = echo_of(shot, shot.bins, 0);
-        std::fill(e.values.begin(), e.values.end(), 1.0F);
+        std::fill(e.values.begin(), e.values.end(), 1.0F + water);
         e.noise_power = 1;
         e.world_from_sonar = {to_seconds(began) * velocity, orientation};
         e.velocities.resize(shot.velocities ? e.values.size() : 0);

@@ -137,7 +137,8 @@ std::vector<WireCase> wire_cases() {
             {"delta t", "imagenex-deltat", {}, {}},
             {"sonar 3d", "sonar-3d-15", {{"acoustics", true}}, {}},
             {"dvl", "dvl-a50", {}, {}},
-            {"nucleus", "nortek-nucleus", {{"starts_at_once", true}}, {}}};
+            {"nucleus", "nortek-nucleus", {{"starts_at_once", true}}, {}},
+            {"wayfinder", "dvl-wayfinder", {}, {}}};
 }
 
 }  // namespace echoloop::bench
