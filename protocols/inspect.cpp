@@ -142,8 +142,8 @@ constexpr std::array table = {
            .checksums = wayfinder::checksums},
     // Before ping: two sums tell a frame.
     Family{.name = "nortek",
-           .title = "Nortek Nucleus, TCP and serial",
-           .places = {.tcp = "9000,9002", .serial = true},
+           .title = "Nortek Nucleus, DVL500 and DVL1000, TCP, UDP and serial",
+           .places = {.tcp = "9000-9002,9004", .udp = "9005", .serial = true},
            .framing = Framing::stream,
            .decode = nortek::decode,
            .recognise = nortek::recognise,

@@ -14,6 +14,7 @@
 #include "emulator/devices/nmea-echosounder/echosounder.h"
 #include "emulator/devices/nmea-ins/ins.h"
 #include "emulator/devices/norbit-wbms/norbit_wbms.h"
+#include "emulator/devices/nortek-dvl/models.h"
 #include "emulator/devices/nortek-nucleus/models.h"
 #include "emulator/devices/oculus/oculus.h"
 #include "emulator/devices/omniscan450/omniscan450.h"
@@ -49,6 +50,7 @@ std::vector<Model> make_models() {
     all.push_back(nmea_echosounder::model());
     all.push_back(nmea_ins::model());
     all.push_back(norbit_device::model());
+    for (Model& model : nortek_dvl::models()) all.push_back(std::move(model));
     all.push_back(nortek_nucleus::model());
     for (Model& model : oculus_device::models()) all.push_back(std::move(model));
     all.push_back(omniscan450::model());

@@ -40,6 +40,16 @@ def nucleus(commands="commands"):
     return on(commands, None, *words)
 
 
+def nortek_dvl(commands="commands"):
+    asked = ("ID", "", "GETSTATE", "SETBT,VR=4", "K1W%!Q", "MC", "GETALL", "SETDVL,0,\"OFF\",\"INTSR\",8.0,\"\",1490.0,35.0",
+             "SETBT,30.00,5.00,4,0,21,-10.0,\"XYZ\"", "SETBT,DF=359,WT=\"ON\",WTDF=22,PLMODE=\"MAX\"", "GETBTLIM", "SETBT,DF=353", "GETERROR",
+             "SETCLOCK,YEAR=2026,MONTH=1,DAY=2,HOUR=3,MINUTE=4,SECOND=5", "GETCLOCK", "START", "", "", "\x03", "CO", "", "K1W%!Q", "MC",
+             "SETDVL,TRIG=\"COMMAND\",SV=0", "START", "TRIG", "", "NOSUCH", "$PNOR,GETBT*00", "K1W%!Q", "MC", "SETDEFAULT,ALL", "SAVE,ALL",
+             "START", "", "")  # fmt: skip
+    words = [b"nortek\r\n", b"\r\n"] + [(text + "\r\n").encode() if text else None for text in asked]
+    return on(commands, None, *words)
+
+
 def jsf(kind, command=0, subsystem=21, channel=0, body=b""):
     """A message to an EdgeTech."""
     return struct.pack("<HBBHBBBBHI", 0x1601, 13, 0, kind, command, subsystem, channel, 0, 0, len(body)) + body
