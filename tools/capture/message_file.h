@@ -1,4 +1,4 @@
-// A file of a device's messages back to back, as makers and drivers write them (.852, .81A, .svlog, .sonar,
+// A file of a device's messages back to back, as makers and drivers write them (.852, .81A, .31l, .svlog, .sonar,
 // .83P, raw streams), as if they came over a line. Takes any bytes.
 #pragma once
 
