@@ -170,7 +170,7 @@ constexpr std::array table = {
            .rewritten = ping::rewritten,
            .checksums = ping::checksums},
     Family{.name = "imagenex",
-           .title = "Imagenex 881A, 852 and 872, serial, TCP and files",
+           .title = "Imagenex 881A, 852, 872 and 831L, serial, TCP and files",
            .places = {.tcp = "4040", .serial = true},
            .framing = Framing::stream,
            .decode = imagenex::decode,

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the 3D scenes of config/scenes (.glb) and the bench scenes. Standard library only.
 
-    tools/make_scenes.py                 writes config/scenes/{manifold,tank,flat,basin,harbour,deep}.glb
+    tools/make_scenes.py                 writes config/scenes/{manifold,tank,flat,basin,harbour,deep,pipe}.glb
     tools/make_scenes.py --check         writes nothing; exit status 1 if a committed file differs
     tools/make_scenes.py --bench DIR     writes DIR/{simple,big100k,big2m,one1m,one2m}.glb
 """
@@ -12,7 +12,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 
-from scenes import auv, basin, bench, deep, flat, harbour, manifold, seabed, tank  # noqa: E402
+from scenes import auv, basin, bench, deep, flat, harbour, manifold, pipe, seabed, tank  # noqa: E402
 from scenes.glb import Node, glb  # noqa: E402
 from scenes.materials import SONAR  # noqa: E402
 
@@ -27,7 +27,7 @@ def manifold_scene():
 
 
 COMMITTED = {"manifold": manifold_scene, "tank": tank.nodes, "flat": flat.nodes, "basin": basin.nodes,
-             "harbour": harbour.nodes, "deep": deep.nodes}
+             "harbour": harbour.nodes, "deep": deep.nodes, "pipe": pipe.nodes}
 
 
 def write(folder, name, nodes):

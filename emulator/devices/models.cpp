@@ -5,6 +5,7 @@
 #include "emulator/devices/aris/aris.h"
 #include "emulator/devices/dvl-wayfinder/dvl.h"
 #include "emulator/devices/edgetech-2205/edgetech_2205.h"
+#include "emulator/devices/imagenex-831l/profiler.h"
 #include "emulator/devices/imagenex-852/sounder.h"
 #include "emulator/devices/imagenex-872/imagenex_872.h"
 #include "emulator/devices/imagenex-881a/sonar.h"
@@ -67,6 +68,7 @@ std::vector<Model> make_models() {
     all.push_back(edgetech_2205::model());
     all.push_back(imagenex872::model());
     all.push_back(dvl_wayfinder::model());
+    all.push_back(imagenex831l::model());
     for (Model& model : all) model.has_checksums = find_checksums(model.family) != nullptr;
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });
     return all;

@@ -14,7 +14,8 @@
 namespace echoloop::imagenex {
 
 inline constexpr std::size_t command_bytes = 27;
-inline constexpr std::size_t reply_overhead = 13;  ///< bytes of a reply beside its echo data
+inline constexpr std::size_t reply_overhead = 13;       ///< bytes of a reply beside its echo data
+inline constexpr std::size_t pipe_reply_overhead = 33;  ///< of an 831L's
 
 /// The message that these bytes are, all of them. A command for head 1F is the azimuth drive's.
 wire::Result<Message> parse(wire::ByteView bytes);
@@ -22,8 +23,8 @@ wire::Result<Message> parse(wire::ByteView bytes);
 wire::Result<SwitchCommand> parse_switch_command(wire::ByteView bytes);
 wire::Bytes encode(const Message& message);
 
-/// One shot of a file of either kind.
-using FileShot = std::variant<Shot852, Shot81A>;
+/// One shot of a file of any kind.
+using FileShot = std::variant<Shot852, Shot81A, Shot31L>;
 /// Errors carry offsets from the start of the shot. Index, total and reply must fit each other.
 wire::Result<FileShot> parse_shot(wire::ByteView bytes);
 wire::Bytes encode(const FileShot& shot);
@@ -34,7 +35,14 @@ std::optional<std::size_t> shot_bytes(wire::ByteView bytes);
 /// Echo data of a real reply: 0, 128, 250, 252, 500 or, of an 872, 1000 bytes.
 bool is_legal_data_size(std::uint64_t bytes);
 
-/// "SwitchCommand", "IMX", "IAX".
+/// An 831L's: 250 bytes in an IMX, none in an IPX.
+bool is_legal_pipe_data_size(std::uint8_t kind, std::uint64_t bytes);
+/// Whether a reply with these second and fourth bytes is an 831L's: other heads have their id there.
+constexpr bool is_of_831l(std::uint8_t kind, std::uint8_t type) {
+    return (kind == 'M' || kind == 'P') && type <= 1;
+}
+
+/// "SwitchCommand", "IMX", "IAX", "IMX831L".
 std::string name_of(const Message& message);
 
 }  // namespace echoloop::imagenex

@@ -34,8 +34,9 @@ Size find_reply(ByteView bytes) {
     } else {
         if (((bytes[count_at] | bytes[count_at + 1]) & 0x80) != 0) return 0;
         const std::size_t data = static_cast<std::size_t>(bytes[count_at + 1]) << 7 | bytes[count_at];
-        if (!is_legal_data_size(data)) return 0;
-        size += data;
+        const bool pipe = is_of_831l(bytes[1], bytes[3]);
+        if (pipe ? !is_legal_pipe_data_size(bytes[1], data) : !is_legal_data_size(data)) return 0;
+        size = (pipe ? pipe_reply_overhead : reply_overhead) + data;
     }
     if (bytes.size() < size) return std::nullopt;
     return bytes[size - 1] == reply_end ? size : 0;
@@ -44,7 +45,7 @@ Size find_reply(ByteView bytes) {
 /// Whether the reply in a whole shot has a name and an end.
 bool holds_reply(ByteView shot) {
     const std::size_t size = static_cast<std::size_t>(shot[6]) << 8 | shot[7];
-    const ByteView reply = shot.subspan(shot_header_bytes, size);
+    const ByteView reply = shot.subspan(shot[0] == '3' ? Shot31L::reply_at : shot_header_bytes, size);
     return size >= reply_overhead && reply[0] == 'I' && reply[2] == 'X' && reply[size - 1] == reply_end;
 }
 
@@ -59,7 +60,7 @@ Size frame_bytes(ByteView bytes, FrameFinder::Takes takes) {
     if (bytes[0] == 0xFE) return find_command(bytes);
     if (takes == FrameFinder::Takes::commands) return 0;
     if (bytes[0] == 'I') return find_reply(bytes);
-    if (bytes[0] == '8') return find_shot(bytes);
+    if (bytes[0] == '8' || bytes[0] == '3') return find_shot(bytes);
     return 0;
 }
 

@@ -11,7 +11,7 @@ namespace echoloop::imagenex {
 class FrameFinder {
   public:
     enum class Takes {
-        everything,  ///< both directions of a line, and the shots of .81A and .852 files
+        everything,  ///< both directions of a line, and the shots of .81A, .852 and .31L files
         commands     ///< what a head listens for; nothing else on the line can hold it up
     };
     explicit FrameFinder(Takes takes = Takes::everything) : takes_(takes) {}

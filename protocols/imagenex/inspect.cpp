@@ -1,5 +1,9 @@
 #include "protocols/imagenex/inspect.h"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 #include "protocols/imagenex/codec.h"
 #include "protocols/imagenex/framer.h"
 #include "protocols/imagenex/layouts.h"
@@ -9,8 +13,32 @@
 namespace echoloop::imagenex {
 namespace {
 
+/// The two bytes of what an 831L's inclinometer says; nothing if `name` is none of these.
+std::optional<inspect::Field> joined_signed(const inspect::Field& low, const inspect::Field& high) {
+    constexpr std::pair<std::string_view, std::string_view> units[] = {{"roll", "0.025 deg"},
+                                                                       {"pitch", "0.025 deg"},
+                                                                       {"roll_acceleration", "0.24414 mg"},
+                                                                       {"pitch_acceleration", "0.24414 mg"}};
+    inspect::Field out = low;
+    out.name.resize(out.name.size() - std::string_view(".low").size());
+    const auto last = std::string_view(out.name).substr(out.name.find_last_of('.') + 1);
+    const auto* unit = std::ranges::find(units, last, &std::pair<std::string_view, std::string_view>::first);
+    if (unit == std::end(units)) return std::nullopt;
+    Signed14 both;
+    both.low = static_cast<std::uint8_t>(low.number.value_or(0));
+    both.high = static_cast<std::uint8_t>(high.number.value_or(0));
+    out.size = 2;
+    out.unit = unit->second;
+    out.number = both.value();
+    out.text = std::to_string(both.value());
+    if ((both.high & Signed14::is_new) != 0) out.text += " (new)";
+    if ((both.high & Signed14::alarm) != 0) out.text += " (alarm)";
+    return out;
+}
+
 /// The two bytes of a packed number, shown as the number that they are.
 inspect::Field joined(const inspect::Field& low, const inspect::Field& high) {
+    if (auto number = joined_signed(low, high)) return *std::move(number);
     Packed14 packed;
     packed.low = static_cast<std::uint8_t>(low.number.value_or(0));
     packed.high = static_cast<std::uint8_t>(high.number.value_or(0));
@@ -50,8 +78,8 @@ inspect::Message inspected_message(const wire::Bytes& bytes, std::size_t offset)
 }
 
 /// The fields of the reply within a shot, named after it, in the place of its bytes.
-void add_reply(inspect::Message& shot, const wire::Bytes& reply) {
-    auto inner = inspected_message(reply, shot.offset + shot_header_bytes);
+void add_reply(inspect::Message& shot, const wire::Bytes& reply, std::size_t reply_at) {
+    auto inner = inspected_message(reply, shot.offset + reply_at);
     if (!inner.reason.empty()) {
         shot.reason = inner.reason;
         return;
@@ -70,7 +98,10 @@ inspect::Message inspected_shot(const FileShot& shot, std::size_t size, std::siz
         [&]<class S>(const S& s) {
             out.name = wire::layout<S>.name;
             inspect::add_fields(out, s);
-            add_reply(out, s.reply);
+            if constexpr (std::is_same_v<S, Shot31L>)
+                add_reply(out, s.reply, S::reply_at);
+            else
+                add_reply(out, s.reply, shot_header_bytes);
         },
         shot);
     return out;
@@ -92,8 +123,9 @@ bool recognise(wire::ByteView bytes) { return inspect::recognise_stream<Framer>(
 std::vector<wire::Table> tables() {
     using wire::table_of;
     return {table_of<SwitchCommand>(), table_of<AzimuthCommand>(), table_of<Reply>(),
-            table_of<AzimuthReply>(),  table_of<Packed14>(),       table_of<Shot852>(),
-            table_of<Shot81A>()};
+            table_of<PipeReply>(),     table_of<AzimuthReply>(),   table_of<Packed14>(),
+            table_of<Signed14>(),      table_of<Shot852>(),        table_of<Shot81A>(),
+            table_of<Shot31L>()};
 }
 
 wire::Bytes rewritten(wire::ByteView bytes) {

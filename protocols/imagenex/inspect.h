@@ -5,7 +5,7 @@
 
 namespace echoloop::imagenex {
 
-/// Commands and replies of a line, and the shots of .81A and .852 files with the replies in them.
+/// Commands and replies of a line, and the shots of .81A, .852 and .31L files with the replies in them.
 std::vector<inspect::Message> decode(wire::ByteView bytes);
 bool recognise(wire::ByteView bytes);
 std::vector<wire::Table> tables();

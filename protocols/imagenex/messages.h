@@ -1,4 +1,4 @@
-// The words of Imagenex heads on their serial line: one command, one reply. Plain structs that know no bytes.
+// The words of Imagenex heads on their line: one command, one reply. Plain structs that know no bytes.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "protocols/imagenex/packed14.h"
+#include "protocols/imagenex/signed14.h"
 #include "protocols/wire/bytes.h"
 #include "protocols/wire/layout.h"
 
@@ -22,7 +23,8 @@ enum class Kind : std::uint8_t { imx = 'M', igx = 'G', ipx = 'P' };
 
 namespace motion {
 inline constexpr std::uint8_t hold = 1, reverse = 0x40;
-}
+inline constexpr std::uint8_t start_of_pulse = 1;  ///< 831L: the profile range is where the echo begins
+}  // namespace motion
 namespace mode {
 inline constexpr std::uint8_t transmit = 1, send_data = 2, slave = 0x40, all = 0x43;
 }
@@ -31,6 +33,11 @@ inline constexpr std::uint8_t positive_edge = 1, enable = 2, automatic = 4;
 }
 namespace status {
 inline constexpr std::uint8_t accepted = 0x40;
+}
+/// Of an 831L, as one public driver has them; another public reader has the bits in the reverse order.
+namespace pipe_status {
+inline constexpr std::uint8_t range_error = 1, frequency_error = 2, sensor_error = 4, calibration_error = 8,
+                              accepted = 0x80;
 }
 
 /// The "switch data" of a host: all settings of one ping. 253 may stand in no field.
@@ -99,7 +106,24 @@ struct AzimuthReply {
     friend bool operator==(const AzimuthReply&, const AzimuthReply&) = default;
 };
 
-using Message = std::variant<SwitchCommand, AzimuthCommand, Reply, AzimuthReply>;
+/// IMX or IPX of an 831L, which has 20 bytes more before its echo data.
+struct PipeReply {
+    Kind kind = Kind::imx;
+    std::uint8_t sonar_type = 0;  ///< 0: scanning, 1: fixed
+    std::uint8_t status = 0;      ///< bits of namespace pipe_status
+    Packed14 head_position{};     ///< 0.3 deg, 600 is 0 deg; bit 13: clockwise
+    std::uint8_t range_code = 0;
+    Packed14 profile_range{};  ///< 0.5 mm; 0: none
+    Packed14 data_bytes{};
+    std::array<std::uint8_t, 4> reserved12{};
+    Signed14 roll{}, pitch{};                            ///< 0.025 deg
+    Signed14 roll_acceleration{}, pitch_acceleration{};  ///< 0.24414 mg
+    std::array<std::uint8_t, 8> reserved24{};
+    std::vector<std::uint8_t> data{};
+    friend bool operator==(const PipeReply&, const PipeReply&) = default;
+};
+
+using Message = std::variant<SwitchCommand, AzimuthCommand, Reply, AzimuthReply, PipeReply>;
 
 /// Position of 0 to 1200 with its direction bit.
 constexpr Packed14 head_position(int position, bool clockwise) {

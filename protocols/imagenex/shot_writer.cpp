@@ -37,21 +37,26 @@ void set_time(Shot& shot, double unix_time) {
     shot.hundredths = std::string_view(text);
 }
 
-/// What both kinds of header have in common.
+/// What all kinds of header have in common.
 template <class Shot>
-Shot begin(const SwitchCommand& command, const Reply& reply, double unix_time) {
+Shot begin(const SwitchCommand& command, const auto& reply, double unix_time) {
     Shot shot;
-    shot.index = index_of(reply.data.size());
-    shot.total_bytes = static_cast<std::uint16_t>(totals[shot.index]);
     set_time(shot, unix_time);
     shot.start_gain = command.start_gain;
     shot.absorption = command.absorption;
     shot.pulse_length = command.pulse_length;
     shot.profile = command.profile;
     shot.sound_speed = sound_speed;
-    shot.reply = encode(reply);
-    shot.fill.assign(shot.total_bytes - shot_header_bytes - shot.reply.size(), 0);
+    shot.reply = encode(Message(reply));
     return shot;
+}
+
+/// Its size, by the echo data of the reply in it.
+template <class Shot>
+void fit(Shot& shot, std::size_t data) {
+    shot.index = index_of(data);
+    shot.total_bytes = static_cast<std::uint16_t>(totals[shot.index]);
+    shot.fill.assign(shot.total_bytes - shot_header_bytes - shot.reply.size(), 0);
 }
 
 std::uint8_t step_code(std::uint8_t step) {
@@ -69,6 +74,7 @@ wire::Bytes ShotWriter::shot(const Reply& reply, double unix_time) {
 /// A .852 file knows no shots of 256 bytes: 128 bytes of echo data take 384.
 wire::Bytes ShotWriter::shot_852(const Reply& reply, double unix_time) const {
     auto shot = begin<Shot852>(command_, reply, unix_time);
+    fit(shot, reply.data.size());
     if (shot.index == 1) {
         shot.index = 2;
         shot.fill.resize(shot.fill.size() + totals[2] - totals[1]);
@@ -81,6 +87,7 @@ wire::Bytes ShotWriter::shot_852(const Reply& reply, double unix_time) const {
 wire::Bytes ShotWriter::shot_81a(const Reply& reply, double unix_time) {
     constexpr std::uint8_t all_around = 120;
     auto shot = begin<Shot81A>(command_, reply, unix_time);
+    fit(shot, reply.data.size());
     const bool polar = command_.sector_width >= all_around;
     shot.scan = static_cast<std::uint8_t>((is_clockwise(reply.head_position) ? 0x80 : 0) |
                                           (polar ? 1 << 3 : 0) | step_code(command_.step_size));
@@ -92,6 +99,26 @@ wire::Bytes ShotWriter::shot_81a(const Reply& reply, double unix_time) {
     shot.fill.end()[-2] = static_cast<std::uint8_t>(pointer >> 8);
     shot.fill.end()[-1] = static_cast<std::uint8_t>(pointer);
     last_shot_ = shot.total_bytes;
+    return encode(FileShot(std::move(shot)));
+}
+
+wire::Bytes ShotWriter::shot(const PipeReply& reply, double unix_time) {
+    constexpr std::uint8_t transducer_up = 0x40, polar = 1 << 3, all_around = 120;
+    constexpr std::uint8_t fourteen_bits_20_dB = 0x11;  // as a real shot has it
+    auto shot = begin<Shot31L>(command_, reply, unix_time);
+    shot.scan = static_cast<std::uint8_t>((is_clockwise(reply.head_position) ? 0x80 : 0) | transducer_up |
+                                          (command_.sector_width >= all_around ? polar : 0) |
+                                          step_code(command_.step_size));
+    shot.sector_width = command_.sector_width;
+    shot.train_angle = command_.train_angle;
+    shot.range_code = reply.range_code;
+    shot.data_setting = fourteen_bits_20_dB;
+    shot.frequency = static_cast<std::uint16_t>(1750 + 5 * command_.frequency);
+    const double since = last_time_ ? unix_time - *last_time_ : 0;
+    last_time_ = unix_time;
+    constexpr double fastest = 327.67;  // Hz
+    if (since > 0)
+        shot.repetition_rate = static_cast<std::uint16_t>(std::lround(100 * std::min(fastest, 1 / since)));
     return encode(FileShot(std::move(shot)));
 }
 

@@ -1,12 +1,14 @@
-// Makes the maker's .81A and .852 files from the words of a line: each reply becomes a shot, its header told
-// by the command before it. Writes bytes in memory; opens no file and knows no clock.
+// Makes the maker's .81A, .852 and .31L files from the words of a line: each reply becomes a shot, its header
+// told by the command before it. Writes bytes in memory; opens no file and knows no clock.
 #pragma once
+
+#include <optional>
 
 #include "protocols/imagenex/codec.h"
 
 namespace echoloop::imagenex {
 
-enum class ShotFormat { shot_852, shot_81a };
+enum class ShotFormat { shot_852, shot_81a, shot_31l };
 
 class ShotWriter {
   public:
@@ -14,8 +16,10 @@ class ShotWriter {
 
     /// The settings of the replies to come.
     void command(const SwitchCommand& command) { command_ = command; }
-    /// The shot of a reply; `unix_time` in s, UTC.
+    /// The shot of a reply; `unix_time` in s, UTC. Not for .31L files.
     wire::Bytes shot(const Reply& reply, double unix_time);
+    /// The shot of an 831L's IMX; only for .31L files, which have no place for an IPX.
+    wire::Bytes shot(const PipeReply& reply, double unix_time);
 
   private:
     wire::Bytes shot_852(const Reply& reply, double unix_time) const;
@@ -23,7 +27,8 @@ class ShotWriter {
 
     ShotFormat format_;
     SwitchCommand command_;
-    std::size_t last_shot_ = 0;  ///< bytes
+    std::size_t last_shot_ = 0;          ///< bytes
+    std::optional<double> last_time_{};  ///< s, of the 831L's reply before
 };
 
 }  // namespace echoloop::imagenex

@@ -179,7 +179,7 @@ class Table(Convert):
     def test_what_cannot_be_written_is_told(self):
         source = self.folder / "capture"
         source.write_bytes(line([(device_data(1), True)]))
-        for out, status, why in (("a.kmall", 65, "no KMALL datagrams"), ("a.xyz", 64, "end it in .852, .81A, .kmall"),
+        for out, status, why in (("a.kmall", 65, "no KMALL datagrams"), ("a.xyz", 64, "end it in .852, .81A, .31l, .kmall"),
                                  ("a.aris", 65, "no frames of an ARIS")):
             self.assertIn(why, self.bad(status, "convert", source, self.folder / out))
             self.assertFalse((self.folder / out).exists())

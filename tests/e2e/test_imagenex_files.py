@@ -101,7 +101,7 @@ class Files(unittest.TestCase):
         raw = self.folder / "line.bin"
         raw.write_bytes(wire.command())
         self.assertIn("no reply", self.convert(raw, self.folder / "a.852", status=65))
-        self.assertIn(".852, .81A", self.convert(raw, self.folder / "a.gsf", status=64))
+        self.assertIn(".852, .81A, .31l", self.convert(raw, self.folder / "a.gsf", status=64))
         self.assertEqual([p.name for p in self.folder.iterdir()], ["line.bin"], "nothing half made is left")
 
     def test_inspect_reads_a_recorded_file_to_its_end(self):

@@ -16,9 +16,11 @@ from ports import free_port
 from program import PROGRAM, ROOT
 from shared_data import needs_data
 
+import test_pipe_profiler
+
 LINK = re.compile(rb"http://(127\.0\.0\.1:\d+)/#([0-9a-f]{32})")
 FLOOR = 2.0  # m below the vehicle in the tank
-ASKED = ["ping1d", "imagenex-881a", "tritech-profiler"]  # a driver of the scenario's asks them
+ASKED = ["ping1d", "imagenex-881a", "tritech-profiler", "imagenex-831l"]  # a driver of the scenario's asks them
 BY_THEMSELVES = ["kongsberg-kmall", "r2sonic-2024", "imagenex-deltat", "micron-echosounder", "nmea-echosounder"]
 
 
@@ -70,21 +72,21 @@ class Shown(unittest.TestCase):
 
         return asyncio.run(asyncio.wait_for(look(), 60))
 
-    def capture(self, *models):
+    def capture(self, *models, scene="tank", at=(0, 0, -2), pitch=90):
         """What models that look down say in 4 s, in a file."""
         folder = tempfile.TemporaryDirectory(prefix="echoloop-view-")
         self.addCleanup(folder.cleanup)
         file = Path(folder.name) / "run.pcapng"
         text = f"""
-scene: {ROOT}/config/scenes/tank.glb
+scene: {ROOT}/config/scenes/{scene}.glb
 water: {{temperature: 15, salinity: 0, ph: 7, sound_speed: 1500}}
-vehicle: {{pose: {{position: [0, 0, -2]}}}}
+vehicle: {{pose: {{position: {list(at)}}}}}
 clock: {{mode: free, duration: 6}}
 devices:
 """
         for model in models:
             asked = ", pings: {interval: 0.5, count: 8}" if model in ASKED else ""
-            text += f"  - {{name: {model}, model: {model}, mount: {{rpy_deg: [0, 90, 0]}}{asked}}}\n"
+            text += f"  - {{name: {model}, model: {model}, mount: {{rpy_deg: [0, {pitch}, 0]}}{asked}}}\n"
         (Path(folder.name) / "s.yaml").write_text(text)
         done = subprocess.run([PROGRAM, "run", str(Path(folder.name) / "s.yaml"), "--record", str(file)], capture_output=True,
                               timeout=100, text=True)
@@ -92,7 +94,7 @@ devices:
         return file
 
     def test_the_floor_is_at_its_depth_in_what_each_sonar_says(self):
-        wanted = {*ASKED, *BY_THEMSELVES}
+        wanted = {*ASKED, *BY_THEMSELVES} - {"imagenex-831l"}  # whose driver asks for a metre
         file = self.capture(*wanted)
 
         def enough(said):
@@ -106,6 +108,20 @@ devices:
                     self.assertAlmostEqual(ranges[middle], FLOOR, delta=0.05)
                 if levels:
                     self.assertAlmostEqual(loudest_range(head, levels, middle), FLOOR, delta=0.1)
+
+    def test_a_pipe_s_wall_is_where_it_is_in_what_a_profiler_says(self):
+        file = self.capture("imagenex-831l", scene="pipe", at=(0, 0.03, -3.02), pitch=-90)
+
+        def enough(said):
+            return next((one for one in said.values() if any(one[2])), None)
+
+        head, levels, ranges = self.shown("view", str(file), "--loop", enough=enough)
+        wall = test_pipe_profiler.wall(math.degrees(head["pan"]))
+        self.assertEqual(head["name"], "IMX831L")
+        self.assertAlmostEqual(head["bins"] * head["bin_size"], 1, places=6)
+        self.assertAlmostEqual(ranges[0], wall, delta=0.003)
+        loudest = max(range(head["bins"]), key=lambda b: levels[b])
+        self.assertAlmostEqual((loudest + 0.5) * head["bin_size"], wall, delta=0.015)
 
     def test_a_recording_of_a_maker_is_shown(self):
         file = needs_data("r2sonic/r2sonic_bth0_20.pcap")

@@ -1,4 +1,4 @@
-"""Imagenex 881A and 852: commands, replies and files, written from the serial interface specification and apart from
+"""Imagenex 881A, 852 and 831L: commands, replies and files, written from the serial interface specification and apart from
 the C++. Checks everything that a reply says of itself."""
 
 import struct
@@ -41,6 +41,49 @@ def side_scan_command(packet, metres=30, frequency=2):
     data[0], data[1], data[26] = 0xFE, 0x44, 0xFD
     data[3], data[7], data[8], data[10], data[18] = metres, frequency, 40, 30, packet
     return bytes(data)
+
+
+PIPE_RANGES = {2: 0.125, 4: 0.25, 6: 0.5, 8: 0.75, 10: 1, 20: 2, 30: 3, 40: 4, 50: 5, 60: 6}  # code: m
+
+
+def pipe_command(**settings):
+    """An 831L's, as a public driver's parameters have it: 1 m, 20 dB, 0.1 dB/m, all around by 0.9 deg, 10 us, 2250 kHz."""
+    values = {"head_id": 0, "range": 10, "mode": 0, "logf": 0, "absorption": 10, "train": 120, "pulse": 10, "least": 1,
+              "points": 25, "baud": 1}  # fmt: skip
+    return command(**{**values, **settings})
+
+
+@dataclass
+class PipeReply:
+    status: int
+    degrees: float  # of the head
+    clockwise: bool
+    range: float  # m
+    profile: float | None  # m
+    roll: float  # deg, and g below
+    pitch: float
+    roll_g: float
+    pitch_g: float
+    is_new: bool
+    data: bytes
+
+
+def parse_pipe(data):
+    """The reply of an 831L; AssertionError where it contradicts itself."""
+    assert data[0:1] == b"I" and data[1:2] in (b"M", b"P") and data[2:4] == b"X\0", data[:12].hex()
+    count = number14(data[10], data[11])
+    assert count == (250 if data[1:2] == b"M" else 0) and len(data) == 33 + count and data[-1] == 0xFC, "size"
+    assert not any(data[12:16]) and not any(data[24:32]), "reserved"
+
+    def signed(at):
+        value = (data[at + 1] & 0x3F) << 8 | data[at]
+        return value - 0x4000 if value & 0x2000 else value
+
+    position = ((data[6] & 0x3E) >> 1) << 8 | (data[6] & 1) << 7 | (data[5] & 0x7F)
+    point = number14(data[8], data[9])
+    return PipeReply(data[4], 0.3 * (position - 600), bool(data[6] & 0x40), PIPE_RANGES[data[7]],
+                     point * 0.5e-3 if point else None, 0.025 * signed(16), 0.025 * signed(18), 0.24414e-3 * signed(20),
+                     0.24414e-3 * signed(22), bool(data[17] & 0x80), data[32:-1])  # fmt: skip
 
 
 def number14(low, high):

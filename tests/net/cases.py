@@ -65,6 +65,8 @@ MODELS = {
     "dvl-wayfinder": one("dvl-wayfinder", PTY, LINE, log_talkers.wayfinder(), **DOWN),
     "edgetech-2205": one("edgetech-2205", ["tcp-listen://127.0.0.1:1700", "tcp-listen://127.0.0.1:1701"],
                          {"commands": ("tcp", 1700), "data": ("tcp", 1701)}, log_talkers.edgetech(), scene="manifold", at=(-9, 0, -5)),
+    "imagenex-831l": one("imagenex-831l", ["tcp-listen://127.0.0.1:4040"], {"tcp": ("tcp", 4040)}, log_talkers.imagenex_831l(),
+                         scene="pipe", at=(0, 0.03, -3.02), pitch=-90),
     "imagenex-852": one("imagenex-852", PTY, LINE, talkers.imagenex_852(), pitch=90, **DOWN),
     "imagenex-872": one("imagenex-872", ["tcp-listen://127.0.0.1:4040"], {"tcp": ("tcp", 4040)}, log_talkers.imagenex_872(),
                         scene="manifold", at=(-9, 0, -5)),

@@ -74,6 +74,17 @@ def imagenex_872(port="tcp"):
     return on(port, *words)
 
 
+def imagenex_831l(port="tcp"):
+    command = golden("imagenex/pipe_command")
+    changed = lambda **at: bytes(at.get(f"b{i}", byte) for i, byte in enumerate(command))  # noqa: E731
+    ahead = changed(b5=0)
+    words = (ahead, ahead, command, changed(b5=1), changed(b22=1), changed(b3=2), changed(b3=20), changed(b3=60), changed(b3=33), changed(b8=6),
+             changed(b10=170), changed(b11=60, b12=30), changed(b13=0), changed(b14=100), changed(b15=40), changed(b21=255), changed(b21=0),
+             changed(b23=1), changed(b25=80), changed(b25=79), changed(b2=0x10), damaged(command), command[:20], command, b"noise" + ahead,
+             None)  # fmt: skip
+    return on(port, *words)
+
+
 ALTIMETERS = {
     "benthos-psa916": [None] * 10,
     "echologger-ect400": [b"#\r", b"#range 20000\r", b"#output 3\r", b"#interval 0.5\r", b"#go\r", None, None, b"#offset 100\r",

@@ -1,4 +1,4 @@
-// .81A and .852 files: recordings of a real 852 byte for byte, and files made from the words of a line.
+// .81A, .852 and .31L files: recordings of a real 852 byte for byte, and files made from the words of a line.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -147,6 +147,44 @@ TEST(ShotWriter, AnEightyOneAPointsBackOverTheShotBefore) {
     EXPECT_EQ(u16(first, 80), 675);
     EXPECT_EQ(u16(first, 91), 1800);
     for (const auto& shot : {first, second}) EXPECT_TRUE(parse_shot(shot));
+}
+
+TEST(ShotWriter, WritesAThirtyOneLAsARealOneWasRead) {
+    ShotWriter writer(ShotFormat::shot_31l);
+    SwitchCommand command = settings;
+    command.range = 10, command.step_size = 3, command.train_angle = 120, command.pulse_length = 10;
+    writer.command(command);
+    PipeReply reply{.range_code = 10, .data = wire::Bytes(250, 7)};
+    reply.data_bytes = Packed14(250);
+    reply.head_position = head_position(912, true);
+    const auto first = writer.shot(reply, at_noon), second = writer.shot(reply, at_noon + 0.1);
+    ASSERT_EQ(first.size(), 512U);
+    EXPECT_EQ(text(first, 0, 3), "31L");
+    EXPECT_EQ(first[3], 2);
+    EXPECT_EQ(u16(first, 4), 512);
+    EXPECT_EQ(u16(first, 6), 283);
+    EXPECT_EQ(text(first, 8, 12), std::string("18-Nov-2016\0", 12));
+    EXPECT_EQ(first[37], 0xCA) << "clockwise, transducer up, polar, 0.9 deg";
+    EXPECT_EQ(first[38], 12);
+    EXPECT_EQ(first[39], 120);
+    EXPECT_EQ(first[40], 120);
+    EXPECT_EQ(first[41], 10);
+    EXPECT_EQ(first[42], 20);
+    EXPECT_EQ(first[44], 10);
+    EXPECT_EQ(u16(first, 46), 0x8000 | 15000);
+    EXPECT_EQ(u16(first, 80), 2250);
+    EXPECT_EQ(u16(first, 82), 0) << "no rate is known of the first";
+    EXPECT_EQ(u16(second, 82), 1000) << "10 Hz";
+    EXPECT_EQ(to_hex(wire::ByteView(first).subspan(228, 283)), to_hex(encode(Message(reply))));
+    EXPECT_EQ(first[511], 0);
+    EXPECT_TRUE(parse_shot(first));
+    for (std::size_t size = 0; size < first.size(); ++size)
+        EXPECT_FALSE(parse_shot(wire::ByteView(first).first(size))) << size;
+    for (const auto& [at, value] : {std::pair{3, 3}, {4, 1}, {6, 0}, {7, 0x21}}) {
+        auto bad = first;
+        bad[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(value);
+        EXPECT_FALSE(parse_shot(bad)) << at << ": " << value;
+    }
 }
 
 TEST(ShotFiles, EveryTruncationAndLieIsRefused) {

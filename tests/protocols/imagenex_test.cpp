@@ -14,6 +14,7 @@ namespace {
 // Sizes of the serial interface specification.
 static_assert(wire::fixed_size<SwitchCommand>() == 27 && wire::fixed_size<AzimuthCommand>() == 27);
 static_assert(wire::fixed_size<AzimuthReply>() == 13 && wire::fixed_size<Packed14>() == 2);
+static_assert(wire::fixed_size<Signed14>() == 2);
 
 const wire::Bytes command = from_hex("FE44100500004300140114 3C1408060000000032080600000064FD");
 const wire::Bytes profile = from_hex("49505810415844 0A5E020000FC");
@@ -29,6 +30,13 @@ void make_legal(Reply& r) {
     constexpr Kind kinds[] = {Kind::imx, Kind::igx, Kind::ipx};
     r.kind = kinds[r.status % 3];
     r.data.resize(sizes[r.head_id % 5], r.range);
+    r.data_bytes = Packed14(r.data.size());
+    if (r.head_id < 2) r.head_id = 0x10;  // where an 831L has its type
+}
+void make_legal(PipeReply& r) {
+    r.kind = r.status % 2 == 0 ? Kind::imx : Kind::ipx;
+    r.sonar_type %= 2;
+    r.data.resize(r.kind == Kind::imx ? 250 : 0, r.range_code);
     r.data_bytes = Packed14(r.data.size());
 }
 
@@ -74,6 +82,20 @@ TEST(ImagenexPacked, IsDecodedAsTheSpecificationSays) {
     }
     EXPECT_EQ(head_position(600, true).low, 0x58);
     EXPECT_EQ(head_position(600, true).high, 0x44);
+}
+
+TEST(ImagenexSigned, HasFourteenBitsBelowTwoFlags) {
+    for (int value = Signed14::least; value <= Signed14::most; ++value) {
+        const Signed14 one(value, Signed14::is_new);
+        ASSERT_EQ(one.value(), value);
+        ASSERT_EQ(one.high & 0xC0, 0x80);
+    }
+    // A real shot's: -65.25 deg.
+    EXPECT_EQ(signed14(-65.25, 0.025, Signed14::is_new), Signed14(-2610, Signed14::is_new));
+    EXPECT_EQ(Signed14(-2610).low, 0xCE);
+    EXPECT_EQ(Signed14(-2610).high, 0x35);
+    EXPECT_EQ(signed14(1e9, 0.025, 0).value(), 8191) << "the end of the scale";
+    EXPECT_EQ(signed14(-1e9, 0.025, 0).value(), -8192);
 }
 
 /// Frames found in `bytes`, the stream cut at `at`.
@@ -158,6 +180,25 @@ TEST(ImagenexFramer, AReplyMayHoldFCAndMustEndWithIt) {
     EXPECT_TRUE(frames_of(encode(Message(reply))).empty()) << "no head sends 251 bytes";
     EXPECT_EQ(parse(encode(Message(reply))).error(),
               (wire::Error{"Reply", "data_bytes", 10, wire::Reason::wrong_count}));
+}
+
+TEST(ImagenexFramer, AnEightThirtyOneLHasTwentyBytesMoreThanOtherHeads) {
+    PipeReply reply{.data = wire::Bytes(250, 0xFC)};
+    reply.data_bytes = Packed14(250);
+    const auto imx = encode(Message(reply));
+    EXPECT_EQ(imx.size(), 283U);
+    const auto ipx = encode(Message(PipeReply{.kind = Kind::ipx}));
+    EXPECT_EQ(ipx.size(), 33U);
+    // Old firmware of an 881A has an IMX of 250 bytes, too: its id tells it from an 831L's.
+    const auto old = encode(Message(Reply{.head_id = 0x10, .data = wire::Bytes(250, 1)}));
+    EXPECT_EQ(old.size(), 263U);
+    const auto stream = joined({imx, old, ipx, profile, imx});
+    for (std::size_t at = 0; at <= stream.size(); at += 7)
+        EXPECT_EQ(frames_of(stream, at), (std::vector<wire::Bytes>{imx, old, ipx, profile, imx})) << at;
+    auto short_data = imx;
+    short_data[10] = 0;  // 128 bytes
+    EXPECT_FALSE(parse(short_data));
+    EXPECT_TRUE(frames_of(short_data).empty());
 }
 
 TEST(ImagenexFramer, EveryByteIsAccountedForAndMemoryIsBounded) {

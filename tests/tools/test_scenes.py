@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The committed scenes: made by the script, valid glTF, closed and facing outwards, and with the sizes they promise."""
+import math
 import os
 import pathlib
 import re
@@ -13,7 +14,7 @@ from glb_reader import Glb
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = ROOT / "config" / "scenes"
-NAMES = ("manifold", "tank", "flat", "basin", "harbour", "deep")
+NAMES = ("manifold", "tank", "flat", "basin", "harbour", "deep", "pipe")
 sys.path.insert(0, str(ROOT / "tools"))
 
 import make_scenes  # noqa: E402
@@ -210,6 +211,19 @@ class Harbour(unittest.TestCase):
         (_, positions, _, triangles), = self.glb.primitives("seabed")
         self.assertTrue(-9 < min(p[2] for p in positions) and max(p[2] for p in positions) < -4)
         self.assertTrue(all(face(positions, t)[2] > 0 for t in triangles))
+
+
+class Pipe(unittest.TestCase):
+    def test_its_inner_wall_is_a_circle_that_faces_the_water(self):
+        inside = 0
+        for _, positions, normals, _ in Glb(SCENES / "pipe.glb").primitives("wall"):
+            for (_, y, z), normal in zip(positions, normals):
+                if abs(normal[0]) < 0.5 and (radius := math.hypot(y, z)) < 0.35:
+                    inside += 1
+                    self.assertAlmostEqual(radius, 0.3, places=5)
+                    self.assertLess(y * normal[1] + z * normal[2], -0.29)
+        self.assertEqual(inside, 7 * 181)
+        self.assertAlmostEqual(inner_area(Glb(SCENES / "pipe.glb"), "deposit", 2, -3.22, (0, 0, 1)), 0.4179 * 5.98, delta=0.01)
 
 
 class Deep(unittest.TestCase):

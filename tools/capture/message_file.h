@@ -1,5 +1,5 @@
-// A file of a device's messages back to back, as makers and drivers write them (.852, .81A, .svlog, .sonar,
-// .83P, raw streams), as if they came over a line. Takes any bytes.
+// A file of a device's messages back to back, as makers and drivers write them (.852, .81A, .31l, .svlog,
+// .sonar, .83P, raw streams), as if they came over a line. Takes any bytes.
 #pragma once
 
 #include <deque>

@@ -37,13 +37,15 @@ std::string ending_of(const std::filesystem::path& file) {
 std::optional<ShotFormat> shot_format_of(const std::filesystem::path& file) {
     if (ending_of(file) == ".852") return ShotFormat::shot_852;
     if (ending_of(file) == ".81a") return ShotFormat::shot_81a;
+    if (ending_of(file) == ".31l") return ShotFormat::shot_31l;
     return {};
 }
 
 /// What both ends of one line say, as shots of a file.
 class Line {
   public:
-    Line(ShotFormat format, std::ostream& out) : writer_(format), out_(out) {}
+    Line(ShotFormat format, std::ostream& out)
+        : writer_(format), of_831l_(format == ShotFormat::shot_31l), out_(out) {}
 
     void add(bool direction, double time, ByteView bytes, bool gap) {
         imagenex::Framer& framer = framers_[direction ? 1 : 0];
@@ -52,6 +54,8 @@ class Line {
         while (const auto frame = framer.next()) take(*frame, time);
     }
     std::size_t shots() const { return shots_; }
+    /// Replies of an 831L without echo data, for which its file has no place.
+    std::size_t left_out() const { return left_out_; }
 
   private:
     void take(const wire::Bytes& frame, double time) {
@@ -59,16 +63,25 @@ class Line {
         if (!message) return;
         if (const auto* command = std::get_if<imagenex::SwitchCommand>(&*message)) writer_.command(*command);
         const auto* reply = std::get_if<imagenex::Reply>(&*message);
-        if (reply == nullptr) return;
-        const auto shot = writer_.shot(*reply, time);
+        if (reply != nullptr && !of_831l_) write(writer_.shot(*reply, time));
+        const auto* of_pipe = std::get_if<imagenex::PipeReply>(&*message);
+        if (of_pipe == nullptr || !of_831l_) return;
+        if (of_pipe->data.empty())
+            ++left_out_;
+        else
+            write(writer_.shot(*of_pipe, time));
+    }
+
+    void write(const wire::Bytes& shot) {
         out_.write(reinterpret_cast<const char*>(shot.data()), static_cast<std::streamsize>(shot.size()));
         ++shots_;
     }
 
     imagenex::ShotWriter writer_;
+    bool of_831l_;
     std::ostream& out_;
     imagenex::Framer framers_[2];
-    std::size_t shots_ = 0;
+    std::size_t shots_ = 0, left_out_ = 0;
 };
 
 /// Name of a line: its interface, or its TCP connection whichever way the bytes go.
@@ -126,7 +139,11 @@ std::size_t write_shots(Input& input, const std::string& line, ShotFormat format
         count = convert_bytes(input, shots);
     }
     if (count == 0)
-        throw StartError(Exit::data, scenario::in_quotes(input.name()) + ": no reply of an Imagenex head");
+        throw StartError(Exit::data, scenario::in_quotes(input.name()) + ": no reply of an Imagenex " +
+                                         (format == ShotFormat::shot_31l ? "831L with echo data" : "head"));
+    if (shots.left_out() > 0)
+        print_warning(counted(shots.left_out(), "message") +
+                      " without echo data (profile points only) left out: a .31l file has no place for them");
     if (!out.flush()) throw std::runtime_error("cannot write all of it");
     return count;
 }
@@ -152,7 +169,7 @@ void require_known_kind(const std::filesystem::path& out) {
         ending_of(out) == ".mcap")
         return;
     throw StartError(Exit::usage, "OUT: " + scenario::in_quotes(out.string()) +
-                                      " names no known kind of file; end it in .852, .81A, " +
+                                      " names no known kind of file; end it in .852, .81A, .31l, " +
                                       convert::endings() + ", .csv or .mcap");
 }
 
@@ -199,7 +216,7 @@ Verb convert_verb() {
              {Kind::positional,
               "OUT",
               "",
-              "file to write: .852 or .81A (Imagenex), .kmall, .s7k, .jsf (EdgeTech), .xtf (EdgeTech, "
+              "file to write: .852, .81A or .31l (Imagenex), .kmall, .s7k, .jsf (EdgeTech), .xtf (EdgeTech, "
               "Imagenex 872), .svlog (Cerulean), .bin (Ping Viewer), .aris, .csv, .mcap (bag for ROS 2 and "
               "Foxglove)",
               {},

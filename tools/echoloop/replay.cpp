@@ -190,7 +190,7 @@ Verb replay_verb() {
         {{Kind::positional,
           "CAPTURE",
           "",
-          "pcap, pcapng, .kmall, .s7k, .jsf, .aris, .oculus, .xtf, .bin, .svlog, .sonar, .852, .81A, a "
+          "pcap, pcapng, .kmall, .s7k, .jsf, .aris, .oculus, .xtf, .bin, .svlog, .sonar, .852, .81A, .31l, a "
           "serial log "
           "as text, ...; .gz of all",
           {},

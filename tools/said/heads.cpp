@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "protocols/cerulean/surveyor_codec.h"
+#include "protocols/imagenex/pipe_ranges.h"
 #include "protocols/ping/framer.h"
 #include "tools/said/fields.h"
 
@@ -154,6 +155,21 @@ Picture of_delta_t(const Message& message) {
     return picture;
 }
 
+constexpr double degrees_of_position = 0.3, position_ahead = 600;  // of Imagenex heads
+constexpr unsigned position_bits = 0x1FFF;
+
+Picture of_pipe_profiler(const Message& message) {
+    const Fields f(message);
+    constexpr double half_millimetre = 0.5e-3;
+    Picture picture = beam(message, as_floats(f.numbers("data")), "counts");
+    const auto position = static_cast<unsigned>(f.number("head_position")) & position_bits;
+    picture.pan = radians((position - position_ahead) * degrees_of_position);
+    place(picture, 0, imagenex::pipe_range(static_cast<std::uint8_t>(f.number("range_code"))).metres);
+    if (const double point = f.number("profile_range") * half_millimetre; point > 0)
+        picture.ranges = {range_or_none(point)};
+    return picture;
+}
+
 class Heads final : public Maker {
   public:
     std::optional<Picture> take(const Message& message, wire::ByteView bytes, bool sent) override {
@@ -174,6 +190,7 @@ class Heads final : public Maker {
         if (name == "IMX" || name == "IGX" || name == "IPX")
             return Fields(message).numbers("data").size() == side_points ? of_side_scan(message)
                                                                          : checked(of_imagenex(message));
+        if (name == "IMX831L" || name == "IPX831L") return checked(of_pipe_profiler(message));
         if (name == "83P") return checked(of_delta_t(message));
         if (name == "AtofPointData" || name == "YzPointData") {
             auto picture = of_surveyor(message, bytes);
@@ -225,8 +242,8 @@ class Heads final : public Maker {
         const auto points = static_cast<std::size_t>(points_);
         if (points > 0 && points < levels.size()) levels.resize(points);  // what fills the reply is none
         Picture picture = beam(message, std::move(levels), data_bits_ == 16 ? decibels_of_counts : "counts");
-        const auto place_of_head = static_cast<unsigned>(f.number("head_position")) & 0x1FFFU;
-        picture.pan = radians((place_of_head - 600.0) * 0.3);
+        const auto place_of_head = static_cast<unsigned>(f.number("head_position")) & position_bits;
+        picture.pan = radians((place_of_head - position_ahead) * degrees_of_position);
         const double range = f.number("range");
         place(picture, 0, range);
         constexpr double near = 5, fine = 0.002, coarse = 0.01;  // m; an 852 has coarse steps only

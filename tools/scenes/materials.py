@@ -11,10 +11,11 @@ SONAR = {
     "concrete": {"mu_db": -15.0},
     "aluminium": {"mu_db": -12.0},
     "steel": {"mu_db": -10.0},
-    # Of basin, harbour and deep.
+    # Of basin, harbour, deep and pipe.
     "mud": {"material": "mud"},
     "stone": {"material": "rock"},
     "seabed_sand": {"material": "sand"},
+    "gravel_bed": {"material": "gravel"},
     "rough_concrete": {"material": "concrete"},
     # Own choice: cast against steel and painted; at 700 kHz a mirror loses 0.4 dB by it.
     "painted_concrete": {"material": "concrete", "roughness": 0.00005},

@@ -14,8 +14,6 @@ using imagenex::SwitchCommand;
 
 double frequency_of(const SwitchCommand& command) { return 175e3 + 5e3 * command.frequency; }
 
-double angle_of(int position) { return (position - ahead) * 2 * std::numbers::pi / circle; }
-
 /// The same aperture has wider beams at lower frequencies.
 void set_sound(const SwitchCommand& command, double design_frequency, Shot& shot) {
     shot.frequency = frequency_of(command);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "emulator/devices/family/imagenex/head.h"
-#include "emulator/devices/imagenex-881a/scan.h"
+#include "emulator/devices/family/imagenex/scan.h"
 
 namespace echoloop::imagenex881a {
+
+using imagenex_head::ahead, imagenex_head::angle_of, imagenex_head::circle;
 
 /// Emulator options beside those of all Imagenex heads; README.md of this folder explains each.
 struct Settings {
@@ -30,15 +32,13 @@ class Sonar final : public imagenex_head::Head {
     bool obey_other(const wire::Bytes& frame, Time now) override;
 
   private:
-    Scan scan_;
+    imagenex_head::Scan scan_;
     bool azimuth_drive_;
     int azimuth_ = ahead;  ///< of the drive, positions
 };
 
 /// Frequency of byte 25 in Hz.
 double frequency_of(const imagenex::SwitchCommand& command);
-/// rad clockwise from ahead
-double angle_of(int position);
 /// What the frequency and the pulse of a command make of a shot.
 void set_sound(const imagenex::SwitchCommand& command, double design_frequency, Shot& shot);
 

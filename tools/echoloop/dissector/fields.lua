@@ -45,6 +45,7 @@ end
 
 -- For numbers that are no number type of the tables.
 function sonar.number_field(row) return ProtoField.uint32(row.abbr, row.name, base.DEC, nil, 0, help_of(row)) end
+function sonar.signed_field(row) return ProtoField.int32(row.abbr, row.name, base.DEC, nil, 0, help_of(row)) end
 
 local function value_field(abbr, row)
   if sizes[row.type] or varints[row.type] then return number_field(abbr, row) end

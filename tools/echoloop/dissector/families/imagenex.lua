@@ -2,11 +2,12 @@
 local family = sonar.families.imagenex
 local T = family.tables
 local command_bytes, overhead, shot_header = 27, 13, 100
+local pipe_overhead, pipe_shot, pipe_reply_at = 33, 512, 228  -- of an 831L
 local azimuth_head = T.AzimuthReply.rows_by_name.head_id.constant
 local replies = {M = "IMX", G = "IGX", P = "IPX", A = "IAX"}
 local base_sizes = {[0] = 128, 256, 384, 640}
 
-family.mark = "[I8\xFE]"
+family.mark = "[I83\xFE]"
 
 local function command_frame(text, at)
   if (text:byte(at + 2) or 0x44) ~= 0x44 then return 0 end
@@ -14,6 +15,12 @@ local function command_frame(text, at)
   if stop then return stop - at == command_bytes and command_bytes or 0 end
   if #text - at < command_bytes then return nil end
   return 0
+end
+
+-- Other heads have their id, 10 or more, where an 831L has its type.
+local function is_of_831l(text, at)
+  local second = text:sub(at + 2, at + 2)
+  return (second == "M" or second == "P") and text:byte(at + 4) <= 1
 end
 
 local function reply_frame(text, at)
@@ -24,8 +31,17 @@ local function reply_frame(text, at)
   local low, high = text:byte(at + 11), text:byte(at + 12)
   if low > 127 or high > 127 then return 0 end
   local data = high * 128 + low
+  if is_of_831l(text, at) then return data == (second == "M" and 250 or 0) and pipe_overhead + data or 0 end
   local legal = data == 0 or data == 128 or data == 250 or data == 252 or data == 500 or data == 1000
   return legal and overhead + data or 0
+end
+
+local function pipe_shot_frame(text, at)
+  local name = text:sub(at + 1, at + 3)
+  if name ~= ("31L"):sub(1, #name) then return 0 end
+  if #text - at < 35 then return nil end
+  local fits = text:byte(at + 4) == 2 and sonar.be(text, at + 4, 2) == pipe_shot and sonar.be(text, at + 6, 2) == pipe_overhead + 250
+  return fits and pipe_shot or 0
 end
 
 local function shot_frame(text, at)
@@ -44,6 +60,7 @@ function family.frame(text, at)
   if first == 0xFE then return command_frame(text, at) end
   if first == 0x49 then return reply_frame(text, at) end
   if first == 0x38 then return shot_frame(text, at) end
+  if first == 0x33 then return pipe_shot_frame(text, at) end
   return 0
 end
 
@@ -53,9 +70,10 @@ function family.good(text, at, size)
 end
 
 -- The tables say a number of 14 bits as two bytes of 7; here it is one. A head's position has its direction above.
-for _, name in ipairs({"Reply", "AzimuthReply", "AzimuthCommand"}) do
+for _, name in ipairs({"Reply", "PipeReply", "AzimuthReply", "AzimuthCommand"}) do
   for _, row in ipairs(T[name].rows) do
     if row.type == "Packed14" then sonar.replace_field(family, row, sonar.number_field(row)) end
+    if row.type == "Signed14" then sonar.replace_field(family, row, sonar.signed_field(row)) end
   end
 end
 
@@ -72,14 +90,32 @@ local function read_packed(r, tree, row)
   return true
 end
 
+-- What an inclinometer says: 14 signed bits below two flags.
+local function read_signed(r, tree, row)
+  if r.stop - r.at < 2 then return sonar.fault(tree, row.name .. ": the bytes end here") end
+  local range = r.tvb(r.at, 2)
+  local high = range(1, 1):uint()
+  local value = high % 64 * 256 + range(0, 1):uint()
+  local item = tree:add(row.field, range, value >= 8192 and value - 16384 or value)
+  sonar.add_unit(item, row)
+  if high >= 128 then item:append_text(", new") end
+  if high % 128 >= 64 then item:append_text(", alarm") end
+  r.at = r.at + 2
+  return true
+end
+
 local function show_table(tree, name, tvb, at, stop)
   local r = sonar.reader(family, tvb, at, stop)
-  r.special = {Packed14 = read_packed}
+  r.special = {Packed14 = read_packed, Signed14 = read_signed}
   if sonar.walk(r, T[name], tree) and r.at < stop then sonar.fault(tree, "bytes left over") end
 end
 
 local function show_one(tree, tvb, at, size, text)
   local first, second = text:byte(at + 1), text:sub(at + 2, at + 2)
+  if first == 0x49 and is_of_831l(text, at) then
+    show_table(tree, "PipeReply", tvb, at, at + size)
+    return replies[second] .. "831L"
+  end
   if first == 0x49 and second ~= "A" then
     show_table(tree, "Reply", tvb, at, at + size)
     return replies[second]
@@ -91,15 +127,16 @@ local function show_one(tree, tvb, at, size, text)
 end
 
 local function show_shot(tree, tvb, at, size, text)
-  local name = text:sub(at + 1, at + 3) == "852" and "Shot852" or "Shot81A"
+  local name = "Shot" .. text:sub(at + 1, at + 3)
   sonar.show(family, tree, name, tvb, at, at + size)
-  local reply = sonar.be(text, at + 6, 2)
-  if reply_frame(text, at + shot_header) == reply then show_one(tree, tvb, at + shot_header, reply, text) end
+  local reply, inner = sonar.be(text, at + 6, 2), at + (name == "Shot31L" and pipe_reply_at or shot_header)
+  if reply_frame(text, inner) == reply then show_one(tree, tvb, inner, reply, text) end
   return name
 end
 
 function family.display(tree, tvb, at, size, text)
-  if text:byte(at + 1) == 0x38 then return show_shot(tree, tvb, at, size, text) end
+  local first = text:byte(at + 1)
+  if first == 0x38 or first == 0x33 then return show_shot(tree, tvb, at, size, text) end
   return show_one(tree, tvb, at, size, text)
 end
 

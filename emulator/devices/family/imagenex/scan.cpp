@@ -1,10 +1,10 @@
-#include "emulator/devices/imagenex-881a/scan.h"
+#include "emulator/devices/family/imagenex/scan.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
 
-namespace echoloop::imagenex881a {
+namespace echoloop::imagenex_head {
 namespace {
 
 constexpr int all_around = 120;  // of byte 12
@@ -22,11 +22,8 @@ int Scan::move(const imagenex::SwitchCommand& command) {
         position_ = ahead;
         return std::abs(wrapped_offset(position_ - before));
     }
-    const bool reversed = (command.motion & imagenex::motion::reverse) != 0;
-    const bool turned = std::exchange(reversed_, reversed) != reversed;
     const bool around = command.sector_width >= all_around;
-    if (around) clockwise_ = !reversed;
-    if (!around && turned) clockwise_ = !clockwise_;
+    set_direction((command.motion & imagenex::motion::reverse) != 0, around);
     if ((command.motion & imagenex::motion::hold) != 0 || command.step_size == 0) return 0;
     if (around) {
         position_ = wrapped(position_ + (clockwise_ ? command.step_size : -command.step_size));
@@ -39,6 +36,17 @@ int Scan::move(const imagenex::SwitchCommand& command) {
         position_ = wrapped(centre + next);
     }
     return std::abs(wrapped_offset(position_ - before));
+}
+
+void Scan::set_direction(bool reversed, bool around) {
+    const bool turned = std::exchange(reversed_, reversed) != reversed;
+    if (bit_ == ReverseBit::once) {
+        if (turned && reversed) clockwise_ = !clockwise_;
+    } else if (around) {
+        clockwise_ = !reversed;
+    } else if (turned) {
+        clockwise_ = !clockwise_;
+    }
 }
 
 int Scan::next_in_sector(int offset, int half, int step) {
@@ -59,4 +67,4 @@ int Scan::enter_sector(int offset, int half, int step) {
     return across ? edge : next;
 }
 
-}  // namespace echoloop::imagenex881a
+}  // namespace echoloop::imagenex_head
