@@ -52,7 +52,9 @@ Vec3 said_direction(const said::Picture& picture, const Shot& shot, const Soundi
 }  // namespace
 
 void Topics::say(const Wire& wire, const said::Picture& told) {
-    const std::string name = ros_name(wire.device), topic = "/" + name + "/said";
+    const std::string name = ros_name(wire.device);
+    // A sonar says pictures of several kinds, and each is a topic's alone: /fan/said/WCD0/image.
+    const std::string topic = "/" + name + "/said/" + ros_name(told.name);
     const std::uint64_t said = nanoseconds(wire.unix_time);
     const Stamped head{said, name};
     const Echogram echo = echogram_of(told, said::assumed_sound_speed);

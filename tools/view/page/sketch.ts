@@ -1,7 +1,7 @@
 // Where each dot of a picture comes from: which line, beam and bin, by the kind of sonar.
 import type { Ping } from "./news";
 
-export type Kind = "fan" | "circle" | "echogram" | "sidescan" | "range image" | "profile" | "depth";
+export type Kind = "fan" | "circle" | "echogram" | "sidescan" | "range image" | "strength image" | "profile" | "depth";
 
 export const width = 480;
 export const height = 360;
@@ -22,7 +22,7 @@ export interface Sketch {
 
 /** `turns`: its pings look in several directions. `waterfall`: a side-scan of one beam. */
 export function kindOf(ping: Ping, turns: boolean, waterfall: boolean): Kind {
-  if (ping.rows > 1) return "range image";
+  if (ping.rows > 1) return ping.bins === 1 ? "strength image" : "range image";
   if (ping.bins === 0) return ping.numbered || ping.beams === 1 ? "depth" : "profile";
   if (waterfall || (ping.sides && ping.beams === 2)) return "sidescan";
   if (ping.sides) return "echogram"; // of several beams that look to all sides
