@@ -113,6 +113,7 @@ TEST(TeledyneWater, Mode2TracksItOnlyWithoutABottom) {
 
 TEST(TeledyneWater, Mode3HasNoBottomTrack) {
     auto log = log_with(3, "pd6");
+    log.bottom.altitude = 6;  // so near that the ping hears it
     const std::string text = last_text(log, 6s);
     EXPECT_NE(text.find(":BI,-32768,-32768,-32768,-32768,V\r\n"), std::string::npos) << text;
     EXPECT_NE(text.find(":WI,  +200,  +500,  -100,"), std::string::npos) << text;
