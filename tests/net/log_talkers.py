@@ -20,8 +20,10 @@ def teledyne(port="line"):
     stop = b"+++"
     asked = ("PS0", "PA", "EX?", "EX11111", "BX00300", "EC1480", "ES20", "EA+04500", "WP1", "WN010", "WS0100", "TP00:00.50", "PD4", "CS")
     words = on(port, None, None, None, stop, *[(text + "\r").encode() for text in asked], None, None)
-    later = ("PD5", "PD0", "WP0", "EX00000", "BX99999", "PD6", "ZZ9", "CF11110", "CS")
-    return words + on(port, stop, *[(text + "\r").encode() for text in later], None, None, b"\r", None, b"===", None, None)
+    later = ("PD5", "PD0", "WP0", "EX00000", "BX99999", "PD7", "ZZ9", "CF11110", "CS")
+    words += on(port, stop, *[(text + "\r").encode() for text in later], None, None, b"\r", None, b"===", None, None)
+    last = ("PD13", "BK1", "BL10,20,60", "#BL?", "BL80,160,200", "PD6", "BK3", "CS")
+    return words + on(port, stop, *[(text + "\r").encode() for text in last], None, None)
 
 
 def wayfinder(port="line"):

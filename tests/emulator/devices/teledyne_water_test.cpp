@@ -111,8 +111,21 @@ TEST(TeledyneWater, Mode2TracksItOnlyWithoutABottom) {
         << "m to its middle, s since good; " << text;
 }
 
+TEST(TeledyneWater, LayerIsHeardWhateverDepthsItLooksInForTheBottom) {
+    auto log = log_with(1, "pd6");
+    log.bottom.altitude = 0;
+    log.bottom.run(log.bench, 10s);
+    const auto sent = log.bench.sent();
+    ASSERT_GT(sent.size(), 20U);
+    for (std::size_t i = 2; i < sent.size(); ++i) {
+        const std::string text(sent[i].bytes.begin(), sent[i].bytes.end());
+        EXPECT_NE(text.find(":WI,  +200,  +500,  -100,"), std::string::npos) << i << ": " << text;
+    }
+}
+
 TEST(TeledyneWater, Mode3HasNoBottomTrack) {
     auto log = log_with(3, "pd6");
+    log.bottom.altitude = 6;  // so near that the ping hears it
     const std::string text = last_text(log, 6s);
     EXPECT_NE(text.find(":BI,-32768,-32768,-32768,-32768,V\r\n"), std::string::npos) << text;
     EXPECT_NE(text.find(":WI,  +200,  +500,  -100,"), std::string::npos) << text;
