@@ -4,8 +4,11 @@
 
 #include <cstring>
 #include <map>
+#include <numbers>
 #include <tuple>
 
+#include "emulator/devices/family/doppler/echo.h"
+#include "render/water.h"
 #include "tests/emulator/devices/doppler_echo.h"
 
 namespace echoloop::test {
@@ -170,6 +173,29 @@ TEST(NortekDvl, WithoutABottomItSaysSo) {
         EXPECT_EQ(f32(d, 132 + 4 * i), -32.768F);
         EXPECT_EQ(f32(d, 148 + 4 * i), 10);
     }
+}
+
+TEST(NortekDvl, AFarBottomIsNotTakenForTheWaterBeforeTheFace) {
+    EXPECT_NEAR(doppler::usual_absorption(1e6), absorption_db_per_km({}, 1e6) / 1000, 0.004);
+    EXPECT_NEAR(doppler::usual_absorption(420e3), absorption_db_per_km({}, 420e3) / 1000, 0.001);
+    for (const char* model : {"nortek-dvl1000", "dvl-a50", "nortek-nucleus"}) {
+        OverBottom bottom;
+        bottom.altitude = 45;
+        bottom.floating = 5e13;
+        const Shot shot = find_model(model)->default_shot(make_config(*find_model(model)), 0, 50);
+        const Echogram heard = bottom.hear(shot, {});
+        doppler::Settings settings;
+        settings.acoustics.tilt = std::numbers::pi / 2 - shot.sides[0].depression;
+        settings.acoustics.beam_width = shot.beam_width;
+        settings.acoustics.detection = 13;
+        const auto echo = doppler::find_bottom_echo(heard, 0, settings);
+        ASSERT_TRUE(echo) << model;
+        EXPECT_NEAR(echo->time * 750, 45 / std::cos(settings.acoustics.tilt), 0.5) << model;
+    }
+    NortekDvl n;
+    n.bottom.altitude = 60;
+    n.bottom.water = 5e12;
+    EXPECT_EQ(u32(n.last(8s), 20), 0x100FFFFFU);
 }
 
 TEST(NortekDvl, TimeIsThatOfTheTrigger) {
