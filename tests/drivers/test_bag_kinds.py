@@ -56,6 +56,19 @@ class Kinds(unittest.TestCase):
         self.assertGreater(len(self.found["/fan/said/BTH0/detections"]), 10)
         self.assertFalse([topic for topic in self.found if topic.startswith("/fan/said/") and topic.count("/") < 4])
 
+    def test_what_it_says_lies_where_it_was_heard(self):
+        """Its axis, which looks down, is x; y is to port."""
+        clouds = {}
+        for topic in ("/fan/points", "/fan/said/BTH0/points"):
+            cloud = self.found[topic][-1][1]
+            self.assertEqual(cloud.header.frame_id, "fan")
+            points = np.frombuffer(bytes(cloud.data), np.float32).reshape(-1, 4)
+            clouds[topic] = points[np.abs(points[:, 1]) < 4]
+        for topic, points in clouds.items():
+            self.assertGreater(len(points), 50, topic)
+            self.assertAlmostEqual(float(np.median(points[:, 0])), DEPTH, delta=0.2, msg=topic)
+            self.assertLess(float(np.abs(points[:, 2]).max()), 0.5, topic)
+
     def test_each_frequency_of_an_edgetech_has_its_own(self):
         for heard, said, frequency in (("at_120_kHz", "SonarData_low", 120e3), ("at_410_kHz", "SonarData_high", 410e3)):
             raw = [image for _, image in self.found[f"/side/{heard}/raw"]]

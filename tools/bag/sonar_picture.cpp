@@ -51,6 +51,13 @@ std::size_t slot_of(double bearing) {
            slots;
 }
 
+/// Four digits: ranges of a message vary with the speed of sound that it tells, by less than a dot.
+double rough(double value) {
+    if (!(value > 0)) return value;
+    const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
+    return std::round(value / unit) * unit;
+}
+
 /// Of the value next to `at` in an ascending row; -1 where none is within `reach`.
 std::int32_t nearest(const std::vector<double>& row, double at, double reach) {
     const auto above = std::upper_bound(row.begin(), row.end() - (row.size() > 1 ? 1 : 0), at);
@@ -129,8 +136,8 @@ std::string SonarPicture::draw() {
 /// behind.
 void SonarPicture::sketch_fan() {
     const Levels& ping = *last_;
-    const FanKey key{ping.beams,           ping.bins, ping.first_range,
-                     ping.bin_size,        ping.pan,  ping.bearings.front(),
+    const FanKey key{ping.beams,           ping.bins, rough(ping.first_range),
+                     rough(ping.bin_size), ping.pan,  ping.bearings.front(),
                      ping.bearings.back(), ping.down};
     if (key == key_) return;
     key_ = key;

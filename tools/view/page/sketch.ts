@@ -76,8 +76,9 @@ export function fanSketch(ping: Ping): Sketch {
   return { key: fanKey(ping), index, frame };
 }
 
+/** Four digits of ranges: those of a message vary with the speed of sound that it tells, by less than a dot. */
 export function fanKey(ping: Ping): string {
-  return [ping.beams, ping.bins, ping.first_range, ping.bin_size, ping.pan, ping.bearings[0], ping.bearings[ping.beams - 1], ping.down].join(" ");
+  return [ping.beams, ping.bins, ping.first_range.toPrecision(4), ping.bin_size.toPrecision(4), ping.pan, ping.bearings[0], ping.bearings[ping.beams - 1], ping.down].join(" ");
 }
 
 /** Index of the value next to `at` in an ascending row; -1 where none is within `reach`. */
