@@ -194,7 +194,7 @@ TEST(NortekDvl, AFarBottomIsNotTakenForTheWaterBeforeTheFace) {
     }
     NortekDvl n;
     n.bottom.altitude = 60;
-    n.bottom.water = 5e12;
+    n.bottom.floating = 5e12;
     EXPECT_EQ(u32(n.last(8s), 20), 0x100FFFFFU);
 }
 
