@@ -191,6 +191,10 @@ TEST(NortekDvl, AFarBottomIsNotTakenForTheWaterBeforeTheFace) {
         const auto echo = doppler::find_bottom_echo(heard, 0, settings);
         ASSERT_TRUE(echo) << model;
         EXPECT_NEAR(echo->time * 750, 45 / std::cos(settings.acoustics.tilt), 0.5) << model;
+        bottom.water = 0;
+        bottom.altitude = 0.4;
+        EXPECT_FALSE(doppler::find_bottom_echo(bottom.hear(shot, {}), 0, settings))
+            << model << " is still sending: its pulse is longer than that";
     }
     NortekDvl n;
     n.bottom.altitude = 60;
