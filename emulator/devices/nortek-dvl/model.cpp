@@ -62,7 +62,10 @@ std::unique_ptr<Device> make(const DeviceConfig& config) {
     if (config.endpoints.empty()) throw std::invalid_argument("a Nortek DVL has at least one endpoint");
     Wiring wiring;
     std::vector<Outlet> outlets;
-    for (const Endpoint& e : config.endpoints) outlets.push_back(wiring.outlet_of(e));
+    for (std::size_t place = 0; place < config.endpoints.size(); ++place) {
+        outlets.push_back(wiring.outlet_of(config.endpoints[place]));
+        if (outlets.back().speech != Speech::datagrams) outlets.back().port.endpoint = place;
+    }
     return std::make_unique<Dvl>(read_settings(config, product->name), std::move(outlets));
 }
 

@@ -437,6 +437,14 @@ TEST(NortekDvl, NoiseOnTheLineCannotWedgeIt) {
     EXPECT_EQ(n.ask("START"), "OK\r\n");
 }
 
+TEST(NortekDvl, ALineIsItsOwnEndpointWhereverItStands) {
+    const auto device = make_device("nortek-dvl500", {"udp://127.0.0.1:9005", "pty:/tmp/echoloop/n"});
+    const auto ports = device->ports();
+    ASSERT_EQ(ports.size(), 2U);
+    EXPECT_EQ(ports[0].kind, Port::Kind::datagram);
+    EXPECT_EQ(ports[1].endpoint, 1U);
+}
+
 TEST(NortekDvl, EndpointsThatAreTooManyAreNamed) {
     EXPECT_THROW(make_device("nortek-dvl1000", {"pty:/tmp/a", "pty:/tmp/b"}), std::invalid_argument);
     EXPECT_THROW(make_device("nortek-dvl1000", {"udp-listen://127.0.0.1:9000"}), std::invalid_argument);
