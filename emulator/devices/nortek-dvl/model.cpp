@@ -62,7 +62,10 @@ std::unique_ptr<Device> make(const DeviceConfig& config) {
     if (config.endpoints.empty()) throw std::invalid_argument("a Nortek DVL has at least one endpoint");
     Wiring wiring;
     std::vector<Outlet> outlets;
-    for (const Endpoint& e : config.endpoints) outlets.push_back(wiring.outlet_of(e));
+    for (std::size_t place = 0; place < config.endpoints.size(); ++place) {
+        outlets.push_back(wiring.outlet_of(config.endpoints[place]));
+        if (outlets.back().speech != Speech::datagrams) outlets.back().port.endpoint = place;
+    }
     return std::make_unique<Dvl>(read_settings(config, product->name), std::move(outlets));
 }
 
@@ -86,18 +89,20 @@ std::vector<KnownDriver> drivers() {
              "tcp-listen"},
             {"ros1",
              "GSO-soslab nortek_dvl_ethernet",
-             {"<param name=\"type\" value=\"UDP\"/>", "<param name=\"udp_rx\" value=\"{number}\"/>"},
-             "into its nortekdvl1000.launch; it reads DF21 in datagrams",
+             {"roslaunch ds_sensors nortekdvl1000.launch", "type: UDP", "udp_rx: {number}"},
+             "type and udp_rx go into that launch file, below instrument; it reads DF21 in datagrams",
              "udp"},
             {"ros1",
              "GSO-soslab nortek_dvl",
-             {"<param name=\"port_name\" value=\"{port}\"/>"},
-             "into its start_dvl.launch; it reads lines: bottom_format: bt7"},
+             {"roslaunch nortek_dvl start_dvl.launch port_name:={port}"},
+             "it reads lines: bottom_format: bt7",
+             "pty"},
             {"python",
              "pynmea2",
              {"import pynmea2, serial", "for line in serial.Serial('{port}', {rate}):",
               "    print(repr(pynmea2.parse(line.decode())))"},
-             "it reads lines without tags, such as those of bottom_format: bt9"}};
+             "it reads lines without tags, such as those of bottom_format: bt9",
+             "pty"}};
 }
 
 Model row(const std::string& name, const std::string& title) {

@@ -191,6 +191,10 @@ TEST(NortekDvl, AFarBottomIsNotTakenForTheWaterBeforeTheFace) {
         const auto echo = doppler::find_bottom_echo(heard, 0, settings);
         ASSERT_TRUE(echo) << model;
         EXPECT_NEAR(echo->time * 750, 45 / std::cos(settings.acoustics.tilt), 0.5) << model;
+        bottom.water = 0;
+        bottom.altitude = 0.4;
+        EXPECT_FALSE(doppler::find_bottom_echo(bottom.hear(shot, {}), 0, settings))
+            << model << " is still sending: its pulse is longer than that";
     }
     NortekDvl n;
     n.bottom.altitude = 60;
@@ -431,6 +435,14 @@ TEST(NortekDvl, NoiseOnTheLineCannotWedgeIt) {
     n.ask("");
     n.go_to_command_mode();
     EXPECT_EQ(n.ask("START"), "OK\r\n");
+}
+
+TEST(NortekDvl, ALineIsItsOwnEndpointWhereverItStands) {
+    const auto device = make_device("nortek-dvl500", {"udp://127.0.0.1:9005", "pty:/tmp/echoloop/n"});
+    const auto ports = device->ports();
+    ASSERT_EQ(ports.size(), 2U);
+    EXPECT_EQ(ports[0].kind, Port::Kind::datagram);
+    EXPECT_EQ(ports[1].endpoint, 1U);
 }
 
 TEST(NortekDvl, EndpointsThatAreTooManyAreNamed) {

@@ -11,6 +11,9 @@ namespace echoloop::doppler {
 namespace {
 
 constexpr double bins_per_pulse = 4;
+// Pulses: it does not hear while it sends, and behind that the water tells nothing yet to compare with. Own
+// choice.
+constexpr double blind = 2;
 
 double time_of(const Shot& shot, std::size_t bin) {
     return shot.first_bin_time + (static_cast<double>(bin) + 0.5) * shot.bin_interval;
@@ -34,6 +37,7 @@ std::optional<std::size_t> peak_of(const Echogram& e, std::size_t beam, double d
     for (std::size_t bin = 0; bin < powers.size(); ++bin) {
         const double power = static_cast<double>(powers[bin]) - e.noise_power;
         const double time = time_of(e.shot, bin);
+        if (time < blind * e.shot.pulse_length) continue;
         const double strength = power * time * time * std::exp(gain * time);
         if (static_cast<double>(powers[bin]) <= least || strength <= strongest) continue;
         strongest = strength;

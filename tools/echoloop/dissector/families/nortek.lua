@@ -10,7 +10,7 @@ local kinds = {[0x20] = {[0xB4] = {"BottomTrack", "Track", 128, 1}, [0xBE] = {"W
 local lines = {["0"] = {"LineOfBeam"}, ["1"] = {"LineOfBeam", true}, ["3"] = {"LineOfSpeed", true}, ["4"] = {"LineOfSpeed"},
                ["6"] = {"LineOfVelocity", true}, ["7"] = {"LineOfVelocity"}, ["8"] = {"LineOfStatus", true}, ["9"] = {"LineOfStatus"}}
 local text_field = sonar.text_field("sonar.nortek.text", "text", "of a line")
-local sum_field = ProtoField.uint8("sonar.nortek.line_checksum", "checksum", base.HEX, nil, 0, "exclusive or of the characters")
+local sum_field = ProtoField.uint8("sonar.nortek.checksum", "checksum", base.HEX, nil, 0, "exclusive or of the characters")
 for _, field in ipairs({text_field, sum_field}) do table.insert(family.fields, field) end
 
 family.mark = "[ -~\165]"
@@ -79,7 +79,8 @@ function family.frame(text, at)
   if not line or #line > longest_line then return 0 end
   local ended = text:match("^\r?\n", stop) or text:match("^\r", stop)
   if ended then return #line + #ended end
-  return stop > #text and nil or 0
+  if stop > #text then return nil end
+  return 0
 end
 
 function family.good(text, at, size)
