@@ -24,6 +24,7 @@
 #include "emulator/truth/device_truth.h"
 #include "render/fan/plan_cache.h"
 #include "render/renderer.h"
+#include "render/scene/clearance.h"
 
 namespace echoloop {
 namespace {
@@ -306,7 +307,12 @@ class Runtime::Impl {
         if (entry.model->default_shot == nullptr) sessions_.back()->sends_no_pings();
         if (dataset_ != nullptr) sessions_.back()->keep_in(*dataset_, sessions_.size() - 1);
         if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
-        if (records.remarks) sessions_.back()->remark_pings();
+        if (records.remarks)
+            sessions_.back()->remark_pings([this](Vec3 position) {
+                Surroundings found{.altitude = clearance_below(*scene_, position)};
+                if (scenario_.origin) found.place = place_from_enu(*scenario_.origin, position);
+                return found;
+            });
         if (records.watch != nullptr)
             sessions_.back()->be_watched(*records.watch, [this](Time time) {
                 return std::pair(vehicle_.world_from_body(time), vehicle_.motion(time));

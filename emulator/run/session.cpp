@@ -3,7 +3,6 @@
 #include <malloc.h>
 #include <spdlog/spdlog.h>
 
-#include "emulator/capture/remark.h"
 #include "emulator/capture/watch.h"
 #include "emulator/contract/random_key.h"
 #include "emulator/dataset/dataset.h"
@@ -244,7 +243,9 @@ void Session::hear(UnderWay& ping) {
     heard->foreign = water_.cross_talk.pulses_in(echogram, ping.transmission);
     heard_ = ping.sequence;
     if (log_ != nullptr) log_->hears(heard_);
-    if (remarks_) remark_ = remark_of(ping.transmission, ping.sequence);
+    if (around_)
+        remark_ =
+            remark_of(ping.transmission, ping.sequence, around_(ping.transmission.world_from_sonar.position));
     if (ping.watched)
         heard->seen = Seen{ping.transmission.time,
                            now - ping.due,
