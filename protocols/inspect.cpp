@@ -22,6 +22,7 @@
 #include "protocols/sonar3d/inspect.h"
 #include "protocols/teledyne/inspect.h"
 #include "protocols/waterlinked/inspect.h"
+#include "protocols/wayfinder/inspect.h"
 
 namespace echoloop::inspect {
 
@@ -121,7 +122,7 @@ constexpr std::array table = {
            .checksums = waterlinked::checksums},
     // Behind waterlinked, whose PD4 is the same block; before ping: a sum tells an ensemble.
     Family{.name = "teledyne",
-           .title = "Teledyne Doppler logs, PD0, PD4 and PD5, serial",
+           .title = "Teledyne Doppler logs, PD0, PD4, PD5, PD6 and PD13, serial",
            .places = {.serial = true},
            .framing = Framing::stream,
            .decode = teledyne::decode,
@@ -129,10 +130,20 @@ constexpr std::array table = {
            .tables = teledyne::tables,
            .rewritten = teledyne::rewritten,
            .checksums = teledyne::checksums},
+    // Before ping: sizes that agree and a sum tell a packet.
+    Family{.name = "wayfinder",
+           .title = "Teledyne Wayfinder, serial",
+           .places = {.serial = true},
+           .framing = Framing::stream,
+           .decode = wayfinder::decode,
+           .recognise = wayfinder::recognise,
+           .tables = wayfinder::tables,
+           .rewritten = wayfinder::rewritten,
+           .checksums = wayfinder::checksums},
     // Before ping: two sums tell a frame.
     Family{.name = "nortek",
-           .title = "Nortek Nucleus, TCP and serial",
-           .places = {.tcp = "9000,9002", .serial = true},
+           .title = "Nortek Nucleus, DVL500 and DVL1000, TCP, UDP and serial",
+           .places = {.tcp = "9000-9002,9004", .udp = "9005", .serial = true},
            .framing = Framing::stream,
            .decode = nortek::decode,
            .recognise = nortek::recognise,

@@ -17,18 +17,6 @@ namespace {
 constexpr double unreached = std::numeric_limits<double>::infinity();
 constexpr int half_fan = 160;  ///< rays to either side of level
 
-/// A profile that reaches everywhere: constant below, and above the surface as steep as just below it, so
-/// that rays that only just pass above it continue those that do not.
-std::vector<SoundSpeedPoint> endless(std::span<const SoundSpeedPoint> profile, double reach) {
-    std::vector<SoundSpeedPoint> all(profile.begin(), profile.end());
-    const auto steepness = [&] { return (all[1].speed - all[0].speed) / (all[1].depth - all[0].depth); };
-    const double gradient = all.size() > 1 && all.front().depth <= 0 ? steepness() : 0;
-    const double height = gradient == 0 ? reach : std::min(reach, 300 / std::abs(gradient));
-    all.insert(all.begin(), {all.front().depth - height, all.front().speed - gradient * height});
-    all.push_back({all.back().depth + reach, all.back().speed});
-    return all;
-}
-
 /// Elevations from straight down to straight up: dense near level, where rays bend most.
 std::vector<double> fan_of_rays() {
     std::vector<double> all;
@@ -59,6 +47,7 @@ RayTable::RayTable(std::span<const SoundSpeedPoint> profile, double depth, doubl
     : profile_(profile.begin(), profile.end()),
       depth_(depth),
       range_(range),
+      surface_(surface),
       speed_(sound_speed_at(profile, depth)) {
     const double most = 1.1 * range;  // rays may lead farther than c t, where sound is faster
     column_step_ = most / static_cast<double>(columns - 1);
@@ -66,7 +55,7 @@ RayTable::RayTable(std::span<const SoundSpeedPoint> profile, double depth, doubl
     const double up = surface ? std::min(most, std::max(depth, 0.0) + 0.05 * most) : most;
     places_ = rows_between(up, most);
     cells_.assign(rows * columns, {0, 0, 0, -std::numeric_limits<float>::infinity()});
-    const auto whole = endless(profile, 2 * most + 10);
+    const auto whole = endless_profile(profile, 2 * most + 10);
     for (std::size_t i = 0; i + 1 < whole.size(); ++i)
         steepest_ = std::max(steepest_, std::abs((whole[i + 1].speed - whole[i].speed) /
                                                  (whole[i + 1].depth - whole[i].depth)));

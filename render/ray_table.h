@@ -84,9 +84,10 @@ class RayTable {
     double slowness(double below_1, double below_2) const;
 
     std::span<const SoundSpeedPoint> profile() const { return profile_; }
-    double depth() const { return depth_; }  ///< m
-    double range() const { return range_; }  ///< m, of c t
-    double speed() const { return speed_; }  ///< m/s, at the sonar
+    double depth() const { return depth_; }    ///< m
+    double range() const { return range_; }    ///< m, of c t
+    double speed() const { return speed_; }    ///< m/s, at the sonar
+    bool surface() const { return surface_; }  ///< whether it bounds the water
 
     /// m, by how much straight rays are off at most, up to the range `range` m; infinite where there is a
     /// shadow.
@@ -134,7 +135,9 @@ class RayTable {
     double plumb(double below) const;
 
     std::vector<SoundSpeedPoint> profile_;
-    double depth_, range_, speed_;
+    double depth_, range_;
+    bool surface_;
+    double speed_;
     double column_step_ = 1;
     Rows places_;
     std::vector<std::array<float, 4>> cells_;

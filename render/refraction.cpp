@@ -88,6 +88,16 @@ double sound_speed_at(std::span<const SoundSpeedPoint> profile, double depth) {
     return std::lerp(above->speed, below->speed, (depth - above->depth) / (below->depth - above->depth));
 }
 
+std::vector<SoundSpeedPoint> endless_profile(std::span<const SoundSpeedPoint> profile, double reach) {
+    std::vector<SoundSpeedPoint> all(profile.begin(), profile.end());
+    const auto steepness = [&] { return (all[1].speed - all[0].speed) / (all[1].depth - all[0].depth); };
+    const double gradient = all.size() > 1 && all.front().depth <= 0 ? steepness() : 0;
+    const double height = gradient == 0 ? reach : std::min(reach, 300 / std::abs(gradient));
+    all.insert(all.begin(), {all.front().depth - height, all.front().speed - gradient * height});
+    all.push_back({all.back().depth + reach, all.back().speed});
+    return all;
+}
+
 RayPoint ray_after(std::span<const SoundSpeedPoint> profile, RayPoint start, double time) {
     constexpr double steepest = std::numbers::pi / 2 - 1e-6;  // the arcs of a plumb ray would have no end
     Ray ray{start.distance, start.depth, std::clamp(-start.elevation, -steepest, steepest)};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "render/water.h"
 
@@ -10,6 +11,10 @@ namespace echoloop {
 
 /// m/s at a depth in m: linear between the points, constant beyond them. The profile has a point at least.
 double sound_speed_at(std::span<const SoundSpeedPoint> profile, double depth);
+
+/// A profile that goes on for `reach` m: constant below, and above the surface as steep as just below it, so
+/// that rays that only just pass above it continue those that do not.
+std::vector<SoundSpeedPoint> endless_profile(std::span<const SoundSpeedPoint> profile, double reach);
 
 /// Where a ray is, and where it heads.
 struct RayPoint {

@@ -156,7 +156,7 @@ class Renderer::Impl {
     /// Makes what finds the surfaces.
     void choose_sampler() {
         const bool all = options_.sampler == "rays";
-        if (!all || may_bend())
+        if (!all)
             crew_.emplace([this] { return gl::make_context(options_.context); }, scene_,
                           options_.drawing_threads);
         const bool some = options_.sampler == "auto" && options_.context == "auto" &&
@@ -166,7 +166,7 @@ class Renderer::Impl {
     }
 
     bool is_traced(const Shot& shot) const {
-        return sampler_ && !rays_ && (options_.sampler == "rays" || shot.beams() == 1);
+        return sampler_ && (options_.sampler == "rays" || shot.beams() == 1);
     }
 
     Summing& summing_of(const Shot& shot) { return shot.elevations.empty() ? *fan_ : *grid_; }

@@ -32,8 +32,7 @@ struct RendererOptions {
     bool jitter = true;
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
     /// What finds the surfaces: "raster" (GL), "rays" (Embree), or "auto": rays for single beams where nobody
-    /// names a context, there is no GPU and the scene has at least least_triangles_for_rays. Where rays bend
-    /// it is always GL.
+    /// names a context, there is no GPU and the scene has at least least_triangles_for_rays.
     std::string sampler = "auto";
     std::size_t drawing_threads =
         1;  ///< that share a picture where the context allows it; the pixels are the same

@@ -3,6 +3,7 @@
 #include "emulator/contract/model.h"
 #include "emulator/devices/altimeters/altimeters.h"
 #include "emulator/devices/aris/aris.h"
+#include "emulator/devices/dvl-wayfinder/dvl.h"
 #include "emulator/devices/edgetech-2205/edgetech_2205.h"
 #include "emulator/devices/imagenex-831l/profiler.h"
 #include "emulator/devices/imagenex-852/sounder.h"
@@ -14,6 +15,7 @@
 #include "emulator/devices/nmea-echosounder/echosounder.h"
 #include "emulator/devices/nmea-ins/ins.h"
 #include "emulator/devices/norbit-wbms/norbit_wbms.h"
+#include "emulator/devices/nortek-dvl/models.h"
 #include "emulator/devices/nortek-nucleus/models.h"
 #include "emulator/devices/oculus/oculus.h"
 #include "emulator/devices/omniscan450/omniscan450.h"
@@ -49,6 +51,7 @@ std::vector<Model> make_models() {
     all.push_back(nmea_echosounder::model());
     all.push_back(nmea_ins::model());
     all.push_back(norbit_device::model());
+    for (Model& model : nortek_dvl::models()) all.push_back(std::move(model));
     all.push_back(nortek_nucleus::model());
     for (Model& model : oculus_device::models()) all.push_back(std::move(model));
     all.push_back(omniscan450::model());
@@ -64,6 +67,7 @@ std::vector<Model> make_models() {
     for (Model& model : waterlinked_dvl::models()) all.push_back(std::move(model));
     all.push_back(edgetech_2205::model());
     all.push_back(imagenex872::model());
+    all.push_back(dvl_wayfinder::model());
     all.push_back(imagenex831l::model());
     for (Model& model : all) model.has_checksums = find_checksums(model.family) != nullptr;
     std::sort(all.begin(), all.end(), [](const Model& a, const Model& b) { return a.name < b.name; });

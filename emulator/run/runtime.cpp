@@ -1,30 +1,23 @@
 #include "emulator/run/runtime.h"
 
-#include <algorithm>
 #include <chrono>
 #include <mutex>
 
-#include "emulator/capture/recorded.h"
-#include "emulator/capture/watched.h"
 #include "emulator/contract/error.h"
-#include "emulator/contract/random_key.h"
 #include "emulator/dataset/dataset.h"
 #include "emulator/machine/scheduling.h"
 #include "emulator/machine/service_manager.h"
 #include "emulator/machine/steal.h"
-#include "emulator/pose/mount.h"
 #include "emulator/pose/movers.h"
 #include "emulator/pose/step_server.h"
 #include "emulator/pose/vehicle.h"
 #include "emulator/run/control.h"
-#include "emulator/run/faulty_session.h"
+#include "emulator/run/fleet.h"
 #include "emulator/run/kept_scene.h"
 #include "emulator/run/warm_up.h"
 #include "emulator/scenario/scene.h"
-#include "emulator/truth/device_truth.h"
 #include "render/fan/plan_cache.h"
 #include "render/renderer.h"
-#include "render/scene/clearance.h"
 
 namespace echoloop {
 namespace {
@@ -54,18 +47,6 @@ std::unique_ptr<Clock> make_clock(const Scenario& scenario, asio::io_context& io
     if (scenario.clock == ClockMode::stepped || scenario.clock == ClockMode::free)
         return std::make_unique<SteppedClock>(io, *scenario.unix_start);
     return std::make_unique<RealClock>(io, scenario.clock_rate, scenario.unix_start);
-}
-
-Around around_wires(const RunRecords& records, const std::string& device,
-                    const std::function<double()>& unix_time) {
-    Around recorder;
-    if (records.recording != nullptr) recorder = PortRecorder(*records.recording, device);
-    if (records.watch == nullptr) return recorder;
-    return [recorder, watch = records.watch, device, unix_time](std::unique_ptr<Transport> wire,
-                                                                const Port& port) {
-        if (recorder) wire = recorder(std::move(wire), port);
-        return std::make_unique<Watched>(std::move(wire), *watch, device, port.name, unix_time);
-    };
 }
 
 SharedWater shared_water(const Scenario& scenario, const Scene& scene, const Movers& movers) {
@@ -119,7 +100,7 @@ class Runtime::Impl {
         dataset_ = records.dataset;
         if (records.watch != nullptr) faults_.show(*records.watch);
         const bool faulty = !scenario.faults.empty() || !scenario.control.empty() || records.live_faults;
-        for (ScenarioDevice& device : scenario_.devices) add(device, records, faulty);
+        for (ScenarioDevice& device : scenario_.devices) fleet_.add(scenario_, device, records, faulty);
         for (const Fault& fault : scenario.faults) faults_.add(fault);
         if (scenario.control.empty()) return;
         control_ = std::make_unique<Control>(*clock_, parse_control_place(scenario.control), desk_);
@@ -127,24 +108,13 @@ class Runtime::Impl {
     }
 
     ~Impl() {
-        for (auto& session : faulty_sessions_) session->close();
-        for (auto& session : sessions_) session->close();
-        join_device_threads();
+        fleet_.close();
+        fleet_.join_threads();
         if (dataset_ != nullptr) dataset_->forget_run();
     }
 
     const Scenario& scenario() const { return scenario_; }
-    std::vector<RunningDevice> devices() const {
-        std::vector<RunningDevice> running = running_;
-        for (std::size_t i = 0; i < running.size(); ++i)
-            for (const auto& transport : sessions_[i]->transports()) {
-                running[i].places.push_back(transport->describe());
-                const std::string open_to = transport->open_to();
-                auto& all = running[i].open_to;
-                if (!open_to.empty() && std::ranges::find(all, open_to) == all.end()) all.push_back(open_to);
-            }
-        return running;
-    }
+    std::vector<RunningDevice> devices() const { return fleet_.devices(); }
 
     void run(std::optional<double> duration) {
         signals_.async_wait([this](error_code ec, int) {
@@ -162,30 +132,23 @@ class Runtime::Impl {
         clock_->begin();
         vehicle_.start();
         movers_.start();
-        for (auto& mount : mounts_) mount->start();
+        fleet_.start_mounts();
         stepped_ == nullptr ? begin(duration) : begin_with_first_step(duration);
         tell_service_manager("READY=1");
         if (const auto period = watchdog_period()) say_alive(*period);
         clock_->run();
         stolen_ = echoloop::stolen_seconds() - stolen_;
-        join_device_threads();
+        fleet_.join_threads();
     }
 
-    std::vector<SessionSummary> summary() const {
-        std::vector<SessionSummary> all;
-        for (const auto& session : sessions_) all.push_back(session->summary());
-        return all;
-    }
-
+    std::vector<SessionSummary> summary() const { return fleet_.summary(); }
     bool interrupted() const { return interrupted_; }
     std::string control_token() const { return control_ ? control_->token() : ""; }
     const std::map<std::string, FaultCounts>& faults() const { return faults_.labels().counts(); }
     std::optional<PoseSummary> poses() const { return vehicle_.summary(); }
     std::map<std::string, PoseSummary> objects() const {
         auto all = movers_.summary();
-        for (std::size_t i = 0; i < mounts_.size(); ++i)
-            if (const auto one = mounts_[i]->summary())
-                all.emplace("mount of " + scenario_.devices[i].name, *one);
+        all.merge(fleet_.mounts());
         return all;
     }
     std::optional<StepSummary> steps() const {
@@ -212,10 +175,7 @@ class Runtime::Impl {
     }
 
     void power_up() {
-        for (std::size_t i = 0; i < sessions_.size(); ++i) {
-            sessions_[i]->start();
-            if (!faulty_sessions_.empty()) faulty_sessions_[i]->start(*sessions_[i]);
-        }
+        fleet_.power_up();
         if (control_) control_->start();
     }
 
@@ -224,7 +184,7 @@ class Runtime::Impl {
         stepped_->on_step([this, powered = false](Time to) mutable {
             vehicle_.step(clock_->now(), to);
             movers_.step(clock_->now(), to);
-            for (auto& mount : mounts_) mount->step(clock_->now(), to);
+            fleet_.step(clock_->now(), to);
             if (std::exchange(powered, true)) return;
             power_up();
         });
@@ -241,14 +201,7 @@ class Runtime::Impl {
     }
 
     std::unique_ptr<StepServer> make_step_server() {
-        return std::make_unique<StepServer>(*stepped_, [this] {
-            std::vector<std::pair<std::string, std::uint64_t>> sent;
-            for (const auto& session : sessions_) {
-                const SessionSummary summary = session->summary();
-                sent.emplace_back(summary.name, summary.bytes_out);
-            }
-            return sent;
-        });
+        return std::make_unique<StepServer>(*stepped_, [this] { return fleet_.sent(); });
     }
 
     /// On a render thread, several at once.
@@ -260,71 +213,6 @@ class Runtime::Impl {
         std::call_once(described_, [&] { renderer_description_ = renderer->context_description(); });
         warm_up(*renderer, scenario, water_);
         return renderer;
-    }
-
-    /// A device may still be busy with an echogram.
-    void join_device_threads() {
-        if (water_.device_threads) water_.device_threads->join();
-    }
-
-    /// Writes the numbers of its ports into `entry`.
-    void add(ScenarioDevice& entry, const RunRecords& records, bool faulty) {
-        const auto around = around_wires(records, entry.name, [this] { return clock_->unix_time(); });
-        OpenPorts open =
-            open_ports(*clock_, entry,
-                       scenario_.clock == ClockMode::free ? Drivers::scripted : Drivers::outside, around);
-        entry.config.endpoints = std::move(open.endpoints);
-        DeviceConfig config = entry.config;
-        config.unix_start = clock_->unix_start();
-        config.origin = scenario_.origin;
-        config.random_key = random_key(water_.seed, entry.name);
-        const auto make = [config, model = entry.model] { return model->make(config); };
-        FaultySession* faults = nullptr;
-        if (faulty)
-            faults = faulty_sessions_
-                         .emplace_back(std::make_unique<FaultySession>(*clock_, faults_.of(entry.name)))
-                         .get();
-        const Mount* const mount =
-            mounts_.emplace_back(std::make_unique<Mount>(scenario_, entry, *clock_, steps_.get())).get();
-        auto device = faults != nullptr ? faults->device(make) : make();
-        auto transports = std::move(open.transports);
-        if (faults != nullptr) transports = faults->lines(std::move(transports), device->ports(), entry);
-        sessions_.push_back(std::make_unique<Session>(
-            io_, *clock_, render_threads_, water_, entry.name, std::move(device), std::move(transports),
-            [this, mount](Time time) {
-                vehicle_.count_if_stale(time);
-                const Located sonar = located(*mount, time);
-                Situation situation(sonar.world_from_device);
-                situation.velocity = sonar.motion.velocity, situation.turning = sonar.motion.turning;
-                situation.movers = movers_.at(time);
-                situation.mover_motions = movers_.motions(time);
-                return situation;
-            },
-            [this, mount](Time time) { return located(*mount, time); }));
-        if (records.truth != nullptr || dataset_ != nullptr)
-            sessions_.back()->tell(std::make_unique<DeviceTruth>(
-                records.truth, entry.name, [mount](Time time) { return mount->body_from_sonar(time); }));
-        if (entry.model->default_shot == nullptr) sessions_.back()->sends_no_pings();
-        if (dataset_ != nullptr) sessions_.back()->keep_in(*dataset_, sessions_.size() - 1);
-        if (faults != nullptr) sessions_.back()->tell_of_pings(faults_.of(entry.name));
-        if (records.remarks)
-            sessions_.back()->remark_pings([this](Vec3 position) {
-                Surroundings found{.altitude = clearance_below(*scene_, position)};
-                if (scenario_.origin) found.place = place_from_enu(*scenario_.origin, position);
-                return found;
-            });
-        if (records.watch != nullptr)
-            sessions_.back()->be_watched(*records.watch, [this](Time time) {
-                return std::pair(vehicle_.world_from_body(time), vehicle_.motion(time));
-            });
-        running_.push_back({entry.name, entry.model, std::move(open.places), {}, {}});
-    }
-
-    Located located(const Mount& mount, Time time) const {
-        const Pose world_from_body = vehicle_.world_from_body(time),
-                   body_from_sonar = mount.body_from_sonar(time);
-        return {time, world_from_body * body_from_sonar,
-                together(world_from_body, vehicle_.motion(time), body_from_sonar, mount.motion(time))};
     }
 
     /// From the thread that serves the wires: while it is stuck, nothing is said.
@@ -341,10 +229,8 @@ class Runtime::Impl {
         if (steps_) steps_->close();
         vehicle_.close();
         movers_.close();
-        for (auto& mount : mounts_) mount->close();
         if (control_) control_->close();
-        for (auto& session : faulty_sessions_) session->close();
-        for (auto& session : sessions_) session->close();
+        fleet_.close();
         error_code ignored;
         signals_.cancel(ignored);
         end_.cancel(ignored);
@@ -397,15 +283,12 @@ class Runtime::Impl {
     std::unique_ptr<StepServer> steps_;  ///< if it is
     Movers movers_;
     Vehicle vehicle_;
-    std::vector<std::unique_ptr<Mount>> mounts_;  ///< as sessions_
     SharedWater water_;
     Faults faults_;
-    std::vector<std::unique_ptr<FaultySession>> faulty_sessions_;  ///< as sessions_, or none
-    std::vector<std::unique_ptr<Session>> sessions_;
+    Fleet fleet_{{io_, *clock_, water_, vehicle_, movers_, *scene_, faults_, steps_.get(), render_threads_}};
     ControlDesk desk_;
     std::unique_ptr<Control> control_;  ///< nullptr without a place
-    std::vector<RunningDevice> running_;
-    Dataset* dataset_ = nullptr;  ///< nullptr: nobody asks
+    Dataset* dataset_ = nullptr;        ///< nullptr: nobody asks
     RenderThreads
         render_threads_;  // last: joined first, so that no ping comes back to a session that is gone
 };

@@ -1,6 +1,5 @@
 #include "emulator/run/session.h"
 
-#include <malloc.h>
 #include <spdlog/spdlog.h>
 
 #include "emulator/capture/watch.h"
@@ -11,8 +10,6 @@
 namespace echoloop {
 namespace {
 
-constexpr std::size_t outbox_limit = 48 << 20;  // bytes of memory; a driver may never read
-constexpr double line_patience = 2;             // s; what a serial line cannot say within is not said at all
 constexpr Time late_after = std::chrono::milliseconds(1);
 constexpr std::size_t worth_a_thread = 16'384;  ///< values of an echogram; fewer take a device no time
 
@@ -40,7 +37,7 @@ Session::Session(asio::io_context& io, Clock& clock, RenderThreads& renderers, S
       situation_at_(std::move(situation_at)),
       located_at_(std::move(located_at)),
       renderers_(renderers),
-      bytes_for_(transports_.size()),
+      outbox_(transports_.size()),
       mail_(clock, sonar_),
       alarm_(clock, sonar_) {}
 
@@ -64,7 +61,7 @@ void Session::start() {
                  },
              .reconnected =
                  [this, port] {
-                     forget_mail(port);
+                     outbox_.forget(port);
                      to_device([this, port] { device_->reconnected(port); });
                  },
              .connected =
@@ -88,8 +85,6 @@ void Session::start() {
 void Session::cut_power(std::function<void()> cut) {
     ++power_cuts_;
     outbox_.clear();
-    outbox_bytes_ = outbox_memory_ = 0;
-    std::ranges::fill(bytes_for_, 0U);
     wake_ = Time::max();
     late_.reset();
     alarm_.cancel();
@@ -117,56 +112,25 @@ void Session::locate(const std::vector<Time>& times, Time now) {
     apply(device_->located(places, now), now);
 }
 
-std::size_t Session::Mail::memory() const {
-    constexpr std::size_t of_a_row = 96;  // of the map, and what the allocator adds
-    return sizeof(Mail) + of_a_row + send.bytes.capacity() + remark.capacity();
-}
-
-bool Session::has_room(const Mail& mail) const {
-    const std::size_t port = mail.send.port;
-    if (outbox_memory_ + mail.memory() > outbox_limit || port >= transports_.size()) return false;
-    const double rate = bytes_for_[port] > 0 ? transports_[port]->line_rate() : 0;
-    return rate <= 0 || static_cast<double>(bytes_for_[port]) <= line_patience * rate / uart::bits_per_byte;
-}
-
 void Session::post_mail(Send send) {
-    Mail mail{std::move(send), heard_, std::exchange(remark_, {})};
-    if (!has_room(mail)) {
+    const bool first = outbox_.empty() || send.not_before < outbox_.first_due();
+    const Mail* const kept = keep(std::move(send));
+    if (kept == nullptr) {
         if (summary_.dropped++ == 0)
             spdlog::warn("{}: more is asked for than can be said; messages are dropped", name_);
         return;
     }
     if (dataset_ != nullptr)
-        dataset_->said(number_in_it_, mail.send.port,
-                       {reinterpret_cast<const char*>(mail.send.bytes.data()), mail.send.bytes.size()});
-    count_mail(mail, true);
-    const Time when = mail.send.not_before;
-    const bool first = outbox_.empty() || when < outbox_.begin()->first;
-    outbox_.emplace(when, std::move(mail));
-    most_memory_ = std::max(most_memory_, outbox_memory_);
-    summary_.most_waiting = std::max(summary_.most_waiting, outbox_.size());
-    summary_.most_waiting_bytes = std::max(summary_.most_waiting_bytes, outbox_bytes_);
+        dataset_->said(number_in_it_, kept->send.port,
+                       {reinterpret_cast<const char*>(kept->send.bytes.data()), kept->send.bytes.size()});
     if (first) mail_.cancel();
 }
 
-void Session::count_mail(const Mail& mail, bool comes) {
-    const auto count = [comes](std::size_t& sum, std::size_t size) { comes ? sum += size : sum -= size; };
-    count(outbox_bytes_, mail.send.bytes.size());
-    count(outbox_memory_, mail.memory());
-    count(bytes_for_[mail.send.port], mail.send.bytes.size());
-}
-
-void Session::forget_mail(std::size_t port) {
-    std::erase_if(outbox_, [&](const auto& entry) {
-        if (entry.second.send.port != port) return false;
-        count_mail(entry.second, false);
-        return true;
-    });
-}
-
-void Session::release_memory() {
-    constexpr std::size_t worth_it = 4 << 20;  // bytes
-    if (std::exchange(most_memory_, 0) > worth_it) ::malloc_trim(0);
+const Mail* Session::keep(Send send) {
+    const std::size_t port = send.port;
+    Mail mail{std::move(send), heard_, std::exchange(remark_, {})};
+    if (port >= transports_.size()) return nullptr;
+    return outbox_.post(std::move(mail), outbox_.bytes_for(port) > 0 ? transports_[port]->line_rate() : 0);
 }
 
 void Session::transmit(Ping ping, Time time) {
@@ -338,17 +302,15 @@ Task<void> Session::keep_waking() {
 Task<void> Session::keep_writing() {
     while (true) {
         if (outbox_.empty()) {
-            release_memory();
+            outbox_.release_memory();
             co_await mail_.until(Time::max());
             continue;
         }
-        const auto first = outbox_.begin();
-        if (first->first > clock_.now()) {
-            co_await mail_.until(first->first);
+        if (outbox_.first_due() > clock_.now()) {
+            co_await mail_.until(outbox_.first_due());
             continue;
         }
-        count_mail(first->second, false);
-        const auto [send, ping, remark] = std::move(outbox_.extract(first).mapped());
+        const auto [send, ping, remark] = outbox_.take_first();
         if (log_ != nullptr) log_->sends(ping);
         if (!remark.empty()) transports_[send.port]->annotate(remark);
         transports_[send.port]->speak_at(send.line_rate);
@@ -365,8 +327,10 @@ SessionSummary Session::summary() const {
     summary.worst_lateness = lateness_.worst();
     summary.median_lateness = lateness_.not_exceeded_by(0.5);
     summary.p99_lateness = lateness_.not_exceeded_by(0.99);
-    summary.waiting = outbox_.size();
-    summary.waiting_bytes = outbox_bytes_;
+    summary.waiting = outbox_.messages();
+    summary.waiting_bytes = outbox_.bytes();
+    summary.most_waiting = outbox_.most_messages();
+    summary.most_waiting_bytes = outbox_.most_bytes();
     summary.device = hearing_ ? counters_ : device_->counters();
     for (const auto& transport : transports_) {
         summary.bytes_in += transport->bytes_in();

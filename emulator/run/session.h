@@ -4,7 +4,6 @@
 
 #include <deque>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@
 #include "emulator/contract/transmission.h"
 #include "emulator/run/device_threads.h"
 #include "emulator/run/lateness.h"
+#include "emulator/run/outbox.h"
 #include "emulator/run/overload.h"
 #include "emulator/run/session_summary.h"
 #include "emulator/transport/transport.h"
@@ -117,14 +117,6 @@ class Session {
         Time overslept{};              ///< by then
         Time waited{};                 ///< from then on, for its rendering
     };
-    /// A message, and the number of the ping that the device had heard last.
-    struct Mail {
-        Send send;
-        std::uint64_t ping;
-        std::string remark;  ///< for a recording; "": none
-
-        std::size_t memory() const;  ///< bytes that it takes in the outbox
-    };
     Task<void> deliver(UnderWay ping);
     void hear(UnderWay& ping);
     void count_late(const UnderWay& ping, Time now);
@@ -158,12 +150,8 @@ class Session {
     Task<void> keep_waking();
     Task<void> keep_writing();
     void post_mail(Send send);
-    bool has_room(const Mail& mail) const;
-    void count_mail(const Mail& mail, bool comes);
-    /// A new driver gets nothing that was said before it came.
-    void forget_mail(std::size_t port);
-    /// The outbox is empty: what a flood took goes back to the system.
-    void release_memory();
+    /// In the outbox; nullptr: it is dropped.
+    const Mail* keep(Send send);
 
     asio::io_context& io_;
     Clock& clock_;
@@ -179,10 +167,7 @@ class Session {
     Dataset* dataset_ = nullptr;          ///< the same
     std::size_t number_in_it_ = 0;
 
-    std::multimap<Time, Mail> outbox_;  ///< by not_before; equal times keep their order
-    std::size_t outbox_bytes_ = 0, outbox_memory_ = 0;
-    std::size_t most_memory_ = 0;         ///< in the outbox since it was empty
-    std::vector<std::size_t> bytes_for_;  ///< in the outbox, by port
+    Outbox outbox_;
     Lateness lateness_;
     Overload overload_;
     /// What a remark on a ping says of its place; none: there are no remarks.

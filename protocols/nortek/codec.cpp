@@ -96,6 +96,10 @@ wire::Result<Frame> parse(wire::ByteView bytes) {
         if (header->id == ahrs_id && fits<Ahrs>(data, 2)) return frame_of<Ahrs>(*header, data);
         if (header->id == imu_id && fits<Imu>(data, 1)) return frame_of<Imu>(*header, data);
     }
+    if (header->family == dvl_family && !data.empty()) {
+        const bool track = header->id == dvl_bottom_track_id || header->id == dvl_water_track_id;
+        if (track && fits<DvlTrack>(data, 1)) return frame_of<DvlTrack>(*header, data);
+    }
     return frame_of<Other>(*header, data);
 }
 

@@ -1,5 +1,5 @@
-// Nortek's frames to bytes and back, and what a Nucleus and its host say, found in a stream. Knows no state,
-// time or device.
+// Nortek's frames to bytes and back, and what a Nucleus or a DVL and its host say, found in a stream. Knows
+// no state, time or device.
 #pragma once
 
 #include "protocols/nortek/messages.h"

@@ -20,7 +20,8 @@ constexpr auto wire_layout(Tag<Header>) {
     return make_layout<M>(
         {"Header", "in front of the data of each frame", ByteOrder::little},
         constant<std::uint8_t>(0xA5, "start", ""), constant<std::uint8_t>(10, "header_size", ""),
-        field(&M::id, "id", "", "of the data").hex(), field(&M::family, "family", "", "0x20: Nucleus").hex(),
+        field(&M::id, "id", "", "of the data").hex(),
+        field(&M::family, "family", "", "0x20: Nucleus, 0x10: DVL").hex(),
         field(&M::size, "size", "B", "of the data"),
         field(&M::data_checksum, "data_checksum", "", "sum of 16-bit words from 0xB58C on").hex(),
         field(&M::checksum, "checksum", "", "of the 8 bytes before").hex());
@@ -89,6 +90,36 @@ constexpr auto wire_layout(Tag<Imu>) {
         field(&M::status, "status", "", "bit 0: valid").hex(),
         field(&M::acceleration, "acceleration", "m/s^2", ""), field(&M::rotation, "rotation", "rad/s", ""),
         field(&M::temperature, "temperature", "degC", ""));
+}
+
+constexpr auto wire_layout(Tag<DvlTrack>) {
+    using M = DvlTrack;
+    return make_layout<M>(
+        {"DvlTrack", "of a DVL: bottom track (0x1B, DF21) or water track (0x1D, DF22)", ByteOrder::little},
+        field(&M::version, "version", "", ""), field(&M::offset, "offset", "B", "of what is measured"),
+        field(&M::serial_number, "serial_number", "", ""), field(&M::year, "year", "", "since 1900"),
+        field(&M::month, "month", "", "0: January"), field(&M::day, "day", "", ""),
+        field(&M::hour, "hour", "", ""), field(&M::minute, "minute", "", ""),
+        field(&M::second, "second", "", ""), field(&M::fraction, "fraction", "100 us", "of the second"),
+        field(&M::beams, "beams", "", ""), field(&M::error, "error", "", "").hex(),
+        field(
+            &M::status, "status", "",
+            "valid: bits 0-3 beam velocities, 4-7 distances, 8-11 their merit, 12-15 x, y, z1, z2, 16-19 "
+            "their merit; 20-22 the processor idles less than 3, 6, 12 %; 28-31 woken by 1 power, 2 break, 3 "
+            "clock")
+            .hex(),
+        field(&M::sound_speed, "sound_speed", "m/s", ""), field(&M::temperature, "temperature", "degC", ""),
+        field(&M::pressure, "pressure", "bar", ""),
+        field(&M::beam_velocity, "beam_velocity", "m/s", "-32.768: none"),
+        field(&M::distance, "distance", "m", "vertical; 0: none"),
+        field(&M::beam_merit, "beam_merit", "m/s", "10: none"),
+        field(&M::beam_from_trigger, "beam_from_trigger", "s",
+              "from the trigger to the middle of the echo, DT1"),
+        field(&M::beam_from_output, "beam_from_output", "s", "from the start of the report, DT2"),
+        field(&M::beam_duration, "beam_duration", "s", "of the estimate"),
+        field(&M::velocity, "velocity", "m/s", "x, y, z of beams 1 and 3, z of beams 2 and 4; -32.768: none"),
+        field(&M::merit, "merit", "m/s", "10: none"), field(&M::from_trigger, "from_trigger", "s", "DT1"),
+        field(&M::from_output, "from_output", "s", "DT2"), field(&M::duration, "duration", "s", ""));
 }
 
 constexpr auto wire_layout(Tag<Other>) {

@@ -1,5 +1,5 @@
-// Data of Nortek's Nucleus as plain structs. No wire code: layouts.h says how they stand on the line. Offsets
-// and units are those of the maker's public driver.
+// Data of Nortek's Doppler logs, Nucleus and DVL, as plain structs. No wire code: layouts.h says how they
+// stand on the line. Offsets and units are those of the maker's public driver and of public readers of DF21.
 #pragma once
 
 #include <array>
@@ -64,6 +64,24 @@ struct Imu {
     friend bool operator==(const Imu&, const Imu&) = default;
 };
 
+/// Bottom track of a DVL (the maker's data format 21), and water track (22).
+struct DvlTrack {
+    std::uint8_t version = 1, offset = 36;
+    std::uint32_t serial_number = 0;
+    std::uint8_t year = 0, month = 0, day = 0;  ///< since 1900; 0 is January; from 1 on
+    std::uint8_t hour = 0, minute = 0, second = 0;
+    std::uint16_t fraction = 0;  ///< 100 us, of the second
+    std::uint16_t beams = 4;
+    std::uint32_t error = 0, status = 0;
+    float sound_speed = 0, temperature = 0, pressure = 0;                           ///< m/s, degC, bar
+    std::array<float, 4> beam_velocity{}, distance{}, beam_merit{};                 ///< m/s, m, m/s
+    std::array<float, 4> beam_from_trigger{}, beam_from_output{}, beam_duration{};  ///< s
+    std::array<float, 4> velocity{}, merit{};                                       ///< m/s: x, y, z1, z2
+    std::array<float, 4> from_trigger{}, from_output{}, duration{};                 ///< s
+
+    friend bool operator==(const DvlTrack&, const DvlTrack&) = default;
+};
+
 /// What has no table here.
 struct Other {
     std::vector<std::uint8_t> values;
@@ -72,11 +90,12 @@ struct Other {
 
 struct Frame {
     std::uint8_t id = 0, family = 0x20;
-    std::variant<Track, Altimeter, Ahrs, Imu, Other> data;
+    std::variant<Track, Altimeter, Ahrs, Imu, DvlTrack, Other> data;
     friend bool operator==(const Frame&, const Frame&) = default;
 };
 
 inline constexpr std::uint8_t nucleus_family = 0x20, bottom_track_id = 0xB4, water_track_id = 0xBE,
                               altimeter_id = 0xAA, ahrs_id = 0xD2, imu_id = 0x82;
+inline constexpr std::uint8_t dvl_family = 0x10, dvl_bottom_track_id = 0x1B, dvl_water_track_id = 0x1D;
 
 }  // namespace echoloop::nortek

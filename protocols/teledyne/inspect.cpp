@@ -3,6 +3,7 @@
 #include "protocols/inspect_stream.h"
 #include "protocols/teledyne/codec.h"
 #include "protocols/teledyne/layouts.h"
+#include "protocols/waterlinked/inspect.h"
 #include "protocols/waterlinked/pd4.h"
 
 namespace echoloop::teledyne {
@@ -52,6 +53,10 @@ Message inspected(const Piece& piece, std::size_t offset, std::size_t size) {
             add_block(out, parse_pd5(piece.bytes));
             break;
         case Kind::line:
+            if (const std::string text(piece.bytes.begin(), piece.bytes.end()); waterlinked::is_pd6(text)) {
+                waterlinked::add_pd6(out, text);
+                break;
+            }
             out.name = "Console";
             out.fields.push_back({.name = "text",
                                   .text = {piece.bytes.begin(), piece.bytes.end()},
@@ -77,10 +82,13 @@ bool recognise(wire::ByteView bytes) {
 }
 
 std::vector<wire::Table> tables() {
-    return {wire::table_of<FixedLeader>(), wire::table_of<VariableLeader>(),  wire::table_of<Velocity>(),
-            wire::table_of<Cell>(),        wire::table_of<Correlation>(),     wire::table_of<Intensity>(),
-            wire::table_of<PercentGood>(), wire::table_of<BottomTrack>(),     wire::table_of<Other>(),
-            wire::table_of<Pd5>(),         wire::table_of<waterlinked::Pd4>()};
+    std::vector<wire::Table> all{
+        wire::table_of<FixedLeader>(), wire::table_of<VariableLeader>(),  wire::table_of<Velocity>(),
+        wire::table_of<Cell>(),        wire::table_of<Correlation>(),     wire::table_of<Intensity>(),
+        wire::table_of<PercentGood>(), wire::table_of<BottomTrack>(),     wire::table_of<Other>(),
+        wire::table_of<Pd5>(),         wire::table_of<waterlinked::Pd4>()};
+    for (wire::Table& table : waterlinked::pd6_tables()) all.push_back(std::move(table));
+    return all;
 }
 
 wire::Bytes rewritten(wire::ByteView bytes) {

@@ -172,9 +172,24 @@ constexpr std::array distances{
     FieldRow{"up", "m", ""},    FieldRow{"range", "m", "to the bottom"},
     FieldRow{"since", "s", ""},
 };
+constexpr std::array ranges{
+    FieldRow{"pressure", "kPa", ""}, FieldRow{"range_1", "dm", "to the bottom"},
+    FieldRow{"range_2", "dm", ""},   FieldRow{"range_3", "dm", ""},
+    FieldRow{"range_4", "dm", ""},
+};
+constexpr std::array health{
+    FieldRow{"leak_a", "", "G good, L leak, D disconnected", words},
+    FieldRow{"leak_b", "", "", words},
+    FieldRow{"counts_a", "", "hexadecimal", words},
+    FieldRow{"counts_b", "", "", words},
+    FieldRow{"voltage", "V", "a star before what was measured anew", words},
+    FieldRow{"current", "A", "", words},
+    FieldRow{"impedance", "ohm", "", words},
+};
 constexpr std::array pd6{
     MessageRow{"SA", "PD6 line, attitude", sa},
     MessageRow{"TS", "PD6 line, time and water", ts},
+    MessageRow{"RA", "PD13 line, pressure and ranges", ranges},
     MessageRow{"WI", "PD6 line, against the water, of the instrument", instrument},
     MessageRow{"WS", "PD6 line, against the water, of the ship", ship},
     MessageRow{"WE", "PD6 line, against the water, of the earth", earth},
@@ -183,6 +198,7 @@ constexpr std::array pd6{
     MessageRow{"BS", "PD6 line, against the bottom, of the ship", ship},
     MessageRow{"BE", "PD6 line, against the bottom, of the earth", earth},
     MessageRow{"BD", "PD6 line, way over the bottom", distances},
+    MessageRow{"HM", "PD6 line, health", health},
 };
 
 }  // namespace rows

@@ -102,19 +102,6 @@ void add_sentence(Message& out, const std::string& text) {
         out.name + ".checksum at byte " + std::to_string(text.size() - 2) + ": the characters make " + digits;
 }
 
-/// Numbers are written with blanks before them.
-void add_pd6(Message& out, const std::string& text) {
-    std::size_t at = 4;  // behind ":BI,"
-    out.name = text.substr(1, 2);
-    for (std::size_t place = 0; at <= text.size(); ++place) {
-        const std::size_t end = std::min(text.find(',', at), text.size());
-        const std::size_t begin = std::min(text.find_first_not_of(' ', at), end);
-        const auto word = std::string_view(text).substr(begin, end - begin);
-        out.fields.push_back(field_at(find_row(pd6_lines(), out.name), place, word, out.offset + begin));
-        at = end + 1;
-    }
-}
-
 wire::ByteView bytes_of(const std::string& text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
@@ -149,7 +136,7 @@ Message inspected(const Piece& piece, std::size_t offset, std::size_t size) {
 
 bool is_sure(const Piece& piece) {
     if (piece.kind == Kind::pd4) return parse_pd4(bytes_of(piece.text)).has_value();
-    if (piece.kind == Kind::pd6) return find_row(pd6_lines(), piece.text.substr(1, 2)) != nullptr;
+    if (piece.kind == Kind::pd6) return is_pd6(piece.text);
     if (piece.kind == Kind::sentence) {
         const auto sentence = read_sentence(piece.text);
         return sentence && sentence->checksum && sentence->checksum_fits();
@@ -194,6 +181,30 @@ wire::Bytes rewritten_piece(const Piece& piece) {
 }
 
 }  // namespace
+
+bool is_pd6(std::string_view line) {
+    const bool begins = line.size() > 3 && line[0] == ':' && line[3] == ',';
+    return begins && find_row(pd6_lines(), line.substr(1, 2)) != nullptr;
+}
+
+/// Numbers are written with blanks before them.
+void add_pd6(Message& out, std::string_view text) {
+    std::size_t at = 4;  // behind ":BI,"
+    out.name = text.substr(1, 2);
+    for (std::size_t place = 0; at <= text.size(); ++place) {
+        const std::size_t end = std::min(text.find(',', at), text.size());
+        const std::size_t begin = std::min(text.find_first_not_of(' ', at), end);
+        const auto word = text.substr(begin, end - begin);
+        out.fields.push_back(field_at(find_row(pd6_lines(), out.name), place, word, out.offset + begin));
+        at = end + 1;
+    }
+}
+
+std::vector<wire::Table> pd6_tables() {
+    std::vector<wire::Table> all;
+    for (const MessageRow& row : pd6_lines()) all.push_back(table_of(row));
+    return all;
+}
 
 std::vector<Message> decode(wire::ByteView bytes) { return inspect::decode_stream<Framer>(bytes, inspected); }
 

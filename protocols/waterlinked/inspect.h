@@ -13,4 +13,10 @@ std::vector<wire::Table> tables();
 wire::Bytes rewritten(wire::ByteView bytes);
 std::vector<ChecksumPlace> checksums(wire::ByteView bytes);
 
+/// Whether a line without its end is one of PD6 or PD13, which Teledyne's logs write as well.
+bool is_pd6(std::string_view line);
+/// What it holds.
+void add_pd6(inspect::Message& out, std::string_view line);
+std::vector<wire::Table> pd6_tables();
+
 }  // namespace echoloop::waterlinked

@@ -143,16 +143,27 @@ ECHOLOOP_SIMD void limit(float most, std::size_t count, float* values) {
     for (std::size_t i = 0; i < count; ++i) values[i] = std::min(std::max(values[i], -most), most);
 }
 
-/// Part of shift(): a pair in memory keeps the loop from becoming vectors.
+/// Part of shift(): a pair in memory keeps the loop from becoming vectors. A least and a greatest for each
+/// lane, as without -ffast-math no compiler takes apart one of all.
 ECHOLOOP_SIMD void shift_and_bound(float by, std::size_t count, float* places, float* least, float* most) {
-    float low = places[0] + by, high = low;
-    for (std::size_t i = 0; i < count; ++i) {
+    constexpr std::size_t lanes = 16;
+    float low[lanes], high[lanes];
+    for (std::size_t k = 0; k < lanes; ++k) low[k] = high[k] = places[0] + by;
+    const std::size_t whole = count / lanes * lanes;
+    for (std::size_t i = 0; i < whole; i += lanes)
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const float place = places[i + k] + by;
+            places[i + k] = place;
+            low[k] = place < low[k] ? place : low[k];
+            high[k] = place > high[k] ? place : high[k];
+        }
+    for (std::size_t i = whole; i < count; ++i) {
         places[i] += by;
-        low = std::min(low, places[i]);
-        high = std::max(high, places[i]);
+        low[0] = std::min(low[0], places[i]);
+        high[0] = std::max(high[0], places[i]);
     }
-    *least = low;
-    *most = high;
+    *least = *std::min_element(low, low + lanes);
+    *most = *std::max_element(high, high + lanes);
 }
 
 std::pair<int, int> shift(float by, std::size_t count, float* places) {

@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <utility>
 
+#include "render/fan/far_lobes.h"
 #include "render/fan/ping_motion.h"
 #include "render/fan/weighted_rows.h"
 
 namespace echoloop {
+
+bool turns_lines(const BinningInput& in) {
+    return in.motion != nullptr && in.motion->turning.z != 0 && !in.plan.across.empty();
+}
 
 void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines) {
     if (plan.line_sector.empty() || plan.beams.size() == 1) return;
@@ -26,6 +32,36 @@ void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines) {
         for (std::size_t i = 0; i < 2 * lines.steps(); ++i)
             to[i] += (1 - share.next) * from[i], next[i] += share.next * from[i];
     }
+}
+
+void BeamSums::sum_turned_sectors(const BinningInput& in, LineSums& lines) const {
+    const FanPlan& plan = in.plan;
+    if (plan.line_sector.empty()) return;
+    const double sector = std::numbers::pi / (sectors_per_array - 1);
+    for (const Stretch& stretch : stretches_of(in, sector / 10, lines.steps() > 0))
+        for (std::size_t line = 0; line < plan.lines; ++line) {
+            // A beam that sends as it receives hears best half-way.
+            const double bearing =
+                double{bearings_[line]} + double{stretch.turned} / plan.geometry.horizontal.ways;
+            const bool inside = bearing > plan.first_edge && bearing < plan.last_edge;
+            const SectorShare share =
+                sector_at(plan, inside ? SectorKind::lines : SectorKind::beside, bearing - plan.centre);
+            const std::array<float, 2> weights{1 - share.next, share.next};
+            for (std::size_t k = 0; k < 2; ++k) {
+                const std::size_t to = share.sector + k;
+                if (stretch.begin < in.bins) {
+                    const LineBins& row = lines.line(line);
+                    const std::size_t begin = std::max(row.begin(), stretch.begin),
+                                      end = std::min(row.end(), stretch.end);
+                    if (begin < end) lines.sector(to).add(lines.line_values(line), weights[k], begin, end);
+                } else {
+                    const float* from = lines.line_steps(line);
+                    float* sums = lines.sector_steps(to);
+                    for (std::size_t i = stretch.begin - in.bins; i < stretch.end - in.bins; ++i)
+                        sums[i] += weights[k] * from[i];
+                }
+            }
+        }
 }
 
 /// A row's bins, where there are any, with the steps behind them.
@@ -110,12 +146,9 @@ void BeamSums::sum_beams(const FanPlan& plan, std::size_t first, std::size_t cou
     sum_rows(rows, gain, bins, count, out);
 }
 
-void BeamSums::find_stretches(const BinningInput& in, bool with_water) {
-    const double step = std::min(0.2 * in.plan.geometry.beam_width, deg_to_rad(0.05));
+std::vector<BeamSums::Stretch> BeamSums::stretches_of(const BinningInput& in, double step, bool with_water) {
     constexpr std::size_t whole = 16;  // bins that the loops take at once
-    stretches_.clear();
-    if (in.motion == nullptr || in.motion->turning.z == 0 || bearings_.empty()) return;
-    lobe_ = TurnedLobe(in.plan);
+    std::vector<Stretch> stretches;
     const double first = in.first_range, bin = in.bin_length;
     const auto turned = [&](double range) { return in.motion->turning.z * in.motion->flight(range); };
     const double all = std::abs(turned(first + static_cast<double>(in.bins) * bin) - turned(first));
@@ -125,13 +158,14 @@ void BeamSums::find_stretches(const BinningInput& in, bool with_water) {
     for (std::size_t begin = 0; begin < in.bins; begin += length) {
         const std::size_t end = std::min(begin + length, in.bins);
         const double middle = first + static_cast<double>(begin + end) / 2 * bin;
-        stretches_.push_back({begin, end, static_cast<float>(turned(middle))});
+        stretches.push_back({begin, end, static_cast<float>(turned(middle))});
     }
-    if (with_water) add_steps_of_water(in);
+    if (with_water) add_steps_of_water(in, stretches);
+    return stretches;
 }
 
 /// A few stretches of steps; the volume's echo and the surface's change little.
-void BeamSums::add_steps_of_water(const BinningInput& in) {
+void BeamSums::add_steps_of_water(const BinningInput& in, std::vector<Stretch>& stretches) {
     constexpr std::size_t at_once = 16;  // as many as the loops take
     const RangeSteps& steps = in.water->steps();
     for (std::size_t kind = 0; kind < 2; ++kind)
@@ -140,8 +174,8 @@ void BeamSums::add_steps_of_water(const BinningInput& in) {
             const double middle = static_cast<double>((step + end) * steps.bins) / 2;
             const double range = in.first_range + middle * in.bin_length;
             const std::size_t behind = in.bins + kind * steps.count;
-            stretches_.push_back({behind + step, behind + end,
-                                  static_cast<float>(in.motion->turning.z * in.motion->flight(range))});
+            stretches.push_back({behind + step, behind + end,
+                                 static_cast<float>(in.motion->turning.z * in.motion->flight(range))});
         }
 }
 
@@ -213,9 +247,16 @@ void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<fl
     const FanPlan& plan = in.plan;
     const std::size_t bins = lines.stride();
     values.resize(plan.beams.size() * bins);
-    sum_sectors(plan, lines);
     find_bearings(plan, in.offset.level);
-    find_stretches(in, lines.steps() > 0);
+    stretches_.clear();
+    if (turns_lines(in)) {
+        lobe_ = TurnedLobe(plan);
+        const double step = std::min(0.2 * plan.geometry.beam_width, deg_to_rad(0.05));
+        stretches_ = stretches_of(in, step, lines.steps() > 0);
+        sum_turned_sectors(in, lines);
+    } else {
+        sum_sectors(plan, lines);
+    }
     if (plan.far_lobes.sectors > 0) sum_nodes(plan.far_lobes, bins, lines, workers);
     const std::size_t beams = plan.beams.size();
     workers.run((beams + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {

@@ -11,18 +11,23 @@
 
 namespace echoloop {
 
+/// Whether the beams of a fan weigh lines by where these are heard, as its bearings turn.
+bool turns_lines(const BinningInput& in);
+
 class BeamSums {
   public:
     /// Fills `values` (beams x LineSums::stride(), with the steps behind the bins); multiplies each bin with
     /// `gain` unless that is empty. A line that was sampled off its middle is weighed there, so that the mean
     /// over pings has the pattern itself. Beams of a fan that turns about its upright axis weigh lines by
     /// where they come from when they arrive, in stretches of range in which that is off by a tenth of a
-    /// beam, or 0.025 deg. The far sectors are not turned.
+    /// beam, or 0.025 deg; and so do the far sectors, by a tenth of their spacing.
     void sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
              std::vector<float>& values);
 
   private:
     void sum_sectors(const FanPlan& plan, LineSums& lines);
+    /// The same of a fan that turns.
+    void sum_turned_sectors(const BinningInput& in, LineSums& lines) const;
     void sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines, Workers& workers);
     void add_far(const FanPlan& plan, std::size_t beam, std::size_t k, std::size_t bins,
                  std::vector<WeightedRow>& rows) const;
@@ -32,9 +37,10 @@ class BeamSums {
         float turned;
     };
 
-    /// `with_water`: the rows have the water's steps behind their bins.
-    void find_stretches(const BinningInput& in, bool with_water);
-    void add_steps_of_water(const BinningInput& in);
+    /// In each of which it turns by `step` rad at most. `with_water`: the rows have the water's steps behind
+    /// their bins.
+    static std::vector<Stretch> stretches_of(const BinningInput& in, double step, bool with_water);
+    static void add_steps_of_water(const BinningInput& in, std::vector<Stretch>& stretches);
     void sum_beams(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,
                    LineSums& lines, const float* gain, float* out) const;
     void sum_turned(const FanPlan& plan, std::size_t first, std::size_t count, std::size_t bins,

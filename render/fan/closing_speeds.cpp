@@ -32,7 +32,7 @@ void shift_paths(const PingMotion& motion, PathEchoes& paths) {
     for (TargetEcho& echo : paths.targets)
         echo.range = motion.apparent(echo.range, closing(echo.bearing, echo.elevation, echo.turned));
     for (PathEcho& echo : paths.diffuse) {
-        const double speed = closing(echo.bearing, echo.elevation, 0);
+        const double speed = closing(echo.bearing, echo.elevation, echo.turned);
         echo.near_range = static_cast<float>(motion.apparent(echo.near_range, speed));
         echo.far_range = static_cast<float>(motion.apparent(echo.far_range, speed));
     }

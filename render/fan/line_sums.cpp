@@ -6,6 +6,7 @@
 #include "render/fan/far_lobes.h"
 #include "render/fan/patches.h"
 #include "render/fan/ping_motion.h"
+#include "render/fan/turned_surround.h"
 
 namespace echoloop {
 namespace {
@@ -246,15 +247,20 @@ class SectorSums {
     SectorSums(const FanPlan& plan, PixelOffset offset)
         : plan_(plan), line_(static_cast<float>(offset.line)), sample_(static_cast<float>(offset.sample)) {}
 
-    /// Calls add(sector, value) for each that hears of it.
+    /// Among the sectors, where the pixel was sampled.
+    float place(const SurroundPixel& pixel) const { return pixel.sector.at(line_, sample_); }
+
+    /// Calls add(sector, value) for each that hears of it. What is heard from where the level views look, but
+    /// was sent beside, is heard in main lobes, too, as what lies above and below.
     template <typename Add>
-    void share(const SurroundPixel& pixel, float strength, const Add& add) const {
+    void share(const SurroundPixel& pixel, float strength, const Turned& turned, const Add& add) const {
         const float beside = strength * pixel.beside.at(line_, sample_);
         const float off_plane = strength * pixel.off_plane.at(line_, sample_);
         if (plan_.beams.size() == 1) return add(0, beside + off_plane);
-        const auto place = static_cast<double>(pixel.sector.at(line_, sample_));
-        if (beside > 0) split(sector_at_place(plan_, SectorKind::beside, place), beside, add);
-        if (off_plane > 0) split(sector_at_place(plan_, SectorKind::off_plane, place), off_plane, add);
+        const auto at = static_cast<double>(place(pixel) + turned.sectors);
+        const SectorKind aside = turned.inside ? SectorKind::off_plane : SectorKind::beside;
+        if (beside > 0) split(sector_at_place(plan_, aside, at), beside, add);
+        if (off_plane > 0) split(sector_at_place(plan_, SectorKind::off_plane, at), off_plane, add);
     }
 
   private:
@@ -277,6 +283,7 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
     const PixelRow& row = reader.row();
     const RangeScale scale(in, gain);
     const SectorSums sectors(in.plan, in.offset.surround);
+    const TurnedSurround turning(in, view, line);
     const std::size_t first = view.first_pixel + line * view.samples;
     const SurroundPixel* pixels = &in.plan.surround[first - in.plan.first_surround_pixel];
     const float *weight = &in.plan.weight[first], *focus = focus_of(in, view, line);
@@ -295,7 +302,8 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
         if (!under_way.empty() && weight[i] != 0) {
             const float end = surface != 0 ? in.water->place(range) : nowhere;
             const float sine = in.water->by_depth() ? rise.at(top - static_cast<float>(i) * step) : 0;
-            sectors.share(pixel, 1, [&](std::size_t s, float heard) { under_way[s].add(end, sine, heard); });
+            sectors.share(pixel, 1, {},
+                          [&](std::size_t s, float heard) { under_way[s].add(end, sine, heard); });
         }
         if (surface == 0 || weight[i] == 0) continue;
         if (only_wanted && !is_wanted(in, surface)) continue;
@@ -305,7 +313,9 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
                          scale.correction(range, far - near);
         if (focus != nullptr) strength *= focus[i];
         if (moves) strength *= reader.weights[i];
-        sectors.share(pixel, strength, [&](std::size_t s, float value) {
+        Turned turned;
+        if (turning.turns()) turned = turning.at(i, range, sectors.place(pixel)), strength *= turned.kept;
+        sectors.share(pixel, strength, turned, [&](std::size_t s, float value) {
             sums.sector(s).deposit(near, far, value);
             if (surface == water_surface) surface_steps(in, sums.sector_steps(s)).deposit(near, far, value);
         });

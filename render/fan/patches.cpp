@@ -16,8 +16,9 @@ constexpr std::uint32_t all_cells =
     static_cast<std::uint32_t>(PatchNoise::size * PatchNoise::size * PatchNoise::size) - 1;
 
 /// Turned against the world and each other, so that the noise does not repeat along a wall or a track.
-Quat turn_of_scale(std::size_t scale) {
-    return scale == 0 ? axis_angle({0.48, 0.6, 0.64}, 0.7) : axis_angle({-0.64, 0.48, 0.6}, 1.9);
+const Quat& turn_of_scale(std::size_t scale) {
+    static const std::array turns{axis_angle({0.48, 0.6, 0.64}, 0.7), axis_angle({-0.64, 0.48, 0.6}, 1.9)};
+    return turns[scale];
 }
 
 double cell_of_scale(std::size_t scale) { return Patches::lengths[scale] / PatchNoise::length; }
@@ -106,28 +107,50 @@ void find_bent_cells(const LineOfCells line, const LineShape shape, const float*
     find_cells<true>(line, shape, range, cosine, along_ray, rise, count, cell, share);
 }
 
-/// out = weight exp(s n - s^2 v / 2).
+/// Of samples that show one surface: adds what one scale leaves of its noise, and the variance of that. In
+/// tiles, since bytes here and there in a table are read one by one.
 ECHOLOOP_SIMD
-void multiply_by_patches(const float* weight, const float* __restrict strength, const float* __restrict noise,
-                         const float* __restrict variance, std::size_t count, float* out) {
-    for (std::size_t i = 0; i < count; ++i)
-        out[i] = weight[i] * vector_math::exp(strength[i] * (noise[i] - 0.5F * strength[i] * variance[i]));
+void add_noise(const std::int8_t* values, std::uint32_t key, const std::uint32_t* __restrict cell,
+               const float* __restrict share, std::size_t count, float* __restrict noise,
+               float* __restrict variance) {
+    constexpr float half = 0.70710678F * PatchNoise::scale;
+    constexpr std::size_t tile = 64;
+    float read[tile];
+    for (std::size_t first = 0; first < count; first += tile) {
+        const std::size_t used = std::min(tile, count - first);
+        for (std::size_t i = 0; i < used; ++i)
+            read[i] = static_cast<float>(values[(cell[first + i] + key) & all_cells]);
+        for (std::size_t i = 0; i < used; ++i) {
+            const float left = share[first + i];
+            noise[first + i] += half * left * read[i];
+            variance[first + i] += 0.5F * left * left;
+        }
+    }
 }
 
+/// out = weight exp(s n - s^2 v / 2).
+ECHOLOOP_SIMD
+void multiply_by_patches(const float* weight, float strength, const float* __restrict noise,
+                         const float* __restrict variance, std::size_t count, float* out) {
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = weight[i] * vector_math::exp(strength * (noise[i] - 0.5F * strength * variance[i]));
+}
+
+constexpr std::size_t smoothing_reach = 10, smoothing_taps = 2 * smoothing_reach + 1;
+
 /// One axis of a cube that repeats, with taps about the middle.
-void smooth(std::vector<float>& cube, std::size_t stride, const std::vector<float>& taps) {
+ECHOLOOP_SIMD
+void smooth(float* cube, std::size_t count, std::size_t stride, const float* taps) {
     constexpr std::size_t size = PatchNoise::size;
-    const std::size_t reach = taps.size() / 2;
-    std::array<float, size> line{};
-    for (std::size_t start = 0; start < cube.size(); ++start) {
+    float line[size + 2 * smoothing_reach], sum[size];
+    for (std::size_t start = 0; start < count; ++start) {
         if (start / stride % size != 0) continue;
-        for (std::size_t i = 0; i < size; ++i) line[i] = cube[start + i * stride];
-        for (std::size_t i = 0; i < size; ++i) {
-            float sum = 0;
-            for (std::size_t k = 0; k < taps.size(); ++k)
-                sum += taps[k] * line[(i + size + k - reach) % size];
-            cube[start + i * stride] = sum;
-        }
+        for (std::size_t i = 0; i < size + 2 * smoothing_reach; ++i)
+            line[i] = cube[start + (i + size - smoothing_reach) % size * stride];
+        for (std::size_t i = 0; i < size; ++i) sum[i] = 0;
+        for (std::size_t k = 0; k < smoothing_taps; ++k)
+            for (std::size_t i = 0; i < size; ++i) sum[i] += taps[k] * line[i + k];
+        for (std::size_t i = 0; i < size; ++i) cube[start + i * stride] = sum[i];
     }
 }
 
@@ -139,10 +162,13 @@ PatchNoise::PatchNoise() {
         cube[i] = static_cast<float>(static_cast<double>(mix(i, 0x9A7C) >> 11U) * 0x1p-53 - 0.5);
     // exp(-x^2 / (2 sigma^2)) with itself has the correlation exp(-x^2 / (4 sigma^2)).
     constexpr double sigma = length / 2;
-    std::vector<float> taps;
-    for (int k = -10; k <= 10; ++k)
-        taps.push_back(static_cast<float>(std::exp(-k * k / (2 * sigma * sigma))));
-    for (const std::size_t stride : {1U, 64U, 64U * 64U}) smooth(cube, stride, taps);
+    std::array<float, smoothing_taps> taps;
+    for (std::size_t i = 0; i < smoothing_taps; ++i) {
+        const int k = static_cast<int>(i) - static_cast<int>(smoothing_reach);
+        taps[i] = static_cast<float>(std::exp(-k * k / (2 * sigma * sigma)));
+    }
+    for (const std::size_t stride : {1U, 64U, 64U * 64U})
+        smooth(cube.data(), cube.size(), stride, taps.data());
     double mean = 0, square = 0;
     for (const float v : cube) mean += v, square += double{v} * v;
     mean /= static_cast<double>(cube.size());
@@ -178,27 +204,35 @@ Patches::Patches(const Scene& scene) {
 void Patches::place(const Pose& world_from_fan, std::span<const Pose> movers,
                     std::shared_ptr<const RayTable> rays) {
     rays_ = std::move(rays);
-    frame_from_fan_.assign(1, world_from_fan);
-    for (const Pose& mover : movers) frame_from_fan_.push_back(inverse(mover) * world_from_fan);
+    world_from_fan_ = world_from_fan.orientation;
+    frames_.clear();
+    const auto add = [&](const Pose& from_fan) {
+        Frame& frame = frames_.emplace_back();
+        for (std::size_t scale = 0; scale < lengths_count; ++scale)
+            frame[scale] = {in_cells(from_fan.position, scale), turn_of_scale(scale) * from_fan.orientation};
+    };
+    add(world_from_fan);
+    for (const Pose& mover : movers) add(inverse(mover) * world_from_fan);
+}
+
+void Patches::find_stretches(const float* surface, std::size_t count, std::vector<Stretch>& out) const {
+    out.clear();
+    for (std::size_t first = 0, last = 0; first < count; first = last) {
+        while (last < count && surface[last] == surface[first]) ++last;
+        const auto number = static_cast<std::size_t>(surface[first]);
+        if (number > 0 && number <= surfaces_.size() && surfaces_[number - 1].strength > 0)
+            out.push_back({first, last, surfaces_[number - 1]});
+    }
 }
 
 bool Patches::weigh(const PixelRow& row, const View& view, std::size_t line, PixelOffset offset,
                     const float* weight, std::vector<float>& out) const {
-    static thread_local std::vector<float> strength, noise, variance, share;
+    static thread_local std::vector<float> noise, variance, share;
     static thread_local std::vector<std::uint32_t> cells;
-    static thread_local std::vector<std::uint8_t> frames;
+    static thread_local std::vector<Stretch> stretches;
     const std::size_t count = view.samples;
-    strength.assign(count, 0.0F);
-    frames.assign(frame_from_fan_.size(), 0);
-    bool any = false;
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto surface = static_cast<std::size_t>(row.surface()[i]);
-        if (surface == 0 || surface > surfaces_.size()) continue;
-        const Surface& seen = surfaces_[surface - 1];
-        if (!(seen.strength > 0)) continue;
-        strength[i] = seen.strength, frames[seen.frame] = 1, any = true;
-    }
-    if (!any) return false;
+    find_stretches(row.surface(), count, stretches);
+    if (stretches.empty()) return false;
     noise.assign(count, 0.0F), variance.assign(count, 0.0F), share.resize(count), cells.resize(count);
     const double x = view.x(static_cast<double>(line) + 0.5 + offset.line);
     const LineShape shape{static_cast<float>(x * x), static_cast<float>(view.y(0.5 + offset.sample)),
@@ -206,22 +240,22 @@ bool Patches::weigh(const PixelRow& row, const View& view, std::size_t line, Pix
     const auto floats = [](Vec3 v) {
         return std::array{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
     };
-    const PatchNoise& table = PatchNoise::shared();
-    const Quat world_from_fan = frame_from_fan_.front().orientation;
+    const std::int8_t* const table = PatchNoise::shared().values();
+    const Quat fan_from_view = view.fan_from_view();
     static thread_local BentLine bent;
-    if (rays_) bent.find(*rays_, world_from_fan * view.fan_from_view(), x, shape, row.range(), count);
-    for (std::size_t frame = 0; frame < frames.size(); ++frame)
-        for (std::size_t scale = 0; scale < 2 && frames[frame] != 0; ++scale) {
-            const Pose& from_fan = frame_from_fan_[frame];
-            const Quat q = turn_of_scale(scale) * from_fan.orientation * view.fan_from_view();
+    if (rays_) bent.find(*rays_, world_from_fan_ * fan_from_view, x, shape, row.range(), count);
+    for (std::size_t frame = 0; frame < frames_.size(); ++frame) {
+        const auto is_of_frame = [frame](const Stretch& one) { return one.surface.frame == frame; };
+        if (std::ranges::none_of(stretches, is_of_frame)) continue;
+        for (std::size_t scale = 0; scale < lengths_count; ++scale) {
+            const auto& [eye, cells_from_fan] = frames_[frame][scale];
+            const Quat q = cells_from_fan * fan_from_view;
             const double per_cell = 1 / cell_of_scale(scale);
             const LineOfCells of{
-                floats(in_cells(from_fan.position, scale)),
+                floats(eye),
                 floats(per_cell * rotate(q, {1, -x, 0})),
                 floats(per_cell * rotate(q, {0, 0, 1})),
-                floats(per_cell *
-                       rotate(turn_of_scale(scale) * from_fan.orientation * conjugate(world_from_fan),
-                              {0, 0, 1})),
+                floats(per_cell * rotate(cells_from_fan * conjugate(world_from_fan_), {0, 0, 1})),
                 static_cast<float>(view.usual_width * view.line_width() / lengths[scale]),
                 static_cast<float>(view.usual_height * view.sample_height() / lengths[scale])};
             if (rays_)
@@ -229,23 +263,23 @@ bool Patches::weigh(const PixelRow& row, const View& view, std::size_t line, Pix
                                 count, cells.data(), share.data());
             else
                 find_cells(of, shape, row.range(), row.cosine(), count, cells.data(), share.data());
-            for (std::size_t i = 0; i < count; ++i) {
-                if (strength[i] == 0) continue;
-                const Surface& seen = surfaces_[static_cast<std::size_t>(row.surface()[i]) - 1];
-                if (seen.frame != frame) continue;
-                constexpr float half = 0.70710678F * PatchNoise::scale;
-                noise[i] += half * share[i] * static_cast<float>(table.at((cells[i] + seen.key) & all_cells));
-                variance[i] += 0.5F * share[i] * share[i];
-            }
+            for (const Stretch& one : stretches)
+                if (is_of_frame(one))
+                    add_noise(table, one.surface.key, &cells[one.first], &share[one.first],
+                              one.last - one.first, &noise[one.first], &variance[one.first]);
         }
+    }
     out.resize(count);
-    multiply_by_patches(weight, strength.data(), noise.data(), variance.data(), count, out.data());
+    if (out.data() != weight) std::copy_n(weight, count, out.data());
+    for (const Stretch& one : stretches)
+        multiply_by_patches(&out[one.first], one.surface.strength, &noise[one.first], &variance[one.first],
+                            one.last - one.first, &out[one.first]);
     return true;
 }
 
 double Patches::factor(const Material& material, Vec3 point) {
     double noise = 0;
-    for (std::size_t scale = 0; scale < 2; ++scale) {
+    for (std::size_t scale = 0; scale < lengths_count; ++scale) {
         const Vec3 at = in_cells(point, scale);
         const auto cell = static_cast<std::uint32_t>(
             static_cast<int>(at.x) +

@@ -2,6 +2,7 @@
 // noise that is fixed to the surface. Knows no levels.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -25,6 +26,7 @@ class PatchNoise {
     static const PatchNoise& shared();
     /// `cell`: x + size (y + size z).
     std::int8_t at(std::uint32_t cell) const { return values_[cell]; }
+    const std::int8_t* values() const { return values_.data(); }
 
   private:
     PatchNoise();
@@ -50,7 +52,9 @@ class Patches {
     bool weigh(const PixelRow& row, const View& view, std::size_t line, PixelOffset offset,
                const float* weight, std::vector<float>& out) const;
 
-    static constexpr double lengths[2] = {1.0, 0.25};  ///< m, correlation of the two scales; own choice
+    static constexpr std::size_t lengths_count = 2;
+    static constexpr double lengths[lengths_count] = {
+        1.0, 0.25};  ///< m, correlation of the two scales; own choice
     /// The factor at a point of a surface of that material, for what is small: as weigh() finds it.
     static double factor(const Material& material, Vec3 point);
 
@@ -60,8 +64,23 @@ class Patches {
         std::uint32_t key = 0;  ///< added to the numbers of cells
         std::size_t frame = 0;  ///< 0: the world; else 1 + a mover
     };
+    /// Samples first..last - 1 of a line, that show one surface.
+    struct Stretch {
+        std::size_t first, last;
+        Surface surface;
+    };
+    /// Those of surfaces that have patches.
+    void find_stretches(const float* surface, std::size_t count, std::vector<Stretch>& out) const;
+
     std::vector<Surface> surfaces_;
-    std::vector<Pose> frame_from_fan_;
+    /// At one scale the place of the fan, in cells, and its rotation to them.
+    struct InCells {
+        Vec3 eye;
+        Quat from_fan;
+    };
+    using Frame = std::array<InCells, lengths_count>;
+    std::vector<Frame> frames_;  ///< the world, then the movers
+    Quat world_from_fan_;
     std::shared_ptr<const RayTable> rays_;
     bool any_ = false;
 };

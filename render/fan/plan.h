@@ -79,7 +79,19 @@ struct LobeTable {
     }
 };
 
-/// The same to both sides of the axis, which are not alike where staves differ.
+/// A lobe that both the sender and the receiver have, or only one, as coarse pixels see it: one way's power
+/// over the sine of the angle off the axis, and its square, each as the mean over a pixel's width.
+struct SmoothLobe {
+    LobeTable power, square;
+    bool both_ways = false;  ///< else the receiver's alone
+    float spacing = 1;       ///< of the nulls, over the sine
+    bool empty() const { return power.empty(); }
+    /// Of the two-way power at the sine `before`: what a receiver hears that sees the same at `after`. Lobes
+    /// that are narrower than a pixel fit each other again and again as they are shifted.
+    float kept(float before, float after) const;
+};
+
+/// A LobeTable to both sides of the axis, which are not alike where staves differ.
 struct SidedLobeTable {
     LobeTable left, right;
     bool empty() const { return right.empty(); }
@@ -127,6 +139,8 @@ struct FanPlan : Picture {
     LobeTable beside;
     std::vector<SectorShare> line_sector;  ///< far sector of every level line
     FarLobes far_lobes;
+    /// Of the surround's pixels; empty where turning changes nothing. A piston's is the second.
+    SmoothLobe far_across, far_upwards;
     std::shared_ptr<const StaveErrors> errors;  ///< null: none
 
     /// The level view that holds an image line.

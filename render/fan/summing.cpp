@@ -147,21 +147,23 @@ class FanSumming final : public Summing {
             const auto high = static_cast<float>((path.far_range - in.first_range) / in.bin_length);
             const auto bin = static_cast<std::size_t>(std::max(0.5F * (low + high), 0.0F));
             if (bin >= in.bins || !(gain.values()[bin] > 0)) continue;
-            if (LineBins* row = row_of(in.plan, path.bearing))
-                row->deposit(low, high, path.power / gain.values()[bin]);
+            if (LineBins* row = row_of(in, path)) row->deposit(low, high, path.power / gain.values()[bin]);
         }
     }
 
-    /// Where an echo that arrives from `bearing` is added up. A single beam's is complete: it has its sector,
-    /// or the line on its axis.
-    LineBins* row_of(const FanPlan& plan, double bearing) {
+    /// Where an echo that has arrived is added up. A single beam's is complete: it has its sector, or the
+    /// line on its axis. A fan's lines are where they are at the transmission, since all of them are turned
+    /// later; its sectors are where they are heard.
+    LineBins* row_of(const BinningInput& in, const PathEcho& path) {
+        const FanPlan& plan = in.plan;
         if (plan.beams.size() == 1)
             return plan.far_lobes.sectors > 0 ? &sums_.sector(0)
                                               : &sums_.line(line_at(plan, plan.centre).value_or(0));
-        if (const auto line = line_at(plan, bearing)) return &sums_.line(*line);
+        const double sent = double{path.bearing} - (turns_lines(in) ? double{path.turned} : 0);
+        if (const auto line = line_at(plan, sent)) return &sums_.line(*line);
         if (plan.far_lobes.sectors == 0) return nullptr;
         return &sums_.sector(
-            sector_at(plan, SectorKind::beside, cone_angle(bearing - plan.centre, 0)).sector);
+            sector_at(plan, SectorKind::beside, cone_angle(double{path.bearing} - plan.centre, 0)).sector);
     }
 
     /// What floats in the water is everywhere, so its echo is that of both patterns together.

@@ -7,6 +7,7 @@
 
 #include "render/fan/far_lobes.h"
 #include "render/fan/plan_parts.h"
+#include "render/fan/turned_surround.h"
 
 namespace echoloop {
 namespace {
@@ -86,6 +87,20 @@ class Surround {
         if (lobes.single && !lobes.piston) horizontal_ = over_sine(lobes.horizontal, geometry.beam_width);
         first_slope_ = std::tan(plan.first_edge - plan.centre),
         last_slope_ = std::tan(plan.last_edge - plan.centre);
+    }
+
+    /// What of the patterns a receiver that turns needs to know; `side`: pixels of a face.
+    void smooth(const FanGeometry& geometry, std::size_t side) {
+        const double width = std::sqrt(2 * std::numbers::pi / 3) / static_cast<double>(side);  // of the mean
+        const auto spacing = [](AxisPattern axis, double lobe) {
+            return 1 / TwoWayPattern(axis, lobe).aperture().length_in_wavelengths();
+        };
+        if (lobes_.single && !lobes_.piston)
+            plan_.far_across = smooth_lobe(horizontal_, geometry.horizontal.ways, width,
+                                           spacing(geometry.horizontal, geometry.beam_width));
+        if (geometry.vertical.ways == 2)
+            plan_.far_upwards =
+                smooth_lobe(vertical_, 2, width, spacing(geometry.vertical, geometry.fan_height));
     }
 
     /// Appends what the array hears of the face: the rectangle of pixels that have weight, if any.
@@ -234,6 +249,7 @@ void add_surround(FanPlan& plan, const FanGeometry& geometry, const FanLobes& lo
         static_cast<std::size_t>(std::max(16.0, usual * std::sqrt(std::min(density, 1.0)))) / 2 * 2;
     const std::size_t cuts = std::clamp<std::size_t>(plan.samples / side, 1, cuts_per_side(density));
     Surround surround(plan, geometry, lobes, cuts);
+    surround.smooth(geometry, side);
     for (View view : front_half_cube(side)) {
         const double relative = view.bearing;
         view.bearing += plan.centre;

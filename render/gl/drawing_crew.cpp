@@ -30,21 +30,19 @@ constexpr double worth_sharing = 60'000;
 /// A thread and the drawer that belongs to it.
 class DrawingCrew::Helper {
   public:
-    Helper(const MakeContext& make, std::shared_ptr<const Scene> scene) {
-        std::promise<void> started;
-        std::future<void> ready = started.get_future();
-        thread_ = std::jthread([this, &make, scene = std::move(scene),
-                                started = std::move(started)](const std::stop_token& stop) mutable {
-            std::unique_ptr<SceneDrawer> drawer;
-            try {
-                drawer = std::make_unique<SceneDrawer>(make(), std::move(scene));
-            } catch (...) {
-                return started.set_exception(std::current_exception());
-            }
-            started.set_value();
-            serve(stop, *drawer);
-        });
-        ready.get();
+    /// Does not wait until there is a context: the first to draw is the caller.
+    Helper(MakeContext make, std::shared_ptr<const Scene> scene) {
+        thread_ = std::jthread(
+            [this, make = std::move(make), scene = std::move(scene)](const std::stop_token& stop) mutable {
+                std::unique_ptr<SceneDrawer> drawer;
+                std::exception_ptr fault;
+                try {
+                    drawer = std::make_unique<SceneDrawer>(make(), std::move(scene));
+                } catch (...) {
+                    fault = std::current_exception();
+                }
+                serve(stop, drawer.get(), fault);
+            });
     }
 
     /// The arguments live until end().
@@ -57,7 +55,7 @@ class DrawingCrew::Helper {
         changed_.notify_one();
     }
 
-    /// What SceneDrawer::draw() returned. Throws what drawing threw.
+    /// What SceneDrawer::draw() returned. Throws what drawing, or making its context, threw.
     double end() {
         std::unique_lock lock(mutex_);
         done_.wait(lock, [this] { return !work_; });
@@ -66,15 +64,16 @@ class DrawingCrew::Helper {
     }
 
   private:
-    void serve(const std::stop_token& stop, SceneDrawer& drawer) {
+    /// Without a drawer, `without` is the fault of all work.
+    void serve(const std::stop_token& stop, SceneDrawer* drawer, const std::exception_ptr& without) {
         std::unique_lock lock(mutex_);
         while (changed_.wait(lock, stop, [this] { return static_cast<bool>(work_); })) {
             const auto work = work_;
             lock.unlock();
             double read_back = 0;
-            std::exception_ptr fault;
+            std::exception_ptr fault = without;
             try {
-                read_back = work(drawer);
+                if (drawer != nullptr) read_back = work(*drawer);
             } catch (...) {
                 fault = std::current_exception();
             }
@@ -94,24 +93,30 @@ class DrawingCrew::Helper {
     std::jthread thread_;
 };
 
-DrawingCrew::DrawingCrew(const MakeContext& make, std::shared_ptr<const Scene> scene, std::size_t threads)
-    : own_(make(), scene), split_(scene) {
-    if (own_.context().draws_beside_others())
-        while (helpers_.size() + 1 < threads) helpers_.push_back(std::make_unique<Helper>(make, scene));
-    shares_.resize(1 + helpers_.size());
+DrawingCrew::DrawingCrew(MakeContext make, std::shared_ptr<const Scene> scene, std::size_t threads)
+    : make_(std::move(make)),
+      scene_(std::move(scene)),
+      own_(make_(), scene_),
+      split_(scene_),
+      threads_(threads) {
+    if (!own_.context().draws_beside_others()) threads_ = 1;
 }
 
 DrawingCrew::~DrawingCrew() = default;
 
 /// The dearest view first, each to who has least to do.
 void DrawingCrew::share_out() {
-    for (Share& share : shares_) share.views.clear(), share.cost = 0;
     order_.resize(seen_.size());
     std::iota(order_.begin(), order_.end(), 0U);
     std::ranges::stable_sort(order_, std::greater<>(), [&](std::size_t i) { return cost_of(seen_[i]); });
     double cost = 0;
     for (const SeenView& seen : seen_) cost += cost_of(seen);
-    const auto sharers = shares_.begin() + (cost < worth_sharing ? 1 : std::ssize(shares_));
+    const bool alone = cost < worth_sharing;
+    while (!alone && helpers_.size() + 1 < threads_)
+        helpers_.push_back(std::make_unique<Helper>(make_, scene_));
+    shares_.resize(1 + helpers_.size());
+    for (Share& share : shares_) share.views.clear(), share.cost = 0;
+    const auto sharers = shares_.begin() + (alone ? 1 : std::ssize(shares_));
     for (const std::size_t i : order_) {
         Share& share = *std::ranges::min_element(shares_.begin(), sharers, {}, &Share::cost);
         share.views.push_back(&seen_[i]);

@@ -21,12 +21,13 @@ class DrawingCrew {
   public:
     using MakeContext = std::function<std::unique_ptr<Context>()>;
 
-    /// `threads`: the caller's included, on which draw() is to be called. Contexts that cannot draw beside
-    /// others get one. Throws std::runtime_error.
-    DrawingCrew(const MakeContext& make, std::shared_ptr<const Scene> scene, std::size_t threads);
+    /// `threads`: the caller's included, on which draw() is to be called; the others are made for the first
+    /// picture that is worth sharing. Contexts that cannot draw beside others get one. Throws
+    /// std::runtime_error.
+    DrawingCrew(MakeContext make, std::shared_ptr<const Scene> scene, std::size_t threads);
     ~DrawingCrew();
 
-    /// Draws all views: picture.image_lines x picture.samples pixels.
+    /// Draws all views: picture.image_lines x picture.samples pixels. Throws std::runtime_error.
     void draw(const Picture& picture, const Outlook& outlook, std::vector<Pixel>& pixels);
 
     const DrawProfile& profile() const { return profile_; }  ///< of the last draw()
@@ -41,8 +42,11 @@ class DrawingCrew {
 
     void share_out();
 
+    MakeContext make_;
+    std::shared_ptr<const Scene> scene_;
     SceneDrawer own_;
     SplitScene split_;
+    std::size_t threads_;
     std::vector<std::unique_ptr<Helper>> helpers_;
     std::vector<SeenView> seen_;
     std::vector<Share> shares_;  ///< the caller's first

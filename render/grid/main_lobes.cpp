@@ -6,18 +6,21 @@
 
 #include "render/fan/ping_motion.h"
 #include "render/fan/pixel_echoes.h"
+#include "render/grid/turned_pixels.h"
 
 namespace echoloop {
 namespace {
 
 class MainLobes {
   public:
-    MainLobes(const BinningInput& in, const GridPlan& plan, std::vector<LineBins>& beams, WaterOfBeams* water)
+    MainLobes(const BinningInput& in, const GridPlan& plan, std::vector<LineBins>& beams, WaterOfBeams* water,
+              std::vector<MovedEcho>* outside)
         : in_(in),
           plan_(plan),
           gain_(in),
           beams_(beams),
           water_(water),
+          outside_(outside),
           scratch_(in.bins),
           spread_(scratch_.data(), in.bins) {}
 
@@ -35,48 +38,16 @@ class MainLobes {
     /// The same of a sonar that moves: what arrives from a pixel is heard as if it came from another one.
     void add_moved(const View& view, std::size_t line) {
         shift_echoes(in_, view, line, reader_, echoes_);
-        const bool turns = in_.motion->turning != Vec3{};
-        for (const PixelEcho& echo : echoes_)
-            if (const auto pixel =
-                    turns ? arrival(view, line, echo) : view.first_pixel + line * view.samples + echo.sample)
+        const TurnedPixels turned(in_, plan_);
+        for (const PixelEcho& echo : echoes_) {
+            const std::size_t own = view.first_pixel + line * view.samples + echo.sample;
+            const auto pixel = turned.turns() ? turned.heard_at(view, line, echo) : std::optional(own);
+            if (!pixel) continue;
+            if (plan_.is_in_field(*pixel))
                 add_pixel(echo, *pixel);
-    }
-
-    /// The pixel that shows the direction from which a pixel's echo arrives; between two of them by lot, so
-    /// that the mean is right. Empty: outside the field.
-    std::optional<std::size_t> arrival(const View& view, std::size_t line, const PixelEcho& echo) const {
-        const double x = view.x(static_cast<double>(line) + 0.5), y = view.y(echo.sample + 0.5);
-        const double range = in_.first_range + 0.5 * (echo.near + echo.far) * in_.bin_length;
-        const Vec3 turn =
-            in_.motion->flight(range) * rotate(conjugate(view.fan_from_view()), in_.motion->turning);
-        const Vec3 seen = Vec3{1, -x, y} - cross(turn, {1, -x, y});
-        return pixel_at(view, -seen.y / seen.x, seen.z / seen.x,
-                        lots_of(static_cast<double>(line * view.samples + echo.sample)));
-    }
-
-    /// 0..1, other ones for every pixel and, by where its pixels are sampled, ping.
-    PixelOffset lots_of(double number) const {
-        constexpr double many = 4099;
-        const PixelOffset at = in_.offset.level;
-        return {std::fmod((at.line + 1) * many + 0.7548776662466927 * number, 1.0),
-                std::fmod((at.sample + 1) * many + 0.5698402909980532 * number, 1.0)};
-    }
-
-    std::optional<std::size_t> pixel_at(const View& view, double x, double y, PixelOffset lots) const {
-        const View* shows = &view;
-        if (x < view.left || x >= view.right) {  // a neighbour may
-            const double bearing = view.bearing + std::atan(x), rise = y / std::sqrt(1 + x * x);
-            for (const View& other : plan_.field_views())
-                if (std::abs(bearing - other.bearing) < std::atan(other.right)) shows = &other;
-            x = std::tan(bearing - shows->bearing), y = rise * std::sqrt(1 + x * x);
+            else if (outside_ != nullptr)
+                outside_->push_back({echo, *pixel});
         }
-        const double line = std::floor((x - shows->left) / shows->line_width() - 0.5 + lots.line),
-                     sample = std::floor((shows->top - y) / shows->sample_height() - 0.5 + lots.sample);
-        if (!(line >= 0 && line < static_cast<double>(shows->lines) && sample >= 0 &&
-              sample < static_cast<double>(shows->samples)))
-            return std::nullopt;
-        return shows->first_pixel + static_cast<std::size_t>(line) * shows->samples +
-               static_cast<std::size_t>(sample);
     }
 
     void add_water(const View& view, std::size_t line) {
@@ -114,6 +85,7 @@ class MainLobes {
     LineReader reader_;
     std::vector<LineBins>& beams_;
     WaterOfBeams* water_;
+    std::vector<MovedEcho>* outside_;
     std::vector<float> scratch_;
     LineBins spread_;
     std::vector<PixelEcho> echoes_;
@@ -132,15 +104,15 @@ std::vector<LineBins> bins_of_beams(std::vector<float>& values, std::size_t beam
 }
 
 void add_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount, std::vector<LineBins>& beams,
-                    WaterOfBeams* water) {
-    MainLobes lobes(in, plan, beams, water);
+                    WaterOfBeams* water, std::vector<MovedEcho>* outside) {
+    MainLobes lobes(in, plan, beams, water, outside);
     for (const View& view : plan.field_views())
         for (std::size_t line = 0; line < view.lines; ++line) lobes.add(amount, view, line);
 }
 
 void add_wanted(const BinningInput& in, const GridPlan& plan, std::span<const std::size_t> lines,
                 std::vector<LineBins>& beams) {
-    MainLobes lobes(in, plan, beams, nullptr);
+    MainLobes lobes(in, plan, beams, nullptr, nullptr);
     auto line = lines.begin();
     for (const View& view : plan.field_views())
         for (; line != lines.end() && *line < view.first_line + view.lines; ++line)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/fan/line_sums.h"
+#include "render/fan/pixel_echoes.h"
 #include "render/grid/plan.h"
 
 namespace echoloop {
@@ -19,10 +20,17 @@ struct WaterOfBeams {
     std::vector<LineBins> surface;
 };
 
+/// What is heard from another pixel than the one that shows it, since the receiver has turned.
+struct MovedEcho {
+    PixelEcho echo;
+    std::size_t pixel;  ///< of all of the plan's
+};
+
 /// Adds the field's pixels to the beams' bins, before the gain of the bins. In the order of the pixels and on
-/// one thread: many pixels share a beam. `water`: added to where in.water is not null.
+/// one thread: many pixels share a beam. `water`: added to where in.water is not null. `outside`: gets what
+/// is heard from around the field, unless null.
 void add_main_lobes(const BinningInput& in, const GridPlan& plan, Amount amount, std::vector<LineBins>& beams,
-                    WaterOfBeams* water = nullptr);
+                    WaterOfBeams* water = nullptr, std::vector<MovedEcho>* outside = nullptr);
 /// The same with what the surfaces in `in.wanted` send back, in these lines of the image, ascending.
 void add_wanted(const BinningInput& in, const GridPlan& plan, std::span<const std::size_t> lines,
                 std::vector<LineBins>& beams);

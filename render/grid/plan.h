@@ -68,6 +68,8 @@ struct GridPlan : FanPlan {
     std::span<const Heard> heard_by(std::size_t pixel) const {
         return std::span(heard).subspan(first_heard[pixel], first_heard[pixel + 1] - first_heard[pixel]);
     }
+    /// Else it is one of those around the field.
+    bool is_in_field(std::size_t pixel) const { return pixel + 1 < first_heard.size(); }
     std::span<const View> field_views() const { return std::span(views).first(level_views); }
     std::span<const View> other_views() const { return std::span(views).subspan(level_views); }
 };

@@ -9,6 +9,7 @@
 #include "render/grid/main_lobes.h"
 #include "render/grid/nearest.h"
 #include "render/grid/paths.h"
+#include "render/grid/turned_pixels.h"
 #include "render/simd.h"
 #include "render/workers.h"
 
@@ -91,7 +92,8 @@ class GridSumming final : public Summing {
         const std::size_t steps = in.water != nullptr ? in.water->steps().count : 0, stride = of_row.size();
         beams_ = bins_of_beams(rows, plan.axes.size(), in.bins, stride);
         if (in.water != nullptr) start_water(in, plan, stride, rows);
-        add_main_lobes(in, plan, Amount::echo, beams_, in.water != nullptr ? &water_ : nullptr);
+        outside_.clear();
+        add_main_lobes(in, plan, Amount::echo, beams_, in.water != nullptr ? &water_ : nullptr, &outside_);
         if (in.water != nullptr) scatter_water(in, plan, stride, rows);
         add_arrivals(in, gain, arrivals_of(plan, in.paths));
         if (plan.far.nodes > 0) {
@@ -190,6 +192,8 @@ class GridSumming final : public Summing {
         const std::size_t first = plan.other_views().front().first_pixel,
                           row_sums = plan.rows * sectors_per_array;
         LineReader reader;
+        const TurnedPixels turned(in, plan);
+        for (const MovedEcho& moved : outside_) add_around(in, plan, moved.echo, moved.pixel - first);
         if (in.water != nullptr) {
             far_under_way_.resize(row_sums + plan.far.nodes * sectors_per_array);
             for (UnderWay& sum : far_under_way_) sum.reset_alike(*in.water);
@@ -200,19 +204,36 @@ class GridSumming final : public Summing {
                 if (in.motion != nullptr) shift_echoes(in, view, line, reader, echoes_);
                 const std::size_t line_first = view.first_pixel + line * view.samples - first;
                 for (const PixelEcho& echo : echoes_) {
-                    const std::size_t pixel = line_first + echo.sample;
-                    for (std::size_t i = plan.far.first[pixel]; i < plan.far.first[pixel + 1]; ++i) {
-                        const auto [sum, share] = plan.far.shares[i];
-                        LineBins& bins = sum < row_sums ? far_.line(sum) : far_.sector(sum - row_sums);
-                        bins.deposit(echo.near, echo.far, echo.amount * share, echo.slope);
-                        if (echo.of_water) add_surface(in, echo, share, far_.line_steps(sum));
-                    }
+                    if (!turned.turns())
+                        add_around(in, plan, echo, line_first + echo.sample);
+                    else if (const auto pixel = turned.heard_at(view, line, echo))
+                        add_heard(in, plan, echo, *pixel);
                 }
                 if (in.water != nullptr)
                     add_under_way(in, plan, reader.row(), view.samples, line_first + first, line_first);
             }
         for (std::size_t sum = 0; in.water != nullptr && sum < far_under_way_.size(); ++sum)
             far_under_way_[sum].scatter_alike(*in.water, in.water->cell_near(0), far_.line_steps(sum));
+    }
+
+    /// `pixel`: of those around the field.
+    void add_around(const BinningInput& in, const GridPlan& plan, const PixelEcho& echo, std::size_t pixel) {
+        const std::size_t row_sums = plan.rows * sectors_per_array;
+        for (std::size_t i = plan.far.first[pixel]; i < plan.far.first[pixel + 1]; ++i) {
+            const auto [sum, share] = plan.far.shares[i];
+            LineBins& bins = sum < row_sums ? far_.line(sum) : far_.sector(sum - row_sums);
+            bins.deposit(echo.near, echo.far, echo.amount * share, echo.slope);
+            if (echo.of_water) add_surface(in, echo, share, far_.line_steps(sum));
+        }
+    }
+
+    /// Of one around the field that is heard from another pixel of all, in main lobes if that is the field's.
+    void add_heard(const BinningInput& in, const GridPlan& plan, const PixelEcho& echo, std::size_t pixel) {
+        if (!plan.is_in_field(pixel))
+            return add_around(in, plan, echo, pixel - plan.other_views().front().first_pixel);
+        for (const Heard& heard : plan.heard_by(pixel))
+            beams_[heard.beam].deposit(
+                echo.near, echo.far, echo.amount * static_cast<float>(heard.share) / whole_share, echo.slope);
     }
 
     static void add_surface(const BinningInput& in, const PixelEcho& echo, float share, float* steps) {
@@ -277,6 +298,7 @@ class GridSumming final : public Summing {
     WaterOfBeams water_;                   ///< of the main lobes
     std::vector<UnderWay> far_under_way_;  ///< of the sums of far_
     std::vector<PixelEcho> echoes_;
+    std::vector<MovedEcho> outside_;  ///< of the field, but heard from around it
     std::vector<float> shares_, wanted_, rows_;
     std::vector<WantedPower::Stretch> stretches_;
 };

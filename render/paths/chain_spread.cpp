@@ -105,6 +105,7 @@ bool add_through_pattern(const PathPing& ping, const RoughChain& chain, std::uin
         echo.far_range = static_cast<float>(chain.range * (1 + longer) + ping.resolution);
         echo.bearing = static_cast<float>(arrives.bearing);
         echo.elevation = static_cast<float>(arrives.elevation);
+        echo.turned = static_cast<float>(arrives.turned);
         echo.power = static_cast<float>(chain.power * patterns * patterns * density * there.share *
                                         back.share * std::exp(-exponent));
         if (std::isnormal(echo.power)) out.push_back(echo);

@@ -263,6 +263,7 @@ class DiffuseSearch {
     void fill_beams(const LobeCell& cell, const PairEcho& arrival, float near, float far, float power) {
         PathEcho echo;
         echo.near_range = near, echo.far_range = far, echo.power = power;
+        echo.turned = static_cast<float>(arrival.turned);
         const double width = cell.last_bearing - cell.first_bearing, bearing = arrival.bearing;
         if (rows_) {  // beams share it by their patterns over the cell
             echo.bearing = static_cast<float>(bearing),

@@ -241,6 +241,7 @@ class ImageSearch {
         }
         PathEcho echo;
         echo.elevation = static_cast<float>(path.arrives.elevation);
+        echo.turned = static_cast<float>(path.arrives.turned);
         const double whole = power * sent_back * across.power * up.power, spread = std::sqrt(across.variance);
         echo.width = static_cast<float>(3.5 * spread),
         echo.height = static_cast<float>(3.5 * std::sqrt(up.variance));

@@ -14,8 +14,24 @@ double coherent_loss(double wavenumber, double roughness, double sine_of_grazing
     return std::exp(-2 * rayleigh * rayleigh);
 }
 
+namespace {
+
+/// m, by how much the curved surfaces of a large scene may be off where indirect echoes meet them: a
+/// ten-thousandth of the scene's size, and less than a bin is long.
+double tolerance_in(const Scene& scene) {
+    constexpr std::size_t large = 500'000;  // triangles
+    constexpr double of_size = 1e-4, most = 0.02;
+    if (scene.triangles() <= large) return 0;
+    const Bounds& b = scene.bounds();
+    const double size =
+        std::hypot(double{b.max[0]} - b.min[0], double{b.max[1]} - b.min[1], double{b.max[2]} - b.min[2]);
+    return std::min(of_size * size, most);
+}
+
+}  // namespace
+
 PathSpace::PathSpace(std::shared_ptr<const Scene> scene, std::optional<WaterSurface> surface)
-    : scene_(std::move(scene)), surface_(surface), rays_(scene_) {
+    : scene_(std::move(scene)), surface_(surface), rays_(scene_, tolerance_in(*scene_)) {
     for (const Material& material : scene_->materials()) mu_.push_back(db_to_power(material.mu_db));
 }
 

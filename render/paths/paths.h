@@ -37,6 +37,7 @@ struct PathEcho {
     /// rad, where the shot has rows: over the fan's plane, and how far the directions reach that it comes
     /// from; the receiver's vertical pattern is left out too.
     float elevation = 0, width = 0, height = 0;
+    float turned = 0;  ///< rad, of `bearing`: what the sonar has turned by since the transmission
 };
 
 /// The echo of a target of declared strength by one of its paths, or that of a corner. Echoes of one range

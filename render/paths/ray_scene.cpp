@@ -42,24 +42,65 @@ RTCRayHit embree_query(Vec3 origin, Vec3 direction, double near, double far) {
 
 /// Triangles that are there from one side only, or from both.
 struct TriangleSet {
-    std::vector<std::uint32_t> corners;  ///< three per triangle
-    /// Of each chunk: its first triangle, its material, its object.
+    std::vector<std::uint32_t> corners;  ///< three per triangle, in Scene::all_vertices()
+    /// Of each node: its first triangle, its material, its object.
     std::vector<std::uint32_t> first, material, object;
-    std::vector<float> facet;  ///< of each chunk, as SceneChunk has it
+    std::vector<float> facet;   ///< of each node, as SceneChunk has it
+    std::vector<float> height;  ///< of a stand-in: what a triangle that it stands for typically has; else 0
 };
 
-/// Of what stands still (`mover` 0), or of a mover in its own frame.
-TriangleSet collect(const Scene& scene, std::span<const SceneChunk> chunks, std::uint32_t mover,
-                    bool double_sided) {
+/// A node whose triangles rays meet: a chunk, or what stands in for several.
+struct Taken {
+    std::uint32_t node;
+    std::uint32_t chunk;  ///< the first of those that it shows
+};
+
+std::size_t triangles_of(const Scene& scene, std::span<const Taken> taken) {
+    std::size_t indices = 0;
+    for (const Taken& one : taken) indices += scene.nodes()[one.node].indices;
+    return indices / 3;
+}
+
+double height_of(const SceneVertex& first, const SceneVertex& second, const SceneVertex& third) {
+    const auto point = [](const SceneVertex& v) {
+        return Vec3{double{v.position[0]}, double{v.position[1]}, double{v.position[2]}};
+    };
+    const Vec3 a = point(first), b = point(second), c = point(third);
+    return norm(cross(b - a, c - a)) / std::max({norm(b - a), norm(c - b), norm(a - c)});
+}
+
+/// m, of the triangles of a chunk, of some of them: the median.
+float typical_height(const Scene& scene, const SceneChunk& chunk) {
+    constexpr std::size_t some = 15;
+    const auto indices = scene.indices().subspan(chunk.first_index, chunk.indices);
+    const std::size_t count = indices.size() / 3, used = std::min(count, some);
+    std::vector<double> heights;
+    for (std::size_t i = 0; i < used; ++i) {
+        const std::size_t at = 3 * (i * count / used);
+        const auto vertex = [&](std::size_t k) -> const SceneVertex& {
+            return scene.vertices()[chunk.first_vertex + indices[at + k]];
+        };
+        heights.push_back(height_of(vertex(0), vertex(1), vertex(2)));
+    }
+    std::ranges::nth_element(heights, heights.begin() + static_cast<std::ptrdiff_t>(used / 2));
+    return static_cast<float>(heights[used / 2]);
+}
+
+TriangleSet collect(const Scene& scene, std::span<const Taken> taken, bool double_sided) {
     TriangleSet set;
-    for (const SceneChunk& chunk : chunks) {
-        if (chunk.mover != mover || scene.materials()[chunk.material].double_sided != double_sided) continue;
+    for (const Taken& one : taken) {
+        const SceneNode& node = scene.nodes()[one.node];
+        if (scene.materials()[node.material].double_sided != double_sided) continue;
+        const SceneChunk& chunk = scene.chunks()[one.chunk];
         set.first.push_back(static_cast<std::uint32_t>(set.corners.size() / 3));
-        set.material.push_back(chunk.material);
-        set.object.push_back(chunk.object);
+        set.material.push_back(node.material);
+        set.object.push_back(node.object);
         set.facet.push_back(chunk.facet);
-        for (const std::uint16_t corner : scene.indices().subspan(chunk.first_index, chunk.indices))
-            set.corners.push_back(chunk.first_vertex + corner);
+        set.height.push_back(node.coarse ? typical_height(scene, chunk) : 0.0F);
+        const std::size_t vertex = node.first_vertex + (node.coarse ? scene.vertices().size() : 0),
+                          index = node.first_index + (node.coarse ? scene.indices().size() : 0);
+        for (const std::uint16_t corner : scene.all_indices().subspan(index, node.indices))
+            set.corners.push_back(static_cast<std::uint32_t>(vertex) + corner);
     }
     return set;
 }
@@ -86,18 +127,33 @@ struct Group {
 
 class RayScene::Impl {
   public:
-    explicit Impl(std::shared_ptr<const Scene> scene)
-        : scene_(std::move(scene)), skin_(skin_of(scene_->bounds())), device_(new_device()) {
-        const auto chunks = scene_->chunks();
-        const std::size_t half = is_large() ? still_chunks() / 2 : 0;
-        auto rest = std::async(half > 0 ? std::launch::async : std::launch::deferred, [&] {
-            if (half == 0) return;
+    Impl(std::shared_ptr<const Scene> scene, double tolerance)
+        : scene_(std::move(scene)),
+          skin_(skin_of(scene_->bounds())),
+          margin_(2 * tolerance),
+          device_(new_device()) {
+        std::vector<Taken> still = nodes_of(0, scene_->still_nodes(), tolerance), second;
+        if (tolerance > 0) {
+            const auto coarse = std::ranges::stable_partition(
+                still, [&](const Taken& one) { return !scene_->nodes()[one.node].coarse; });
+            second.assign(coarse.begin(), coarse.end());
+            still.erase(coarse.begin(), coarse.end());
+        } else if (triangles_of(*scene_, still) > many_triangles) {
+            const auto half = static_cast<std::ptrdiff_t>(still.size() / 2);
+            second.assign(still.begin(), still.begin() + half);
+            still.erase(still.begin(), still.begin() + half);
+        }
+        auto rest = std::async(second.empty() ? std::launch::deferred : std::launch::async, [&] {
+            if (second.empty()) return;
             second_device_ = new_device();
-            build(second_, second_device_.get(), chunks.first(half), 0);
+            build(second_, second_device_.get(), second);
         });
         groups_.resize(1 + scene_->movers().size());
-        for (std::uint32_t mover = 0; mover < groups_.size(); ++mover)
-            build(groups_[mover], device_.get(), chunks.subspan(half), mover);
+        build(groups_[0], device_.get(), still);
+        for (std::size_t i = 0; i < scene_->movers().size(); ++i) {
+            const SceneMover& mover = scene_->movers()[i];
+            build(groups_[i + 1], device_.get(), nodes_of(mover.first_node, mover.last_node, 0));
+        }
         if (groups_.size() > 1) join();
         rest.get();
         check_tree_of(device_);
@@ -135,8 +191,10 @@ class RayScene::Impl {
         normal = (dot(normal, direction) > 0 ? -1 : 1) / twice_area * normal;
         const TriangleSet& set = group->sets[query.hit.geomID];
         const std::size_t chunk = chunk_of(set, query.hit.primID);
+        const double height = set.height[chunk] > 0 ? double{set.height[chunk]}
+                                                    : twice_area / longest_side(set, query.hit.primID);
         return RayHit{query.ray.tfar, normal, set.material[chunk], set.object[chunk],
-                      std::max(twice_area / longest_side(set, query.hit.primID), double{set.facet[chunk]})};
+                      std::max(height, double{set.facet[chunk]})};
     }
 
     bool blocked(Vec3 from, Vec3 to) const {
@@ -144,7 +202,9 @@ class RayScene::Impl {
         if (length <= 2 * skin_) return false;
         RTCRay ray = embree_ray(from, 1 / length * (to - from), skin_, length - skin_);
         any_hit(tree(), ray);
-        if (second_.tree && !(ray.tfar < 0)) any_hit(second_.tree.get(), ray);
+        if (!second_.tree || ray.tfar < 0) return ray.tfar < 0;
+        if (margin_ > 0) return stand_in_hides(from, 1 / length * (to - from), length);
+        any_hit(second_.tree.get(), ray);
         return ray.tfar < 0;
     }
 
@@ -153,24 +213,57 @@ class RayScene::Impl {
   private:
     RTCScene tree() const { return all_ ? all_.get() : groups_[0].tree.get(); }
 
-    /// Large scenes are kept in a third of the memory, where a ray takes a third longer, by trees that are
-    /// made in a third of the time; and half of what stands still in a tree of its own, which another
-    /// thread makes.
-    bool is_large() const { return scene_->triangles() > 500'000; }
-    std::size_t still_chunks() const {
-        return static_cast<std::size_t>(std::ranges::count(scene_->chunks(), 0U, &SceneChunk::mover));
+    /// Whether a stand-in lies between two points of which neither is as near to its plane as that may be
+    /// off.
+    bool stand_in_hides(Vec3 from, Vec3 direction, double length) const {
+        constexpr int most = 8;  // passed, one behind the other
+        double near = skin_;
+        for (int passed = 0; passed < most && near < length - skin_; ++passed) {
+            RTCRayHit query = embree_query(from, direction, near, length - skin_);
+            first_hit(second_.tree.get(), query);
+            if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+            const Vec3 normal{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
+            const double at = double{query.ray.tfar},
+                         across = std::abs(dot(normal, direction)) / norm(normal);
+            if (std::min(at, length - at) * across > margin_) return true;
+            near = at + skin_;
+        }
+        return false;
     }
 
-    void build(Group& group, RTCDevice device, std::span<const SceneChunk> chunks,
-               std::uint32_t mover) const {
+    /// Of these nodes those that rays meet: chunks, or where a curved surface has stand-ins that are off by
+    /// `tolerance` m at most the coarsest of them. What is flat mirrors, and stays as it is.
+    std::vector<Taken> nodes_of(std::uint32_t first, std::uint32_t last, double tolerance) const {
+        const auto nodes = scene_->nodes();
+        const auto is_chunk = [&](std::uint32_t i) { return nodes[i].next == i + 1; };
+        std::uint32_t chunk = 0;
+        for (std::uint32_t i = 0; i < first; ++i) chunk += is_chunk(i);
+        std::vector<Taken> out;
+        for (std::uint32_t i = first; i < last; ++i) {
+            const bool stands_in = nodes[i].coarse && double{nodes[i].error} <= tolerance &&
+                                   scene_->materials()[nodes[i].material].mesh_slope > 0;
+            if (stands_in || is_chunk(i)) out.push_back({i, chunk});
+            chunk += is_chunk(i);
+            for (const std::uint32_t next = nodes[i].next; stands_in && i + 1 < next;) chunk += is_chunk(++i);
+        }
+        return out;
+    }
+
+    /// From so many triangles on what stands still is kept in a third of the memory, where a ray takes a
+    /// third longer, by trees that are made in a third of the time; and half of it in a tree of its own,
+    /// which another thread makes.
+    static constexpr std::size_t many_triangles = 500'000;
+
+    void build(Group& group, RTCDevice device, std::span<const Taken> taken) const {
         group.tree.reset(rtcNewScene(device));
-        if (is_large()) {
+        const bool quickly = triangles_of(*scene_, taken) > many_triangles / 2;
+        if (quickly) {
             rtcSetSceneFlags(group.tree.get(), RTC_SCENE_FLAG_COMPACT);
             rtcSetSceneBuildQuality(group.tree.get(), RTC_BUILD_QUALITY_LOW);
         }
         for (const bool double_sided : {false, true}) {
-            group.sets[double_sided] = collect(*scene_, chunks, mover, double_sided);
-            attach(group, device, double_sided);
+            group.sets[double_sided] = collect(*scene_, taken, double_sided);
+            attach(group, device, double_sided, quickly);
         }
         rtcCommitScene(group.tree.get());
     }
@@ -201,21 +294,21 @@ class RayScene::Impl {
         group.world_from_group = pose.orientation;
     }
 
-    void attach(Group& group, RTCDevice device, bool double_sided) const {
+    void attach(Group& group, RTCDevice device, bool double_sided, bool quickly) const {
         const TriangleSet& set = group.sets[double_sided];
         if (set.corners.empty()) return;
         const Geometry mesh(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
         // The position is followed by the normal, so that reading 16 bytes for a vertex stays within it.
         rtcSetSharedGeometryBuffer(mesh.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                   scene_->vertices().data(), 0, sizeof(SceneVertex),
-                                   scene_->vertices().size());
+                                   scene_->all_vertices().data(), 0, sizeof(SceneVertex),
+                                   scene_->all_vertices().size());
         rtcSetSharedGeometryBuffer(mesh.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, set.corners.data(),
                                    0, 3 * sizeof(std::uint32_t), set.corners.size() / 3);
         if (!double_sided) {
             rtcSetGeometryIntersectFilterFunction(mesh.get(), reject_from_behind);
             rtcSetGeometryOccludedFilterFunction(mesh.get(), reject_from_behind);
         }
-        if (is_large()) rtcSetGeometryBuildQuality(mesh.get(), RTC_BUILD_QUALITY_LOW);
+        if (quickly) rtcSetGeometryBuildQuality(mesh.get(), RTC_BUILD_QUALITY_LOW);
         rtcCommitGeometry(mesh.get());
         rtcAttachGeometryByID(group.tree.get(), mesh.get(), double_sided);
     }
@@ -238,14 +331,15 @@ class RayScene::Impl {
     }
 
     std::shared_ptr<const Scene> scene_;
-    double skin_;
+    double skin_, margin_;  ///< m; the second is that of stand-ins
     Device device_, second_device_;
     std::vector<Group> groups_;
-    Group second_;  ///< of a large scene the first half of what stands still
+    Group second_;  ///< of what stands still the stand-ins, or of a large scene half of it
     Tree all_;      ///< nullptr where nothing moves
 };
 
-RayScene::RayScene(std::shared_ptr<const Scene> scene) : impl_(std::make_unique<Impl>(std::move(scene))) {}
+RayScene::RayScene(std::shared_ptr<const Scene> scene, double tolerance)
+    : impl_(std::make_unique<Impl>(std::move(scene), tolerance)) {}
 RayScene::~RayScene() = default;
 std::optional<RayHit> RayScene::hit(Vec3 origin, Vec3 direction, double end) const {
     return impl_->hit(origin, direction, end);

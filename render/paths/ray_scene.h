@@ -19,8 +19,10 @@ struct RayHit {
 
 class RayScene {
   public:
-    /// Builds the tree on the calling thread. Throws std::runtime_error when Embree cannot.
-    explicit RayScene(std::shared_ptr<const Scene> scene);
+    /// Builds its trees. `tolerance`: m, by how much curved surfaces that stand still may be off, so that
+    /// stand-ins do for them; none of them hides what lies within twice of that of its plane. Throws
+    /// std::runtime_error when Embree cannot.
+    explicit RayScene(std::shared_ptr<const Scene> scene, double tolerance = 0);
     ~RayScene();
 
     /// Moves what moves: world_from_object of every mover, which have no place before. Costs next to nothing.

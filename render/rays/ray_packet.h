@@ -11,6 +11,8 @@ namespace echoloop::rays {
 
 /// Rays that are looked for at once: a tile of a picture.
 inline constexpr std::size_t tile_lines = 4, tile_samples = 4, packet_rays = tile_lines * tile_samples;
+/// Of what tells which of them count, as Embree wants it.
+inline constexpr std::size_t packet_alignment = packet_rays * sizeof(int);
 
 /// The axes of a view in the scene's frame: a ray through the place (x, y) of the image plane goes along
 /// x starboard + y up + forward.

@@ -7,8 +7,6 @@
 namespace echoloop::rays {
 namespace {
 
-constexpr float near = 0.01F;  ///< m along the axis of a view, as gl/fan_shader
-constexpr std::size_t tiles = HitArrays::most / tile_samples;  ///< that are looked for one after the other
 constexpr std::size_t lines_per_piece = 4 * tile_lines;
 
 /// The next power of 2^(1/4) that is not greater, or not less: so that pings of nearly the same kind share
@@ -27,61 +25,27 @@ Vec3 nearest_place(Vec3 eye, double lattice) {
     return {nearest(eye.x), nearest(eye.y), nearest(eye.z)};
 }
 
-std::array<float, 9> rows_of(Quat q) {
+RotationRows rows_of(Quat q) {
     const Vec3 x = rotate(q, {1, 0, 0}), y = rotate(q, {0, 1, 0}), z = rotate(q, {0, 0, 1});
     const auto f = [](double v) { return static_cast<float>(v); };
     return {f(x.x), f(y.x), f(z.x), f(x.y), f(y.y), f(z.y), f(x.z), f(y.z), f(z.z)};
 }
 
-void turn(const std::array<float, 9>& m, float& x, float& y, float& z) {
-    const float a = m[0] * x + m[1] * y + m[2] * z, b = m[3] * x + m[4] * y + m[5] * z,
-                c = m[6] * x + m[7] * y + m[8] * z;
-    x = a, y = b, z = c;
-}
-
-struct Line {
-    float x;
-    Pixel* pixels;  ///< of all samples
-};
-
-/// Follows the rays of one view, some tiles at a time: what is written one by one is not read in vectors
-/// right after.
+/// Follows the rays of one view, some tiles at a time, where they are straight.
 class Tracer {
   public:
-    /// By the number of an instance; without instances there is one.
-    struct Part {
-        const DetailTree* tree;
-        const std::array<float, 9>* world_from_part;
-    };
-
-    Tracer(const View& view, const gl::Outlook& outlook, RTCScene scene, std::span<const Part> parts,
-           bool instances)
-        : scene_(scene), parts_(parts), instances_(instances), samples_(view.samples) {
-        const Quat q = outlook.world_from_fan.orientation * view.fan_from_view();
-        const auto set = [](Vec3 v, float* to) {
-            to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z);
-        };
-        set(rotate(q, {0, -1, 0}), axes_.starboard);
-        set(rotate(q, {0, 0, 1}), axes_.up);
-        set(rotate(q, {1, 0, 0}), axes_.forward);
-        float eye[3];
-        set(outlook.world_from_fan.position, eye);
-        sizes_ = {static_cast<float>(view.line_width()), static_cast<float>(view.sample_height()),
-                  static_cast<float>(view.usual_width), static_cast<float>(view.usual_height)};
-        reach_ = static_cast<float>(gl::reach_of(outlook));
-        const double moved = outlook.offset.of(view).sample;
-        for (std::size_t sample = 0; sample < samples_ + tile_samples; ++sample)
-            y_.push_back(static_cast<float>(view.y(static_cast<double>(sample) + 0.5 + moved)));
+    Tracer(const ViewPlace& place, std::size_t samples, const TracedParts& parts, float reach)
+        : place_(place), samples_(samples), parts_(parts), reach_(reach) {
         for (RTCRayHit16& query : queries_)
             for (std::size_t lane = 0; lane < packet_rays; ++lane) {
-                query.ray.org_x[lane] = eye[0], query.ray.org_y[lane] = eye[1],
-                query.ray.org_z[lane] = eye[2];
+                query.ray.org_x[lane] = place.eye[0], query.ray.org_y[lane] = place.eye[1],
+                query.ray.org_z[lane] = place.eye[2];
                 query.ray.time[lane] = 0, query.ray.mask[lane] = ~0U, query.ray.flags[lane] = 0;
             }
     }
 
     /// Those of neighbouring lines, at most tile_lines.
-    void trace(std::span<const Line> lines) {
+    void trace(std::span<const TracedLine> lines) {
         for (std::size_t lane = 0; lane < packet_rays; ++lane)
             x_[lane] = lines[std::min(lane / tile_samples, lines.size() - 1)].x;
         for (std::size_t sample = 0; sample < samples_; sample += HitArrays::most) {
@@ -90,23 +54,24 @@ class Tracer {
             for (std::size_t tile = 0; tile < needed; ++tile)
                 start(queries_[tile], asked_[tile], sample + tile * tile_samples, lines.size());
             for (std::size_t tile = 0; tile < needed; ++tile)
-                first_hits(asked_[tile].data(), scene_, queries_[tile]);
+                first_hits(asked_[tile].data(), parts_.scene(), queries_[tile]);
             for (std::size_t tile = 0; tile < needed; ++tile) take_hits(queries_[tile], tile);
             for (std::size_t line = 0; line < lines.size(); ++line)
-                find_pixels(axes_, sizes_, lines[line].x, &y_[sample], hits_[line], count,
+                find_pixels(place_.axes, place_.sizes, lines[line].x, &place_.y[sample], hits_[line], count,
                             lines[line].pixels + sample);
         }
     }
 
   private:
-    using Asked = std::array<int, packet_rays>;
+    struct alignas(packet_alignment) Asked : std::array<int, packet_rays> {};
 
     void start(RTCRayHit16& query, Asked& asked, std::size_t sample, std::size_t lines) const {
         float y[packet_rays];
-        for (std::size_t lane = 0; lane < packet_rays; ++lane) y[lane] = y_[sample + lane % tile_samples];
-        find_directions(axes_, x_.data(), y, query.ray.dir_x, query.ray.dir_y, query.ray.dir_z);
+        for (std::size_t lane = 0; lane < packet_rays; ++lane)
+            y[lane] = place_.y[sample + lane % tile_samples];
+        find_directions(place_.axes, x_.data(), y, query.ray.dir_x, query.ray.dir_y, query.ray.dir_z);
         for (std::size_t lane = 0; lane < packet_rays; ++lane) {
-            query.ray.tnear[lane] = near;
+            query.ray.tnear[lane] = near_end;
             query.ray.tfar[lane] = reach_ / std::sqrt(x_[lane] * x_[lane] + y[lane] * y[lane] + 1);
             query.hit.geomID[lane] = query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
             const bool there = lane / tile_samples < lines && sample + lane % tile_samples < samples_;
@@ -122,7 +87,7 @@ class Tracer {
             const std::size_t at = tile * tile_samples + lane % tile_samples;
             to.surface[at] = 0;
             if (query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID || asked_[tile][lane] == 0) continue;
-            if (!take_hit(query, lane, to, at)) again[lane] = -1, any = true;
+            if (!parts_.take_hit(query, lane, to, at)) again[lane] = -1, any = true;
         }
         while (any) go_on(query, tile, again, any);
     }
@@ -137,55 +102,25 @@ class Tracer {
                 reach_ / std::hypot(query.ray.dir_x[lane], query.ray.dir_y[lane], query.ray.dir_z[lane]);
             query.hit.geomID[lane] = query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
         }
-        first_hits(again.data(), scene_, query);
+        first_hits(again.data(), parts_.scene(), query);
         any = false;
         for (std::size_t lane = 0; lane < packet_rays; ++lane) {
             if (again[lane] == 0) continue;
             again[lane] = 0;
             if (query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
             HitArrays& to = hits_[lane / tile_samples];
-            if (!take_hit(query, lane, to, tile * tile_samples + lane % tile_samples))
+            if (!parts_.take_hit(query, lane, to, tile * tile_samples + lane % tile_samples))
                 again[lane] = -1, any = true;
         }
     }
 
-    /// False where the surface is not there from behind.
-    bool take_hit(const RTCRayHit16& query, std::size_t lane, HitArrays& to, std::size_t at) const {
-        const RTCHit16& hit = query.hit;
-        const Part& part = parts_[instances_ ? hit.instID[0][lane] : 0];
-        const TriangleCorners& corners = part.tree->corners(hit.geomID[lane])[hit.primID[lane]];
-        const float u = hit.u[lane], v = hit.v[lane];
-        std::array<float, 4> values;
-        for (std::size_t i = 0; i < 4; ++i)
-            values[i] = corners.first[i] + u * corners.to_second[i] + v * corners.to_third[i];
-        std::array<float, 3> plane{hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]};
-        if (instances_) {
-            turn(*part.world_from_part, values[0], values[1], values[2]);
-            turn(*part.world_from_part, plane[0], plane[1], plane[2]);
-        }
-        const RTCRay16& ray = query.ray;
-        if (hit.geomID[lane] == 0 &&
-            ray.dir_x[lane] * plane[0] + ray.dir_y[lane] * plane[1] + ray.dir_z[lane] * plane[2] >= 0)
-            return false;
-        to.depth[at] = ray.tfar[lane];
-        to.normal_x[at] = values[0], to.normal_y[at] = values[1], to.normal_z[at] = values[2];
-        to.plane_x[at] = plane[0], to.plane_y[at] = plane[1], to.plane_z[at] = plane[2];
-        to.surface[at] = static_cast<float>(static_cast<int>(values[3]));
-        to.lean[at] = std::max(values[3] - to.surface[at] - 0.25F, 0.0F);
-        return true;
-    }
-
-    RTCScene scene_;
-    std::span<const Part> parts_;
-    bool instances_;
+    const ViewPlace& place_;
     std::size_t samples_;
-    ViewAxes axes_{};
-    PixelSizes sizes_{};
-    float reach_ = 0;
-    std::vector<float> y_;  ///< of every sample, and of a tile beyond the last
+    const TracedParts& parts_;
+    float reach_;
     std::array<float, packet_rays> x_{};
-    std::array<RTCRayHit16, tiles> queries_;
-    std::array<Asked, tiles> asked_;
+    std::array<RTCRayHit16, tiles_at_once> queries_;
+    std::array<Asked, tiles_at_once> asked_;
     std::array<HitArrays, tile_lines> hits_{};
 };
 
@@ -250,21 +185,49 @@ const RaySampler::World& RaySampler::world_for(const View& view, const gl::Outlo
     return world;
 }
 
+const RayChains& RaySampler::chains_for(const View& view, const gl::Outlook& outlook) {
+    ChordTolerance tolerance{
+        outlook.sag * (view.surround ? 8 : 1),
+        0.25 * std::min(view.line_width() * view.usual_width, view.sample_height() * view.usual_height)};
+    tolerance.distance = step_down(tolerance.distance), tolerance.angle = step_down(tolerance.angle);
+    const auto make = [&] {
+        return std::pair(
+            KnownChains{outlook.rays, tolerance, std::make_unique<const RayChains>(*outlook.rays, tolerance)},
+            std::size_t{1});
+    };
+    return *chains_
+                .get(
+                    [&](const KnownChains& known) {
+                        return known.rays == outlook.rays && known.tolerance == tolerance;
+                    },
+                    make)
+                .chains;
+}
+
 void RaySampler::trace(const Piece& piece, const Picture& picture, const gl::Outlook& outlook,
                        Pixel* pixels) {
     const View& view = *piece.view;
-    std::vector<Tracer::Part> parts;
-    for (const Placed& part : piece.world->parts) parts.push_back({part.tree.get(), &part.world_from_part});
-    Tracer tracer(view, outlook, piece.world->scene(), parts, piece.world->all != nullptr);
-    const double moved = outlook.offset.of(view).line;
-    for (std::size_t line = piece.first_line; line < piece.last_line; line += tile_lines) {
-        std::array<Line, tile_lines> lines;
-        const std::size_t count = std::min(tile_lines, piece.last_line - line);
-        for (std::size_t i = 0; i < count; ++i)
-            lines[i] = {static_cast<float>(view.x(static_cast<double>(line + i) + 0.5 + moved)),
-                        pixels + (view.first_line + line + i) * picture.samples};
-        tracer.trace(std::span(lines).first(count));
-    }
+    std::vector<TracedParts::Part> trees;
+    for (const Placed& part : piece.world->parts) trees.push_back({part.tree.get(), &part.world_from_part});
+    const TracedParts parts(piece.world->scene(), trees, piece.world->all != nullptr);
+    const ViewPlace place(view, outlook);
+    const auto reach =
+        static_cast<float>(piece.chains != nullptr ? outlook.end_range : gl::reach_of(outlook));
+    const auto trace_with = [&](auto&& tracer) {
+        const double moved = outlook.offset.of(view).line;
+        for (std::size_t line = piece.first_line; line < piece.last_line; line += tile_lines) {
+            std::array<TracedLine, tile_lines> lines;
+            const std::size_t count = std::min(tile_lines, piece.last_line - line);
+            for (std::size_t i = 0; i < count; ++i)
+                lines[i] = {static_cast<float>(view.x(static_cast<double>(line + i) + 0.5 + moved)),
+                            pixels + (view.first_line + line + i) * picture.samples};
+            tracer.trace(std::span(lines).first(count));
+        }
+    };
+    if (piece.chains != nullptr)
+        trace_with(BentTracer(place, view.samples, parts, *piece.chains, reach));
+    else
+        trace_with(Tracer(place, view.samples, parts, reach));
 }
 
 void RaySampler::sample(const Picture& picture, const gl::Outlook& outlook, std::vector<Pixel>& pixels) {
@@ -276,9 +239,10 @@ void RaySampler::sample(const Picture& picture, const gl::Outlook& outlook, std:
     worlds_.clear(), pieces_.clear();
     for (const View& view : picture.views) {
         const World& world = world_for(view, outlook);
+        const RayChains* chains = outlook.rays ? &chains_for(view, outlook) : nullptr;
         profile_.pixels += view.lines * view.samples;
         for (std::size_t line = 0; line < view.lines; line += lines_per_piece)
-            pieces_.push_back({&view, &world, line, std::min(line + lines_per_piece, view.lines)});
+            pieces_.push_back({&view, &world, chains, line, std::min(line + lines_per_piece, view.lines)});
     }
     profile_.cull = since(begin);
     const auto ready = std::chrono::steady_clock::now();

@@ -1,5 +1,5 @@
-// Fills a picture's pixels by rays through the scene, as gl::DrawingCrew does by drawing it. Straight rays
-// only; what is found does not depend on the number of threads, nor on what was asked before.
+// Fills a picture's pixels by rays through the scene, as gl::DrawingCrew does by drawing it. What is found
+// does not depend on the number of threads, nor on what was asked before.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,11 @@
 
 #include "render/gl/drawing_crew.h"
 #include "render/pixel.h"
+#include "render/rays/bent_tracer.h"
 #include "render/rays/detail_tree.h"
+#include "render/rays/ray_chains.h"
 #include "render/rays/ray_packet.h"
+#include "render/rays/traced_parts.h"
 #include "render/recently_used.h"
 #include "render/scene/scene.h"
 #include "render/workers.h"
@@ -22,8 +25,8 @@ class RaySampler {
     /// `threads`: the caller's included. Throws std::runtime_error when Embree cannot start.
     RaySampler(std::shared_ptr<const Scene> scene, std::size_t threads);
 
-    /// As gl::DrawingCrew::draw(); the outlook has no bent rays. Throws std::runtime_error where a tree
-    /// cannot be made.
+    /// As gl::DrawingCrew::draw(), but that bent rays show all of several ways to a surface and not the
+    /// first alone. Throws std::runtime_error where a tree cannot be made.
     void sample(const Picture& picture, const gl::Outlook& outlook, std::vector<Pixel>& pixels);
 
     /// Of the last sample(): `cull` is for trees, and triangles are those in them.
@@ -46,7 +49,7 @@ class RaySampler {
     /// A part of the scene where it is at the ping.
     struct Placed {
         std::shared_ptr<const DetailTree> tree;
-        std::array<float, 9> world_from_part;  ///< rotation, by rows
+        RotationRows world_from_part;
         embree::Geometry instance;
     };
     /// What views of one tolerance see.
@@ -57,20 +60,28 @@ class RaySampler {
         embree::Tree all;  ///< of the parts, where there are movers
         RTCScene scene() const { return all ? all.get() : parts[0].tree->scene(); }
     };
+    struct KnownChains {
+        std::shared_ptr<const RayTable> rays;
+        ChordTolerance tolerance;
+        std::unique_ptr<const RayChains> chains;
+    };
     /// Some lines of a view.
     struct Piece {
         const View* view;
         const World* world;
+        const RayChains* chains;  ///< null: rays are straight
         std::size_t first_line, last_line;
     };
 
     const World& world_for(const View& view, const gl::Outlook& outlook);
     Placed placed(const World& world, std::uint32_t part, const gl::Outlook& outlook);
+    const RayChains& chains_for(const View& view, const gl::Outlook& outlook);
     static void trace(const Piece& piece, const Picture& picture, const gl::Outlook& outlook, Pixel* pixels);
 
     std::shared_ptr<const Scene> scene_;
     embree::Device device_;
     RecentlyUsed<KnownTree> trees_{96 << 20};
+    RecentlyUsed<KnownChains> chains_{16};
     std::vector<std::unique_ptr<World>> worlds_;  ///< of the picture at hand
     std::vector<Piece> pieces_;
     Workers workers_;

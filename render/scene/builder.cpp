@@ -1,7 +1,6 @@
 #include "render/scene/builder.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <future>
@@ -16,6 +15,7 @@
 #include "render/scene/limits.h"
 #include "render/scene/mesh_loops.h"
 #include "render/scene/stand_ins.h"
+#include "render/scene/welding.h"
 
 namespace echoloop {
 namespace {
@@ -26,8 +26,11 @@ bool within_extent(Vec3 p) {
 }
 
 void check_mesh(const Mesh& mesh, const std::string& place) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        if (!within_extent(mesh.positions[i]))
+    MeshLoops loops(mesh.positions.size());
+    const auto is_far = [&](std::size_t i) { return !within_extent(mesh.positions[i]); };
+    const bool far = loops.any(mesh.positions.size(), is_far);
+    for (std::size_t i = 0; far && i < mesh.positions.size(); ++i)
+        if (is_far(i))
             scene_fault(place,
                         "vertex " + std::to_string(i) + " is not finite or beyond 100 km from the origin",
                         "move the scene to its origin, or scale it to metres");
@@ -39,8 +42,11 @@ void check_mesh(const Mesh& mesh, const std::string& place) {
     if (mesh.indices.size() % 3 != 0)
         scene_fault(place, "the number of indices is not a multiple of three",
                     "export the mesh as triangles");
-    for (const std::uint32_t index : mesh.indices)
-        if (index >= mesh.positions.size())
+    const auto is_beyond = [&](std::uint32_t index) { return index >= mesh.positions.size(); };
+    const bool beyond =
+        loops.any(mesh.indices.size(), [&](std::size_t i) { return is_beyond(mesh.indices[i]); });
+    for (std::size_t i = 0; beyond && i < mesh.indices.size(); ++i)
+        if (const std::uint32_t index = mesh.indices[i]; is_beyond(index))
             scene_fault(place, "index " + std::to_string(index) + " is out of range", "repair the mesh");
     if (!std::isfinite(mesh.material.mu_db)) scene_fault(place, "mu_db is not finite", "give mu_db in dB");
 }
@@ -50,11 +56,9 @@ bool is_sliver(const Mesh& mesh, std::size_t i) { return face_normal(mesh, &mesh
 
 /// The indices without slivers: the mesh's own where it has none, else those that are put into `kept`.
 std::span<const std::uint32_t> without_slivers(const Mesh& mesh, std::vector<std::uint32_t>& kept) {
-    std::atomic<bool> all = true;
-    MeshLoops(mesh.indices.size() / 3).each(mesh.indices.size() / 3, [&](std::size_t i) {
-        if (is_sliver(mesh, 3 * i)) all = false;
-    });
-    if (all) return mesh.indices;
+    const std::size_t count = mesh.indices.size() / 3;
+    if (!MeshLoops(count).any(count, [&](std::size_t i) { return is_sliver(mesh, 3 * i); }))
+        return mesh.indices;
     std::size_t first = 0;
     while (!is_sliver(mesh, first)) first += 3;
     kept.reserve(mesh.indices.size());
@@ -172,21 +176,24 @@ void SceneBuilder::add(Mesh mesh, const std::string& place) {
         scene_fault(place,
                     "the scene has more than " + std::to_string(scene_limits::triangles) + " triangles",
                     "simplify its meshes");
-    MeshSurfaces surfaces = find_surfaces(mesh.positions, indices);
+    MeshLoops loops(mesh.positions.size());
+    const auto places = welded(mesh.positions, loops);
+    MeshSurfaces surfaces = find_surfaces(mesh.positions, places, indices);
     forget(kept), forget(mesh.indices);
     Material material = without_excess(mesh.material);
     if (!surfaces.flat.empty()) {
         const std::uint32_t flat = material_index(material);
-        add_part(mesh, std::move(surfaces.flat), flat, surfaces.facet, surfaces.curved.empty());
+        add_part(mesh, places, std::move(surfaces.flat), flat, surfaces.facet, surfaces.curved.empty());
         collect_faces(std::move(surfaces.faces), flat);
     }
     if (!surfaces.curved.empty()) {
         material.mesh_slope = std::max(1.0, std::round(100 * surfaces.mesh_slope)) / 100;
-        add_part(mesh, std::move(surfaces.curved), material_index(material), {}, true);
+        add_part(mesh, places, std::move(surfaces.curved), material_index(material), {}, true);
     }
 }
 
-void SceneBuilder::add_part(Mesh& mesh, std::vector<std::uint32_t> indices, std::uint32_t material,
+void SceneBuilder::add_part(Mesh& mesh, std::span<const std::uint32_t> places,
+                            std::vector<std::uint32_t> indices, std::uint32_t material,
                             std::span<const float> facet, bool last) {
     constexpr std::size_t worth_a_thread = 20'000;  // triangles
     const SceneSurface surface{object_index(mesh.object), material};
@@ -203,8 +210,8 @@ void SceneBuilder::add_part(Mesh& mesh, std::vector<std::uint32_t> indices, std:
         forget(indices);
         if (last) mesh = {};
     };
-    add_stand_ins(mesh, indices, tree, place_of, number, scene_->nodes_, coarse_vertices_, coarse_indices_,
-                  forget_mesh);
+    add_stand_ins(mesh, places, indices, tree, place_of, number, scene_->nodes_, coarse_vertices_,
+                  coarse_indices_, forget_mesh);
     bound(first_node);
 }
 

@@ -33,10 +33,10 @@ class SceneBuilder {
     std::uint32_t object_index(const std::string& name);
     std::uint32_t material_index(const Material& material);
     float surface_number(std::uint32_t object, std::uint32_t material);
-    /// `facet` of every triangle, or empty where all are curved. `last`: the mesh is given up as soon as can
-    /// be.
-    void add_part(Mesh& mesh, std::vector<std::uint32_t> indices, std::uint32_t material,
-                  std::span<const float> facet, bool last);
+    /// `places`: welded() of the mesh's positions. `facet` of every triangle, or empty where all are curved.
+    /// `last`: the mesh is given up as soon as can be.
+    void add_part(Mesh& mesh, std::span<const std::uint32_t> places, std::vector<std::uint32_t> indices,
+                  std::uint32_t material, std::span<const float> facet, bool last);
     void add_nodes(const ChunkTree& tree, std::span<const std::uint32_t> place_of, SceneSurface surface);
     void add_chunks(const Mesh& mesh, std::span<const std::uint32_t> indices, std::span<const float> facet,
                     const ChunkTree& tree, std::span<const std::uint32_t> place_of, float surface);

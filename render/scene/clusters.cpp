@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "render/scene/corner_normal.h"
-#include "render/scene/welding.h"
+#include "render/scene/mesh_loops.h"
 
 namespace echoloop {
 namespace {
@@ -18,11 +19,13 @@ constexpr double border_weight = 4;
 
 /// Of a mesh's places, among threads.
 constexpr std::size_t cluster_shares = 4;
+/// Of its triangles, while their places get numbers.
+constexpr std::size_t numbering_shares = 8;
 
 /// For every vertex the chord of the mesh's open border there, or nearly zero within the surface: the edges
 /// opposite to a vertex form a closed ring around it unless it is on a border.
-std::vector<Vec3> border_chords(const Mesh& mesh, std::span<const std::uint32_t> indices, MeshLoops& loops) {
-    const auto place = welded(mesh.positions, loops);
+std::vector<Vec3> border_chords(const Mesh& mesh, std::span<const std::uint32_t> place,
+                                std::span<const std::uint32_t> indices, MeshLoops& loops) {
     std::vector<Vec3> chord(place.size());
     loops.parts(cluster_shares, [&](std::size_t share) {
         const Share own(share, cluster_shares, place.size());
@@ -109,15 +112,14 @@ std::uint32_t Clusters::add_corner(const Corner& corner, std::uint32_t index, st
 
 /// Merges corners into one share of the places, and puts their vertices into the triangles.
 void Clusters::add_share(std::size_t share, const Mesh& mesh, std::span<const std::uint32_t> indices,
-                         std::span<const Vec3> borders, std::span<const std::uint32_t> cell_of,
+                         std::span<const Vec3> borders, std::span<const std::uint32_t> cell_of_corner,
                          std::vector<Shade>& shades) {
     const Share own(share, cluster_shares, places_.size());
-    const auto is_own = [&](std::uint32_t vertex) { return own.has(cell_of[vertex]); };
     auto left = triangles_.begin();
     for (std::size_t i = 0; i < indices.size(); i += 3) {
-        const std::uint32_t* const corners = &indices[i];
+        const std::uint32_t *const corners = &indices[i], *const cells = &cell_of_corner[i];
         const bool is_left = left != triangles_.end() && left->number == i / 3;
-        if (is_own(corners[0]) || is_own(corners[1]) || is_own(corners[2])) {
+        if (own.has(cells[0]) || own.has(cells[1]) || own.has(cells[2])) {
             const Vec3 doubled = doubled_area(mesh, corners);
             const double length = norm(doubled);
             Corner corner;
@@ -126,11 +128,11 @@ void Clusters::add_share(std::size_t share, const Mesh& mesh, std::span<const st
             corner.plane.add_plane(corner.face, dot(corner.face, mesh.positions[corners[0]] - middle_),
                                    corner.area);
             for (std::size_t k = 0; k < 3; ++k) {
-                if (!is_own(corners[k])) continue;
+                if (!own.has(cells[k])) continue;
                 corner.position = mesh.positions[corners[k]] - middle_;
                 corner.border = borders[corners[k]];
                 corner.normal = corner_normal(mesh, corners[k], corner.face).normal;
-                const std::uint32_t vertex = add_corner(corner, cell_of[corners[k]], shades);
+                const std::uint32_t vertex = add_corner(corner, cells[k], shades);
                 if (is_left) left->corners[k] = vertex;
             }
         }
@@ -147,40 +149,70 @@ double Clusters::error(std::uint32_t vertex) const {
     return merged.error(merged.position(cell_));
 }
 
-/// Of each vertex in use the number of its cell, in the order of the indices; as many places as cells.
-std::vector<std::uint32_t> Clusters::number_cells(const Mesh& mesh, std::span<const std::uint32_t> indices) {
-    constexpr std::uint32_t none = ~0U;
-    std::vector<std::uint32_t> out(mesh.positions.size(), none);
-    Numbering<Cell> cells(indices.size() / 20);
-    const auto tick = [&](double v) {
-        return static_cast<std::int32_t>(std::floor((v + grid_origin) / cell_));
+/// Of each corner the number of its cell, in the order of the indices; as many places as cells, and the
+/// triangles that are left, without their corners. Each share of the triangles numbers its own cells first.
+void Clusters::number_cells(const Mesh& mesh, std::span<const std::uint32_t> indices, MeshLoops& loops,
+                            std::span<std::uint32_t> cell_of_corner) {
+    Scratch<Cell> cell_of(mesh.positions.size());
+    loops.each(cell_of.size(), [&](std::size_t i) {
+        const auto tick = [&](double v) {
+            return static_cast<std::int32_t>(std::floor((v + grid_origin) / cell_));
+        };
+        const Vec3& p = mesh.positions[i];
+        cell_of[i] = {tick(p.x), tick(p.y), tick(p.z)};
+    });
+    struct Numbered {
+        Numbering<Cell> cells;
+        std::vector<MergedTriangle> left;
+        std::vector<std::uint32_t> of_all;  ///< number of each cell
     };
-    for (const std::uint32_t corner : indices)
-        if (const Vec3& p = mesh.positions[corner]; out[corner] == none)
-            out[corner] = cells({tick(p.x), tick(p.y), tick(p.z)});
-    places_.resize(cells.keys().size());
-    return out;
-}
-
-/// Those that are left, without their corners.
-void Clusters::list_triangles(std::span<const std::uint32_t> indices,
-                              std::span<const std::uint32_t> cell_of) {
-    for (std::size_t i = 0; i < indices.size(); i += 3) {
-        const std::uint32_t a = cell_of[indices[i]], b = cell_of[indices[i + 1]], c = cell_of[indices[i + 2]];
-        if (a != b && b != c && c != a) triangles_.push_back({static_cast<std::uint32_t>(i / 3), {}});
+    std::array<Numbered, numbering_shares> numbered;
+    const auto share_of = [&](std::size_t share) {
+        return Share(share, numbering_shares, indices.size() / 3);
+    };
+    loops.parts(numbering_shares, [&](std::size_t number) {
+        constexpr std::size_t known = 4096;  // vertices: those of neighbouring triangles
+        std::vector<std::array<std::uint32_t, 2>> last(known, {~0U, 0});
+        Numbered& own = numbered[number];
+        for (std::uint32_t t = share_of(number).first; t < share_of(number).last; ++t) {
+            std::uint32_t* const cells = &cell_of_corner[std::size_t{3} * t];
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t vertex = indices[std::size_t{3} * t + k];
+                auto& [same, cell] = last[vertex % known];
+                if (same != vertex) same = vertex, cell = own.cells(cell_of[vertex]);
+                cells[k] = cell;
+            }
+            if (cells[0] != cells[1] && cells[1] != cells[2] && cells[2] != cells[0])
+                own.left.push_back({t, {}});
+        }
+    });
+    Numbering<Cell> all(indices.size() / 20);
+    for (Numbered& own : numbered) {
+        for (const Cell& cell : own.cells.keys()) own.of_all.push_back(all(cell));
+        triangles_.insert(triangles_.end(), own.left.begin(), own.left.end());
     }
+    loops.parts(numbering_shares, [&](std::size_t number) {
+        const Share own = share_of(number);
+        for (std::size_t i = std::size_t{3} * own.first; i < std::size_t{3} * own.last; ++i)
+            cell_of_corner[i] = numbered[number].of_all[cell_of_corner[i]];
+    });
+    places_.resize(all.keys().size());
 }
 
-Clusters::Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, double cell,
-                   std::vector<std::uint32_t>* place_of_corner)
+Clusters::Clusters(const Mesh& mesh, std::span<const std::uint32_t> places,
+                   std::span<const std::uint32_t> indices, double cell,
+                   Scratch<std::uint32_t>* place_of_corner)
     : cell_(cell), middle_(middle_of(mesh)) {
     MeshLoops loops(indices.size() / 3);
-    const auto borders = border_chords(mesh, indices, loops);
-    const auto cell_of = number_cells(mesh, indices);
-    list_triangles(indices, cell_of);
+    const auto borders = border_chords(mesh, places, indices, loops);
+    std::optional<Scratch<std::uint32_t>> unwanted;
+    if (place_of_corner == nullptr) place_of_corner = &unwanted.emplace(indices.size());
+    const auto cell_of_corner = place_of_corner->all();
+    number_cells(mesh, indices, loops, cell_of_corner);
     std::array<std::vector<Shade>, cluster_shares> shades;
-    loops.parts(cluster_shares,
-                [&](std::size_t share) { add_share(share, mesh, indices, borders, cell_of, shades[share]); });
+    loops.parts(cluster_shares, [&](std::size_t share) {
+        add_share(share, mesh, indices, borders, cell_of_corner, shades[share]);
+    });
     std::vector<std::uint32_t> first;  // of a place's share
     for (std::size_t share = 0; share < cluster_shares; ++share) {
         const Share own(share, cluster_shares, places_.size());
@@ -189,10 +221,7 @@ Clusters::Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, dou
     }
     for (MergedTriangle& triangle : triangles_)
         for (std::size_t k = 0; k < 3; ++k)
-            triangle.corners[k] += first[cell_of[indices[3 * std::size_t{triangle.number} + k]]];
-    if (place_of_corner == nullptr) return;
-    place_of_corner->reserve(indices.size());
-    for (const std::uint32_t vertex : indices) place_of_corner->push_back(cell_of[vertex]);
+            triangle.corners[k] += first[cell_of_corner[3 * std::size_t{triangle.number} + k]];
 }
 
 }  // namespace echoloop

@@ -7,9 +7,11 @@
 #include <span>
 #include <vector>
 
+#include "render/scene/mesh_loops.h"
 #include "render/scene/numbering.h"
 #include "render/scene/quadric.h"
 #include "render/scene/scene.h"
+#include "render/scene/scratch.h"
 
 namespace echoloop {
 
@@ -57,10 +59,10 @@ struct MergedTriangle {
 /// area of those that look the same way.
 class Clusters {
   public:
-    /// By cells of `cell` m, a multiple of 2^-n. Every triangle has an area. Appends to `place_of_corner`,
-    /// if there is one, the place of every index.
-    Clusters(const Mesh& mesh, std::span<const std::uint32_t> indices, double cell,
-             std::vector<std::uint32_t>* place_of_corner = nullptr);
+    /// By cells of `cell` m, a multiple of 2^-n. Every triangle has an area. `places`: welded() of the mesh's
+    /// positions. Fills in the place of every index where `place_of_corner`, which has as many, is given.
+    Clusters(const Mesh& mesh, std::span<const std::uint32_t> places, std::span<const std::uint32_t> indices,
+             double cell, Scratch<std::uint32_t>* place_of_corner = nullptr);
 
     Vec3 middle() const { return middle_; }
     std::size_t vertices() const { return shades_.size(); }
@@ -101,10 +103,10 @@ class Clusters {
     std::uint32_t shade_in(std::uint32_t place, std::uint32_t side, std::vector<Shade>& shades);
     std::uint32_t add_corner(const Corner& corner, std::uint32_t index, std::vector<Shade>& shades);
     void add_share(std::size_t share, const Mesh& mesh, std::span<const std::uint32_t> indices,
-                   std::span<const Vec3> borders, std::span<const std::uint32_t> cell_of,
+                   std::span<const Vec3> borders, std::span<const std::uint32_t> cell_of_corner,
                    std::vector<Shade>& shades);
-    std::vector<std::uint32_t> number_cells(const Mesh& mesh, std::span<const std::uint32_t> indices);
-    void list_triangles(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> cell_of);
+    void number_cells(const Mesh& mesh, std::span<const std::uint32_t> indices, MeshLoops& loops,
+                      std::span<std::uint32_t> cell_of_corner);
 
     double cell_;  ///< m
     Vec3 middle_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "render/scene/neighbours.h"
@@ -51,14 +50,21 @@ double squared_angle(double cosine) {
 
 class SurfaceFinder {
   public:
-    SurfaceFinder(std::span<const Vec3> positions, std::span<const std::uint32_t> indices)
-        : positions_(positions), indices_(indices), loops_(indices.size() / 3), normals_(indices.size() / 3) {
+    SurfaceFinder(std::span<const Vec3> positions, std::span<const std::uint32_t> places,
+                  std::span<const std::uint32_t> indices)
+        : positions_(positions),
+          indices_(indices),
+          loops_(indices.size() / 3),
+          normals_(indices.size() / 3),
+          area_of_(indices.size() / 3) {
         const std::size_t count = indices.size() / 3;
         loops_.each(count, [&](std::size_t t) {
             const Vec3 doubled = doubled_area_of(static_cast<std::uint32_t>(t));
-            normals_[t] = 1 / norm(doubled) * doubled;
+            const double length = norm(doubled);
+            normals_[t] = 1 / length * doubled;
+            area_of_[t] = length / 2;
         });
-        neighbours_.emplace(positions, indices, normals_.all(), loops_);
+        neighbours_.emplace(places, indices, normals_.all(), loops_);
         patch_of_.assign(count, none);
         areas_.reserve(count);
         Scratch<std::uint8_t> alone(count);
@@ -73,6 +79,10 @@ class SurfaceFinder {
         out.mesh_slope = mesh_slope();
         std::vector<std::uint32_t> flat;
         const auto is_curved = [this](std::uint32_t patch) { return curved_[patch] != 0; };
+        if (std::ranges::find(curved_, 0) == curved_.end()) {
+            out.curved.assign(indices_.begin(), indices_.end());
+            return out;
+        }
         const auto curved_ones = static_cast<std::size_t>(std::ranges::count_if(patch_of_, is_curved));
         out.curved.reserve(3 * curved_ones), out.flat.reserve(indices_.size() - 3 * curved_ones);
         for (std::uint32_t t = 0; t < patch_of_.size(); ++t) {
@@ -111,7 +121,7 @@ class SurfaceFinder {
     }
 
     void add_to(PlaneSum& plane, std::uint32_t triangle) const {
-        plane.add(norm(doubled_area_of(triangle)) / 2, normals_[triangle],
+        plane.add(area_of_[triangle], normals_[triangle],
                   1.0 / 3 * (at(triangle, 0) + at(triangle, 1) + at(triangle, 2)));
     }
 
@@ -129,7 +139,7 @@ class SurfaceFinder {
     /// Of one triangle.
     void make_patch(std::uint32_t triangle) {
         patch_of_[triangle] = static_cast<std::uint32_t>(areas_.size());
-        areas_.push_back(norm(doubled_area_of(triangle)) / 2);
+        areas_.push_back(area_of_[triangle]);
     }
 
     void grow_patch(std::uint32_t seed) {
@@ -168,35 +178,48 @@ class SurfaceFinder {
         }
     }
 
+    /// Over edges between faces that go on as one curve.
+    struct SlopeSum {
+        double sum = 0, weight = 0;
+        void add(double length, double cosine) {
+            if (cosine < smooth_cosine) return;
+            sum += length * squared_angle(cosine) / 4, weight += length;
+        }
+    };
+
     void measure_outlines() {
         struct Outline {
             double all = 0, smooth = 0;  // m
         };
         std::vector<Outline> outlines(areas_.size());
         loops_.parts(shares, [&](std::size_t share) {
+            SlopeSum slopes;
             each_edge(share, [&](double length, std::uint32_t patch, std::uint32_t other, double cosine) {
                 outlines[patch].all += length;
                 if (cosine > smooth_cosine && areas_[other] > smaller_area * areas_[patch])
                     outlines[patch].smooth += length;
+                slopes.add(length, cosine);
             });
+            slopes_[share] = slopes;
         });
         curved_.reserve(outlines.size());
         for (const Outline& outline : outlines)
             curved_.push_back(outline.smooth > smooth_share * outline.all);
     }
 
+    /// Of the curved ones: where all are, measure_outlines() has found it.
     double mesh_slope() {
-        std::array<double, shares> sums{}, weights{};
-        loops_.parts(shares, [&](std::size_t share) {
-            double sum = 0, weight = 0;
-            each_edge(share, [&](double length, std::uint32_t patch, std::uint32_t other, double cosine) {
-                if (cosine < smooth_cosine || !curved_[patch] || !curved_[other]) return;
-                sum += length * squared_angle(cosine) / 4, weight += length;
+        if (std::ranges::find(curved_, 0) != curved_.end())
+            loops_.parts(shares, [&](std::size_t share) {
+                SlopeSum slopes;
+                each_edge(share, [&](double length, std::uint32_t patch, std::uint32_t other, double cosine) {
+                    if (other != none && curved_[patch] && curved_[other]) slopes.add(length, cosine);
+                });
+                slopes_[share] = slopes;
             });
-            sums[share] = sum, weights[share] = weight;
-        });
-        const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
-        return weight > 0 ? std::sqrt(std::accumulate(sums.begin(), sums.end(), 0.0) / weight) : 0;
+        double sum = 0, weight = 0;
+        for (const SlopeSum& of_share : slopes_) sum += of_share.sum, weight += of_share.weight;
+        return weight > 0 ? std::sqrt(sum / weight) : 0;
     }
 
     /// Returns the smaller side.
@@ -227,6 +250,8 @@ class SurfaceFinder {
     std::span<const std::uint32_t> indices_;
     MeshLoops loops_;
     Scratch<Vec3> normals_;
+    Scratch<double> area_of_;                ///< m^2, of each triangle
+    std::array<SlopeSum, shares> slopes_{};  ///< of each share of the patches
     std::optional<Neighbours> neighbours_;
     std::vector<std::uint32_t> patch_of_, queue_;
     std::vector<double> areas_;         ///< m^2, of each patch: triangles in one plane
@@ -235,9 +260,10 @@ class SurfaceFinder {
 
 }  // namespace
 
-MeshSurfaces find_surfaces(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {
+MeshSurfaces find_surfaces(std::span<const Vec3> positions, std::span<const std::uint32_t> places,
+                           std::span<const std::uint32_t> indices) {
     if (indices.empty()) return {};
-    return SurfaceFinder(positions, indices).surfaces();
+    return SurfaceFinder(positions, places, indices).surfaces();
 }
 
 }  // namespace echoloop

@@ -26,7 +26,8 @@ struct MeshSurfaces {
 /// Neighbours that differ by less than half a degree and lie within a quarter of a millimetre of one plane
 /// are one face. A face is curved where at least 40 % of its outline leads on, by less than 15 degrees, to
 /// faces that are not much smaller: bevels along a wall's edges leave it flat. `indices` has triangles with
-/// areas only.
-MeshSurfaces find_surfaces(std::span<const Vec3> positions, std::span<const std::uint32_t> indices);
+/// areas only; `places` is welded() of the positions.
+MeshSurfaces find_surfaces(std::span<const Vec3> positions, std::span<const std::uint32_t> places,
+                           std::span<const std::uint32_t> indices);
 
 }  // namespace echoloop

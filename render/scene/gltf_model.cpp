@@ -7,6 +7,7 @@
 #include <span>
 
 #include "render/scene/fault.h"
+#include "render/scene/mesh_loops.h"
 
 namespace echoloop {
 namespace {
@@ -161,13 +162,18 @@ std::vector<Vec3> GltfModel::read_vectors(std::size_t index, const std::string& 
         scene_fault(place, "must be VEC3 of float", "export the scene without quantisation");
     const Elements source = elements(index, place);
     std::vector<Vec3> out(source.count);
-    for (std::size_t i = 0; i < source.count; ++i) {
+    const auto is_finite = [](const Vec3& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    const bool bad = MeshLoops(source.count).any(source.count, [&](std::size_t i) {
         float xyz[3];
         std::memcpy(xyz, source.first + i * source.stride, sizeof xyz);
-        if (!std::isfinite(xyz[0]) || !std::isfinite(xyz[1]) || !std::isfinite(xyz[2]))
-            scene_fault(place, "element " + std::to_string(i) + " is not finite", "repair the mesh");
         out[i] = {xyz[0], xyz[1], xyz[2]};
-    }
+        return !is_finite(out[i]);
+    });
+    for (std::size_t i = 0; bad && i < source.count; ++i)
+        if (!is_finite(out[i]))
+            scene_fault(place, "element " + std::to_string(i) + " is not finite", "repair the mesh");
     return out;
 }
 
@@ -213,15 +219,17 @@ std::vector<std::uint32_t> GltfModel::read_indices(std::size_t index, std::size_
         scene_fault(place, "must be SCALAR of an unsigned type", export_again);
     const Elements source = elements(index, place);
     std::vector<std::uint32_t> out(source.count);
-    for (std::size_t i = 0; i < source.count; ++i) {
+    const bool bad = MeshLoops(source.count / 3).any(source.count, [&](std::size_t i) {
         std::memcpy(&out[i], source.first + i * source.stride,
                     size);  // little-endian, as glTF and the host are
+        return out[i] >= count;
+    });
+    for (std::size_t i = 0; bad && i < source.count; ++i)
         if (out[i] >= count)
             scene_fault(place,
                         "index " + std::to_string(out[i]) + " at " + std::to_string(i) +
                             " is not below the " + std::to_string(count) + " vertices",
                         "repair the mesh");
-    }
     return out;
 }
 

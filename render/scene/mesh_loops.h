@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
@@ -35,6 +36,16 @@ class MeshLoops {
             const std::size_t end = std::min(count, (b + 1) * block);
             for (std::size_t i = b * block; i < end; ++i) work(i);
         });
+    }
+
+    /// Whether is(i) is true for any i below `count`.
+    template <typename Is>
+    bool any(std::size_t count, const Is& is) {
+        std::atomic<bool> found = false;
+        each(count, [&](std::size_t i) {
+            if (is(i)) found = true;
+        });
+        return found;
     }
 
     /// Calls work(part) for every part below `parts`, each of them on one thread.

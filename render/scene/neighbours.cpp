@@ -3,8 +3,6 @@
 #include <numeric>
 #include <vector>
 
-#include "render/scene/welding.h"
-
 namespace echoloop {
 namespace {
 
@@ -29,14 +27,11 @@ struct CornersAt {
 
 }  // namespace
 
-Neighbours::Neighbours(std::span<const Vec3> positions, std::span<const std::uint32_t> indices,
+Neighbours::Neighbours(std::span<const std::uint32_t> places, std::span<const std::uint32_t> indices,
                        std::span<const Vec3> normals, MeshLoops& loops)
     : corners_(indices.size()), beyond_(indices.size()) {
-    {
-        const auto first = welded(positions, loops);
-        loops.each(indices.size(), [&](std::size_t i) { corners_[i] = first[indices[i]]; });
-    }
-    const CornersAt corners(corners_.all(), positions.size());
+    loops.each(indices.size(), [&](std::size_t i) { corners_[i] = places[indices[i]]; });
+    const CornersAt corners(corners_.all(), places.size());
     loops.each(indices.size() / 3, [&](std::size_t t) {
         const auto triangle = static_cast<std::uint32_t>(t);
         for (unsigned side = 0; side < 3; ++side) {

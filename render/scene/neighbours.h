@@ -15,8 +15,8 @@ class Neighbours {
   public:
     static constexpr std::uint32_t none = ~0U;
 
-    /// `normals`: of the triangles, unit.
-    Neighbours(std::span<const Vec3> positions, std::span<const std::uint32_t> indices,
+    /// `places`: of every vertex that of the first one there. `normals`: of the triangles, unit.
+    Neighbours(std::span<const std::uint32_t> places, std::span<const std::uint32_t> indices,
                std::span<const Vec3> normals, MeshLoops& loops);
 
     /// The place of a corner: the number of the first vertex there.

@@ -6,6 +6,7 @@
 
 #include "render/scene/builder.h"
 #include "render/scene/forget.h"
+#include "render/scene/mesh_loops.h"
 #include "render/scene/movers.h"
 
 namespace echoloop {
@@ -54,13 +55,19 @@ Mesh read_primitive(const GltfModel& model, const GltfPrimitive& primitive, cons
     mesh.object = placed.object;
     mesh.material = primitive.material ? document.materials[*primitive.material] : Material{};
     mesh.positions = model.read_vectors(primitive.positions, primitive.place + ".attributes.POSITION");
-    for (Vec3& p : mesh.positions)
+    MeshLoops loops(mesh.positions.size());
+    loops.each(mesh.positions.size(), [&](std::size_t i) {
+        Vec3& p = mesh.positions[i];
         p = point(enu_from_gltf(glm::dvec3(placed.world_from_node * glm::dvec4(p.x, p.y, p.z, 1))));
+    });
     const glm::dmat3 linear(placed.world_from_node);
     const glm::dmat3 normal_transform = glm::inverseTranspose(linear);
     if (primitive.normals)
         mesh.normals = model.read_vectors(*primitive.normals, primitive.place + ".attributes.NORMAL");
-    for (Vec3& n : mesh.normals) n = direction(enu_from_gltf(normal_transform * glm::dvec3(n.x, n.y, n.z)));
+    loops.each(mesh.normals.size(), [&](std::size_t i) {
+        Vec3& n = mesh.normals[i];
+        n = direction(enu_from_gltf(normal_transform * glm::dvec3(n.x, n.y, n.z)));
+    });
     mesh.indices = read_triangles(model, primitive, mesh.positions.size());
     if (glm::determinant(linear) < 0) restore_winding(mesh.indices);
     return mesh;

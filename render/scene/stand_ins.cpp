@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "render/scene/clusters.h"
@@ -30,21 +31,31 @@ double first_cell(const Mesh& mesh, std::span<const std::uint32_t> indices) {
     struct Amount {
         double area = 0, count = 0;
     };
-    std::array<Amount, largest - smallest + 1> by_size;  // those that a cell is just too small for
-    for (std::size_t i = 0; i < indices.size(); i += 3) {
-        const double area = norm(doubled_area(mesh, &indices[i])) / 2;
-        int exponent = 0;  // so that 4^exponent is just twice the area or more
-        if (std::frexp(2 * area, &exponent) == 0.5) --exponent;
-        exponent = (exponent + 1) >> 1;
-        Amount& same = by_size[static_cast<std::size_t>(std::clamp(exponent, smallest, largest) - smallest)];
-        same.area += area;
-        same.count += 1;
-    }
+    using BySize = std::array<Amount, largest - smallest + 1>;  // those that a cell is just too small for
+    constexpr std::size_t size_shares = 8;
+    std::array<BySize, size_shares> of_share;
+    MeshLoops(indices.size() / 3).parts(size_shares, [&](std::size_t share) {
+        BySize by_size;
+        const Share own(share, size_shares, indices.size() / 3);
+        for (std::size_t i = std::size_t{3} * own.first; i < std::size_t{3} * own.last; i += 3) {
+            const double area = norm(doubled_area(mesh, &indices[i])) / 2;
+            int exponent = 0;  // so that 4^exponent is just twice the area or more
+            if (std::frexp(2 * area, &exponent) == 0.5) --exponent;
+            exponent = (exponent + 1) >> 1;
+            Amount& same =
+                by_size[static_cast<std::size_t>(std::clamp(exponent, smallest, largest) - smallest)];
+            same.area += area;
+            same.count += 1;
+        }
+        of_share[share] = by_size;
+    });
     Amount smaller, larger{0, static_cast<double>(indices.size() / 3)};
     for (int exponent = smallest; exponent < largest; ++exponent) {
-        const Amount& these = by_size[static_cast<std::size_t>(exponent - smallest)];
-        smaller.area += these.area;
-        larger.count -= these.count;
+        for (const BySize& by_size : of_share) {
+            const Amount& these = by_size[static_cast<std::size_t>(exponent - smallest)];
+            smaller.area += these.area;
+            larger.count -= these.count;
+        }
         for (const double step : {1.0, 1.25, 1.5, 1.75}) {
             const double cell = std::ldexp(step, exponent);
             if (smaller.area / (cell * cell) + larger.count / 2 <= most_places) return cell;
@@ -243,22 +254,25 @@ void put_in_order(const ChunkTree& tree, std::span<const std::uint32_t> indices,
 
 }  // namespace
 
-void add_stand_ins(const Mesh& mesh, std::span<const std::uint32_t> mesh_indices, const ChunkTree& tree,
+void add_stand_ins(const Mesh& mesh, std::span<const std::uint32_t> welded_places,
+                   std::span<const std::uint32_t> mesh_indices, const ChunkTree& tree,
                    std::span<const std::uint32_t> place_of, float surface, std::span<SceneNode> nodes,
                    std::vector<SceneVertex>& vertices, std::vector<std::uint16_t>& indices,
                    const std::function<void()>& done_with_mesh) {
     constexpr double step = 1.4, first_limit = 1e-3;  // m
     if (tree.nodes.size() < 2) return done_with_mesh();
-    std::vector<std::uint32_t> corners;
+    std::optional<Scratch<std::uint32_t>> corners;
     std::unique_ptr<const Clusters> clusters;
     {
         Scratch<std::uint32_t> in_order(mesh_indices.size());
         put_in_order(tree, mesh_indices, in_order.all());
-        clusters =
-            std::make_unique<const Clusters>(mesh, in_order.all(), first_cell(mesh, mesh_indices), &corners);
+        corners.emplace(mesh_indices.size());
+        clusters = std::make_unique<const Clusters>(mesh, welded_places, in_order.all(),
+                                                    first_cell(mesh, mesh_indices), &*corners);
     }
     done_with_mesh();
-    const NodePlaces places(tree, std::exchange(corners, {}), clusters->places());
+    const NodePlaces places(tree, corners->all(), clusters->places());
+    corners.reset();
     Contraction contraction(*clusters);
     Waiting waiting(tree, place_of, clusters->triangles());
     clusters.reset();

@@ -6,7 +6,8 @@ from program import ROOT, ProgramTest
 NAMES = ["fls-simple", "fls-big100k", "fls-big2m", "fls-one1m", "fls-one2m", "fls-terrain", "fls-stones", "scanning-simple",
          "scanning-big100k", "scanning-big2m", "scanning-one1m", "scanning-one2m", "scanning-terrain", "scanning-stones",
          "imaging512-big100k", "scanning1200-big100k", "sidescan-big100k"]
-BENT = [f"{sonar}-big100k-thermocline" for sonar in ("fls", "scanning", "imaging512", "scanning1200", "sidescan")]
+BENT = [f"{sonar}-big100k-thermocline" for sonar in ("fls", "scanning", "imaging512", "scanning1200", "sidescan")] + [
+    f"{sonar}-simple-thermocline" for sonar in ("fls", "scanning")]
 SPLIT = {"cull", "draw", "read_back", "bins", "paths", "acoustics"}
 
 
@@ -38,7 +39,7 @@ class Bench(ProgramTest):
         self.assertEqual(shapes["sidescan-big100k"], (2, 2000))
         self.assertEqual(shapes["fls-simple"], (256, 500))
         bending = [x for part in parts for x in part["limits"] if "over that of straight rays" in x["what"]]
-        self.assertEqual((len(bending), [len(part["limits"]) for part in parts]), (5, [7, 6]))  # of 2 million triangles, 2 s and 400 MB as well
+        self.assertEqual((len(bending), [len(part["limits"]) for part in parts]), (7, [8, 7]))  # of 2 million triangles, 2 s and 400 MB as well
         for limit in bending:
             self.assertTrue(0.3 < limit["ours"] < 10 and limit["most"] == 1.2, limit)
         drawn = {c["case"]: c["triangles"] for c in cases if c["rule"] == "radiometric"}
@@ -71,7 +72,7 @@ class Bench(ProgramTest):
         def names(words):
             return [c["case"] for c in self.json("bench", "--pings", "1", "--cases", words)["cases"]][:3]
 
-        self.assertEqual(names("simple"), ["fls-simple", "scanning-simple", "fls-simple"])
+        self.assertEqual(names("simple"), ["fls-simple", "scanning-simple", "fls-simple-thermocline"])
         self.assertEqual(names("scanning1200,fls-simple"), ["fls-simple", "scanning1200-big100k", "scanning1200-big100k-thermocline"])
 
     def test_a_scene_of_ones_own(self):

@@ -148,7 +148,7 @@ class Run(unittest.TestCase):
         said = self.found["/bottom/wire"]
         values = [{v.key: v.value for v in m.status[0].values} for _, m in said]
         self.assertTrue(any(v["direction"] == "sent" and len(v) > 4 for v in values), values[:2])
-        image = self.found["/fan/said/picture"][-1][1]
+        image = self.found["/fan/said/AID0/picture"][-1][1]
         self.assertEqual((image.encoding, image.width, image.height, len(image.data)), ("rgb8", 480, 360, 480 * 360 * 3))
         self.assertGreater(sum(1 for byte in image.data if byte > 100), 1000)
 
@@ -285,7 +285,7 @@ class Convert(unittest.TestCase):
 
     def test_an_r2sonics_soundings(self):
         found = self.convert("r2sonic/r2sonic_bth0_20.pcap")
-        detections = next(of for topic, of in found.items() if topic.endswith("/said/detections"))
+        detections = next(of for topic, of in found.items() if topic.endswith("/said/BTH0/detections"))
         self.assertEqual(len(detections), 20)
         first = detections[0][1]
         self.assertEqual(len(first.two_way_travel_times), 256)
@@ -294,7 +294,7 @@ class Convert(unittest.TestCase):
 
     def test_an_oculus_image(self):
         found = self.convert("oculus/three_pings_8bit.raw")
-        images = next(of for topic, of in found.items() if topic.endswith("/said/image"))
+        images = next(of for topic, of in found.items() if "/said/Result" in topic and topic.endswith("/image"))
         raw = (SHARED / "oculus/three_pings_8bit.raw").read_bytes()
         self.assertEqual(len(images), 3)
         self.assertEqual(samples(images[0][1].image).tobytes(), raw[2048:182016])

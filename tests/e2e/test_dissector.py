@@ -35,7 +35,7 @@ PROTOBUF = ("aris", "sonar3d")  # fields that are 0 are not sent
 OTHER_NAMES = {("kmall", "bytes"): "part",
                ("r2sonic", "XYZ0"): "Command.raw", ("r2sonic", "QQQ2"): "unknown"}
 OTHER_WORDS = {(family, "checksum"): lambda digits: digits if digits.startswith("0x") else "0x" + digits
-               for family in ("nmea", "waterlinked")}
+               for family in ("nmea", "waterlinked", "nortek")}
 
 
 class Golden:

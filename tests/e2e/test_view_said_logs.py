@@ -42,6 +42,20 @@ class Logs(SaidCase):
         drain(self.connect(port))
         self.check_beams("PD5", 4, DEPTH)
 
+    def test_a_wayfinder_tells_the_depth_below_each_beam(self):
+        port = free_port()
+        self.start("dvl-wayfinder", [port], "speed_of_sound: 1500, baud: 0", ACROSS)
+        drain(self.connect(port))
+        self.check_beams("Data", 4, DEPTH)
+
+    def test_a_nortek_dvl_by_frames_and_by_lines(self):
+        for form, name in (("df21", "DvlBottomTrack"), ("bt7", "PNORBT7")):
+            with self.subTest(form):
+                command, data = free_port(), free_port()
+                self.start("nortek-dvl1000", [command, data], f"speed_of_sound: 1500, bottom_format: {form}", LEVEL)
+                drain(self.connect(data))
+                self.check_beams(name, 4, DEPTH)
+
     def test_a_nucleus_has_three_beams_and_an_altimeter(self):
         command, data = free_port(), free_port()
         self.start("nortek-nucleus", [command, data], "speed_of_sound: 1500, starts_at_once: true", LEVEL)

@@ -20,8 +20,17 @@ def teledyne(port="line"):
     stop = b"+++"
     asked = ("PS0", "PA", "EX?", "EX11111", "BX00300", "EC1480", "ES20", "EA+04500", "WP1", "WN010", "WS0100", "TP00:00.50", "PD4", "CS")
     words = on(port, None, None, None, stop, *[(text + "\r").encode() for text in asked], None, None)
-    later = ("PD5", "PD0", "WP0", "EX00000", "BX99999", "PD6", "ZZ9", "CF11110", "CS")
-    return words + on(port, stop, *[(text + "\r").encode() for text in later], None, None, b"\r", None, b"===", None, None)
+    later = ("PD5", "PD0", "WP0", "EX00000", "BX99999", "PD7", "ZZ9", "CF11110", "CS")
+    words += on(port, stop, *[(text + "\r").encode() for text in later], None, None, b"\r", None, b"===", None, None)
+    last = ("PD13", "BK1", "BL10,20,60", "#BL?", "BL80,160,200", "PD6", "BK3", "CS")
+    return words + on(port, stop, *[(text + "\r").encode() for text in last], None, None)
+
+
+def wayfinder(port="line"):
+    word = lambda name: golden(f"wayfinder/{name}")  # noqa: E731
+    asked = (None, word("get_system"), word("set_sound_speed"), word("set_time"), word("set_older_setup"), word("set_setup"), word("start"),
+             None, damaged(word("get_system")), b"noise", word("get_system")[:9], word("refusal"), word("data"), word("set_sound_speed"), None)  # fmt: skip
+    return on(port, *asked)
 
 
 def nucleus(commands="commands"):
@@ -30,6 +39,16 @@ def nucleus(commands="commands"):
              "SETTRIG,SRC=\"COMMAND\"", "START", "TRIG", "", "NOSUCH", "$PNOR,GETBT*00", "GETERROR", "STOP", "SETDEFAULT", "SAVE", "START",
              "", "")  # fmt: skip
     words = [b"wrong\r\n", b"nortek\r\n"] + [(text + "\r\n").encode() if text else None for text in asked]
+    return on(commands, None, *words)
+
+
+def nortek_dvl(commands="commands"):
+    asked = ("ID", "", "GETSTATE", "SETBT,VR=4", "K1W%!Q", "MC", "GETALL", "SETDVL,0,\"OFF\",\"INTSR\",8.0,\"\",1490.0,35.0",
+             "SETBT,30.00,5.00,4,0,21,-10.0,\"XYZ\"", "SETBT,DF=359,WT=\"ON\",WTDF=22,PLMODE=\"MAX\"", "GETBTLIM", "SETBT,DF=353", "GETERROR",
+             "SETCLOCK,YEAR=2026,MONTH=1,DAY=2,HOUR=3,MINUTE=4,SECOND=5", "GETCLOCK", "START", "", "", "\x03", "CO", "", "K1W%!Q", "MC",
+             "SETDVL,TRIG=\"COMMAND\",SV=0", "START", "TRIG", "", "NOSUCH", "$PNOR,GETBT*00", "K1W%!Q", "MC", "SETDEFAULT,ALL", "SAVE,ALL",
+             "START", "", "")  # fmt: skip
+    words = [b"nortek\r\n", b"\r\n"] + [(text + "\r\n").encode() if text else None for text in asked]
     return on(commands, None, *words)
 
 

@@ -17,6 +17,7 @@
 #include "protocols/teledyne/codec.h"
 #include "protocols/waterlinked/pd4.h"
 #include "protocols/waterlinked/sentence.h"
+#include "protocols/wayfinder/codec.h"
 #include "protocols/wire/crc.h"
 
 namespace echoloop::fuzz {
@@ -65,6 +66,8 @@ struct Length {
 };
 inline constexpr Length lengths[] = {{"ping", 2, 2, 10},
                                      {"teledyne", 2, 2, 2},
+                                     {"wayfinder", 3, 2},
+                                     {"wayfinder", 7, 2, 7},
                                      {"nortek", 4, 2, 10},
                                      {"cerulean", 2, 2, 10},
                                      {"norbit", 8, 4},
@@ -128,6 +131,13 @@ inline void set_checksum(std::string_view family, Bytes& message) {
         put(message.data() + 6, 2, ByteOrder::little,
             nortek::checksum(ByteView(message).subspan(nortek::header_size)));
         put(message.data() + 8, 2, ByteOrder::little, nortek::checksum(ByteView(message).first(8)));
+    } else if (family == "wayfinder" && size > 11) {
+        message[0] = 0xAA, message[1] = 0x10, message[2] = 0x01, message[5] = 0x02;
+        if (message[6] == 5 && size > 13)
+            put(message.data() + size - 4, 2, ByteOrder::little,
+                wayfinder::sum(ByteView(message).subspan(9, size - 13)));
+        put(message.data() + size - 2, 2, ByteOrder::little,
+            wayfinder::sum(ByteView(message).first(size - 2)));
     } else if (family == "teledyne" && size > 2 && (message[0] == 0x7D || message[0] == 0x7F)) {
         put(message.data() + size - 2, 2, ByteOrder::little,
             teledyne::sum(ByteView(message).first(size - 2)));
@@ -178,6 +188,8 @@ inline std::uint64_t edge(Random& random, std::size_t size) {
     }
 }
 
+inline constexpr std::size_t wayfinder_header = 9;  // bytes
+
 /// One message of a table, or a part of one.
 class MadeMessage {
   public:
@@ -188,7 +200,8 @@ class MadeMessage {
 
     /// Behind what the tables of the family have before it, with lengths and checksum.
     Bytes of(const wire::Table& table) {
-        Bytes message(table.base, 0);
+        const bool part = family_.name == "wayfinder" && table.base == 0 && table.name != "Header";
+        Bytes message(part ? wayfinder_header : table.base, 0);  // a part stands where its message would
         if (family_.name == "cerulean" && message.size() >= 2) message[0] = 'B', message[1] = 'R';  // of ping
         for (const auto& head : tables_)
             if (!message.empty() && &head != &table) put_head(head, table, message);
@@ -196,6 +209,7 @@ class MadeMessage {
         append(table, message, 0);
         const bool ping = family_.name == "ping" || family_.name == "cerulean";
         if (ping) message.resize(message.size() + 2);
+        if (family_.name == "wayfinder") message.resize(message.size() + 2);
         if (family_.name == "seanet") message.push_back('\n');
         for (const Length& length : lengths)
             if (length.family == family_.name) set(length, message);

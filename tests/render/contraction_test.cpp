@@ -30,7 +30,7 @@ std::vector<std::uint32_t> with_area(const Mesh& mesh) {
 
 Contracted contracted(const Mesh& mesh, double limit) {
     const auto indices = with_area(mesh);
-    const Clusters finest(mesh, indices, 0x1p-12);
+    const Clusters finest(mesh, test::places_of(mesh), indices, 0x1p-12);
     Contraction contraction(finest);
     contraction.until(limit);
     const auto into = contraction.into();

@@ -94,7 +94,7 @@ TEST(Culling, TakesACoarserStandInOfASmallObject) {
 TEST(Clusters, KeepAPlaneAndItsBorder) {
     const Mesh mesh = test::floor_at(-5, 10, 64);
     for (const double cell : {1.0, 1.25, 4.0}) {
-        const Clusters clusters(mesh, mesh.indices, cell);
+        const Clusters clusters(mesh, test::places_of(mesh), mesh.indices, cell);
         double low = 0, high = 0;
         for (std::uint32_t i = 0; i < clusters.vertices(); ++i) {
             EXPECT_LT(clusters.error(i), 0.02);  // at the corners of the border, else 0
@@ -117,7 +117,7 @@ TEST(Clusters, KnowHowFarTheyAreOff) {
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
         if (norm(face_normal(mesh, &mesh.indices[i])) > 0.5)
             indices.insert(indices.end(), &mesh.indices[i], &mesh.indices[i] + 3);
-    const Clusters clusters(mesh, indices, 0.5);
+    const Clusters clusters(mesh, test::places_of(mesh), indices, 0.5);
     double off = 0, largest = 0, mean = 0;
     for (std::uint32_t i = 0; i < clusters.vertices(); ++i) {
         off = std::max(off, std::abs(norm(clusters.position(i) - Vec3{0.3, 0.1, 0.2}) - radius));

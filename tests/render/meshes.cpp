@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/scene/welding.h"
+
 namespace echoloop::test {
 namespace {
 
@@ -102,5 +104,10 @@ Mesh sphere(Vec3 centre, double radius, int rings, double mu_db) {
 }
 
 std::shared_ptr<const Scene> scene_of(const std::vector<Mesh>& meshes) { return Scene::from_meshes(meshes); }
+
+std::vector<std::uint32_t> places_of(const Mesh& mesh) {
+    MeshLoops loops(mesh.positions.size());
+    return welded(mesh.positions, loops);
+}
 
 }  // namespace echoloop::test

@@ -27,4 +27,7 @@ Mesh sphere(Vec3 centre, double radius, int rings, double mu_db = -27);
 
 std::shared_ptr<const Scene> scene_of(const std::vector<Mesh>& meshes);
 
+/// welded() of its positions.
+std::vector<std::uint32_t> places_of(const Mesh& mesh);
+
 }  // namespace echoloop::test

@@ -152,8 +152,8 @@ double loss_of_line(double width_deg, double turn_deg) {
     return db(turned / still);
 }
 
-// The same upwards, and for a piston both ways. What the surround shows of a lobe's edge does not turn, so
-// that beams no wider than the turn lose 0.4 dB too much.
+// The same upwards, and for a piston both ways. The surround's pixels are coarse where they take over from
+// the main lobe: beams no higher than the turn lose 0.6 dB too much.
 TEST(PingMotion, AHeadThatPitchesLosesAsMuch) {
     EXPECT_NEAR(loss_of_line(3 * 1.001906 / 1.391557, 2), -3.02, 0.02) << "V37";
     for (const auto shape : {ApertureShape::line, ApertureShape::piston}) {

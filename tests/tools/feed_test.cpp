@@ -109,6 +109,39 @@ TEST_F(AFeed, KeepsALongMessageOfAStreamOnceASecondWhereNobodyHasItOnTheScreen) 
     }
 }
 
+TEST_F(AFeed, HasALargePingOfEachFrequencyTenTimesASecondAndTellsThemInTheirOrder) {
+    Shot low = fan, high = fan;
+    low.frequency = 120e3, high.frequency = 410e3;
+    std::size_t told = 0;
+    for (const auto end = now + 3s; now < end; now += 100ms) {
+        for (const Shot& shot : {high, low}) {
+            EXPECT_NE(feed.wants_ping("side", shot), Wanted::nothing);
+            const Echogram echogram{shot, {}, {}, 1500, std::vector<float>(shot.beams() * shot.bins),
+                                    0,    {}, {}};
+            feed.ping(
+                {.device = "side", .transmitted = Time(++told), .echogram = echogram, .movers = movers});
+        }
+        const auto pings = feed.take().pings;
+        ASSERT_EQ(pings.size(), 2U);
+        EXPECT_EQ(pings.front()->echogram.shot.frequency, high.frequency) << "which came first";
+    }
+}
+
+TEST_F(AFeed, KeepsBothSidesOfASideScansPing) {
+    const Bytes side(20'000);
+    feed.look(1, {.all_heard = false});
+    std::size_t sides = 0;
+    for (const auto end = now + 10s; now < end; now += 70ms) {
+        for (int i = 0; i < 2; ++i, now += 1ms)
+            feed.bytes({.device = "side", .port = "data", .sent = true, .bytes = side});
+        const std::size_t passed = feed.take().passed.size();
+        EXPECT_NE(passed, 1U);
+        sides += passed;
+    }
+    EXPECT_GE(sides, 2U * 9);
+    EXPECT_LE(sides, 2U * 11);
+}
+
 TEST_F(AFeed, WantsALargePingThatIsLateOnceASecond) {
     int pings = 0;
     for (const auto end = now + 10s; now < end; now += 100ms)

@@ -43,16 +43,19 @@ Echogram echogram_of(const said::Picture& picture, double sound_speed) {
     return echo;
 }
 
-/// One that looks down has z down and x ahead, as soundings have.
-Vec3 said_direction(const said::Picture& picture, const Shot& shot, const Sounding& beam) {
-    if (!picture.down) return direction(shot, beam.bearing - shot.pan, beam.elevation);
+/// Of a run along the axis of the sonar's own frame, wherever it looks. Of a capture, which has no frames,
+/// one that looks down has z up and x ahead, as soundings have.
+Vec3 said_direction(bool down, const Shot& shot, const Sounding& beam) {
+    if (!down) return direction(shot, beam.bearing - shot.pan, beam.elevation);
     return {0, -std::sin(beam.bearing), -std::cos(beam.bearing)};
 }
 
 }  // namespace
 
 void Topics::say(const Wire& wire, const said::Picture& told) {
-    const std::string name = ros_name(wire.device), topic = "/" + name + "/said";
+    const std::string name = ros_name(wire.device);
+    // A sonar says pictures of several kinds, and each is a topic's alone: /fan/said/WCD0/image.
+    const std::string topic = "/" + name + "/said/" + ros_name(told.name);
     const std::uint64_t said = nanoseconds(wire.unix_time);
     const Stamped head{said, name};
     const Echogram echo = echogram_of(told, said::assumed_sound_speed);
@@ -71,9 +74,10 @@ void Topics::say(const Wire& wire, const said::Picture& told) {
     if (told.ranges.empty() || told.numbered) return;  // nobody knows where a numbered beam looks
     Soundings all = empty_soundings(echo);
     all.beam_width = 0;
+    const bool down = told.down && !frequencies_.contains(wire.device);  // it has not pinged: of a capture
     for (std::size_t i = 0; i < std::min(all.beams.size(), told.ranges.size()); ++i) {
         all.beams[i].range = told.ranges[i];
-        all.beams[i].direction = said_direction(told, echo.shot, all.beams[i]);
+        all.beams[i].direction = said_direction(down, echo.shot, all.beams[i]);
     }
     take_({topic + "/detections", detections_type, said}, [&] {
         return sonar_detections({said, name + "_fan"}, all);

@@ -51,6 +51,13 @@ std::size_t slot_of(double bearing) {
            slots;
 }
 
+/// Four digits: ranges of a message vary with the speed of sound that it tells, by less than a dot.
+double rough(double value) {
+    if (!(value > 0)) return value;
+    const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
+    return std::round(value / unit) * unit;
+}
+
 /// Of the value next to `at` in an ascending row; -1 where none is within `reach`.
 std::int32_t nearest(const std::vector<double>& row, double at, double reach) {
     const auto above = std::upper_bound(row.begin(), row.end() - (row.size() > 1 ? 1 : 0), at);
@@ -73,11 +80,15 @@ void SonarPicture::take(Levels levels) {
         kind = Kind::echogram;
     else if (levels.beams > 1)
         kind = Kind::fan;
-    if (!last_ || kind != kind_ || levels.bins != last_->bins || levels.farthest() != last_->farthest()) {
+    // The speed of sound that a message tells varies a little, and its ranges with it.
+    const double far = levels.farthest();
+    const bool alike = last_ && levels.bins == last_->bins && std::abs(far / began_ - 1) < 0.01;
+    if (!alike || kind != kind_) {
         lines_.clear();
         directions_.assign(kind == Kind::circle ? slots : 0, std::nullopt);
         top_ = none;
         kind_ = kind;
+        began_ = far;
     }
     std::uint8_t loudest = 0;
     for (const char byte : levels.bytes) loudest = std::max(loudest, static_cast<std::uint8_t>(byte));
@@ -125,8 +136,8 @@ std::string SonarPicture::draw() {
 /// behind.
 void SonarPicture::sketch_fan() {
     const Levels& ping = *last_;
-    const FanKey key{ping.beams,           ping.bins, ping.first_range,
-                     ping.bin_size,        ping.pan,  ping.bearings.front(),
+    const FanKey key{ping.beams,           ping.bins, rough(ping.first_range),
+                     rough(ping.bin_size), ping.pan,  ping.bearings.front(),
                      ping.bearings.back(), ping.down};
     if (key == key_) return;
     key_ = key;
@@ -221,7 +232,8 @@ void SonarPicture::draw_side_scan(std::string& out) const {
     }
 }
 
-/// The range of each beam's loudest bin, near ones bright, where it stands out of the noise.
+/// The range of each beam's loudest bin, near ones bright, where it stands out of the noise; of one bin its
+/// level.
 void SonarPicture::draw_range_image(std::string& out) const {
     const Levels& ping = *last_;
     constexpr double stands_out = 13;  // dB
@@ -232,6 +244,10 @@ void SonarPicture::draw_range_image(std::string& out) const {
             const auto* levels = reinterpret_cast<const std::uint8_t*>(ping.bytes.data()) + beam * ping.bins;
             const auto bin = static_cast<std::size_t>(std::max_element(levels, levels + ping.bins) - levels);
             const double level = level_of(ping, levels[bin]);
+            if (ping.bins == 1) {
+                put(out, y * width + x, colour(ping, levels[0]));
+                continue;
+            }
             if (levels[bin] == 0 || (ping.noise && level < *ping.noise + stands_out)) continue;
             const double near = 1 - static_cast<double>(bin) / static_cast<double>(ping.bins);
             put(out, y * width + x, static_cast<std::uint8_t>(std::floor(near * 255 + 0.5)));

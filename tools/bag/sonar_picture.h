@@ -42,6 +42,7 @@ class SonarPicture {
     std::vector<std::optional<Levels>> directions_{};  ///< of a circle
     std::vector<Levels> lines_{};                      ///< of an echogram or a waterfall, the last at the end
     double top_ = 0;                                   ///< dB
+    double began_ = 0;                                 ///< m, range of the first of the lines
     FanKey key_{};
     std::vector<std::int32_t> fan_{};  ///< of each dot: its byte of the levels, -1 for none
     std::vector<std::pair<std::uint16_t, float>> circle_{};  ///< of each dot: direction, share of the range

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "emulator/truth/truth.h"
 #include "protocols/http/inspect.h"
@@ -103,9 +104,24 @@ void Topics::draw(const std::string& topic, const Stamped& head, std::uint64_t s
           [&] { return picture(head, SonarPicture::width, SonarPicture::height, drawn.picture.draw()); });
 }
 
+/// "/side/at_410_kHz" of a sonar whose pings of two frequencies come in turn, since each is a picture of its
+/// own: of EdgeTech's always, of others from the third such ping on. Else "/head": another frequency is the
+/// driver's change.
+std::string Topics::topic_of(const Ping& ping) {
+    const std::string topic = "/" + ros_name(ping.device);
+    const auto family = about_.families.find(ping.device);
+    const long khz = std::lround(ping.echogram.shot.frequency / 1000);
+    Frequencies& known = frequencies_[ping.device];
+    if (khz == known.before && khz != known.last) known.in_turn.insert({khz, known.last});
+    known.before = std::exchange(known.last, khz);
+    const bool in_turn =
+        known.in_turn.contains(khz) || (family != about_.families.end() && family->second == "edgetech");
+    return in_turn ? topic + "/at_" + std::to_string(khz) + "_kHz" : topic;
+}
+
 void Topics::ping(const Ping& ping) {
     const Echogram& echo = ping.echogram;
-    const std::string name = ros_name(ping.device), topic = "/" + name;
+    const std::string name = ros_name(ping.device), topic = topic_of(ping);
     const Stamped head{nanoseconds(ping.unix_time), name};
     const std::uint64_t said = said_at(ping);
     if (echo.shot.rows() == 1) {
@@ -120,7 +136,7 @@ void Topics::ping(const Ping& ping) {
     }
     draw(topic + "/picture", head, said, bag::levels_of(echo));
     take_({topic + "/points", points_type, said}, [&] { return point_cloud(head, loudest_of(echo)); });
-    offer_truth(ping, topic, head, said);
+    offer_truth(ping, "/" + name, head, said);
     course(ping);
 }
 

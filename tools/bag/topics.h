@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -59,11 +60,16 @@ class Topics {
         SonarPicture picture{};
         std::uint64_t time = 0;  ///< when it was offered last
     };
+    struct Frequencies {
+        long before = 0, last = 0;  ///< kHz, of the last two pings
+        std::set<long> in_turn{};
+    };
     struct Stream {
         std::unique_ptr<inspect::StreamDecoder> decoder{};
         Wire last{};  ///< without its bytes
     };
 
+    std::string topic_of(const Ping& ping);
     void draw(const std::string& topic, const Stamped& head, std::uint64_t said, Levels levels);
     void offer_truth(const Ping& ping, const std::string& topic, const Stamped& head, std::uint64_t said);
     void message(const Wire& wire, const inspect::Family* family, const inspect::Message& message,
@@ -74,6 +80,7 @@ class Topics {
     About about_;
     Take take_;
     std::map<std::string, Drawn> drawn_{};                          ///< by topic
+    std::map<std::string, Frequencies> frequencies_{};              ///< by device
     std::map<std::pair<std::string, bool>, Stream> streams_{};      ///< by port of a device, and direction
     std::map<std::string, std::unique_ptr<said::Maker>> makers_{};  ///< by device
 };

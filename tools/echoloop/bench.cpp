@@ -113,7 +113,6 @@ nlohmann::ordered_json wire_json(const bench::WireFigures& f) {
 }
 
 int run_wire(const Arguments& arguments) {
-    keep_freed_memory();  // as `echoloop run` does
     const auto pings = settings_of(arguments).pings;
     const bool json = arguments.has("--json");
     nlohmann::ordered_json figures = nlohmann::ordered_json::array();
@@ -161,7 +160,6 @@ nlohmann::ordered_json fans_json(const bench::FansFigures& f) {
 
 /// 1, 2, 4, ... fans at once, and as many as asked for; beside single beams only those.
 int run_fans(const Arguments& arguments) {
-    keep_freed_memory();  // as `echoloop run` does
     const auto most = static_cast<std::size_t>(arguments.number("--fans", 16, 1, 64));
     const auto heads = static_cast<std::size_t>(arguments.number("--heads", 0, 0, 64));
     const std::size_t first = heads > 0 ? most : 1;
@@ -194,6 +192,7 @@ int run_fans(const Arguments& arguments) {
 
 int run_bench(const Arguments& arguments) {
     require_picture(arguments);
+    keep_freed_memory();  // as `echoloop run` does; the processes of the cases inherit it
     if (arguments.has("--wire")) return run_wire(arguments);
     if (arguments.has("--fans")) return run_fans(arguments);
     if (arguments.has("--heads")) throw StartError(Exit::usage, "--heads: give --fans, too");

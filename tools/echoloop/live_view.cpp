@@ -43,11 +43,11 @@ Address address_from(const Arguments& arguments) {
 
 /// A button's: what the kind takes by default, but so often that somebody who looks sees it.
 Json parameters_of(const FaultRow& row) {
-    constexpr double rare = 0.01, seen = 0.3;
+    constexpr double rare = 0.01, seen = 0.3;  // of messages; of bits the first is often enough
     Json parameters = Json::object();
     for (const Option& option : row.parameters)
-        if (option.name == "rate" && std::get<double>(option.default_value) == rare)
-            parameters["rate"] = seen;
+        if (option.name == "rate")
+            parameters["rate"] = std::get<double>(option.default_value) < rare ? rare : seen;
     return parameters;
 }
 

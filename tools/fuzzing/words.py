@@ -27,7 +27,10 @@ SOURCES = {
     "devices-dvl-pathfinder": ["emulator/devices/teledyne-dvl/*"],
     "devices-dvl-explorer": ["emulator/devices/teledyne-dvl/*"],
     "devices-dvl-navigator": ["emulator/devices/teledyne-dvl/*"],
-    "devices-nortek-nucleus": ["emulator/devices/nortek-nucleus/*"],
+    "devices-dvl-wayfinder": ["emulator/devices/dvl-wayfinder/*"],
+    "devices-nortek-nucleus": ["emulator/devices/nortek-nucleus/*", "emulator/devices/family/nortek/*"],
+    "devices-nortek-dvl500": ["emulator/devices/nortek-dvl/*", "emulator/devices/family/nortek/*"],
+    "devices-nortek-dvl1000": ["emulator/devices/nortek-dvl/*", "emulator/devices/family/nortek/*"],
     "devices-sonar-3d-15": ["emulator/devices/sonar-3d-15/*", "protocols/http/*.cpp"],
 }
 

@@ -48,6 +48,11 @@ Picture of_tritech_head(const Message& message) {
             levels.push_back(static_cast<float>(low + one * step));
     }
     Picture picture = beam(message, std::move(levels), "dB");
+    // In ping-pong every other line is of the other channel, at its own frequency.
+    constexpr unsigned ping_pong = 0x800;
+    constexpr double tx_step = 32e6 / 4294967296.0 / 1000;  // kHz
+    if ((static_cast<unsigned>(f.number("hd_ctrl")) & ping_pong) != 0)
+        picture.name += " " + std::to_string(std::lround(f.number("tx_n") * tx_step)) + " kHz";
     picture.pan = (f.number("bearing") - ahead) / circle * 2 * std::numbers::pi;
     picture.bin_size = f.number("ad_interval") * 640e-9 * metres_per_second;
     picture.assumed = true;

@@ -96,23 +96,44 @@ class Aris final : public Maker {
     aris::FrameJoiner frames_;
 };
 
+/// Of each direction the range in one message, and the strength of that echo in another.
 class Sonar3d final : public Maker {
   public:
     std::optional<Picture> take(const Message& message, wire::ByteView bytes, bool sent) override {
-        if (!sent || message.name != "RangeImage") return std::nullopt;
+        if (!sent || (message.name != "RangeImage" && message.name != "BitmapImageGreyscale8"))
+            return std::nullopt;
         const auto packet = sonar3d::parse(bytes);
-        const auto* image = packet ? std::get_if<sonar3d::RangeImage>(&packet->message) : nullptr;
-        if (image == nullptr || image->width > 4096 || image->height > 4096) return std::nullopt;
-        Picture picture;
-        picture.name = message.name;
-        picture.bearings = steps(image->width, image->fov_horizontal);
-        picture.elevations = steps(image->height, image->fov_vertical);  // row 0 is the lowest
-        for (const std::uint32_t pixel : image->image_pixel_data)
-            picture.ranges.push_back(range_or_none(double(pixel) * image->image_pixel_scale));
-        return checked(std::move(picture));
+        if (!packet) return std::nullopt;
+        if (const auto* ranges = std::get_if<sonar3d::RangeImage>(&packet->message)) {
+            auto picture = begun(message, *ranges);
+            for (const std::uint32_t pixel : ranges->image_pixel_data)
+                picture.ranges.push_back(range_or_none(double(pixel) * ranges->image_pixel_scale));
+            return checked(std::move(picture));
+        }
+        if (const auto* strengths = std::get_if<sonar3d::BitmapImage>(&packet->message)) {
+            auto picture = begun(message, *strengths);
+            picture.unit = "counts";
+            picture.bins = 1;
+            picture.bin_size = strengths->range;  // it is somewhere in it
+            picture.levels.assign(strengths->image_pixel_data.begin(), strengths->image_pixel_data.end());
+            return checked(std::move(picture));
+        }
+        return std::nullopt;
     }
 
   private:
+    /// Without a direction where it says that there are too many.
+    template <class M>
+    static Picture begun(const Message& message, const M& image) {
+        constexpr std::uint32_t most = 4096;
+        Picture picture;
+        picture.name = message.name;
+        const bool fits = image.width <= most && image.height <= most;
+        picture.bearings = steps(fits ? image.width : 0, image.fov_horizontal);
+        picture.elevations = steps(fits ? image.height : 0, image.fov_vertical);  // row 0 is the lowest
+        return picture;
+    }
+
     static std::vector<double> steps(std::size_t count, double degrees) {
         std::vector<double> all;
         for (std::size_t i = 0; i < count; ++i)

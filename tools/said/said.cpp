@@ -13,12 +13,13 @@ struct Row {
     std::unique_ptr<Maker> (*make)();
 };
 constexpr Row rows[] = {
-    {"seanet", make_heads},     {"ping", make_heads},         {"cerulean", make_heads},
-    {"imagenex", make_heads},   {"deltat", make_heads},       {"nmea", make_depths},
-    {"altimeter", make_depths}, {"waterlinked", make_depths}, {"teledyne", make_depths},
-    {"nortek", make_depths},    {"oculus", make_oculus},      {"aris", make_aris},
-    {"sonar3d", make_sonar3d},  {"kmall", make_kmall},        {"reson7k", make_reson7k},
-    {"r2sonic", make_r2sonic},  {"norbit", make_norbit},      {"edgetech", make_edgetech},
+    {"seanet", make_heads},      {"ping", make_heads},         {"cerulean", make_heads},
+    {"imagenex", make_heads},    {"deltat", make_heads},       {"nmea", make_depths},
+    {"altimeter", make_depths},  {"waterlinked", make_depths}, {"teledyne", make_depths},
+    {"nortek", make_depths},     {"wayfinder", make_depths},   {"oculus", make_oculus},
+    {"aris", make_aris},         {"sonar3d", make_sonar3d},    {"kmall", make_kmall},
+    {"reson7k", make_reson7k},   {"r2sonic", make_r2sonic},    {"norbit", make_norbit},
+    {"edgetech", make_edgetech},
 };
 
 }  // namespace

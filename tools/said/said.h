@@ -26,7 +26,7 @@ struct Picture {
     bool down = false;                  ///< the middle looks down, not ahead
     double first_range = 0;             ///< m, of the leading edge of bin 0
     double bin_size = 0;                ///< m
-    std::size_t bins = 0;
+    std::size_t bins = 0;  ///< of rows of beams 1: the strength of an echo whose range another message tells
     std::vector<float> levels{};  ///< rows x columns x bins, beam by beam; NaN: nothing
     std::string unit{};           ///< of the levels: "counts" of 8 bits, or "dB ..."
     std::vector<float> ranges{};  ///< m, rows x columns; 0: none; empty: the message tells none

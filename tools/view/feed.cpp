@@ -1,6 +1,7 @@
 #include "tools/view/feed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -18,12 +19,17 @@ constexpr std::size_t large = 8192;           // values; smaller ones are lines 
 constexpr std::size_t most_lines = 64;        // of a sonar, between two calls of take()
 constexpr std::size_t most_passed = 1000;     // between two calls of take()
 constexpr std::size_t most_bytes = 4U << 20;  // the same
-constexpr std::size_t long_message = 12U << 10;  // by TCP: images and soundings
-constexpr std::size_t longest_kept = 4U << 20;   // of one message
+constexpr std::size_t long_message = 12U << 10;       // by TCP: images and soundings
+constexpr std::chrono::milliseconds of_one_ping(50);  // come its messages: both sides of a side-scan
+constexpr std::size_t longest_kept = 4U << 20;        // of one message
 constexpr std::size_t most_before = 256U << 10;
 
 double unix_now() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+std::pair<std::string, long> key_of(std::string_view device, const Shot& shot) {
+    return {std::string(device), std::lround(shot.frequency / 1000)};
 }
 
 Passed copied(const SeenBytes& seen, std::size_t keep) {
@@ -54,7 +60,7 @@ Wanted Feed::wants_ping(std::string_view device, const Shot& shot) {
     if (viewers_ == 0) return Wanted::nothing;
     const bool is_large = shot.beams() * shot.bins >= large;
     const std::scoped_lock lock(mutex_);
-    Sonar& sonar = sonars_[std::string(device)];
+    Sonar& sonar = sonars_[key_of(device, shot)];
     const Moment now = now_();
     if (is_large) {
         const auto between = sonar.late                   ? Moment::duration(between_late)
@@ -76,7 +82,7 @@ void Feed::ping(const SeenPing& ping) {
     auto copy = std::make_shared<const Kept>(kept(ping));
     const std::size_t most = ping.echogram.values.size() < large ? most_lines : 1;
     const std::scoped_lock lock(mutex_);
-    Sonar& sonar = sonars_[std::string(ping.device)];
+    Sonar& sonar = sonars_[key_of(ping.device, ping.echogram.shot)];
     sonar.late = ping.late > late_after;
     if (sonar.late) last_late_ = now_();
     auto& pings = sonar.pings;
@@ -107,11 +113,13 @@ void Feed::bytes(const SeenBytes& seen) {
         passed_.back().unread = std::exchange(found->second.unread, 0);
 }
 
-/// Long messages of a sonar, each in one piece, where what it says is on no screen: one a second is wanted.
+/// Long messages of a sonar, each in one piece, where what it says is on no screen: those of one ping a
+/// second are wanted.
 bool Feed::is_unwanted(const SeenBytes& seen) {
     if (!seen.sent || seen.packets || seen.bytes.size() < long_message) return false;
     Long& known = long_[{std::string(seen.device), std::string(seen.port)}];
     const Moment now = now_();
+    if (now - known.read < of_one_ping) return false;
     const bool wanted =
         (looks_.shows_said(seen.device) && !is_sparing()) || now - known.read >= between_unseen;
     if (wanted)
@@ -149,10 +157,11 @@ Feed::News Feed::take() {
     News news;
     const std::scoped_lock lock(mutex_);
     news.sparing = is_sparing();
-    for (auto& [name, sonar] : sonars_) {
+    for (auto& [key, sonar] : sonars_) {
         news.pings.insert(news.pings.end(), sonar.pings.begin(), sonar.pings.end());
         sonar.pings.clear();
     }
+    std::ranges::stable_sort(news.pings, {}, [](const auto& ping) { return ping->transmitted; });
     news.passed = std::exchange(passed_, {});
     news.faults = std::exchange(faults_, {});
     news.bytes_left_out = std::exchange(left_out_, 0);

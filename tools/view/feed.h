@@ -61,7 +61,7 @@ class Feed final : public Watch {
     void look(std::size_t viewers, Looks looks = {});
     std::size_t viewers() const { return viewers_; }
 
-    /// A large ping ten times a second where it is shown, else once. Objects of a
+    /// Of each frequency: a large ping ten times a second where it is shown, else once. Objects of a
     /// large ping once a second, of small ones five times, always where they are
     /// shown; every 5 s while pings are late.
     Wanted wants_ping(std::string_view device, const Shot& shot) override;
@@ -70,7 +70,7 @@ class Feed final : public Watch {
     void fault(const SeenFault& fault) override;
 
     /// What has come since the last call, oldest first; of large pictures the
-    /// latest of each sonar.
+    /// latest of each sonar and frequency.
     struct News {
         bool sparing = false;  ///< pings are late: what can wait had better
         std::vector<std::shared_ptr<const Kept>> pings;
@@ -101,8 +101,8 @@ class Feed final : public Watch {
     std::atomic<std::size_t> viewers_{0};
     mutable std::mutex mutex_;  // of all below
     Looks looks_{};
-    Moment last_late_{};  ///< when a ping of any sonar was late
-    std::map<std::string, Sonar, std::less<>> sonars_;
+    Moment last_late_{};                                    ///< when a ping of any sonar was late
+    std::map<std::pair<std::string, long>, Sonar> sonars_;  ///< by device and kHz: it may ping at two in turn
     std::map<Line, LineCount> lines_;
     std::set<std::pair<Line, bool>> gaps_;  ///< ways on which bytes were left out
     struct Long {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "protocols/http/inspect.h"
 #include "tools/view/said_picture.h"
@@ -241,22 +242,37 @@ void Ticker::look_for_picture(const Passed& one, const inspect::Message& message
     // wanted.
     constexpr double between_unseen = 1, most_ahead = 2;  // s
     const std::string key = one.device + "\n" + message.name;
-    const auto next = next_.find(key);
-    if (next != next_.end() && one.unix_time < next->second && one.unix_time > next->second - most_ahead)
+    const auto known = rests_.find(key);
+    Rest* rest = known == rests_.end() ? nullptr : &known->second;
+    if (rest != nullptr && one.unix_time < rest->next && one.unix_time > rest->next - most_ahead) {
+        rest->skipped = true;
+        rest->in_parts = false;
         return;
+    }
     auto picture = maker->second->take(message, bytes, one.sent);
-    if (!picture) return;
+    if (!picture) {
+        if (rest != nullptr) rest->in_parts = rest->skipped;
+        return;
+    }
+    // The first of several parts may have been skipped, and the next picture is whole.
+    if (rest != nullptr && std::exchange(rest->skipped, false) && std::exchange(rest->in_parts, false)) {
+        rest->known.insert(picture->name);
+        return;
+    }
     const std::uint64_t number = ++pictures_[one.device];
     if (picture->levels.size() + picture->ranges.size() < large_said) {
         batch.pictures.push_back(view::message_of(*picture, one.device, number, one.unix_time));
         return;
     }
-    if (batch.sparing || !(*batch.shown)(one.device))
-        next_[key] = one.unix_time + between_unseen;
-    else
-        next_.erase(key);
-    batch.large_pictures[one.device + "\n" + picture->name] = {std::move(*picture), one.device, number,
-                                                               one.unix_time};
+    if (rest == nullptr) rest = &rests_[key];
+    rest->known.insert(picture->name);
+    const bool again = !rest->told.insert(picture->name).second;
+    if (!batch.sparing && (*batch.shown)(one.device))
+        rest->next = 0, rest->told.clear();
+    else if (again || rest->told == rest->known)
+        rest->next = one.unix_time + between_unseen, rest->told.clear();
+    const std::string kind = one.device + "\n" + picture->name;  // before the picture is moved
+    batch.large_pictures[kind] = {std::move(*picture), one.device, number, one.unix_time};
 }
 
 }  // namespace echoloop::view

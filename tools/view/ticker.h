@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,16 @@ class Ticker {
     using Json = nlohmann::ordered_json;
     using Way = std::pair<std::string, bool>;  ///< port of a device, and direction
 
+    /// Of messages that make large pictures, while these are worth a look a second.
+    struct Rest {
+        double next = 0;        ///< s since 1970, when they are read again
+        bool skipped = false;   ///< some were not read since the last picture
+        bool in_parts = false;  ///< and what was read then was a part of one
+        std::set<std::string>
+            known{};  ///< names of the pictures that they make: an EdgeTech's two frequencies
+        std::set<std::string> told{};  ///< of those, what was read of late
+    };
+
     struct Batch;
     void mark(const bag::Fault& fault, Json& rows);
     void decode(const Passed& one, Batch& batch);
@@ -62,8 +73,8 @@ class Ticker {
     std::map<Way, std::unique_ptr<inspect::StreamDecoder>> streams_;
     std::map<std::string, std::unique_ptr<said::Maker>> makers_;  ///< by device
     std::map<std::string, std::uint64_t> pictures_;               ///< made so far, by device
-    std::map<std::string, double> next_;    ///< s since 1970, when a large one is read; by device and message
-    std::map<std::string, Json> settings_;  ///< by device and message
+    std::map<std::string, Rest> rests_;                           ///< by device and message
+    std::map<std::string, Json> settings_;                        ///< by device and message
     std::uint64_t count_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "emulator/devices/family/survey/sound_speed.h"
 #include "emulator/devices/kongsberg-kmall/controls.h"
 #include "emulator/devices/kongsberg-kmall/soundings.h"
 
@@ -53,14 +54,6 @@ std::string extra_detections(const Settings& s) {
         text += row;
     }
     return text;
-}
-
-/// Medwin, JASA 58 (1975) 1318, m/s, for a text that has temperature and salinity only: 0 to 35 C, 0 to 45
-/// g/kg, to 1000 m. Which formula the maker takes is not public.
-double sound_speed_of(double temperature, double salinity, double depth) {
-    const double t = temperature;
-    return 1449.2 + 4.6 * t - 0.055 * t * t + 0.00029 * t * t * t + (1.34 - 0.01 * t) * (salinity - 35) +
-           0.016 * depth;
 }
 
 }  // namespace
@@ -117,7 +110,7 @@ kmall::SoundProfile profile_of(const kmall::SoundReading& reading, const Setting
     for (const kmall::SoundSample& sample : reading.samples) {
         const double temperature = sample.temperature.value_or(0);
         const double salinity = sample.salinity.value_or(no_salinity);
-        const double speed = sample.speed.value_or(sound_speed_of(temperature, salinity, sample.depth));
+        const double speed = sample.speed.value_or(survey::sound_speed(temperature, salinity, sample.depth));
         profile.points.push_back({f(sample.depth), f(speed), 0, f(temperature), f(salinity)});
     }
     if (profile.points.back().depth < deepest) {

@@ -1,21 +1,19 @@
 // The commands of a Nucleus, and what it answers. Pure functions; know no line.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "emulator/devices/family/nortek/setup.h"
 #include "emulator/devices/nortek-nucleus/settings.h"
 
 namespace echoloop::nortek_nucleus {
 
-/// What a host sets: "TRIG" -> "FREQ" -> "4". Texts stand in quotes.
-using Setup = std::map<std::string, std::map<std::string, std::string>, std::less<>>;
+using nortek_console::number_of;
+using nortek_console::Setup;
 Setup default_setup();
-/// Of a number; `otherwise` where it is none.
-double number_of(const Setup& setup, std::string_view group, std::string_view key, double otherwise);
 bool is_on(const Setup& setup, std::string_view group);  ///< its data stream, DS
 
 /// What commands read and change.

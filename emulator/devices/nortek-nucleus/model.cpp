@@ -50,7 +50,7 @@ Model model() {
     m.name = "nortek-nucleus";
     m.title = "Nortek Nucleus1000 Doppler velocity log";
     m.protocol = "Nortek's frames and commands, TCP or serial 115200 8N1";
-    m.default_endpoints = {"tcp-listen://127.0.0.1:9000", "tcp-listen://127.0.0.1:9002"};
+    m.default_endpoints = {"tcp-listen://127.0.0.1:9000"};
     m.endpoint_schemes = {"tcp-listen", "pty", "serial"};
     list_settings<Settings>(m);
     m.profile = built_in_profile(m.name);

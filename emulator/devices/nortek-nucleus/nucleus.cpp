@@ -14,10 +14,7 @@ namespace {
 
 constexpr std::size_t longest_command = 512;  // B
 constexpr std::size_t most_listeners = 8;     // of the port of data; own choice
-constexpr std::string_view prompt = "Please enter password:\r\n", refusal = "Wrong password\r\n";
-constexpr double bar_per_metre = 0.1005;  // of sea water
-
-std::string welcome() { return "Welcome to Nortek Nucleus1000\r\n"; }
+constexpr double bar_per_metre = 0.1005;      // of sea water
 
 float as_float(double value) { return static_cast<float>(value); }
 
@@ -40,8 +37,13 @@ Nucleus::Nucleus(const Settings& settings, std::vector<Speech> ports)
       pacer_(settings.sensors, jitter::processor),
       measurement_(settings) {
     search_.restart(0, modes_.size() - 1);
-    for (std::size_t port = 0; port < speech_.size(); ++port)
-        hosts_[port].in = speech_[port] != Speech::commands;
+    for (std::size_t port = 0; port < speech_.size(); ++port) hosts_[port].login = login_of(speech_[port]);
+}
+
+nortek_console::Login Nucleus::login_of(Speech speech) const {
+    using nortek_console::Login;
+    if (speech != Speech::commands) return {};
+    return {settings_.login ? Login::Kind::password : Login::Kind::none, settings_.password, "Nucleus1000"};
 }
 
 std::vector<Port> Nucleus::ports() const {
@@ -73,8 +75,8 @@ void Nucleus::reconnected(std::size_t port) { hosts_[port].text.clear(); }
 
 Actions Nucleus::connected(std::size_t port, Address, Time) {
     if (speech_.at(port) != Speech::commands) return take_actions();
-    hosts_[port] = {.text = "", .in = !settings_.login};
-    say(port, settings_.login ? std::string(prompt) : welcome());
+    hosts_[port] = {.text = "", .login = login_of(Speech::commands)};
+    say(port, hosts_[port].login.greeting());
     return take_actions();
 }
 
@@ -97,10 +99,10 @@ Actions Nucleus::received(const Received& data, Time now) {
 }
 
 void Nucleus::read_line(std::size_t port, const std::string& line, Time now) {
-    if (!hosts_[port].in) {
-        hosts_[port].in = line == settings_.password;
-        ++(hosts_[port].in ? counters_.messages : counters_.rejected);
-        return say(port, hosts_[port].in ? welcome() : std::string(refusal) + std::string(prompt));
+    if (nortek_console::Login& login = hosts_[port].login; !login.in()) {
+        const std::string text = login.answer(line);
+        ++(login.in() ? counters_.messages : counters_.rejected);
+        return say(port, text);
     }
     const bool ran = state_.running;
     const Answer reply = answer(line, state_, settings_, clock(now));
@@ -244,7 +246,7 @@ Actions Nucleus::woken(Time now) {
 void Nucleus::tell(const nortek::Frame& frame) {
     const Bytes bytes = nortek::encode(frame);
     for (const auto& [port, host] : hosts_)
-        if (host.in) actions_.send.push_back({port, bytes, {}, {}});
+        if (host.login.in()) actions_.send.push_back({port, bytes, {}, {}});
 }
 
 void Nucleus::say(std::size_t port, const std::string& text) {

@@ -8,6 +8,7 @@
 
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/family/doppler/measurement.h"
+#include "emulator/devices/family/nortek/login.h"
 #include "emulator/devices/nortek-nucleus/commands.h"
 #include "protocols/nortek/messages.h"
 
@@ -36,7 +37,7 @@ class Nucleus final : public Device {
   private:
     struct Host {
         std::string text;
-        bool in = false;  ///< it may command, and is told
+        nortek_console::Login login;  ///< who is in may command, and is told
     };
     void read_line(std::size_t port, const std::string& line, Time now);
     void start_or_stop(bool ran, Time now);
@@ -45,6 +46,7 @@ class Nucleus final : public Device {
     void send_altimeter(const Echogram& echogram, Time began);
     void tell(const nortek::Frame& frame);
     void say(std::size_t port, const std::string& text);
+    nortek_console::Login login_of(Speech speech) const;
     std::int64_t clock(Time now) const;
     /// Fills in what all data begin with.
     template <class Data>

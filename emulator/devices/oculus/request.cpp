@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "emulator/devices/family/survey/sound_speed.h"
 #include "protocols/oculus/codec.h"
 
 namespace echoloop::oculus_device {
@@ -145,9 +146,7 @@ Shot make_shot(const Request& r, const Plan& plan, const Settings& s, std::uint3
     return shot;
 }
 
-double sound_speed(double t, double salinity) {
-    return 1449.2 + 4.6 * t - 0.055 * t * t + 0.00029 * t * t * t + (1.34 - 0.010 * t) * (salinity - 35);
-}
+double sound_speed(double t, double salinity) { return survey::sound_speed(t, salinity, 0); }
 
 oculus::Ipv4 to_ipv4(std::uint32_t ip) {
     const auto byte = [ip](int shift) { return static_cast<std::uint8_t>(ip >> shift & 0xFF); };

@@ -38,6 +38,7 @@ struct Whole {
     std::string_view help;
 };
 constexpr std::array wholes{
+    Whole{"BK", &Setup::water_mode, 0, 3, "%01d", "WMass Mode [0=off 1=WB 2=LostB 3=W]"},
     Whole{"BP", &Setup::bottom_pings, 0, 999, "%03d", "Bottom Track Pings per Ensemble"},
     Whole{"BX", &Setup::most_depth, 10, 65535, "%05d", "Maximum Tracking Depth (dm)"},
     Whole{"EA", &Setup::alignment, -17999, 18000, "%+06d", "Heading Alignment (1/100 deg)"},
@@ -50,8 +51,8 @@ constexpr std::array wholes{
     Whole{"WS", &Setup::cell_size, 10, 800, "%04d", "Depth Cell Size (cm)"}};
 
 /// They are taken with any number behind them, and change nothing here.
-constexpr std::array<std::string_view, 25> idle{"BA", "BB", "BC", "BE", "BF", "BK", "BL", "BM", "BR",
-                                                "BS", "CB", "CX", "CP", "CT", "EB", "EH", "EP", "ER",
+constexpr std::array<std::string_view, 23> idle{"BA", "BB", "BC", "BE", "BF", "BM", "BR", "BS",
+                                                "CB", "CX", "CP", "CT", "EB", "EH", "EP", "ER",
                                                 "ET", "EZ", "WA", "WB", "WD", "WM", "WV"};
 
 Reply set_frame(std::string_view value, Setup& setup) {
@@ -71,12 +72,34 @@ Reply set_flow(std::string_view value, Setup& setup) {
 
 Reply set_format(std::string_view value, Setup& setup) {
     const auto number = number_in(value, 0, 99);
-    for (const Format format : {Format::pd0, Format::pd4, Format::pd5})
+    for (const Format format : {Format::pd0, Format::pd4, Format::pd5, Format::pd6, Format::pd13})
         if (number == static_cast<int>(format)) {
             setup.format = format;
             return done();
         }
     return refused();
+}
+
+/// "080,0160,0240": how thick it is at least, where it begins and ends, dm.
+Reply set_layer(std::string_view value, Setup& setup) {
+    std::array<int, 3> parts{};
+    constexpr std::array most{640, 9999, 9999};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::size_t comma = value.find(',');
+        if ((comma == std::string_view::npos) != (i + 1 == parts.size())) return refused();
+        std::string_view part = value.substr(0, comma);
+        while (part.starts_with(' ')) part.remove_prefix(1);
+        const auto number = number_in(part, i == 0 ? 1 : 0, most[i]);
+        if (!number) return refused();
+        parts[i] = *number;
+        if (comma != std::string_view::npos) value.remove_prefix(comma + 1);
+    }
+    const auto [least, near, far] = parts;
+    if (far < near + least) return refused();
+    setup.layer_least = least;
+    setup.layer_near = near;
+    setup.layer_far = far;
+    return done();
 }
 
 /// "00:00:00.50" of TE, "00:00.50" of TP: two digits with one character between them.
@@ -122,6 +145,13 @@ std::string clock_text(std::int64_t now) {
     return text;
 }
 
+std::string layer_text(const Setup& setup) {
+    char text[80];
+    std::snprintf(text, sizeof text, "BL = %d, %d, %d ---------- WMass Params [min, near, far (dm)]",
+                  setup.layer_least, setup.layer_near, setup.layer_far);
+    return text;
+}
+
 std::string state_of(const Whole& row, const Setup& setup) {
     char value[16];
     std::snprintf(value, sizeof value, row.form, setup.*row.member);
@@ -149,7 +179,8 @@ Reply obey(std::string_view line, Setup& setup, const Settings& settings, std::i
     for (char& c : upper)
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
     if (upper == "?") return told("Available Commands:  B C E P T W #P OL");
-    if (upper.starts_with("#PD")) upper.erase(0, 1);
+    for (const char* name : {"#PD", "#BK", "#BL"})
+        if (upper.starts_with(name)) upper.erase(0, 1);
     const std::string_view all = upper, name = all.substr(0, 2);
     std::string_view value = all.substr(std::min<std::size_t>(all.size(), 2));
     while (value.starts_with(' ')) value.remove_prefix(1);
@@ -165,6 +196,7 @@ Reply obey(std::string_view line, Setup& setup, const Settings& settings, std::i
     if (name == "EX" && !asks) return set_frame(value, setup);
     if (name == "CF" && !asks) return set_flow(value, setup);
     if (name == "PD" && !asks) return set_format(value, setup);
+    if (name == "BL") return asks ? told(layer_text(setup)) : set_layer(value, setup);
     if (name == "PS") return value == "0" ? told(system_text(settings)) : refused();
     if (name == "PA" && value.empty()) return told("Built-in tests\r\n    All tests ... PASS");
     if ((name == "TE" || name == "TP") && !asks) return set_interval(value, setup);

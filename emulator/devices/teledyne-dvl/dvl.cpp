@@ -5,15 +5,12 @@
 #include <utility>
 
 #include "emulator/devices/family/doppler/moment.h"
-#include "emulator/devices/teledyne-dvl/profile.h"
+#include "emulator/devices/family/doppler/teledyne_period.h"
 
 namespace echoloop::teledyne_dvl {
 namespace {
 
 constexpr std::size_t longest_command = 128;  // B
-// Of the Wayfinder's guide, whose printed 0.42e-3 s per m is shorter than the sound's way; its table fits ten
-// times that. A guess for the others.
-constexpr double period_floor = 0.03, period_per_metre = 4.2e-3;  // s, s per m
 
 }  // namespace
 
@@ -113,18 +110,48 @@ void Dvl::end_line(Time now) {
 
 double Dvl::period_of(double altitude) const {
     const double line = settings_.baud > 0 ? 10 * static_cast<double>(last_size_) / settings_.baud : 0;
-    return std::max({period_floor + period_per_metre * altitude, 1.05 * line, 0.01 * setup_.interval});
+    return std::max({doppler::teledyne_period(altitude), 1.05 * line, 0.01 * setup_.interval});
+}
+
+const doppler::Mode& Dvl::mode_to(double depth) const {
+    std::size_t mode = 0;
+    while (mode + 1 < modes_.size() && modes_[mode].farthest < depth) ++mode;
+    return modes_[mode];
+}
+
+double Dvl::time_to(double depth) const {
+    constexpr double margin = 1.01;  // for whole bins
+    return margin * 2 * depth / std::cos(settings_.acoustics.tilt) / setup_.sound_speed;
 }
 
 void Dvl::ping_if_due(Time now) {
     if (!pinging_ || !pacer_.begin(now)) return;
     if (waits_for_end_) pacer_.once();
-    const doppler::Mode& mode = modes_.at(search_.next(true, now));
+    const double layer = 0.1 * setup_.layer_far;  // m
+    const bool water = setup_.bottom_pings > 0 && setup_.water_mode > 0;
+    const doppler::Mode& mode = setup_.water_mode == 3 ? mode_to(layer) : modes_.at(search_.next(true, now));
     plan_ = doppler::make_plan(mode, setup_.sound_speed, settings_);
+    if (water) plan_.window = std::max(plan_.window, time_to(layer));
     plan_.period = std::max(plan_.window + settings_.processing_time,
                             period_of(altitude_ > 0 ? altitude_ : mode.farthest));
     actions_.ping = Ping{doppler::make_shot(plan_, settings_, ++shots_),
                          now + from_seconds(plan_.window + settings_.processing_time)};
+}
+
+/// Water track, if one is wanted. The same ping does both; in mode 3 the bottom is not told.
+void Dvl::hear_layer(Report& report, const WaterPing& ping) const {
+    const bool lost = !report.measured.valid;
+    const bool wanted =
+        setup_.bottom_pings > 0 && (setup_.water_mode & 1 || (setup_.water_mode == 2 && lost));
+    if (!wanted) return;
+    double nearest = 0;
+    for (const doppler::BeamReport& beam : report.measured.beams) {
+        const double range = vertical_range(beam, settings_);
+        if (range > 0) nearest = nearest > 0 ? std::min(nearest, range) : range;
+    }
+    report.water = layer_of(ping, nearest, setup_, settings_);
+    if (setup_.water_mode == 3)
+        report.measured = doppler::Measurement::nothing(settings_, report.measured.speed_of_sound);
 }
 
 Report Dvl::report_of(const Echogram& echogram, Time began) {
@@ -142,10 +169,19 @@ Report Dvl::report_of(const Echogram& echogram, Time began) {
     out.temperature = s.read("water", settings_.temperature, stray::water_temperature, began);
     out.period = plan_.period;
     out.pulse = plan_.pulse * setup_.sound_speed / 2;
-    if (setup_.profile_pings > 0)
-        out.profile = profile_of(echogram, doppler::turned(measurement_.motion(), alignment), out.attitude,
-                                 out.pulse, began, setup_, settings_);
+    const WaterPing ping{echogram, doppler::turned(measurement_.motion(), alignment), began};
+    if (setup_.profile_pings > 0) out.profile = profile_of(ping, out.attitude, out.pulse, setup_, settings_);
+    hear_layer(out, ping);
     return out;
+}
+
+void Dvl::follow_water(Report& report, const Setup& in_earth, double seconds, Time began) {
+    if (!report.water) return;
+    const Velocities own = water_velocities(report, in_earth);
+    for (std::size_t i = 0; i < 3; ++i) way_in_water_[i] -= own[i].value_or(0) * seconds;
+    report.way_in_water = way_in_water_;
+    if (own[0]) last_good_water_ = began;
+    report.since_in_water = to_seconds(began - last_good_water_.value_or(Time{}));
 }
 
 Actions Dvl::heard(const Echogram& echogram, Time now) {
@@ -167,9 +203,10 @@ Actions Dvl::heard(const Echogram& echogram, Time now) {
             const Velocities own = bottom_velocities(report, in_earth);
             for (std::size_t i = 0; i < 3; ++i) way_[i] -= own[i].value_or(0) * seconds;
             report.way = way_;
-            Bytes bytes = setup_.format == Format::pd0   ? ensemble_bytes(report, setup_, settings_)
-                          : setup_.format == Format::pd4 ? pd4_bytes(report, setup_, settings_)
-                                                         : pd5_bytes(report, setup_, settings_);
+            if (own[0]) last_good_ = began;
+            report.since = to_seconds(began - last_good_.value_or(Time{}));
+            follow_water(report, in_earth, seconds, began);
+            Bytes bytes = report_bytes(report, setup_, settings_);
             last_size_ = bytes.size();
             actions_.send.push_back({0, std::move(bytes), {}, {}});
             if (waits_for_end_) say("<");

@@ -1,4 +1,5 @@
-// A Teledyne DVL on its line: a console, and PD0, PD4 or PD5 while it pings. A pure state machine.
+// A Teledyne DVL on its line: a console, and reports in one of five formats while it pings. A pure state
+// machine.
 #pragma once
 
 #include <optional>
@@ -7,7 +8,7 @@
 #include "emulator/contract/ping_pacer.h"
 #include "emulator/devices/family/doppler/measurement.h"
 #include "emulator/devices/teledyne-dvl/console.h"
-#include "emulator/devices/teledyne-dvl/ensemble.h"
+#include "emulator/devices/teledyne-dvl/profile.h"
 
 namespace echoloop::teledyne_dvl {
 
@@ -30,7 +31,14 @@ class Dvl final : public Device {
     void end_line(Time now);
     void ping_if_due(Time now);
     double period_of(double altitude) const;
+    /// The first mode that reaches so many m down.
+    const doppler::Mode& mode_to(double depth) const;
+    /// s, two-way, along a beam to so many m down.
+    double time_to(double depth) const;
     Report report_of(const Echogram& echogram, Time began);
+    void hear_layer(Report& report, const WaterPing& ping) const;
+    /// Sums up the way in the water.
+    void follow_water(Report& report, const Setup& in_earth, double seconds, Time began);
     void say(const std::string& text);
     std::int64_t clock(Time now) const;
     Actions take_actions();
@@ -49,8 +57,8 @@ class Dvl final : public Device {
     doppler::Plan plan_;
     doppler::Measurement measurement_;
     double altitude_ = 0;  ///< m; 0: no bottom
-    std::optional<Time> followed_;
-    std::array<double, 4> way_{};
+    std::optional<Time> followed_, last_good_, last_good_water_;
+    std::array<double, 4> way_{}, way_in_water_{};
     std::uint64_t shots_ = 0;
     std::uint32_t ensembles_ = 0;
     std::size_t last_size_ = 0;  ///< bytes of the last report

@@ -12,7 +12,6 @@ namespace echoloop::teledyne_dvl {
 namespace {
 
 constexpr double decibels_per_count = 0.61;  // Pathfinder guide
-constexpr double salt_density = 1.025;       // of the pressure of a depth in sea water
 
 template <class T>
 T fitted(double value) {
@@ -75,24 +74,14 @@ teledyne::VariableLeader variable_leader(const Report& report, const Setup& setu
     out.hundredth = static_cast<std::uint8_t>(moment.hundredth());
     out.sound_speed = fitted<std::uint16_t>(setup.sound_speed);
     out.depth = fitted<std::uint16_t>(setup.depth);
-    const double heading = rad_to_deg(report.attitude.heading);
-    out.heading =
-        static_cast<std::uint16_t>(std::lround(100 * (heading < 0 ? heading + 360 : heading)) % 36000);
-    // What a tilt sensor of two axes reads: tan(pitch) / cos(roll); Teledyne's booklet of coordinate
-    // transformation turns it back.
-    const double tilt = std::atan2(std::tan(report.attitude.pitch), std::cos(report.attitude.roll));
-    out.pitch = fitted<std::int16_t>(100 * rad_to_deg(tilt));
+    out.heading = static_cast<std::uint16_t>(std::lround(100 * compass_heading(report.attitude)) % 36000);
+    out.pitch = fitted<std::int16_t>(100 * tilt_pitch(report.attitude));
     out.roll = fitted<std::int16_t>(100 * rad_to_deg(report.attitude.roll));
     out.salinity = fitted<std::uint16_t>(setup.salinity);
     out.temperature = fitted<std::int16_t>(100 * report.temperature);
-    out.pressure = fitted<std::uint32_t>(100 * salt_density * setup.depth);
+    out.pressure = fitted<std::uint32_t>(100 * pressure_of(setup));
     out.more = variable_rest(moment, settings.series->variable_more);
     return out;
-}
-
-/// m, vertical; 0: none.
-double vertical_range(const doppler::BeamReport& beam, const Settings& settings) {
-    return beam.valid && beam.distance > 0 ? beam.distance * std::cos(settings.acoustics.tilt) : 0;
 }
 
 teledyne::BottomTrack bottom_track(const Report& report, const Setup& setup, const Settings& settings) {
@@ -110,19 +99,20 @@ teledyne::BottomTrack bottom_track(const Report& report, const Setup& setup, con
         out.good[i] = beam.valid ? 100 : 0;
         out.rssi[i] = counts(beam.valid ? beam.rssi : beam.nsd);
     }
+    if (report.water) {
+        const Velocities of_water = water_velocities(report, setup);
+        out.layer_least = fitted<std::uint16_t>(setup.layer_least);
+        out.layer_near = fitted<std::uint16_t>(setup.layer_near);
+        out.layer_far = fitted<std::uint16_t>(setup.layer_far);
+        out.layer_correlation = report.water->correlation;
+        out.layer_amplitude = report.water->amplitude;
+        for (std::size_t i = 0; i < teledyne::beams; ++i) {
+            out.layer_velocity[i] = millimetres(of_water[i]);
+            out.layer_good[i] = report.water->measured.beams[i].valid ? 100 : 0;
+        }
+    }
     out.most_depth = fitted<std::uint16_t>(setup.most_depth);
     out.more.assign(settings.series->bottom_more, 0);
-    return out;
-}
-
-/// The vehicle's own velocity, as PD4 and PD5 have it: starboard, forward, up or east, north, up.
-std::array<std::int16_t, 4> own_velocities(const Report& report, const Setup& setup) {
-    const Velocities velocities = bottom_velocities(report, setup);
-    std::array<std::int16_t, 4> out{};
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const bool turned = i < 3 && velocities[i].has_value();
-        out[i] = millimetres(turned ? std::optional(-*velocities[i]) : velocities[i]);
-    }
     return out;
 }
 
@@ -132,19 +122,32 @@ std::uint8_t block_bits(const Setup& setup, const Settings& settings) {
                                      static_cast<unsigned>(settings.series->frequency_code));
 }
 
+/// Bits 0 to 3: a beam's correlation is low; 4: the bottom is too near.
+std::uint8_t layer_status(const WaterLayer& layer) {
+    unsigned bits = layer.too_shallow ? 1U << 4 : 0U;
+    for (std::size_t i = 0; i < teledyne::beams; ++i)
+        if (!layer.measured.beams[i].valid && !layer.too_shallow) bits |= 1U << i;
+    return static_cast<std::uint8_t>(bits);
+}
+
 /// What PD4 and PD5 have in common.
 template <class Block>
 Block block_of(const Report& report, const Setup& setup, const Settings& settings) {
     Block out;
     out.configuration = block_bits(setup, settings);
-    out.velocity = own_velocities(report, setup);
+    out.velocity = own_velocities(bottom_velocities(report, setup));
     for (std::size_t i = 0; i < teledyne::beams; ++i) {
         const doppler::BeamReport& beam = report.measured.beams[i];
         out.range[i] = fitted<std::uint16_t>(100 * vertical_range(beam, settings));
         if (!beam.valid)
             out.status = static_cast<std::uint8_t>(out.status | (2U << (2 * i)));  // low amplitude
     }
-    out.water.fill(teledyne::bad);
+    out.water = own_velocities(water_velocities(report, setup));
+    if (report.water) {
+        out.layer_start = fitted<std::uint16_t>(setup.layer_near);
+        out.layer_end = fitted<std::uint16_t>(setup.layer_far);
+        out.layer_status = layer_status(*report.water);
+    }
     const auto moment = doppler::moment_of(report.unix_us);
     out.hour = static_cast<std::uint8_t>(moment.hour());
     out.minute = static_cast<std::uint8_t>(moment.minute());
@@ -156,6 +159,29 @@ Block block_of(const Report& report, const Setup& setup, const Settings& setting
 }
 
 }  // namespace
+
+double vertical_range(const doppler::BeamReport& beam, const Settings& settings) {
+    return beam.valid && beam.distance > 0 ? beam.distance * std::cos(settings.acoustics.tilt) : 0;
+}
+
+/// tan(pitch) / cos(roll): Teledyne's booklet of coordinate transformation turns it back.
+double tilt_pitch(const doppler::Attitude& attitude) {
+    return rad_to_deg(std::atan2(std::tan(attitude.pitch), std::cos(attitude.roll)));
+}
+
+double compass_heading(const doppler::Attitude& attitude) {
+    const double heading = rad_to_deg(attitude.heading);
+    return heading < 0 ? heading + 360 : heading;
+}
+
+std::array<std::int16_t, 4> own_velocities(const Velocities& velocities) {
+    std::array<std::int16_t, 4> out{};
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const bool turned = i < 3 && velocities[i].has_value();
+        out[i] = millimetres(turned ? std::optional(-*velocities[i]) : velocities[i]);
+    }
+    return out;
+}
 
 std::int16_t millimetres(const std::optional<double>& velocity) {
     if (!velocity) return teledyne::bad;
@@ -184,8 +210,7 @@ Velocities in_frame(Vec3 v, std::optional<double> error, const doppler::Attitude
     return {-world.y, -world.x, world.z, error};
 }
 
-Velocities bottom_velocities(const Report& report, const Setup& setup) {
-    const doppler::Measured& m = report.measured;
+Velocities velocities_of(const doppler::Measured& m, const doppler::Attitude& attitude, const Setup& setup) {
     if (setup.frame == Frame::beam) {
         Velocities out;
         for (std::size_t i = 0; i < teledyne::beams; ++i)
@@ -194,7 +219,15 @@ Velocities bottom_velocities(const Report& report, const Setup& setup) {
     }
     const bool all = std::ranges::all_of(m.beams, &doppler::BeamReport::valid);
     if (!m.valid || (!all && !setup.three_beams)) return {};
-    return in_frame(m.velocity, all ? std::optional(m.error) : std::nullopt, report.attitude, setup);
+    return in_frame(m.velocity, all ? std::optional(m.error) : std::nullopt, attitude, setup);
+}
+
+Velocities bottom_velocities(const Report& report, const Setup& setup) {
+    return velocities_of(report.measured, report.attitude, setup);
+}
+
+Velocities water_velocities(const Report& report, const Setup& setup) {
+    return report.water ? velocities_of(report.water->measured, report.attitude, setup) : Velocities{};
 }
 
 Bytes ensemble_bytes(const Report& report, const Setup& setup, const Settings& settings) {
@@ -217,7 +250,10 @@ Bytes pd5_bytes(const Report& report, const Setup& setup, const Settings& settin
     out.pitch = leader.pitch;
     out.roll = leader.roll;
     out.heading = leader.heading;
-    for (std::size_t i = 0; i < teledyne::beams; ++i) out.way[i] = fitted<std::int32_t>(10 * report.way[i]);
+    for (std::size_t i = 0; i < teledyne::beams; ++i) {
+        out.way[i] = fitted<std::int32_t>(10 * report.way[i]);
+        out.way_in_water[i] = fitted<std::int32_t>(10 * report.way_in_water[i]);
+    }
     return teledyne::encode(out);
 }
 

@@ -26,7 +26,7 @@ Model row(const std::string& name, const std::string& title) {
     Model m;
     m.name = name;
     m.title = title;
-    m.protocol = "PD0, PD4, PD5 and a console, serial 115200 8N1";
+    m.protocol = "PD0, PD4, PD5, PD6, PD13 and a console, serial 115200 8N1";
     m.default_endpoints = {"pty:/tmp/echoloop/" + name};
     m.endpoint_schemes = {"pty", "serial", "tcp-listen"};
     list_settings<Settings>(m);

@@ -43,16 +43,57 @@ Sample sample_of(double power, double noise, const Settings& settings) {
     return out;
 }
 
-}  // namespace
+/// What the four beams hear of water between two ranges.
+struct Water {
+    doppler::BeamSpeeds speeds{teledyne::beams};  ///< of what is good
+    std::array<Sample, teledyne::beams> samples{};
+    std::size_t good = 0;
+};
 
-std::vector<teledyne::Section> profile_of(const Echogram& e, Vec3 motion, const doppler::Attitude& attitude,
-                                          double pulse, Time began, const Setup& setup,
-                                          const Settings& settings) {
-    const auto cells = static_cast<std::size_t>(setup.cells);
+/// `from`, `to`: m, vertical. `name`: of its noise, which is `noise` m/s of each beam.
+Water hear_water(const WaterPing& ping, double from, double to, const std::string& name, double noise,
+                 const Setup& setup, const Settings& settings) {
+    const Echogram& e = ping.echogram;
     const auto order = doppler::order_of_beams(settings);
     const auto axes = doppler::beam_axes(settings.acoustics.tilt, settings.azimuths);
-    const Vec3 own = doppler::turned(motion, -deg_to_rad(0.01 * setup.alignment));
+    const Vec3 own = doppler::turned(ping.motion, -deg_to_rad(0.01 * setup.alignment));
     const double slant = 1 / std::cos(settings.acoustics.tilt), speed = setup.sound_speed;
+    Water out;
+    for (std::size_t beam = 0; beam < order.size(); ++beam) {
+        const auto power = mean_power(e, beam, slant * from, slant * to, speed);
+        if (!power) continue;
+        const std::size_t id = order[beam];
+        out.samples[id] = sample_of(*power, e.noise_power, settings);
+        if (!out.samples[id].good) continue;
+        const double closing = dot(own, axes[id]) * speed / e.sound_speed;
+        const std::string sensor = name + ' ' + std::to_string(id);
+        out.speeds[id] = {settings.sensors.read(sensor, closing, {.noise = noise}, ping.began),
+                          settings.noise.floor};
+        ++out.good;
+    }
+    return out;
+}
+
+/// The vehicle's velocity against that water, in its own axes; nothing of too few beams.
+std::optional<doppler::Solution> velocity_of(const Water& water, const Setup& setup,
+                                             const Settings& settings) {
+    const std::size_t least = setup.three_beams ? teledyne::beams - 1 : teledyne::beams;
+    if (water.good < least) return std::nullopt;
+    const auto axes = doppler::beam_axes(settings.acoustics.tilt, settings.azimuths);
+    auto solution = doppler::solve(axes, water.speeds);
+    if (solution)
+        solution->velocity = doppler::turned(solution->velocity, deg_to_rad(0.01 * setup.alignment));
+    return solution;
+}
+
+/// Own choice: ten times as much as of the bottom, whose echo is one of a thin layer.
+double water_noise(const Settings& settings) { return 10 * settings.noise.floor; }
+
+}  // namespace
+
+std::vector<teledyne::Section> profile_of(const WaterPing& ping, const doppler::Attitude& attitude,
+                                          double pulse, const Setup& setup, const Settings& settings) {
+    const auto cells = static_cast<std::size_t>(setup.cells);
     teledyne::Velocity velocity;
     teledyne::Correlation correlation;
     teledyne::Intensity intensity;
@@ -63,45 +104,62 @@ std::vector<teledyne::Section> profile_of(const Echogram& e, Vec3 motion, const 
     percent.values.resize(4 * cells);
     for (std::size_t cell = 0; cell < cells; ++cell) {
         const double from = 0.01 * (setup.blank + static_cast<double>(cell) * setup.cell_size) + pulse / 2;
-        doppler::BeamSpeeds speeds(teledyne::beams);
-        std::size_t good = 0;
-        for (std::size_t beam = 0; beam < order.size(); ++beam) {
-            const auto power =
-                mean_power(e, beam, slant * from, slant * (from + 0.01 * setup.cell_size), speed);
-            if (!power) continue;
-            const std::size_t id = order[beam];
-            const Sample sample = sample_of(*power, e.noise_power, settings);
-            correlation.values[4 * cell + id] = sample.correlation;
-            intensity.values[4 * cell + id] = sample.intensity;
-            if (!sample.good) continue;
-            const double closing = dot(own, axes[id]) * speed / e.sound_speed;
-            const std::string name = "cell " + std::to_string(cell) + ' ' + std::to_string(id);
-            // Ten times as much as of the bottom, whose echo is one of a thin layer: own choice.
-            speeds[id] = {settings.sensors.read(name, closing, {.noise = 10 * settings.noise.floor}, began),
-                          settings.noise.floor};
-            ++good;
-        }
+        const Water water =
+            hear_water(ping, from, from + 0.01 * setup.cell_size, "cell " + std::to_string(cell),
+                       water_noise(settings), setup, settings);
         Velocities values;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            correlation.values[4 * cell + i] = water.samples[i].correlation;
+            intensity.values[4 * cell + i] = water.samples[i].intensity;
+        }
         if (setup.frame == Frame::beam) {
             for (std::size_t i = 0; i < values.size(); ++i) {
-                if (speeds[i]) values[i] = speeds[i]->velocity;
-                percent.values[4 * cell + i] = speeds[i] ? 100 : 0;
+                if (water.speeds[i]) values[i] = water.speeds[i]->velocity;
+                percent.values[4 * cell + i] = water.speeds[i] ? 100 : 0;
             }
         } else {
-            const auto solution = doppler::solve(axes, speeds);
-            const bool three = solution && good == 3 && setup.three_beams, four = solution && good == 4;
-            if (three || four)
-                values = in_frame(doppler::turned(solution->velocity, deg_to_rad(0.01 * setup.alignment)),
-                                  four ? std::optional(solution->error) : std::nullopt, attitude, setup);
+            const auto solution = velocity_of(water, setup, settings);
+            const bool three = solution && water.good == 3, four = solution && water.good == 4;
+            if (solution)
+                values = in_frame(solution->velocity, four ? std::optional(solution->error) : std::nullopt,
+                                  attitude, setup);
             // Of three beams, rejected, of too few, of four.
             percent.values[4 * cell] = three ? 100 : 0;
-            percent.values[4 * cell + 2] = three || four ? 0 : 100;
+            percent.values[4 * cell + 2] = solution ? 0 : 100;
             percent.values[4 * cell + 3] = four ? 100 : 0;
         }
         for (std::size_t i = 0; i < values.size(); ++i)
             velocity.cells[cell].velocity[i] = millimetres(values[i]);
     }
     return {std::move(velocity), std::move(correlation), std::move(intensity), std::move(percent)};
+}
+
+WaterLayer layer_of(const WaterPing& ping, double nearest_bottom, const Setup& setup,
+                    const Settings& settings) {
+    constexpr double share = 0.8;  // of the way to the bottom that a layer may reach to: guide
+    constexpr double decimetre = 0.1;
+    WaterLayer out;
+    const double near = decimetre * setup.layer_near, least = decimetre * setup.layer_least;
+    double far = decimetre * setup.layer_far;
+    if (nearest_bottom > 0) far = std::min(far, share * nearest_bottom);
+    out.middle = (near + far) / 2;
+    out.too_shallow = far < near + least;
+    out.measured.beams.resize(teledyne::beams);
+    if (out.too_shallow) return out;
+    const Water water = hear_water(ping, near, far, "layer", water_noise(settings), setup, settings);
+    for (std::size_t i = 0; i < teledyne::beams; ++i) {
+        out.correlation[i] = water.samples[i].correlation;
+        out.amplitude[i] = water.samples[i].intensity;
+        if (!water.speeds[i]) continue;
+        out.measured.beams[i].valid = true;
+        out.measured.beams[i].velocity = water.speeds[i]->velocity;
+    }
+    const auto solution = velocity_of(water, setup, settings);
+    out.measured.valid = solution.has_value();
+    if (!solution) return out;
+    out.measured.velocity = solution->velocity;
+    out.measured.error = solution->error;
+    return out;
 }
 
 }  // namespace echoloop::teledyne_dvl

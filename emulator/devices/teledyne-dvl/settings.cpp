@@ -1,5 +1,7 @@
 #include "emulator/devices/teledyne-dvl/settings.h"
 
+#include <stdexcept>
+
 namespace echoloop::teledyne_dvl {
 namespace {
 
@@ -18,14 +20,25 @@ void describe_setup(Setup& s, OptionList& o) {
     o.whole(s.cells, "profile_cells", "", 1, 255, "of the water profile; WN", guide);
     o.whole(s.cell_size, "cell_size", "cm", 10, 800, "of the water profile, vertical; WS", guide);
     o.whole(s.blank, "blank", "cm", 0, 1000, "from the face to the first cell; WF", guide);
-    o.words(s.format, "format", {{"pd0", Format::pd0}, {"pd4", Format::pd4}, {"pd5", Format::pd5}},
+    o.whole(s.water_mode, "water_mode", "", 0, 3,
+            "1: water track beside the bottom track, 2: without a bottom, 3: in its place; BK", guide);
+    o.whole(s.layer_least, "layer_least", "dm", 1, 640, "how thick the layer of the water track is; BL",
+            guide);
+    o.whole(s.layer_near, "layer_near", "dm", 0, 9999, "where the layer begins, vertical; BL", guide);
+    o.whole(s.layer_far, "layer_far", "dm", 1, 9999, "where the layer ends, vertical; BL", guide);
+    o.words(s.format, "format",
+            {{"pd0", Format::pd0},
+             {"pd4", Format::pd4},
+             {"pd5", Format::pd5},
+             {"pd6", Format::pd6},
+             {"pd13", Format::pd13}},
             "of its reports; a host sets it by PD", guide);
 }
 
 }  // namespace
 
 // Firmware: published ensembles of a Pathfinder and of an Explorer (34.11); the Navigator's is an own choice.
-const Series pathfinder{"Pathfinder", 67, 1, 0, 20, 0, 3};
+const Series pathfinder{"Pathfinder", 67, 1, 0, 20, 0, 3, true};
 const Series explorer{"Explorer DVL", 34, 11, 0, 3, 0, 3};
 const Series navigator{"WorkHorse Navigator", 9, 20, 1, 8, 4, 3};
 
@@ -56,6 +69,10 @@ Settings read_settings(const DeviceConfig& config, const Series& series) {
     s.noise.gyro = 0;  // a compass tells its heading
     s.series = &series;
     s.unix_start = config.unix_start;
+    if (s.start.layer_far < s.start.layer_near + s.start.layer_least)
+        throw std::invalid_argument(
+            "layer_far is less than layer_near + layer_least, which leaves the water track no layer; raise "
+            "it");
     return s;
 }
 

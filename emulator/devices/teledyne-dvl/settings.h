@@ -10,7 +10,7 @@
 namespace echoloop::teledyne_dvl {
 
 enum class Frame { beam = 0, instrument = 1, ship = 2, earth = 3 };
-enum class Format { pd0 = 0, pd4 = 4, pd5 = 5 };
+enum class Format { pd0 = 0, pd4 = 4, pd5 = 5, pd6 = 6, pd13 = 13 };
 
 /// What commands change; they are the numbers of the commands.
 struct Setup {
@@ -26,6 +26,9 @@ struct Setup {
     int cells = 30;          ///< WN
     int cell_size = 200;     ///< WS, cm
     int blank = 88;          ///< WF, cm
+    int water_mode = 0;      ///< BK: 0 no water track, 1 always, 2 without a bottom, 3 and no bottom track
+    int layer_least = 80;    ///< BL, dm: how thick the layer is at least
+    int layer_near = 160, layer_far = 240;  ///< BL, dm
     Format format = Format::pd0;
     bool pings_by_itself = true;  ///< CF, its second digit
     int interval = 0;             ///< TE and TP, the longer one: 0.01 s from ping to ping at least
@@ -38,6 +41,7 @@ struct Series {
     int firmware = 0, revision = 0;
     std::size_t fixed_more = 0, variable_more = 0, bottom_more = 0;  ///< bytes behind the common ones
     int frequency_code = 3;                                          ///< 3: 600 kHz
+    bool health = false;                                             ///< PD6 has a line of leaks and supply
 };
 
 struct Settings : doppler::Settings {

@@ -1,22 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "emulator/devices/family/doppler/moment.h"
 #include "emulator/devices/waterlinked-dvl/report.h"
 #include "protocols/waterlinked/pd4.h"
+#include "protocols/waterlinked/pd6.h"
 
 namespace echoloop::waterlinked_dvl {
 namespace {
 
 using doppler::Moment, doppler::moment_of;
-
-std::string date_text(const Moment& moment) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%02d%02d%02d%02d%02d%02d%02d", moment.year() % 100, moment.month(),
-                  moment.day(), moment.hour(), moment.minute(), moment.second(), moment.hundredth());
-    return text;
-}
 
 int millimetres(double metres) {
     return static_cast<int>(std::lround(std::clamp(1000 * metres, -32767.0, 32767.0)));
@@ -25,29 +18,18 @@ int millimetres(double metres) {
 }  // namespace
 
 std::string pd6_lines(const VelocityReport& r, const Settings& settings) {
+    constexpr int width = 6;  // of pitch and roll
     const int x = millimetres(r.velocity.x), y = millimetres(r.velocity.y), z = millimetres(r.velocity.z);
-    const int error = millimetres(r.error);
-    const char valid = r.valid ? 'A' : 'V';
-    const bool water = r.water;
-    char text[768];
-    std::string lines = ":SA, +0.00, +0.00,  0.00\r\n";
-    std::snprintf(text, sizeof text, ":TS,%s, 0.0,%+5.1f,   0.0,%6.1f,  0\r\n",
-                  date_text(moment_of(r.validity)).c_str(), settings.water_temperature, r.speed_of_sound);
-    lines += text;
-    const auto velocities = [&](char kind, bool has) {
-        std::snprintf(text, sizeof text,
-                      ":%cI,%+6d,%+6d,%+6d,%+6d,%c\r\n:%cS,%+6d,%+6d,%+6d,%c\r\n"
-                      ":%cE,    +0,    +0,    +0,V\r\n",
-                      kind, has ? x : 0, has ? y : 0, has ? z : 0, has ? error : 0, has ? valid : 'V', kind,
-                      has ? y : 0, has ? x : 0, has ? z : 0, has ? valid : 'V', kind);
-        lines += text;
-    };
-    velocities('W', water);
-    lines += ":WD,       +0.00,       +0.00,       +0.00,   0.00,  0.00\r\n";
-    velocities('B', !water);
-    std::snprintf(text, sizeof text, ":BD,%+12.2f,%+12.2f,%+12.2f,%7.2f,%6.2f\r\n", 0.0, 0.0, 0.0,
-                  std::max(r.altitude, 0.0), 0.0);
-    return lines + text;
+    waterlinked::Pd6Track nothing, track;
+    track.instrument = {x, y, z, millimetres(r.error)};
+    track.ship = {y, x, z};
+    track.instrument_good = track.ship_good = r.valid;
+    waterlinked::Pd6Track bottom = r.water ? nothing : track;
+    bottom.range = std::max(r.altitude, 0.0);
+    return waterlinked::pd6_attitude(0, 0, 0, width) +
+           waterlinked::pd6_time(doppler::compact(moment_of(r.validity)), 0, settings.water_temperature, 0,
+                                 r.speed_of_sound, 0) +
+           waterlinked::pd6_track('W', r.water ? track : nothing) + waterlinked::pd6_track('B', bottom);
 }
 
 Bytes pd4_block(const VelocityReport& r, const Settings& settings) {

@@ -14,10 +14,12 @@ struct OverBottom {
     Vec3 velocity{};               ///< m/s in the world: east, north, up
     Quat orientation{1, 0, 0, 0};  ///< of the log in the world
     std::optional<double> deaf{};  ///< deg, bearing of a beam that hears nothing
+    float water = 0;               ///< echo of the water in each bin, times the noise
+    double floating = 0;           ///< power of what floats in it, at 1 m; spreads and is absorbed at 1 MHz
 
     Echogram hear(const Shot& shot, Time began) const {
         Echogram e = echo_of(shot, shot.bins, 0);
-        std::fill(e.values.begin(), e.values.end(), 1.0F);
+        std::fill(e.values.begin(), e.values.end(), 1.0F + water);
         e.noise_power = 1;
         e.world_from_sonar = {to_seconds(began) * velocity, orientation};
         e.velocities.resize(shot.velocities ? e.values.size() : 0);
@@ -30,6 +32,12 @@ struct OverBottom {
             const double time = 2 * altitude / -in_world.z / e.sound_speed;
             const auto first = static_cast<std::size_t>(std::lround(time / shot.bin_interval));
             const bool hears = altitude > 0 && !(deaf && std::abs(rad_to_deg(bearing) - *deaf) < 1);
+            constexpr double loss = 0.7171;  // dB per m of range, there and back
+            for (std::size_t bin = 0; floating > 0 && bin < shot.bins; ++bin) {
+                const double range = e.bin_range(bin);
+                e.values[beam * shot.bins + bin] +=
+                    static_cast<float>(floating / (range * range) * std::pow(10, -loss * range / 10));
+            }
             for (std::size_t bin = 0; bin < std::size(pulse) && first + bin < shot.bins && hears; ++bin) {
                 const std::size_t at = beam * shot.bins + first + bin;
                 e.values[at] = 1e10F * pulse[bin];

@@ -4,49 +4,13 @@
 
 #include <array>
 
-#include "tests/emulator/devices/doppler_echo.h"
+#include "tests/emulator/devices/teledyne_log.h"
 
 namespace echoloop::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-unsigned u16(const Bytes& b, std::size_t at) { return b.at(at) + 256U * b.at(at + 1); }
-int i16(const Bytes& b, std::size_t at) { return static_cast<std::int16_t>(u16(b, at)); }
-
-struct Log {
-    explicit Log(const Options& changes = {}, const std::string& model = "dvl-pathfinder")
-        : bench(make_device(model, {}, changes)) {}
-
-    /// What it says until `end`, all of it in a row.
-    Bytes heard(Time end) {
-        bottom.run(bench, end);
-        Bytes all;
-        for (const Send& send : bench.sent()) all.insert(all.end(), send.bytes.begin(), send.bytes.end());
-        return all;
-    }
-    /// The last ensemble until then; its sum is right.
-    Bytes ensemble(Time end) {
-        bottom.run(bench, end);
-        Bytes last;
-        for (const Send& send : bench.sent())
-            if (send.bytes.size() > 20 && send.bytes[0] == 0x7F) last = send.bytes;
-        unsigned total = 0;
-        for (std::size_t i = 0; i + 2 < last.size(); ++i) total += last[i];
-        if (last.empty() || u16(last, 2) != last.size() - 2 || (total & 0xFFFF) != u16(last, last.size() - 2))
-            return {};
-        return last;
-    }
-    std::string ask(const std::string& line) {
-        bench.sent();
-        bench.say(Bytes(line.begin(), line.end()));
-        const Bytes all = heard(bench.now);
-        return {all.begin(), all.end()};
-    }
-
-    Bench bench;
-    OverBottom bottom;
-};
+using Log = TeledyneBench;
 
 /// Where the section with that id begins; 0: there is none.
 std::size_t section(const Bytes& ensemble, unsigned id) {
@@ -58,12 +22,6 @@ std::size_t section(const Bytes& ensemble, unsigned id) {
 std::array<int, 4> velocities(const Bytes& ensemble) {
     const std::size_t at = section(ensemble, 0x0600) + 24;
     return {i16(ensemble, at), i16(ensemble, at + 2), i16(ensemble, at + 4), i16(ensemble, at + 6)};
-}
-
-/// Turned to port from east by `yaw`, then the bow up and starboard down; deg.
-Quat lying(double yaw, double pitch = 0, double roll = 0) {
-    return axis_angle({0, 0, 1}, deg_to_rad(yaw)) * axis_angle({0, 1, 0}, -deg_to_rad(pitch)) *
-           axis_angle({1, 0, 0}, deg_to_rad(roll));
 }
 
 TEST(TeledyneLog, EnsembleHasTheSizesOfItsSeries) {

@@ -21,11 +21,18 @@ Water layered(const Profile& profile) {
     return water;
 }
 
-RendererOptions bending() {
-    RendererOptions options;
-    options.effects = Effects::none().set(Effect::spreading).set(Effect::refraction);
-    return options;
-}
+/// Drawn, or by rays that bend.
+class BentPicture : public testing::TestWithParam<const char*> {
+  protected:
+    static RendererOptions bending() {
+        RendererOptions options{.sampler = GetParam()};
+        options.effects = Effects::none().set(Effect::spreading).set(Effect::refraction);
+        return options;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(By, BentPicture, testing::Values("raster", "rays"),
+                         [](const auto& one) { return std::string(one.param); });
 
 /// Upright and looking down: beams at the angles (deg) from the vertical, 1 deg wide.
 Shot sounder(std::initializer_list<double> angles, double range) {
@@ -37,7 +44,7 @@ Shot sounder(std::initializer_list<double> angles, double range) {
 }
 
 // V35: the bottom lies where a host that traces rays with the true profile finds it flat.
-TEST(BentPicture, BottomBelowAThermocline) {
+TEST_P(BentPicture, BottomBelowAThermocline) {
     Renderer renderer(scene_of({test::floor_at(-100, 500)}), layered(thermocline), bending());
     const Echogram e =
         renderer.render(sounder({0, 10, 20, 30, 40, 45, 50, 60, 65, 70}, 270), Pose{{0, 0, -2}, {}});
@@ -54,7 +61,7 @@ TEST(BentPicture, BottomBelowAThermocline) {
 }
 
 // One-way spreading G at 45 and 60 deg is -42.48 and -45.11 dB; the bottom is met at 43.88 and 58.09 deg.
-TEST(BentPicture, LevelsBelowAThermocline) {
+TEST_P(BentPicture, LevelsBelowAThermocline) {
     const auto scene = scene_of({test::floor_at(-100, 500)});
     RendererOptions options = bending();
     const auto level = [&](std::size_t beam) {
@@ -84,7 +91,7 @@ double range_of_wall(const Profile& profile, double depth, double elevation_deg,
 }
 
 // Two triangles, 150 m wide and 95 m high: they are split up where rays bend.
-TEST(BentPicture, LargeWallIsMetWhereRaysOfTheirOwnMeetIt) {
+TEST_P(BentPicture, LargeWallIsMetWhereRaysOfTheirOwnMeetIt) {
     for (const Profile& profile :
          {thermocline, Profile{{0, 1500}, {100, 1450}}, Profile{{0, 1450}, {100, 1500}}}) {
         Renderer renderer(scene_of({test::wall_at(100, 150, -95, -0.5)}), layered(profile), bending());
@@ -106,7 +113,7 @@ TEST(BentPicture, LargeWallIsMetWhereRaysOfTheirOwnMeetIt) {
 }
 
 // V34: nothing at the sonar's depth of 5 m is heard from beyond 141.07 m.
-TEST(BentPicture, ShadowIsSilent) {
+TEST_P(BentPicture, ShadowIsSilent) {
     const Profile profile{{0, 1500}, {50, 1350}};
     for (const double x : {110.0, 137.0, 146.0, 180.0}) {
         Renderer renderer(scene_of({test::wall_at(x, 1, -5.2, -4.8)}), layered(profile), bending());
@@ -120,7 +127,7 @@ TEST(BentPicture, ShadowIsSilent) {
 }
 
 // A mover is drawn from its own frame, in which up is elsewhere.
-TEST(BentPicture, MoversBendAsTheWorldDoes) {
+TEST_P(BentPicture, MoversBendAsTheWorldDoes) {
     const Profile profile{{0, 1500}, {100, 1300}};
     const Shot shot = test::fan(10, 30, 5, 1000, 120);
     const Pose sonar{{0, 0, -20}, {}};
@@ -142,7 +149,7 @@ TEST(BentPicture, MoversBendAsTheWorldDoes) {
     }
 }
 
-TEST(BentPicture, SwitchedOffOrWithoutAProfileRaysAreStraight) {
+TEST_P(BentPicture, SwitchedOffOrWithoutAProfileRaysAreStraight) {
     const auto scene = scene_of({test::floor_at(-100, 500)});
     const Shot shot = sounder({0, 30, 60}, 270);
     const Pose pose{{0, 0, -2}, {}};
@@ -167,11 +174,11 @@ TEST(BentPicture, SwitchedOffOrWithoutAProfileRaysAreStraight) {
     EXPECT_EQ(values(), nearly);
 }
 
-TEST(BentPicture, IsTheSameHoweverManyThreadsDrawAndWhateverWasDrawnBefore) {
+TEST_P(BentPicture, IsTheSameHoweverManyThreadsDrawAndWhateverWasDrawnBefore) {
     const auto scene = scene_of({test::seabed(60), test::box("box", {12, 3, -5}, {2, 3, 4})});
     const Water water = layered({{0, 1530}, {4, 1528}, {6, 1490}, {30, 1480}});
     Shot shot = test::forward_looking();
-    RendererOptions options;
+    RendererOptions options{.sampler = GetParam()};
     Renderer one(scene, water, options);
     options.drawing_threads = 2;
     Renderer two(scene, water, options);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/acoustics/pattern.h"
+#include "tests/render/paths/gentle_seabed.h"
 #include "tests/render/paths/path_rooms.h"
 
 namespace echoloop {
@@ -152,6 +153,19 @@ TEST(DiffusePaths, SamePingGivesTheSameEchoes) {
     shot.ping = 1;
     EXPECT_NE(test::trace(bottom, WaterSurface{}, Effects{}, shot, sonar).diffuse[0].power,
               first.diffuse[0].power);
+}
+
+// Of a scene of more than half a million triangles stand-ins do for indirect echoes: 498,002 and 502,002
+// triangles of one bottom sound the same.
+TEST(DiffusePaths, StandInsOfALargeSceneSoundAsItself) {
+    const Shot shot = test::wide_beam(60, 100);
+    const auto of = [&](int cells) {
+        Powers powers = traced(test::scene_of({test::gentle_seabed(cells)}), WaterSurface{}, boxes, shot);
+        for (double& power : powers) power = test::db(power);
+        return powers;
+    };
+    const Powers all = of(499), stand_ins = of(501);
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_NEAR(all[i], stand_ins[i], 0.1) << "class " << i;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Rays through a scene that is so large that two trees hold it.
+// Rays through a scene that is so large that two trees hold it, or stand-ins.
 #include "render/paths/ray_scene.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/render/meshes.h"
+#include "tests/render/paths/gentle_seabed.h"
 
 namespace echoloop {
 namespace {
@@ -37,6 +38,52 @@ TEST(RayScene, TakesTheNearerOfTwoTreesHits) {
         const auto hit = RayScene(scene).hit({0.3, 0.2, 0}, {0, 0, -1}, 100);
         ASSERT_TRUE(hit.has_value());
         EXPECT_NEAR(hit->range, 6, 1e-3);
+    }
+}
+
+Vec3 slanting(std::mt19937& random) {
+    std::uniform_real_distribution<> level(-1, 1), down(0.1, 1);
+    const Vec3 direction{level(random), level(random), -down(random)};
+    return 1 / norm(direction) * direction;
+}
+
+TEST(RayScene, StandInsAreOffByTheToleranceAtMost) {
+    constexpr double tolerance = 0.02;
+    const auto scene = test::scene_of({test::gentle_seabed(520)});
+    const RayScene exact(scene), coarse(scene, tolerance);
+    std::mt19937 random(2);
+    std::uniform_real_distribution<> within(-20, 20);
+    int off = 0, far_off = 0, small = 0, rays = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 from{within(random), within(random), -1}, direction = slanting(random);
+        const auto a = exact.hit(from, direction, 40), b = coarse.hit(from, direction, 40);
+        if (!a || !b) continue;
+        ++rays;
+        const double across = std::abs((a->range - b->range) * dot(direction, a->normal));
+        off += across > 1e-3, far_off += across > tolerance;
+        // Of the mesh's own triangles: a larger one would mirror more.
+        small += b->height > 0.5 * a->height && b->height < 2 * a->height;
+        EXPECT_GT(dot(a->normal, b->normal), 0.9);
+        const Vec3 point = from + a->range * direction;
+        EXPECT_FALSE(coarse.blocked(from, point)) << "a point on the bottom itself";
+    }
+    EXPECT_GT(rays, 1900);
+    EXPECT_GT(off, rays / 10) << "no stand-ins";
+    EXPECT_LT(far_off, rays / 100) << "rays that just miss a crest";
+    EXPECT_GT(small, rays * 99 / 100);
+}
+
+// What lies behind a stand-in is hidden.
+TEST(RayScene, StandInsHide) {
+    const auto scene = test::scene_of({test::gentle_seabed(520)});
+    const RayScene coarse(scene, 0.02);
+    std::mt19937 random(3);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 from{0, 0, -1}, direction = slanting(random);
+        const auto hit = coarse.hit(from, direction, 40);
+        if (!hit) continue;
+        const double behind = 0.1 / -dot(direction, hit->normal);  // m, of the ray, 10 cm of its plane
+        EXPECT_TRUE(coarse.blocked(from, from + (hit->range + behind) * direction));
     }
 }
 

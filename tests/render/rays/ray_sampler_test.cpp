@@ -118,11 +118,14 @@ TEST(RaySampler, FindsTheSameWithAnyThreadsAndPast) {
 
 /// uPa^2 by tenths of the range, mean over pings; what fluctuates is left out, and what has rays of its own.
 std::array<double, 10> levels(const std::shared_ptr<const Scene>& scene, const std::string& sampler,
-                              Shot shot) {
+                              Shot shot, const std::vector<SoundSpeedPoint>& profile) {
     RendererOptions options{.sampler = sampler};
     for (const Effect effect : {Effect::speckle, Effect::noise, Effect::multipath, Effect::saturation})
         options.effects.set(effect, false);
-    Renderer renderer(scene, water_of(1500), options);
+    options.surface->height = 8;
+    Water water = water_of(1500);
+    if (!profile.empty()) water.sound_speed.reset(), water.profile = profile;
+    Renderer renderer(scene, water, options);
     std::array<double, 10> sums{};
     for (shot.ping = 0; shot.ping < 16; ++shot.ping) {
         shot.random_key = shot.ping;  // moves the samples that side lobes hear, which a sonar at rest keeps
@@ -136,17 +139,31 @@ std::array<double, 10> levels(const std::shared_ptr<const Scene>& scene, const s
 
 class BenchScene : public testing::TestWithParam<const char*> {};
 
-TEST_P(BenchScene, IsHeardAsLoudByRays) {
-    const auto scene = Scene::from_meshes(bench::scene_meshes(GetParam()));
-    for (const Shot& shot : {forward_looking(), scanning()}) {
-        const auto drawn = levels(scene, "raster", shot), traced = levels(scene, "rays", shot);
+void expect_equal_levels(const std::vector<SoundSpeedPoint>& profile) {
+    const auto scene = Scene::from_meshes(bench::scene_meshes(BenchScene::GetParam()));
+    // What is drawn of huge triangles strays by up to two bins in the surround: here those are short.
+    const bool huge = !profile.empty() && scene->triangles() < 2000;
+    for (Shot shot : {forward_looking(), scanning()}) {
+        if (huge) shot.bins *= 8, shot.bin_interval /= 8;
+        const auto drawn = levels(scene, "raster", shot, profile),
+                   traced = levels(scene, "rays", shot, profile);
         const auto sum = [](const auto& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
         EXPECT_NEAR(db(sum(traced) / sum(drawn)), 0, 0.1) << shot.beams() << " beams";
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             if (drawn[i] < 1e-3 * *std::ranges::max_element(drawn)) continue;
-            EXPECT_NEAR(db(traced[i] / drawn[i]), 0, 0.1) << shot.beams() << " beams, tenth " << i;
+            EXPECT_NEAR(db(traced[i] / drawn[i]), 0, huge ? 0.15 : 0.1)
+                << shot.beams() << " beams, tenth " << i;
         }
     }
+}
+
+TEST_P(BenchScene, IsHeardAsLoudByRays) { expect_equal_levels({}); }
+
+/// Right above V35's thermocline, and in the middle of a steep one, where all rays bend.
+TEST_P(BenchScene, IsHeardAsLoudByRaysThatBend) {
+    for (const auto& profile : {std::vector<SoundSpeedPoint>{{0, 1515}, {10, 1515}, {20, 1485}},
+                                std::vector<SoundSpeedPoint>{{0, 1520}, {6, 1518}, {14, 1490}, {40, 1490}}})
+        expect_equal_levels(profile);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, BenchScene, testing::Values("simple", "big100k", "stones", "terrain"),
@@ -175,16 +192,18 @@ TEST(Sampler, IsRaysForSingleBeamsInLargeScenes) {
     EXPECT_NE(bytes("rays", scanning()), bytes("raster", scanning()));
 }
 
-TEST(Sampler, IsTheRasteriserWhereRaysBend) {
-    const auto scene = scene_of({floor_at(-15, 60, 101)});
+TEST(Sampler, BendsRaysForSingleBeamsInLargeScenes) {
+    const auto scene = scene_of({floor_at(-15, 60, 225)});
     Water water;
     water.profile = {{0, 1520}, {9, 1520}, {11, 1500}, {40, 1500}};
-    RendererOptions drawn{.sampler = "raster"}, traced{.sampler = "rays"};
-    for (RendererOptions* options : {&drawn, &traced}) options->surface->height = 8;
-    const Shot shot = scanning();
-    const Echogram a = Renderer(scene, water, drawn).render(shot, Pose{}),
-                   b = Renderer(scene, water, traced).render(shot, Pose{});
-    EXPECT_EQ(a.values, b.values);
+    const auto values = [&](const char* sampler, const Shot& shot) {
+        RendererOptions options{.sampler = sampler};
+        options.surface->height = 8;
+        return Renderer(scene, water, options).render(shot, Pose{}).values;
+    };
+    EXPECT_EQ(values("auto", forward_looking()), values("raster", forward_looking()));
+    EXPECT_TRUE(gl::may_have_gpu() || values("auto", scanning()) == values("rays", scanning()));
+    EXPECT_NE(values("rays", scanning()), values("raster", scanning()));
 }
 
 }  // namespace

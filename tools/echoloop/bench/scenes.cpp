@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/scene/mesh_loops.h"
+
 namespace echoloop::bench {
 namespace {
 
@@ -89,23 +91,35 @@ void add_ball(Mesh& mesh, Vec3 centre, double radius) {
     add_lattice(mesh, base, around, down);
 }
 
-/// Waves of a few metres' length, and their slope.
+/// Of x, y and what they are multiplied by: sines and cosines along one side of the seabed.
+struct Waves {
+    Waves(int cells, double per_metre) {
+        for (int i = 0; i <= cells; ++i) {
+            const double x = -half + 2 * half * i / cells;
+            sine.push_back(std::sin(per_metre * x)), cosine.push_back(std::cos(per_metre * x));
+        }
+    }
+    std::vector<double> sine, cosine;
+};
+
+/// Waves of a few metres' length, and their slope. By all threads, as a file's vertices are read.
 Mesh seabed(const SceneRow& row) {
     Mesh mesh = mesh_of("seabed");
-    const auto vertices = static_cast<std::size_t>(row.cells + 1) * (row.cells + 1);
-    mesh.positions.reserve(vertices);
-    mesh.normals.reserve(vertices);
-    for (int r = 0; r <= row.cells; ++r)
-        for (int c = 0; c <= row.cells; ++c) {
-            const double x = -half + 2 * half * c / row.cells, y = -half + 2 * half * r / row.cells;
-            const double cross_swell = 0.4 * std::cos(2.3 * x + 1.7 * y), a = row.amplitude;
-            const double height =
-                a * (std::sin(0.9 * x) * std::cos(0.7 * y) + 0.4 * std::sin(2.3 * x + 1.7 * y));
-            const double dx = a * (0.9 * std::cos(0.9 * x) * std::cos(0.7 * y) + 2.3 * cross_swell);
-            const double dy = a * (-0.7 * std::sin(0.9 * x) * std::sin(0.7 * y) + 1.7 * cross_swell);
-            mesh.positions.push_back({x, y, height - depth});
-            mesh.normals.push_back(unit({-dx, -dy, 1}));
-        }
+    const auto side = static_cast<std::size_t>(row.cells) + 1;
+    mesh.positions.resize(side * side);
+    mesh.normals.resize(side * side);
+    const Waves along_x(row.cells, 0.9), along_y(row.cells, 0.7);
+    MeshLoops(side * side).each(side * side, [&](std::size_t i) {
+        const std::size_t r = i / side, c = i % side;
+        const double x = -half + 2 * half * static_cast<double>(c) / row.cells,
+                     y = -half + 2 * half * static_cast<double>(r) / row.cells;
+        const double phase = 2.3 * x + 1.7 * y, cross_swell = 0.4 * std::cos(phase), a = row.amplitude;
+        const double height = a * (along_x.sine[c] * along_y.cosine[r] + 0.4 * std::sin(phase));
+        const double dx = a * (0.9 * along_x.cosine[c] * along_y.cosine[r] + 2.3 * cross_swell);
+        const double dy = a * (-0.7 * along_x.sine[c] * along_y.sine[r] + 1.7 * cross_swell);
+        mesh.positions[i] = {x, y, height - depth};
+        mesh.normals[i] = unit({-dx, -dy, 1});
+    });
     add_lattice(mesh, 0, row.cells, row.cells);
     return mesh;
 }

@@ -137,7 +137,9 @@ std::vector<WireCase> wire_cases() {
             {"delta t", "imagenex-deltat", {}, {}},
             {"sonar 3d", "sonar-3d-15", {{"acoustics", true}}, {}},
             {"dvl", "dvl-a50", {}, {}},
-            {"nucleus", "nortek-nucleus", {{"starts_at_once", true}}, {}}};
+            {"nortek dvl", "nortek-dvl1000", {}, {}},
+            {"nucleus", "nortek-nucleus", {{"starts_at_once", true}}, {}},
+            {"wayfinder", "dvl-wayfinder", {}, {}}};
 }
 
 }  // namespace echoloop::bench

@@ -194,3 +194,30 @@ function sonar.show(family, tree, name, tvb, at, stop)
   end
   return name
 end
+
+-- A word of text as the row has it, or, without one, as `other_field`.
+function sonar.show_word(tree, row, range, value, other_field)
+  local number = row and row.type == "number" and tonumber((value:gsub("^%s*%+?", "")))
+  if number then
+    sonar.add_unit(tree:add(row.field, range, number), row)
+  elseif row and row.type ~= "number" then
+    tree:add(row.field, range, value)
+  else
+    tree:add(other_field, range, value)
+  end
+end
+
+-- Words between commas, which begin at byte `from`.
+function sonar.show_list(tree, tvb, from, text, tab, other_field)
+  local place, at = 0, 1
+  while at <= #text + 1 do
+    local value = text:match("^[^,]*", at)
+    place = place + 1
+    local word = value:match("^%s*(.*)$")
+    if word ~= "" then
+      local range = tvb(from + at - 1 + #value - #word, #word)
+      sonar.show_word(tree, tab and tab.rows[place], range, word, other_field)
+    end
+    at = at + #value + 1
+  end
+end

@@ -1,7 +1,8 @@
 // One sonar: what it has heard and what it has said, in layers, with what lies under the pointer.
+import { Kinds } from "./kinds";
 import { levelOf, type Ping, type Said } from "./news";
 import { rulerText, type Look } from "./overlay";
-import { Picture, rangeOf, type Spot } from "./picture";
+import { rangeOf, type Picture, type Spot } from "./picture";
 import { saveCard } from "./snapshot";
 import { farthest, height, plain, width } from "./sketch";
 
@@ -22,18 +23,16 @@ function firstWords(of: CardOf): string {
 
 export class Card {
   readonly element = document.createElement("article");
-  private readonly heard: Picture;
-  private readonly said: Picture;
+  private readonly heard: Kinds;
+  private readonly said: Kinds;
   private readonly facts = document.createElement("p");
   private readonly read = document.createElement("p");
   private readonly layer = document.createElement("select");
   private readonly numbers = new Map<string, Said>(); // rows of numbers, by name
-  private readonly names = new Set<string>(); // of messages that hold pictures
-  private shown = ""; // the one of them that is shown
 
   constructor(private readonly of: CardOf) {
-    this.heard = new Picture(of.waterfall);
-    this.said = new Picture(of.waterfall);
+    this.heard = new Kinds(of.waterfall, true, (picture) => this.listen(picture));
+    this.said = new Kinds(of.waterfall, false, (picture) => this.listen(picture));
     this.element.className = "card";
     this.element.dataset.device = of.device;
     const head = document.createElement("h2");
@@ -46,18 +45,21 @@ export class Card {
     save.title = "save this picture";
     save.onclick = () => saveCard(of.device, this.facts.textContent ?? "", this.pictures().map((one) => one.canvas));
     this.layer.setAttribute("aria-label", "layer of " + of.device);
-    this.layer.onchange = () => this.choose();
+    this.layer.onchange = () => {
+      const [layer, name] = this.chosen();
+      (layer === "said" ? this.said : this.heard).choose(name);
+      this.showLayer();
+    };
     this.offerLayers();
     head.append(of.device, hint, this.layer, save);
     this.facts.className = "facts";
     const canvases = document.createElement("div");
     canvases.className = "canvases";
-    canvases.append(this.heard.canvas, this.said.canvas);
+    canvases.append(this.heard.element, this.said.element);
     this.read.className = "read";
     this.read.append(firstWords(of), ...of.places.flatMap((place) => [document.createElement("br"), place]));
-    for (const picture of [this.heard, this.said]) this.listen(picture);
     this.element.append(head, this.facts, canvases, this.read);
-    this.choose();
+    this.showLayer();
   }
 
   reset(): void {
@@ -66,20 +68,17 @@ export class Card {
     this.numbers.clear();
   }
 
-  take(ping: Ping): void {
-    if (ping.type === "ping") return this.heard.take(ping);
-    if (!this.names.has(ping.name)) {
-      this.names.add(ping.name);
-      this.offerLayers();
-    }
-    if (this.shown === "") this.shown = ping.name;
-    if (this.heard.last !== null) ping.down = this.heard.last.down; // as the other picture lies
-    if (ping.name === this.shown) this.said.take(ping);
+  /** True: it belongs to the picture that is shown of what was heard, or said. */
+  take(ping: Ping): boolean {
+    const kinds = ping.type === "ping" ? this.heard : this.said;
+    if (ping.type === "said" && this.heard.current.last !== null) ping.down = this.heard.current.last.down; // as the other picture lies
+    if (kinds.take(ping)) this.offerLayers();
+    return kinds.current.last === ping;
   }
 
   hear(said: Said): void {
     this.numbers.set(said.name, said);
-    if (this.names.size === 0) this.said.stale = true;
+    if (this.saysNumbers()) this.said.current.stale = true;
   }
 
   /** Draws what has come since the last call. */
@@ -88,8 +87,8 @@ export class Card {
     for (const picture of this.pictures()) {
       if (!picture.stale && !force) continue;
       drawn = true;
-      if (picture === this.said && this.names.size === 0) this.drawNumbers(look);
-      else picture.draw(look, this.layer.value === "true");
+      if (picture === this.said.current && this.saysNumbers()) this.drawNumbers(look);
+      else picture.draw(look, this.chosen()[0] === "true");
     }
     if (!drawn) return;
     this.tellFacts(look);
@@ -99,34 +98,50 @@ export class Card {
   /** What it shows: pictures, and which object each bin hears. */
   layers(): { heard: boolean; said: boolean; truth: boolean } {
     const shown = this.pictures();
-    const heard = shown.includes(this.heard);
-    return { heard, said: shown.includes(this.said), truth: this.layer.value === "true" || (heard && this.heard.pointer !== null) };
+    const heard = shown.includes(this.heard.current);
+    return { heard, said: shown.includes(this.said.current), truth: this.chosen()[0] === "true" || (heard && this.heard.current.pointer !== null) };
+  }
+
+  /** No picture of what it says is known. */
+  private saysNumbers(): boolean {
+    return this.said.names().length === 0;
+  }
+
+  /** The layer, and which of its pictures. */
+  private chosen(): [string, string] {
+    const [layer, ...name] = this.layer.value.split(" ");
+    return [layer, name.join(" ")];
   }
 
   private pictures(): Picture[] {
-    if (this.layer.value === "both") return [this.heard, this.said];
-    return this.layer.value.startsWith("said") ? [this.said] : [this.heard];
+    const layer = this.chosen()[0];
+    if (layer === "both") return [this.heard.current, this.said.current];
+    return [layer === "said" ? this.said.current : this.heard.current];
   }
 
+  /** A layer for each picture that there is, and "heard", "said", "true" where there is one at most. */
   private offerLayers(): void {
-    const chosen = this.layer.value;
-    const said = this.names.size > 1 ? [...this.names].map((name) => ["said " + name, `said: ${name}`]) : [["said", "said: on the wire"]];
-    const heard = [["heard", "heard: levels in the water"], ...said, ["true", "true: objects"], ["both", "heard beside said"]];
+    const of = (layer: string, kinds: Kinds, text: string): [string, string][] => {
+      const names = kinds.names();
+      return names.length > 1 ? names.map((name) => [`${layer} ${name}`, `${layer}: ${name}`]) : [[layer, `${layer}: ${text}`]];
+    };
+    const said = of("said", this.said, "on the wire");
+    const heard = [...of("heard", this.heard, "levels in the water"), ...said, ...of("true", this.heard, "objects"), ["both", "heard beside said"]];
+    const layer = this.chosen()[0];
     this.layer.replaceChildren(...(this.of.captured ? said : heard).map(([value, text]) => new Option(text, value)));
-    if ([...this.layer.options].some((option) => option.value === chosen)) this.layer.value = chosen;
-    else if (chosen === "said") this.layer.selectedIndex = [...this.layer.options].findIndex((option) => option.value.startsWith("said"));
+    if (layer === "both") this.layer.value = layer;
+    else if (layer !== "") {
+      const kinds = layer === "said" ? this.said : this.heard;
+      this.layer.value = kinds.names().length > 1 ? `${layer} ${kinds.shown}` : layer;
+    }
+    this.showLayer();
   }
 
-  private choose(): void {
-    const layer = this.layer.value;
-    if (layer.startsWith("said ") && layer.slice(5) !== this.shown) {
-      this.shown = layer.slice(5);
-      this.said.reset();
-    }
+  private showLayer(): void {
     const shown = this.pictures();
-    for (const picture of [this.heard, this.said]) {
-      picture.canvas.hidden = !shown.includes(picture);
-      picture.stale = true;
+    for (const kinds of [this.heard, this.said]) {
+      kinds.element.hidden = !shown.includes(kinds.current);
+      kinds.current.stale = true;
     }
     this.element.classList.toggle("double", shown.length > 1);
   }
@@ -155,8 +170,8 @@ export class Card {
 
   /** The longest row of numbers that it has said last, as bars, where no picture of it is known. */
   private drawNumbers(look: Look): void {
-    const context = this.said.canvas.getContext("2d")!;
-    this.said.stale = false;
+    const context = this.said.current.canvas.getContext("2d")!;
+    this.said.current.stale = false;
     const said = this.longest();
     context.fillStyle = "#000";
     context.fillRect(0, 0, width, height);
@@ -195,7 +210,7 @@ export class Card {
       return;
     }
     const late = ping.late > 0.001 ? `, ${(ping.late * 1000).toFixed(0)} ms late` : "";
-    const objects = this.layer.value !== "true" || ping.seenOf === ping.number ? "" : ping.seen === null ? " · its objects were not drawn" : ` · objects of ping ${ping.seenOf}`;
+    const objects = this.chosen()[0] !== "true" || ping.seenOf === ping.number ? "" : ping.seen === null ? " · its objects were not drawn" : ` · objects of ping ${ping.seenOf}`;
     this.facts.textContent =
       `${picture.kind} · ping ${ping.number} at ${ping.t.toFixed(2)} s${late} · ${beams}, ${range} · ` +
       `${(ping.frequency / 1000).toFixed(0)} kHz, ${(ping.pulse_length * 1e6).toFixed(0)} us · ${look.span} dB shown${objects}`;
@@ -206,7 +221,7 @@ export class Card {
     const shown = this.pictures();
     const pointed = shown.find((picture) => picture.pointer !== null);
     const picture = pointed ?? shown[0];
-    if (picture === this.said && this.names.size === 0) return this.tellNumber(picture);
+    if (picture === this.said.current && this.saysNumbers()) return this.tellNumber(picture);
     if (picture.last === null) return;
     if (!pointed && picture.last.numbered) return this.tellBeams(picture.last);
     const spot = pointed ? picture.spotAt(...pointed.pointer!) : picture.loudest();

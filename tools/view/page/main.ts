@@ -90,8 +90,8 @@ async function loadScene(): Promise<void> {
 /** What can be seen again, now or later. */
 function show(news: News | Ping): void {
   if (news.type === "ping" || news.type === "said") {
-    cardOf(news.device).take(news);
-    if (news.type === "ping") scene.take(news); // with the objects that the card knows
+    const shown = cardOf(news.device).take(news);
+    if (news.type === "ping" && shown) scene.take(news); // with the objects that the card knows
   } else if (news.type === "messages") {
     for (const said of news.said) if (about !== null && !about.captured) cardOf(said.device).hear(said);
     wire.take(news.messages, news.left_out);

@@ -38,6 +38,7 @@ export interface PingHead {
 export interface Ping extends Omit<PingHead, "type"> {
   type: "ping" | "said";
   name: string; // of the message that said it; "" of what was heard
+  series: string; // whose pictures go on from each other: of one frequency, or of one message
   down: boolean; // the middle looks down
   waterfall: boolean; // a side-scan
   assumed: boolean; // ranges are those at 1500 m/s
@@ -191,7 +192,7 @@ export function pingOf(buffer: ArrayBuffer): Ping {
     const ranges = head.ranges ? new Float32Array(buffer.slice(rest + count, rest + count + 4 * directions)) : null;
     const spacing = head.beams > 1 ? Math.abs(head.bearings[head.beams - 1] - head.bearings[0]) / (head.beams - 1) : 0.02;
     return {
-      ...head, levels, ranges, seen: null, seenOf: 0, late: 0, drawn: 0, due: 0, noise: null, beam_width: spacing, fan_height: 0, tilt: 0,
+      ...head, series: head.name, levels, ranges, seen: null, seenOf: 0, late: 0, drawn: 0, due: 0, noise: null, beam_width: spacing, fan_height: 0, tilt: 0,
       sides: head.waterfall && head.beams === 2, frequency: 0, pulse_length: 0, source_level: 0, sonar: [0, 0, 0, 1, 0, 0, 0],
       objects: false, movers: [],
     };
@@ -199,7 +200,8 @@ export function pingOf(buffer: ArrayBuffer): Ping {
   const seen = head.objects ? new Uint16Array(buffer.slice(rest + count, rest + 3 * count)) : null;
   const [, , , w, x, y, z] = head.sonar;
   const down = 2 * (x * z - w * y) < -0.7; // the axis in the world
-  return { ...head, name: "", down, waterfall: false, assumed: false, numbered: false, levels, seen, seenOf: head.number, ranges: null };
+  const series = `${Math.round(head.frequency / 1000)} kHz`;
+  return { ...head, name: "", series, down, waterfall: false, assumed: false, numbered: false, levels, seen, seenOf: head.number, ranges: null };
 }
 
 /** dB of a byte; NaN for nothing. */

@@ -21,6 +21,7 @@ export class Picture {
   top = -Infinity; // dB
   private bottom = Infinity; // dB, the quietest that was said
   far = 1; // m, of profiles and depths: it grows with what comes
+  private began = 1; // m, `far` of the first of the lines
   pointer: [number, number] | null = null;
   ruler: [number, number] | null = null; // dots, where it begins
   stale = false;
@@ -49,7 +50,8 @@ export class Picture {
     this.pans.add(Math.round(ping.pan * 1000));
     const kind = kindOf(ping, this.pans.size > 1, this.waterfall || ping.waterfall);
     const grows = kind === "profile" || kind === "depth";
-    const alike = this.last !== null && ping.bins === this.last.bins && (grows || farthest(ping) === farthest(this.last));
+    // the speed of sound that a message tells varies a little, and its ranges with it
+    const alike = this.last !== null && ping.bins === this.last.bins && (grows || Math.abs(farthest(ping) / this.began - 1) < 0.01);
     if (!alike || kind !== this.kind) {
       const first = alike && kind === "circle" ? this.last : null; // before it turned
       this.lines = [];
@@ -57,6 +59,7 @@ export class Picture {
       this.top = -Infinity;
       this.bottom = Infinity;
       this.kind = kind;
+      this.began = farthest(ping);
     }
     if (kind !== "echogram" && kind !== "sidescan") inheritObjects(ping, kind === "circle" ? this.lineAt(slotOf(ping.pan)) : this.last);
     this.last = ping;
@@ -246,7 +249,9 @@ export class Picture {
   }
 }
 
+/** 0: none is told. */
 export function rangeOf({ ping, beam, bin }: Spot): number {
+  if (ping.rows > 1 && ping.bins === 1) return 0; // a strength alone
   return bin < 0 ? ping.ranges?.[beam] ?? 0 : ping.first_range + (bin + 0.5) * ping.bin_size;
 }
 

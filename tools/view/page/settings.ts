@@ -1,4 +1,5 @@
 // What drivers have set: the last message of each kind that each has said, and what was new in it.
+import { telling } from "./fields";
 import type { Setting } from "./news";
 
 export class Settings {
@@ -29,8 +30,7 @@ function row(setting: Setting): HTMLElement {
   const element = document.createElement("tr");
   const values = document.createElement("td");
   values.className = "values";
-  const fields = setting.fields.filter(([name]) => !/^(start2?|checksum|end|length|payload_length|reserved\w*|spare\w*)$/.test(name));
-  fields.forEach(([name, text, unit], i) => {
+  telling(setting.fields).forEach(([name, text, unit], i) => {
     const one = document.createElement(setting.changed.includes(name) ? "b" : "span");
     one.textContent = `${name} ${text}${unit ? " " + unit : ""}`;
     values.append(i > 0 ? ", " : "", one);

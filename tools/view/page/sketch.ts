@@ -1,7 +1,7 @@
 // Where each dot of a picture comes from: which line, beam and bin, by the kind of sonar.
 import type { Ping } from "./news";
 
-export type Kind = "fan" | "circle" | "echogram" | "sidescan" | "range image" | "profile" | "depth";
+export type Kind = "fan" | "circle" | "echogram" | "sidescan" | "range image" | "strength image" | "profile" | "depth";
 
 export const width = 480;
 export const height = 360;
@@ -22,7 +22,7 @@ export interface Sketch {
 
 /** `turns`: its pings look in several directions. `waterfall`: a side-scan of one beam. */
 export function kindOf(ping: Ping, turns: boolean, waterfall: boolean): Kind {
-  if (ping.rows > 1) return "range image";
+  if (ping.rows > 1) return ping.bins === 1 ? "strength image" : "range image";
   if (ping.bins === 0) return ping.numbered || ping.beams === 1 ? "depth" : "profile";
   if (waterfall || (ping.sides && ping.beams === 2)) return "sidescan";
   if (ping.sides) return "echogram"; // of several beams that look to all sides
@@ -76,8 +76,9 @@ export function fanSketch(ping: Ping): Sketch {
   return { key: fanKey(ping), index, frame };
 }
 
+/** Four digits of ranges: those of a message vary with the speed of sound that it tells, by less than a dot. */
 export function fanKey(ping: Ping): string {
-  return [ping.beams, ping.bins, ping.first_range, ping.bin_size, ping.pan, ping.bearings[0], ping.bearings[ping.beams - 1], ping.down].join(" ");
+  return [ping.beams, ping.bins, ping.first_range.toPrecision(4), ping.bin_size.toPrecision(4), ping.pan, ping.bearings[0], ping.bearings[ping.beams - 1], ping.down].join(" ");
 }
 
 /** Index of the value next to `at` in an ascending row; -1 where none is within `reach`. */

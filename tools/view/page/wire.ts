@@ -1,17 +1,23 @@
 // The messages on the wires, the latest first: a line each, its fields when it is opened.
+import { mostTelling } from "./fields";
 import type { Message } from "./news";
 
 const most = 300;
 
+interface Row {
+  message: Message | null; // null: a remark
+  element: HTMLElement;
+}
+
 export class Wire {
   private paused = false;
   private filter = "";
-  private kept: Message[] = [];
+  private rows: Row[] = []; // the latest first; those that do not pass the filter are hidden
 
   constructor(private readonly list: HTMLElement, filter: HTMLInputElement, pause: HTMLButtonElement) {
     filter.oninput = () => {
       this.filter = filter.value.toLowerCase();
-      this.list.replaceChildren(...this.kept.filter((one) => this.passes(one)).map(row));
+      for (const { message, element } of this.rows) element.hidden = !this.passes(message);
     };
     pause.onclick = () => {
       this.paused = !this.paused;
@@ -22,38 +28,50 @@ export class Wire {
   /** `leftOut`: bytes that were not read, since there were too many. */
   take(messages: Message[], leftOut: number): void {
     if (this.paused) return;
-    if (leftOut > 0) this.list.prepend(remark(`${(leftOut / 1e6).toFixed(1)} MB more have passed unread`));
+    const before = this.list.scrollHeight;
+    const read = this.list.scrollTop > 0 || this.rows.some(isOpen);
+    if (leftOut > 0) this.add(null, remark(`${(leftOut / 1e6).toFixed(1)} MB more have passed unread`));
     for (const message of messages.slice(-most)) {
-      const last = this.kept[0];
-      if (last !== undefined && alike(last, message)) {
-        message.parts = (last.parts ?? 1) + (message.parts ?? 1);
-        this.kept[0] = message;
-        if (this.passes(message)) this.list.firstElementChild?.replaceWith(row(message));
-        continue;
+      const last = this.rows[0];
+      if (last !== undefined && last.message !== null && !isOpen(last) && alike(last.message, message)) {
+        message.parts = (last.message.parts ?? 1) + (message.parts ?? 1);
+        this.rows.shift();
+        last.element.remove();
       }
-      this.kept.unshift(message);
-      if (this.passes(message)) this.list.prepend(row(message));
+      this.add(message, rowOf(message));
     }
-    this.kept.length = Math.min(this.kept.length, most);
-    while (this.list.childElementCount > most) this.list.lastElementChild!.remove();
+    // what somebody reads stays where it is, and stays
+    if (read) this.list.scrollTop += this.list.scrollHeight - before;
+    for (const one of this.rows.splice(most)) isOpen(one) ? this.rows.push(one) : one.element.remove();
   }
 
   reset(): void {
-    this.kept = [];
+    this.rows = [];
     this.list.replaceChildren();
   }
 
-  private passes(message: Message): boolean {
+  private add(message: Message | null, element: HTMLElement): void {
+    element.hidden = !this.passes(message);
+    this.rows.unshift({ message, element });
+    this.list.prepend(element);
+  }
+
+  private passes(message: Message | null): boolean {
     if (this.filter === "") return true;
-    const text = [message.device, message.port, message.name, message.reason, message.fault ?? "", ...message.fields.map((field) => field[0])].join(" ");
+    if (message === null) return false;
+    const text = [message.device, message.port, message.name, message.reason && "refused: " + message.reason, message.fault && "fault: " + message.fault, ...message.fields.map((field) => field[0])].join(" ");
     return text.toLowerCase().includes(this.filter);
   }
+}
+
+function isOpen({ element }: Row): boolean {
+  return element instanceof HTMLDetailsElement && element.open;
 }
 
 /** The parts of one picture come as many messages in a few milliseconds. */
 function alike(a: Message, b: Message): boolean {
   if (a.fault !== undefined || b.fault !== undefined) return false;
-  return a.device === b.device && a.port === b.port && a.sent === b.sent && a.name === b.name && b.unix - a.unix < 0.01;
+  return a.device === b.device && a.port === b.port && a.sent === b.sent && a.name === b.name && a.reason === b.reason && b.unix - a.unix < 0.01;
 }
 
 function remark(text: string): HTMLElement {
@@ -63,7 +81,7 @@ function remark(text: string): HTMLElement {
   return element;
 }
 
-function row(message: Message): HTMLElement {
+function rowOf(message: Message): HTMLDetailsElement {
   const element = document.createElement("details");
   const line = document.createElement("summary");
   const time = new Date(message.unix * 1000).toISOString().slice(11, 23);
@@ -81,7 +99,7 @@ function row(message: Message): HTMLElement {
     line.classList.add("bad");
     line.append("refused: " + message.reason);
   } else {
-    line.append(message.fields.slice(0, 4).map(([name, text, unit]) => `${name} ${text}${unit ? " " + unit : ""}`).join(", "));
+    line.append(mostTelling(message.fields, message.name).slice(0, 4).map(([name, text, unit]) => `${name} ${text}${unit ? " " + unit : ""}`).join(", "));
   }
   element.append(line);
   element.ontoggle = () => {

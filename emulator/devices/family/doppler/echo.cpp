@@ -22,16 +22,19 @@ double bearing_of(double azimuth) {
     return azimuth - 2 * pi * std::floor((azimuth + pi) / (2 * pi));
 }
 
-/// The bin of the strongest echo, if one stands out of the noise and of the water.
+/// The bin of the strongest echo, if one stands out of the noise and of the water. Without what absorption
+/// takes given back the water before the face would be louder than a bottom far away.
 std::optional<std::size_t> peak_of(const Echogram& e, std::size_t beam, double detection) {
     const auto powers = e.beam(beam);
+    const double gain =
+        std::numbers::ln10 / 10 * usual_absorption(e.shot.frequency) * e.sound_speed;  // per s
     const double least = e.noise_power * std::pow(10, detection / 10);
     std::optional<std::size_t> best;
     double strongest = 0;
     for (std::size_t bin = 0; bin < powers.size(); ++bin) {
         const double power = static_cast<double>(powers[bin]) - e.noise_power;
         const double time = time_of(e.shot, bin);
-        const double strength = power * time * time;
+        const double strength = power * time * time * std::exp(gain * time);
         if (static_cast<double>(powers[bin]) <= least || strength <= strongest) continue;
         strongest = strength;
         best = bin;
@@ -88,6 +91,16 @@ struct Around {
 };
 
 }  // namespace
+
+double usual_absorption(double frequency) {
+    // Shares of boric acid and of magnesium sulphate, their relaxation frequencies, kHz, and that of water.
+    constexpr double boric = 0.1037, boric_at = 1.117, magnesium = 0.6313, magnesium_at = 75.9,
+                     water = 3.108e-4;
+    const double khz = frequency / 1000, square = khz * khz;
+    return (boric * boric_at * square / (square + boric_at * boric_at) +
+            magnesium * magnesium_at * square / (square + magnesium_at * magnesium_at) + water * square) /
+           1000;
+}
 
 Plan make_plan(const Mode& mode, double speed, const Settings& settings) {
     constexpr double margin = 1.15;  // for a vehicle that is not level, and slopes; own choice

@@ -32,8 +32,12 @@ struct Echo {
     double scatter = 0;               ///< m/s, by how much speckle over the footprint lets that stray
 };
 
-/// Looks for the strongest echo, what spreading takes given back, and takes the centre of the power around
-/// it: of a narrow beam over a slope that lies on the axis, where the leading edge does not.
+/// dB/m one way, by Francois & Garrison 1982 at 10 degC, salinity 35, pH 8 and the surface; Hz. A log does
+/// not know its water any better.
+double usual_absorption(double frequency);
+
+/// Looks for the strongest echo, what spreading and absorption take given back, and takes the centre of the
+/// power around it: of a narrow beam over a slope that lies on the axis, where the leading edge does not.
 std::optional<Echo> find_bottom_echo(const Echogram& echogram, std::size_t beam, const Settings& settings);
 
 }  // namespace echoloop::doppler

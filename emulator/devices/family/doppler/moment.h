@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
+#include <string>
 
 namespace echoloop::doppler {
 
@@ -24,6 +26,14 @@ inline Moment moment_of(std::int64_t unix_us) {
     const std::chrono::sys_time<std::chrono::microseconds> at{std::chrono::microseconds(unix_us)};
     const auto day = std::chrono::floor<std::chrono::days>(at);
     return {std::chrono::year_month_day(day), std::chrono::hh_mm_ss<std::chrono::microseconds>(at - day)};
+}
+
+/// YYMMDDhhmmsshh, the last of them hundredths.
+inline std::string compact(const Moment& m) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%02d%02d%02d%02d%02d%02d%02d", m.year() % 100, m.month(), m.day(),
+                  m.hour(), m.minute(), m.second(), m.hundredth());
+    return text;
 }
 
 /// `start`: s, Unix time at the start of the run.

@@ -1,11 +1,12 @@
--- PD0 ensembles 7F 7F with a table of offsets, PD4 and PD5 blocks 7D, lines of the console. A sum tells the first two.
+-- PD0 ensembles 7F 7F with a table of offsets, PD4 and PD5 blocks 7D, lines of PD6 and of the console. A sum tells the first two.
 local family = sonar.families.teledyne
 local longest_line, longest_ensemble, header = 200, 8192, 6
 local heads = {["}\0\45\0"] = {"PD4", 47}, ["}\1\86\0"] = {"PD5", 88}}
 local sections = {[0x0000] = "FixedLeader", [0x0080] = "VariableLeader", [0x0100] = "Velocity", [0x0200] = "Correlation",
                   [0x0300] = "Intensity", [0x0400] = "PercentGood", [0x0600] = "BottomTrack"}
 local text_field = sonar.text_field("sonar.teledyne.text", "text", "of the console")
-table.insert(family.fields, text_field)
+local other_field = sonar.text_field("sonar.teledyne.field", "field", "of a line that has no more names")
+for _, field in ipairs({text_field, other_field}) do table.insert(family.fields, field) end
 
 family.mark = "[ -~\127]"
 
@@ -66,6 +67,11 @@ function family.display(tree, tvb, at, size, text)
     return name
   elseif first ~= 0x7F then
     local line = text:sub(at + 1, at + size):match("^[^\r\n]*")
+    local tab = family.tables[line:match("^:(%u%u),") or ""]
+    if tab then
+      sonar.show_list(tree, tvb, at + 4, line:sub(5), tab, other_field)
+      return line:sub(2, 3)
+    end
     tree:add(text_field, tvb(at, #line), line)
     return "Console"
   end

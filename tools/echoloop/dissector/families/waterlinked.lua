@@ -75,30 +75,8 @@ local function crc_of(text)
   return crc
 end
 
--- A field as the row has it, or without a name.
-local function show_value(tree, row, range, value)
-  local number = row and row.type == "number" and tonumber((value:gsub("^%s*%+?", "")))
-  if number then
-    sonar.add_unit(tree:add(row.field, range, number), row)
-  elseif row and row.type ~= "number" then
-    tree:add(row.field, range, value)
-  else
-    tree:add(other_field, range, value)
-  end
-end
-
-local function show_list(tree, tvb, from, text, tab)
-  local place, at = 0, 1
-  while at <= #text + 1 do
-    local value = text:match("^[^,]*", at)
-    place = place + 1
-    local word = value:match("^%s*(.*)$")
-    if word ~= "" then
-      show_value(tree, tab and tab.rows[place], tvb(from + at - 1 + #value - #word, #word), word)
-    end
-    at = at + #value + 1
-  end
-end
+local function show_value(tree, row, range, value) sonar.show_word(tree, row, range, value, other_field) end
+local function show_list(tree, tvb, from, text, tab) sonar.show_list(tree, tvb, from, text, tab, other_field) end
 
 local function members(text)
   local out, place = {}, text:match("^{%s*()")

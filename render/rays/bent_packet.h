@@ -1,0 +1,47 @@
+// Neighbouring rays that bend, chord by chord, and what they meet turned into what straight rays would: in
+// the widest vectors of the processor. Knows no tree.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "render/rays/ray_chains.h"
+#include "render/rays/ray_packet.h"
+
+namespace echoloop::rays {
+
+/// How the rays of a tile leave the sonar, and how far they have got.
+struct BentRays {
+    using Numbers = std::array<float, packet_rays>;
+    Numbers ahead_x, ahead_y;                     ///< horizontal direction, of length 1
+    Numbers rise;                                 ///< rad, over the row of RayChains
+    std::array<std::int32_t, packet_rays> place;  ///< where the chord at hand begins
+};
+
+/// The chords at hand: from `x`, `y`, `z` in the scene's frame, as far as `to_x`, `to_y`, `to_z` tell.
+struct Chords {
+    float *x, *y, *z, *to_x, *to_y, *to_z;
+    float* end;  ///< the share of it that is wanted, or 0 and less
+};
+
+/// Rays through the places `x` and `y` of the image plane, at their beginning.
+void launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, BentRays& rays);
+
+/// `reach`: m of c t, beyond which nothing is wanted.
+void find_chords(const RayChains& chains, const BentRays& rays, const float* eye, float reach,
+                 const Chords& chords);
+
+/// What bent rays met along a line: beside HitArrays, whose depth is the share of the chord.
+struct BentHits {
+    std::array<float, HitArrays::most> rise;
+    std::array<std::int32_t, HitArrays::most> place;
+};
+
+/// Makes them hits of the straight rays that leave so: as far off as the bent ones are in time, and with
+/// normals turned with the ray; those of triangles' planes so that what a pixel covers has the same ranges.
+/// The arc between two places, not its chord, meets the plane.
+void straighten(const ViewAxes& axes, const RayChains& chains, float x, const float* y, const BentHits& bent,
+                std::size_t count, HitArrays& hits);
+
+}  // namespace echoloop::rays

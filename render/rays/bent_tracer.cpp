@@ -1,0 +1,98 @@
+#include "render/rays/bent_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace echoloop::rays {
+
+BentTracer::BentTracer(const ViewPlace& place, std::size_t samples, const TracedParts& parts,
+                       const RayChains& chains, float reach)
+    : place_(place), samples_(samples), parts_(parts), chains_(chains), reach_(reach) {
+    for (Tile& tile : tiles_)
+        for (std::size_t lane = 0; lane < packet_rays; ++lane)
+            tile.query.ray.time[lane] = 0, tile.query.ray.mask[lane] = ~0U, tile.query.ray.flags[lane] = 0;
+}
+
+void BentTracer::trace(std::span<const TracedLine> lines) {
+    for (std::size_t lane = 0; lane < packet_rays; ++lane)
+        x_[lane] = lines[std::min(lane / tile_samples, lines.size() - 1)].x;
+    for (std::size_t sample = 0; sample < samples_; sample += HitArrays::most) {
+        const std::size_t count = std::min(HitArrays::most, samples_ - sample);
+        const auto tiles = std::span(tiles_).first((count + tile_samples - 1) / tile_samples);
+        for (std::size_t i = 0; i < tiles.size(); ++i)
+            start(tiles[i], sample + i * tile_samples, lines.size());
+        for (bool any = true; any;) {
+            for (Tile& tile : tiles)
+                if (tile.any) aim(tile);
+            for (Tile& tile : tiles)
+                if (tile.any) first_hits(tile.asked.data(), parts_.scene(), tile.query);
+            any = false;
+            for (std::size_t i = 0; i < tiles.size(); ++i)
+                if (tiles[i].any) take_hits(tiles[i], i), any |= tiles[i].any;
+        }
+        for (std::size_t line = 0; line < lines.size(); ++line) {
+            straighten(place_.axes, chains_, lines[line].x, &place_.y[sample], bent_[line], count,
+                       hits_[line]);
+            find_pixels(place_.axes, place_.sizes, lines[line].x, &place_.y[sample], hits_[line], count,
+                        lines[line].pixels + sample);
+        }
+    }
+}
+
+void BentTracer::start(Tile& tile, std::size_t sample, std::size_t lines) {
+    std::array<float, packet_rays> y;
+    for (std::size_t lane = 0; lane < packet_rays; ++lane) y[lane] = place_.y[sample + lane % tile_samples];
+    launch(place_.axes, x_.data(), y.data(), chains_, tile.rays);
+    const std::vector<float>& lengths = chains_.places().length;
+    for (std::size_t lane = 0; lane < packet_rays; ++lane) {
+        const bool there = lane / tile_samples < lines && sample + lane % tile_samples < samples_;
+        tile.asked[lane] = there ? -1 : 0;
+        const auto end = static_cast<std::size_t>(tile.rays.place[lane]) + 1;
+        tile.from[lane] = near_end * std::sqrt(x_[lane] * x_[lane] + y[lane] * y[lane] + 1) / lengths[end];
+        const std::size_t at = sample % HitArrays::most + lane % tile_samples, line = lane / tile_samples;
+        hits_[line].surface[at] = hits_[line].depth[at] = bent_[line].rise[at] = 0;
+        bent_[line].place[at] = 0;
+    }
+    tile.any = true;
+}
+
+void BentTracer::aim(Tile& tile) const {
+    RTCRay16& ray = tile.query.ray;
+    find_chords(chains_, tile.rays, place_.eye.data(), reach_,
+                {ray.org_x, ray.org_y, ray.org_z, ray.dir_x, ray.dir_y, ray.dir_z, tile.end.data()});
+    constexpr float overlap = 1.00001F;  // of neighbouring chords: none passes where they meet
+    for (std::size_t lane = 0; lane < packet_rays; ++lane) {
+        ray.tnear[lane] = tile.from[lane], ray.tfar[lane] = std::min(overlap, tile.end[lane]);
+        tile.query.hit.geomID[lane] = tile.query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
+void BentTracer::take_hits(Tile& tile, std::size_t number) {
+    tile.any = false;
+    for (std::size_t lane = 0; lane < packet_rays; ++lane) {
+        if (tile.asked[lane] == 0) continue;
+        const std::size_t line = lane / tile_samples, at = number * tile_samples + lane % tile_samples;
+        if (tile.query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
+            go_on(tile, lane);
+        } else if (parts_.take_hit(tile.query, lane, hits_[line], at)) {
+            bent_[line].rise[at] = tile.rays.rise[lane], bent_[line].place[at] = tile.rays.place[lane];
+            tile.asked[lane] = 0;
+        } else {  // what is not there from behind is passed
+            const float share = tile.query.ray.tfar[lane];
+            tile.from[lane] = share + 1e-6F +
+                              1e-5F / std::hypot(tile.query.ray.dir_x[lane], tile.query.ray.dir_y[lane],
+                                                 tile.query.ray.dir_z[lane]);
+        }
+        tile.any |= tile.asked[lane] != 0;
+    }
+}
+
+/// To the next chord, if there is one.
+void BentTracer::go_on(Tile& tile, std::size_t lane) const {
+    const auto next = static_cast<std::size_t>(++tile.rays.place[lane]);
+    const std::vector<float>& length = chains_.places().length;
+    tile.from[lane] = 0;
+    if (length[next] >= reach_ || length[next + 1] == 0) tile.asked[lane] = 0, --tile.rays.place[lane];
+}
+
+}  // namespace echoloop::rays

@@ -1,0 +1,238 @@
+#include "render/rays/ray_chains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "render/layered_ray.h"
+#include "render/refraction.h"
+
+namespace echoloop::rays {
+namespace {
+
+/// Where a ray is, and how its neighbours differ: `width` is the distance between rays of the same time over
+/// that of their launch (m/rad), `spread` how it grows, over the sound speed (Cerveny, Seismic Ray Theory,
+/// 2001, section 4.1: Q and P of dynamic ray tracing).
+struct ChainPoint {
+    double x = 0, z = 0, length = 0;  // m
+    double elevation = 0;             // rad
+    double width = 0, spread = 0;     // m/rad, s/m
+    double speed = 0;                 // m/s
+};
+
+/// Shoots one ray after the other through the layers of a profile.
+class ChainShooter {
+  public:
+    /// `sag`: m, by which a ray may stray from a straight line between two of its points.
+    ChainShooter(const RayTable& table, double sag)
+        : levels_(endless_profile(table.profile(), 2.2 * table.range() + 10)),
+          depth_(table.depth()),
+          speed_(table.speed()),
+          range_(table.range()),
+          sag_(sag),
+          surface_(table.surface()) {}
+
+    /// Fills in the points of a ray of that elevation, which stands for those up to `blur` rad off.
+    void shoot(double elevation, double blur, std::vector<ChainPoint>& out) {
+        points_ = &out;
+        out.assign(1, {0, 0, 0, elevation, 0, 1 / speed_, speed_});
+        snell_ = std::cos(elevation) / speed_;
+        blur_ = std::abs(std::sin(elevation)) * blur + 1e-6;
+        sine_ = std::abs(std::sin(elevation));
+        start(elevation);
+        for (int i = 0; i < most_layers && out.back().length < range_; ++i)
+            if (!cross_layer()) break;
+        if (out.size() == 1) go_straight(range_);
+    }
+
+  private:
+    static constexpr int most_layers = 8192;  ///< that a ray crosses
+
+    double depth() const { return depth_ - points_->back().z; }
+
+    /// 1/s: layer i lies above levels_[i], the last one below all.
+    double gradient(std::size_t layer) const {
+        if (layer == 0 || layer == levels_.size()) return 0;
+        const SoundSpeedPoint &a = levels_[layer - 1], &b = levels_[layer];
+        return (b.speed - a.speed) / (b.depth - a.depth);
+    }
+
+    /// Chooses the layer and the way. Level rays go where sound is slower, if anywhere.
+    void start(double elevation) {
+        const auto below = std::ranges::upper_bound(levels_, depth_, {}, &SoundSpeedPoint::depth);
+        layer_ = static_cast<std::size_t>(below - levels_.begin());
+        const bool on_level = layer_ > 0 && levels_[layer_ - 1].depth == depth_;
+        const double slope_below = gradient(layer_),
+                     slope_above = on_level ? gradient(layer_ - 1) : slope_below;
+        down_ = elevation < 0 || (elevation == 0 && slope_below < 0);
+        level_ = elevation == 0 && !(slope_below < 0) && !(slope_above > 0);
+        if (!down_ && on_level) --layer_;
+    }
+
+    /// False where the ray ends.
+    bool cross_layer() {
+        const bool endless = down_ ? layer_ == levels_.size() : layer_ == 0;
+        const ChainPoint& now = points_->back();
+        if (level_ || endless || (sine_ < 1e-9 && gradient(layer_) == 0)) {
+            go_straight(range_ - now.length);
+            return false;
+        }
+        const SoundSpeedPoint& level = levels_[down_ ? layer_ : layer_ - 1];
+        const double thickness = std::abs(level.depth - depth());
+        if (snell_ * level.speed >= 1) {
+            const double share = std::clamp((1 / snell_ - now.speed) / (level.speed - now.speed), 0.0, 1.0);
+            if (share * thickness > 0 && sine_ > 0) go(share * thickness, 1 / snell_, 0);
+            if (!down_ && surface_ && depth() < 0) return false;
+            down_ = !down_, sine_ = 0;
+            // What has not left its level would go to and fro.
+            return points_->size() > 1 || gradient(layer_) != 0;
+        }
+        if (thickness > 0) go(thickness, level.speed, sine_of(snell_, level.speed));
+        if (points_->back().length >= range_) return false;
+        points_->back().z = depth_ - level.depth;
+        cross(level.speed);
+        return true;
+    }
+
+    /// Where the gradient changes, neighbours that come there at another angle are bent otherwise.
+    void cross(double speed) {
+        const std::size_t other = down_ ? layer_ + 1 : layer_ - 1;
+        const double change = down_ ? gradient(other) - gradient(layer_) : gradient(layer_) - gradient(other);
+        const double cosine = snell_ * speed;
+        ChainPoint& now = points_->back();
+        now.spread -=
+            change * cosine * cosine / (speed * speed * std::sqrt(sine_ * sine_ + blur_)) * now.width;
+        layer_ = other;
+    }
+
+    /// m of c t.
+    void go_straight(double length) {
+        ChainPoint next = points_->back();
+        const double way = length * next.speed / speed_;
+        next.x += way * std::cos(next.elevation), next.z += way * std::sin(next.elevation);
+        next.length += length;
+        next.width += next.spread * next.speed * way;
+        points_->push_back(next);
+    }
+
+    /// To the place in the same layer that is `thickness` m off in depth, where sound has that speed.
+    void go(double thickness, double speed, double sine) {
+        const double from_speed = points_->back().speed, from_sine = sine_;
+        const double from = std::atan2(from_sine, snell_ * from_speed), to = std::atan2(sine, snell_ * speed);
+        const double chord =
+            std::hypot(thickness, layer_step(snell_, thickness, from_speed, from_sine, speed, sine).distance);
+        const double turn = std::abs(to - from);
+        const auto parts = static_cast<int>(
+            std::ceil(std::max({1.0, turn / most_turn, std::abs(speed - from_speed) / (most_change * speed_),
+                                std::sqrt(chord * turn / (8 * sag_))})));
+        double gone = 0;
+        for (int part = 1; part <= parts && points_->back().length < range_; ++part) {
+            const bool last = part == parts;
+            const double angle = last ? to : from + (to - from) * part / parts;
+            // By the change of sound speed, which the cosines tell, without a difference of them.
+            const double share = last          ? 1
+                                 : turn < 1e-6 ? static_cast<double>(part) / parts
+                                               : std::sin((angle + from) / 2) * std::sin((angle - from) / 2) /
+                                                     (std::sin((to + from) / 2) * std::sin((to - from) / 2));
+            const double part_speed = last ? speed : from_speed + share * (speed - from_speed);
+            step(share * thickness - gone, part_speed, last ? sine : std::sin(angle), angle);
+            gone = share * thickness;
+        }
+    }
+
+    void step(double thickness, double speed, double sine, double angle) {
+        ChainPoint next = points_->back();
+        const LayerStep way = layer_step(snell_, thickness, next.speed, sine_, speed, sine);
+        const double half_turn = (angle - std::abs(next.elevation)) / 2;
+        const double arc = std::hypot(thickness, way.distance) * (1 + half_turn * half_turn / 6);
+        next.x += way.distance, next.z += down_ ? -thickness : thickness;
+        next.length += speed_ * way.time;
+        next.width += next.spread * arc * (next.speed + speed) / 2;
+        next.elevation = down_ ? -angle : angle;
+        next.speed = speed, sine_ = sine;
+        points_->push_back(next);
+    }
+
+    /// Between two points: rad, and the share of sound speed.
+    static constexpr double most_turn = 0.1, most_change = 0.04;
+
+    std::vector<SoundSpeedPoint> levels_;
+    double depth_, speed_, range_, sag_;
+    bool surface_;
+    std::vector<ChainPoint>* points_ = nullptr;
+    double snell_ = 0, sine_ = 0, blur_ = 0;
+    std::size_t layer_ = 0;
+    bool down_ = false, level_ = false;
+};
+
+/// Whether a chord may stand for the ray between its first and its last point: between them it takes it for
+/// an even arc.
+bool chord_fits(std::span<const ChainPoint> points, const ChordTolerance& tolerance) {
+    constexpr double most_angle = 5e-4, most_time = 2e-4;  // rad, of the direction; share
+    constexpr std::size_t looks = 12;
+    const ChainPoint &a = points.front(), &b = points.back();
+    const double x = b.x - a.x, z = b.z - a.z, square = x * x + z * z, turn = b.elevation - a.elevation;
+    const double sag = std::sqrt(square) * std::abs(turn) / 8;
+    if (sag > std::max(tolerance.distance, tolerance.angle * (a.length + b.length) / 2)) return false;
+    const std::size_t step = std::max<std::size_t>(1, points.size() / looks);
+    for (std::size_t i = 1; i + 1 < points.size(); i += step) {
+        const ChainPoint& p = points[i];
+        const double share = ((p.x - a.x) * x + (p.z - a.z) * z) / square;
+        const double stray = ((p.z - a.z) * x - (p.x - a.x) * z) / std::sqrt(square),
+                     arc = -std::sqrt(square) * turn / 2 * share * (1 - share);
+        const double allowed = std::max(tolerance.distance, tolerance.angle * p.length);
+        if (std::abs(stray) > allowed || std::abs(stray - arc) > allowed / 8) return false;
+        if (std::abs(p.elevation - a.elevation - share * turn) > most_angle) return false;
+        const double uneven = (b.speed - a.speed) / (a.speed + b.speed) * (1 - share);
+        const double length = a.length + (b.length - a.length) * share * (1 + uneven);
+        if (std::abs(p.length - length) > most_time * p.length) return false;
+    }
+    return true;
+}
+
+/// Within what makes sense beside a caustic, where rays to the first order say too much.
+double slope_of(double slope, double straight) { return std::clamp(slope, -10 * straight, 10 * straight); }
+
+/// `reach`: rad, of rays that take the place's slopes. They hold at the same depth, since there a ray bends
+/// by Snell's law and not by where it has got to; where it hardly sinks or rises, at the same length.
+void add_place(const ChainPoint& point, const ChainPoint& launch, double reach, RayChains::Places& to) {
+    const auto add = [](std::vector<float>& all, double value) { all.push_back(static_cast<float>(value)); };
+    const double width = slope_of(point.width, point.length), speed = point.speed / launch.speed,
+                 sine = std::sin(point.elevation), cosine = std::cos(point.elevation);
+    double later = std::abs(sine) > 0.01 ? -width * cosine / (speed * sine) : 0;
+    if (std::abs(later) * reach > 0.1 * point.length) later = 0;
+    add(to.length, point.length), add(to.length_slope, later);
+    add(to.x, point.x), add(to.x_slope, speed * later * cosine - width * sine);
+    add(to.z, point.z), add(to.z_slope, later == 0 ? width * cosine : 0);
+    add(to.bow, point.elevation - launch.elevation);
+    add(to.bow_slope,
+        (later == 0 ? slope_of(point.speed * point.spread, 1) : speed * std::sin(launch.elevation) / sine) -
+            1);
+    add(to.speed, speed);
+}
+
+}  // namespace
+
+double RayChains::elevation(int row) {
+    const double root = static_cast<double>(row - half) / half;
+    return 2 * std::atan(root * std::abs(root));
+}
+
+RayChains::RayChains(const RayTable& table, ChordTolerance tolerance) {
+    ChainShooter shooter(table, tolerance.distance / 4);
+    std::vector<ChainPoint> points;
+    for (int row = 0; row < rows; ++row) {
+        const double reach = (elevation(std::min(row + 1, rows - 1)) - elevation(std::max(row - 1, 0))) / 4;
+        shooter.shoot(elevation(row), reach, points);
+        first_.push_back(static_cast<std::int32_t>(places_.length.size()));
+        add_place(points.front(), points.front(), reach, places_);
+        std::size_t begin = 0;
+        for (std::size_t i = 2; i < points.size(); ++i)
+            if (!chord_fits(std::span(points).subspan(begin, i - begin + 1), tolerance))
+                begin = i - 1, add_place(points[begin], points.front(), reach, places_);
+        if (points.size() > 1) add_place(points.back(), points.front(), reach, places_);
+    }
+    add_place(ChainPoint{.speed = 1}, ChainPoint{.speed = 1}, 0, places_);
+}
+
+}  // namespace echoloop::rays
