@@ -7,6 +7,7 @@
 #include "emulator/contract/random_key.h"
 #include "emulator/dataset/dataset.h"
 #include "emulator/truth/device_truth.h"
+#include "render/scene/clearance.h"
 
 namespace echoloop {
 namespace {
@@ -49,19 +50,27 @@ void Fleet::add(const Scenario& scenario, ScenarioDevice& entry, const RunRecord
         shared_.io, clock, shared_.renderers, shared_.water, entry.name, std::move(device),
         std::move(transports), [this, &mount](Time time) { return situation(mount, time); },
         [this, &mount](Time time) { return located(mount, time); }));
-    let_others_see(*sessions_.back(), entry, mount, records);
+    let_others_see(*sessions_.back(), scenario, entry, mount, records);
     if (faults != nullptr) sessions_.back()->tell_of_pings(shared_.faults.of(entry.name));
     running_.push_back({entry.name, entry.model, std::move(open.places), {}, {}});
 }
 
-void Fleet::let_others_see(Session& session, const ScenarioDevice& entry, const Mount& mount,
-                           const RunRecords& records) {
+Surroundings Fleet::around(Vec3 position, const std::optional<GeoPlace>& origin) const {
+    Surroundings found{.altitude = clearance_below(shared_.scene, position)};
+    if (origin) found.place = place_from_enu(*origin, position);
+    return found;
+}
+
+void Fleet::let_others_see(Session& session, const Scenario& scenario, const ScenarioDevice& entry,
+                           const Mount& mount, const RunRecords& records) {
     if (records.truth != nullptr || records.dataset != nullptr)
         session.tell(std::make_unique<DeviceTruth>(
             records.truth, entry.name, [&mount](Time time) { return mount.body_from_sonar(time); }));
     if (entry.model->default_shot == nullptr) session.sends_no_pings();
     if (records.dataset != nullptr) session.keep_in(*records.dataset, sessions_.size() - 1);
-    if (records.remarks) session.remark_pings();
+    if (records.remarks)
+        session.remark_pings(
+            [this, origin = scenario.origin](Vec3 position) { return around(position, origin); });
     if (records.watch != nullptr)
         session.be_watched(*records.watch, [this](Time time) {
             return std::pair(shared_.vehicle.world_from_body(time), shared_.vehicle.motion(time));

@@ -26,6 +26,7 @@ class Fleet {
         SharedWater& water;
         Vehicle& vehicle;
         Movers& movers;
+        const Scene& scene;
         Faults& faults;
         StepServer* steps;         ///< nullptr: the run is not stepped
         RenderThreads& renderers;  ///< not used before start()
@@ -56,8 +57,10 @@ class Fleet {
   private:
     Located located(const Mount& mount, Time time) const;
     Situation situation(const Mount& mount, Time time) const;
-    void let_others_see(Session& session, const ScenarioDevice& entry, const Mount& mount,
-                        const RunRecords& records);
+    void let_others_see(Session& session, const Scenario& scenario, const ScenarioDevice& entry,
+                        const Mount& mount, const RunRecords& records);
+    /// What a remark says of a place; `origin`: of the world.
+    Surroundings around(Vec3 position, const std::optional<GeoPlace>& origin) const;
 
     const Shared shared_;
     std::vector<std::unique_ptr<Mount>> mounts_;                   ///< as sessions_

@@ -285,7 +285,7 @@ class Runtime::Impl {
     Vehicle vehicle_;
     SharedWater water_;
     Faults faults_;
-    Fleet fleet_{{io_, *clock_, water_, vehicle_, movers_, faults_, steps_.get(), render_threads_}};
+    Fleet fleet_{{io_, *clock_, water_, vehicle_, movers_, *scene_, faults_, steps_.get(), render_threads_}};
     ControlDesk desk_;
     std::unique_ptr<Control> control_;  ///< nullptr without a place
     Dataset* dataset_ = nullptr;        ///< nullptr: nobody asks

@@ -2,7 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include "emulator/capture/remark.h"
 #include "emulator/capture/watch.h"
 #include "emulator/contract/random_key.h"
 #include "emulator/dataset/dataset.h"
@@ -208,7 +207,9 @@ void Session::hear(UnderWay& ping) {
     heard->foreign = water_.cross_talk.pulses_in(echogram, ping.transmission);
     heard_ = ping.sequence;
     if (log_ != nullptr) log_->hears(heard_);
-    if (remarks_) remark_ = remark_of(ping.transmission, ping.sequence);
+    if (around_)
+        remark_ =
+            remark_of(ping.transmission, ping.sequence, around_(ping.transmission.world_from_sonar.position));
     if (ping.watched)
         heard->seen = Seen{ping.transmission.time,
                            now - ping.due,

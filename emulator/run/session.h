@@ -20,6 +20,7 @@
 #include "emulator/run/overload.h"
 #include "emulator/run/session_summary.h"
 #include "emulator/transport/transport.h"
+#include "emulator/truth/remark.h"
 #include "emulator/water/crosstalk.h"
 #include "emulator/water/rendering.h"
 #include "emulator/water/second_time_around.h"
@@ -74,7 +75,7 @@ class Session {
 
     /// Before start(): the first packet of each ping gets a comment that says where the sonar was.
     void sends_no_pings() { summary_.is_sonar = false; }
-    void remark_pings() { remarks_ = true; }
+    void remark_pings(std::function<Surroundings(Vec3)> around) { around_ = std::move(around); }
 
     void start();
     /// `before` is called on this thread before the device hears an echogram, and `after` with what
@@ -169,7 +170,8 @@ class Session {
     Outbox outbox_;
     Lateness lateness_;
     Overload overload_;
-    bool remarks_ = false;
+    /// What a remark on a ping says of its place; none: there are no remarks.
+    std::function<Surroundings(Vec3)> around_;
     std::string remark_;  ///< of the ping that was heard last, until a message takes it along
     Alarm mail_;          ///< rings when the outbox has a new first element
     Alarm alarm_;         ///< rings at wake_

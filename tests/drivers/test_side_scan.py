@@ -67,7 +67,7 @@ def setUpModule():
     (folder / "way.csv").write_text("\n".join(["t,x,y,z,qw,qx,qy,qz", *rows]) + "\n")
     for name, device in (("line", EDGETECH), ("yellow", IMAGENEX)):
         (folder / "run.yaml").write_text(SCENARIO + device)
-        command("run", "run.yaml", "--record", f"{name}.pcapng")
+        command("run", "run.yaml", "--record", f"{name}.pcapng", "--record-truth")
     for out in ("line.jsf", "line.xtf", "yellow.xtf"):
         command("convert", Path(out).with_suffix(".pcapng"), out)
 
@@ -152,9 +152,17 @@ class Picture(unittest.TestCase):
             self.assertEqual([head.SlantRange for head in ping.ping_chan_headers], [RANGE, RANGE])
 
     def test_pyxtf_finds_the_track(self):
-        _, packets = pyxtf.xtf_read(str(folder / "line.xtf"))
+        self.check_track("line.xtf")
+
+    def test_pyxtf_finds_the_track_of_an_872(self):
+        """It says nothing of its place; the recording does."""
+        for ping in self.check_track("yellow.xtf"):
+            self.assertAlmostEqual(ping.SensorPrimaryAltitude, ALTITUDE, delta=0.001)
+
+    def check_track(self, file):
+        _, packets = pyxtf.xtf_read(str(folder / file))
         pings = packets[pyxtf.XTFHeaderType.sonar]
-        for ping in pings:
+        for ping in pings[1:]:
             self.assertAlmostEqual(ping.SensorHeading, 90, delta=0.01)
             self.assertAlmostEqual(ping.SensorDepth, 10 - ALTITUDE, delta=0.001)
             self.assertAlmostEqual(ping.SensorSpeed, SPEED / 0.514444, delta=0.1)
@@ -162,6 +170,7 @@ class Picture(unittest.TestCase):
         east = (pings[-1].SensorXcoordinate - pings[0].SensorXcoordinate) * 111320 * np.cos(np.radians(59.4))
         seconds = (pings[-1].get_time() - pings[0].get_time()) / np.timedelta64(1, "s")
         self.assertAlmostEqual(east / seconds, SPEED, delta=0.05)
+        return pings
 
     def test_both_hold_the_same(self):
         volts, counts = by_pyjsf(), by_pyxtf()

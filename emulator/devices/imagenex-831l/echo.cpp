@@ -57,8 +57,8 @@ double profile_range(const std::vector<double>& samples, const SwitchCommand& co
     for (auto at = first; at != samples.end() && at - first < longest; ++at)
         if (above(*at)) last = at;
     const double end = static_cast<double>(last - samples.begin() + 1) * step;
-    constexpr double middle =
-        0.75;  // of a pulse that falls within half its length (render/acoustics/pulse.h)
+    // Of a pulse that falls within half its length (render/acoustics/pulse.h).
+    constexpr double middle = 0.75;
     return std::max((begin + end) / 2 - middle * pulse, step);
 }
 

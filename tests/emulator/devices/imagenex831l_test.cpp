@@ -171,6 +171,7 @@ TEST(Imagenex831lProfile, IsWhereTheEchoBeginsOrItsMiddleLessThatOfThePulse) {
     EXPECT_EQ(profile_of(answer(bench, command({{motion, 1}}), 600, 29, 1.6e16F)), 600);
     EXPECT_EQ(profile_of(answer(bench, command(), 600, 15, 1e9F)), 0) << "too weak";
     EXPECT_EQ(profile_of(answer(bench, command(), 50, 15, 1e18F)), 0) << "nearer than 50 mm";
+    EXPECT_EQ(profile_of(answer(bench, command({{least, 29}}), 600, 23, 1.6e16F)), 600) << "beyond 29 cm";
     EXPECT_EQ(profile_of(answer(bench, command({{least, 40}}), 600, 15, 1.6e16F)), 0) << "nearer than 40 cm";
 }
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <utility>
 
 #include "emulator/contract/error.h"
 #include "emulator/replay/message_reader.h"
@@ -53,6 +54,7 @@ std::vector<std::string> for_messages(const Source& source, const inspect::Famil
     const auto file =
         std::make_unique<cli::WatchedCapture>(input, capture::open_capture(input, {.as_sent = true}));
     std::map<LineSpeaker, replay::MessageReader> readers;
+    std::map<LineSpeaker, std::string> comments;
     double last = 0;
     while (const auto event = file->next()) {
         const auto [key, by_first] = capture::origin_of(*event, file->of_ports());
@@ -67,9 +69,11 @@ std::vector<std::string> for_messages(const Source& source, const inspect::Famil
         auto& reader =
             readers.try_emplace(speaker, replay::MessageReader(&family, keeps_bounds)).first->second;
         last = event->time;
+        std::string& comment = comments[speaker];
+        if (!event->comment.empty()) comment = event->comment;
         const auto take = [&](const replay::WholeMessage& message) {
             if (keeps_bounds || !message.name.empty())
-                each(speaker, {event->time, message.bytes, message.name});
+                each(speaker, {event->time, message.bytes, message.name, std::exchange(comment, {})});
         };
         const auto* piece = std::get_if<capture::StreamPiece>(&event->content);
         if (piece != nullptr && piece->gap) reader.finish(take);

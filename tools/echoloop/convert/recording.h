@@ -17,7 +17,8 @@ namespace echoloop::convert {
 struct Heard {
     double time = 0;  ///< s, as captured
     ByteView bytes;
-    std::string name;  ///< as its family calls it
+    std::string name;       ///< as its family calls it
+    std::string comment{};  ///< of the packet that it began with, or of one since the message before
 };
 
 class Recording {

@@ -1,9 +1,13 @@
 // .xtf of an Imagenex 872: a packet for each pair of replies, with the samples as they came. A reply tells
-// range and side; the frequency is in the host's command, and so is the moment of the ping.
+// range and side; the frequency is in the host's command, and so is the moment of the ping. Where the sonar
+// was says a recording of ours in a comment (`run --record-truth`).
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "emulator/truth/remark.h"
 #include "protocols/imagenex/codec.h"
 #include "tools/echoloop/convert/recording.h"
 #include "tools/echoloop/convert/xtf_writer.h"
@@ -13,6 +17,29 @@ namespace {
 
 constexpr std::size_t samples_of_side = 1000;
 constexpr double sound_speed = 1500;  // m/s, by which an 872 turns ranges into times
+
+/// What a comment says of the sonar's place; x of it is to the bow.
+void tell_place(xtf::Ping& ping, const Remark& remark) {
+    const Pose& pose = remark.world_from_sonar;
+    const Vec3 bow = rotate(pose.orientation, {1, 0, 0}), port = rotate(pose.orientation, {0, 1, 0}),
+               up = rotate(pose.orientation, {0, 0, 1});
+    const double heading = rad_to_deg(std::atan2(bow.x, bow.y));
+    ping.heading = static_cast<float>(heading < 0 ? heading + 360 : heading);
+    ping.pitch_roll = {static_cast<float>(rad_to_deg(std::asin(std::clamp(bow.z, -1.0, 1.0)))),
+                       static_cast<float>(rad_to_deg(std::atan2(port.z, up.z)))};
+    ping.depth = static_cast<float>(std::max(0.0, -pose.position.z));
+    if (remark.around.altitude) ping.altitude = static_cast<float>(*remark.around.altitude);
+    ping.position = {pose.position.y, pose.position.x};
+    if (const auto& place = remark.around.place) ping.position = {place->latitude, place->longitude};
+}
+
+/// kn over ground from one place to the next; nothing if no time has passed.
+std::optional<float> speed(const std::optional<Remark>& before, const Remark& now) {
+    constexpr double knot = 1852.0 / 3600;
+    if (!before || !(now.time > before->time)) return std::nullopt;
+    const Vec3 way = now.world_from_sonar.position - before->world_from_sonar.position;
+    return static_cast<float>(std::hypot(way.x, way.y) / (now.time - before->time) / knot);
+}
 
 class Xtf872 final : public Recording {
   public:
@@ -27,12 +54,17 @@ class Xtf872 final : public Recording {
         if (command->trigger == port_packet || !held_) pinged_ = heard.time;
     }
 
+    void look(const Heard& heard) override {
+        if (const auto remark = read_remark(heard.comment))
+            units_ = remark->around.place ? xtf::Units::degrees : xtf::Units::metres;
+    }
+
     void begin(std::ostream& out) override {
         const std::array channels{xtf::Channel{false, first_kilohertz_, 1},
                                   xtf::Channel{true, first_kilohertz_, 1}};
         kilohertz_ = first_kilohertz_;
         pinged_.reset();
-        put(out, xtf::file_header("Imagenex 872", channels));
+        put(out, xtf::file_header("Imagenex 872", channels, units_));
     }
 
     void add(const Heard& heard, std::ostream& out) override {
@@ -41,6 +73,7 @@ class Xtf872 final : public Recording {
         if (!side->starboard || (held_ && held_->slant_range != side->slant_range)) write(out);
         const double time = pinged_.value_or(heard.time);
         pinged_.reset();
+        if (auto remark = read_remark(heard.comment)) remark_ = remark;
         if (held_) {
             second_ = std::move(side);
         } else {
@@ -76,11 +109,16 @@ class Xtf872 final : public Recording {
         std::vector<xtf::Side> found{std::move(*held_)};
         if (second_) found.push_back(std::move(*second_));
         const auto milliseconds = std::llround(1e3 * time_);
-        put(out, xtf::packet({.seconds = milliseconds / 1000,
-                              .milliseconds = static_cast<std::uint32_t>(milliseconds % 1000),
-                              .number = static_cast<std::uint32_t>(++count_),
-                              .sound_speed = static_cast<float>(sound_speed)},
-                             found));
+        xtf::Ping ping{.seconds = milliseconds / 1000,
+                       .milliseconds = static_cast<std::uint32_t>(milliseconds % 1000),
+                       .number = static_cast<std::uint32_t>(++count_),
+                       .sound_speed = static_cast<float>(sound_speed)};
+        if (remark_) {
+            tell_place(ping, *remark_);
+            ping.speed = speed(place_before_, *remark_);
+            place_before_ = std::exchange(remark_, std::nullopt);
+        }
+        put(out, xtf::packet(ping, found));
         held_.reset();
         second_.reset();
     }
@@ -88,7 +126,9 @@ class Xtf872 final : public Recording {
     double kilohertz_ = 0, first_kilohertz_ = 0;  ///< 0: no command was heard
     std::optional<double> pinged_;                ///< s, when the host asked for what was not answered yet
     std::optional<xtf::Side> held_, second_;
-    double time_ = 0;  ///< s, of what is held
+    double time_ = 0;                              ///< s, of what is held
+    std::optional<Remark> remark_, place_before_;  ///< on what is held, on the ping before
+    xtf::Units units_ = xtf::Units::degrees;
 };
 
 }  // namespace

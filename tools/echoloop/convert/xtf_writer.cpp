@@ -92,15 +92,15 @@ std::size_t write_side(Block& packet, std::size_t at, const Side& side) {
 
 }  // namespace
 
-Bytes file_header(std::string_view sonar, std::span<const Channel> channels) {
-    constexpr std::uint16_t latitude_longitude = 3;
+Bytes file_header(std::string_view sonar, std::span<const Channel> channels, Units units) {
+    constexpr std::uint16_t metres = 0, latitude_longitude = 3;
     Block header(header_bytes);
     header.set(0, std::uint8_t{0x7B});
     header.set(1, std::uint8_t{1});
     header.text(2, "echoloop");
     header.text(10, "223");
     header.text(18, sonar);
-    header.set(164, latitude_longitude);
+    header.set(164, units == Units::metres ? metres : latitude_longitude);
     header.set(166, static_cast<std::uint16_t>(channels.size()));
     for (std::size_t i = 0; i < channels.size(); ++i)
         write_info(header, channel_info_at + i * channel_info_bytes, static_cast<std::uint8_t>(i),

@@ -28,7 +28,7 @@ struct Ping {
     float sound_speed = 1500;                                      ///< m/s
     std::optional<float> speed{}, heading{}, depth{}, altitude{};  ///< kn, deg, m, m
     std::optional<std::array<float, 2>> pitch_roll{};              ///< deg
-    std::optional<std::array<double, 2>> position{};               ///< latitude, longitude, deg
+    std::optional<std::array<double, 2>> position{};  ///< latitude, longitude, deg; or north, east, m
 };
 
 /// What one channel heard of a ping.
@@ -43,8 +43,10 @@ struct Side {
     Bytes samples{};               ///< little-endian, near to far
 };
 
+enum class Units { degrees, metres };  ///< of positions
+
 /// `sonar`: its name, at most 15 letters. At most six channels.
-Bytes file_header(std::string_view sonar, std::span<const Channel> channels);
+Bytes file_header(std::string_view sonar, std::span<const Channel> channels, Units units = Units::degrees);
 /// Port goes from far to near, so that both sides lie side by side as a picture.
 Bytes packet(const Ping& ping, std::span<const Side> sides);
 
