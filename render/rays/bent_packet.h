@@ -38,10 +38,10 @@ struct BentHits {
     std::array<std::int32_t, HitArrays::most> place;
 };
 
-/// Makes them hits of the straight rays that leave so: as far off as the bent ones are in time, and with
-/// normals turned with the ray; those of triangles' planes so that what a pixel covers has the same ranges.
-/// The arc between two places, not its chord, meets the plane.
+/// Makes those of the samples [first, last) hits of the straight rays that leave so: as far off as the bent
+/// ones are in time, and with normals turned with the ray; those of triangles' planes so that what a pixel
+/// covers has the same ranges. The arc between two places, not its chord, meets the plane.
 void straighten(const ViewAxes& axes, const RayChains& chains, float x, const float* y, const BentHits& bent,
-                std::size_t count, HitArrays& hits);
+                std::size_t first, std::size_t last, HitArrays& hits);
 
 }  // namespace echoloop::rays

@@ -21,9 +21,18 @@ void BentTracer::trace(std::span<const TracedLine> lines) {
         const auto tiles = std::span(tiles_).first((count + tile_samples - 1) / tile_samples);
         for (std::size_t i = 0; i < tiles.size(); ++i)
             start(tiles[i], sample + i * tile_samples, lines.size());
+        // Straight rays in front of all others and behind them are followed as such.
+        std::size_t first = 0, last = tiles.size();
+        while (first < last && tiles[first].straight) ++first;
+        while (first < last && tiles[last - 1].straight) --last;
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            tiles[i].straight = i < first || i >= last;
+            if (tiles[i].straight) tiles[i].from.fill(near_end);
+        }
         for (bool any = true; any;) {
-            for (Tile& tile : tiles)
-                if (tile.any) aim(tile);
+            for (std::size_t i = 0; i < tiles.size(); ++i)
+                if (tiles[i].any)
+                    tiles[i].straight ? aim_straight(tiles[i], sample + i * tile_samples) : aim(tiles[i]);
             for (Tile& tile : tiles)
                 if (tile.any) first_hits(tile.asked.data(), parts_.scene(), tile.query);
             any = false;
@@ -31,8 +40,8 @@ void BentTracer::trace(std::span<const TracedLine> lines) {
                 if (tiles[i].any) take_hits(tiles[i], i), any |= tiles[i].any;
         }
         for (std::size_t line = 0; line < lines.size(); ++line) {
-            straighten(place_.axes, chains_, lines[line].x, &place_.y[sample], bent_[line], count,
-                       hits_[line]);
+            straighten(place_.axes, chains_, lines[line].x, &place_.y[sample], bent_[line],
+                       first * tile_samples, std::min(last * tile_samples, count), hits_[line]);
             find_pixels(place_.axes, place_.sizes, lines[line].x, &place_.y[sample], hits_[line], count,
                         lines[line].pixels + sample);
         }
@@ -44,7 +53,9 @@ void BentTracer::start(Tile& tile, std::size_t sample, std::size_t lines) {
     for (std::size_t lane = 0; lane < packet_rays; ++lane) y[lane] = place_.y[sample + lane % tile_samples];
     launch(place_.axes, x_.data(), y.data(), chains_, tile.rays);
     const std::vector<float>& lengths = chains_.places().length;
+    tile.straight = true;
     for (std::size_t lane = 0; lane < packet_rays; ++lane) {
+        tile.straight &= chains_.is_straight(tile.rays.place[lane]);
         const bool there = lane / tile_samples < lines && sample + lane % tile_samples < samples_;
         tile.asked[lane] = there ? -1 : 0;
         const auto end = static_cast<std::size_t>(tile.rays.place[lane]) + 1;
@@ -67,6 +78,19 @@ void BentTracer::aim(Tile& tile) const {
     }
 }
 
+void BentTracer::aim_straight(Tile& tile, std::size_t sample) const {
+    RTCRay16& ray = tile.query.ray;
+    std::array<float, packet_rays> y;
+    for (std::size_t lane = 0; lane < packet_rays; ++lane) y[lane] = place_.y[sample + lane % tile_samples];
+    find_directions(place_.axes, x_.data(), y.data(), ray.dir_x, ray.dir_y, ray.dir_z);
+    for (std::size_t lane = 0; lane < packet_rays; ++lane) {
+        ray.org_x[lane] = place_.eye[0], ray.org_y[lane] = place_.eye[1], ray.org_z[lane] = place_.eye[2];
+        ray.tnear[lane] = tile.from[lane];
+        ray.tfar[lane] = reach_ / std::sqrt(x_[lane] * x_[lane] + y[lane] * y[lane] + 1);
+        tile.query.hit.geomID[lane] = tile.query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
 void BentTracer::take_hits(Tile& tile, std::size_t number) {
     tile.any = false;
     for (std::size_t lane = 0; lane < packet_rays; ++lane) {
@@ -78,10 +102,10 @@ void BentTracer::take_hits(Tile& tile, std::size_t number) {
             bent_[line].rise[at] = tile.rays.rise[lane], bent_[line].place[at] = tile.rays.place[lane];
             tile.asked[lane] = 0;
         } else {  // what is not there from behind is passed
-            const float share = tile.query.ray.tfar[lane];
-            tile.from[lane] = share + 1e-6F +
-                              1e-5F / std::hypot(tile.query.ray.dir_x[lane], tile.query.ray.dir_y[lane],
-                                                 tile.query.ray.dir_z[lane]);
+            const RTCRay16& ray = tile.query.ray;
+            const float square = ray.dir_x[lane] * ray.dir_x[lane] + ray.dir_y[lane] * ray.dir_y[lane] +
+                                 ray.dir_z[lane] * ray.dir_z[lane];
+            tile.from[lane] = ray.tfar[lane] * (1 + 1e-6F) + 1e-5F / std::sqrt(square);
         }
         tile.any |= tile.asked[lane] != 0;
     }
@@ -92,7 +116,8 @@ void BentTracer::go_on(Tile& tile, std::size_t lane) const {
     const auto next = static_cast<std::size_t>(++tile.rays.place[lane]);
     const std::vector<float>& length = chains_.places().length;
     tile.from[lane] = 0;
-    if (length[next] >= reach_ || length[next + 1] == 0) tile.asked[lane] = 0, --tile.rays.place[lane];
+    if (tile.straight || length[next] >= reach_ || length[next + 1] == 0)
+        tile.asked[lane] = 0, --tile.rays.place[lane];
 }
 
 }  // namespace echoloop::rays

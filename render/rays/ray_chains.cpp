@@ -208,6 +208,9 @@ void add_place(const ChainPoint& point, const ChainPoint& launch, double reach, 
     add(to.bow_slope,
         (later == 0 ? slope_of(point.speed * point.spread, 1) : speed * std::sin(launch.elevation) / sine) -
             1);
+    const double level = point.length * std::cos(launch.elevation);
+    add(to.width, width);
+    add(to.beside, level > 1e-6 * point.length && level > 0 ? point.x / level : 1);
     add(to.speed, speed);
 }
 
@@ -230,8 +233,13 @@ RayChains::RayChains(const RayTable& table, ChordTolerance tolerance) {
         for (std::size_t i = 2; i < points.size(); ++i)
             if (!chord_fits(std::span(points).subspan(begin, i - begin + 1), tolerance))
                 begin = i - 1, add_place(points[begin], points.front(), reach, places_);
-        if (points.size() > 1) add_place(points.back(), points.front(), reach, places_);
+        straight_.resize(places_.length.size());
+        straight_.back() = begin == 0 &&
+                           std::abs(points.back().elevation - points.front().elevation) < 1e-6 &&
+                           std::abs(points.back().speed - points.front().speed) < 1e-3;
+        add_place(points.back(), points.front(), reach, places_);
     }
+    straight_.resize(places_.length.size() + 1);
     add_place(ChainPoint{.speed = 1}, ChainPoint{.speed = 1}, 0, places_);
 }
 

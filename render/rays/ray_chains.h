@@ -40,13 +40,18 @@ class RayChains {
         std::vector<float> x, x_slope;            ///< m, horizontal distance; m/rad
         std::vector<float> z, z_slope;            ///< m above the sonar
         std::vector<float> bow, bow_slope;        ///< rad, elevation there over that of launch; 1
-        std::vector<float> speed;                 ///< of sound over that at the sonar
+        std::vector<float> width;                 ///< m/rad, between rays above each other
+        std::vector<float> beside;  ///< distance between rays abreast over that of straight ones
+        std::vector<float> speed;   ///< of sound over that at the sonar
     };
     const Places& places() const { return places_; }
+    /// Whether the ray that begins at that place is straight.
+    bool is_straight(std::int32_t first) const { return straight_[static_cast<std::size_t>(first)]; }
     std::size_t chords() const { return places_.length.size() - 1 - static_cast<std::size_t>(rows); }
 
   private:
     std::vector<std::int32_t> first_;
+    std::vector<bool> straight_;  ///< by place
     Places places_;
 };
 
