@@ -122,10 +122,16 @@ void straighten_all(const ViewAxes axes, const PlaceArrays places, const float x
 
 }  // namespace
 
-void launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, BentRays& rays) {
+bool launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, float near,
+            BentRays& rays) {
     launch_all(axes, x, y, rays.ahead_x.data(), rays.ahead_y.data(), rays.rise.data(), rays.place.data());
-    const std::vector<std::int32_t>& first = chains.first();
-    for (std::int32_t& place : rays.place) place = first[static_cast<std::size_t>(place)];
+    std::int32_t bends = 0;
+    for (std::size_t lane = 0; lane < packet_rays; ++lane) {
+        const RayChains::Row row = *chains.row(rays.place[lane]);
+        rays.place[lane] = row.first, rays.from[lane] = near * row.inverse_length;
+        bends |= row.bends;
+    }
+    return bends != 0;
 }
 
 void find_chords(const RayChains& chains, const BentRays& rays, const float* eye, float reach,

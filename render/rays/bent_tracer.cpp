@@ -18,6 +18,10 @@ void BentTracer::trace(std::span<const TracedLine> lines) {
         x_[lane] = lines[std::min(lane / tile_samples, lines.size() - 1)].x;
     for (std::size_t sample = 0; sample < samples_; sample += HitArrays::most) {
         const std::size_t count = std::min(HitArrays::most, samples_ - sample);
+        for (std::size_t line = 0; line < lines.size(); ++line) {
+            hits_[line].surface.fill(0), hits_[line].depth.fill(0);
+            bent_[line].rise.fill(0), bent_[line].place.fill(0);
+        }
         const auto tiles = std::span(tiles_).first((count + tile_samples - 1) / tile_samples);
         for (std::size_t i = 0; i < tiles.size(); ++i)
             start(tiles[i], sample + i * tile_samples, lines.size());
@@ -27,7 +31,7 @@ void BentTracer::trace(std::span<const TracedLine> lines) {
         while (first < last && tiles[last - 1].straight) --last;
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             tiles[i].straight = i < first || i >= last;
-            if (tiles[i].straight) tiles[i].from.fill(near_end);
+            if (tiles[i].straight) tiles[i].rays.from.fill(near_end);
         }
         for (bool any = true; any;) {
             for (std::size_t i = 0; i < tiles.size(); ++i)
@@ -51,19 +55,9 @@ void BentTracer::trace(std::span<const TracedLine> lines) {
 void BentTracer::start(Tile& tile, std::size_t sample, std::size_t lines) {
     std::array<float, packet_rays> y;
     for (std::size_t lane = 0; lane < packet_rays; ++lane) y[lane] = place_.y[sample + lane % tile_samples];
-    launch(place_.axes, x_.data(), y.data(), chains_, tile.rays);
-    const std::vector<float>& lengths = chains_.places().length;
-    tile.straight = true;
-    for (std::size_t lane = 0; lane < packet_rays; ++lane) {
-        tile.straight &= chains_.is_straight(tile.rays.place[lane]);
-        const bool there = lane / tile_samples < lines && sample + lane % tile_samples < samples_;
-        tile.asked[lane] = there ? -1 : 0;
-        const auto end = static_cast<std::size_t>(tile.rays.place[lane]) + 1;
-        tile.from[lane] = near_end * std::sqrt(x_[lane] * x_[lane] + y[lane] * y[lane] + 1) / lengths[end];
-        const std::size_t at = sample % HitArrays::most + lane % tile_samples, line = lane / tile_samples;
-        hits_[line].surface[at] = hits_[line].depth[at] = bent_[line].rise[at] = 0;
-        bent_[line].place[at] = 0;
-    }
+    tile.straight = !launch(place_.axes, x_.data(), y.data(), chains_, near_end, tile.rays);
+    for (std::size_t lane = 0; lane < packet_rays; ++lane)
+        tile.asked[lane] = lane / tile_samples < lines && sample + lane % tile_samples < samples_ ? -1 : 0;
     tile.any = true;
 }
 
@@ -73,7 +67,7 @@ void BentTracer::aim(Tile& tile) const {
                 {ray.org_x, ray.org_y, ray.org_z, ray.dir_x, ray.dir_y, ray.dir_z, tile.end.data()});
     constexpr float overlap = 1.00001F;  // of neighbouring chords: none passes where they meet
     for (std::size_t lane = 0; lane < packet_rays; ++lane) {
-        ray.tnear[lane] = tile.from[lane], ray.tfar[lane] = std::min(overlap, tile.end[lane]);
+        ray.tnear[lane] = tile.rays.from[lane], ray.tfar[lane] = std::min(overlap, tile.end[lane]);
         tile.query.hit.geomID[lane] = tile.query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
 }
@@ -85,7 +79,7 @@ void BentTracer::aim_straight(Tile& tile, std::size_t sample) const {
     find_directions(place_.axes, x_.data(), y.data(), ray.dir_x, ray.dir_y, ray.dir_z);
     for (std::size_t lane = 0; lane < packet_rays; ++lane) {
         ray.org_x[lane] = place_.eye[0], ray.org_y[lane] = place_.eye[1], ray.org_z[lane] = place_.eye[2];
-        ray.tnear[lane] = tile.from[lane];
+        ray.tnear[lane] = tile.rays.from[lane];
         ray.tfar[lane] = reach_ / std::sqrt(x_[lane] * x_[lane] + y[lane] * y[lane] + 1);
         tile.query.hit.geomID[lane] = tile.query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
@@ -105,7 +99,7 @@ void BentTracer::take_hits(Tile& tile, std::size_t number) {
             const RTCRay16& ray = tile.query.ray;
             const float square = ray.dir_x[lane] * ray.dir_x[lane] + ray.dir_y[lane] * ray.dir_y[lane] +
                                  ray.dir_z[lane] * ray.dir_z[lane];
-            tile.from[lane] = ray.tfar[lane] * (1 + 1e-6F) + 1e-5F / std::sqrt(square);
+            tile.rays.from[lane] = ray.tfar[lane] * (1 + 1e-6F) + 1e-5F / std::sqrt(square);
         }
         tile.any |= tile.asked[lane] != 0;
     }
@@ -115,7 +109,7 @@ void BentTracer::take_hits(Tile& tile, std::size_t number) {
 void BentTracer::go_on(Tile& tile, std::size_t lane) const {
     const auto next = static_cast<std::size_t>(++tile.rays.place[lane]);
     const std::vector<float>& length = chains_.places().length;
-    tile.from[lane] = 0;
+    tile.rays.from[lane] = 0;
     if (tile.straight || length[next] >= reach_ || length[next + 1] == 0)
         tile.asked[lane] = 0, --tile.rays.place[lane];
 }

@@ -24,7 +24,6 @@ class BentTracer {
         RTCRayHit16 query;
         BentRays rays;
         std::array<float, packet_rays> end;                            ///< as Chords::end
-        std::array<float, packet_rays> from;                           ///< share of the chord that is behind
         alignas(packet_alignment) std::array<int, packet_rays> asked;  ///< -1: still under way, else 0
         bool straight;  ///< it is followed as straight rays are
         bool any;
