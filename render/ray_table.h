@@ -75,6 +75,7 @@ class RayTable {
         std::vector<float> inverse;  ///< 1/m, of the length in c t; 0: it never does
         std::vector<float> sine;     ///< of the elevation with which it arrives
         std::vector<float> slope;    ///< -d log(length) / d log(up): 1 for a straight ray
+        bool straight = true;        ///< as straight rays do, within 0.02 %
     };
     /// Empty where there is no surface over the sonar.
     const Surfacing& surfacing() const { return surfacing_; }

@@ -44,7 +44,7 @@ void RayTable::find_surface(std::span<const SoundSpeedPoint> profile) {
     std::ranges::stable_sort(levels, {}, &rays::Level::depth);
     const rays::Shooter shooter(levels, depth_, speed_, column_step_ * static_cast<double>(columns));
     std::vector<rays::RowCrossings> out(1);
-    auto& [inverse, sine, slope] = surfacing_;
+    auto& [inverse, sine, slope, straight] = surfacing_;
     inverse.assign(Surfacing::places, 0), sine.assign(Surfacing::places, 0);
     slope.assign(Surfacing::places, 1);
     for (std::size_t i = 0; i < Surfacing::places; ++i) {
@@ -58,6 +58,8 @@ void RayTable::find_surface(std::span<const SoundSpeedPoint> profile) {
             sine[i] = static_cast<float>(std::sin(elevation + first.bow));
             break;
         }
+        const double unbent = std::max(0.0, std::sin(elevation)) / depth_;
+        straight &= std::abs(static_cast<double>(inverse[i]) - unbent) <= 2e-4 * std::max(unbent, 1 / range_);
     }
     for (std::size_t i = 1; i + 1 < Surfacing::places; ++i) {
         const float place = static_cast<float>(i) - Surfacing::half;

@@ -112,7 +112,7 @@ Reverberation::Rise Reverberation::rise(const View& view, double x) const {
 bool Reverberation::find_plane(const View& view, std::size_t line, PixelOffset offset,
                                PlaneOfLine& plane) const {
     const RayTable* rays =
-        around_.rays != nullptr && !around_.rays->surfacing().inverse.empty() ? around_.rays : nullptr;
+        around_.rays != nullptr && !around_.rays->surfacing().straight ? around_.rays : nullptr;
     if (!(around_.surface < end_)) return false;
     const Vec3 up = rotate(conjugate(view.fan_from_view()), around_.up);
     const double x = view.x(static_cast<double>(line) + 0.5 + offset.line), upright = up.x - x * up.y;

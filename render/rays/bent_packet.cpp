@@ -10,34 +10,34 @@ namespace {
 
 /// The arrays of RayChains::Places.
 struct PlaceArrays {
-    const float *length, *length_slope, *x, *x_slope, *z, *z_slope, *bow, *bow_slope, *speed;
+    const float *length, *length_slope, *x, *x_slope, *z, *z_slope, *bow, *bow_slope, *width, *beside, *speed;
 };
 
 PlaceArrays place_arrays(const RayChains& chains) {
     const RayChains::Places& p = chains.places();
-    return {p.length.data(),  p.length_slope.data(), p.x.data(),         p.x_slope.data(), p.z.data(),
-            p.z_slope.data(), p.bow.data(),          p.bow_slope.data(), p.speed.data()};
+    return {p.length.data(), p.length_slope.data(), p.x.data(),    p.x_slope.data(),
+            p.z.data(),      p.z_slope.data(),      p.bow.data(),  p.bow_slope.data(),
+            p.width.data(),  p.beside.data(),       p.speed.data()};
 }
 
 ECHOLOOP_SIMD
 void launch_all(const ViewAxes axes, const float* __restrict x_of, const float* __restrict y_of,
-                const std::int32_t* __restrict first, float* __restrict ahead_x, float* __restrict ahead_y,
-                float* __restrict rise, std::int32_t* __restrict place) {
+                float* __restrict ahead_x, float* __restrict ahead_y, float* __restrict rise,
+                std::int32_t* __restrict row) {
     constexpr auto half = static_cast<float>(RayChains::half);
+    const float sx = axes.starboard[0], sy = axes.starboard[1], sz = axes.starboard[2], ux = axes.up[0],
+                uy = axes.up[1], uz = axes.up[2], fx = axes.forward[0], fy = axes.forward[1],
+                fz = axes.forward[2];
     for (std::size_t i = 0; i < packet_rays; ++i) {
         const float x = x_of[i], y = y_of[i];
-        const float dx = axes.starboard[0] * x + axes.up[0] * y + axes.forward[0],
-                    dy = axes.starboard[1] * x + axes.up[1] * y + axes.forward[1],
-                    dz = axes.starboard[2] * x + axes.up[2] * y + axes.forward[2];
+        const float dx = sx * x + ux * y + fx, dy = sy * x + uy * y + fy, dz = sz * x + uz * y + fz;
         const float level = std::sqrt(dx * dx + dy * dy), length = std::sqrt(x * x + y * y + 1);
-        const float tangent = dz / (length + level);  // of half the elevation
-        const float root = std::sqrt(std::abs(tangent)) * half;
-        const auto off = static_cast<std::int32_t>(root + 0.5F);
-        const float row = static_cast<float>(off) * (1 / half), row_tangent = row * row;
-        const float above = std::abs(tangent) - row_tangent;
-        const float rise_up = 2 * above / (1 + std::abs(tangent) * row_tangent);
-        rise[i] = tangent < 0 ? -rise_up : rise_up;
-        place[i] = first[tangent < 0 ? RayChains::half - off : RayChains::half + off];
+        const float tangent = std::abs(dz) / (length + level);  // of half the elevation
+        const auto off = static_cast<std::int32_t>(std::sqrt(tangent) * half + 0.5F);
+        const float root = static_cast<float>(off) * (1 / half), of_row = root * root;
+        const float sign = dz < 0 ? -1.0F : 1.0F;
+        rise[i] = sign * 2 * (tangent - of_row) / (1 + tangent * of_row);
+        row[i] = RayChains::half + static_cast<std::int32_t>(sign) * off;
         const float inverse = 1 / std::max(level, 1e-12F);
         ahead_x[i] = dx * inverse, ahead_y[i] = dy * inverse;
     }
@@ -83,21 +83,18 @@ void straighten_all(const ViewAxes axes, const PlaceArrays places, const float x
             return all[k] + rise * slope[k];
         };
         const float bow_a = at(places.bow, places.bow_slope, a), bow_b = at(places.bow, places.bow_slope, b);
-        const float x_a = at(places.x, places.x_slope, a), x_b = at(places.x, places.x_slope, b);
-        const float z_a = at(places.z, places.z_slope, a), z_b = at(places.z, places.z_slope, b);
         const float length_a = at(places.length, places.length_slope, a),
                     length_b = at(places.length, places.length_slope, b);
+        const auto between = [&](const float* all) { return all[a] + share * (all[b] - all[a]); };
         const float bow = bow_a + share * (bow_b - bow_a), q = bow * bow;
         const float s = bow * (1 - q * (1 / 6.0F - q * (1 / 120.0F))),
                     c = 1 - q * (0.5F - q * (1 / 24.0F - q * (1 / 720.0F)));
         const float ray_cosine = cosine * c - sine * s, ray_sine = sine * c + cosine * s;
-        const float x_slope = places.x_slope[a] + share * (places.x_slope[b] - places.x_slope[a]),
-                    z_slope = places.z_slope[a] + share * (places.z_slope[b] - places.z_slope[a]);
-        const float width = z_slope * ray_cosine - x_slope * ray_sine;
+        const float width = between(places.width), beside = between(places.beside);
         const float speed_a = places.speed[a], speed_b = places.speed[b],
                     speed = speed_a + share * (speed_b - speed_a);
-        const float along = x_b - x_a, up = z_b - z_a, between = share * (1 - share);
-        const float sag = 0.5F * std::sqrt(along * along + up * up) * (bow_b - bow_a) * between;
+        const float rest = share * (1 - share), chord = (length_b - length_a) * speed;
+        const float sag = 0.5F * chord * (bow_b - bow_a) * rest;
 
         const float p_ahead = px_of[i] * ahead_x + py_of[i] * ahead_y,
                     p_beside = py_of[i] * ahead_x - px_of[i] * ahead_y, p_up = pz_of[i];
@@ -108,8 +105,7 @@ void straighten_all(const ViewAxes axes, const PlaceArrays places, const float x
         const float slip = std::min(std::max(sag * p_across / p_ray, -wide), wide);
         // Time goes faster where sound is slower.
         const float uneven = (speed_b - speed_a) / (speed_a + speed_b);
-        const float length = length_a + (length_b - length_a) * (share + uneven * between) + slip / speed;
-        const float beside = (x_a + share * along) / (length * std::max(cosine, 1e-6F));
+        const float length = length_a + (length_b - length_a) * (share + uneven * rest) + slip / speed;
         const float q_ray = p_ray * speed, q_across = p_across * width / length, q_beside = p_beside * beside;
         const float q_ahead = q_ray * cosine - q_across * sine;
         px_of[i] = q_ahead * ahead_x - q_beside * ahead_y;
@@ -126,9 +122,16 @@ void straighten_all(const ViewAxes axes, const PlaceArrays places, const float x
 
 }  // namespace
 
-void launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, BentRays& rays) {
-    launch_all(axes, x, y, chains.first().data(), rays.ahead_x.data(), rays.ahead_y.data(), rays.rise.data(),
-               rays.place.data());
+bool launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, float near,
+            BentRays& rays) {
+    launch_all(axes, x, y, rays.ahead_x.data(), rays.ahead_y.data(), rays.rise.data(), rays.place.data());
+    std::int32_t bends = 0;
+    for (std::size_t lane = 0; lane < packet_rays; ++lane) {
+        const RayChains::Row row = *chains.row(rays.place[lane]);
+        rays.place[lane] = row.first, rays.from[lane] = near * row.inverse_length;
+        bends |= row.bends;
+    }
+    return bends != 0;
 }
 
 void find_chords(const RayChains& chains, const BentRays& rays, const float* eye, float reach,
@@ -139,10 +142,11 @@ void find_chords(const RayChains& chains, const BentRays& rays, const float* eye
 }
 
 void straighten(const ViewAxes& axes, const RayChains& chains, float x, const float* y, const BentHits& bent,
-                std::size_t count, HitArrays& hits) {
-    straighten_all(axes, place_arrays(chains), x, y, bent.rise.data(), bent.place.data(),
-                   static_cast<int>(count), hits.depth.data(), hits.plane_x.data(), hits.plane_y.data(),
-                   hits.plane_z.data(), hits.normal_x.data(), hits.normal_y.data(), hits.normal_z.data());
+                std::size_t first, std::size_t last, HitArrays& hits) {
+    const auto from = [first](auto& all) { return all.data() + first; };
+    straighten_all(axes, place_arrays(chains), x, y + first, from(bent.rise), from(bent.place),
+                   static_cast<int>(last - first), from(hits.depth), from(hits.plane_x), from(hits.plane_y),
+                   from(hits.plane_z), from(hits.normal_x), from(hits.normal_y), from(hits.normal_z));
 }
 
 }  // namespace echoloop::rays

@@ -17,6 +17,7 @@ struct BentRays {
     Numbers ahead_x, ahead_y;                     ///< horizontal direction, of length 1
     Numbers rise;                                 ///< rad, over the row of RayChains
     std::array<std::int32_t, packet_rays> place;  ///< where the chord at hand begins
+    Numbers from;                                 ///< share of it that is behind
 };
 
 /// The chords at hand: from `x`, `y`, `z` in the scene's frame, as far as `to_x`, `to_y`, `to_z` tell.
@@ -25,8 +26,9 @@ struct Chords {
     float* end;  ///< the share of it that is wanted, or 0 and less
 };
 
-/// Rays through the places `x` and `y` of the image plane, at their beginning.
-void launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, BentRays& rays);
+/// Rays through the places `x` and `y` of the image plane, `near` m off. Whether any of them bends.
+bool launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, float near,
+            BentRays& rays);
 
 /// `reach`: m of c t, beyond which nothing is wanted.
 void find_chords(const RayChains& chains, const BentRays& rays, const float* eye, float reach,
@@ -38,10 +40,10 @@ struct BentHits {
     std::array<std::int32_t, HitArrays::most> place;
 };
 
-/// Makes them hits of the straight rays that leave so: as far off as the bent ones are in time, and with
-/// normals turned with the ray; those of triangles' planes so that what a pixel covers has the same ranges.
-/// The arc between two places, not its chord, meets the plane.
+/// Makes those of the samples [first, last) hits of the straight rays that leave so: as far off as the bent
+/// ones are in time, and with normals turned with the ray; those of triangles' planes so that what a pixel
+/// covers has the same ranges. The arc between two places, not its chord, meets the plane.
 void straighten(const ViewAxes& axes, const RayChains& chains, float x, const float* y, const BentHits& bent,
-                std::size_t count, HitArrays& hits);
+                std::size_t first, std::size_t last, HitArrays& hits);
 
 }  // namespace echoloop::rays

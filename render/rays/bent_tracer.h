@@ -24,12 +24,13 @@ class BentTracer {
         RTCRayHit16 query;
         BentRays rays;
         std::array<float, packet_rays> end;                            ///< as Chords::end
-        std::array<float, packet_rays> from;                           ///< share of the chord that is behind
         alignas(packet_alignment) std::array<int, packet_rays> asked;  ///< -1: still under way, else 0
+        bool straight;  ///< it is followed as straight rays are
         bool any;
     };
 
     void start(Tile& tile, std::size_t sample, std::size_t lines);
+    void aim_straight(Tile& tile, std::size_t sample) const;
     void aim(Tile& tile) const;
     void take_hits(Tile& tile, std::size_t number);
     void go_on(Tile& tile, std::size_t lane) const;

@@ -208,6 +208,9 @@ void add_place(const ChainPoint& point, const ChainPoint& launch, double reach, 
     add(to.bow_slope,
         (later == 0 ? slope_of(point.speed * point.spread, 1) : speed * std::sin(launch.elevation) / sine) -
             1);
+    const double level = point.length * std::cos(launch.elevation);
+    add(to.width, width);
+    add(to.beside, level > 1e-6 * point.length && level > 0 ? point.x / level : 1);
     add(to.speed, speed);
 }
 
@@ -224,13 +227,20 @@ RayChains::RayChains(const RayTable& table, ChordTolerance tolerance) {
     for (int row = 0; row < rows; ++row) {
         const double reach = (elevation(std::min(row + 1, rows - 1)) - elevation(std::max(row - 1, 0))) / 4;
         shooter.shoot(elevation(row), reach, points);
-        first_.push_back(static_cast<std::int32_t>(places_.length.size()));
+        Row& own = rows_.emplace_back();
+        const std::size_t first = places_.length.size();
+        own.first = static_cast<std::int32_t>(first);
         add_place(points.front(), points.front(), reach, places_);
         std::size_t begin = 0;
         for (std::size_t i = 2; i < points.size(); ++i)
             if (!chord_fits(std::span(points).subspan(begin, i - begin + 1), tolerance))
                 begin = i - 1, add_place(points[begin], points.front(), reach, places_);
-        if (points.size() > 1) add_place(points.back(), points.front(), reach, places_);
+        add_place(points.back(), points.front(), reach, places_);
+        const bool straight = begin == 0 &&
+                              std::abs(points.back().elevation - points.front().elevation) < 1e-6 &&
+                              std::abs(points.back().speed - points.front().speed) < 1e-3;
+        own.bends = straight ? 0 : 1;
+        own.inverse_length = 1 / places_.length[first + 1];
     }
     add_place(ChainPoint{.speed = 1}, ChainPoint{.speed = 1}, 0, places_);
 }

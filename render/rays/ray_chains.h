@@ -33,20 +33,27 @@ class RayChains {
 
     /// Of every row the place where it begins, which is the sonar, at length 0. A chord leads from each place
     /// to the next, whose length is greater; that after a row's last is 0.
-    const std::vector<std::int32_t>& first() const { return first_; }
+    struct Row {
+        std::int32_t first = 0;
+        std::int32_t bends = 0;    ///< 0: it is straight
+        float inverse_length = 0;  ///< 1/m of c t, of its first chord
+    };
+    const Row* row(std::int32_t number) const { return &rows_[static_cast<std::size_t>(number)]; }
     /// Those of a ray that leaves `rise` rad above its row are shifted by `rise` times the slopes.
     struct Places {
         std::vector<float> length, length_slope;  ///< m of c t, with c the sound speed at the sonar; m/rad
         std::vector<float> x, x_slope;            ///< m, horizontal distance; m/rad
         std::vector<float> z, z_slope;            ///< m above the sonar
         std::vector<float> bow, bow_slope;        ///< rad, elevation there over that of launch; 1
-        std::vector<float> speed;                 ///< of sound over that at the sonar
+        std::vector<float> width;                 ///< m/rad, between rays above each other
+        std::vector<float> beside;  ///< distance between rays abreast over that of straight ones
+        std::vector<float> speed;   ///< of sound over that at the sonar
     };
     const Places& places() const { return places_; }
     std::size_t chords() const { return places_.length.size() - 1 - static_cast<std::size_t>(rows); }
 
   private:
-    std::vector<std::int32_t> first_;
+    std::vector<Row> rows_;
     Places places_;
 };
 
