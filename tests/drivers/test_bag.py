@@ -148,6 +148,8 @@ class Run(unittest.TestCase):
         said = self.found["/bottom/wire"]
         values = [{v.key: v.value for v in m.status[0].values} for _, m in said]
         self.assertTrue(any(v["direction"] == "sent" and len(v) > 4 for v in values), values[:2])
+        lists = [json.loads(v.value[: v.value.index("]") + 1]) for _, m in self.found["/fan/wire"] for v in m.status[0].values if v.value.startswith("[")]
+        self.assertTrue(any(len(one) > 100 for one in lists), "a long list stands there whole, as JSON")
         image = self.found["/fan/said/AID0/picture"][-1][1]
         self.assertEqual((image.encoding, image.width, image.height, len(image.data)), ("rgb8", 480, 360, 480 * 360 * 3))
         self.assertGreater(sum(1 for byte in image.data if byte > 100), 1000)

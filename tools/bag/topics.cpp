@@ -1,7 +1,9 @@
 #include "tools/bag/topics.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
@@ -75,11 +77,24 @@ std::uint64_t said_at(const Ping& ping) {
     return nanoseconds(ping.unix_time + to_seconds(ping.due + ping.late));
 }
 
+/// As JSON has them, each as short as it can be.
+std::string list_of(const std::vector<double>& numbers) {
+    std::string text = "[";
+    char digits[32];
+    for (const double number : numbers) {
+        if (text.size() > 1) text += ',';
+        if (std::isfinite(number))
+            text.append(digits, std::to_chars(digits, std::end(digits), number).ptr);
+        else
+            text += "null";
+    }
+    return text + "]";
+}
+
 std::string value_of(const inspect::Field& field) {
     constexpr std::size_t most = 4096;
     std::string text = field.text;
-    if (!field.numbers.empty() && field.numbers.size() <= most)
-        text = nlohmann::json(field.numbers).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    if (!field.numbers.empty() && field.numbers.size() <= most) text = list_of(field.numbers);
     return field.unit.empty() ? text : text + " " + field.unit;
 }
 
