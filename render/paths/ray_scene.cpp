@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/paths/embree.h"
+#include "render/paths/triangle_set.h"
 
 namespace echoloop {
 namespace {
@@ -40,71 +41,6 @@ RTCRayHit embree_query(Vec3 origin, Vec3 direction, double near, double far) {
     return query;
 }
 
-/// Triangles that are there from one side only, or from both.
-struct TriangleSet {
-    std::vector<std::uint32_t> corners;  ///< three per triangle, in Scene::all_vertices()
-    /// Of each node: its first triangle, its material, its object.
-    std::vector<std::uint32_t> first, material, object;
-    std::vector<float> facet;   ///< of each node, as SceneChunk has it
-    std::vector<float> height;  ///< of a stand-in: what a triangle that it stands for typically has; else 0
-};
-
-/// A node whose triangles rays meet: a chunk, or what stands in for several.
-struct Taken {
-    std::uint32_t node;
-    std::uint32_t chunk;  ///< the first of those that it shows
-};
-
-std::size_t triangles_of(const Scene& scene, std::span<const Taken> taken) {
-    std::size_t indices = 0;
-    for (const Taken& one : taken) indices += scene.nodes()[one.node].indices;
-    return indices / 3;
-}
-
-double height_of(const SceneVertex& first, const SceneVertex& second, const SceneVertex& third) {
-    const auto point = [](const SceneVertex& v) {
-        return Vec3{double{v.position[0]}, double{v.position[1]}, double{v.position[2]}};
-    };
-    const Vec3 a = point(first), b = point(second), c = point(third);
-    return norm(cross(b - a, c - a)) / std::max({norm(b - a), norm(c - b), norm(a - c)});
-}
-
-/// m, of the triangles of a chunk, of some of them: the median.
-float typical_height(const Scene& scene, const SceneChunk& chunk) {
-    constexpr std::size_t some = 15;
-    const auto indices = scene.indices().subspan(chunk.first_index, chunk.indices);
-    const std::size_t count = indices.size() / 3, used = std::min(count, some);
-    std::vector<double> heights;
-    for (std::size_t i = 0; i < used; ++i) {
-        const std::size_t at = 3 * (i * count / used);
-        const auto vertex = [&](std::size_t k) -> const SceneVertex& {
-            return scene.vertices()[chunk.first_vertex + indices[at + k]];
-        };
-        heights.push_back(height_of(vertex(0), vertex(1), vertex(2)));
-    }
-    std::ranges::nth_element(heights, heights.begin() + static_cast<std::ptrdiff_t>(used / 2));
-    return static_cast<float>(heights[used / 2]);
-}
-
-TriangleSet collect(const Scene& scene, std::span<const Taken> taken, bool double_sided) {
-    TriangleSet set;
-    for (const Taken& one : taken) {
-        const SceneNode& node = scene.nodes()[one.node];
-        if (scene.materials()[node.material].double_sided != double_sided) continue;
-        const SceneChunk& chunk = scene.chunks()[one.chunk];
-        set.first.push_back(static_cast<std::uint32_t>(set.corners.size() / 3));
-        set.material.push_back(node.material);
-        set.object.push_back(node.object);
-        set.facet.push_back(chunk.facet);
-        set.height.push_back(node.coarse ? typical_height(scene, chunk) : 0.0F);
-        const std::size_t vertex = node.first_vertex + (node.coarse ? scene.vertices().size() : 0),
-                          index = node.first_index + (node.coarse ? scene.indices().size() : 0);
-        for (const std::uint16_t corner : scene.all_indices().subspan(index, node.indices))
-            set.corners.push_back(static_cast<std::uint32_t>(vertex) + corner);
-    }
-    return set;
-}
-
 /// What a float resolves at the far end of the scene, eight times over.
 double skin_of(const Bounds& bounds) {
     float most = 0;
@@ -132,7 +68,7 @@ class RayScene::Impl {
           skin_(skin_of(scene_->bounds())),
           margin_(2 * tolerance),
           device_(new_device()) {
-        std::vector<Taken> still = nodes_of(0, scene_->still_nodes(), tolerance), second;
+        std::vector<Taken> still = nodes_met(*scene_, 0, scene_->still_nodes(), tolerance), second;
         if (tolerance > 0) {
             const auto coarse = std::ranges::stable_partition(
                 still, [&](const Taken& one) { return !scene_->nodes()[one.node].coarse; });
@@ -152,7 +88,7 @@ class RayScene::Impl {
         build(groups_[0], device_.get(), still);
         for (std::size_t i = 0; i < scene_->movers().size(); ++i) {
             const SceneMover& mover = scene_->movers()[i];
-            build(groups_[i + 1], device_.get(), nodes_of(mover.first_node, mover.last_node, 0));
+            build(groups_[i + 1], device_.get(), nodes_met(*scene_, mover.first_node, mover.last_node, 0));
         }
         if (groups_.size() > 1) join();
         rest.get();
@@ -229,24 +165,6 @@ class RayScene::Impl {
             near = at + skin_;
         }
         return false;
-    }
-
-    /// Of these nodes those that rays meet: chunks, or where a curved surface has stand-ins that are off by
-    /// `tolerance` m at most the coarsest of them. What is flat mirrors, and stays as it is.
-    std::vector<Taken> nodes_of(std::uint32_t first, std::uint32_t last, double tolerance) const {
-        const auto nodes = scene_->nodes();
-        const auto is_chunk = [&](std::uint32_t i) { return nodes[i].next == i + 1; };
-        std::uint32_t chunk = 0;
-        for (std::uint32_t i = 0; i < first; ++i) chunk += is_chunk(i);
-        std::vector<Taken> out;
-        for (std::uint32_t i = first; i < last; ++i) {
-            const bool stands_in = nodes[i].coarse && double{nodes[i].error} <= tolerance &&
-                                   scene_->materials()[nodes[i].material].mesh_slope > 0;
-            if (stands_in || is_chunk(i)) out.push_back({i, chunk});
-            chunk += is_chunk(i);
-            for (const std::uint32_t next = nodes[i].next; stands_in && i + 1 < next;) chunk += is_chunk(++i);
-        }
-        return out;
     }
 
     /// From so many triangles on what stands still is kept in a third of the memory, where a ray takes a
