@@ -163,6 +163,24 @@ TEST(TurnedLobes, AHeadsSideLobesAreThoseOfBothWays) {
     }
 }
 
+// Axes are those of the beam, wherever it looks.
+TEST(TurnedLobes, ABeamToTheSideTurnsAsOneAhead) {
+    const auto changed = [](double axis_deg, bool upwards) {
+        Renderer renderer(test::scene_of({plate(axis_deg + 10, 25, 2)}), test::water_of(c), patterned());
+        Shot shot = test::fan(3, 20, 1, 200, 1.1 * range);
+        const double axis = deg_to_rad(axis_deg);
+        shot.bearings = {axis};
+        const Vec3 turning = upwards ? Vec3{30 * std::sin(axis), 30 * std::cos(axis), 0} : Vec3{0, 0, 30};
+        return db(test::total_power(renderer.render(shot, moving({}, turning))) /
+                  test::total_power(renderer.render(shot, {})));
+    };
+    for (const bool upwards : {false, true}) {
+        EXPECT_LT(changed(0, upwards), -2);
+        for (const double axis : {-90, 60})
+            EXPECT_NEAR(changed(axis, upwards), changed(0, upwards), 0.02) << axis;
+    }
+}
+
 // By way of the water's surface: the bearing at which an echo arrives is turned once.
 TEST(TurnedLobes, WhatAMirrorShowsIsTurnedOnce) {
     RendererOptions options = patterned();
