@@ -137,8 +137,8 @@ std::vector<WireCase> wire_cases() {
             {"delta t", "imagenex-deltat", {}, {}},
             {"sonar 3d", "sonar-3d-15", {{"acoustics", true}}, {}},
             {"dvl", "dvl-a50", {}, {}},
-            {"nortek dvl", "nortek-dvl1000", {}, {}},
-            {"nucleus", "nortek-nucleus", {{"starts_at_once", true}}, {}},
+            {"nortek dvl", "nortek-dvl1000", {{"login", std::string("none")}}, {}},
+            {"nucleus", "nortek-nucleus", {{"starts_at_once", true}, {"login", false}}, {}},
             {"wayfinder", "dvl-wayfinder", {}, {}}};
 }
 
