@@ -16,7 +16,9 @@ class ShotWriter {
 
     /// The settings of the replies to come.
     void command(const SwitchCommand& command) { command_ = command; }
-    /// The shot of a reply; `unix_time` in s, UTC. Not for .31L files.
+    /// Whether a .852 or .81A file has a place for it: not for the 1000 samples of an 872.
+    static bool has_place(const Reply& reply) { return reply.data.size() <= 500; }
+    /// The shot of a reply that has a place; `unix_time` in s, UTC. Not for .31L files.
     wire::Bytes shot(const Reply& reply, double unix_time);
     /// The shot of an 831L's IMX; only for .31L files, which have no place for an IPX.
     wire::Bytes shot(const PipeReply& reply, double unix_time);

@@ -101,6 +101,8 @@ class Files(unittest.TestCase):
         raw = self.folder / "line.bin"
         raw.write_bytes(wire.command())
         self.assertIn("no reply", self.convert(raw, self.folder / "a.852", status=65))
+        raw.write_bytes(bytes.fromhex("49475810400002 1E 0000 6807") + bytes(1000) + b"\xfc")
+        self.assertIn("no reply", self.convert(raw, self.folder / "a.81a", status=65), "an 872's has 1000 samples")
         self.assertIn(".852, .81A, .31l", self.convert(raw, self.folder / "a.gsf", status=64))
         self.assertEqual([p.name for p in self.folder.iterdir()], ["line.bin"], "nothing half made is left")
 

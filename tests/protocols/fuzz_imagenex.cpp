@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const auto message = parse(frame);
         if (!message) return frame.size();
         if (const auto* c = std::get_if<SwitchCommand>(&*message)) writer.command(*c), of_pipe.command(*c);
-        if (const auto* r = std::get_if<Reply>(&*message))
+        if (const auto* r = std::get_if<Reply>(&*message); r != nullptr && ShotWriter::has_place(*r))
             if (!parse_shot(writer.shot(*r, static_cast<double>(frame.size())))) std::abort();
         if (const auto* r = std::get_if<PipeReply>(&*message); r != nullptr && !r->data.empty())
             if (!parse_shot(of_pipe.shot(*r, static_cast<double>(frame.size())))) std::abort();

@@ -63,7 +63,7 @@ class Line {
         if (!message) return;
         if (const auto* command = std::get_if<imagenex::SwitchCommand>(&*message)) writer_.command(*command);
         const auto* reply = std::get_if<imagenex::Reply>(&*message);
-        if (reply != nullptr && !of_831l_) write(writer_.shot(*reply, time));
+        if (reply != nullptr && !of_831l_ && writer_.has_place(*reply)) write(writer_.shot(*reply, time));
         const auto* of_pipe = std::get_if<imagenex::PipeReply>(&*message);
         if (of_pipe == nullptr || !of_831l_) return;
         if (of_pipe->data.empty())
