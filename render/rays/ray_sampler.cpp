@@ -116,7 +116,7 @@ class Tracer {
 
     const ViewPlace& place_;
     std::size_t samples_;
-    const TracedParts& parts_;
+    const TracedParts parts_;
     float reach_;
     std::array<float, packet_rays> x_{};
     std::array<RTCRayHit16, tiles_at_once> queries_;
