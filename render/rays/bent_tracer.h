@@ -37,7 +37,7 @@ class BentTracer {
 
     const ViewPlace& place_;
     std::size_t samples_;
-    const TracedParts& parts_;
+    const TracedParts parts_;
     const RayChains& chains_;
     float reach_;
     std::array<float, packet_rays> x_{};

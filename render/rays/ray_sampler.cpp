@@ -35,7 +35,12 @@ RotationRows rows_of(Quat q) {
 class Tracer {
   public:
     Tracer(const ViewPlace& place, std::size_t samples, const TracedParts& parts, float reach)
-        : place_(place), samples_(samples), parts_(parts), reach_(reach) {
+        : axes_(place.axes),
+          sizes_(place.sizes),
+          y_(place.y),
+          samples_(samples),
+          parts_(parts),
+          reach_(reach) {
         for (RTCRayHit16& query : queries_)
             for (std::size_t lane = 0; lane < packet_rays; ++lane) {
                 query.ray.org_x[lane] = place.eye[0], query.ray.org_y[lane] = place.eye[1],
@@ -57,7 +62,7 @@ class Tracer {
                 first_hits(asked_[tile].data(), parts_.scene(), queries_[tile]);
             for (std::size_t tile = 0; tile < needed; ++tile) take_hits(queries_[tile], tile);
             for (std::size_t line = 0; line < lines.size(); ++line)
-                find_pixels(place_.axes, place_.sizes, lines[line].x, &place_.y[sample], hits_[line], count,
+                find_pixels(axes_, sizes_, lines[line].x, &y_[sample], hits_[line], count,
                             lines[line].pixels + sample);
         }
     }
@@ -67,9 +72,8 @@ class Tracer {
 
     void start(RTCRayHit16& query, Asked& asked, std::size_t sample, std::size_t lines) const {
         float y[packet_rays];
-        for (std::size_t lane = 0; lane < packet_rays; ++lane)
-            y[lane] = place_.y[sample + lane % tile_samples];
-        find_directions(place_.axes, x_.data(), y, query.ray.dir_x, query.ray.dir_y, query.ray.dir_z);
+        for (std::size_t lane = 0; lane < packet_rays; ++lane) y[lane] = y_[sample + lane % tile_samples];
+        find_directions(axes_, x_.data(), y, query.ray.dir_x, query.ray.dir_y, query.ray.dir_z);
         for (std::size_t lane = 0; lane < packet_rays; ++lane) {
             query.ray.tnear[lane] = near_end;
             query.ray.tfar[lane] = reach_ / std::sqrt(x_[lane] * x_[lane] + y[lane] * y[lane] + 1);
@@ -114,9 +118,11 @@ class Tracer {
         }
     }
 
-    const ViewPlace& place_;
+    const ViewAxes axes_;
+    const PixelSizes sizes_;
+    const std::vector<float> y_;
     std::size_t samples_;
-    const TracedParts& parts_;
+    const TracedParts parts_;
     float reach_;
     std::array<float, packet_rays> x_{};
     std::array<RTCRayHit16, tiles_at_once> queries_;

@@ -10,6 +10,7 @@
 #include "render/gl/seen.h"
 #include "render/rays/detail_tree.h"
 #include "render/rays/ray_packet.h"
+#include "render/simd.h"
 
 namespace echoloop::rays {
 
@@ -41,7 +42,8 @@ class TracedParts {
 
     /// Fills in one number of each but the depth, which is where the ray's `tfar` says. False where the
     /// surface is not there from behind.
-    bool take_hit(const RTCRayHit16& query, std::size_t lane, HitArrays& to, std::size_t at) const {
+    ECHOLOOP_INLINE bool take_hit(const RTCRayHit16& query, std::size_t lane, HitArrays& to,
+                                  std::size_t at) const {
         const RTCHit16& hit = query.hit;
         const Part& part = parts_[instances_ ? hit.instID[0][lane] : 0];
         const TriangleCorners& corners = part.tree->corners(hit.geomID[lane])[hit.primID[lane]];
