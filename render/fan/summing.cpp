@@ -106,7 +106,7 @@ class FanSumming final : public Summing {
     }
 
     std::vector<PointEcho> points(const FanPlan& plan, std::span<const TargetEcho> targets) const override {
-        return points_of(plan, targets);
+        return target_beams_.points_of(plan, targets);
     }
 
   private:
@@ -179,6 +179,7 @@ class FanSumming final : public Summing {
     Workers& workers_;
     LineSums sums_;
     BeamSums beams_;
+    mutable TargetBeams target_beams_;
     std::vector<UnderWay> under_way_;  ///< of each sector
     std::vector<float> shares_, wanted_, rows_;
     WantedPower::Stretch everywhere_{};

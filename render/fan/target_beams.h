@@ -1,6 +1,7 @@
 // Which beams hear a target, and how loud. Knows no scene.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,8 +11,19 @@
 
 namespace echoloop {
 
-/// One point echo per beam and path that is heard. A single beam's pattern is in the echoes already; a fan's
-/// beams weigh them by their bearing.
-std::vector<PointEcho> points_of(const FanPlan& plan, std::span<const TargetEcho> targets);
+/// Keeps the pattern of the last fan: to make it anew took 5 % of a ping that hears mirrors.
+class TargetBeams {
+  public:
+    TargetBeams();
+    ~TargetBeams();
+
+    /// One point echo per beam and path that is heard. A single beam's pattern is in the echoes already; a
+    /// fan's beams weigh them by their bearing.
+    std::vector<PointEcho> points_of(const FanPlan& plan, std::span<const TargetEcho> targets);
+
+  private:
+    struct Known;
+    std::unique_ptr<Known> known_;
+};
 
 }  // namespace echoloop
