@@ -3,6 +3,7 @@
 #include <chrono>
 #include <mutex>
 
+#include "emulator/capture/recording.h"
 #include "emulator/contract/error.h"
 #include "emulator/dataset/dataset.h"
 #include "emulator/machine/scheduling.h"

@@ -156,7 +156,7 @@ constexpr auto wire_layout(Tag<Data>) {
     using M = Data;
     return make_layout<M>(
         body_of("Data", "a ping, version 0x11"), structure(0xAA), constant<std::uint8_t>(0x11, "version", ""),
-        field(&M::size, "data_size", "B", "with the sum"), field(&M::type, "type", "", "76: Wayfinder"),
+        field(&M::data_size, "data_size", "B", "with the sum"), field(&M::type, "type", "", "76: Wayfinder"),
         field(&M::subtype, "subtype", "", ""),
         field(&M::firmware, "firmware", "", "major, minor, patch, build"),
         field(&M::year, "year", "", "of the century"), field(&M::month, "month", "", ""),

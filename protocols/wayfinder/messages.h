@@ -179,7 +179,7 @@ struct ComponentsResponse {
 
 /// A ping.
 struct Data {
-    std::uint32_t size = 87;  ///< B, of the data with their sum
+    std::uint32_t data_size = 87;  ///< B, of the data with their sum
     std::uint8_t type = 76, subtype = 0;
     std::array<std::uint8_t, 4> firmware{};
     std::uint8_t year = 0, month = 1, day = 1;  ///< of the century
