@@ -142,14 +142,13 @@ constexpr auto wire_layout(Tag<TestsResponse>) {
 }
 constexpr auto wire_layout(Tag<ComponentsResponse>) {
     using M = ComponentsResponse;
-    const auto board = [](Text<32> M::*member, std::string_view name) {
-        return field(member, name, "", "part number, revision, serial number, a NUL behind each");
-    };
+    constexpr std::string_view board = "part number, revision, serial number, a NUL behind each";
     return response_layout<M>(
         "ComponentsResponse", "to 0x81000003", CommandId::get_components, structure(0x29),
         field(&M::version, "version", "", "").hex(), field(&M::size, "size", "B", "of the structure"),
-        field(&M::count, "count", "", "of boards"), board(&M::board_1, "board_1"),
-        board(&M::board_2, "board_2"), board(&M::board_3, "board_3"), board(&M::board_4, "board_4"));
+        field(&M::count, "count", "", "of boards"), field(&M::board_1, "board_1", "", board),
+        field(&M::board_2, "board_2", "", board), field(&M::board_3, "board_3", "", board),
+        field(&M::board_4, "board_4", "", board));
 }
 
 constexpr auto wire_layout(Tag<Data>) {
