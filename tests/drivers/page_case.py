@@ -27,6 +27,7 @@ devices:
   - {name: down, model: ping1d, mount: {rpy_deg: [0, 90, 0]}, endpoints: ["udp-listen://127.0.0.1:%d"]}
 """
 LINK = re.compile(r"http://127\.0\.0\.1:\d+/#[0-9a-f]{32}")
+NEWEST = 409  # dot of an echogram where its last line stands
 
 
 def chromium():

@@ -9,7 +9,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from page_case import TANK, PageCase
+from page_case import NEWEST, TANK, PageCase
 
 import blping_host
 from ports import free_port
@@ -79,13 +79,13 @@ class Page(PageCase):
             for number, payload in ((1003, b"\0"), (1001, struct.pack("<II", 1500, 2000)), (1400, struct.pack("<H", 1300))):
                 host.sendto(blping_host.frame(number, payload), ("127.0.0.1", self.down))  # by hand, 1.5 to 3.5 m, profiles
             page.locator("[data-device=down] .facts", has_text="1.5 to 3.5 m").wait_for()
-            self.read_at(page, 405, 90, "down")
+            self.read_at(page, NEWEST, 90, "down")
             page.locator("[data-device=down] .read", has_text=" dB").wait_for()  # a line is drawn there
         page.locator("#pause").click()  # the picture stands
 
         def read(row):
             """Range and level that the last line has in a row; nothing lies lower."""
-            found = re.match(r"([\d.]+) m.*?, ([\d.-]+) dB", self.read_at(page, 405, row, "down"))
+            found = re.match(r"([\d.]+) m.*?, ([\d.-]+) dB", self.read_at(page, NEWEST, row, "down"))
             return [float(word) for word in found.groups()] if found else [0, -math.inf]
 
         row = max(range(60, 121, 2), key=lambda row: read(row)[1])

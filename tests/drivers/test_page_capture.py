@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from page_case import LINK, PageCase
+from page_case import LINK, NEWEST, PageCase
 
 from ports import free_port
 from program import PROGRAM, ROOT
@@ -62,7 +62,7 @@ class Capture(PageCase):
         metres = {}
         far = float(re.search(r"to ([\d.]+) m", facts.inner_text())[1])
         for row in range(0, 360, 2):
-            found = re.match(r"([\d.]+) m.*?, (\d+) counts", self.read_at(page, 405, row, down))
+            found = re.match(r"([\d.]+) m.*?, (\d+) counts", self.read_at(page, NEWEST, row, down))
             if found and float(found[1]) > 0.5:
                 metres[float(found[1])] = int(found[2])
         self.assertGreater(far, FLOOR)
