@@ -256,11 +256,16 @@ class SectorSums {
     void share(const SurroundPixel& pixel, float strength, const Turned& turned, const Add& add) const {
         const float beside = strength * pixel.beside.at(line_, sample_);
         const float off_plane = strength * pixel.off_plane.at(line_, sample_);
+        const auto both = [&](SectorKind kind, double to, float value) {
+            split(sector_at_place(plan_, kind, to), turned.far * value, add);
+            if (turned.ahead != 0 && kind == SectorKind::off_plane)
+                split(sector_at_place(plan_, SectorKind::ahead, to), turned.ahead * value, add);
+        };
         if (plan_.beams.size() == 1) return add(0, beside + off_plane);
         const auto at = static_cast<double>(place(pixel) + turned.sectors);
         const SectorKind aside = turned.inside ? SectorKind::off_plane : SectorKind::beside;
-        if (beside > 0) split(sector_at_place(plan_, aside, at), beside, add);
-        if (off_plane > 0) split(sector_at_place(plan_, SectorKind::off_plane, at), off_plane, add);
+        if (beside > 0) both(aside, at, beside);
+        if (off_plane > 0) both(SectorKind::off_plane, at, off_plane);
     }
 
   private:

@@ -10,6 +10,7 @@
 #include "render/fan/nearest.h"
 #include "render/fan/ping_motion.h"
 #include "render/fan/target_beams.h"
+#include "render/fan/turned_far.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -138,6 +139,7 @@ class FanSumming final : public Summing {
                 add_surround_line(in, gain, false, view, line, reader, sums_, under_way);
         for (std::size_t s = 0; s < under_way.size(); ++s)
             under_way[s].scatter(*in.water, sums_.sector_steps(s));
+        if (!under_way.empty()) turn_water_around(in, sums_);
     }
 
     /// Their power is complete, so the gain that the beams will get is taken out first.

@@ -43,6 +43,7 @@ class PathTracer::Impl {
         space_->set_frequency(shot.frequency);
         std::optional<ImageRays> images;
         if (rays != nullptr) images.emplace(image_tables_, *rays);
+        const auto eigenrays = rays != nullptr && !targets_.empty() ? eigenrays_of(*rays) : nullptr;
         const PathPing ping{shot,
                             *space_,
                             pattern,
@@ -57,7 +58,8 @@ class PathTracer::Impl {
                             least_audible(shot),
                             2 / sound_speed * turning,
                             rays,
-                            images ? &*images : nullptr};
+                            images ? &*images : nullptr,
+                            eigenrays.get()};
         find_target_echoes(ping, targets_, multipath(), out.targets);
         if (!multipath()) return;
         const auto faces = faces_ahead(ping, *mirrors_);
@@ -69,6 +71,12 @@ class PathTracer::Impl {
     }
 
   private:
+    std::shared_ptr<const Eigenrays> eigenrays_of(const RayTable& rays) {
+        return eigenrays_.get(
+            [&](const auto& known) { return known->fits(rays); },
+            [&] { return std::pair(std::make_shared<const Eigenrays>(rays), std::size_t{1}); });
+    }
+
     bool multipath() const { return effects_.has(Effect::multipath); }
 
     /// uPa: 10 dB below the noise; 0 where there is none.
@@ -94,6 +102,7 @@ class PathTracer::Impl {
     std::vector<PointTarget> targets_;  ///< where they are at the ping at hand
     RecentlyUsed<FanPattern> patterns_{64};
     ImageTables image_tables_;
+    RecentlyUsed<std::shared_ptr<const Eigenrays>> eigenrays_{24};
     std::vector<Corner> corners_;
     std::future<void> prepared_;  ///< last: it is waited for first
 };
