@@ -61,6 +61,11 @@ struct PathPing {
         return pattern.at(rotate(conjugate(world_from_fan), world_direction));
     }
 
+    /// The same without its angles.
+    FanWeights heard(Vec3 world_direction) const {
+        return pattern.weights(rotate(conjugate(world_from_fan), world_direction));
+    }
+
     /// The straight way or the first of the bent ones, whatever is between; empty in a shadow.
     std::optional<Sight> sight(Vec3 point) const;
     /// The same by way of a mirror through `on`, which the ray meets at `at` if it is straight. Bent rays are
