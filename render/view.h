@@ -19,7 +19,7 @@ struct View {
     double bearing = 0, elevation = 0;  ///< rad, of the view's axis, relative to the fan's centre
     double left = 0, right = 0, bottom = 0, top = 0;  ///< edges on the image plane
     std::size_t lines = 0, samples = 0;
-    /// Lines and samples of the view that a pixel of the usual size is wide and high, at least 1.
+    /// Lines, at least 0.5, and samples, at least 1, that a pixel of the usual size is wide and high.
     double usual_width = 1, usual_height = 1;
     bool sharp_outlines = false;  ///< a sample beside an outline is not spread beyond it
     bool surround = false;        ///< of what side lobes alone hear: coarse, and sampled at rest

@@ -6,14 +6,24 @@
 namespace echoloop {
 namespace {
 
-constexpr double widest_view =
-    deg_to_rad(62);  ///< beyond, the edge's pixels would be much narrower than the centre's
+/// Beyond, the edge's pixels would be narrower than the centre's, and the centre would show much above and
+/// below the fan, so that the corners do not lack it: a fan of 120 deg has a tenth fewer pixels in three
+/// views than in two. Each view costs a drawing.
+constexpr double widest_view = deg_to_rad(45);
 constexpr double widest_line = deg_to_rad(0.4);
 /// Times the usual pixels, beyond which echoes are spread over what there is and outlines are sharp: who asks
 /// for so many wants to see more.
 constexpr double many_pixels = 4;
 constexpr std::size_t fewest_lines = 8, most_lines = 8192;
 constexpr std::size_t fewest_samples = 64, most_samples = 2048, most_pixels = std::size_t{4} << 20;
+
+/// rad, of the lines that are drawn, where lines of `usual` would do for what an echo is spread over. A
+/// single beam of 3 deg hears five lines or more of 0.6 deg in its main lobe, and what they scatter hides in
+/// the speckle; levels are those of the usual lines (render/README.md).
+double drawn_line(double usual, const FanGeometry& g) {
+    if (g.bearings.size() > 1) return usual;
+    return std::clamp(g.beam_width / 5, usual, 1.5 * usual);
+}
 
 std::size_t count(double wished, std::size_t fewest, std::size_t most) {
     return static_cast<std::size_t>(
@@ -133,12 +143,15 @@ void add_level_views(FanPlan& plan, const FanGeometry& g, const PlanDensity& den
     const double width = span / static_cast<double>(views);
     const double line = std::min(g.beam_width / density.columns_per_beam, widest_line);
     const bool many = density.pixels > many_pixels;
+    const double drawn = many ? line : drawn_line(line, g);
     const double pixels = many ? density.pixels : std::min(density.pixels, 1.0);  // before they are cut
     const double per_side = std::sqrt(pixels), parts = density.pixels / pixels;
     for (std::size_t i = 0; i < views; ++i) {
         const double bearing = plan.first_edge + (static_cast<double>(i) + 0.5) * width;
         View view = level_view(bearing, width, drawn_half_height(lobes));
-        const double lines = (view.right - view.left) / line * per_side;
+        const double lines = (view.right - view.left) / drawn * per_side;
+        const std::size_t usual_lines =
+            count((view.right - view.left) / line * per_side, fewest_lines, most_lines / views);
         const std::size_t whole_lines = count(lines, fewest_lines, most_lines / views);
         const std::size_t whole =
             count((view.top - view.bottom) / g.elevation_step * per_side, fewest_samples,
@@ -146,7 +159,7 @@ void add_level_views(FanPlan& plan, const FanGeometry& g, const PlanDensity& den
         const std::size_t cuts = std::clamp<std::size_t>(most_samples / whole, 1, cuts_per_side(parts));
         view.lines = count(lines * parts / static_cast<double>(cuts), fewest_lines, most_lines / views);
         view.samples = whole * cuts;
-        view.usual_width = usual_size(view.lines, whole_lines);
+        view.usual_width = usual_size(view.lines, usual_lines, line / drawn);
         view.sharp_outlines = g.bearings.size() == 1 || many;
         view.first_line = plan.image_lines;
         plan.image_lines += view.lines;

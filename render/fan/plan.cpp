@@ -26,6 +26,11 @@ Lobe lobe_of(const FanGeometry& g, AxisPattern axis, double width, double edge_p
 /// lobe.
 double vertical_edge_power(const FanGeometry& g) { return g.side_lobes ? 0.05 : 0.003; }
 
+/// Beside it the surround does for a single beam that is as wide as its pixels are, from -17 dB on.
+double horizontal_edge_power(const FanGeometry& g) {
+    return g.bearings.size() == 1 && g.side_lobes && g.beam_width > deg_to_rad(2.25) ? 0.02 : 0.003;
+}
+
 std::size_t bytes_of(const FanPlan& plan) {
     const std::size_t bytes =
         sizeof(FanPlan) + plan.beams.size() * (sizeof(BeamLines) + sizeof(double)) +
@@ -37,7 +42,7 @@ std::size_t bytes_of(const FanPlan& plan) {
 }  // namespace
 
 FanLobes::FanLobes(const FanGeometry& g, std::shared_ptr<const StaveErrors> errors)
-    : horizontal(lobe_of(g, g.horizontal, g.beam_width, 0.003)),
+    : horizontal(lobe_of(g, g.horizontal, g.beam_width, horizontal_edge_power(g))),
       vertical(lobe_of(g, g.vertical, g.fan_height, vertical_edge_power(g))),
       surround(g.side_lobes),
       single(g.bearings.size() == 1 && g.patterns),

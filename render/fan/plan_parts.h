@@ -41,8 +41,8 @@ inline double level_share(const FanLobes& lobes, double elevation) {
 }
 
 /// How many pixels the usual one is wide, where `usual` of them would do for `count`.
-inline double usual_size(std::size_t count, std::size_t usual) {
-    return std::max(1.0, static_cast<double>(count) / static_cast<double>(usual));
+inline double usual_size(std::size_t count, std::size_t usual, double least = 1) {
+    return std::max(least, static_cast<double>(count) / static_cast<double>(usual));
 }
 
 /// Into how many parts each side of a pixel is cut where it makes `parts` of them: a whole number of samples,

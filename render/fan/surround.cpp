@@ -103,7 +103,8 @@ class Surround {
                 smooth_lobe(vertical_, 2, width, spacing(geometry.vertical, geometry.fan_height));
     }
 
-    /// Appends what the array hears of the face: the rectangle of pixels that have weight, if any.
+    /// Appends what the array hears of the face: the rectangle of pixels that have weight, if any, or the two
+    /// above and below what level views show alone.
     void add(const View& face, double bearing) {
         View turned = face;
         turned.bearing = bearing;
@@ -112,8 +113,19 @@ class Surround {
         for (std::size_t line = 0; line < face.lines; ++line)
             for (std::size_t sample = 0; sample < face.samples; ++sample)
                 heard_.push_back(heard_of(directions, line, sample));
-        const Rectangle heard = rectangle(face);
-        if (heard.last_line <= heard.first_line) return;
+        const Rectangle heard = rectangle(face, {0, face.lines, 0, face.samples});
+        const auto [above, below] = beside_gap(face, heard);
+        for (const Rectangle& part : {above, below})
+            if (part.first_line < part.last_line) add(face, part);
+    }
+
+  private:
+    /// Lines and samples first..last - 1.
+    struct Rectangle {
+        std::size_t first_line, last_line, first_sample, last_sample;
+    };
+
+    void add(const View& face, const Rectangle& heard) {
         View view = cropped(face, heard);
         view.first_pixel = plan_.weight.size();
         view.first_line = plan_.image_lines;
@@ -125,20 +137,37 @@ class Surround {
         plan_.views.push_back(view);
     }
 
-  private:
-    /// Lines and samples first..last - 1.
-    struct Rectangle {
-        std::size_t first_line, last_line, first_sample, last_sample;
-    };
+    bool is_heard(const View& face, std::size_t line, std::size_t sample) const {
+        return power_of(heard_[line * face.samples + sample]) > 0;
+    }
 
-    Rectangle rectangle(const View& face) const {
+    /// The pixels within `in` that have weight.
+    Rectangle rectangle(const View& face, const Rectangle& in) const {
         Rectangle r{face.lines, 0, face.samples, 0};
-        for (std::size_t line = 0; line < face.lines; ++line)
-            for (std::size_t sample = 0; sample < face.samples; ++sample)
-                if (power_of(heard_[line * face.samples + sample]) > 0)
+        for (std::size_t line = in.first_line; line < in.last_line; ++line)
+            for (std::size_t sample = in.first_sample; sample < in.last_sample; ++sample)
+                if (is_heard(face, line, sample))
                     r = {std::min(r.first_line, line), line + 1, std::min(r.first_sample, sample),
                          std::max(r.last_sample, sample + 1)};
         return r;
+    }
+
+    /// `all` without its widest band of samples that no line hears; the second may be empty. A narrow band is
+    /// not worth another view.
+    std::array<Rectangle, 2> beside_gap(const View& face, const Rectangle& all) const {
+        constexpr std::size_t narrow = 4;
+        std::size_t begin = all.last_sample, end = begin, first = all.first_sample;
+        for (std::size_t sample = first; sample < all.last_sample; ++sample)
+            for (std::size_t line = all.first_line; line < all.last_line; ++line)
+                if (is_heard(face, line, sample)) {
+                    if (sample - first > std::max(end - begin, narrow)) begin = first, end = sample;
+                    first = sample + 1;
+                    break;
+                }
+        const auto part = [&](std::size_t from, std::size_t to) {
+            return rectangle(face, {all.first_line, all.last_line, from, to});
+        };
+        return {part(all.first_sample, begin), part(end, all.last_sample)};
     }
 
     View cropped(const View& face, const Rectangle& r) const {

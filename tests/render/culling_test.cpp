@@ -81,7 +81,7 @@ TEST(Culling, TakesACoarserStandInOfASmallObject) {
     std::map<double, std::size_t> triangles;
     for (const double distance : {1.5, 100.0}) {
         std::vector<std::uint32_t> visible;
-        find_visible(*scene, all_of(*scene), plan.views.front(),
+        find_visible(*scene, all_of(*scene), plan.view_at(0),
                      {{0, 0, distance}, axis_angle({0, 1, 0}, deg_to_rad(90))}, {1000, 0.1, 0.005}, visible);
         for (const std::uint32_t node : visible) triangles[distance] += scene->nodes()[node].indices / 3;
     }

@@ -33,7 +33,7 @@ std::vector<double> levels_of_regions(const std::shared_ptr<const Scene>& scene,
     Renderer renderer(scene, test::water_of(1500), options);
     const std::size_t beams = 16, first_bin = 70, bins = 50;
     std::vector<double> power(256 / beams * 4);
-    for (std::uint64_t ping = 0; ping < 4; ++ping) {
+    for (std::uint64_t ping = 0; ping < 6; ++ping) {
         Shot shot = shallow_fan();
         shot.ping = ping;
         Situation situation({0, 0, -2}, axis_angle({0, 0, 1}, 0.7 * static_cast<double>(ping)));
