@@ -68,6 +68,7 @@ class PageCase(unittest.TestCase):
     def open(self, link, width=1280):
         page = self.browser.new_page(viewport={"width": width, "height": 900})
         self.addCleanup(page.close)
+        page.set_default_timeout(90_000)  # ms; on a busy machine the browser shows a ping half a minute after it has come
         self.faults = []
         page.on("pageerror", lambda error: self.faults.append(str(error)))
         page.on("console", lambda said: said.type == "error" and self.faults.append(said.text))

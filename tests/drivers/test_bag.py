@@ -70,6 +70,15 @@ def samples(image):
     return np.frombuffer(bytes(image.data), kind).reshape(-1, image.beam_count)
 
 
+def validate(case, file, count):
+    """By the readers of MCAP's makers in another language, from the start and by the index."""
+    modules = public_driver.node("@mcap/core")
+    script = ROOT / "tests" / "drivers" / "node" / "validate.mjs"
+    done = subprocess.run(["node", str(script), str(modules), str(file)], capture_output=True, text=True, timeout=60)
+    case.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+    case.assertEqual(json.loads(done.stdout), {"done": True, "streamed": count, "indexed": count, "counted": count})
+
+
 class Run(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -172,12 +181,32 @@ class Run(unittest.TestCase):
         self.assertEqual(list(last.ranges), list(other.ranges))
 
     def test_the_readers_of_its_makers_in_another_language_find_it_valid(self):
-        modules = public_driver.node("@mcap/core")
-        script = ROOT / "tests" / "drivers" / "node" / "validate.mjs"
-        done = subprocess.run(["node", str(script), str(modules), str(self.file)], capture_output=True, text=True, timeout=60)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        count = self.summary.statistics.message_count
-        self.assertEqual(json.loads(done.stdout), {"done": True, "streamed": count, "indexed": count, "counted": count})
+        validate(self, self.file, self.summary.statistics.message_count)
+
+
+class Demo(unittest.TestCase):
+    """The demo as it is, but at places of its own."""
+
+    def test_its_bag_opens_and_is_valid(self):
+        with tempfile.TemporaryDirectory(prefix="echoloop-bag-") as folder:
+            text = (ROOT / "config" / "demo.yaml").read_text()
+            for here, there in (("scenes/", f"{ROOT}/config/scenes/"), ("/tmp/echoloop/", folder + "/"),
+                                ("127.0.0.1:65500", f"127.0.0.1:{free_port(16)}"), ("127.0.0.1:65400", f"127.0.0.1:{free_port(8)}")):
+                self.assertIn(here, text)
+                text = text.replace(here, there)
+            scenario, bag = Path(folder) / "demo.yaml", Path(folder) / "demo.mcap"
+            scenario.write_text(text)
+            done = subprocess.run([PROGRAM, "run", str(scenario), "--duration", "5", "--mcap", str(bag)], capture_output=True,
+                                  text=True, timeout=100)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            found, summary = messages(bag)[:2]
+            validate(self, bag, summary.statistics.message_count)
+            with AnyReader([bag]) as reader:
+                self.assertEqual(reader.message_count, summary.statistics.message_count)
+        for topic in ("image", "picture", "points", "truth", "said/AID0/image", "said/BTH0/detections", "wire"):
+            self.assertGreater(len(found["/sonar/" + topic]), 3, topic)
+        names = json.loads(found["/sonar/truth"][-1][1].data)["names"].values()
+        self.assertTrue(any("manifold" in name for name in names), names)
 
 
 class Moving(unittest.TestCase):

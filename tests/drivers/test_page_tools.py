@@ -167,7 +167,7 @@ class Tools(PageCase):
         page.locator("#devices td.bad", has_text=re.compile(r"^[1-9]\d*$")).first.wait_for()
         self.assertIn("bad", late.get_attribute("class"))
         row.locator("td", has_text=re.compile(r"^\d+ of \d+ ms$")).wait_for()
-        page.locator("#rendering", has_text=re.compile(r"\d+ of \d+ render threads draw, \d+ pings wait for one")).wait_for()
+        page.locator("#rendering", has_text=re.compile(r"\d+ of \d+ render threads draw, (1 ping waits|\d+ pings wait) for one")).wait_for()
         page.locator("[data-device=busy] .facts", has_text=re.compile(r"\d+ ms late")).wait_for()
 
     def test_what_waits_for_a_driver_that_does_not_read_is_told(self):

@@ -1,5 +1,5 @@
 // libFuzzer: a byte stream in pieces whose sizes the input chooses. What is read is written back and read as
-// the same again, and all bytes are accounted for.
+// the same again, and all bytes but line ends are accounted for.
 #include <cstdlib>
 
 #include "protocols/teledyne/codec.h"
@@ -32,7 +32,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         check(piece);
         return piece.size();
     };
-    echoloop::stream_in_pieces(framer, {data + 1, size - 1}, data[0] + 1U, longest_ensemble + 2, take);
+    echoloop::stream_in_pieces(framer, {data + 1, size - 1}, data[0] + 1U, longest_ensemble + 2, take,
+                               "\r\n");
     decode({data, size});
     return 0;
 }

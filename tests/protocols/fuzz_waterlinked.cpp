@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         check(piece);
         return piece.size();
     };
-    echoloop::stream_in_pieces(framer, {data + 1, size - 1}, data[0] + 1U, longest_json, take);
+    echoloop::stream_in_pieces(framer, {data + 1, size - 1}, data[0] + 1U, longest_json, take, " \t\r\n");
     decode({data, size});
     return 0;
 }

@@ -18,6 +18,32 @@ double little_endian(const std::uint8_t* bytes, std::size_t count) {
     return value;
 }
 
+template <class M>
+std::optional<Picture> of_result(const std::string& name, const M& result) {
+    const auto image = oculus::image_of(result);
+    if (!image) return std::nullopt;
+    Picture picture;
+    picture.name = name;
+    picture.bearings.clear();
+    for (const auto bearing : result.bearings) picture.bearings.push_back(radians(bearing / 100.0));
+    const std::size_t beams = picture.bearings.size(), size = image->sample_bytes;
+    const std::size_t before = image->gain_words ? 4 : 0;
+    picture.bins = result.ranges;
+    picture.bin_size = result.range_resolution;
+    picture.unit = size == 1 ? "counts" : decibels_of_counts;
+    picture.levels.resize(beams * picture.bins);
+    for (std::size_t bin = 0; bin < picture.bins; ++bin) {
+        const std::uint8_t* row = image->bytes.data() + bin * image->row_bytes + before;
+        for (std::size_t beam = 0; beam < beams; ++beam) {
+            const double value = little_endian(row + beam * size, size);
+            picture.levels[beam * picture.bins + bin] =
+                size == 1 ? static_cast<float>(value) : decibels(value);
+        }
+    }
+    sort_beams(picture);
+    return checked(std::move(picture));
+}
+
 class Oculus final : public Maker {
   public:
     std::optional<Picture> take(const Message& message, wire::ByteView bytes, bool sent) override {
@@ -29,38 +55,11 @@ class Oculus final : public Maker {
         return std::visit(
             [&]<class M>(const M& result) -> std::optional<Picture> {
                 if constexpr (requires { oculus::image_of(result); })
-                    return of(message.name, result);
+                    return of_result(message.name, result);
                 else
                     return std::nullopt;
             },
             *parsed);
-    }
-
-  private:
-    template <class M>
-    static std::optional<Picture> of(const std::string& name, const M& result) {
-        const auto image = oculus::image_of(result);
-        if (!image) return std::nullopt;
-        Picture picture;
-        picture.name = name;
-        picture.bearings.clear();
-        for (const auto bearing : result.bearings) picture.bearings.push_back(radians(bearing / 100.0));
-        const std::size_t beams = picture.bearings.size(), size = image->sample_bytes;
-        const std::size_t before = image->gain_words ? 4 : 0;
-        picture.bins = result.ranges;
-        picture.bin_size = result.range_resolution;
-        picture.unit = size == 1 ? "counts" : decibels_of_counts;
-        picture.levels.resize(beams * picture.bins);
-        for (std::size_t bin = 0; bin < picture.bins; ++bin) {
-            const std::uint8_t* row = image->bytes.data() + bin * image->row_bytes + before;
-            for (std::size_t beam = 0; beam < beams; ++beam) {
-                const double value = little_endian(row + beam * size, size);
-                picture.levels[beam * picture.bins + bin] =
-                    size == 1 ? static_cast<float>(value) : decibels(value);
-            }
-        }
-        sort_beams(picture);
-        return checked(std::move(picture));
     }
 };
 

@@ -12,6 +12,32 @@ namespace {
 
 namespace r2 = r2sonic;
 
+/// What comes in parts, and how much of it is there.
+struct Parts {
+    Picture picture{};
+    r2::H0 head{};
+    std::uint32_t ping = 0;
+    std::size_t filled = 0;  ///< levels; 0 before the first part
+};
+
+/// Given out when the last level is there; of lost parts the rest is nothing.
+template <class Level>
+std::optional<Picture> fill(Parts& parts, std::size_t first_beam, std::size_t beams, std::size_t first_bin,
+                            std::size_t bins, Level level) {
+    Picture& picture = parts.picture;
+    for (std::size_t beam = 0; beam < beams; ++beam)
+        for (std::size_t bin = 0; bin < bins; ++bin) {
+            if (first_beam + beam >= picture.bearings.size() || first_bin + bin >= picture.bins) continue;
+            picture.levels[(first_beam + beam) * picture.bins + first_bin + bin] = level(beam * bins + bin);
+            ++parts.filled;
+        }
+    const bool last = first_bin + bins >= picture.bins && first_beam + beams >= picture.bearings.size();
+    if (!last && parts.filled < picture.levels.size()) return std::nullopt;
+    auto done = checked(picture);
+    parts.filled = 0;
+    return done;
+}
+
 class R2Sonic final : public Maker {
   public:
     std::optional<Picture> take(const inspect::Message& message, wire::ByteView bytes, bool sent) override {
@@ -34,14 +60,6 @@ class R2Sonic final : public Maker {
     }
 
   private:
-    /// What comes in parts, and how much of it is there.
-    struct Parts {
-        Picture picture{};
-        r2::H0 head{};
-        std::uint32_t ping = 0;
-        std::size_t filled = 0;  ///< levels; 0 before the first part
-    };
-
     static std::optional<Picture> add(const r2::Bth0& packet, const std::string& name) {
         Picture picture;
         picture.name = name;
@@ -185,25 +203,6 @@ class R2Sonic final : public Maker {
                            double(samples) / double(bins);
         picture.levels.assign(picture.bearings.size() * bins, std::numeric_limits<float>::quiet_NaN());
         return true;
-    }
-
-    /// Given out when the last level is there; of lost parts the rest is nothing.
-    template <class Level>
-    static std::optional<Picture> fill(Parts& parts, std::size_t first_beam, std::size_t beams,
-                                       std::size_t first_bin, std::size_t bins, Level level) {
-        Picture& picture = parts.picture;
-        for (std::size_t beam = 0; beam < beams; ++beam)
-            for (std::size_t bin = 0; bin < bins; ++bin) {
-                if (first_beam + beam >= picture.bearings.size() || first_bin + bin >= picture.bins) continue;
-                picture.levels[(first_beam + beam) * picture.bins + first_bin + bin] =
-                    level(beam * bins + bin);
-                ++parts.filled;
-            }
-        const bool last = first_bin + bins >= picture.bins && first_beam + beams >= picture.bearings.size();
-        if (!last && parts.filled < picture.levels.size()) return std::nullopt;
-        auto done = checked(picture);
-        parts.filled = 0;
-        return done;
     }
 
     Parts image_, water_, sides_;

@@ -17,7 +17,7 @@ export class Devices {
 
   take({ t, devices, rendering }: { t: number; devices: DeviceStatus[]; rendering?: Rendering }): void {
     if (rendering) {
-      this.rendering.textContent = `${rendering.drawing} of ${rendering.threads} render threads draw, ${rendering.waiting} pings wait for one`;
+      this.rendering.textContent = `${rendering.drawing} of ${rendering.threads} render threads draw, ${rendering.waiting} ${rendering.waiting === 1 ? "ping waits" : "pings wait"} for one`;
       this.rendering.classList.toggle("bad", rendering.waiting > rendering.threads);
     }
     const rows = devices.map((one) => {
