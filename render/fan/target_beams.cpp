@@ -23,9 +23,10 @@ void hear(const float* __restrict real, const float* __restrict imaginary, float
     for (int i = 0; i < count; ++i) {
         const float beside = sine * cosines[i] - cosine * sines[i];
         const float ahead = cosine * cosines[i] + sine * sines[i];
-        const float place = (std::min(std::max(beside, -1.0F), 1.0F) + 1.0F) * per_sine;
-        const int cell = static_cast<int>(place);
-        const float share = place - static_cast<float>(cell);
+        // Counted from the axis, where a float tells places apart best.
+        const float place = std::min(std::max(beside, -1.0F), 1.0F) * per_sine;
+        const int cell = static_cast<int>(place + per_sine);
+        const float share = place - (static_cast<float>(cell) - per_sine);
         const float re = real[cell] + share * (real[cell + 1] - real[cell]);
         const float im = imaginary[cell] + share * (imaginary[cell + 1] - imaginary[cell]);
         const float power = re * re + im * im;

@@ -128,6 +128,13 @@ class ImageSearch {
             planes_.x[i] = mirror.normal.x, planes_.y[i] = mirror.normal.y, planes_.z[i] = mirror.normal.z;
             planes_.offset[i] = mirror.offset;
             planes_.before[i] = dot(mirror.normal, ping_.sonar) - mirror.offset;
+            planes_.reach2[i] = std::numeric_limits<double>::infinity();
+            if (mirror.face != no_outline) {
+                const MirrorFace& face = mirrors_.faces()[mirror.face];
+                planes_.middle_x[i] = face.middle.x, planes_.middle_y[i] = face.middle.y,
+                planes_.middle_z[i] = face.middle.z;
+                planes_.reach2[i] = 1.0001 * face.reach * face.reach;
+            }
             if (mirror.face != no_outline && mirrors_.material(mirror.face).double_sided)
                 both_sides_ |= 1U << i;
             for (std::size_t k = 0; k < all_.size(); ++k)
@@ -140,21 +147,23 @@ class ImageSearch {
     /// `allowed`: the mirrors that may come next, as bits.
     void grow(std::size_t order, double reflections, double distance2, unsigned allowed) {
         const Vec3 image = images_[order];
-        double before[most_mirrors], next2[most_mirrors];
-        reflect(planes_, image, distance2, before, next2);
+        Reflected next;
+        reflect(planes_, ping_.sonar, image, distance2, next);
         for (std::size_t i = 0; i < all_.size(); ++i) {
             if (++tries_ > most_tries) return;
-            const double ahead = (both_sides_ >> i & 1U) != 0 ? std::abs(before[i]) : before[i];
-            if (!(ahead > 1e-6) || (allowed >> i & 1U) == 0) continue;
-            if (next2[i] < least_length2 || next2[i] >= 4 * ping_.end_range * ping_.end_range) continue;
-            sequence_[order] = &all_[i], images_[order + 1] = image - 2 * before[i] * all_[i].normal;
-            const bool crosses = order > 0 && find_points(order + 1);
-            if (!crosses && order + 1 == most_order) continue;
-            const double range = std::sqrt(next2[i]) / 2, product = reflections * all_[i].reflection;
+            const bool last = order + 1 == most_order, near = next.beside[i] <= 0;
+            if ((allowed >> i & 1U) == 0 || (last && !near)) continue;
+            const double before = next.before[i], next2 = next.next2[i];
+            if (!(((both_sides_ >> i & 1U) != 0 ? std::abs(before) : before) > 1e-6)) continue;
+            if (next2 < least_length2 || next2 >= 4 * ping_.end_range * ping_.end_range) continue;
+            sequence_[order] = &all_[i], images_[order + 1] = image - 2 * before * all_[i].normal;
+            const bool crosses = order > 0 && near && find_points(order + 1);
+            if (last && !crosses) continue;
+            const double range = std::sqrt(next2) / 2, product = reflections * all_[i].reflection;
             const double level = level_at(range);
             if (!(level * std::abs(product) > ping_.least)) continue;
             if (crosses) try_path(order + 1, range, level * product);
-            if (order + 1 < most_order) grow(order + 1, product, next2[i], after_[i]);
+            if (!last) grow(order + 1, product, next2, after_[i]);
         }
     }
 

@@ -23,13 +23,17 @@ void mark(const double* __restrict x, const double* __restrict y, const double* 
 }
 
 ECHOLOOP_SIMD
-void reflect_all(const double* __restrict x, const double* __restrict y, const double* __restrict z,
-                 const double* __restrict offset, const double* __restrict own, double ix, double iy,
-                 double iz, double distance2, double* __restrict before, double* __restrict next2) {
+void reflect_all(const FewPlanes& __restrict p, double ox, double oy, double oz, double ix, double iy,
+                 double iz, double distance2, Reflected& __restrict out) {
     for (std::size_t i = 0; i < FewPlanes::most; ++i) {
-        const double b = x[i] * ix + y[i] * iy + z[i] * iz - offset[i];
-        before[i] = b;
-        next2[i] = distance2 + 4 * b * own[i];
+        const double b = p.x[i] * ix + p.y[i] * iy + p.z[i] * iz - p.offset[i];
+        const double share = p.before[i] / (p.before[i] + b);
+        const double dx = ox + share * (ix - 2 * b * p.x[i] - ox) - p.middle_x[i];
+        const double dy = oy + share * (iy - 2 * b * p.y[i] - oy) - p.middle_y[i];
+        const double dz = oz + share * (iz - 2 * b * p.z[i] - oz) - p.middle_z[i];
+        out.before[i] = b;
+        out.next2[i] = distance2 + 4 * b * p.before[i];
+        out.beside[i] = dx * dx + dy * dy + dz * dz - p.reach2[i];
     }
 }
 
@@ -52,9 +56,8 @@ void mark_near(const PlaneArrays& planes, Vec3 point, double end, double resolut
          resolution, static_cast<std::ptrdiff_t>(planes.size()), marks);
 }
 
-void reflect(const FewPlanes& planes, Vec3 image, double distance2, double* before, double* next2) {
-    reflect_all(planes.x, planes.y, planes.z, planes.offset, planes.before, image.x, image.y, image.z,
-                distance2, before, next2);
+void reflect(const FewPlanes& planes, Vec3 origin, Vec3 image, double distance2, Reflected& out) {
+    reflect_all(planes, origin.x, origin.y, origin.z, image.x, image.y, image.z, distance2, out);
 }
 
 }  // namespace echoloop

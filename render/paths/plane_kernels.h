@@ -24,15 +24,23 @@ struct PlaneArrays {
 /// the reach and of an edge's delay of `resolution` m: more than those whose foot or edges count, never less.
 void mark_near(const PlaneArrays& planes, Vec3 point, double end, double resolution, std::uint8_t* marks);
 
-/// A few planes, of which none is left out.
+/// A few planes with faces on them, of which none is left out.
 struct FewPlanes {
     static constexpr std::size_t most = 16;
     double x[most] = {}, y[most] = {}, z[most] = {}, offset[most] = {};
     double before[most] = {};  ///< m, of the origin of all paths
+    double middle_x[most] = {}, middle_y[most] = {}, middle_z[most] = {}, reach2[most] = {};
 };
 
-/// For each plane: m, of `image` before it, and the square of the distance of the image's image from that
-/// origin, `distance2` that of the image itself.
-void reflect(const FewPlanes& planes, Vec3 image, double distance2, double* before, double* next2);
+/// What each plane makes of an image.
+struct Reflected {
+    double before[FewPlanes::most];  ///< m, of the image before the plane
+    double next2[FewPlanes::most];   ///< m^2, squared distance of the image's image from the origin
+    /// m^2, by how much the way there crosses the plane outside of the reach of its face; not a number where
+    /// it does not cross.
+    double beside[FewPlanes::most];
+};
+/// `distance2`: of the image from the origin.
+void reflect(const FewPlanes& planes, Vec3 origin, Vec3 image, double distance2, Reflected& out);
 
 }  // namespace echoloop
