@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "render/simd.h"
 #include "render/water.h"
 
 namespace echoloop {
@@ -24,6 +25,8 @@ struct BentRay {
 };
 
 class RayTable {
+    static constexpr int focus_rows = 129, focus_columns = 64;
+
   public:
     /// Of rays from `depth` m, to `range` m of c t. `surface`: rays do not go beyond the depth 0; else water
     /// goes on above. Takes some milliseconds. The profile has a point at least.
@@ -33,15 +36,26 @@ class RayTable {
     /// Between the table's points it is linear, beyond them as at their edge.
     BentRay at(double distance, double below) const;
 
-    /// Power per area at the end of the ray's length `length` m (of c t) that leaves with the sine `up` of
+    /// Power per area at the end of a ray's length `length` m (of c t) that leaves with the sine `up` of
     /// elevation, over that at the end of a straight one: the spreading G of Jensen et al. (2011,
-    /// section 3.3) times length^2. Within 0.1..10, since a ray tube says too much near a caustic.
-    float focus(float up, float length) const {
-        const float row = (up + 1) * (0.5F * (focus_rows - 1)), column = length * focus_per_metre_;
-        const auto r = static_cast<int>(row + 0.5F),
-                   c = static_cast<int>(std::min(column, focus_columns - 1.F) + 0.5F);
-        return focus_[static_cast<std::size_t>(r * focus_columns + c)];
-    }
+    /// section 3.3) times length^2. Within 0.1..10, since a ray tube says too much near a caustic. The
+    /// table is the RayTable's.
+    class FocusTable {
+      public:
+        FocusTable(const float* all, float per_metre) : all_(all), per_metre_(per_metre) {}
+        ECHOLOOP_INLINE float at(float up, float length) const {
+            const float row = (up + 1) * (0.5F * (focus_rows - 1)), column = length * per_metre_;
+            const auto r = static_cast<int>(row + 0.5F),
+                       c = static_cast<int>(std::min(column, focus_columns - 1.F) + 0.5F);
+            return all_[r * focus_columns + c];
+        }
+
+      private:
+        const float* all_;
+        float per_metre_;
+    };
+    FocusTable focus_table() const { return {focus_.data(), focus_per_metre_}; }
+    float focus(float up, float length) const { return focus_table().at(up, length); }
     /// Whether that differs from 1 by more than 2 % anywhere within the range.
     bool focuses() const { return focuses_; }
 
@@ -125,8 +139,6 @@ class RayTable {
     const Rows& row_places() const { return places_; }
 
   private:
-    static constexpr int focus_rows = 129, focus_columns = 64;
-
     void shoot(std::span<const SoundSpeedPoint> profile, bool surface);
     void close_gaps();
     void find_errors(bool surface);

@@ -242,14 +242,20 @@ class Renderer::Impl {
         if (heard.motion && heard.motion->shifts) shift_paths(*heard.motion, heard.paths);
     }
 
+    /// rad/s, about the fan's axes.
+    static Vec3 turning_of(const Heard& heard, const Situation& situation) {
+        const Quat world_from_fan =
+            echoloop::world_from_fan(heard.array.shot, heard.array.world_from_sonar).orientation;
+        return rotate(conjugate(world_from_fan) * situation.world_from_sonar.orientation, situation.turning);
+    }
+
     /// Fills in the motion of what is drawn.
     void find_motion(Heard& heard, const Situation& situation, double c) {
         heard.motion.reset();
         if (options_.rule != EchoRule::radiometric) return;
         const Quat world_from_fan =
             echoloop::world_from_fan(heard.array.shot, heard.array.world_from_sonar).orientation;
-        const Quat fan_from_sonar = conjugate(world_from_fan) * situation.world_from_sonar.orientation;
-        const Motion own{situation.velocity, rotate(fan_from_sonar, situation.turning)};
+        const Motion own{situation.velocity, turning_of(heard, situation)};
         heard.motion = motion_of(heard.array.shot, *heard.plan,
                                  {world_from_fan, situation.world_from_sonar.position, own, movers_,
                                   situation.mover_motions, mover_of_surface()},
@@ -421,7 +427,8 @@ class Renderer::Impl {
     /// Fills in the picture and the plan that it follows.
     void draw(Heard& heard, const Situation& situation) {
         const Shot& shot = heard.array.shot;
-        const FanGeometry geometry = geometry_of(shot, effects());
+        FanGeometry geometry = geometry_of(shot, effects());
+        geometry.margin = margin_of(shot, effects(), turning_of(heard, situation).z);
         const PlanDensity density{options_.columns_per_beam,
                                   options_.pixel_density * situation.detail * situation.density};
         heard.plan =

@@ -84,6 +84,22 @@ std::size_t bytes_per_sample(DataFormat format) {
     return 0;
 }
 
+/// Empty unless the bytes are `samples` of the format.
+std::vector<float> levels_of(wire::ByteView data, DataFormat format, std::size_t samples, int weighting) {
+    const std::size_t size = bytes_per_sample(format);
+    if (size == 0 || data.size() % size != 0 || data.size() / size != samples) return {};
+    const bool unsigned_ones = format == DataFormat::envelope || format == DataFormat::pixel;
+    const auto number = [&](std::size_t at) {
+        const auto raw = wire::load<wire::ByteOrder::little, std::uint16_t>(data.data() + at);
+        return unsigned_ones ? static_cast<float>(raw) : static_cast<float>(static_cast<std::int16_t>(raw));
+    };
+    std::vector<float> out(samples);
+    for (std::size_t i = 0; i < samples; ++i)
+        out[i] = std::ldexp(
+            size == 4 ? std::hypot(number(4 * i), number(4 * i + 2)) : std::abs(number(2 * i)), -weighting);
+    return out;
+}
+
 }  // namespace
 
 std::optional<Header> plausible_header(wire::ByteView bytes, std::size_t longest) {
@@ -180,20 +196,11 @@ void set_frequencies(SonarData& data, double start, double end) {
 }
 
 std::vector<float> levels(const SonarData& data) {
-    const std::size_t size = bytes_per_sample(data.format),
-                      count = data.data.size() / std::max<std::size_t>(size, 1);
-    if (size == 0 || count != sample_count(data) || count * size != data.data.size()) return {};
-    const bool unsigned_ones = data.format == DataFormat::envelope || data.format == DataFormat::pixel;
-    const auto number = [&](std::size_t at) {
-        const auto raw = wire::load<wire::ByteOrder::little, std::uint16_t>(data.data.data() + at);
-        return unsigned_ones ? static_cast<float>(raw) : static_cast<float>(static_cast<std::int16_t>(raw));
-    };
-    std::vector<float> out(count);
-    for (std::size_t i = 0; i < count; ++i)
-        out[i] =
-            std::ldexp(size == 4 ? std::hypot(number(4 * i), number(4 * i + 2)) : std::abs(number(2 * i)),
-                       -data.weighting);
-    return out;
+    return levels_of(data.data, data.format, sample_count(data), data.weighting);
+}
+
+std::vector<float> levels(const OldSideScan& data) {
+    return levels_of(data.data, static_cast<DataFormat>(data.format), data.samples, data.weighting);
 }
 
 wire::Found<wire::Bytes> MessageFinder::find(wire::ByteView pending, bool finished) const {

@@ -39,6 +39,7 @@ void set_frequencies(SonarData& data, double start, double end);
 /// Levels, the samples times 2^-weighting: of analytic samples the magnitude. Empty where size, count and
 /// format contradict each other, and of formats that no public program reads.
 std::vector<float> levels(const SonarData& data);
+std::vector<float> levels(const OldSideScan& data);
 
 /// A message begins with its header and is as long as it says.
 class MessageFinder {

@@ -104,9 +104,11 @@ AperturePattern::AperturePattern(ApertureShape shape, double width)
     : AperturePattern(through(shape, width / 2, std::sqrt(0.5))) {}
 
 double AperturePattern::amplitude(double angle) const {
-    const double value = shape_at(shape_, length_ * std::sin(angle), elements_);
+    const double value = at_sine(std::sin(angle));
     return std::cos(angle) < 0 ? back_amplitude * value : value;
 }
+
+double AperturePattern::at_sine(double sine) const { return shape_at(shape_, length_ * sine, elements_); }
 
 double AperturePattern::first_null() const {
     const double s = where(shape_, 0, elements_) / length_;

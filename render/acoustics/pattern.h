@@ -30,6 +30,8 @@ class AperturePattern {
     /// Beyond
     /// +-90 deg the aperture is behind its baffle: back_amplitude times the mirrored value.
     double amplitude(double angle) const;
+    /// The same in front of the aperture, at the sine of the angle.
+    double at_sine(double sine) const;
     ApertureShape shape() const { return shape_; }
     /// L / lambda or D / lambda.
     double length_in_wavelengths() const { return length_; }

@@ -40,7 +40,7 @@ double surface_bubble_loss_db(double frequency, double wind, double sine) {
     constexpr double breaking = 6;  // m/s
     if (!(wind > 0)) return 0;
     const double calm = wind < breaking ? std::exp(1.2 * (wind - breaking)) : 1;
-    return 1.26e-3 / std::max(sine, 1e-3) * std::pow(std::max(wind, breaking), 1.57) *
+    return 1.26e-3 / std::max(sine, least_bubble_sine) * std::pow(std::max(wind, breaking), 1.57) *
            std::pow(frequency / 1e3, 0.85) * calm;
 }
 

@@ -19,7 +19,9 @@ double surface_slope(double wind);
 /// Geophys. Res. 69 (1964) 5181): 0.0053 U^2.
 double wave_height(double wind);
 
-/// Loss in dB of a wave that the surface mirrors, and of what its waves scatter back.
+/// Loss in dB of a wave that the surface mirrors, and of what its waves scatter back: that of one straight up
+/// over the sine, which counts as least_bubble_sine at least.
+inline constexpr double least_bubble_sine = 1e-3;
 double surface_bubble_loss_db(double frequency, double wind, double sine);
 
 /// Of bubbles, facets (a mirror of amplitude 1) and small waves, those two behind the bubbles' loss. 0

@@ -112,4 +112,12 @@ double StaveErrors::power(double angle) const {
     return static_cast<double>(std::norm(static_cast<float>(amplitude) + wrong) / main_lobe_);
 }
 
+std::complex<float> StaveErrors::at_sine(double sine) const {
+    const double at = (sine + 1) / step_;
+    const auto lower = std::min(static_cast<std::size_t>(at), table_.size() - 2);
+    const auto share = static_cast<float>(at - static_cast<double>(lower));
+    const std::complex<float> wrong = table_[lower] + share * (table_[lower + 1] - table_[lower]);
+    return (static_cast<float>(ideal_.at_sine(sine)) + wrong) / std::sqrt(main_lobe_);
+}
+
 }  // namespace echoloop

@@ -32,6 +32,8 @@ class StaveErrors {
     /// One way, power relative to the main lobe, at `angle` rad off the axis, clockwise positive. Behind its
     /// plane the array hears as the ideal one does.
     double power(double angle) const;
+    /// Amplitude of the same, in front of the array, at the sine of the angle.
+    std::complex<float> at_sine(double sine) const;
 
     /// As many staves without weights would have the same noise.
     double effective_staves() const { return effective_; }

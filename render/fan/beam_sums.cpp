@@ -55,7 +55,8 @@ void BeamSums::sum_turned_sectors(const BinningInput& in, LineSums& lines) const
             const bool inside = bearing > plan.first_edge && bearing < plan.last_edge;
             const SectorShare share =
                 sector_at(plan, inside ? SectorKind::lines : SectorKind::beside, bearing - plan.centre);
-            const std::array<float, 2> weights{1 - share.next, share.next};
+            const float common = plan.common_far.empty() ? 1 : plan.common_far.at(stretch.turned);
+            const std::array<float, 2> weights{common * (1 - share.next), common * share.next};
             for (std::size_t k = 0; k < 2; ++k) {
                 const std::size_t to = share.sector + k;
                 if (stretch.begin < in.bins) {
@@ -173,9 +174,10 @@ std::vector<BeamSums::Stretch> BeamSums::stretches_of(const BinningInput& in, do
     return stretches;
 }
 
-/// A few stretches of steps; the volume's echo and the surface's change little.
+/// A few stretches of steps, as what is everywhere sounds alike from other bearings; each by itself where
+/// beams lose of it as they turn, since they send as they receive.
 void BeamSums::add_steps_of_water(const BinningInput& in, std::vector<Stretch>& stretches) {
-    constexpr std::size_t at_once = 16;  // as many as the loops take
+    const std::size_t at_once = in.plan.common_far.empty() ? 16 : 1;  // 16: as many as the loops take
     const RangeSteps& steps = in.water->steps();
     for (std::size_t kind = 0; kind < 2; ++kind)
         for (std::size_t step = 0; step < steps.count; step += at_once) {

@@ -1,6 +1,9 @@
 #include "render/fan/far_lobes.h"
 
+#include <optional>
+
 #include "render/fan/plan_parts.h"
+#include "render/fan/turned_far.h"
 
 namespace echoloop {
 namespace {
@@ -13,9 +16,12 @@ constexpr double sector_spacing = std::numbers::pi / (sectors_per_array - 1);
 /// often.
 class PowerTable {
   public:
-    explicit PowerTable(const Lobe& lobe) {
-        for (std::size_t i = 0; i <= 2 * half; ++i)
-            values_.push_back(lobe.power((static_cast<double>(i) - static_cast<double>(half)) * step));
+    /// `reach`: rad, beyond which it is nothing.
+    explicit PowerTable(const Lobe& lobe, double reach = 4) {
+        for (std::size_t i = 0; i <= 2 * half; ++i) {
+            const double angle = (static_cast<double>(i) - static_cast<double>(half)) * step;
+            values_.push_back(std::abs(angle) <= reach ? lobe.power(angle) : 0);
+        }
     }
     /// `angle`: within +-pi.
     double at(double angle) const {
@@ -68,13 +74,20 @@ void weigh_surround(const FanPlan& plan, const PowerTable& power, double beam, f
     }
 }
 
+void weigh_ahead(const PowerTable& power, double beam, float* far) {
+    for (std::size_t s = 0; s < sectors_per_array; ++s)
+        far[static_cast<std::size_t>(SectorKind::ahead) * sectors_per_array + s] =
+            static_cast<float>(mean_over_sector(power, beam, s, 1, 0));
+}
+
 }  // namespace
 
 void add_far_lobes(FanPlan& plan, const FanGeometry& g, const FanLobes& lobes) {
     const std::size_t beams = plan.beams.size();
     plan.line_sector.resize(plan.lines);
     FarLobes& far = plan.far_lobes;
-    far.sectors = beams == 1 ? 1 : 3 * sectors_per_array;
+    const bool both_ways = g.horizontal.ways == 2 && !lobes.horizontal.is_box();
+    far.sectors = beams == 1 ? 1 : (both_ways ? 4 : 3) * sectors_per_array;
     if (beams == 1) {
         far.nodes = 1;
         far.weight = {1.0F};  // the surround's pixels carry the whole pattern; all lines are the beam's own
@@ -83,7 +96,10 @@ void add_far_lobes(FanPlan& plan, const FanGeometry& g, const FanLobes& lobes) {
     const auto bearings = bearings_of_lines(plan);
     for (std::size_t line = 0; line < plan.lines; ++line)
         plan.line_sector[line] = sector_at(plan, SectorKind::lines, bearings[line].middle - plan.centre);
+    if (both_ways) find_common_lobes(plan, g, lobes.horizontal);
+    const double near = near_beam_widths * g.beam_width;
     const PowerTable power(lobes.horizontal);
+    const auto ahead = both_ways ? std::optional(PowerTable(lobes.horizontal, near)) : std::nullopt;
     far.beams_per_node = (beams + most_nodes - 1) / most_nodes;
     far.nodes = (beams - 1 + far.beams_per_node - 1) / far.beams_per_node + 1;
     far.weight.assign(far.nodes * far.sectors, 0.0F);
@@ -92,6 +108,7 @@ void add_far_lobes(FanPlan& plan, const FanGeometry& g, const FanLobes& lobes) {
         float* weight = &far.weight[node * far.sectors];
         weigh_lines(plan, bearings, power, plan.beams[beam], weight);
         weigh_surround(plan, power, g.bearings[beam] - plan.centre, weight);
+        if (ahead) weigh_ahead(*ahead, g.bearings[beam] - plan.centre, weight);
     }
 }
 

@@ -15,8 +15,9 @@ namespace echoloop {
 inline constexpr std::size_t sectors_per_array = 60;  ///< over 180 deg
 
 /// Sectors of an array with several beams: of its level lines, of what lies beside them, and of what lies
-/// above and below. A single beam has one sector.
-enum class SectorKind : std::size_t { lines, beside, off_plane };
+/// above and below. A single beam has one sector. Of what lies above and below, a fan that turns and sends as
+/// it receives needs what its main lobes hear by itself: `ahead`, which is in `off_plane`, too.
+enum class SectorKind : std::size_t { lines, beside, off_plane, ahead };
 
 inline double sector_middle(std::size_t sector) {
     return (static_cast<double>(sector) / (sectors_per_array - 1) - 0.5) * std::numbers::pi;

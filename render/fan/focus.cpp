@@ -2,7 +2,28 @@
 
 #include <cmath>
 
+#include "render/simd.h"
+
 namespace echoloop {
+namespace {
+
+/// Directions along a line of a view: upwards by (base + y up) over the root of square + y^2.
+struct FocusLine {
+    float base, up, square, top, step;
+};
+
+ECHOLOOP_SIMD
+void find_in_line(const FocusLine line, const RayTable::FocusTable table, const Pixel* __restrict pixels,
+                  int count, float* __restrict focus) {
+    for (int i = 0; i < count; ++i) {
+        const float y = line.top - static_cast<float>(i) * line.step;
+        const float up = (line.base + y * line.up) / std::sqrt(line.square + y * y);
+        const float there = table.at(up, pixels[i].range);
+        focus[i] = pixels[i].surface == 0 ? 1.0F : there;
+    }
+}
+
+}  // namespace
 
 void find_focus(const Picture& picture, const SampleOffsets& offset, const Pose& world_from_fan,
                 const RayTable& rays, std::span<const Pixel> pixels, std::vector<float>& focus) {
@@ -16,15 +37,9 @@ void find_focus(const Picture& picture, const SampleOffsets& offset, const Pose&
                    step = static_cast<float>(view.sample_height());
         for (std::size_t line = 0; line < view.lines; ++line) {
             const auto x = static_cast<float>(view.x(static_cast<double>(line) + 0.5 + moved.line));
-            const float base = ahead + x * starboard, square = 1 + x * x;
             const std::size_t first = (view.first_line + line) * picture.samples;
-            for (std::size_t i = 0; i < view.samples; ++i) {
-                const Pixel& pixel = pixels[first + i];
-                const float y = top - static_cast<float>(i) * step;
-                focus[first + i] = pixel.surface == 0
-                                       ? 1.0F
-                                       : rays.focus((base + y * up) / std::sqrt(square + y * y), pixel.range);
-            }
+            find_in_line({ahead + x * starboard, up, 1 + x * x, top, step}, rays.focus_table(),
+                         &pixels[first], static_cast<int>(view.samples), &focus[first]);
         }
     }
 }

@@ -125,7 +125,7 @@ std::vector<LineBearings> bearings_of_lines(const FanPlan& plan) {
 }
 
 void add_level_views(FanPlan& plan, const FanGeometry& g, const PlanDensity& density, const FanLobes& lobes) {
-    const double edge = drawn_half_width(lobes);
+    const double edge = drawn_half_width(lobes) + g.margin;
     plan.first_edge = std::max(g.bearings.front() - edge, plan.centre - std::numbers::pi);
     plan.last_edge = std::min(g.bearings.back() + edge, plan.centre + std::numbers::pi);
     const double span = plan.last_edge - plan.first_edge;

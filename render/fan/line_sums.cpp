@@ -261,8 +261,8 @@ struct Shares {
     template <typename Add>
     void each(const Add& add) const {
         for (const Share& share : std::span(of).first(count)) {
-            if (share.own > 0) add(share.sector, share.own);
-            if (share.next > 0) add(share.sector + 1, share.next);
+            if (share.own != 0) add(share.sector, share.own);
+            if (share.next != 0) add(share.sector + 1, share.next);
         }
     }
 };
@@ -293,12 +293,17 @@ class SectorSums {
         const float next = std::clamp(at - static_cast<float>(sector), 0.0F, 1.0F);
         const auto add = [&](SectorKind kind, float heard) {
             const std::size_t first = static_cast<std::size_t>(kind) * sectors_per_array;
-            if (heard > 0)
+            if (heard != 0)
                 out.of[out.count++] = {first + static_cast<std::size_t>(sector), heard * (1 - next),
                                        heard * next};
         };
-        add(turned.inside ? SectorKind::off_plane : SectorKind::beside, beside);
-        add(SectorKind::off_plane, off_plane);
+        const auto both = [&](SectorKind kind, float heard) {
+            if (!(heard > 0)) return;
+            add(kind, turned.far * heard);
+            if (kind == SectorKind::off_plane) add(SectorKind::ahead, turned.ahead * heard);
+        };
+        both(turned.inside ? SectorKind::off_plane : SectorKind::beside, beside);
+        both(SectorKind::off_plane, off_plane);
         return out;
     }
 

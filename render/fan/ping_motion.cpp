@@ -109,6 +109,19 @@ std::optional<PingMotion> motion_of(const Shot& shot, const FanPlan& plan, const
     return out.shifts || turns || shot.velocities ? std::optional(std::move(out)) : std::nullopt;
 }
 
+double margin_of(const Shot& shot, const Effects& effects, double turning) {
+    constexpr double most = deg_to_rad(8), widest = deg_to_rad(169);  // a wider fan has no surround
+    const bool turns =
+        effects.has(Effect::motion) && effects.has(Effect::beam_pattern) && effects.has(Effect::side_lobes);
+    if (shot.bearings.size() < 2 || shot.rows() > 1 || !turns) return 0;
+    const double flight = shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval,
+                 turned = std::abs(turning) * flight;
+    if (!(turned > least_share * shot.beam_width)) return 0;
+    const double step = std::exp2(std::ceil(std::log2(std::max(rad_to_deg(turned), 0.5))));
+    const double left = (widest - (shot.bearings.back() - shot.bearings.front()) - 4 * shot.beam_width) / 2;
+    return std::max(0.0, std::min({deg_to_rad(step), most, left}));
+}
+
 double PingMotion::kept(double range) const {
     const Vec3 turned = flight(range) * rotate(axis_angle({0, 0, 1}, axis), turning);
     if (round) return kept_by_line(std::hypot(turned.y, turned.z), across);

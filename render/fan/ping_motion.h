@@ -62,6 +62,11 @@ struct PingMoves {
 std::optional<PingMotion> motion_of(const Shot& shot, const FanPlan& plan, const PingMoves& moves,
                                     const Effects& effects, double sound_speed);
 
+/// rad, that a fan of so many beams should be drawn finely beyond its edges, where it turns so fast (rad/s,
+/// about its upright axis): what comes into it while an echo is under way. In whole steps, so that plans
+/// serve many pings; 0 where it matters to no beam.
+double margin_of(const Shot& shot, const Effects& effects, double turning);
+
 /// m/s, of each sample of a line, by where in the pixels the ping sampled; positive: nearer.
 void find_closing(const PingMotion& motion, const View& view, PixelOffset offset, std::size_t line,
                   const float* surface, std::vector<float>& closing);

@@ -69,11 +69,15 @@ FanGeometry geometry_of(const Shot& shot, const Effects& effects) {
     const bool patterns = effects.has(Effect::beam_pattern);
     const bool side_lobes = patterns && effects.has(Effect::side_lobes);
     const ElevationStep step = shot.bearings.size() > 1 ? step_of_fan : step_of_single_beam;
-    FanGeometry geometry{shot.bearings,   shot.beam_width,
-                         shot.fan_height, std::max(step.bins * shot.bin_interval / end, step.least),
-                         shot.horizontal, shot.vertical,
-                         patterns,        side_lobes,
-                         shot.elevations};
+    FanGeometry geometry{.bearings = shot.bearings,
+                         .beam_width = shot.beam_width,
+                         .fan_height = shot.fan_height,
+                         .elevation_step = std::max(step.bins * shot.bin_interval / end, step.least),
+                         .horizontal = shot.horizontal,
+                         .vertical = shot.vertical,
+                         .patterns = patterns,
+                         .side_lobes = side_lobes,
+                         .elevations = shot.elevations};
     const bool has_errors = shot.errors.amplitude > 0 || shot.errors.phase > 0;
     if (side_lobes && has_errors && effects.has(Effect::array_errors) && shot.bearings.size() > 1 &&
         shot.rows() == 1) {

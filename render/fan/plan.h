@@ -83,6 +83,7 @@ struct LobeTable {
 /// over the sine of the angle off the axis, and its square, each as the mean over a pixel's width.
 struct SmoothLobe {
     LobeTable power, square;
+    LobeTable exact;         ///< one way's power itself
     bool both_ways = false;  ///< else the receiver's alone
     float spacing = 1;       ///< of the nulls, over the sine
     bool empty() const { return power.empty(); }
@@ -108,6 +109,7 @@ struct FanGeometry {
     std::vector<double> elevations{};  ///< rad, of rows of such beams; empty: one fan
     ArrayErrors errors{};              ///< of its staves; a single beam and rows have none
     std::size_t staves = 0;            ///< those that have errors; 0: half a wavelength apart
+    double margin = 0;  ///< rad, drawn finely beyond a fan's edges: it comes into one that turns
     friend bool operator==(const FanGeometry&, const FanGeometry&) = default;
 };
 
@@ -141,6 +143,9 @@ struct FanPlan : Picture {
     FarLobes far_lobes;
     /// Of the surround's pixels; empty where turning changes nothing. A piston's is the second.
     SmoothLobe far_across, far_upwards;
+    /// Of a fan whose beams send as they receive: power over the rad by which the receiver has turned, of
+    /// what both have in common in their main lobes and those beside, and in far ones. Else empty.
+    LobeTable common_ahead, common_far;
     std::shared_ptr<const StaveErrors> errors;  ///< null: none
 
     /// The level view that holds an image line.

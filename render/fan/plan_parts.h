@@ -31,10 +31,13 @@ inline double drawn_half_height(const FanLobes& lobes) {
 
 /// Share 0..1 of a direction's echo that the level views take: it falls to nothing over the last 5 deg, and
 /// the surround takes the rest, so that their pixels of different size leave no seam.
+inline double level_share_at(double edge, double elevation) {
+    return std::clamp((edge - std::abs(elevation)) / std::min(deg_to_rad(5), edge / 3), 0.0, 1.0);
+}
 inline double level_share(const FanLobes& lobes, double elevation) {
-    const double edge = drawn_half_height(lobes), off = std::abs(elevation);
-    if (!lobes.surround) return off <= edge ? 1 : 0;
-    return std::clamp((edge - off) / std::min(deg_to_rad(5), edge / 3), 0.0, 1.0);
+    const double edge = drawn_half_height(lobes);
+    if (!lobes.surround) return std::abs(elevation) <= edge ? 1 : 0;
+    return level_share_at(edge, elevation);
 }
 
 /// How many pixels the usual one is wide, where `usual` of them would do for `count`.

@@ -30,7 +30,7 @@ void find_blocks(const EchoArrays in, const std::int32_t* __restrict row, std::i
         const float lacking = narrowest_echo - (to - from), more = lacking > 0 ? 0.5F * lacking : 0.0F;
         const float begin = from - more, end = to + more, density = amount / (end - begin);
         const float slope = density * in.slope[i];
-        const bool counts = (amount > 0) & (to >= 0) & (from < last + 1);
+        const bool counts = ((amount > 0) | (amount < 0)) & (to >= 0) & (from < last + 1);
         const float inside = begin > 0 ? begin : 0.0F, highest = end < last ? end : last;
         const auto first_bin = static_cast<std::int32_t>(counts ? inside : 0.0F);
         const auto last_bin = static_cast<std::int32_t>(counts ? highest : 0.0F);

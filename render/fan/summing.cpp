@@ -10,6 +10,7 @@
 #include "render/fan/nearest.h"
 #include "render/fan/ping_motion.h"
 #include "render/fan/target_beams.h"
+#include "render/fan/turned_far.h"
 #include "render/workers.h"
 
 namespace echoloop {
@@ -36,14 +37,37 @@ const View& view_with(const FanPlan& plan, std::size_t image_line) {
     return *(after - 1);
 }
 
-/// The level line that an echo arrives on, if it is drawn.
-std::optional<std::size_t> line_at(const FanPlan& plan, double bearing) {
-    const View& view = plan.view_at(bearing);
-    const double off = bearing - view.bearing;
-    if (std::abs(off) >= std::atan(view.right)) return std::nullopt;
-    const double line = (std::tan(off) - view.left) / view.line_width();
-    return view.first_line + std::min(static_cast<std::size_t>(line), view.lines - 1);
-}
+/// The level lines of a plan by bearing.
+class LineFinder {
+  public:
+    explicit LineFinder(const FanPlan& plan) {
+        for (const View& view : std::span(plan.views).first(plan.level_views))
+            views_.push_back({view.bearing, std::atan(view.right), view.left, 1 / view.line_width(),
+                              view.first_line, view.lines});
+    }
+
+    /// The line that an echo arrives on, if it is drawn.
+    std::optional<std::size_t> at(double bearing) const {
+        const Lines* nearest = nullptr;
+        double least = 0;
+        for (const Lines& view : views_)
+            if (const double beyond = std::abs(bearing - view.bearing) - view.half_width;
+                nearest == nullptr || beyond < least)
+                nearest = &view, least = beyond;
+        if (least >= 0) return std::nullopt;
+        const double line = (std::tan(bearing - nearest->bearing) - nearest->left) * nearest->per_line;
+        return nearest->first + std::min(static_cast<std::size_t>(line), nearest->count - 1);
+    }
+
+  private:
+    /// Of a level view.
+    struct Lines {
+        double bearing, half_width;  ///< rad
+        double left, per_line;       ///< on the image plane; lines to a unit of it
+        std::size_t first, count;
+    };
+    std::vector<Lines> views_;
+};
 
 class FanSumming final : public Summing {
   public:
@@ -138,29 +162,33 @@ class FanSumming final : public Summing {
                 add_surround_line(in, gain, false, view, line, reader, sums_, under_way);
         for (std::size_t s = 0; s < under_way.size(); ++s)
             under_way[s].scatter(*in.water, sums_.sector_steps(s));
+        if (!under_way.empty()) turn_water_around(in, sums_);
     }
 
     /// Their power is complete, so the gain that the beams will get is taken out first.
     void add_paths(const BinningInput& in, const BinGain& gain) {
+        if (in.paths.empty()) return;
+        const LineFinder lines(in.plan);
         for (const PathEcho& path : in.paths) {
             const auto low = static_cast<float>((path.near_range - in.first_range) / in.bin_length);
             const auto high = static_cast<float>((path.far_range - in.first_range) / in.bin_length);
             const auto bin = static_cast<std::size_t>(std::max(0.5F * (low + high), 0.0F));
             if (bin >= in.bins || !(gain.values()[bin] > 0)) continue;
-            if (LineBins* row = row_of(in, path)) row->deposit(low, high, path.power / gain.values()[bin]);
+            if (LineBins* row = row_of(in, lines, path))
+                row->deposit(low, high, path.power / gain.values()[bin]);
         }
     }
 
     /// Where an echo that has arrived is added up. A single beam's is complete: it has its sector, or the
     /// line on its axis. A fan's lines are where they are at the transmission, since all of them are turned
     /// later; its sectors are where they are heard.
-    LineBins* row_of(const BinningInput& in, const PathEcho& path) {
+    LineBins* row_of(const BinningInput& in, const LineFinder& lines, const PathEcho& path) {
         const FanPlan& plan = in.plan;
         if (plan.beams.size() == 1)
             return plan.far_lobes.sectors > 0 ? &sums_.sector(0)
-                                              : &sums_.line(line_at(plan, plan.centre).value_or(0));
+                                              : &sums_.line(lines.at(plan.centre).value_or(0));
         const double sent = double{path.bearing} - (turns_lines(in) ? double{path.turned} : 0);
-        if (const auto line = line_at(plan, sent)) return &sums_.line(*line);
+        if (const auto line = lines.at(sent)) return &sums_.line(*line);
         if (plan.far_lobes.sectors == 0) return nullptr;
         return &sums_.sector(
             sector_at(plan, SectorKind::beside, cone_angle(double{path.bearing} - plan.centre, 0)).sector);

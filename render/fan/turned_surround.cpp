@@ -9,6 +9,7 @@
 #include "render/fan/binning.h"
 #include "render/fan/far_lobes.h"
 #include "render/fan/ping_motion.h"
+#include "render/fan/plan_parts.h"
 
 namespace echoloop {
 namespace {
@@ -46,7 +47,8 @@ SmoothLobe smooth_lobe(const LobeTable& power, int ways, double width, double sp
     }
     const Integral first(power.step, once), second(power.step, squares);
     const double step = std::max(power.step, width / 16);
-    SmoothLobe out{{step, {}}, {step, {}}, ways == 2, static_cast<float>(spacing)};
+    SmoothLobe out{{step, {}}, {step, {}}, {power.step, {}}, ways == 2, static_cast<float>(spacing)};
+    for (const double value : once) out.exact.values.push_back(static_cast<float>(value));
     for (double sine = 0; sine < 1 + 2 * step; sine += step) {
         const double at = std::min(sine, 1 - width / 2);
         out.power.values.push_back(static_cast<float>(first.mean(at - width / 2, at + width / 2)));
@@ -68,39 +70,106 @@ float SmoothLobe::kept(float before, float after) const {
 }
 
 TurnedSurround::TurnedSurround(const BinningInput& in, const View& view, std::size_t line)
-    : turns_(in.motion != nullptr && in.motion->turning != Vec3{}), plan_(&in.plan) {
+    : turns_(in.motion != nullptr && in.motion->turning != Vec3{}),
+      plan_(&in.plan),
+      view_(&view),
+      line_(static_cast<double>(line)),
+      offset_(in.offset.of(view)) {
     if (!turns_) return;
     const Quat array_from_fan = axis_angle({0, 0, 1}, plan_->centre),
                array_from_view = array_from_fan * view.fan_from_view();
-    const PixelOffset offset = in.offset.of(view);
-    level_ = rotate(array_from_view, {1, -view.x(static_cast<double>(line) + 0.5 + offset.line), 0});
+    forward_ = rotate(array_from_view, {1, 0, 0});
+    port_ = rotate(array_from_view, {0, 1, 0});
     up_ = rotate(array_from_view, {0, 0, 1});
     per_range_ = 2 * in.motion->slowness * rotate(array_from_fan, in.motion->turning);
-    top_ = view.y(0.5 + offset.sample), step_ = view.sample_height();
-    first_sector_ = sector_place(plan_->first_edge - plan_->centre),
-    last_sector_ = sector_place(plan_->last_edge - plan_->centre);
+    const double first = plan_->first_edge - plan_->centre, last = plan_->last_edge - plan_->centre;
+    first_sector_ = sector_place(first), last_sector_ = sector_place(last);
+    first_slope_ = std::tan(first), last_slope_ = std::tan(last);
+    const View& level = plan_->views.front();
+    edge_ = std::atan(level.top * std::cos(std::atan(level.right)));
+    width_ = view.line_width() * view.usual_width;
+}
+
+/// In pixels of the view, 1 long.
+Vec3 TurnedSurround::along(double line, double sample) const {
+    const Vec3 d = forward_ - view_->x(line) * port_ + view_->y(sample) * up_;
+    return 1 / norm(d) * d;
+}
+
+/// Where a pixel is wider than what changes within it.
+bool TurnedSurround::is_beside_level_views(Vec3 sent) const {
+    constexpr double pixels = 2;
+    const double beside = pixels * width_;
+    if (std::abs(sent.z) > std::sin(edge_) + beside) return false;
+    return plan_->geometry.bearings.size() > 1 ||
+           (-sent.y > first_slope_ * sent.x - beside && -sent.y < last_slope_ * sent.x + beside);
+}
+
+/// What the level views leave of a direction, as the plan of the surround has it.
+double TurnedSurround::left_by_level_views(Vec3 sent) const {
+    const bool ahead = -sent.y >= first_slope_ * sent.x && -sent.y <= last_slope_ * sent.x;
+    if (!ahead || std::abs(sent.z) >= std::sin(edge_)) return 1;
+    return 1 - level_share_at(edge_, std::asin(sent.z));
+}
+
+/// Of one way or both, relative to the axis.
+double TurnedSurround::both_lobes(Vec3 sent, Vec3 seen) const {
+    const FanGeometry& g = plan_->geometry;
+    const auto product = [](const SmoothLobe& lobe, double before, double after) {
+        if (lobe.empty()) return 1.0;
+        const auto at = [&](double sine) {
+            return static_cast<double>(lobe.exact.at(static_cast<float>(sine)));
+        };
+        return lobe.both_ways ? at(before) * at(after) : at(after);
+    };
+    if (g.bearings.size() == 1 && g.vertical.shape == ApertureShape::piston)
+        return product(plan_->far_upwards, std::hypot(sent.y, sent.z), std::hypot(seen.y, seen.z));
+    return product(plan_->far_across, sent.y, seen.y) * product(plan_->far_upwards, sent.z, seen.z);
+}
+
+/// The mean over a pixel as the plan takes it, in the same places.
+std::optional<float> TurnedSurround::kept_of_pixel(std::size_t sample, Vec3 turned) const {
+    constexpr int parts = 4;
+    double before = 0, after = 0;
+    for (int i = 0; i < parts * parts; ++i) {
+        const Vec3 sent =
+            along(line_ + (i / parts + 0.5) / parts, static_cast<double>(sample) + (i % parts + 0.5) / parts);
+        const double left = left_by_level_views(sent);
+        if (left == 0) continue;
+        before += left * both_lobes(sent, sent);
+        after += left * both_lobes(sent, sent - cross(turned, sent));
+    }
+    if (!(before > 0)) return std::nullopt;
+    return static_cast<float>(after / before);
 }
 
 Turned TurnedSurround::at(std::size_t sample, float range, float sector) const {
     const FanGeometry& g = plan_->geometry;
-    const Vec3 along = level_ + (top_ - static_cast<double>(sample) * step_) * up_;
-    const Vec3 sent = 1 / norm(along) * along,
-               seen = sent - static_cast<double>(range) * cross(per_range_, sent);
+    const Vec3 turned = static_cast<double>(range) * per_range_;
+    const Vec3 sent = along(line_ + 0.5 + offset_.line, static_cast<double>(sample) + 0.5 + offset_.sample),
+               seen = sent - cross(turned, sent);
     const double s = -sent.y, s2 = -seen.y, u = sent.z, u2 = seen.z;
     const auto f = [](double value) { return static_cast<float>(value); };
+    const bool piston = g.bearings.size() == 1 && g.vertical.shape == ApertureShape::piston;
     Turned out;
-    if (g.bearings.size() == 1 && g.vertical.shape == ApertureShape::piston) {
+    const auto exact = is_beside_level_views(sent) ? kept_of_pixel(sample, turned) : std::nullopt;
+    if (exact)
+        out.kept = *exact;
+    else if (piston)
         out.kept = plan_->far_upwards.kept(f(std::hypot(s, u)), f(std::hypot(s2, u2)));
-        return out;
-    }
-    out.kept = plan_->far_across.kept(f(s), f(s2)) * plan_->far_upwards.kept(f(u), f(u2));
+    else
+        out.kept = plan_->far_across.kept(f(s), f(s2)) * plan_->far_upwards.kept(f(u), f(u2));
     if (g.bearings.size() == 1) return out;
     const auto cosine = [](double sine) { return std::sqrt(std::max(0.0, 1 - sine * sine)); };
     const double angle = s2 * cosine(s) - s * cosine(s2);  // its sine, but it is small
+    if (!plan_->common_far.empty()) {
+        out.far = plan_->common_far.at(f(angle));
+        out.ahead = plan_->common_ahead.at(f(angle)) - out.far;
+    }
     // A beam that sends as it receives hears best half-way.
-    const double turned = angle * (sectors_per_array - 1) / std::numbers::pi / g.horizontal.ways;
-    const double heard = static_cast<double>(sector) + turned;
-    out.sectors = f(turned), out.inside = heard > first_sector_ && heard < last_sector_;
+    const double places = angle * (sectors_per_array - 1) / std::numbers::pi / g.horizontal.ways;
+    const double heard = static_cast<double>(sector) + places;
+    out.sectors = f(places), out.inside = heard > first_sector_ && heard < last_sector_;
     return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "render/fan/plan.h"
 
@@ -16,6 +17,8 @@ SmoothLobe smooth_lobe(const LobeTable& power, int ways, double width, double sp
 /// By how much the echo of a surround pixel changes when it comes back to a receiver that has turned.
 struct Turned {
     float kept = 1;       ///< of its power
+    float far = 1;        ///< of that, in a fan's far lobes
+    float ahead = 0;      ///< the same in its main lobes, over `far`
     float sectors = 0;    ///< spacings of sectors, from where it was sent to where it is heard
     bool inside = false;  ///< it is heard from where the level views look, though it was sent beside
 };
@@ -30,11 +33,21 @@ class TurnedSurround {
     Turned at(std::size_t sample, float range, float sector) const;
 
   private:
+    Vec3 along(double line, double sample) const;
+    bool is_beside_level_views(Vec3 sent) const;
+    double left_by_level_views(Vec3 sent) const;
+    double both_lobes(Vec3 sent, Vec3 seen) const;
+    std::optional<float> kept_of_pixel(std::size_t sample, Vec3 turned) const;
+
     bool turns_ = false;
     const FanPlan* plan_ = nullptr;
-    Vec3 level_, up_, per_range_;  ///< of the array's frame; rad per m
-    double top_ = 0, step_ = 0;
+    const View* view_ = nullptr;
+    double line_ = 0;
+    PixelOffset offset_;
+    Vec3 forward_, port_, up_, per_range_;       ///< of the array's frame; rad per m
     double first_sector_ = 0, last_sector_ = 0;  ///< between which level views look
+    double first_slope_ = 0, last_slope_ = 0;    ///< the same, starboard over ahead
+    double edge_ = 0, width_ = 0;                ///< rad, half their height; of a pixel
 };
 
 }  // namespace echoloop

@@ -98,8 +98,11 @@ class GridSumming final : public Summing {
         add_arrivals(in, gain, arrivals_of(plan, in.paths));
         if (plan.far.nodes > 0) {
             far_.resize(plan.rows * sectors_per_array, plan.far.nodes * sectors_per_array, in.bins, steps);
-            sum_far(plan, in.bins);
+            // Of rows that turn, their own far lobes hear what comes into the field, too.
+            const bool turns = TurnedPixels(in, plan).turns();
+            if (!turns) sum_far(plan, in.bins);
             add_surround(in, gain, plan);
+            if (turns) sum_far(plan, in.bins);
         }
         finish(plan, stride, of_row, rows);
     }

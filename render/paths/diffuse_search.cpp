@@ -24,7 +24,8 @@ struct Seen {
     Vec3 onward;                               ///< from the first, where that mirrors
     /// Of the last of both; where rays bend, in which direction and how far off it is seen.
     Sight sight{};
-    double lift = 0;  ///< rad, elevation of `direction` over that of the cell's ray
+    double lift = 0;       ///< rad, elevation of `direction` over that of the cell's ray
+    bool settled = false;  ///< need not be aimed again
 };
 
 /// The direction so much higher, rad.
@@ -72,13 +73,9 @@ class Tangent {
 
 class DiffuseSearch {
   public:
-    DiffuseSearch(const PathPing& ping, std::vector<PathEcho>& out, std::vector<Corner>& corners)
-        : ping_(ping),
-          cells_(ping.shot, ping.pattern.half_width(), ping.pattern.half_height(),
-                 ping.pattern.across() ? &*ping.pattern.across() : nullptr),
-          rows_(ping.shot.rows() > 1),
-          out_(out),
-          corners_(ping, corners) {
+    DiffuseSearch(const PathPing& ping, const LobeCells& cells, std::vector<PathEcho>& out,
+                  std::vector<Corner>& corners)
+        : ping_(ping), cells_(cells), rows_(ping.shot.rows() > 1), out_(out), corners_(ping, corners) {
         const auto& bearings = ping.shot.bearings;
         if (bearings.size() > 1)
             spacing_ = (bearings.back() - bearings.front()) / static_cast<double>(bearings.size() - 1);
@@ -86,7 +83,7 @@ class DiffuseSearch {
 
     void run() {
         const auto& cells = cells_.cells();
-        for (const LobeCell& cell : cells) seen_.push_back(look(cell));
+        look();
         for (own_ = 0; own_ < cells.size(); ++own_) {
             const Seen& seen = seen_[own_];
             if (!seen.first) continue;
@@ -96,23 +93,42 @@ class DiffuseSearch {
     }
 
   private:
-    /// Where rays bend, a straight one by way of a mirror is aimed to where the cell's is by then.
-    Seen look(const LobeCell& cell) const {
-        const Vec3 direction = rotate(ping_.world_from_fan, fan_direction(cell.bearing, cell.elevation));
-        Seen seen = look_along(direction);
-        if (ping_.rays == nullptr) return seen;
-        for (int round = 0; round < 2 && seen.first; ++round) {
-            const bool by_surface = seen.first->material == nullptr, met = seen.mirrored.has_value();
-            if (!by_surface && !met) break;
-            const double lift = ping_.lift(direction, met ? seen.sight.length : ping_.end_range, by_surface);
-            seen = look_along(lifted(direction, lift));
-            seen.lift = lift;
-            if (met) break;
+    /// Fills seen_. Where rays bend, a straight one by way of a mirror is aimed to where the cell's is by
+    /// then.
+    void look() {
+        std::vector<std::size_t> asked;
+        for (const LobeCell& cell : cells_.cells()) {
+            asked.push_back(seen_.size());
+            seen_.push_back(
+                {rotate(ping_.world_from_fan, fan_direction(cell.bearing, cell.elevation)), {}, {}, {}});
         }
-        const auto sight = seen.first ? sight_of(seen) : std::nullopt;
-        if (!sight) return {direction, {}, {}, {}};
-        seen.sight = *sight;
-        return seen;
+        look_along(asked);
+        if (ping_.rays == nullptr) return;
+        std::vector<Vec3> wanted;
+        for (const Seen& seen : seen_) wanted.push_back(seen.direction);
+        for (int round = 0; round < 2; ++round) {
+            std::erase_if(asked, [&](std::size_t i) { return !aim_again(wanted[i], seen_[i]); });
+            look_along(asked);
+            std::erase_if(asked, [&](std::size_t i) { return seen_[i].settled; });
+        }
+        for (std::size_t i = 0; i < seen_.size(); ++i) {
+            const auto sight = seen_[i].first ? sight_of(seen_[i]) : std::nullopt;
+            if (sight)
+                seen_[i].sight = *sight;
+            else
+                seen_[i] = {wanted[i], {}, {}, {}};
+        }
+    }
+
+    /// Turns what is looked along to where the ray of a cell will be; false where that needs no mirror.
+    bool aim_again(Vec3 wanted, Seen& seen) const {
+        if (!seen.first) return false;
+        const bool by_surface = seen.first->material == nullptr, met = seen.mirrored.has_value();
+        if (!by_surface && !met) return false;
+        const double lift = ping_.lift(wanted, met ? seen.sight.length : ping_.end_range, by_surface);
+        seen = {lifted(wanted, lift), {}, {}, {}};
+        seen.lift = lift, seen.settled = met;
+        return true;
     }
 
     std::optional<Sight> sight_of(const Seen& seen) const {
@@ -121,16 +137,33 @@ class DiffuseSearch {
         return ping_.sight_by(seen.mirrored->point, mirror.point, mirror.normal, mirror.point);
     }
 
-    Seen look_along(Vec3 direction) const {
-        Seen seen{direction, ping_.space.meet(ping_.sonar, direction, 2 * ping_.end_range), {}, {}};
-        if (!seen.first) return seen;
-        const Encounter& mirror = *seen.first;
-        seen.sight = {direction, mirror.range};
-        if (!(std::abs(mirror.reflection * mirror.flatness) > weakest_reflection)) return seen;
-        seen.onward = seen.direction - 2 * dot(seen.direction, mirror.normal) * mirror.normal;
-        seen.mirrored = ping_.space.meet(mirror.point, seen.onward, 2 * ping_.end_range - mirror.range);
-        if (seen.mirrored) seen.sight.length += seen.mirrored->range;
-        return seen;
+    /// Fills in what the rays of these cells meet.
+    void look_along(std::span<const std::size_t> cells) {
+        rays_.clear();
+        for (const std::size_t i : cells)
+            rays_.push_back({ping_.sonar, seen_[i].direction, 2 * ping_.end_range});
+        met_.resize(rays_.size());
+        ping_.space.meet(rays_, met_);
+        std::vector<std::size_t> onward;
+        rays_.clear();
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            Seen& seen = seen_[cells[k]];
+            seen.first = met_[k];
+            if (!seen.first) continue;
+            const Encounter& mirror = *seen.first;
+            seen.sight = {seen.direction, mirror.range};
+            if (!(std::abs(mirror.reflection * mirror.flatness) > weakest_reflection)) continue;
+            seen.onward = seen.direction - 2 * dot(seen.direction, mirror.normal) * mirror.normal;
+            onward.push_back(cells[k]);
+            rays_.push_back({mirror.point, seen.onward, 2 * ping_.end_range - mirror.range});
+        }
+        met_.resize(rays_.size());
+        ping_.space.meet(rays_, met_);
+        for (std::size_t k = 0; k < onward.size(); ++k) {
+            Seen& seen = seen_[onward[k]];
+            seen.mirrored = met_[k];
+            if (seen.mirrored) seen.sight.length += seen.mirrored->range;
+        }
     }
 
     /// Mirror first, scatterer second.
@@ -176,12 +209,12 @@ class DiffuseSearch {
                 ? ping_.sight(met.point)
                 : std::optional(Sight{seen.sight.direction, seen.mirrored ? met.range : seen.sight.length});
         if (!sight) return;
-        const FanDirection up = ping_.pattern.at(in_fan), here = ping_.seen(sight->direction);
-        const double weight = std::abs(up.transmit * here.receive) + std::abs(up.receive * here.transmit);
-        if (weight < weakest_pattern || cells_.contains(up.bearing, std::asin(in_fan.z))) return;
+        const FanWeights up = ping_.pattern.weights(in_fan), own = ping_.heard(sight->direction);
+        const double weight = std::abs(up.transmit * own.receive) + std::abs(up.receive * own.transmit);
+        if (weight < weakest_pattern || cells_.contains(in_fan)) return;
         const auto other = facing(surface_way(ping_, met.point), met, image);
         if (!other) return;
-        const Way way{here, sight->length, 1, -dot(seen.direction, met.normal), 0};
+        const Way way{ping_.seen(sight->direction), sight->length, 1, -dot(seen.direction, met.normal), 0};
         const auto stretch =
             stretch_of(cell, Tangent(ping_, met, on, down, false), {met.range, norm(met.point - image)},
                        sight->length / met.range, [&](const Seen& beside) -> std::optional<Lengths> {
@@ -223,7 +256,7 @@ class DiffuseSearch {
     template <typename EndsAt>
     Stretch stretch_of(const LobeCell& cell, const Tangent& tangent, const Lengths& own, double slowness,
                        EndsAt&& ends_at) const {
-        const auto edge = [&](double elevation, std::size_t beside, bool is_beside) {
+        const auto edge = [&](const KnownAngle& elevation, std::size_t beside, bool is_beside) {
             const Vec3 direction = rotate(ping_.world_from_fan, fan_direction(cell.bearing, elevation));
             Lengths straight = tangent.at(lifted(direction, seen_[own_].lift), own.ray);
             const auto end = is_beside ? ends_at(seen_[beside]) : std::nullopt;
@@ -237,8 +270,8 @@ class DiffuseSearch {
             return Lengths{slowness * straight.ray, slowness * straight.other};
         };
         const auto& cells = cells_.cells();
-        return {edge(cell.low, own_ - 1, own_ > 0 && cells[own_ - 1].high == cell.low),
-                edge(cell.high, own_ + 1, own_ + 1 < cells.size() && cells[own_ + 1].low == cell.high)};
+        return {edge(cell.low, own_ - 1, own_ > 0 && cells[own_ - 1].high.at == cell.low.at),
+                edge(cell.high, own_ + 1, own_ + 1 < cells.size() && cells[own_ + 1].low.at == cell.high.at)};
     }
 
     static double area(const LobeCell& cell, const Way& way) {
@@ -268,13 +301,14 @@ class DiffuseSearch {
         if (rows_) {  // beams share it by their patterns over the cell
             echo.bearing = static_cast<float>(bearing),
             echo.elevation = static_cast<float>(arrival.elevation);
-            echo.width = static_cast<float>(width), echo.height = static_cast<float>(cell.high - cell.low);
+            echo.width = static_cast<float>(width),
+            echo.height = static_cast<float>(cell.high.at - cell.low.at);
             out_.push_back(echo);
             return;
         }
         const int copies =
             spacing_ > 0 ? std::clamp(static_cast<int>(std::ceil(width / spacing_)), 1, most_copies) : 1;
-        const double first = bearing - (cell.bearing - cell.first_bearing);
+        const double first = bearing - (cell.bearing.at - cell.first_bearing);
         echo.power /= static_cast<float>(copies);
         for (int i = 0; i < copies; ++i) {
             echo.bearing = static_cast<float>(copies == 1 ? bearing : first + (i + 0.5) / copies * width);
@@ -283,9 +317,11 @@ class DiffuseSearch {
     }
 
     const PathPing& ping_;
-    LobeCells cells_;
+    const LobeCells& cells_;
     std::vector<Seen> seen_;  ///< one a cell
-    std::size_t own_ = 0;     ///< the cell that is looked at
+    std::vector<Ray> rays_;
+    std::vector<std::optional<Encounter>> met_;  ///< by them
+    std::size_t own_ = 0;                        ///< the cell that is looked at
     bool rows_;
     std::vector<PathEcho>& out_;
     CornerList corners_;
@@ -294,8 +330,9 @@ class DiffuseSearch {
 
 }  // namespace
 
-void find_diffuse_echoes(const PathPing& ping, std::vector<PathEcho>& out, std::vector<Corner>& corners) {
-    DiffuseSearch(ping, out, corners).run();
+void find_diffuse_echoes(const PathPing& ping, const LobeCells& cells, std::vector<PathEcho>& out,
+                         std::vector<Corner>& corners) {
+    DiffuseSearch(ping, cells, out, corners).run();
 }
 
 }  // namespace echoloop

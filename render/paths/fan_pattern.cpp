@@ -6,18 +6,6 @@
 
 namespace echoloop {
 
-namespace {
-
-/// Off the plane of symmetry of a line aperture, which cannot tell directions on a cone about it apart;
-/// beyond a right angle where that is behind the aperture.
-double cone(double bearing, double elevation) {
-    const double angle = cone_angle(bearing, elevation);
-    return std::abs(bearing) > std::numbers::pi / 2 ? std::copysign(std::numbers::pi, bearing) - angle
-                                                    : angle;
-}
-
-}  // namespace
-
 FanPattern::Key FanPattern::key_of(const Shot& shot) {
     Key key{shot.horizontal, shot.vertical, shot.beam_width, shot.fan_height, shot.bearings};
     key.rows = shot.rows() > 1;
@@ -29,21 +17,30 @@ FanPattern::FanPattern(const Shot& shot, const Effects& effects)
     : key_(key_of(shot)),
       side_lobes_(effects.has(Effect::side_lobes)),
       half_width_(shot.beam_width / 2),
-      half_height_(shot.fan_height / 2) {
-    if (!effects.has(Effect::beam_pattern)) return;
-    horizontal_.emplace(shot.horizontal, shot.beam_width);
-    vertical_.emplace(shot.vertical, shot.fan_height);
-    half_width_ = std::max(half_width_, horizontal_->aperture().first_null());
-    half_height_ = std::max(half_height_, vertical_->aperture().first_null());
+      half_height_(shot.fan_height / 2),
+      first_(shot.bearings.front()),
+      last_(shot.bearings.back()) {
+    if (effects.has(Effect::beam_pattern)) {
+        horizontal_.emplace(shot.horizontal, shot.beam_width);
+        vertical_.emplace(shot.vertical, shot.fan_height);
+        half_width_ = std::max(half_width_, horizontal_->aperture().first_null());
+        half_height_ = std::max(half_height_, vertical_->aperture().first_null());
+        if (!key_.rows) upwards_.emplace(vertical_->aperture());
+        if (!key_.rows && shot.bearings.size() == 1) across_.emplace(horizontal_->aperture());
+    }
+    beside_ = Edge(half_width_), above_ = Edge(half_height_);
+    const auto sine = [](double elevation) {
+        return std::sin(std::clamp(elevation, -std::numbers::pi / 2, std::numbers::pi / 2));
+    };
+    lowest_ = sine(key_.lowest_row - half_height_), highest_ = sine(key_.highest_row + half_height_);
 }
 
 bool FanPattern::fits(const Shot& shot) const { return key_ == key_of(shot); }
 
-double FanPattern::amplitude(const std::optional<TwoWayPattern>& pattern, double edge, bool side_lobes,
-                             double angle) {
-    const bool inside = std::abs(angle) <= edge;
-    if (!pattern) return inside ? 1 : 0;
-    return inside || side_lobes ? pattern->amplitude(angle) : 0;
+bool FanPattern::is_behind(Vec3 d) const {
+    if (key_.bearings.back() - key_.bearings.front() > std::numbers::pi)
+        return is_behind(std::atan2(-d.y, d.x));
+    return first_.cosine(d) < 0 && last_.cosine(d) < 0;
 }
 
 bool FanPattern::is_behind(double bearing) const {
@@ -59,42 +56,59 @@ bool FanPattern::is_behind(double bearing) const {
 }
 
 FanDirection FanPattern::at(Vec3 d) const {
-    FanDirection out;
-    out.bearing = std::atan2(-d.y, d.x);
-    out.elevation = std::asin(std::clamp(d.z, -1.0, 1.0));
+    const FanWeights heard = weights(d);
+    return {std::atan2(-d.y, d.x), std::asin(std::clamp(d.z, -1.0, 1.0)), heard.transmit, heard.receive};
+}
+
+FanWeights FanPattern::weights(Vec3 d) const {
+    FanWeights out;
     if (key_.rows) {
-        const bool lit =
-            out.elevation > key_.lowest_row - half_height_ && out.elevation < key_.highest_row + half_height_;
-        out.transmit = out.receive = lit && !is_behind(out.bearing) ? 1 : 0;
+        const bool lit = d.z > lowest_ && d.z < highest_;
+        out.transmit = out.receive = lit && !is_behind(d) ? 1 : 0;
         return out;
     }
-    out.transmit = amplitude(vertical_, half_height_, side_lobes_, out.elevation);
+    const bool inside = above_.holds(d.z);
+    if (!vertical_)
+        out.transmit = inside ? 1 : 0;
+    else if (inside || side_lobes_)
+        out.transmit = upwards_->at(d.z);
     out.receive = key_.vertical.ways == 2 || !vertical_ ? out.transmit : 1;
     if (key_.bearings.size() > 1) {
         // An axis that is directive one way only is broad the other way, but not broader than the baffle lets
         // it.
-        if (is_behind(out.bearing)) {
+        if (is_behind(d)) {
             const double behind = horizontal_ && side_lobes_ ? AperturePattern::back_amplitude : 0;
             out.transmit *= behind, out.receive *= behind;
         }
         return out;
     }
-    weigh_single(out);
+    weigh_single(d, out);
     return out;
 }
 
-void FanPattern::weigh_single(FanDirection& out) const {
-    const double bearing = std::remainder(out.bearing - key_.bearings.front(), 2 * std::numbers::pi);
-    if (key_.vertical.shape == ApertureShape::piston && vertical_) {
-        const double off = std::acos(std::clamp(std::cos(bearing) * std::cos(out.elevation), -1.0, 1.0));
-        out.transmit = amplitude(vertical_, half_height_, side_lobes_, off);
+void FanPattern::weigh_single(Vec3 d, FanWeights& out) const {
+    if (!horizontal_) {
+        const double bearing =
+            std::remainder(std::atan2(-d.y, d.x) - key_.bearings.front(), 2 * std::numbers::pi);
+        const double across = std::abs(bearing) <= half_width_ ? 1 : 0;
+        out.transmit *= across, out.receive *= across;
+        return;
+    }
+    const bool in_front = first_.cosine(d) >= 0;
+    const auto heard = [&](const PatternTable& table, const Edge& edge, double sine) {
+        if (!side_lobes_ && !(in_front && edge.holds(sine))) return 0.0;
+        return (in_front ? 1 : AperturePattern::back_amplitude) * table.at(sine);
+    };
+    const double beside = first_.sine(d);
+    if (key_.vertical.shape == ApertureShape::piston) {
+        out.transmit = heard(*upwards_, above_, std::sqrt(beside * beside + d.z * d.z));
         out.receive = key_.vertical.ways == 2 ? out.transmit : 1;
         return;
     }
-    const double across = amplitude(horizontal_, half_width_, side_lobes_,
-                                    horizontal_ ? cone(bearing, out.elevation) : bearing);
+    // A line aperture cannot tell directions on a cone about it apart.
+    const double across = heard(*across_, beside_, beside);
     out.receive *= across;
-    if (key_.horizontal.ways == 2 || !horizontal_) out.transmit *= across;
+    if (key_.horizontal.ways == 2) out.transmit *= across;
 }
 
 }  // namespace echoloop

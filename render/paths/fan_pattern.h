@@ -2,9 +2,12 @@
 // Knows no scene.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 
-#include "render/acoustics/pattern.h"
+#include "render/acoustics/pattern_table.h"
 #include "render/echogram.h"
 #include "render/effects.h"
 
@@ -18,6 +21,11 @@ struct FanDirection {
     double turned = 0;                 ///< rad, by which the sonar has turned in bearing since it sent
 };
 
+/// What the aperture makes of one, amplitude relative to the axis, -1..1.
+struct FanWeights {
+    double transmit = 0, receive = 0;
+};
+
 /// Which way of an axis with AxisPattern::ways == 1 is directive: horizontally the receiver (multibeam sonars
 /// form their beams there), vertically the transmitter. Rows of beams (Shot::elevations) are formed by the
 /// receiver both ways, and the transmitter fills them all alike: the pattern is 1 within their limits and 0
@@ -29,8 +37,11 @@ class FanPattern {
 
     /// Whether this is the pattern of `shot` too, so that it need not be made again.
     bool fits(const Shot& shot) const;
-    /// `direction`: unit, in the frame of the fan: x along its axis, y to port, z up.
+    /// `direction`: unit, in the frame of the fan: x along its axis, y to port, z up. By tables: within 0.02
+    /// dB of the aperture's formula, both ways, where that is above -40 dB.
     FanDirection at(Vec3 direction) const;
+    /// The same without its angles, which take longer than the rest.
+    FanWeights weights(Vec3 direction) const;
 
     /// Of each beam across the fan; empty: a box.
     const std::optional<TwoWayPattern>& across() const { return horizontal_; }
@@ -52,16 +63,34 @@ class FanPattern {
     };
     static Key key_of(const Shot& shot);
     /// Multiplies what the one beam's aperture makes of the direction besides its elevation.
-    void weigh_single(FanDirection& out) const;
+    void weigh_single(Vec3 direction, FanWeights& out) const;
     /// A quarter turn or more from every beam.
+    bool is_behind(Vec3 direction) const;
     bool is_behind(double bearing) const;
-    static double amplitude(const std::optional<TwoWayPattern>& pattern, double edge, bool side_lobes,
-                            double angle);
+
+    /// The angle up to which a beam hears without side lobes, as its sine.
+    struct Edge {
+        explicit Edge(double angle) : sine(angle < std::numbers::pi / 2 ? std::sin(angle) : 2) {}
+        bool holds(double at) const { return std::abs(at) <= sine; }
+        double sine;
+    };
+    /// A direction to a beam in the fan's plane.
+    struct Heading {
+        explicit Heading(double bearing) : x(std::cos(bearing)), y(-std::sin(bearing)) {}
+        /// Of the angle to it, times the cosine of the elevation; the sine, clockwise, likewise.
+        double cosine(Vec3 d) const { return d.x * x + d.y * y; }
+        double sine(Vec3 d) const { return d.x * y - d.y * x; }
+        double x, y;
+    };
 
     Key key_;
     bool side_lobes_;
     std::optional<TwoWayPattern> horizontal_, vertical_;  ///< empty: boxes
+    std::optional<PatternTable> across_, upwards_;        ///< of them; the first for a single beam only
     double half_width_, half_height_;
+    Heading first_, last_;  ///< beams
+    Edge beside_{0}, above_{0};
+    double lowest_ = 0, highest_ = 0;  ///< sines of the elevations between which rows are lit
 };
 
 }  // namespace echoloop

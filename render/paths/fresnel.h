@@ -5,8 +5,8 @@
 
 namespace echoloop {
 
-/// C(u) + i S(u), the integral of exp(i pi t^2 / 2) from 0 to u, within 2e-3 (power series up to 1.8; beyond,
-/// Abramowitz & Stegun 1964, 7.3.32-33).
+/// C(u) + i S(u), the integral of exp(i pi t^2 / 2) from 0 to u, within 1e-4: a table up to 4; beyond, the
+/// first two terms of the auxiliary functions' series (Abramowitz & Stegun 1964, 7.3.27-28).
 std::complex<double> fresnel_integral(double u);
 
 /// How a mirror's zones lie about the point where a path meets it.

@@ -45,7 +45,9 @@ std::optional<Glint> glint_of(const PathPing& ping, const Mirrors& mirrors, std:
 
 std::vector<std::size_t> faces_ahead(const PathPing& ping, const Mirrors& mirrors) {
     std::vector<std::size_t> out;
-    for (std::size_t face = 0; face < mirrors.faces().size(); ++face) {
+    const auto near = mirrors.near(ping.sonar, ping.end_range, ping.resolution);
+    for (std::size_t face = 0; face < near.size(); ++face) {
+        if (near[face] == 0) continue;
         const double range = mirrors.before(face, ping.sonar);
         if (!(range > nearest_mirror) || range >= ping.end_range) continue;
         const MirrorFace& mirror = mirrors.faces()[face];

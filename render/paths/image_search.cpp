@@ -12,12 +12,13 @@
 namespace echoloop {
 namespace {
 
-constexpr std::size_t most_images = 64, most_mirrors = 16, most_order = 5;
+constexpr std::size_t most_images = 64, most_mirrors = FewPlanes::most, most_order = 5;
 constexpr std::size_t most_spread = 4;  ///< of the loudest, that go through the pattern of a single beam
 constexpr int most_tries = 20'000;      ///< sequences of mirrors in one ping
 constexpr double square_cosine =
     0.0175;  ///< faces this near to a right angle are corners, which have their own search
 constexpr std::size_t no_outline = ~std::size_t{0};
+constexpr double least_length2 = 4e-4;  ///< m^2: a path of 2 cm, there and back
 constexpr double faintest_part =
     1e-6;  ///< of a chain's power: coherent or incoherent parts below are left out
 
@@ -68,8 +69,9 @@ class ImageSearch {
     void run(std::span<const std::size_t> faces, std::vector<TargetEcho>& targets,
              std::vector<PathEcho>& diffuse) {
         find_mirrors(faces);
+        prepare_planes();
         images_[0] = ping_.sonar;
-        grow(0, 1);
+        grow(0, 1, 0, ~0U);
         std::ranges::stable_sort(paths_, std::greater{}, [](const ImagePath& p) { return p.power(); });
         if (paths_.size() > most_images) paths_.resize(most_images);
         for (const ImagePath& path : paths_)
@@ -119,58 +121,88 @@ class ImageSearch {
 
     double level_at(double range) const { return ping_.arrival(range, range) * range / 2; }
 
-    /// `reflections`: the product of those so far.
-    void grow(std::size_t order, double reflections) {
-        if (order == most_order) return;
-        const Vec3 image = images_[order];
-        for (const ImageMirror& mirror : all_) {
-            if (++tries_ > most_tries) return;
-            const double before = dot(mirror.normal, image) - mirror.offset;
-            const bool both_sides = mirror.face != no_outline && mirrors_.material(mirror.face).double_sided;
-            if (!(both_sides ? std::abs(before) > 1e-6 : before > 1e-6)) continue;
-            if (order > 0) {
-                const ImageMirror& last = *sequence_[order - 1];
-                if (&last == &mirror || std::abs(dot(last.normal, mirror.normal)) < square_cosine) continue;
-            }
-            const Vec3 next = image - 2 * before * mirror.normal;
-            const double range = norm(next - ping_.sonar) / 2, product = reflections * mirror.reflection;
-            if (range < 1e-2 || range >= ping_.end_range) continue;
-            if (!(level_at(range) * std::abs(product) > ping_.least)) continue;
-            sequence_[order] = &mirror, images_[order + 1] = next;
-            if (order > 0) try_path(order + 1, range, product);
-            grow(order + 1, product);
+    /// What is asked of every mirror again and again.
+    void prepare_planes() {
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            const ImageMirror& mirror = all_[i];
+            planes_.x[i] = mirror.normal.x, planes_.y[i] = mirror.normal.y, planes_.z[i] = mirror.normal.z;
+            planes_.offset[i] = mirror.offset;
+            planes_.before[i] = dot(mirror.normal, ping_.sonar) - mirror.offset;
+            if (mirror.face != no_outline && mirrors_.material(mirror.face).double_sided)
+                both_sides_ |= 1U << i;
+            for (std::size_t k = 0; k < all_.size(); ++k)
+                if (k != i && std::abs(dot(all_[k].normal, mirror.normal)) >= square_cosine)
+                    after_[i] |= 1U << k;
         }
     }
 
-    /// Goes the path of the sequence back from its last image.
-    void try_path(std::size_t order, double range, double reflections) {
-        ImagePath path;
-        path.order = order, path.range = range;
+    /// `reflections`: the product of those so far. `distance2`: m^2, from the sonar to its image so far.
+    /// `allowed`: the mirrors that may come next, as bits.
+    void grow(std::size_t order, double reflections, double distance2, unsigned allowed) {
+        const Vec3 image = images_[order];
+        double before[most_mirrors], next2[most_mirrors];
+        reflect(planes_, image, distance2, before, next2);
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            if (++tries_ > most_tries) return;
+            const double ahead = (both_sides_ >> i & 1U) != 0 ? std::abs(before[i]) : before[i];
+            if (!(ahead > 1e-6) || (allowed >> i & 1U) == 0) continue;
+            if (next2[i] < least_length2 || next2[i] >= 4 * ping_.end_range * ping_.end_range) continue;
+            sequence_[order] = &all_[i], images_[order + 1] = image - 2 * before[i] * all_[i].normal;
+            const bool crosses = order > 0 && find_points(order + 1);
+            if (!crosses && order + 1 == most_order) continue;
+            const double range = std::sqrt(next2[i]) / 2, product = reflections * all_[i].reflection;
+            const double level = level_at(range);
+            if (!(level * std::abs(product) > ping_.least)) continue;
+            if (crosses) try_path(order + 1, range, level * product);
+            if (order + 1 < most_order) grow(order + 1, product, next2[i], after_[i]);
+        }
+    }
+
+    /// Goes the path of the sequence back from its last image: fills points_ and cosines_, or returns false
+    /// where it crosses no mirror at its place.
+    bool find_points(std::size_t order) {
         Vec3 to = ping_.sonar;
-        double left = 2 * range, bubbles = 1;
         for (std::size_t i = order; i-- > 0;) {
             const ImageMirror& mirror = *sequence_[i];
             const Vec3 line = images_[i + 1] - to;
             const double slope = dot(line, mirror.normal);
             const double share = (mirror.offset - dot(to, mirror.normal)) / slope;
-            if (!(share > 1e-9 && share < 1 - 1e-9)) return;
-            path.points[i] = to + share * line, path.mirrors[i] = &mirror;
+            if (!(share > 1e-9 && share < 1 - 1e-9)) return false;
+            to = to + share * line;
+            if (mirror.face != no_outline && !mirrors_.is_near(mirror.face, to)) return false;
+            points_[i] = to, slopes_[i] = slope * slope / dot(line, line);
+        }
+        return true;
+    }
+
+    /// `smooth`: uPa, if all mirrors were smooth and the pattern were 1.
+    void try_path(std::size_t order, double range, double smooth) {
+        ImagePath path;
+        path.order = order, path.range = range, path.points = points_;
+        double left = 2 * range, bubbles = 1;
+        Vec3 to = ping_.sonar;
+        for (std::size_t i = order; i-- > 0;) {
+            const ImageMirror& mirror = *sequence_[i];
+            path.mirrors[i] = &mirror;
             left -= norm(path.points[i] - to);
             to = path.points[i];
-            const double cosine = std::abs(slope) / norm(line);
-            path.coherent *= mirror.incoherent
-                                 ? 0
-                                 : std::pow(coherent_loss(ping_.wavenumber, mirror.roughness, cosine), 2);
-            if (mirror.is_water) bubbles *= ping_.space.bubble_loss(cosine);
             if (mirror.face == no_outline) continue;
             const Foot foot = mirrors_.foot(
                 mirror.face, to, mirror_zone(ping_.wavenumber, left, 2 * range - left, ping_.resolution));
             if (foot.outside > 0) return;
             path.share *= foot.share;
         }
+        for (std::size_t i = order; i-- > 0;) {
+            const ImageMirror& mirror = *sequence_[i];
+            const double cosine = std::sqrt(slopes_[i]);
+            const double loss =
+                mirror.incoherent ? 0 : coherent_loss(ping_.wavenumber, mirror.roughness, cosine);
+            path.coherent *= loss * loss;
+            if (mirror.is_water) bubbles *= ping_.space.bubble_loss(cosine);
+        }
         path.leaves = seen(path.points[0]);
         path.arrives = ping_.received(seen(path.points[order - 1]), range);
-        path.smooth = level_at(range) * reflections * bubbles * path.leaves.transmit * path.arrives.receive;
+        path.smooth = smooth * bubbles * path.leaves.transmit * path.arrives.receive;
         if (!(path.power() > ping_.least * ping_.least)) return;
         if (ping_.rays != nullptr) path.range = sounding(path) / 2;
         paths_.push_back(path);
@@ -270,8 +302,13 @@ class ImageSearch {
     const PathPing& ping_;
     const Mirrors& mirrors_;
     std::vector<ImageMirror> all_;
+    FewPlanes planes_;                            ///< of them
+    std::array<unsigned, most_mirrors> after_{};  ///< mirrors that may come next, as bits
+    unsigned both_sides_ = 0;                     ///< those that are there from both, likewise
     std::array<const ImageMirror*, most_order> sequence_{};
     std::array<Vec3, most_order + 1> images_{};  ///< of the sonar in the mirrors of the sequence so far
+    std::array<Vec3, most_order> points_{};      ///< as ImagePath's, of the sequence so far
+    std::array<double, most_order> slopes_{};    ///< squares of the cosines of incidence there
     std::vector<ImagePath> paths_;
     std::size_t spread_ = 0;  ///< chains that went through the pattern of a single beam
     int tries_ = 0;

@@ -33,6 +33,8 @@ Mirrors::Mirrors(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) 
                                                    v == 0 ? face.low[1] : face.high[1]));
         faces_.push_back({face.normal, dot(face.normal, face.origin), face.origin, reach});
     }
+    planes_.resize(faces_.size());
+    for (std::size_t i = 0; i < faces_.size(); ++i) keep_plane(i);
     for (const SceneMover& mover : scene_->movers()) movers_.push_back(mover.rest);
     place(std::vector<Pose>(movers_));
 }
@@ -45,7 +47,13 @@ void Mirrors::place(std::span<const Pose> movers) {
         faces_[i].normal = rotate(pose.orientation, all[i].normal);
         faces_[i].middle = pose * all[i].origin;
         faces_[i].offset = dot(faces_[i].normal, faces_[i].middle);
+        keep_plane(i);
     }
+}
+
+void Mirrors::keep_plane(std::size_t face) {
+    const MirrorFace& plane = faces_[face];
+    planes_.set(face, plane.normal, plane.offset, plane.middle, plane.reach);
 }
 
 double Mirrors::before(std::size_t face, Vec3 point) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/paths/fresnel.h"
+#include "render/paths/plane_kernels.h"
 #include "render/scene/scene.h"
 
 namespace echoloop {
@@ -40,6 +41,17 @@ class Mirrors {
     }
     /// m in front of a face; negative behind one that is there from one side only.
     double before(std::size_t face, Vec3 point) const;
+    /// As mark_near() has it, of all faces: valid until the next call.
+    std::span<const std::uint8_t> near(Vec3 point, double end, double resolution) const {
+        marks_.resize(planes_.size());
+        mark_near(planes_, point, end, resolution, marks_.data());
+        return marks_;
+    }
+    /// Whether a point of the face's plane can be on the face: quick, and true for many that are not.
+    bool is_near(std::size_t face, Vec3 point) const {
+        const Vec3 off = point - faces_[face].middle;
+        return dot(off, off) <= 1.0001 * faces_[face].reach * faces_[face].reach;
+    }
     /// `point` in the plane of the face. The share is the product of those of two strips, as wide as the face
     /// is at the nearest point; exact for rectangles. No face leaves more than its area does.
     Foot foot(std::size_t face, Vec3 point, const MirrorZone& zone) const;
@@ -48,6 +60,7 @@ class Mirrors {
     struct Extent {
         double low, high;
     };
+    void keep_plane(std::size_t face);
     /// Along an axis through the point (u, v) of a face.
     Extent across(const SceneFace& face, int axis, const double (&at)[2]) const;
     bool holds(const SceneFace& face, const double (&at)[2]) const;
@@ -57,6 +70,8 @@ class Mirrors {
 
     std::shared_ptr<const Scene> scene_;
     std::vector<MirrorFace> faces_;
+    PlaneArrays planes_;  ///< of the same
+    mutable std::vector<std::uint8_t> marks_;
     std::vector<Pose> movers_;
 };
 

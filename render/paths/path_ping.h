@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/eigenrays.h"
 #include "render/image_rays.h"
 #include "render/paths/fan_pattern.h"
 #include "render/paths/lobe_cells.h"
@@ -54,9 +55,15 @@ struct PathPing {
     const RayTable* rays = nullptr;  ///< null: they are straight
     /// Null: those that the water's surface reflects are straight, and take their time.
     const ImageRays* images = nullptr;
+    const Eigenrays* eigenrays = nullptr;  ///< null: nobody asks for more than the first
 
     FanDirection seen(Vec3 world_direction) const {
         return pattern.at(rotate(conjugate(world_from_fan), world_direction));
+    }
+
+    /// The same without its angles.
+    FanWeights heard(Vec3 world_direction) const {
+        return pattern.weights(rotate(conjugate(world_from_fan), world_direction));
     }
 
     /// The straight way or the first of the bent ones, whatever is between; empty in a shadow.
@@ -130,6 +137,10 @@ struct PathPing {
 
 /// The way straight to `point`, or empty where something is between.
 std::optional<Way> direct_way(const PathPing& ping, Vec3 point);
+
+/// All of them that are free, where rays bend and PathPing::eigenrays has more than the first; with the focus
+/// of their rays among what they reflect.
+std::vector<Way> direct_ways(const PathPing& ping, Vec3 point);
 
 /// The way by the water's surface, or empty.
 std::optional<Way> surface_way(const PathPing& ping, Vec3 point);

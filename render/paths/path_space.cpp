@@ -10,6 +10,7 @@
 namespace echoloop {
 
 double coherent_loss(double wavenumber, double roughness, double sine_of_grazing) {
+    if (roughness == 0) return 1;
     const double rayleigh = wavenumber * roughness * sine_of_grazing;
     return std::exp(-2 * rayleigh * rayleigh);
 }
@@ -43,33 +44,60 @@ double PathSpace::surface_reflection(double sine_of_grazing) const {
     return -coherent_loss(wavenumber_, surface_->roughness, sine_of_grazing) * bubble_loss(sine_of_grazing);
 }
 
-double PathSpace::bubble_loss(double sine_of_grazing) const {
-    if (!(surface_->wind > 0)) return 1;
-    return db_to_amplitude(-surface_bubble_loss_db(frequency_, surface_->wind, sine_of_grazing));
+void PathSpace::set_frequency(double frequency) {
+    bubbles_ = surface_ ? db_to_neper(surface_bubble_loss_db(frequency, surface_->wind, 1)) : 0;
 }
 
-std::optional<Encounter> PathSpace::meet(Vec3 origin, Vec3 direction, double end) const {
-    std::optional<Encounter> out;
-    const auto surface = surface_above(origin);
-    const double up = surface && direction.z > 0 ? (surface->height - origin.z) / direction.z : end;
-    if (up > rays_.skin() && up < end) {
-        out = Encounter{
-            origin + up * direction, {0, 0, -1}, up, surface_reflection(direction.z), 0, 1, nullptr};
-        end = up;
+double PathSpace::bubble_loss(double sine_of_grazing) const {
+    return bubbles_ > 0 ? std::exp(-bubbles_ / std::max(sine_of_grazing, least_bubble_sine)) : 1;
+}
+
+double PathSpace::until_surface(const Ray& ray) const {
+    const auto surface = surface_above(ray.origin);
+    if (!surface || !(ray.direction.z > 0)) return ray.end;
+    const double up = (surface->height - ray.origin.z) / ray.direction.z;
+    return up > rays_.skin() ? std::min(up, ray.end) : ray.end;
+}
+
+std::optional<Encounter> PathSpace::encounter(const Ray& ray, double up,
+                                              const std::optional<RayHit>& hit) const {
+    if (!hit) {
+        if (!(up < ray.end)) return std::nullopt;
+        return Encounter{ray.origin + up * ray.direction,
+                         {0, 0, -1},
+                         up,
+                         surface_reflection(ray.direction.z),
+                         0,
+                         1,
+                         nullptr};
     }
-    const auto hit = rays_.hit(origin, direction, end);
-    if (!hit) return out;
     const Material& material = scene_->materials()[hit->material];
-    const double loss = coherent_loss(wavenumber_, material.roughness, -dot(direction, hit->normal));
+    const double loss = coherent_loss(wavenumber_, material.roughness, -dot(ray.direction, hit->normal));
     // The facet's smaller side against the diameter of the first Fresnel zone: a pipe's facets mirror little.
     const double zone = 2 * std::sqrt(std::numbers::pi * hit->range / wavenumber_);
-    return Encounter{origin + hit->range * direction,
+    return Encounter{ray.origin + hit->range * ray.direction,
                      hit->normal,
                      hit->range,
                      material.reflection * loss,
                      mu_[hit->material],
                      std::min(1.0, hit->height / zone),
                      &material};
+}
+
+std::optional<Encounter> PathSpace::meet(Vec3 origin, Vec3 direction, double end) const {
+    const Ray ray{origin, direction, end};
+    const double up = until_surface(ray);
+    return encounter(ray, up, rays_.hit(origin, direction, up));
+}
+
+void PathSpace::meet(std::span<const Ray> rays, std::span<std::optional<Encounter>> out) const {
+    static thread_local std::vector<Ray> cut;
+    static thread_local std::vector<std::optional<RayHit>> hits;
+    cut.assign(rays.begin(), rays.end());
+    for (Ray& ray : cut) ray.end = until_surface(ray);
+    hits.resize(rays.size());
+    rays_.hit(cut, hits);
+    for (std::size_t i = 0; i < rays.size(); ++i) out[i] = encounter(rays[i], cut[i].end, hits[i]);
 }
 
 }  // namespace echoloop

@@ -40,10 +40,12 @@ class PathSpace {
     /// rad/m, of the pings to come.
     void set_wavenumber(double wavenumber) { wavenumber_ = wavenumber; }
     /// Hz, of the pings to come.
-    void set_frequency(double frequency) { frequency_ = frequency; }
+    void set_frequency(double frequency);
 
     /// The nearest of triangle and water's surface within `end` m; the surface is there from below only.
     std::optional<Encounter> meet(Vec3 origin, Vec3 direction, double end) const;
+    /// The same for several rays, one `out` for each.
+    void meet(std::span<const Ray> rays, std::span<std::optional<Encounter>> out) const;
     /// Whether a triangle is between two points.
     bool blocked(Vec3 from, Vec3 to) const { return rays_.blocked(from, to); }
     /// Empty where there is none near, or `point` is not below it.
@@ -53,11 +55,16 @@ class PathSpace {
     double bubble_loss(double sine_of_grazing) const;
 
   private:
+    /// m along the ray to the water's surface, or its end.
+    double until_surface(const Ray& ray) const;
+    std::optional<Encounter> encounter(const Ray& ray, double up, const std::optional<RayHit>& hit) const;
+
     std::shared_ptr<const Scene> scene_;
     std::optional<WaterSurface> surface_;
     RayScene rays_;
     std::vector<double> mu_;  ///< per material
-    double wavenumber_ = 0, frequency_ = 0;
+    double wavenumber_ = 0;
+    double bubbles_ = 0;  ///< Np, what bubbles take from a wave that goes straight up
 };
 
 }  // namespace echoloop

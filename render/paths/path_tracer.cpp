@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <future>
 #include <numbers>
@@ -35,14 +36,15 @@ class PathTracer::Impl {
         if (!space_) space_.emplace(scene_, surface_);
         if (!mirrors_) mirrors_.emplace(scene_);
         place(movers);
-        const FanPattern& pattern =
-            patterns_.get([&](const FanPattern& known) { return known.fits(shot); },
-                          [&] { return std::pair(FanPattern(shot, effects_), std::size_t{1}); });
+        auto& [pattern, cells] =
+            patterns_.get([&](const KnownFan& known) { return known.pattern.fits(shot); },
+                          [&] { return std::pair(KnownFan(shot, effects_), std::size_t{1}); });
         const double wavenumber = 2 * std::numbers::pi * shot.frequency / sound_speed;
         space_->set_wavenumber(wavenumber);
         space_->set_frequency(shot.frequency);
         std::optional<ImageRays> images;
         if (rays != nullptr) images.emplace(image_tables_, *rays);
+        const auto eigenrays = rays != nullptr && !targets_.empty() ? eigenrays_of(*rays) : nullptr;
         const PathPing ping{shot,
                             *space_,
                             pattern,
@@ -57,18 +59,35 @@ class PathTracer::Impl {
                             least_audible(shot),
                             2 / sound_speed * turning,
                             rays,
-                            images ? &*images : nullptr};
+                            images ? &*images : nullptr,
+                            eigenrays.get()};
         find_target_echoes(ping, targets_, multipath(), out.targets);
         if (!multipath()) return;
         const auto faces = faces_ahead(ping, *mirrors_);
         find_glints(ping, *mirrors_, faces, out.targets);
         find_image_echoes(ping, *mirrors_, faces, out.targets, out.diffuse);
         corners_.clear();
-        find_diffuse_echoes(ping, out.diffuse, corners_);
+        cells.place(shot.ping);
+        find_diffuse_echoes(ping, cells, out.diffuse, corners_);
         find_corner_echoes(ping, corners_, out.targets);
     }
 
   private:
+    std::shared_ptr<const Eigenrays> eigenrays_of(const RayTable& rays) {
+        return eigenrays_.get(
+            [&](const auto& known) { return known->fits(rays); },
+            [&] { return std::pair(std::make_shared<const Eigenrays>(rays), std::size_t{1}); });
+    }
+
+    struct KnownFan {
+        KnownFan(const Shot& shot, const Effects& effects)
+            : pattern(shot, effects),
+              cells(shot, pattern.half_width(), pattern.half_height(),
+                    pattern.across() ? &*pattern.across() : nullptr) {}
+        FanPattern pattern;
+        LobeCells cells;
+    };
+
     bool multipath() const { return effects_.has(Effect::multipath); }
 
     /// uPa: 10 dB below the noise; 0 where there is none.
@@ -78,8 +97,11 @@ class PathTracer::Impl {
     }
 
     void place(std::span<const Pose> movers) {
-        space_->place(movers);
-        mirrors_->place(movers);
+        if (!std::ranges::equal(movers, placed_)) {
+            space_->place(movers);
+            mirrors_->place(movers);
+            placed_.assign(movers.begin(), movers.end());
+        }
         targets_.assign(scene_->point_targets().begin(), scene_->point_targets().end());
         for (PointTarget& target : targets_)
             if (target.mover > 0 && target.mover <= movers.size())
@@ -91,9 +113,11 @@ class PathTracer::Impl {
     Effects effects_;
     std::optional<PathSpace> space_;
     std::optional<Mirrors> mirrors_;
+    std::vector<Pose> placed_;          ///< the movers
     std::vector<PointTarget> targets_;  ///< where they are at the ping at hand
-    RecentlyUsed<FanPattern> patterns_{64};
+    RecentlyUsed<KnownFan> patterns_{64};
     ImageTables image_tables_;
+    RecentlyUsed<std::shared_ptr<const Eigenrays>> eigenrays_{24};
     std::vector<Corner> corners_;
     std::future<void> prepared_;  ///< last: it is waited for first
 };

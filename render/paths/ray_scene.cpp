@@ -15,10 +15,15 @@ namespace {
 
 /// Embree's normal has the direction of the winding: a ray that runs along with it comes from behind.
 void reject_from_behind(const RTCFilterFunctionNArguments* arguments) {
-    const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
-    const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
-    if (ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z >= 0)
-        arguments->valid[0] = 0;
+    const unsigned rays = arguments->N;
+    for (unsigned i = 0; i < rays; ++i) {
+        RTCRayN* ray = arguments->ray;
+        RTCHitN* hit = arguments->hit;
+        const float along = RTCRayN_dir_x(ray, rays, i) * RTCHitN_Ng_x(hit, rays, i) +
+                            RTCRayN_dir_y(ray, rays, i) * RTCHitN_Ng_y(hit, rays, i) +
+                            RTCRayN_dir_z(ray, rays, i) * RTCHitN_Ng_z(hit, rays, i);
+        if (along >= 0) arguments->valid[i] = 0;
+    }
 }
 
 RTCRay embree_ray(Vec3 origin, Vec3 direction, double near, double far) {
@@ -40,6 +45,35 @@ RTCRayHit embree_query(Vec3 origin, Vec3 direction, double near, double far) {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     return query;
 }
+
+constexpr std::size_t packet = 16;
+
+/// Sixteen rays, of which the first `count` are asked.
+struct Packet {
+    alignas(64) RTCRayHit16 query{};
+    alignas(64) int asked[packet] = {};
+
+    void set(std::size_t i, const Ray& ray, double near) {
+        RTCRay16& to = query.ray;
+        to.org_x[i] = static_cast<float>(ray.origin.x), to.org_y[i] = static_cast<float>(ray.origin.y),
+        to.org_z[i] = static_cast<float>(ray.origin.z);
+        to.dir_x[i] = static_cast<float>(ray.direction.x), to.dir_y[i] = static_cast<float>(ray.direction.y),
+        to.dir_z[i] = static_cast<float>(ray.direction.z);
+        to.tnear[i] = static_cast<float>(near), to.tfar[i] = static_cast<float>(ray.end);
+        to.mask[i] = ~0U;
+        query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        asked[i] = -1;
+    }
+    bool met(std::size_t i) const { return query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID; }
+    RTCRayHit of(std::size_t i) const {
+        RTCRayHit one{};
+        one.ray.tfar = query.ray.tfar[i];
+        one.hit.Ng_x = query.hit.Ng_x[i], one.hit.Ng_y = query.hit.Ng_y[i], one.hit.Ng_z = query.hit.Ng_z[i];
+        one.hit.primID = query.hit.primID[i], one.hit.geomID = query.hit.geomID[i];
+        one.hit.instID[0] = query.hit.instID[0][i];
+        return one;
+    }
+};
 
 /// What a float resolves at the far end of the scene, eight times over.
 double skin_of(const Bounds& bounds) {
@@ -121,16 +155,35 @@ class RayScene::Impl {
             if (nearer.hit.geomID != RTC_INVALID_GEOMETRY_ID) query = nearer, group = &second_;
         }
         if (group == nullptr) return std::nullopt;
-        Vec3 normal{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
-        if (all_) normal = rotate(group->world_from_group, normal);
-        const double twice_area = norm(normal);
-        normal = (dot(normal, direction) > 0 ? -1 : 1) / twice_area * normal;
-        const TriangleSet& set = group->sets[query.hit.geomID];
-        const std::size_t chunk = chunk_of(set, query.hit.primID);
-        const double height = set.height[chunk] > 0 ? double{set.height[chunk]}
-                                                    : twice_area / longest_side(set, query.hit.primID);
-        return RayHit{query.ray.tfar, normal, set.material[chunk], set.object[chunk],
-                      std::max(height, double{set.facet[chunk]})};
+        return hit_of(*group, query, direction);
+    }
+
+    void hit(std::span<const Ray> rays, std::span<std::optional<RayHit>> out) const {
+        for (std::size_t first = 0; first < rays.size(); first += packet) {
+            const auto asked = rays.subspan(first, std::min(packet, rays.size() - first));
+            Packet nearest;
+            for (std::size_t i = 0; i < asked.size(); ++i) nearest.set(i, asked[i], skin_);
+            first_hits(nearest.asked, tree(), nearest.query);
+            Packet second;
+            if (second_.tree) {
+                for (std::size_t i = 0; i < asked.size(); ++i) {
+                    Ray nearer = asked[i];
+                    nearer.end = double{nearest.query.ray.tfar[i]};
+                    second.set(i, nearer, skin_);
+                }
+                first_hits(second.asked, second_.tree.get(), second.query);
+            }
+            for (std::size_t i = 0; i < asked.size(); ++i) {
+                std::optional<RayHit>& found = out[first + i];
+                found.reset();
+                if (second.asked[i] != 0 && second.met(i)) {
+                    found = hit_of(second_, second.of(i), asked[i].direction);
+                } else if (nearest.met(i)) {
+                    const RTCRayHit met = nearest.of(i);
+                    found = hit_of(groups_[all_ ? met.hit.instID[0] : 0], met, asked[i].direction);
+                }
+            }
+        }
     }
 
     bool blocked(Vec3 from, Vec3 to) const {
@@ -147,6 +200,19 @@ class RayScene::Impl {
     double skin() const { return skin_; }
 
   private:
+    RayHit hit_of(const Group& group, const RTCRayHit& met, Vec3 direction) const {
+        Vec3 normal{met.hit.Ng_x, met.hit.Ng_y, met.hit.Ng_z};
+        if (all_) normal = rotate(group.world_from_group, normal);
+        const double twice_area = norm(normal);
+        normal = (dot(normal, direction) > 0 ? -1 : 1) / twice_area * normal;
+        const TriangleSet& set = group.sets[met.hit.geomID];
+        const std::size_t chunk = chunk_of(set, met.hit.primID);
+        const double height = set.height[chunk] > 0 ? double{set.height[chunk]}
+                                                    : twice_area / longest_side(set, met.hit.primID);
+        return {met.ray.tfar, normal, set.material[chunk], set.object[chunk],
+                std::max(height, double{set.facet[chunk]})};
+    }
+
     RTCScene tree() const { return all_ ? all_.get() : groups_[0].tree.get(); }
 
     /// Whether a stand-in lies between two points of which neither is as near to its plane as that may be
@@ -261,6 +327,9 @@ RayScene::RayScene(std::shared_ptr<const Scene> scene, double tolerance)
 RayScene::~RayScene() = default;
 std::optional<RayHit> RayScene::hit(Vec3 origin, Vec3 direction, double end) const {
     return impl_->hit(origin, direction, end);
+}
+void RayScene::hit(std::span<const Ray> rays, std::span<std::optional<RayHit>> out) const {
+    impl_->hit(rays, out);
 }
 bool RayScene::blocked(Vec3 from, Vec3 to) const { return impl_->blocked(from, to); }
 void RayScene::place(std::span<const Pose> movers) { impl_->place(movers); }

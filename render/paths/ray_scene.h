@@ -17,6 +17,12 @@ struct RayHit {
     double height = 0;  ///< m, of the triangle over its longest side, or of the flat face that it is part of
 };
 
+/// What hit() is asked.
+struct Ray {
+    Vec3 origin, direction;
+    double end = 0;
+};
+
 class RayScene {
   public:
     /// Builds its trees. `tolerance`: m, by how much curved surfaces that stand still may be off, so that
@@ -32,6 +38,9 @@ class RayScene {
     /// from behind. A few tenths of a millimetre at the origin are left out, so that a ray can start on a
     /// surface.
     std::optional<RayHit> hit(Vec3 origin, Vec3 direction, double end) const;
+
+    /// The same for several rays, one `out` for each: quicker where neighbours in the list lie side by side.
+    void hit(std::span<const Ray> rays, std::span<std::optional<RayHit>> out) const;
 
     /// Whether something lies between two points, either of which may be on a surface.
     bool blocked(Vec3 from, Vec3 to) const;

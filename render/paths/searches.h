@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/paths/corners.h"
+#include "render/paths/lobe_cells.h"
 #include "render/paths/mirrors.h"
 #include "render/paths/path_ping.h"
 
@@ -39,15 +40,16 @@ std::vector<std::size_t> faces_ahead(const PathPing& ping, const Mirrors& mirror
 void find_image_echoes(const PathPing& ping, const Mirrors& mirrors, std::span<const std::size_t> faces,
                        std::vector<TargetEcho>& targets, std::vector<PathEcho>& diffuse);
 
-/// Diffuse echoes by way of one mirror (the surface, or smooth triangles). Rays fill the main lobe of the fan
-/// evenly, each stands for its solid angle dw:
+/// Diffuse echoes by way of one mirror (the surface, or smooth triangles). The rays of `cells` fill the main
+/// lobe of the fan evenly, each stands for its solid angle dw:
 ///   - where it meets a mirror first, and the point P of Lambert's constant mu after it at the path length L,
 ///   the echo
 ///     back by the same way is SL V^4 bt^2 br^2 mu cos(i) dw L^-2 e^(-4aL), and, with P in sight at the range
 ///     R, that there and back by different ways SL V^2 (bt br' + bt' br)^2 mu cos(i') dw R^-2 e^(-2a(L+R));
 ///   - where it meets P first, and the surface way to P leaves outside the main lobe, the same two.
 /// Corners that come into sight are added to `corners`.
-void find_diffuse_echoes(const PathPing& ping, std::vector<PathEcho>& out, std::vector<Corner>& corners);
+void find_diffuse_echoes(const PathPing& ping, const LobeCells& cells, std::vector<PathEcho>& out,
+                         std::vector<Corner>& corners);
 
 /// Echoes of corners, as mirrors see the sonar's image behind their edge at twice the range R:
 ///     power = SL bt^2 br^2 (V1 V2 .. f)^2 / (2R)^2, f the share of the zone that sends sound back.

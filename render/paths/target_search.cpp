@@ -8,8 +8,7 @@ namespace {
 constexpr std::size_t most_thorough = 32;
 
 std::vector<Way> ways_to(const PathPing& ping, Vec3 target, bool multipath, bool thorough) {
-    std::vector<Way> ways;
-    if (const auto way = direct_way(ping, target)) ways.push_back(*way);
+    std::vector<Way> ways = direct_ways(ping, target);
     if (!multipath) return ways;
     if (const auto way = surface_way(ping, target)) ways.push_back(*way);
     if (thorough)

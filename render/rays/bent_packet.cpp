@@ -8,17 +8,17 @@
 namespace echoloop::rays {
 namespace {
 
-/// The arrays of RayChains::Places.
-struct PlaceArrays {
-    const float *length, *length_slope, *x, *x_slope, *z, *z_slope, *bow, *bow_slope, *width, *beside, *speed;
-};
+constexpr unsigned nothing_met = ~0U;  ///< as Embree says
 
-PlaceArrays place_arrays(const RayChains& chains) {
-    const RayChains::Places& p = chains.places();
-    return {p.length.data(), p.length_slope.data(), p.x.data(),    p.x_slope.data(),
-            p.z.data(),      p.z_slope.data(),      p.bow.data(),  p.bow_slope.data(),
-            p.width.data(),  p.beside.data(),       p.speed.data()};
+/// Four numbers that are read and reckoned with at once.
+using Four = float __attribute__((vector_size(16)));
+
+ECHOLOOP_INLINE Four load(const float* from) {
+    Four out;
+    __builtin_memcpy(&out, from, sizeof out);
+    return out;
 }
+ECHOLOOP_INLINE void store(Four all, float* to) { __builtin_memcpy(to, &all, sizeof all); }
 
 ECHOLOOP_SIMD
 void launch_all(const ViewAxes axes, const float* __restrict x_of, const float* __restrict y_of,
@@ -43,58 +43,93 @@ void launch_all(const ViewAxes axes, const float* __restrict x_of, const float* 
     }
 }
 
+/// Rays' chords are gathered one by one, in places `way` and `lengths` of four numbers each.
 ECHOLOOP_SIMD
-void find_all_chords(const PlaceArrays places, const float* __restrict ahead_x,
-                     const float* __restrict ahead_y, const float* __restrict rise_of,
-                     const std::int32_t* __restrict place, const float eye_x, const float eye_y,
-                     const float eye_z, const float reach, float* __restrict x, float* __restrict y,
-                     float* __restrict z, float* __restrict to_x, float* __restrict to_y,
-                     float* __restrict to_z, float* __restrict end) {
+void gather_chords(const RayChains::Chord* chords, const std::int32_t* __restrict chord,
+                   const float* __restrict rise, float* __restrict way, float* __restrict lengths) {
     for (std::size_t i = 0; i < packet_rays; ++i) {
-        const std::int32_t a = place[i], b = a + 1;
-        const float rise = rise_of[i];
-        const float from = places.x[a] + rise * places.x_slope[a],
-                    height = places.z[a] + rise * places.z_slope[a];
-        const float along = places.x[b] + rise * places.x_slope[b] - from,
-                    up = places.z[b] + rise * places.z_slope[b] - height;
-        x[i] = eye_x + from * ahead_x[i], y[i] = eye_y + from * ahead_y[i], z[i] = eye_z + height;
-        to_x[i] = along * ahead_x[i], to_y[i] = along * ahead_y[i], to_z[i] = up;
-        const float length = places.length[b] - places.length[a];
-        end[i] = length > 0 ? (reach - places.length[a]) / length : 0;
+        const RayChains::Chord& c = chords[chord[i]];
+        store(load(c.way.data()) + rise[i] * load(c.way_slope.data()), way + 4 * i);
+        store(load(&c.length), lengths + 4 * i);
     }
 }
 
 ECHOLOOP_SIMD
-void straighten_all(const ViewAxes axes, const PlaceArrays places, const float x_image,
-                    const float* __restrict y_of, const float* __restrict rise_of,
-                    const std::int32_t* __restrict place, int count, float* __restrict depth,
+void place_chords(const float* __restrict way, const float* __restrict lengths,
+                  const float* __restrict ahead_x, const float* __restrict ahead_y,
+                  const float* __restrict from, const float eye_x, const float eye_y, const float eye_z,
+                  const float reach, float* __restrict next, float* __restrict x, float* __restrict y,
+                  float* __restrict z, float* __restrict to_x, float* __restrict to_y, float* __restrict to_z,
+                  float* __restrict begin, float* __restrict end) {
+    constexpr float overlap = 1.00001F;  // of neighbouring chords: none passes where they meet
+    constexpr float longer = 1.01F;      // lengths and shares of a chord may grow unlike each other
+    for (std::size_t i = 0; i < packet_rays; ++i) {
+        const float off = way[4 * i], height = way[4 * i + 1], along = way[4 * i + 2], up = way[4 * i + 3];
+        x[i] = eye_x + off * ahead_x[i], y[i] = eye_y + off * ahead_y[i], z[i] = eye_z + height;
+        to_x[i] = along * ahead_x[i], to_y[i] = along * ahead_y[i], to_z[i] = up;
+        const float length = lengths[4 * i], inverse_length = lengths[4 * i + 1];
+        begin[i] = from[i];
+        end[i] = std::min((reach - length) * longer * inverse_length, overlap);
+        next[i] = lengths[4 * i + 2];
+    }
+}
+
+ECHOLOOP_SIMD
+std::uint32_t pass_on(const unsigned* __restrict met, const float reach, const float* __restrict next,
+                      std::int32_t* __restrict chord, float* __restrict from, int* __restrict asked) {
+    std::uint32_t hits = 0;
+    for (std::size_t i = 0; i < packet_rays; ++i) {
+        const int hit = met[i] != nothing_met ? -1 : 0, goes_on = next[i] < reach ? -1 : 0;
+        const int was = asked[i];
+        hits |= static_cast<std::uint32_t>(was & hit) & (1U << i);
+        chord[i] -= was & ~hit & goes_on;
+        from[i] = hit != 0 ? from[i] : 0.0F;
+        asked[i] = was & (hit | goes_on);
+    }
+    return hits;
+}
+
+/// As gather_chords(). `share`, of the chord, becomes that of the arc.
+ECHOLOOP_SIMD
+void gather_arcs(const RayChains::Chord* chords, const RayChains::Arc* arcs,
+                 const std::int32_t* __restrict chord, const float* __restrict rise, int count,
+                 float* __restrict share, float* __restrict above, float* __restrict turn,
+                 float* __restrict spread) {
+    for (int i = 0; i < count; ++i) {
+        const RayChains::Arc* arc = arcs + chords[chord[i]].arc;
+        while (arc[1].part[0] > 0 && share[i] > arc[1].part[0] + rise[i] * arc[1].part_slope[0]) ++arc;
+        const Four part = load(arc->part.data()) + rise[i] * load(arc->part_slope.data());
+        const float own = (share[i] - part[0]) / part[1];
+        share[i] = own, above[i] = part[2] + own * part[3];
+        store(load(arc->turn.data()) + rise[i] * load(arc->turn_slope.data()), turn + 4 * i);
+        store(load(arc->spread.data()) + own * load(arc->spread_growth.data()), spread + 4 * i);
+    }
+}
+
+ECHOLOOP_SIMD
+void straighten_all(const ViewAxes axes, const float x_image, const float* __restrict y_of,
+                    const float* __restrict above, const float* __restrict turn,
+                    const float* __restrict spread, int count, float* __restrict depth,
                     float* __restrict px_of, float* __restrict py_of, float* __restrict pz_of,
                     float* __restrict nx_of, float* __restrict ny_of, float* __restrict nz_of) {
     for (int i = 0; i < count; ++i) {
-        const float y = y_of[i], rise = rise_of[i], share = depth[i];
-        const std::int32_t a = place[i], b = a + 1;
+        const float y = y_of[i], share = depth[i];
         const float dx = axes.starboard[0] * x_image + axes.up[0] * y + axes.forward[0],
                     dy = axes.starboard[1] * x_image + axes.up[1] * y + axes.forward[1],
                     dz = axes.starboard[2] * x_image + axes.up[2] * y + axes.forward[2];
         const float level = std::sqrt(dx * dx + dy * dy), unit = 1 / std::sqrt(x_image * x_image + y * y + 1);
         const float ahead_x = dx / std::max(level, 1e-12F), ahead_y = dy / std::max(level, 1e-12F);
         const float cosine = level * unit, sine = dz * unit;
-        const auto at = [&](const float* all, const float* slope, std::int32_t k) {
-            return all[k] + rise * slope[k];
-        };
-        const float bow_a = at(places.bow, places.bow_slope, a), bow_b = at(places.bow, places.bow_slope, b);
-        const float length_a = at(places.length, places.length_slope, a),
-                    length_b = at(places.length, places.length_slope, b);
-        const auto between = [&](const float* all) { return all[a] + share * (all[b] - all[a]); };
-        const float bow = bow_a + share * (bow_b - bow_a), q = bow * bow;
+        const float bow_begin = turn[4 * i], more_bow = turn[4 * i + 1], length_begin = turn[4 * i + 2],
+                    own_length = turn[4 * i + 3];
+        const float width = spread[4 * i], beside = spread[4 * i + 1], speed = spread[4 * i + 2],
+                    uneven = spread[4 * i + 3];
+        const float bow = bow_begin + share * more_bow, q = bow * bow;
         const float s = bow * (1 - q * (1 / 6.0F - q * (1 / 120.0F))),
                     c = 1 - q * (0.5F - q * (1 / 24.0F - q * (1 / 720.0F)));
         const float ray_cosine = cosine * c - sine * s, ray_sine = sine * c + cosine * s;
-        const float width = between(places.width), beside = between(places.beside);
-        const float speed_a = places.speed[a], speed_b = places.speed[b],
-                    speed = speed_a + share * (speed_b - speed_a);
-        const float rest = share * (1 - share), chord = (length_b - length_a) * speed;
-        const float sag = 0.5F * chord * (bow_b - bow_a) * rest;
+        const float rest = share * (1 - share), chord = own_length * speed;
+        const float sag = 0.5F * chord * more_bow * rest - above[i];
 
         const float p_ahead = px_of[i] * ahead_x + py_of[i] * ahead_y,
                     p_beside = py_of[i] * ahead_x - px_of[i] * ahead_y, p_up = pz_of[i];
@@ -104,8 +139,7 @@ void straighten_all(const ViewAxes axes, const PlaceArrays places, const float x
         const float wide = most_slip * std::abs(sag);
         const float slip = std::min(std::max(sag * p_across / p_ray, -wide), wide);
         // Time goes faster where sound is slower.
-        const float uneven = (speed_b - speed_a) / (speed_a + speed_b);
-        const float length = length_a + (length_b - length_a) * (share + uneven * rest) + slip / speed;
+        const float length = length_begin + own_length * (share + uneven * rest) + slip / speed;
         const float q_ray = p_ray * speed, q_across = p_across * width / length, q_beside = p_beside * beside;
         const float q_ahead = q_ray * cosine - q_across * sine;
         px_of[i] = q_ahead * ahead_x - q_beside * ahead_y;
@@ -124,29 +158,48 @@ void straighten_all(const ViewAxes axes, const PlaceArrays places, const float x
 
 bool launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, float near,
             BentRays& rays) {
-    launch_all(axes, x, y, rays.ahead_x.data(), rays.ahead_y.data(), rays.rise.data(), rays.place.data());
+    launch_all(axes, x, y, rays.ahead_x.data(), rays.ahead_y.data(), rays.rise.data(), rays.chord.data());
     std::int32_t bends = 0;
     for (std::size_t lane = 0; lane < packet_rays; ++lane) {
-        const RayChains::Row row = *chains.row(rays.place[lane]);
-        rays.place[lane] = row.first, rays.from[lane] = near * row.inverse_length;
+        const RayChains::Row row = *chains.row(rays.chord[lane]);
+        rays.chord[lane] = row.first, rays.from[lane] = near * row.inverse_length;
         bends |= row.bends;
     }
     return bends != 0;
 }
 
-void find_chords(const RayChains& chains, const BentRays& rays, const float* eye, float reach,
-                 const Chords& to) {
-    find_all_chords(place_arrays(chains), rays.ahead_x.data(), rays.ahead_y.data(), rays.rise.data(),
-                    rays.place.data(), eye[0], eye[1], eye[2], reach, to.x, to.y, to.z, to.to_x, to.to_y,
-                    to.to_z, to.end);
+void find_chords(const RayChains& chains, std::span<BentRays* const> rays, const float* eye, float reach,
+                 const Chords* to) {
+    // What is written one by one is not read in vectors right after.
+    alignas(64) std::array<float, 4 * packet_rays> way[most_tiles], lengths[most_tiles];
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        gather_chords(chains.chords(), rays[i]->chord.data(), rays[i]->rise.data(), way[i].data(),
+                      lengths[i].data());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        BentRays& r = *rays[i];
+        const Chords& out = to[i];
+        place_chords(way[i].data(), lengths[i].data(), r.ahead_x.data(), r.ahead_y.data(), r.from.data(),
+                     eye[0], eye[1], eye[2], reach, r.next.data(), out.x, out.y, out.z, out.to_x, out.to_y,
+                     out.to_z, out.begin, out.end);
+    }
+}
+
+std::uint32_t go_on(const unsigned* met, float reach, BentRays& rays, int* asked) {
+    return pass_on(met, reach, rays.next.data(), rays.chord.data(), rays.from.data(), asked);
 }
 
 void straighten(const ViewAxes& axes, const RayChains& chains, float x, const float* y, const BentHits& bent,
                 std::size_t first, std::size_t last, HitArrays& hits) {
+    if (first >= last) return;
     const auto from = [first](auto& all) { return all.data() + first; };
-    straighten_all(axes, place_arrays(chains), x, y + first, from(bent.rise), from(bent.place),
-                   static_cast<int>(last - first), from(hits.depth), from(hits.plane_x), from(hits.plane_y),
-                   from(hits.plane_z), from(hits.normal_x), from(hits.normal_y), from(hits.normal_z));
+    const auto count = static_cast<int>(last - first);
+    alignas(64) std::array<float, 4 * HitArrays::most> turn, spread;
+    alignas(64) HitArrays::Numbers above;
+    gather_arcs(chains.chords(), chains.arcs(), from(bent.chord), from(bent.rise), count, from(hits.depth),
+                above.data(), turn.data(), spread.data());
+    straighten_all(axes, x, y + first, above.data(), turn.data(), spread.data(), count, from(hits.depth),
+                   from(hits.plane_x), from(hits.plane_y), from(hits.plane_z), from(hits.normal_x),
+                   from(hits.normal_y), from(hits.normal_z));
 }
 
 }  // namespace echoloop::rays

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "render/rays/ray_chains.h"
 #include "render/rays/ray_packet.h"
@@ -16,28 +17,35 @@ struct BentRays {
     using Numbers = std::array<float, packet_rays>;
     Numbers ahead_x, ahead_y;                     ///< horizontal direction, of length 1
     Numbers rise;                                 ///< rad, over the row of RayChains
-    std::array<std::int32_t, packet_rays> place;  ///< where the chord at hand begins
+    std::array<std::int32_t, packet_rays> chord;  ///< the one at hand
     Numbers from;                                 ///< share of it that is behind
+    Numbers next;                                 ///< as RayChains::Chord::next
 };
 
-/// The chords at hand: from `x`, `y`, `z` in the scene's frame, as far as `to_x`, `to_y`, `to_z` tell.
+/// The chords at hand of a tile: from `x`, `y`, `z` in the scene's frame, as far as `to_x`, `to_y`, `to_z`
+/// tell, between the shares `begin` and `end`, which is less where nothing is wanted.
 struct Chords {
-    float *x, *y, *z, *to_x, *to_y, *to_z;
-    float* end;  ///< the share of it that is wanted, or 0 and less
+    float *x, *y, *z, *to_x, *to_y, *to_z, *begin, *end;
 };
 
 /// Rays through the places `x` and `y` of the image plane, `near` m off. Whether any of them bends.
 bool launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, float near,
             BentRays& rays);
 
-/// `reach`: m of c t, beyond which nothing is wanted.
-void find_chords(const RayChains& chains, const BentRays& rays, const float* eye, float reach,
-                 const Chords& chords);
+inline constexpr std::size_t most_tiles = HitArrays::most / tile_samples;
+
+/// Of several tiles, at most most_tiles. `reach`: m of c t, beyond which nothing is wanted.
+void find_chords(const RayChains& chains, std::span<BentRays* const> rays, const float* eye, float reach,
+                 const Chords* to);
+
+/// Those rays of a tile that met nothing go on with the next chord if it begins within `reach`; others are
+/// `asked` no more. `met`: Embree's number of what each met. A bit for each that met something.
+std::uint32_t go_on(const unsigned* met, float reach, BentRays& rays, int* asked);
 
 /// What bent rays met along a line: beside HitArrays, whose depth is the share of the chord.
 struct BentHits {
     std::array<float, HitArrays::most> rise;
-    std::array<std::int32_t, HitArrays::most> place;
+    std::array<std::int32_t, HitArrays::most> chord;
 };
 
 /// Makes those of the samples [first, last) hits of the straight rays that leave so: as far off as the bent

@@ -1,7 +1,9 @@
 #include "render/rays/bent_tracer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace echoloop::rays {
 
@@ -20,11 +22,13 @@ void BentTracer::trace(std::span<const TracedLine> lines) {
         const std::size_t count = std::min(HitArrays::most, samples_ - sample);
         for (std::size_t line = 0; line < lines.size(); ++line) {
             hits_[line].surface.fill(0), hits_[line].depth.fill(0);
-            bent_[line].rise.fill(0), bent_[line].place.fill(0);
+            bent_[line].rise.fill(0), bent_[line].chord.fill(0);
         }
         const auto tiles = std::span(tiles_).first((count + tile_samples - 1) / tile_samples);
         for (std::size_t i = 0; i < tiles.size(); ++i)
             start(tiles[i], sample + i * tile_samples, lines.size());
+        for (Tile& tile : tiles)
+            tile.straight = !launch(place_.axes, x_.data(), tile.y.data(), chains_, near_end, tile.rays);
         // Straight rays in front of all others and behind them are followed as such.
         std::size_t first = 0, last = tiles.size();
         while (first < last && tiles[first].straight) ++first;
@@ -34,9 +38,7 @@ void BentTracer::trace(std::span<const TracedLine> lines) {
             if (tiles[i].straight) tiles[i].rays.from.fill(near_end);
         }
         for (bool any = true; any;) {
-            for (std::size_t i = 0; i < tiles.size(); ++i)
-                if (tiles[i].any)
-                    tiles[i].straight ? aim_straight(tiles[i], sample + i * tile_samples) : aim(tiles[i]);
+            aim(tiles);
             for (Tile& tile : tiles)
                 if (tile.any) first_hits(tile.asked.data(), parts_.scene(), tile.query);
             any = false;
@@ -53,47 +55,53 @@ void BentTracer::trace(std::span<const TracedLine> lines) {
 }
 
 void BentTracer::start(Tile& tile, std::size_t sample, std::size_t lines) {
-    std::array<float, packet_rays> y;
-    for (std::size_t lane = 0; lane < packet_rays; ++lane) y[lane] = place_.y[sample + lane % tile_samples];
-    tile.straight = !launch(place_.axes, x_.data(), y.data(), chains_, near_end, tile.rays);
+    for (std::size_t lane = 0; lane < packet_rays; ++lane)
+        tile.y[lane] = place_.y[sample + lane % tile_samples];
     for (std::size_t lane = 0; lane < packet_rays; ++lane)
         tile.asked[lane] = lane / tile_samples < lines && sample + lane % tile_samples < samples_ ? -1 : 0;
     tile.any = true;
 }
 
-void BentTracer::aim(Tile& tile) const {
-    RTCRay16& ray = tile.query.ray;
-    find_chords(chains_, tile.rays, place_.eye.data(), reach_,
-                {ray.org_x, ray.org_y, ray.org_z, ray.dir_x, ray.dir_y, ray.dir_z, tile.end.data()});
-    constexpr float overlap = 1.00001F;  // of neighbouring chords: none passes where they meet
-    for (std::size_t lane = 0; lane < packet_rays; ++lane) {
-        ray.tnear[lane] = tile.rays.from[lane], ray.tfar[lane] = std::min(overlap, tile.end[lane]);
-        tile.query.hit.geomID[lane] = tile.query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+void BentTracer::aim(std::span<Tile> tiles) {
+    std::array<BentRays*, tiles_at_once> bent;
+    std::array<Chords, tiles_at_once> chords;
+    std::size_t count = 0;
+    for (Tile& tile : tiles) {
+        if (!tile.any) continue;
+        RTCRayHit16& query = tile.query;
+        std::fill_n(query.hit.geomID, packet_rays, RTC_INVALID_GEOMETRY_ID);
+        std::fill_n(query.hit.instID[0], packet_rays, RTC_INVALID_GEOMETRY_ID);
+        RTCRay16& ray = query.ray;
+        if (tile.straight) {
+            aim_straight(tile);
+            continue;
+        }
+        bent[count] = &tile.rays;
+        chords[count++] = {ray.org_x, ray.org_y, ray.org_z, ray.dir_x,
+                           ray.dir_y, ray.dir_z, ray.tnear, ray.tfar};
     }
+    find_chords(chains_, std::span(bent).first(count), place_.eye.data(), reach_, chords.data());
 }
 
-void BentTracer::aim_straight(Tile& tile, std::size_t sample) const {
+void BentTracer::aim_straight(Tile& tile) const {
     RTCRay16& ray = tile.query.ray;
-    std::array<float, packet_rays> y;
-    for (std::size_t lane = 0; lane < packet_rays; ++lane) y[lane] = place_.y[sample + lane % tile_samples];
+    const std::array<float, packet_rays>& y = tile.y;
     find_directions(place_.axes, x_.data(), y.data(), ray.dir_x, ray.dir_y, ray.dir_z);
     for (std::size_t lane = 0; lane < packet_rays; ++lane) {
         ray.org_x[lane] = place_.eye[0], ray.org_y[lane] = place_.eye[1], ray.org_z[lane] = place_.eye[2];
         ray.tnear[lane] = tile.rays.from[lane];
         ray.tfar[lane] = reach_ / std::sqrt(x_[lane] * x_[lane] + y[lane] * y[lane] + 1);
-        tile.query.hit.geomID[lane] = tile.query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
+    tile.rays.next.fill(std::numeric_limits<float>::infinity());
 }
 
 void BentTracer::take_hits(Tile& tile, std::size_t number) {
-    tile.any = false;
-    for (std::size_t lane = 0; lane < packet_rays; ++lane) {
-        if (tile.asked[lane] == 0) continue;
+    std::uint32_t hits = go_on(tile.query.hit.geomID, reach_, tile.rays, tile.asked.data());
+    for (; hits != 0; hits &= hits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
         const std::size_t line = lane / tile_samples, at = number * tile_samples + lane % tile_samples;
-        if (tile.query.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
-            go_on(tile, lane);
-        } else if (parts_.take_hit(tile.query, lane, hits_[line], at)) {
-            bent_[line].rise[at] = tile.rays.rise[lane], bent_[line].place[at] = tile.rays.place[lane];
+        if (parts_.take_hit(tile.query, lane, hits_[line], at)) {
+            bent_[line].rise[at] = tile.rays.rise[lane], bent_[line].chord[at] = tile.rays.chord[lane];
             tile.asked[lane] = 0;
         } else {  // what is not there from behind is passed
             const RTCRay16& ray = tile.query.ray;
@@ -101,17 +109,10 @@ void BentTracer::take_hits(Tile& tile, std::size_t number) {
                                  ray.dir_z[lane] * ray.dir_z[lane];
             tile.rays.from[lane] = ray.tfar[lane] * (1 + 1e-6F) + 1e-5F / std::sqrt(square);
         }
-        tile.any |= tile.asked[lane] != 0;
     }
-}
-
-/// To the next chord, if there is one.
-void BentTracer::go_on(Tile& tile, std::size_t lane) const {
-    const auto next = static_cast<std::size_t>(++tile.rays.place[lane]);
-    const std::vector<float>& length = chains_.places().length;
-    tile.rays.from[lane] = 0;
-    if (tile.straight || length[next] >= reach_ || length[next + 1] == 0)
-        tile.asked[lane] = 0, --tile.rays.place[lane];
+    int any = 0;
+    for (const int asked : tile.asked) any |= asked;
+    tile.any = any != 0;
 }
 
 }  // namespace echoloop::rays

@@ -23,17 +23,17 @@ class BentTracer {
     struct Tile {
         RTCRayHit16 query;
         BentRays rays;
-        std::array<float, packet_rays> end;                            ///< as Chords::end
+        BentRays::Numbers y;                                           ///< places on the image plane
         alignas(packet_alignment) std::array<int, packet_rays> asked;  ///< -1: still under way, else 0
         bool straight;  ///< it is followed as straight rays are
         bool any;
     };
 
     void start(Tile& tile, std::size_t sample, std::size_t lines);
-    void aim_straight(Tile& tile, std::size_t sample) const;
-    void aim(Tile& tile) const;
+    void aim_straight(Tile& tile) const;
+    /// Those still under way.
+    void aim(std::span<Tile> tiles);
     void take_hits(Tile& tile, std::size_t number);
-    void go_on(Tile& tile, std::size_t lane) const;
 
     const ViewPlace& place_;
     std::size_t samples_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "render/layered_ray.h"
@@ -165,15 +166,27 @@ class ChainShooter {
     bool down_ = false, level_ = false;
 };
 
-/// Whether a chord may stand for the ray between its first and its last point: between them it takes it for
-/// an even arc.
+/// Whether a chord may stand for the ray between its first and its last point.
 bool chord_fits(std::span<const ChainPoint> points, const ChordTolerance& tolerance) {
+    const ChainPoint &a = points.front(), &b = points.back();
+    const double x = b.x - a.x, z = b.z - a.z, length = std::hypot(x, z);
+    double along = 0;
+    for (const ChainPoint& p : points.subspan(1)) {
+        const double stray = ((p.z - a.z) * x - (p.x - a.x) * z) / length,
+                     gone = (p.x - a.x) * x + (p.z - a.z) * z;
+        if (std::abs(stray) > std::max(tolerance.distance, tolerance.angle * p.length)) return false;
+        if (!(gone > along)) return false;
+        along = gone;
+    }
+    return true;
+}
+
+/// Whether the ray between its first and its last point may be taken for an even arc.
+bool arc_fits(std::span<const ChainPoint> points, const ChordTolerance& tolerance) {
     constexpr double most_angle = 5e-4, most_time = 2e-4;  // rad, of the direction; share
     constexpr std::size_t looks = 12;
     const ChainPoint &a = points.front(), &b = points.back();
     const double x = b.x - a.x, z = b.z - a.z, square = x * x + z * z, turn = b.elevation - a.elevation;
-    const double sag = std::sqrt(square) * std::abs(turn) / 8;
-    if (sag > std::max(tolerance.distance, tolerance.angle * (a.length + b.length) / 2)) return false;
     const std::size_t step = std::max<std::size_t>(1, points.size() / looks);
     for (std::size_t i = 1; i + 1 < points.size(); i += step) {
         const ChainPoint& p = points[i];
@@ -181,7 +194,7 @@ bool chord_fits(std::span<const ChainPoint> points, const ChordTolerance& tolera
         const double stray = ((p.z - a.z) * x - (p.x - a.x) * z) / std::sqrt(square),
                      arc = -std::sqrt(square) * turn / 2 * share * (1 - share);
         const double allowed = std::max(tolerance.distance, tolerance.angle * p.length);
-        if (std::abs(stray) > allowed || std::abs(stray - arc) > allowed / 8) return false;
+        if (std::abs(stray - arc) > allowed / 8) return false;
         if (std::abs(p.elevation - a.elevation - share * turn) > most_angle) return false;
         const double uneven = (b.speed - a.speed) / (a.speed + b.speed) * (1 - share);
         const double length = a.length + (b.length - a.length) * share * (1 + uneven);
@@ -193,25 +206,119 @@ bool chord_fits(std::span<const ChainPoint> points, const ChordTolerance& tolera
 /// Within what makes sense beside a caustic, where rays to the first order say too much.
 double slope_of(double slope, double straight) { return std::clamp(slope, -10 * straight, 10 * straight); }
 
+/// A place of a ray, and its slopes for those that leave a little higher: as RayChains::Chord and Arc have
+/// them.
+struct ChainPlace {
+    double length, length_slope, x, x_slope, z, z_slope, bow, bow_slope, width, beside, speed;
+};
+
 /// `reach`: rad, of rays that take the place's slopes. They hold at the same depth, since there a ray bends
 /// by Snell's law and not by where it has got to; where it hardly sinks or rises, at the same length.
-void add_place(const ChainPoint& point, const ChainPoint& launch, double reach, RayChains::Places& to) {
-    const auto add = [](std::vector<float>& all, double value) { all.push_back(static_cast<float>(value)); };
+ChainPlace place_of(const ChainPoint& point, const ChainPoint& launch, double reach) {
     const double width = slope_of(point.width, point.length), speed = point.speed / launch.speed,
                  sine = std::sin(point.elevation), cosine = std::cos(point.elevation);
     double later = std::abs(sine) > 0.01 ? -width * cosine / (speed * sine) : 0;
     if (std::abs(later) * reach > 0.1 * point.length) later = 0;
-    add(to.length, point.length), add(to.length_slope, later);
-    add(to.x, point.x), add(to.x_slope, speed * later * cosine - width * sine);
-    add(to.z, point.z), add(to.z_slope, later == 0 ? width * cosine : 0);
-    add(to.bow, point.elevation - launch.elevation);
-    add(to.bow_slope,
+    const double bow_slope =
         (later == 0 ? slope_of(point.speed * point.spread, 1) : speed * std::sin(launch.elevation) / sine) -
-            1);
+        1;
     const double level = point.length * std::cos(launch.elevation);
-    add(to.width, width);
-    add(to.beside, level > 1e-6 * point.length && level > 0 ? point.x / level : 1);
-    add(to.speed, speed);
+    return {point.length,
+            later,
+            point.x,
+            speed * later * cosine - width * sine,
+            point.z,
+            later == 0 ? width * cosine : 0,
+            point.elevation - launch.elevation,
+            bow_slope,
+            width,
+            level > 1e-6 * point.length && level > 0 ? point.x / level : 1,
+            speed};
+}
+
+std::array<float, 4> four(double a, double b, double c, double d) {
+    return {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), static_cast<float>(d)};
+}
+
+/// Where a place is beside a chord: its share of it, and m above it.
+struct Foot {
+    double share, above;
+};
+Foot foot_of(const ChainPlace& place, const ChainPlace& begin, const ChainPlace& end, double rise) {
+    const auto x = [&](const ChainPlace& p) { return p.x + rise * p.x_slope; };
+    const auto z = [&](const ChainPlace& p) { return p.z + rise * p.z_slope; };
+    const double dx = x(end) - x(begin), dz = z(end) - z(begin), px = x(place) - x(begin),
+                 pz = z(place) - z(begin), square = dx * dx + dz * dz;
+    return {(px * dx + pz * dz) / square, (pz * dx - px * dz) / std::sqrt(square)};
+}
+/// The same per rad.
+Foot slope_of_foot(const ChainPlace& place, const ChainPlace& begin, const ChainPlace& end) {
+    constexpr double step = 1e-5;
+    const Foot low = foot_of(place, begin, end, -step), high = foot_of(place, begin, end, step);
+    return {(high.share - low.share) / (2 * step), (high.above - low.above) / (2 * step)};
+}
+
+/// Whether arcs may share a chord: how the shares of a ray that leaves `reach` rad higher differ is known to
+/// the first order.
+bool parts_hold(std::span<const ChainPlace> places, double reach) {
+    constexpr double most_shift = 0.01;
+    for (const ChainPlace& place : places.subspan(1, places.size() - 2))
+        if (!(std::abs(slope_of_foot(place, places.front(), places.back()).share) * reach < most_shift))
+            return false;
+    return true;
+}
+
+RayChains::Chord chord_between(const ChainPlace& a, const ChainPlace& b, bool last, std::size_t arc) {
+    return {four(a.x, a.z, b.x - a.x, b.z - a.z),
+            four(a.x_slope, a.z_slope, b.x_slope - a.x_slope, b.z_slope - a.z_slope),
+            static_cast<float>(a.length),
+            static_cast<float>(1 / std::max(b.length - a.length, 1e-9)),
+            last ? std::numeric_limits<float>::infinity() : static_cast<float>(b.length),
+            static_cast<std::int32_t>(arc)};
+}
+
+/// Over the chord from `begin` to `end`.
+RayChains::Arc arc_between(const ChainPlace& a, const ChainPlace& b, const ChainPlace& begin,
+                           const ChainPlace& end) {
+    const bool first = &a == &begin, last = &b == &end;
+    const Foot none{0, 0}, whole{1, 0};
+    const Foot from = first ? none : foot_of(a, begin, end, 0), to = last ? whole : foot_of(b, begin, end, 0),
+               from_slope = first ? none : slope_of_foot(a, begin, end),
+               to_slope = last ? none : slope_of_foot(b, begin, end);
+    return {four(a.bow, b.bow - a.bow, a.length, b.length - a.length),
+            four(a.bow_slope, b.bow_slope - a.bow_slope, a.length_slope, b.length_slope - a.length_slope),
+            four(a.width, a.beside, a.speed, (b.speed - a.speed) / (a.speed + b.speed)),
+            four(b.width - a.width, b.beside - a.beside, b.speed - a.speed, 0),
+            four(from.share, to.share - from.share, from.above, to.above - from.above),
+            four(from_slope.share, to_slope.share - from_slope.share, from_slope.above,
+                 to_slope.above - from_slope.above)};
+}
+
+/// Appends a ray's chords, as few as may be, and their arcs.
+void add_chords(std::span<const ChainPoint> points, const ChordTolerance& tolerance, double reach,
+                std::vector<RayChains::Chord>& chords, std::vector<RayChains::Arc>& arcs) {
+    const auto place = [&](std::size_t i) { return place_of(points[i], points.front(), reach); };
+    std::vector<ChainPlace> places;
+    for (std::size_t begin = 0; begin + 1 < points.size();) {
+        std::size_t end = begin + 1;
+        while (end + 1 < points.size() && chord_fits(points.subspan(begin, end + 2 - begin), tolerance))
+            ++end;
+        places.assign(1, place(begin));
+        std::size_t from = begin, first_end = end;
+        for (std::size_t i = begin + 2; i <= end; ++i) {
+            if (arc_fits(points.subspan(from, i - from + 1), tolerance)) continue;
+            from = i - 1;
+            if (places.size() == 1) first_end = from;
+            places.push_back(place(from));
+        }
+        places.push_back(place(end));
+        if (!parts_hold(places, reach)) end = first_end, places.resize(2);
+        const ChainPlace &a = places.front(), &b = places.back();
+        chords.push_back(chord_between(a, b, end + 1 == points.size(), arcs.size()));
+        for (std::size_t i = 0; i + 1 < places.size(); ++i)
+            arcs.push_back(arc_between(places[i], places[i + 1], a, b));
+        begin = end;
+    }
 }
 
 }  // namespace
@@ -222,27 +329,20 @@ double RayChains::elevation(int row) {
 }
 
 RayChains::RayChains(const RayTable& table, ChordTolerance tolerance) {
-    ChainShooter shooter(table, tolerance.distance / 4);
+    constexpr double points_per_chord = 4;
+    ChainShooter shooter(table, tolerance.distance / (points_per_chord * points_per_chord));
     std::vector<ChainPoint> points;
     for (int row = 0; row < rows; ++row) {
         const double reach = (elevation(std::min(row + 1, rows - 1)) - elevation(std::max(row - 1, 0))) / 4;
         shooter.shoot(elevation(row), reach, points);
-        Row& own = rows_.emplace_back();
-        const std::size_t first = places_.length.size();
-        own.first = static_cast<std::int32_t>(first);
-        add_place(points.front(), points.front(), reach, places_);
-        std::size_t begin = 0;
-        for (std::size_t i = 2; i < points.size(); ++i)
-            if (!chord_fits(std::span(points).subspan(begin, i - begin + 1), tolerance))
-                begin = i - 1, add_place(points[begin], points.front(), reach, places_);
-        add_place(points.back(), points.front(), reach, places_);
-        const bool straight = begin == 0 &&
-                              std::abs(points.back().elevation - points.front().elevation) < 1e-6 &&
-                              std::abs(points.back().speed - points.front().speed) < 1e-3;
-        own.bends = straight ? 0 : 1;
-        own.inverse_length = 1 / places_.length[first + 1];
+        const bool straight = std::abs(points.back().elevation - points.front().elevation) < 1e-6 &&
+                              std::abs(points.back().speed - points.front().speed) < 1e-3 &&
+                              chord_fits(points, tolerance);
+        const std::size_t first = chords_.size();
+        add_chords(points, tolerance, reach, chords_, arcs_);
+        rows_.push_back({static_cast<std::int32_t>(first), straight ? 0 : 1, chords_[first].inverse_length});
     }
-    add_place(ChainPoint{.speed = 1}, ChainPoint{.speed = 1}, 0, places_);
+    arcs_.emplace_back();
 }
 
 }  // namespace echoloop::rays

@@ -2,6 +2,7 @@
 // Built from exact arcs. Pure functions of a profile; knows no scene and no tree.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,30 +32,50 @@ class RayChains {
     /// rad, the elevation of a row.
     static double elevation(int row);
 
-    /// Of every row the place where it begins, which is the sonar, at length 0. A chord leads from each place
-    /// to the next, whose length is greater; that after a row's last is 0.
+    /// The chords of a row follow each other from `first` on, each from where the one before ends.
     struct Row {
         std::int32_t first = 0;
         std::int32_t bends = 0;    ///< 0: it is straight
         float inverse_length = 0;  ///< 1/m of c t, of its first chord
     };
     const Row* row(std::int32_t number) const { return &rows_[static_cast<std::size_t>(number)]; }
-    /// Those of a ray that leaves `rise` rad above its row are shifted by `rise` times the slopes.
-    struct Places {
-        std::vector<float> length, length_slope;  ///< m of c t, with c the sound speed at the sonar; m/rad
-        std::vector<float> x, x_slope;            ///< m, horizontal distance; m/rad
-        std::vector<float> z, z_slope;            ///< m above the sonar
-        std::vector<float> bow, bow_slope;        ///< rad, elevation there over that of launch; 1
-        std::vector<float> width;                 ///< m/rad, between rays above each other
-        std::vector<float> beside;  ///< distance between rays abreast over that of straight ones
-        std::vector<float> speed;   ///< of sound over that at the sonar
+
+    static constexpr std::size_t cache_line = 64;
+    /// What a chord and its arcs have is shifted by `rise` times the slopes for a ray that leaves `rise` rad
+    /// above its row. Lengths are m of c t, with c the sound speed at the sonar. In groups of four, which a
+    /// processor reads at once.
+    struct alignas(cache_line) Chord {
+        /// m: horizontal distance and height over the sonar of where it begins; how much both grow.
+        std::array<float, 4> way;
+        std::array<float, 4> way_slope;  ///< m/rad
+        float length = 0;                ///< where it begins
+        float inverse_length = 0;        ///< 1/m, of its own length
+        float next = 0;                  ///< m, where another begins that follows it; infinite: none does
+        std::int32_t arc = 0;            ///< its first
     };
-    const Places& places() const { return places_; }
-    std::size_t chords() const { return places_.length.size() - 1 - static_cast<std::size_t>(rows); }
+    const Chord* chords() const { return chords_.data(); }
+
+    /// A part of the bent ray over a chord: where that begins, and how much more where it ends.
+    struct alignas(cache_line) Arc {
+        /// Elevation over that of launch (rad) and its growth, length and its growth.
+        std::array<float, 4> turn;
+        std::array<float, 4> turn_slope;
+        /// Distance between rays above each other (m/rad), that between rays abreast over that of straight
+        /// ones, the sound speed over that at the sonar, its growth over the sum of both ends'.
+        std::array<float, 4> spread;
+        std::array<float, 4> spread_growth;
+        /// Share of the chord where it begins, which is 0 for a chord's first, and its own share; m over the
+        /// chord where it begins, and its growth.
+        std::array<float, 4> part;
+        std::array<float, 4> part_slope;
+    };
+    /// Behind the last one is that of another chord.
+    const Arc* arcs() const { return arcs_.data(); }
 
   private:
     std::vector<Row> rows_;
-    Places places_;
+    std::vector<Chord> chords_;
+    std::vector<Arc> arcs_;
 };
 
 }  // namespace echoloop::rays

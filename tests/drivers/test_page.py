@@ -35,8 +35,7 @@ class Page(PageCase):
         self.assertGreater(wall[0], heard(4.5)[0] + 10)
         self.assertIn(WALL, wall[1].lower())
         card.locator("select").select_option("said")
-
-        card.locator(".facts", has_text="DeviceData").wait_for()
+        card.locator(".facts", has_text=re.compile("circle . DeviceData 2 ")).wait_for()  # both lines
 
         def said(metres):
             return int(re.search(r"(\d+) counts", self.read_at(page, 240, 180 - metres / 8 * 172))[1])

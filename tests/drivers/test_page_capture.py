@@ -55,8 +55,10 @@ class Capture(PageCase):
         options = page.locator(f"[data-device='{down}'] h2 select option").all_inner_texts()
         self.assertTrue(all(one.startswith("said") for one in options), options)
         page.locator("#wire summary", has_text="Profile").first.wait_for()
-        page.locator("#pause").click()
         page.mouse.move(1, 1)
+        # a profile that is asked for before the first ping is empty
+        page.locator(f"[data-device='{down}'] .read", has_text=re.compile(r"loudest echo: .* [1-9]\d* counts")).wait_for()
+        page.locator("#pause").click()
         tells = page.locator(f"[data-device='{depth}'] .read").inner_text()
         self.assertAlmostEqual(float(re.search(r"([\d.]+) m", tells)[1]), FLOOR, delta=0.1)
         metres = {}

@@ -96,7 +96,7 @@ class Kinds(PageCase):
         facts.filter(has_text="800 kHz").wait_for()
         self.assertIn("heard: 750 kHz", page.locator("[data-device=head] h2 select option").all_inner_texts())
 
-    def test_an_r2sonics_image_water_column_and_truepix(self):
+    def test_an_r2sonics_image_water_column_truepix_and_snippets(self):
         head, data = free_port(16), free_port(8)
         receivers = []
         for port in range(data, data + 8):
@@ -108,14 +108,33 @@ class Kinds(PageCase):
             drain(one)
         scenario = FLAT.replace("model: %s,", "model: %s, mount: {rpy_deg: [0, 90, 0]},")
         page = self.run_and_open(scenario % ("r2sonic-2024", f'"udp-listen://127.0.0.1:{head}", "udp://127.0.0.1:{data}"',
-                                             "ping_rate: 5, range: 20, image_height: 400, water_column: magnitude, truepix: direction"))
+                                             "ping_rate: 5, range: 20, image_height: 400, water_column: magnitude, truepix: direction, snippets: true"))
         layer = page.locator("[data-device=sonar] h2 select")
         facts = page.locator("[data-device=sonar] .facts")
-        for name, kind in (("BTH0", "profile"), ("AID0", "fan"), ("WCD0", "fan"), ("TPX0", "sidescan")):
+        for name, kind in (("BTH0", "profile"), ("AID0", "fan"), ("WCD0", "fan"), ("TPX0", "sidescan"), ("SNI0", "fan")):
             with self.subTest(name):
                 page.locator("[data-device=sonar] option", has_text="said: " + name).wait_for(state="attached")
                 layer.select_option(label="said: " + name)
                 facts.filter(has_text=re.compile(rf"{kind} . {name} ")).wait_for()
+        self.assertEqual(self.faults, [])
+
+    def test_the_cells_of_a_doppler_log_stand_side_by_side(self):
+        """The bottom is in one cell of each beam, and says so under the pointer."""
+        port = free_port()
+        page = self.run_and_open(FLAT % ("dvl-pathfinder", f'"tcp-listen://127.0.0.1:{port}"',
+                                         "speed_of_sound: 1500, baud: 0, profile_pings: 1, profile_cells: 20, cell_size: 50"))
+        reader = socket.create_connection(("127.0.0.1", port), timeout=20)
+        self.addCleanup(reader.close)
+        drain(reader)
+        page.locator("[data-device=sonar] option", has_text="said: Ensemble intensity").wait_for(state="attached")
+        page.locator("[data-device=sonar] h2 select").select_option(label="said: Ensemble intensity")
+        page.locator("[data-device=sonar] .facts", has_text=re.compile("echogram . Ensemble intensity .* 4 beams")).wait_for()
+        page.locator("#pause").click()
+        for beam in range(4):
+            newest = (beam + 1) * 120 - 1
+            levels = [re.match(r"([\d.]+) m, beam (\d), (\d+) counts", self.read_at(page, newest, row, "sonar")) for row in range(9, 360, 18)]
+            self.assertEqual({one[2] for one in levels}, {str(beam + 1)})
+            self.assertAlmostEqual(float(max(levels, key=lambda one: int(one[3]))[1]), 8, delta=0.5)
         self.assertEqual(self.faults, [])
 
 

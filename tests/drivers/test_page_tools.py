@@ -116,37 +116,31 @@ class Tools(PageCase):
         def found(rows):
             return {colour: {(x, y) for y, row in enumerate(rows) for x, dot in enumerate(row) if near(dot, colour)} for colour in (own, beams)}
 
-        first = found(self.scene(page))
-        self.assertGreater(len(first[beams]), 20)
-        self.assertGreater(len(first[own]), 20)
-        deadline = 40
-        while deadline:  # it moves 0.13 m each second
-            page.wait_for_timeout(250)
-            later = found(self.scene(page))
-            apart = [min(x for x, _ in one[beams]) for one in (first, later)]
-            if apart[1] > apart[0] + 3:
-                break
-            deadline -= 1
-        self.assertTrue(deadline, "the beams move to the east, which is to the right")
-        views = {}
-        for view in ("top", "orbit", "follow"):
-            page.locator("#camera").select_option(view)
-            views[view] = found(self.scene(page))
-            self.assertGreater(len(views[view][beams]), 15, view)
-        self.assertGreater(len(views["top"][beams] ^ views["orbit"][beams]), 30)
-        self.assertGreater(len(views["orbit"][beams] ^ views["follow"][beams]), 30)
-        page.locator("#camera").select_option("orbit")
-        box = page.locator("#scene").bounding_box()
+
+        def until(what, wanted):
+            """The dots of the first picture of which that holds; one is drawn when something has changed."""
+            end = time.monotonic() + 30
+            while not wanted(seen := found(self.scene(page))):
+                self.assertLess(time.monotonic(), end, what)
+            return seen
+
+        first = until("beams and the sonar", lambda one: len(one[beams]) > 20 and len(one[own]) > 20)
+        left = min(x for x, _ in first[beams])
+        until("the beams move to the east, which is to the right",
+              lambda one: one[beams] and min(x for x, _ in one[beams]) > left + 3)  # by 0.13 m each second
+        page.locator("#pause").click()  # now nothing moves by itself
         before = found(self.scene(page))[beams]
+        for view in ("orbit", "follow", "orbit"):
+            page.locator("#camera").select_option(view)
+            before = until(view, lambda one: len(one[beams]) > 15 and len(one[beams] ^ before) > 30)[beams]
+        box = page.locator("#scene").bounding_box()
         page.mouse.move(box["x"] + 200, box["y"] + 200)
         page.mouse.down()
         page.mouse.move(box["x"] + 320, box["y"] + 200, steps=4)
         page.mouse.up()
-        turned = found(self.scene(page))[beams]
-        self.assertGreater(len(before ^ turned), 30, "a drag turns it")
+        before = until("a drag turns it", lambda one: len(one[beams] ^ before) > 30)[beams]
         page.mouse.wheel(0, 600)
-        page.wait_for_timeout(200)
-        self.assertGreater(len(turned ^ found(self.scene(page))[beams]), 30, "the wheel brings it nearer or farther")
+        until("the wheel brings it nearer or farther", lambda one: len(one[beams] ^ before) > 30)
         with page.expect_download() as download:
             page.locator("#save-scene").click()
         saved = dots(Path(download.value.path()).read_bytes())
@@ -203,6 +197,8 @@ class Tools(PageCase):
         self.ping()
         self.ping(angle=201)
         page.locator("[data-device=head] .facts", has_text="circle").wait_for()
+        page.locator("[data-device=head] h2 select").select_option("said")
+        page.locator("[data-device=head] .facts", has_text=re.compile("circle . DeviceData")).wait_for()
         page.locator("[data-device=head] h2 select").select_option("both")
         with tempfile.TemporaryDirectory() as folder:
             with page.expect_download() as download:

@@ -109,6 +109,21 @@ devices:
                 if levels:
                     self.assertAlmostEqual(loudest_range(head, levels, middle), FLOOR, delta=0.1)
 
+    def test_the_samples_around_each_sounding_lie_on_the_floor(self):
+        file = self.capture("kongsberg-kmall")
+
+        def enough(said):
+            return next((one for (_, name), one in said.items() if name == "MRZ seabed image"), None)
+
+        head, levels, _ = self.shown("view", str(file), "--loop", enough=enough)
+        self.assertGreater(head["beams"], 300)
+        for bearing in (-30, 0, 30):
+            beam = min(range(head["beams"]), key=lambda b: abs(math.degrees(head["bearings"][b]) - bearing))
+            slant = FLOOR / math.cos(head["bearings"][beam])
+            self.assertAlmostEqual(loudest_range(head, levels, beam), slant, delta=0.1)
+            line = levels[beam * head["bins"]:][: head["bins"]]
+            self.assertLess(sum(byte > 0 for byte in line), head["bins"] / 4, "the rest is not told")
+
     def test_a_pipe_s_wall_is_where_it_is_in_what_a_profiler_says(self):
         file = self.capture("imagenex-831l", scene="pipe", at=(0, 0.03, -3.02), pitch=-90)
 

@@ -91,10 +91,10 @@ class Said(SaidCase):
         self.start("r2sonic-2024", [f"udp-listen://127.0.0.1:{head}", f"udp://127.0.0.1:{data}"], "ping_rate: 5, range: 20, " + options)
         drain(*receivers)
 
-    def test_an_r2sonics_image_and_water_column(self):
-        """The floor is flat in both: its range grows as 1 / cos of the beam's angle, to either side alike."""
-        self.r2sonic("image_height: 400, water_column: magnitude")
-        for name, (head, levels, ranges) in self.said("AID0", "WCD0").items():
+    def test_an_r2sonics_image_water_column_and_snippets(self):
+        """The floor is flat in each: its range grows as 1 / cos of the beam's angle, to either side alike."""
+        self.r2sonic("image_height: 400, water_column: magnitude, snippets: true")
+        for name, (head, levels, ranges) in self.said("AID0", "WCD0", "SNI0").items():
             with self.subTest(name):
                 self.check_floor(head, levels, ranges)
                 for bearing in (-40, 40):

@@ -6,6 +6,7 @@ import unittest
 
 from ports import free_port
 from said_case import DEPTH, LEVEL, SaidCase, drain
+from test_view_capture import loudest_range
 
 ACROSS = "0, 0, -45"  # beam 3 ahead, as these logs are mounted
 TILT = math.radians(22.5)  # of a Water Linked log's beams
@@ -35,6 +36,19 @@ class Logs(SaidCase):
         self.start("dvl-pathfinder", [port], "speed_of_sound: 1500, baud: 0", ACROSS)
         drain(self.connect(port))
         self.check_beams("Ensemble", 4, DEPTH)
+
+    def test_pd0_tells_how_strong_the_echo_of_each_cell_of_the_water_is(self):
+        """The bottom's is the strongest."""
+        port = free_port()
+        options = "speed_of_sound: 1500, baud: 0, profile_pings: 1, profile_cells: 20, cell_size: 50"
+        self.start("dvl-pathfinder", [port], options, ACROSS)
+        drain(self.connect(port))
+        head, levels, ranges = self.said("Ensemble intensity")["Ensemble intensity"]
+        self.assertEqual((head["beams"], head["numbered"], head["bins"], head["unit"]), (4, True, 20, "counts"))
+        self.assertAlmostEqual(head["bin_size"], 0.5, places=6)
+        self.assertEqual(len(ranges), 0)
+        for beam in range(4):
+            self.assertAlmostEqual(loudest_range(head, levels, beam), DEPTH, delta=0.5)
 
     def test_pd5(self):
         port = free_port()

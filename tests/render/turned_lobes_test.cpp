@@ -2,7 +2,9 @@
 // axis, by mirrors, and at the edges of what is drawn finely.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "render/acoustics/pattern.h"
 #include "tests/render/meshes.h"
@@ -115,6 +117,29 @@ TEST(TurnedLobes, WhatComesIntoAFanIsHeardByItsBeams) {
     EXPECT_LT(db(heard(9, twice) / inside), -15) << "it has left the fan";
 }
 
+// And as sharp: what is seen in one beam by then is not spread over a sector of 3 deg.
+TEST(TurnedLobes, WhatComesIntoAFanIsSharp) {
+    const auto share_of_loudest = [](double bearing_deg, const Situation& situation) {
+        Renderer renderer(test::scene_of({plate(bearing_deg, 0, 0.1)}), test::water_of(c), patterned());
+        std::vector<double> heard(24);
+        double sum = 0;
+        for (Shot shot = fan(24); shot.ping < 32; ++shot.ping) {
+            const Echogram e = renderer.render(shot, situation);
+            for (std::size_t beam = 0; beam < e.beams(); ++beam)
+                heard[beam] += test::beam_power(e, beam), sum += test::beam_power(e, beam);
+        }
+        const auto loudest = std::ranges::max_element(heard);
+        return std::pair(loudest - heard.begin(), *loudest / sum);
+    };
+    const auto [there, still] = share_of_loudest(-10.5, {});
+    EXPECT_GT(still, 0.7);
+    for (const double by : {2.0, 4.0}) {
+        const auto [beam, share] = share_of_loudest(-10.5 - by, moving({}, {0, 0, 15 * by}));
+        EXPECT_EQ(beam, there) << by;
+        EXPECT_NEAR(share, still, 0.1) << by;
+    }
+}
+
 /// One way's power of a plain line or a piston that is `width` rad wide at -3 dB both ways.
 double power_of(ApertureShape shape, double width, double off) {
     const double half = std::sin(width / 2), x = std::sin(off) / half;
@@ -218,18 +243,27 @@ TEST(TurnedLobes, WhatIsAboveRowsOfBeamsIsHeardElsewhere) {
     }
 }
 
+// By main lobes, and by those of other beams that are far off.
 TEST(TurnedLobes, WhatComesIntoRowsOfBeamsIsHeardByThem) {
-    const auto heard = [](double bearing_deg, const Situation& situation) {
+    const auto heard_from = [](double first_deg, double bearing_deg, const Situation& situation) {
         Renderer renderer(test::scene_of({plate(bearing_deg, 0, 2)}), test::water_of(c), patterned());
         double sum = 0;
-        for (Shot shot = rows_of_beams(); shot.ping < 16; ++shot.ping)
-            sum += test::total_power(renderer.render(shot, situation));
+        for (Shot shot = rows_of_beams(); shot.ping < 32; ++shot.ping, ++shot.random_key) {
+            const Echogram e = renderer.render(shot, situation);
+            for (std::size_t beam = 0; beam < e.beams(); ++beam)
+                if (shot.bearings[beam % shot.bearings.size()] > deg_to_rad(first_deg))
+                    sum += test::beam_power(e, beam);
+        }
         return sum;
+    };
+    const auto heard = [&](double bearing_deg, const Situation& situation) {
+        return heard_from(-90, bearing_deg, situation);
     };
     const Situation by_6_deg = moving({}, {0, 0, 90});
     const double inside = heard(-9, {});
     EXPECT_LT(db(heard(-17, {}) / inside), -10);
-    EXPECT_NEAR(db(heard(-15, by_6_deg) / inside), 0, 0.5);
+    EXPECT_NEAR(db(heard(-15, by_6_deg) / inside), 0, 0.3);
+    EXPECT_NEAR(db(heard_from(2, -15, by_6_deg) / heard_from(2, -9, {})), 0, 1);
     EXPECT_LT(db(heard(9, by_6_deg) / inside), -10) << "it has left the field";
 }
 

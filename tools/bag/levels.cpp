@@ -162,6 +162,7 @@ Levels levels_of(const said::Picture& picture) {
     const Grouping to = grouping_of(picture);
     Levels levels = sized(to, picture.bearings);
     levels.pan = picture.pan, levels.waterfall = picture.waterfall, levels.down = picture.down;
+    levels.sides = picture.numbered;
     levels.first_range = picture.first_range;
     levels.bin_size = picture.bin_size * static_cast<double>(to.per_bin);
     if (levels.beams > 1)

@@ -32,6 +32,7 @@ Echogram echogram_of(const said::Picture& picture, double sound_speed) {
     Echogram echo;
     echo.sound_speed = sound_speed;
     echo.shot.bearings = picture.bearings;
+    if (picture.numbered) echo.shot.bearings.assign(picture.bearings.size(), 0);  // nobody knows them
     if (picture.elevations.size() > 1) echo.shot.elevations = picture.elevations;
     echo.shot.pan = picture.pan;
     echo.shot.bins = picture.bins;
@@ -61,7 +62,7 @@ void Topics::say(const Wire& wire, const said::Picture& told) {
     const Echogram echo = echogram_of(told, said::assumed_sound_speed);
     if (!told.levels.empty()) {
         const std::string& frame = name + "_fan";
-        if (told.elevations.size() == 1 && !told.waterfall && told.bearings.size() > 1)
+        if (told.elevations.size() == 1 && !told.waterfall && !told.numbered && told.bearings.size() > 1)
             take_({topic + "/image", projected_type, said}, [&] {
                 return projected_image({said, frame}, echo);
             });

@@ -249,7 +249,8 @@ void Topics::message(const Wire& wire, const inspect::Family* family, const insp
     auto& maker = makers_[wire.device];
     if (!maker) maker = said::maker_of(family->name);
     if (!maker) return;
-    if (const auto picture = maker->take(one, bytes, wire.sent)) say(wire, *picture);
+    for (auto picture = maker->take(one, bytes, wire.sent); picture; picture = maker->also())
+        say(wire, *picture);
 }
 
 }  // namespace echoloop::bag

@@ -98,6 +98,7 @@ def inputs():
     for name, message in messages.items():
         yield "bytes", name, message
         yield "bytes", f"{name}-stream", b"\xff" + message
+        yield "said", name, message
         if name.startswith("http-"):
             yield "http", name, b"\xff" + message
     for name, data in [*captures(messages), *recorded.items()]:
@@ -107,6 +108,7 @@ def inputs():
     yield from ((kind, "whole", rest) for kind, (_, rest) in recordings_of_makers(messages).items())
     for name, data in recorded.items():
         yield "replay_source", name, b"\x22" + data
+        yield "said", name, data
     yield from (("packet", name, data) for name, data in packet_inputs(messages))
     yield from framed_inputs(messages)
     yield from text_commands()

@@ -1,6 +1,8 @@
-// Echosounders, altimeters and Doppler logs: a depth in a message, or the ranges of a log's beams.
+// Echosounders, altimeters and Doppler logs: a depth in a message, or the ranges of a log's beams and the
+// echo of each cell of the water.
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tools/said/fields.h"
 
@@ -82,6 +84,26 @@ std::vector<double> of_fields(const Message& message) {
     return metres;
 }
 
+/// Of PD0: counts of 0.61 dB, four a cell.
+std::optional<Picture> of_water_profile(const Message& message) {
+    constexpr std::size_t beams = 4;
+    const Fields f(message);
+    const std::vector<double>& counts = f.numbers("Intensity.values");
+    if (counts.size() < beams) return std::nullopt;
+    Picture picture = empty(message);
+    picture.name += " intensity";
+    picture.numbered = true;
+    picture.bearings = {0, 1, 2, 3};
+    picture.unit = "counts";
+    picture.bins = counts.size() / beams;
+    picture.bin_size = 0.01 * f.number("FixedLeader.cell_size");
+    picture.first_range = 0.01 * f.number("FixedLeader.first_cell") - picture.bin_size / 2;
+    for (std::size_t beam = 0; beam < beams; ++beam)
+        for (std::size_t cell = 0; cell < picture.bins; ++cell)
+            picture.levels.push_back(static_cast<float>(counts[beams * cell + beam]));
+    return checked(std::move(picture));
+}
+
 /// Of one number. A vehicle's own depth is none below it, nor is an altitude above the sea.
 bool is_depth(std::string_view message, std::string_view field) {
     if (field == "depth") return message.ends_with("DPT");
@@ -93,9 +115,12 @@ bool is_depth(std::string_view message, std::string_view field) {
 class Depths final : public Maker {
   public:
     std::optional<Picture> take(const Message& message, wire::ByteView, bool sent) override {
+        profile_.reset();
         if (!sent) return std::nullopt;
         if (auto beams = of_beams(message, of_transducers(message))) return beams;
+        profile_ = of_water_profile(message);
         if (auto beams = of_beams(message, of_fields(message))) return beams;
+        if (profile_) return also();
         for (const auto& field : message.fields) {
             const double unit = metres_of(field.unit);
             if (!field.number || unit == 0) continue;
@@ -103,6 +128,11 @@ class Depths final : public Maker {
         }
         return std::nullopt;
     }
+
+    std::optional<Picture> also() override { return std::exchange(profile_, std::nullopt); }
+
+  private:
+    std::optional<Picture> profile_;
 };
 
 }  // namespace

@@ -67,6 +67,16 @@ inline std::optional<Picture> checked(Picture picture) {
     return picture;
 }
 
+/// Samples that lie somewhere along a beam.
+struct Strip {
+    double bearing = 0;     ///< rad, finite
+    std::size_t first = 0;  ///< of the samples from zero range
+    std::vector<float> levels{};
+};
+/// A picture of strips of `sample` m each, from zero range on and a little beyond the last, so that it keeps
+/// its size while the bottom moves. Of at most 4,096 bins, each as loud as the loudest sample in it.
+std::optional<Picture> picture_of(std::vector<Strip> strips, Picture picture, double sample);
+
 /// Beams in ascending order of their bearings, with their levels and ranges.
 void sort_beams(Picture& picture);
 

@@ -1,5 +1,6 @@
 // Multibeam echosounders: soundings, and the water column where it is on the wire.
 #include <algorithm>
+#include <utility>
 
 #include "protocols/kmall/codec.h"
 #include "protocols/norbit/codec.h"
@@ -35,6 +36,7 @@ T little(wire::ByteView bytes, std::size_t at) {
 class Kmall final : public Maker {
   public:
     std::optional<Picture> take(const Message& message, wire::ByteView bytes, bool sent) override {
+        image_.reset();
         if (!sent) return std::nullopt;
         if (message.name.ends_with(" part")) {  // MWC part
             if (!kmall::join(held_, bytes)) return std::nullopt;
@@ -44,12 +46,42 @@ class Kmall final : public Maker {
         }
         const auto datagram = kmall::parse(bytes);
         if (!datagram) return std::nullopt;
-        if (const auto* mrz = std::get_if<kmall::Mrz>(&*datagram)) return of(*mrz);
+        if (const auto* mrz = std::get_if<kmall::Mrz>(&*datagram)) {
+            image_ = seabed_image(*mrz);
+            return of(*mrz);
+        }
         if (const auto* mwc = std::get_if<kmall::Mwc>(&*datagram)) return of(*mwc);
         return std::nullopt;
     }
 
+    std::optional<Picture> also() override { return std::exchange(image_, std::nullopt); }
+
   private:
+    /// The samples around each sounding of the bottom, the one at its centre where the sounding is.
+    static std::optional<Picture> seabed_image(const kmall::Mrz& mrz) {
+        constexpr std::uint8_t normal = 0;
+        constexpr double farthest = 1e6, tenth = 0.1;  // samples; dB
+        const double rate = mrz.rx.seabed_image_rate;
+        std::vector<Strip> strips;
+        std::size_t next = 0;  // of all samples
+        for (const auto& s : mrz.soundings) {
+            const std::size_t from = std::exchange(next, next + s.image_samples);
+            if (next > mrz.image.size()) break;
+            const double bearing = -radians(double(s.angle) + s.angle_correction);
+            const double first = std::round((double(s.time) + s.time_correction) * rate) + 1 - s.image_centre;
+            if (s.type != normal || s.image_samples == 0 || !std::isfinite(bearing)) continue;
+            if (!(first >= 0 && first < farthest)) continue;
+            strips.push_back({bearing, static_cast<std::size_t>(first), {}});
+            for (std::size_t i = from; i < next; ++i)
+                strips.back().levels.push_back(static_cast<float>(tenth * mrz.image[i]));
+        }
+        Picture picture;
+        picture.name = "MRZ seabed image";
+        picture.unit = "dB";
+        picture.down = true;
+        return picture_of(std::move(strips), std::move(picture), double(mrz.ping.sound_speed) / (2 * rate));
+    }
+
     static std::optional<Picture> of(const kmall::Mrz& mrz) {
         constexpr std::uint8_t normal = 0;
         Picture picture;
@@ -88,6 +120,7 @@ class Kmall final : public Maker {
     }
 
     wire::Bytes held_;
+    std::optional<Picture> image_;
 };
 
 class Reson7k final : public Maker {

@@ -1,5 +1,7 @@
-// R2Sonic: soundings are one datagram; images, water columns and TruePix come in parts, after a head.
+// R2Sonic: soundings are one datagram; all else comes in parts, after a head.
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "protocols/r2sonic/beams.h"
 #include "protocols/r2sonic/codec.h"
@@ -13,6 +15,7 @@ namespace r2 = r2sonic;
 class R2Sonic final : public Maker {
   public:
     std::optional<Picture> take(const inspect::Message& message, wire::ByteView bytes, bool sent) override {
+        also_.reset();
         if (!sent) return std::nullopt;
         const auto packet = r2::parse(bytes);
         if (!packet) return std::nullopt;
@@ -22,6 +25,12 @@ class R2Sonic final : public Maker {
                 return std::nullopt;
             },
             *packet);
+    }
+
+    std::optional<Picture> also() override { return std::exchange(also_, std::nullopt); }
+
+    void skipped(std::string_view message) override {
+        if (message == "SNI0") snippets_ = {};
     }
 
   private:
@@ -91,6 +100,63 @@ class R2Sonic final : public Maker {
             packet.samples);
     }
 
+    /// The snippets of one ping.
+    struct Snippets {
+        r2::H0 head{};
+        std::vector<r2::S1> all{};
+        std::size_t samples = 0;
+    };
+
+    /// A point without a bottom has no snippet, so what is there is a picture when the last point has come,
+    /// or the next ping.
+    std::optional<Picture> add(const r2::Sni0& packet, const std::string&) {
+        std::optional<Picture> before;
+        if (packet.h0) {
+            before = whole(std::exchange(snippets_, {}));
+            snippets_.head = packet.h0->settings;
+        }
+        keep(packet.s1);
+        for (const r2::S1& snippet : packet.others) keep(snippet);
+        const std::size_t points = snippets_.head.points;
+        if (snippets_.all.empty() || snippets_.all.back().snippet + std::size_t{1} < points) return before;
+        auto last = whole(std::exchange(snippets_, {}));
+        if (!before) return last;
+        also_ = std::move(last);
+        return before;
+    }
+
+    void keep(const r2::S1& snippet) {
+        constexpr std::size_t most = 4096, most_samples = std::size_t{8} << 20;
+        const bool fits = snippets_.all.size() < most && snippets_.samples < most_samples;
+        if (!fits || snippet.ping_number != snippets_.head.ping_number || !std::isfinite(snippet.angle))
+            return;
+        snippets_.samples += snippet.magnitude.size();
+        snippets_.all.push_back(snippet);
+    }
+
+    static std::optional<Picture> whole(const Snippets& ping) {
+        if (!(ping.head.rx_sample_rate > 0)) return std::nullopt;
+        std::vector<Strip> strips;
+        for (const r2::S1& s : ping.all) {
+            strips.push_back({double(s.angle), s.first_sample, {}});
+            for (std::size_t i = 0; i < s.magnitude.size(); ++i)
+                strips.back().levels.push_back(decibels(s.magnitude[i] * scale_of(s, i)));
+        }
+        Picture picture;
+        picture.name = "SNI0";
+        picture.unit = decibels_of_counts;
+        picture.down = true;
+        return picture_of(std::move(strips), std::move(picture),
+                          double(ping.head.sound_speed) / 2 / double(ping.head.rx_sample_rate));
+    }
+
+    /// Linear from the first sample to the last; 1 where the message leaves it at 0.
+    static double scale_of(const r2::S1& s, std::size_t sample) {
+        if (s.scale_first == 0 && s.scale_last == 0) return 1;
+        const double along = s.magnitude.size() > 1 ? double(sample) / double(s.magnitude.size() - 1) : 0;
+        return double(s.scale_first) + (double(s.scale_last) - double(s.scale_first)) * along;
+    }
+
     static std::optional<Picture> begin(Parts& parts, const char* name, const char* unit, const r2::H0& head,
                                         const r2::A1& angles) {
         parts = {};
@@ -141,6 +207,8 @@ class R2Sonic final : public Maker {
     }
 
     Parts image_, water_, sides_;
+    Snippets snippets_;
+    std::optional<Picture> also_;
 };
 
 }  // namespace

@@ -43,6 +43,10 @@ class Maker {
 
     /// The picture that this message completes. `bytes`: all of the message's; `sent`: by the sonar.
     virtual std::optional<Picture> take(const inspect::Message& message, wire::ByteView bytes, bool sent) = 0;
+    /// The next picture that the same message completes, until there is none.
+    virtual std::optional<Picture> also() { return std::nullopt; }
+    /// Messages of this name were not taken: what they had begun becomes no picture.
+    virtual void skipped(std::string_view) {}
 };
 
 /// For the messages of one sonar; nullptr for a family that has no pictures.

@@ -1,12 +1,12 @@
 #include "tools/view/server.h"
 
-#include <sys/resource.h>
-
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <chrono>
+#include <exception>
 #include <list>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
@@ -15,8 +15,10 @@
 
 #include "emulator/clock/asio.h"
 #include "emulator/contract/error.h"
+#include "emulator/machine/scheduling.h"
 #include "emulator/run/token.h"
 #include "emulator/transport/address.h"
+#include "tools/view/collector.h"
 #include "tools/view/foxglove_hub.h"
 #include "tools/view/gate.h"
 
@@ -30,9 +32,9 @@ using Tcp = asio::ip::tcp;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_viewers = 32, longest_header = 8192, longest_line = 4096;
-constexpr std::chrono::seconds patience(10);            // for a request
-constexpr std::chrono::milliseconds between_news(100);  // at most ten pictures a second
-constexpr int ticks_between_status = 5;
+constexpr std::chrono::seconds patience(10);  // for a request
+constexpr std::chrono::milliseconds breath_after_fault(100);
+constexpr int times_between_status = 5;
 
 struct News {
     bool binary = false;
@@ -46,10 +48,10 @@ std::shared_ptr<const News> text_news(std::string text) {
 
 /// {"type": "lines", "t": s, "lines": [{"device", "port", "in", "out": bytes so
 /// far, "rate": bit/s}]}
-std::string lines_message(const Feed& feed) {
+std::string lines_message(const std::map<Feed::Line, LineCount>& lines) {
     const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
     Json all{{"type", "lines"}, {"t", now.count()}, {"lines", Json::array()}};
-    for (const auto& [line, count] : feed.lines())
+    for (const auto& [line, count] : lines)
         all["lines"].push_back({{"device", line.first},
                                 {"port", line.second},
                                 {"in", count.in},
@@ -58,23 +60,25 @@ std::string lines_message(const Feed& feed) {
     return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// Below all ordinary programs: what a driver waits for goes first.
-void give_way() {
-    constexpr int nice = 10;
-    ::setpriority(PRIO_PROCESS, 0, nice);  // of this thread alone, as Linux has it
-}
-
 }  // namespace
 
 class Server::Impl {
   public:
     Impl(Feed& feed, ServerOptions options)
-        : feed_(feed),
-          options_(std::move(options)),
+        : options_(std::move(options)),
           acceptor_(io_),
           ticker_(options_.families),
           foxglove_(io_, options_.about),
-          tick_(io_) {
+          collector_(feed, [this](Feed::News news, std::map<Feed::Line, LineCount> lines) {
+              asio::post(io_, [this, news = std::move(news), lines = std::move(lines)] {
+                  try {
+                      tell_news(news, lines);
+                      collector_.deliver_next();
+                  } catch (...) {
+                      Serving("view")(std::current_exception());
+                  }
+              });
+          }) {
         error_code ec;
         acceptor_.open(Tcp::v4());
         acceptor_.set_option(asio::socket_base::reuse_address(true));
@@ -86,9 +90,8 @@ class Server::Impl {
         gate_.emplace(to_address(acceptor_.local_endpoint()),
                       options_.token.empty() ? random_token() : options_.token);
         asio::co_spawn(io_, accept(), Serving("view"));
-        asio::co_spawn(io_, tell_news(), Serving("view"));
         thread_ = std::thread([this] {
-            give_way();
+            run_when_idle();  // what a driver waits for goes first
             io_.run();
         });
     }
@@ -96,7 +99,6 @@ class Server::Impl {
     ~Impl() {
         io_.stop();
         thread_.join();
-        feed_.look(0);
     }
 
     std::string link() const { return gate_->link(); }
@@ -117,7 +119,7 @@ class Server::Impl {
         while (true) {
             Tcp::socket socket = co_await acceptor_.async_accept(into(ec));
             if (ec) {
-                asio::steady_timer breath(io_, between_news);
+                asio::steady_timer breath(io_, breath_after_fault);
                 co_await breath.async_wait(into(ec));
             } else if (connections_ < most_viewers) {
                 asio::co_spawn(io_, serve(beast::tcp_stream(std::move(socket))), Serving("view"));
@@ -192,7 +194,7 @@ class Server::Impl {
             looks_.said.insert(viewer->looks->said.begin(), viewer->looks->said.end());
             looks_.truth.insert(viewer->looks->truth.begin(), viewer->looks->truth.end());
         }
-        feed_.look(viewers_.size() + foxglove_.viewers(), looks_);
+        collector_.look(viewers_.size() + foxglove_.viewers(), looks_);
     }
 
     /// {"looks": {"heard": ["sonar", ...], "said": [...], "true": [...]}}: the
@@ -239,28 +241,20 @@ class Server::Impl {
         });
     }
 
-    Task<void> tell_news() {
-        error_code ec;
-        for (int ticks = 0;; ++ticks) {
-            tick_.expires_after(between_news);
-            co_await tick_.async_wait(into(ec));
-            if (ec) co_return;
-            if (viewers_.empty() && foxglove_.viewers() == 0) continue;
-            Feed::News news = feed_.take();
-            foxglove_.tell(news);
-            if (viewers_.empty()) continue;
-            for (const auto& ping : news.pings)
-                tell(std::make_shared<const News>(News{true, view::message_of(*ping)}));
-            Ticker::Told told =
-                ticker_.take(news.passed, news.faults, news.bytes_left_out, news.sparing,
-                             [this](const std::string& device) { return looks_.shows_said(device); });
-            for (std::string& picture : told.pictures)
-                tell(std::make_shared<const News>(News{true, std::move(picture)}));
-            if (!told.messages.empty()) tell(text_news(std::move(told.messages)));
-            if (ticks % ticks_between_status != 0) continue;
-            ask_status();
-            tell(text_news(lines_message(feed_)));
-        }
+    void tell_news(const Feed::News& news, const std::map<Feed::Line, LineCount>& lines) {
+        foxglove_.tell(news);
+        if (viewers_.empty()) return;
+        for (const auto& ping : news.pings)
+            tell(std::make_shared<const News>(News{true, view::message_of(*ping)}));
+        Ticker::Told told =
+            ticker_.take(news.passed, news.faults, news.bytes_left_out, news.sparing,
+                         [this](const std::string& device) { return looks_.shows_said(device); });
+        for (std::string& picture : told.pictures)
+            tell(std::make_shared<const News>(News{true, std::move(picture)}));
+        if (!told.messages.empty()) tell(text_news(std::move(told.messages)));
+        if (times_told_++ % times_between_status != 0) return;
+        ask_status();
+        tell(text_news(lines_message(lines)));
     }
 
     void ask_status() {
@@ -302,7 +296,6 @@ class Server::Impl {
         std::size_t& count;
     };
 
-    Feed& feed_;
     ServerOptions options_;
     Looks looks_{};  ///< of all viewers
     std::size_t connections_ = 0;
@@ -312,8 +305,9 @@ class Server::Impl {
     std::optional<Gate> gate_;  // once the port is known
     Ticker ticker_;
     FoxgloveHub foxglove_;
-    asio::steady_timer tick_;
+    int times_told_ = 0;
     std::thread thread_;
+    Collector collector_;
 };
 
 Server::Server(Feed& feed, ServerOptions options) : impl_(std::make_unique<Impl>(feed, std::move(options))) {}

@@ -240,7 +240,7 @@ void Ticker::look_for_picture(const Passed& one, const inspect::Message& message
     if (!maker->second) return;
     // Of a message that makes large pictures nothing is read until the next is
     // wanted.
-    constexpr double between_unseen = 1, most_ahead = 2;  // s
+    constexpr double most_ahead = 2;  // s
     const std::string key = one.device + "\n" + message.name;
     const auto known = rests_.find(key);
     Rest* rest = known == rests_.end() ? nullptr : &known->second;
@@ -249,6 +249,7 @@ void Ticker::look_for_picture(const Passed& one, const inspect::Message& message
         rest->in_parts = false;
         return;
     }
+    if (rest != nullptr && rest->skipped && !rest->in_parts) maker->second->skipped(message.name);
     auto picture = maker->second->take(message, bytes, one.sent);
     if (!picture) {
         if (rest != nullptr) rest->in_parts = rest->skipped;
@@ -259,20 +260,26 @@ void Ticker::look_for_picture(const Passed& one, const inspect::Message& message
         rest->known.insert(picture->name);
         return;
     }
+    for (; picture; picture = maker->second->also()) show(one, key, std::move(*picture), batch);
+}
+
+/// `key`: of the message in `rests_`.
+void Ticker::show(const Passed& one, const std::string& key, said::Picture picture, Batch& batch) {
+    constexpr double between_unseen = 1;  // s
     const std::uint64_t number = ++pictures_[one.device];
-    if (picture->levels.size() + picture->ranges.size() < large_said) {
-        batch.pictures.push_back(view::message_of(*picture, one.device, number, one.unix_time));
+    if (picture.levels.size() + picture.ranges.size() < large_said) {
+        batch.pictures.push_back(view::message_of(picture, one.device, number, one.unix_time));
         return;
     }
-    if (rest == nullptr) rest = &rests_[key];
-    rest->known.insert(picture->name);
-    const bool again = !rest->told.insert(picture->name).second;
+    Rest& rest = rests_[key];
+    rest.known.insert(picture.name);
+    const bool again = !rest.told.insert(picture.name).second;
     if (!batch.sparing && (*batch.shown)(one.device))
-        rest->next = 0, rest->told.clear();
-    else if (again || rest->told == rest->known)
-        rest->next = one.unix_time + between_unseen, rest->told.clear();
-    const std::string kind = one.device + "\n" + picture->name;  // before the picture is moved
-    batch.large_pictures[kind] = {std::move(*picture), one.device, number, one.unix_time};
+        rest.next = 0, rest.told.clear();
+    else if (again || rest.told == rest.known)
+        rest.next = one.unix_time + between_unseen, rest.told.clear();
+    const std::string kind = one.device + "\n" + picture.name;  // before the picture is moved
+    batch.large_pictures[kind] = {std::move(picture), one.device, number, one.unix_time};
 }
 
 }  // namespace echoloop::view

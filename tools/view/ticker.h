@@ -68,6 +68,7 @@ class Ticker {
     static bool is_part(const Passed& one, const inspect::Message& message, Batch& batch);
     void note_setting(const Passed& one, const Json& row, Batch& batch);
     void look_for_picture(const Passed& one, const inspect::Message& message, ByteView bytes, Batch& batch);
+    void show(const Passed& one, const std::string& key, said::Picture picture, Batch& batch);
 
     std::map<std::string, std::string> families_;
     std::map<Way, std::unique_ptr<inspect::StreamDecoder>> streams_;

@@ -41,6 +41,38 @@ TEST(RayScene, TakesTheNearerOfTwoTreesHits) {
     }
 }
 
+// One-sided walls, two trees, movers: sixteen rays at once meet what each meets alone.
+TEST(RayScene, ManyRaysMeetWhatEachMeets) {
+    for (const bool large : {false, true}) {
+        std::vector<Mesh> meshes{large ? test::seabed(520) : test::floor_at(-6, 60, 10),
+                                 test::wall_at(10, 20, -20, 20), test::box("crate", {4, 1, -2}, {1, 1, 1})};
+        const auto scene = test::scene_of(meshes);
+        const RayScene scene_rays(scene);
+        std::mt19937 random(3);
+        std::uniform_real_distribution<> any(-1, 1);
+        std::vector<Ray> rays;
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 direction{any(random), any(random), any(random) - 0.2};
+            rays.push_back({{12 * any(random), any(random), 0}, 1 / norm(direction) * direction, 40});
+        }
+        std::vector<std::optional<RayHit>> hits(rays.size());
+        scene_rays.hit(rays, hits);
+        int met = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const auto alone = scene_rays.hit(rays[i].origin, rays[i].direction, rays[i].end);
+            ASSERT_EQ(hits[i].has_value(), alone.has_value()) << i;
+            if (!alone) continue;
+            ++met;
+            EXPECT_NEAR(hits[i]->range, alone->range, 1e-4) << i;
+            EXPECT_GT(dot(hits[i]->normal, alone->normal), 1 - 1e-6) << i;
+            EXPECT_EQ(hits[i]->object, alone->object) << i;
+            EXPECT_NEAR(hits[i]->height, alone->height, 1e-3 * alone->height) << i;
+        }
+        EXPECT_GT(met, 50);
+        EXPECT_LT(met, 100);
+    }
+}
+
 Vec3 slanting(std::mt19937& random) {
     std::uniform_real_distribution<> level(-1, 1), down(0.1, 1);
     const Vec3 direction{level(random), level(random), -down(random)};

@@ -223,7 +223,7 @@ export class Card {
     const picture = pointed ?? shown[0];
     if (picture === this.said.current && this.saysNumbers()) return this.tellNumber(picture);
     if (picture.last === null) return;
-    if (!pointed && picture.last.numbered) return this.tellBeams(picture.last);
+    if (!pointed && picture.last.numbered && picture.last.ranges !== null) return this.tellBeams(picture.last);
     const spot = pointed ? picture.spotAt(...pointed.pointer!) : picture.loudest();
     if (spot !== null) this.tellSpot(pointed ? "" : spot.bin < 0 ? "in the middle: " : "loudest echo: ", spot, rulerText(picture));
     else if (pointed) this.read.replaceChildren("nothing there", rulerText(picture) ? " · ruler " + rulerText(picture) : "");

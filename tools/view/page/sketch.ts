@@ -25,7 +25,7 @@ export function kindOf(ping: Ping, turns: boolean, waterfall: boolean): Kind {
   if (ping.rows > 1) return ping.bins === 1 ? "strength image" : "range image";
   if (ping.bins === 0) return ping.numbered || ping.beams === 1 ? "depth" : "profile";
   if (waterfall || (ping.sides && ping.beams === 2)) return "sidescan";
-  if (ping.sides) return "echogram"; // of several beams that look to all sides
+  if (ping.sides || ping.numbered) return "echogram"; // of several beams that look to all sides
   if (ping.beams > 1) return "fan";
   return turns ? "circle" : "echogram";
 }
