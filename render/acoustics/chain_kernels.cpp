@@ -32,19 +32,55 @@ ECHOLOOP_INLINE void sum_of(const float* const* fields, const float* weights, st
 
 }  // namespace
 
-ECHOLOOP_SIMD void scatter(Normals echo, Normals noise, float noise_power, std::size_t count, float* power) {
+namespace {
+
+/// z of echo and noise together, see scatter(); and what of the mean power is echo.
+struct Together {
+    float whole, share, z;
+};
+
+ECHOLOOP_INLINE Together together(float echo_power, float noise_power, float echo, float noise) {
+    const float whole = echo_power + noise_power, share = echo_power / (whole + smallest);
+    const float rest = std::sqrt(std::max(1 - share * share, 0.0F));
+    const float z = share * echo + rest * noise;
+    return {whole, share, std::min(std::max(z, -law_end), law_end)};
+}
+
+/// Echo and noise have one law.
+ECHOLOOP_SIMD void scatter_alike(const float* law, const float* __restrict echo,
+                                 const float* __restrict noise, float noise_power, std::size_t count,
+                                 float* __restrict power) {
+    float terms_of[law_terms];
+    for (int k = 0; k < law_terms; ++k) terms_of[k] = law[k];
+    for (std::size_t i = 0; i < count; ++i) {
+        const Together both = together(power[i], noise_power, echo[i], noise[i]);
+        float root = terms_of[law_terms - 1];
+#pragma GCC unroll 8
+        for (int k = law_terms - 2; k >= 0; --k) root = root * both.z + terms_of[k];
+        power[i] = both.whole * cube(std::max(root, 0.0F));
+    }
+}
+
+ECHOLOOP_SIMD void scatter_between(Normals echo, Normals noise, float noise_power, std::size_t count,
+                                   float* power) {
     float base[law_terms], more[law_terms];
     for (int k = 0; k < law_terms; ++k) base[k] = noise.root[k], more[k] = echo.root[k] - noise.root[k];
     for (std::size_t i = 0; i < count; ++i) {
-        const float whole = power[i] + noise_power, share = power[i] / (whole + smallest);
-        const float rest = std::sqrt(std::max(1 - share * share, 0.0F));
-        float z = share * echo.z[i] + rest * noise.z[i];
-        z = std::min(std::max(z, -law_end), law_end);
-        float root = base[law_terms - 1] + share * more[law_terms - 1];
+        const Together both = together(power[i], noise_power, echo.z[i], noise.z[i]);
+        float root = base[law_terms - 1] + both.share * more[law_terms - 1];
 #pragma GCC unroll 8
-        for (int k = law_terms - 2; k >= 0; --k) root = root * z + (base[k] + share * more[k]);
-        power[i] = whole * cube(std::max(root, 0.0F));
+        for (int k = law_terms - 2; k >= 0; --k) root = root * both.z + (base[k] + both.share * more[k]);
+        power[i] = both.whole * cube(std::max(root, 0.0F));
     }
+}
+
+}  // namespace
+
+void scatter(Normals echo, Normals noise, float noise_power, std::size_t count, float* power) {
+    if (std::equal(echo.root, echo.root + law_terms, noise.root))
+        scatter_alike(echo.root, echo.z, noise.z, noise_power, count, power);
+    else
+        scatter_between(echo, noise, noise_power, count, power);
 }
 
 ECHOLOOP_SIMD void multiply_by_law(const float* law, const float* z, std::size_t count, float* power) {

@@ -9,11 +9,23 @@
 namespace echoloop {
 namespace {
 
-/// out[j] = sum over k of taps[k] in[j - k]; reads `count` rounded up to whole tiles, and taps - 1 before.
-/// The first tap begins the sums: g++ makes zeros with an instruction that takes as long as
-/// ten taps.
-ECHOLOOP_SIMD void convolve(const float* in, std::size_t count, const float* taps, std::size_t tap_count,
-                            float* out) {
+/// convolve() with so many taps, whose sums stay in registers.
+template <std::size_t N>
+ECHOLOOP_INLINE void convolve_few(const float* __restrict in, std::size_t count, const float* taps,
+                                  float* __restrict out) {
+    float tap[N];
+    for (std::size_t k = 0; k < N; ++k) tap[k] = taps[k];
+    for (std::size_t j = 0; j < count; ++j) {
+        float sum = tap[0] * in[j];
+#pragma GCC unroll 8
+        for (std::size_t k = 1; k < N; ++k) sum += tap[k] * *(in + j - k);
+        out[j] = sum;
+    }
+}
+
+/// The first tap begins the sums: g++ makes zeros with an instruction that takes as long as ten taps.
+ECHOLOOP_SIMD void convolve_many(const float* in, std::size_t count, const float* taps, std::size_t tap_count,
+                                 float* out) {
     constexpr std::size_t tile = LineFilter::tile;
     float sum[tile];
     for (std::size_t j = 0; j < count; j += tile) {
@@ -28,6 +40,44 @@ ECHOLOOP_SIMD void convolve(const float* in, std::size_t count, const float* tap
         else
             std::copy_n(sum, used, out + j);
     }
+}
+
+/// False: there are more.
+ECHOLOOP_SIMD bool convolve_if_few(const float* in, std::size_t count, const float* taps,
+                                   std::size_t tap_count, float* out) {
+    switch (tap_count) {
+        case 1:
+            convolve_few<1>(in, count, taps, out);
+            return true;
+        case 2:
+            convolve_few<2>(in, count, taps, out);
+            return true;
+        case 3:
+            convolve_few<3>(in, count, taps, out);
+            return true;
+        case 4:
+            convolve_few<4>(in, count, taps, out);
+            return true;
+        case 5:
+            convolve_few<5>(in, count, taps, out);
+            return true;
+        case 6:
+            convolve_few<6>(in, count, taps, out);
+            return true;
+        case 7:
+            convolve_few<7>(in, count, taps, out);
+            return true;
+        case 8:
+            convolve_few<8>(in, count, taps, out);
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// out[j] = sum over k of taps[k] in[j - k]; reads `count` rounded up to whole tiles, and taps - 1 before.
+void convolve(const float* in, std::size_t count, const float* taps, std::size_t tap_count, float* out) {
+    if (!convolve_if_few(in, count, taps, tap_count, out)) convolve_many(in, count, taps, tap_count, out);
 }
 
 /// data[j] = weight * (sum of the `length` bins that end at j), in place, by sums from block borders (van

@@ -1,6 +1,7 @@
 #include "render/acoustics/random.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "render/acoustics/vector_math.h"
@@ -9,10 +10,8 @@ namespace echoloop {
 namespace {
 
 using vector_math::direction;
-using vector_math::uniform;
 
-constexpr int angle_shift = 20;                   ///< leaves 12 bits for the angle
-constexpr std::size_t blocks = normals_tile / 8;  ///< of a tile
+constexpr std::size_t blocks = 16;  ///< at once
 
 /// Word w of block i.
 struct alignas(32) Words {
@@ -70,27 +69,65 @@ ECHOLOOP_INLINE void fill(const RandomStream& stream, std::uint32_t layer, std::
     }
 }
 
-/// The upper bits of a word give the radius, the lower ones the angle.
-ECHOLOOP_INLINE void box_muller(const std::uint32_t* word, float* real, float* imaginary) {
-    for (std::size_t i = 0; i < blocks; ++i) {
-        const float r = std::sqrt(-2 * vector_math::log(uniform(word[i])));
-        const auto [c, s] = direction(word[i] << angle_shift);
-        real[i] = r * c;
-        imaginary[i] = r * s;
-    }
+/// What a stream adds to the numbers that its words are made of.
+struct Seeds {
+    std::uint32_t before, between;
+};
+
+Seeds seeds_of(const RandomStream& stream) {
+    const std::uint64_t hash = mix(mix(mix(0, stream.key), stream.place),
+                                   std::uint64_t{stream.lane} << 32 | std::uint64_t{stream.kind});
+    return {static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32)};
 }
 
-/// Of whole tiles, the numbers from..to - 1 and some around them.
-ECHOLOOP_SIMD void fill_normals(const RandomStream& stream, std::int64_t first_tile, std::size_t from,
-                                std::size_t to, float* out) {
-    constexpr std::size_t pairs = 2 * blocks;  // of one word
-    Words words;
-    for (std::size_t tile = 0; tile * normals_tile < to; ++tile) {
-        const auto block = static_cast<std::size_t>(first_tile + static_cast<std::int64_t>(tile)) * blocks;
-        fill(stream, 0, block, words);
-        for (std::size_t w = 0; w < 4; ++w) {
-            const std::size_t at = tile * normals_tile + w * pairs;
-            if (at < to && at + pairs > from) box_muller(words.word[w], out + at, out + at + blocks);
+/// Of each number: a step of the golden ratio of all 32-bit words (Weyl's sequence; without it sums of 512
+/// numbers have 1.5 % too little energy).
+constexpr std::uint32_t golden_step = 0x9E3779B9U;
+
+/// A hash of two multiplications, with a part of the key before each (form and constants: Wellons,
+/// Prospecting for Hash Functions, 2018, as improved since). `place`: the number times golden_step, and
+/// seeds.before.
+ECHOLOOP_INLINE std::uint32_t word_at(std::uint32_t place, std::uint32_t between) {
+    std::uint32_t x = (place ^ place >> 16) * 0x21F0AAADU + between;
+    x = (x ^ x >> 15) * 0xD35A2D97U;
+    return x ^ x >> 15;
+}
+
+struct Pair {
+    float real, imaginary;
+};
+
+/// Of a word the 23 upper bits give the radius, and the 12 lower ones the angle: 11 within half a circle, and
+/// a sign. Polynomials by least squares with weights that even out the error (own fit): of ln within 2e-5, of
+/// sine and cosine within 7e-5.
+ECHOLOOP_INLINE Pair box_muller(std::uint32_t word) {
+    constexpr float half_circle = 3.14159265F;
+    const auto bits =
+        std::bit_cast<std::int32_t>(static_cast<float>(static_cast<std::int32_t>(word >> 8 | 1)));
+    const std::int32_t exponent = (bits - 0x3F3504F3) >> 23;  // of sqrt(1/2): see vector_math::log()
+    const float t = std::bit_cast<float>(bits - exponent * (1 << 23)) - 1.0F;
+    const float q = ((0.17968725F * t - 0.27225918F) * t + 0.33587286F) * t - 0.49933242F;
+    const float log = (q * t + 1.0F) * t + 0.69314718F * static_cast<float>(exponent - 24);
+    const float r = std::sqrt(-2.0F * log);
+    const float a =
+        (static_cast<float>(static_cast<std::int32_t>(word & 0x7FFU)) - 1023.5F) * (half_circle / 2048);
+    const float z = a * a;
+    const float s = ((0.00751433F * z - 0.16567298F) * z + 0.99969673F) * a;
+    const float c = ((-0.0012712F * z + 0.04148772F) * z - 0.49991242F) * z + 0.99999329F;
+    const float either = std::bit_cast<float>(std::bit_cast<std::uint32_t>(r) ^ (word << 20 & 0x80000000U));
+    return {either * c, either * s};
+}
+
+/// Of whole tiles.
+ECHOLOOP_SIMD void fill_normals(Seeds seeds, std::uint32_t first_tile, std::size_t tiles, float* out) {
+    constexpr std::uint32_t half = normals_tile / 2;
+    for (std::size_t tile = 0; tile < tiles; ++tile, out += normals_tile) {
+        const std::uint32_t first = (first_tile + static_cast<std::uint32_t>(tile)) * half;
+        const std::uint32_t place = first * golden_step + seeds.before;
+        for (std::uint32_t i = 0; i < half; ++i) {
+            const Pair pair = box_muller(word_at(place + i * golden_step, seeds.between));
+            out[i] = pair.real;
+            out[i + half] = pair.imaginary;
         }
     }
 }
@@ -120,7 +157,8 @@ std::size_t normals(const RandomStream& stream, std::int64_t first, std::size_t 
     constexpr auto tile = static_cast<std::int64_t>(normals_tile);
     const std::int64_t within = (first % tile + tile) % tile;
     const auto from = static_cast<std::size_t>(within);
-    fill_normals(stream, (first - within) / tile, from, from + count, out);
+    fill_normals(seeds_of(stream), static_cast<std::uint32_t>((first - within) / tile),
+                 (from + count + normals_tile - 1) / normals_tile, out);
     return from;
 }
 

@@ -16,22 +16,31 @@ bool turns_lines(const BinningInput& in) {
     return in.motion != nullptr && in.motion->turning.z != 0 && !in.plan.across.empty();
 }
 
-void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines) {
+/// Several sectors at once; nothing else is in those of lines.
+void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines, Workers& workers) {
     if (plan.line_sector.empty() || plan.beams.size() == 1) return;
-    for (std::size_t line = 0; line < plan.lines; ++line)
-        if (const LineBins& row = lines.line(line); !row.empty()) {
+    static_assert(sectors_per_array % sums_at_once == 0);
+    workers.run(sectors_per_array / sums_at_once, [&](std::size_t piece) {
+        thread_local std::vector<WeightedRow> rows;
+        rows.clear();
+        const std::size_t first = piece * sums_at_once, last = first + sums_at_once, bins = lines.stride();
+        std::size_t begin = bins, end = 0;
+        for (std::size_t line = 0; line < plan.lines; ++line) {
             const SectorShare share = plan.line_sector[line];
-            const float* values = lines.line_values(line);
-            lines.sector(share.sector).add(values, 1 - share.next, row.begin(), row.end());
-            lines.sector(share.sector + 1U).add(values, share.next, row.begin(), row.end());
+            const std::size_t own = share.sector, next = own + 1;
+            if (next < first || own >= last) continue;
+            const LineBins& bins_of_line = lines.line(line);
+            WeightedRow row{lines.line_values(line), bins_of_line.begin(), bins_of_line.end(), {}};
+            if (own >= first) row.weights[own - first] = 1 - share.next;
+            if (next < last) row.weights[next - first] = share.next;
+            begin = std::min(begin, row.begin), end = std::max(end, row.end);
+            push(row, lines, bins, rows);
         }
-    for (std::size_t line = 0; lines.steps() > 0 && line < plan.lines; ++line) {
-        const SectorShare share = plan.line_sector[line];
-        const float* from = lines.line_steps(line);
-        float *to = lines.sector_steps(share.sector), *next = lines.sector_steps(share.sector + 1U);
-        for (std::size_t i = 0; i < 2 * lines.steps(); ++i)
-            to[i] += (1 - share.next) * from[i], next[i] += share.next * from[i];
-    }
+        if (rows.empty()) return;
+        sum_rows(rows, nullptr, bins, sums_at_once, lines.sector_values(first));
+        for (std::size_t sector = first; begin < end && sector < last; ++sector)
+            lines.sector(sector).cover(begin, end);
+    });
 }
 
 void BeamSums::sum_turned_sectors(const BinningInput& in, LineSums& lines) const {
@@ -257,7 +266,7 @@ void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<fl
         stretches_ = stretches_of(in, step, lines.steps() > 0);
         sum_turned_sectors(in, lines);
     } else {
-        sum_sectors(plan, lines);
+        sum_sectors(plan, lines, workers);
     }
     if (plan.far_lobes.sectors > 0) sum_nodes(plan.far_lobes, bins, lines, workers);
     const std::size_t beams = plan.beams.size();

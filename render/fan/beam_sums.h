@@ -25,7 +25,7 @@ class BeamSums {
              std::vector<float>& values);
 
   private:
-    void sum_sectors(const FanPlan& plan, LineSums& lines);
+    static void sum_sectors(const FanPlan& plan, LineSums& lines, Workers& workers);
     /// The same of a fan that turns.
     void sum_turned_sectors(const BinningInput& in, LineSums& lines) const;
     void sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines, Workers& workers);

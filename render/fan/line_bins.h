@@ -51,8 +51,7 @@ class LineBins {
 
     /// Adds another row's bins begin..end, times `weight`.
     void add(const float* row, float weight, std::size_t begin, std::size_t end) {
-        begin_ = std::min(begin_, begin);
-        end_ = std::max(end_, end);
+        cover(begin, end);
         for (std::size_t i = begin; i < end; ++i) values_[i] += weight * row[i];
     }
 
@@ -61,6 +60,13 @@ class LineBins {
         begin_ = bins_;
         end_ = 0;
     }
+    /// For who adds to the values itself: bins begin..end - 1 may hold something.
+    void cover(std::size_t begin, std::size_t end) {
+        begin_ = std::min(begin_, begin);
+        end_ = std::max(end_, end);
+    }
+    float* data() { return values_; }
+    std::size_t size() const { return bins_; }
     bool empty() const { return begin_ >= end_; }
     const float* values() const { return values_; }
     std::size_t begin() const { return begin_; }

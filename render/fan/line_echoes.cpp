@@ -92,9 +92,23 @@ std::uint32_t nearest_bits(const Pixel* pixels, std::size_t count) {
 
 /// Number of samples from the first on that show one surface.
 std::size_t alike(const float* surface, std::size_t count) {
+    constexpr std::size_t at_once = 16;
+    const float first = surface[0];
     std::size_t i = 1;
-    while (i < count && surface[i] == surface[0]) ++i;
+    for (; i + at_once <= count; i += at_once) {
+        int others = 0;
+        for (std::size_t k = 0; k < at_once; ++k) others |= static_cast<int>(surface[i + k] != first);
+        if (others != 0) break;
+    }
+    while (i < count && surface[i] == first) ++i;
     return i;
+}
+
+ECHOLOOP_SIMD
+int count_below(const float* values, float limit, std::size_t count) {
+    int below = 0;
+    for (std::size_t i = 0; i < count; ++i) below += values[i] < limit ? 1 : 0;
+    return below;
 }
 
 }  // namespace
@@ -132,6 +146,10 @@ void weigh_by_lobe(const LobeTable& lobe, const LineDirections& line, const floa
                  static_cast<float>(lobe.step), line, weight, static_cast<std::int32_t>(samples), out);
 }
 
+bool any_below(const float* values, float limit, std::size_t samples) {
+    return count_below(values, limit, samples) > 0;
+}
+
 void multiply(const float* factor, std::size_t samples, float* amount) {
     multiply_all(factor, samples, amount);
 }
@@ -142,13 +160,11 @@ void find_places(PixelArrays row, const Extents& extents, BinScale scale, std::s
               out.high.data(), out.slope.data());
 }
 
-void deposit_line(const LineEchoes& echoes, std::size_t samples, LineBins& bins) {
-    LineBins local = bins;  // its limits stay in registers
-    const float *low = echoes.low.data(), *high = echoes.high.data(), *amount = echoes.amount.data(),
-                *slope = echoes.slope.data();
-    for (std::size_t i = 0; i < samples; ++i)
-        if (amount[i] > 0) local.deposit_inline(low[i], high[i], amount[i], slope[i]);
-    bins = local;
+void deposit_line(LineEchoes& echoes, std::size_t samples, LineBins& bins) {
+    const BinStretch covered = echoes.spreader.spread(
+        {echoes.low.data(), echoes.high.data(), echoes.amount.data(), echoes.slope.data()}, samples,
+        bins.size(), bins.data());
+    if (!covered.empty()) bins.cover(covered.begin, covered.end);
 }
 
 float nearest_range(const Pixel* pixels, std::size_t samples) {

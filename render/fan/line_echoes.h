@@ -8,12 +8,14 @@
 
 #include "render/fan/line_bins.h"
 #include "render/fan/pixel_rows.h"
+#include "render/fan/spread_echoes.h"
 
 namespace echoloop {
 
 /// Where a line's echoes lie: as LineBins::deposit() takes them, one of each per sample.
 struct LineEchoes {
     std::vector<float> low, high, amount, slope;
+    EchoSpreader spreader;
 
     void resize(std::size_t samples);
 };
@@ -39,6 +41,8 @@ struct LineDirections {
 /// symmetry.
 void weigh_by_lobe(const LobeTable& lobe, const LineDirections& line, const float* weight,
                    std::size_t samples, float* out);
+/// Whether any of the values is.
+bool any_below(const float* values, float limit, std::size_t samples);
 /// amount *= factor.
 void multiply(const float* factor, std::size_t samples, float* amount);
 /// Fills low, high and slope. Along a plane seen at grazing incidence the solid angle of a slice of range
@@ -46,7 +50,7 @@ void multiply(const float* factor, std::size_t samples, float* amount);
 void find_places(PixelArrays row, const Extents& extents, BinScale scale, std::size_t samples,
                  LineEchoes& out);
 /// Adds all of them to the bins.
-void deposit_line(const LineEchoes& echoes, std::size_t samples, LineBins& bins);
+void deposit_line(LineEchoes& echoes, std::size_t samples, LineBins& bins);
 
 /// m, the nearest of `samples` pixels with a surface; infinity: there is none.
 float nearest_range(const Pixel* pixels, std::size_t samples);

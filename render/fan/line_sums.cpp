@@ -1,6 +1,9 @@
 #include "render/fan/line_sums.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "render/fan/far_lobes.h"
@@ -32,6 +35,7 @@ class RangeScale {
 
     float bin(float range) const { return range * per_metre - start_; }
     bool is_near(float range) const { return range < near_limit_; }
+    float near_limit() const { return near_limit_; }
     BinScale scale() const { return {per_metre, start_}; }
     /// `length`: bins, over which the echo is spread.
     float correction(float range, float length) const {
@@ -60,7 +64,6 @@ struct SurfaceSteps {
 };
 
 SurfaceSteps surface_steps(const BinningInput& in, float* steps) {
-    if (steps == nullptr) return {};
     const RangeSteps& of = in.water->steps();
     return {in.water->surface_number(), LineBins(steps + of.count, of.count),
             1 / static_cast<float>(of.bins)};
@@ -90,6 +93,7 @@ void find_amounts(const BinningInput& in, Amount amount, const PixelRow& row, co
 
 /// Close to the sonar the gain of a whole bin leaves something out.
 void correct_near(const RangeScale& scale, const float* range, std::size_t samples, LineEchoes& echoes) {
+    if (!any_below(range, scale.near_limit(), samples)) return;
     for (std::size_t i = 0; i < samples; ++i)
         if (scale.is_near(range[i]) && echoes.amount[i] > 0)
             echoes.amount[i] *= scale.correction(range[i], echoes.high[i] - echoes.low[i]);
@@ -143,7 +147,7 @@ void LineSums::resize(std::size_t lines, std::size_t sectors, std::size_t bins, 
         return;
     }
     bins_ = bins, steps_ = steps;
-    values_.assign((lines + sectors) * stride(), 0.0F);
+    values_.assign((lines + sectors) * stride() + bins_at_once, 0.0F);
     lines_.clear(), sectors_.clear();
     for (std::size_t i = 0; i < lines; ++i) lines_.emplace_back(&values_[i * stride()], bins);
     for (std::size_t i = 0; i < sectors; ++i) sectors_.emplace_back(&values_[(lines + i) * stride()], bins);
@@ -151,14 +155,15 @@ void LineSums::resize(std::size_t lines, std::size_t sectors, std::size_t bins, 
 
 void LineReader::read_alone(const BinningInput& in, const View& view, std::size_t line) {
     restart();
-    load(rows_[1], in, view, line);
+    meets_water_ = load(rows_[1], in, view, line);
 }
 
-void LineReader::load(PixelRow& row, const BinningInput& in, const View& view, std::size_t line) const {
+bool LineReader::load(PixelRow& row, const BinningInput& in, const View& view, std::size_t line) {
     PlaneOfLine plane;
     const bool has_plane = in.water != nullptr && in.water->find_plane(view, line, in.offset.of(view), plane);
     row.load(&in.pixels[(view.first_line + line) * in.plan.samples], view.samples, end_of(in),
              has_plane ? &plane : nullptr);
+    return has_plane;
 }
 
 void LineReader::read(const BinningInput& in, const View& view, std::size_t line) {
@@ -233,50 +238,78 @@ void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, 
     if (const float* focus = focus_of(in, view, line); focus != nullptr && is_echo(amount))
         multiply(focus, samples, echoes.amount.data());
     deposit_line(echoes, samples, bins);
+    if (steps == nullptr || !reader.meets_water()) return;
     SurfaceSteps water = surface_steps(in, steps);
-    for (std::size_t i = 0; steps != nullptr && i < samples; ++i)
+    for (std::size_t i = 0; i < samples; ++i)
         if (row.surface()[i] == water.number && echoes.amount[i] > 0)
             water.deposit(echoes.low[i], echoes.high[i], echoes.amount[i]);
 }
 
 namespace {
 
+/// What sectors hear of a pixel.
+struct Shares {
+    /// Of a sector, and of the next one.
+    struct Share {
+        std::size_t sector;
+        float own, next;
+    };
+    std::array<Share, 4> of;
+    std::size_t count = 0;
+
+    /// Calls add(sector, share) for each.
+    template <typename Add>
+    void each(const Add& add) const {
+        for (const Share& share : std::span(of).first(count)) {
+            if (share.own != 0) add(share.sector, share.own);
+            if (share.next != 0) add(share.sector + 1, share.next);
+        }
+    }
+};
+
 /// Shares the echo of a surround pixel out to the sectors on both sides of where it was sampled.
 class SectorSums {
   public:
     SectorSums(const FanPlan& plan, PixelOffset offset)
-        : plan_(plan), line_(static_cast<float>(offset.line)), sample_(static_cast<float>(offset.sample)) {}
+        : line_(static_cast<float>(offset.line)),
+          sample_(static_cast<float>(offset.sample)),
+          single_(plan.beams.size() == 1) {}
 
     /// Among the sectors, where the pixel was sampled.
     float place(const SurroundPixel& pixel) const { return pixel.sector.at(line_, sample_); }
 
-    /// Calls add(sector, value) for each that hears of it. What is heard from where the level views look, but
-    /// was sent beside, is heard in main lobes, too, as what lies above and below.
-    template <typename Add>
-    void share(const SurroundPixel& pixel, float strength, const Turned& turned, const Add& add) const {
-        const float beside = strength * pixel.beside.at(line_, sample_);
-        const float off_plane = strength * pixel.off_plane.at(line_, sample_);
-        const auto both = [&](SectorKind kind, double to, float value) {
-            split(sector_at_place(plan_, kind, to), turned.far * value, add);
-            if (turned.ahead != 0 && kind == SectorKind::off_plane)
-                split(sector_at_place(plan_, SectorKind::ahead, to), turned.ahead * value, add);
+    /// Of an echo of strength 1. What is heard from where the level views look, but was sent beside, is heard
+    /// in main lobes, too, as what lies above and below.
+    Shares shares(const SurroundPixel& pixel, const Turned& turned) const {
+        Shares out;
+        const float beside = pixel.beside.at(line_, sample_), off_plane = pixel.off_plane.at(line_, sample_);
+        if (single_) {
+            out.of[out.count++] = {0, beside + off_plane, 0};
+            return out;
+        }
+        constexpr auto last = static_cast<float>(sectors_per_array - 2);
+        const float at = place(pixel) + turned.sectors, inside = std::clamp(at, 0.0F, last);
+        const auto sector = static_cast<std::int32_t>(inside);
+        const float next = std::clamp(at - static_cast<float>(sector), 0.0F, 1.0F);
+        const auto add = [&](SectorKind kind, float heard) {
+            const std::size_t first = static_cast<std::size_t>(kind) * sectors_per_array;
+            if (heard != 0)
+                out.of[out.count++] = {first + static_cast<std::size_t>(sector), heard * (1 - next),
+                                       heard * next};
         };
-        if (plan_.beams.size() == 1) return add(0, beside + off_plane);
-        const auto at = static_cast<double>(place(pixel) + turned.sectors);
-        const SectorKind aside = turned.inside ? SectorKind::off_plane : SectorKind::beside;
-        if (beside > 0) both(aside, at, beside);
-        if (off_plane > 0) both(SectorKind::off_plane, at, off_plane);
+        const auto both = [&](SectorKind kind, float heard) {
+            if (!(heard > 0)) return;
+            add(kind, turned.far * heard);
+            if (kind == SectorKind::off_plane) add(SectorKind::ahead, turned.ahead * heard);
+        };
+        both(turned.inside ? SectorKind::off_plane : SectorKind::beside, beside);
+        both(SectorKind::off_plane, off_plane);
+        return out;
     }
 
   private:
-    template <typename Add>
-    static void split(SectorShare to, float value, const Add& add) {
-        if (to.next < 1) add(to.sector, value * (1 - to.next));
-        if (to.next > 0) add(to.sector + 1U, value * to.next);
-    }
-
-    const FanPlan& plan_;
     const float line_, sample_;
+    const bool single_;
 };
 
 }  // namespace
@@ -300,17 +333,19 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
                step = static_cast<float>(view.sample_height());
     const double x = view.x(static_cast<double>(line) + 0.5 + in.offset.surround.line);
     const float water_surface = under_way.empty() ? -1 : in.water->surface_number();
+    const float per_bin = under_way.empty() ? 0 : 1 / static_cast<float>(in.water->steps().bins);
     const auto rise = under_way.empty() ? Reverberation::Rise({}, 0) : in.water->rise(view, x);
     for (std::size_t i = 0; i < view.samples; ++i) {
+        if (weight[i] == 0) continue;
         const SurroundPixel& pixel = pixels[i];
         const float surface = row.surface()[i], range = row.range()[i];
-        if (!under_way.empty() && weight[i] != 0) {
+        Shares heard = sectors.shares(pixel, {});
+        if (!under_way.empty()) {
             const float end = surface != 0 ? in.water->place(range) : nowhere;
             const float sine = in.water->by_depth() ? rise.at(top - static_cast<float>(i) * step) : 0;
-            sectors.share(pixel, 1, {},
-                          [&](std::size_t s, float heard) { under_way[s].add(end, sine, heard); });
+            heard.each([&](std::size_t s, float share) { under_way[s].add(end, sine, share); });
         }
-        if (surface == 0 || weight[i] == 0) continue;
+        if (surface == 0) continue;
         if (only_wanted && !is_wanted(in, surface)) continue;
         const float near = scale.bin(reader.extents.near[i]), far = scale.bin(reader.extents.far[i]);
         const float cosine = std::min(row.cosine()[i], 1.0F);
@@ -318,13 +353,19 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
                          scale.correction(range, far - near);
         if (focus != nullptr) strength *= focus[i];
         if (moves) strength *= reader.weights[i];
-        Turned turned;
-        if (turning.turns()) turned = turning.at(i, range, sectors.place(pixel)), strength *= turned.kept;
-        sectors.share(pixel, strength, turned, [&](std::size_t s, float value) {
-            sums.sector(s).deposit(near, far, value);
-            if (surface == water_surface) surface_steps(in, sums.sector_steps(s)).deposit(near, far, value);
+        if (turning.turns()) {
+            const Turned turned = turning.at(i, range, sectors.place(pixel));
+            strength *= turned.kept;
+            heard = sectors.shares(pixel, turned);
+        }
+        heard.each([&](std::size_t s, float share) {
+            reader.of_sectors.add(s, near, far, share * strength);
+            if (surface == water_surface)
+                reader.of_surface.add(s, near * per_bin, far * per_bin, share * strength);
         });
     }
+    reader.of_sectors.deposit(sums);
+    reader.of_surface.deposit_in_steps(sums);
 }
 
 }  // namespace echoloop

@@ -2,6 +2,7 @@
 // Owns the scratch memory of one kind of sum; knows no beams.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "render/fan/bin_gain.h"
@@ -9,6 +10,7 @@
 #include "render/fan/line_echoes.h"
 #include "render/fan/pixel_rows.h"
 #include "render/fan/reverberation.h"
+#include "render/fan/sector_echoes.h"
 #include "render/fan/spreads.h"
 
 namespace echoloop {
@@ -20,6 +22,7 @@ class LineSums {
     LineBins& line(std::size_t i) { return lines_[i]; }
     LineBins& sector(std::size_t i) { return sectors_[i]; }
     const float* line_values(std::size_t i) const { return &values_[i * stride()]; }
+    float* sector_values(std::size_t i) { return &values_[(lines_.size() + i) * stride()]; }
     const float* sector_values(std::size_t i) const { return &values_[(lines_.size() + i) * stride()]; }
 
     std::size_t steps() const { return steps_; }
@@ -45,6 +48,8 @@ class LineReader {
     /// Forgets what it has read; before other pixels.
     void restart() { next_ = no_line; }
     const PixelRow& row() const { return rows_[1]; }
+    /// Whether the line that read_alone() has read may show the water's surface.
+    bool meets_water() const { return meets_water_; }
     /// The lines on both sides, at a view's edge the line itself.
     const PixelRow& before() const { return first_ ? rows_[1] : rows_[0]; }
     const PixelRow& after() const { return last_ ? rows_[1] : rows_[2]; }
@@ -53,15 +58,17 @@ class LineReader {
     std::vector<float> weights;  ///< of the line's samples, where they are not those of the plan
     std::vector<float> closing;  ///< m/s, of the line's samples, where something moves
     LineEchoes echoes;           ///< of the line's samples
+    SectorEchoes of_sectors;     ///< of a surround line's samples
+    SectorEchoes of_surface;     ///< of those that show the water's surface, in steps
     UnderWay under_way;          ///< what of the line no surface has met
 
   private:
-    void load(PixelRow& row, const BinningInput& in, const View& view, std::size_t line) const;
+    static bool load(PixelRow& row, const BinningInput& in, const View& view, std::size_t line);
 
     static constexpr std::size_t no_line = static_cast<std::size_t>(-1);
     PixelRow rows_[3];
     std::size_t next_ = no_line;  ///< image line that rows_[2] holds
-    bool first_ = true, last_ = true;
+    bool first_ = true, last_ = true, meets_water_ = false;
 };
 
 /// What a pixel adds for each rule, before the gain of its bin.

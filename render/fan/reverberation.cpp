@@ -146,24 +146,25 @@ void UnderWay::reset_alike(const Reverberation& water) {
     met_.assign(row_, 0.0F);
 }
 
-/// Neighbours mostly end in one step, so sums stay in registers as long as they do.
+/// Neighbours mostly end in one step, and a sum waits for the one before: so they take turns in a few rows.
 void UnderWay::add(const Reverberation& water, const float* range, const float* surface, const float* weight,
                    std::size_t count) {
     ends_.resize(count), within_.resize(count), before_.resize(count);
     find_steps(water.scale(), range, surface, weight, static_cast<float>(row_ - 1), count, ends_.data(),
                within_.data(), before_.data());
-    int step = 1;
-    float within = 0, before = 0;
-    const auto flush = [&] {
-        met_[static_cast<std::size_t>(step)] += within;
-        met_[static_cast<std::size_t>(step) - 1] += before;
-        within = before = 0;
-    };
+    turns_.assign(turns * row_, {});
     for (std::size_t i = 0; i < count; ++i) {
-        if (ends_[i] != step) flush(), step = ends_[i];
-        within += within_[i], before += before_[i];
+        Met& met = turns_[i % turns * row_ + static_cast<std::size_t>(ends_[i])];
+        met.within += within_[i], met.before += before_[i];
     }
-    flush();
+    for (std::size_t step = 1; step < row_; ++step) {
+        Met sum;
+        for (std::size_t turn = 0; turn < turns; ++turn) {
+            const Met& met = turns_[turn * row_ + step];
+            sum.within += met.within, sum.before += met.before;
+        }
+        met_[step] += sum.within, met_[step - 1] += sum.before;
+    }
 }
 
 void UnderWay::scatter(const Reverberation& water, float* steps) {

@@ -139,6 +139,12 @@ class UnderWay {
     std::vector<float> met_;              ///< cells x (steps + 2), by where directions end
     std::vector<std::int32_t> ends_;      ///< of the row at hand
     std::vector<float> within_, before_;  ///< the same
+    /// Of the directions that end in a step, what counts there and in the one before.
+    struct Met {
+        float within = 0, before = 0;
+    };
+    static constexpr std::size_t turns = 4;
+    std::vector<Met> turns_;  ///< turns x (steps + 2)
 };
 
 /// Takes apart what was summed in rows of bins and, behind them, steps of volume and of surface echo:

@@ -18,14 +18,16 @@ using Vector4 [[maybe_unused]] = float __attribute__((vector_size(16)));
 using Vector8 [[maybe_unused]] = float __attribute__((vector_size(32)));
 using Vector16 [[maybe_unused]] = float __attribute__((vector_size(64)));
 
-/// Sums the bins of whole tiles, of `across` vectors each, and gives their number. `Vector` is no wider than
-/// the processor's, and the sums of a tile fit into its registers: where either is not so, the compiler keeps
-/// the sums in memory, and the loop takes three times as long.
+/// Sums the bins in tiles of `across` vectors each; the last tile ends with the last bin, and does again what
+/// it shares with the one before. Gives the number of bins, or 0 where there is no tile. `Vector` is no wider
+/// than the processor's, and the sums of a tile fit into its registers: where either is not so, the compiler
+/// keeps the sums in memory, and the loop takes three times as long.
 template <class Vector, std::size_t across>
 ECHOLOOP_INLINE std::size_t sum_tiles_of(const Sums& in) {
     constexpr std::size_t lanes = sizeof(Vector) / sizeof(float), tile = across * lanes;
-    std::size_t at = 0;
-    for (; at + tile <= in.bins; at += tile) {
+    if (in.bins < tile) return 0;
+    for (std::size_t next = 0; next < in.bins; next += tile) {
+        const std::size_t at = next + tile <= in.bins ? next : in.bins - tile;
         Vector sum[sums_at_once][across] = {};
         for (const WeightedRow& row : in.rows) {
             if (row.end <= at || row.begin >= at + tile) continue;
@@ -48,7 +50,7 @@ ECHOLOOP_INLINE std::size_t sum_tiles_of(const Sums& in) {
             }
         }
     }
-    return at;
+    return in.bins;
 }
 
 #ifdef ECHOLOOP_SIMD_VERSIONS

@@ -62,7 +62,7 @@ TEST(PingMotion, ABeamLooksElsewhereWhenTheEchoComes) {
     for (const auto& [range, degrees] : turned) {
         Renderer renderer(target(range), test::water_of(c), patterned());
         EXPECT_NEAR(bearing_of(renderer, imaging(range), yawing, 1), degrees, 0.02) << range;
-        EXPECT_NEAR(bearing_of(renderer, imaging(range), {}, 1), 0, 1e-6) << range;
+        EXPECT_NEAR(bearing_of(renderer, imaging(range), {}, 1), 0, 1e-5) << range;  // deg, of sums of floats
     }
 }
 
