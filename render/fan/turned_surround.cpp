@@ -87,7 +87,10 @@ TurnedSurround::TurnedSurround(const BinningInput& in, const View& view, std::si
     first_slope_ = std::tan(first), last_slope_ = std::tan(last);
     const View& level = plan_->views.front();
     edge_ = std::atan(level.top * std::cos(std::atan(level.right)));
-    width_ = view.line_width() * view.usual_width;
+    width_ = view.line_width() * view.usual_width, top_ = std::sin(edge_);
+    constexpr double flat = 3;  // pixels
+    flat_ = !plan_->far_upwards.empty() && plan_->geometry.fan_height < flat * width_;
+    level_ = forward_ - view.x(line_ + 0.5 + offset_.line) * port_;
 }
 
 /// In pixels of the view, 1 long.
@@ -96,19 +99,19 @@ Vec3 TurnedSurround::along(double line, double sample) const {
     return 1 / norm(d) * d;
 }
 
-/// Where a pixel is wider than what changes within it.
-bool TurnedSurround::is_beside_level_views(Vec3 sent) const {
+/// Above and below the main lobe, where the surround takes over early, of beams that are not much higher than
+/// a pixel: there both lobes change within it. Beside it the level views reach farther.
+bool TurnedSurround::is_over_main_lobe(Vec3 sent) const {
     constexpr double pixels = 2;
-    const double beside = pixels * width_;
-    if (std::abs(sent.z) > std::sin(edge_) + beside) return false;
-    return plan_->geometry.bearings.size() > 1 ||
-           (-sent.y > first_slope_ * sent.x - beside && -sent.y < last_slope_ * sent.x + beside);
+    if (!flat_ || std::abs(sent.z) > top_ + pixels * width_) return false;
+    return plan_->geometry.bearings.size() > 1 || (-sent.y > first_slope_ * sent.x - pixels * width_ &&
+                                                   -sent.y < last_slope_ * sent.x + pixels * width_);
 }
 
 /// What the level views leave of a direction, as the plan of the surround has it.
 double TurnedSurround::left_by_level_views(Vec3 sent) const {
     const bool ahead = -sent.y >= first_slope_ * sent.x && -sent.y <= last_slope_ * sent.x;
-    if (!ahead || std::abs(sent.z) >= std::sin(edge_)) return 1;
+    if (!ahead || std::abs(sent.z) >= top_) return 1;
     return 1 - level_share_at(edge_, std::asin(sent.z));
 }
 
@@ -146,13 +149,13 @@ std::optional<float> TurnedSurround::kept_of_pixel(std::size_t sample, Vec3 turn
 Turned TurnedSurround::at(std::size_t sample, float range, float sector) const {
     const FanGeometry& g = plan_->geometry;
     const Vec3 turned = static_cast<double>(range) * per_range_;
-    const Vec3 sent = along(line_ + 0.5 + offset_.line, static_cast<double>(sample) + 0.5 + offset_.sample),
-               seen = sent - cross(turned, sent);
+    const Vec3 middle = level_ + view_->y(static_cast<double>(sample) + 0.5 + offset_.sample) * up_,
+               sent = 1 / norm(middle) * middle, seen = sent - cross(turned, sent);
     const double s = -sent.y, s2 = -seen.y, u = sent.z, u2 = seen.z;
     const auto f = [](double value) { return static_cast<float>(value); };
     const bool piston = g.bearings.size() == 1 && g.vertical.shape == ApertureShape::piston;
     Turned out;
-    const auto exact = is_beside_level_views(sent) ? kept_of_pixel(sample, turned) : std::nullopt;
+    const auto exact = is_over_main_lobe(sent) ? kept_of_pixel(sample, turned) : std::nullopt;
     if (exact)
         out.kept = *exact;
     else if (piston)

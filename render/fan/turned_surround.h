@@ -34,7 +34,7 @@ class TurnedSurround {
 
   private:
     Vec3 along(double line, double sample) const;
-    bool is_beside_level_views(Vec3 sent) const;
+    bool is_over_main_lobe(Vec3 sent) const;
     double left_by_level_views(Vec3 sent) const;
     double both_lobes(Vec3 sent, Vec3 seen) const;
     std::optional<float> kept_of_pixel(std::size_t sample, Vec3 turned) const;
@@ -44,10 +44,12 @@ class TurnedSurround {
     const View* view_ = nullptr;
     double line_ = 0;
     PixelOffset offset_;
-    Vec3 forward_, port_, up_, per_range_;       ///< of the array's frame; rad per m
-    double first_sector_ = 0, last_sector_ = 0;  ///< between which level views look
-    double first_slope_ = 0, last_slope_ = 0;    ///< the same, starboard over ahead
-    double edge_ = 0, width_ = 0;                ///< rad, half their height; of a pixel
+    Vec3 forward_, port_, up_, level_, per_range_;  ///< of the array's frame; rad per m
+    double first_sector_ = 0, last_sector_ = 0;     ///< between which level views look
+    double first_slope_ = 0, last_slope_ = 0;       ///< the same, starboard over ahead
+    double edge_ = 0, top_ = 0;                     ///< rad, half their height; its sine
+    double width_ = 0;                              ///< of a pixel, in the image plane
+    bool flat_ = false;                             ///< beams are not much higher than that
 };
 
 }  // namespace echoloop
