@@ -206,11 +206,16 @@ BentRay RayTable::at(double distance, double below) const {
                fy = static_cast<float>(y - static_cast<double>(row));
     const auto* upper = &cells_[row * columns + column];
     const auto* lower = upper + columns;
-    std::array<double, 4> all{};
-    for (std::size_t i = 0; i < 4; ++i)
-        all[i] = static_cast<double>(
-            std::lerp(std::lerp(upper[0][i], upper[1][i], fx), std::lerp(lower[0][i], lower[1][i], fx), fy));
-    return {all[0], all[1], all[2], all[3]};
+    std::array<float, 4> all;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float above = upper[0][i] + fx * (upper[1][i] - upper[0][i]),
+                    under = lower[0][i] + fx * (lower[1][i] - lower[0][i]);
+        all[i] = above + fy * (under - above);
+    }
+    // May be infinite.
+    all[3] = std::lerp(std::lerp(upper[0][3], upper[1][3], fx), std::lerp(lower[0][3], lower[1][3], fx), fy);
+    return {static_cast<double>(all[0]), static_cast<double>(all[1]), static_cast<double>(all[2]),
+            static_cast<double>(all[3])};
 }
 
 /// As cells are, so beyond the ends as between the last rows.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -43,19 +44,23 @@ class RayTable {
     class FocusTable {
       public:
         FocusTable(const float* all, float per_metre) : all_(all), per_metre_(per_metre) {}
-        ECHOLOOP_INLINE float at(float up, float length) const {
+        ECHOLOOP_INLINE std::int32_t place(float up, float length) const {
             const float row = (up + 1) * (0.5F * (focus_rows - 1)), column = length * per_metre_;
             const auto r = static_cast<int>(row + 0.5F),
                        c = static_cast<int>(std::min(column, focus_columns - 1.F) + 0.5F);
-            return all_[r * focus_columns + c];
+            return r * focus_columns + c;
         }
+        float operator[](std::int32_t place) const { return all_[place]; }
 
       private:
         const float* all_;
         float per_metre_;
     };
     FocusTable focus_table() const { return {focus_.data(), focus_per_metre_}; }
-    float focus(float up, float length) const { return focus_table().at(up, length); }
+    float focus(float up, float length) const {
+        const FocusTable table = focus_table();
+        return table[table.place(up, length)];
+    }
     /// Whether that differs from 1 by more than 2 % anywhere within the range.
     bool focuses() const { return focuses_; }
 

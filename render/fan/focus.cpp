@@ -1,6 +1,7 @@
 #include "render/fan/focus.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "render/simd.h"
 
@@ -13,13 +14,12 @@ struct FocusLine {
 };
 
 ECHOLOOP_SIMD
-void find_in_line(const FocusLine line, const RayTable::FocusTable table, const Pixel* __restrict pixels,
-                  int count, float* __restrict focus) {
+void find_focus_places(const FocusLine line, const RayTable::FocusTable table, const Pixel* __restrict pixels,
+                       int count, std::int32_t* __restrict places) {
     for (int i = 0; i < count; ++i) {
         const float y = line.top - static_cast<float>(i) * line.step;
         const float up = (line.base + y * line.up) / std::sqrt(line.square + y * y);
-        const float there = table.at(up, pixels[i].range);
-        focus[i] = pixels[i].surface == 0 ? 1.0F : there;
+        places[i] = table.place(up, pixels[i].range);
     }
 }
 
@@ -28,6 +28,8 @@ void find_in_line(const FocusLine line, const RayTable::FocusTable table, const 
 void find_focus(const Picture& picture, const SampleOffsets& offset, const Pose& world_from_fan,
                 const RayTable& rays, std::span<const Pixel> pixels, std::vector<float>& focus) {
     focus.resize(picture.image_lines * picture.samples);
+    const RayTable::FocusTable table = rays.focus_table();
+    std::vector<std::int32_t> places(picture.samples);
     for (const View& view : picture.views) {
         const Quat q = world_from_fan.orientation * view.fan_from_view();
         const auto up_of = [&](Vec3 axis) { return static_cast<float>(rotate(q, axis).z); };
@@ -38,8 +40,10 @@ void find_focus(const Picture& picture, const SampleOffsets& offset, const Pose&
         for (std::size_t line = 0; line < view.lines; ++line) {
             const auto x = static_cast<float>(view.x(static_cast<double>(line) + 0.5 + moved.line));
             const std::size_t first = (view.first_line + line) * picture.samples;
-            find_in_line({ahead + x * starboard, up, 1 + x * x, top, step}, rays.focus_table(),
-                         &pixels[first], static_cast<int>(view.samples), &focus[first]);
+            find_focus_places({ahead + x * starboard, up, 1 + x * x, top, step}, table, &pixels[first],
+                              static_cast<int>(view.samples), places.data());
+            for (std::size_t i = 0; i < view.samples; ++i)
+                focus[first + i] = pixels[first + i].surface == 0 ? 1.0F : table[places[i]];
         }
     }
 }

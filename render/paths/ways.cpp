@@ -91,15 +91,18 @@ double PathPing::lift(Vec3 direction, double length, bool by_surface) const {
     return (by_surface ? images->line(elevation, length) : line_to(*rays, elevation, length)) - elevation;
 }
 
-/// A bent ray is taken for the cubic that leaves and arrives as it does, in pieces.
+/// A bent ray is taken for the cubic that leaves and arrives as it does, in pieces that stray from it by a
+/// centimetre at most, or in eight.
 bool PathPing::hidden(Vec3 point) const {
     if (rays == nullptr) return space.blocked(sonar, point);
-    constexpr int pieces = 8;
+    constexpr double stray = 0.01;  // m
     const Vec3 line = point - sonar;
     const double length = norm(line), across = std::hypot(line.x, line.y);
     const BentRay ray = rays->at(across, -line.z);
     const Vec3 ahead = across > 0 ? 1 / across * Vec3{line.x, line.y, 0} : Vec3{};
     const Vec3 upwards = 1 / length * (across * Vec3{0, 0, 1} - line.z * ahead);
+    const double sag = length / 8 * (std::abs(std::tan(ray.turn)) + std::abs(std::tan(ray.turn + ray.bow)));
+    const int pieces = static_cast<int>(std::ceil(std::clamp(std::sqrt(sag / stray), 1.0, 8.0)));
     Vec3 from = sonar;
     for (int piece = 1; piece <= pieces; ++piece) {
         const double s = static_cast<double>(piece) / pieces;

@@ -20,6 +20,23 @@ ECHOLOOP_INLINE Four load(const float* from) {
 }
 ECHOLOOP_INLINE void store(Four all, float* to) { __builtin_memcpy(to, &all, sizeof all); }
 
+/// Whether a ray's sine of elevation is within `low`..`high`.
+ECHOLOOP_SIMD
+bool any_between(const ViewAxes axes, const float* __restrict x_of, const float* __restrict y_of,
+                 const float low, const float high) {
+    int any = 0;
+    for (std::size_t i = 0; i < packet_rays; ++i) {
+        const float x = x_of[i], y = y_of[i];
+        const float dz = axes.starboard[2] * x + axes.up[2] * y + axes.forward[2];
+        const float square = x * x + y * y + 1, signed_square = dz * std::abs(dz);
+        any |=
+            signed_square >= low * std::abs(low) * square && signed_square <= high * std::abs(high) * square
+                ? 1
+                : 0;
+    }
+    return any != 0;
+}
+
 ECHOLOOP_SIMD
 void launch_all(const ViewAxes axes, const float* __restrict x_of, const float* __restrict y_of,
                 float* __restrict ahead_x, float* __restrict ahead_y, float* __restrict rise,
@@ -96,14 +113,28 @@ void gather_arcs(const RayChains::Chord* chords, const RayChains::Arc* arcs,
                  float* __restrict share, float* __restrict above, float* __restrict turn,
                  float* __restrict spread) {
     for (int i = 0; i < count; ++i) {
-        const RayChains::Arc* arc = arcs + chords[chord[i]].arc;
-        while (arc[1].part[0] > 0 && share[i] > arc[1].part[0] + rise[i] * arc[1].part_slope[0]) ++arc;
+        const RayChains::Chord& c = chords[chord[i]];
+        const RayChains::Arc* arc = arcs + c.arc;
+        if (share[i] > c.second_arc + rise[i] * c.second_arc_slope) {
+            ++arc;
+            while (arc[1].part[0] > 0 && share[i] > arc[1].part[0] + rise[i] * arc[1].part_slope[0]) ++arc;
+        }
         const Four part = load(arc->part.data()) + rise[i] * load(arc->part_slope.data());
-        const float own = (share[i] - part[0]) / part[1];
+        const float own = (share[i] - part[0]) * part[1];
         share[i] = own, above[i] = part[2] + own * part[3];
         store(load(arc->turn.data()) + rise[i] * load(arc->turn_slope.data()), turn + 4 * i);
         store(load(arc->spread.data()) + own * load(arc->spread_growth.data()), spread + 4 * i);
     }
+}
+
+/// Of angles below a radian, by their series.
+ECHOLOOP_INLINE float sine_of(float angle) {
+    const float q = angle * angle;
+    return angle * (1 - q * (1 / 6.0F - q * (1 / 120.0F)));
+}
+ECHOLOOP_INLINE float cosine_of(float angle) {
+    const float q = angle * angle;
+    return 1 - q * (0.5F - q * (1 / 24.0F - q * (1 / 720.0F)));
 }
 
 ECHOLOOP_SIMD
@@ -118,15 +149,13 @@ void straighten_all(const ViewAxes axes, const float x_image, const float* __res
                     dy = axes.starboard[1] * x_image + axes.up[1] * y + axes.forward[1],
                     dz = axes.starboard[2] * x_image + axes.up[2] * y + axes.forward[2];
         const float level = std::sqrt(dx * dx + dy * dy), unit = 1 / std::sqrt(x_image * x_image + y * y + 1);
-        const float ahead_x = dx / std::max(level, 1e-12F), ahead_y = dy / std::max(level, 1e-12F);
+        const float inverse = 1 / std::max(level, 1e-12F), ahead_x = dx * inverse, ahead_y = dy * inverse;
         const float cosine = level * unit, sine = dz * unit;
         const float bow_begin = turn[4 * i], more_bow = turn[4 * i + 1], length_begin = turn[4 * i + 2],
                     own_length = turn[4 * i + 3];
         const float width = spread[4 * i], beside = spread[4 * i + 1], speed = spread[4 * i + 2],
                     uneven = spread[4 * i + 3];
-        const float bow = bow_begin + share * more_bow, q = bow * bow;
-        const float s = bow * (1 - q * (1 / 6.0F - q * (1 / 120.0F))),
-                    c = 1 - q * (0.5F - q * (1 / 24.0F - q * (1 / 720.0F)));
+        const float bow = bow_begin + share * more_bow, s = sine_of(bow), c = cosine_of(bow);
         const float ray_cosine = cosine * c - sine * s, ray_sine = sine * c + cosine * s;
         const float rest = share * (1 - share), chord = own_length * speed;
         const float sag = 0.5F * chord * more_bow * rest - above[i];
@@ -137,35 +166,39 @@ void straighten_all(const ViewAxes axes, const float x_image, const float* __res
                     p_across = p_up * ray_cosine - p_ahead * ray_sine;
         constexpr float most_slip = 16;
         const float wide = most_slip * std::abs(sag);
-        const float slip = std::min(std::max(sag * p_across / p_ray, -wide), wide);
+        const float slip = std::min(std::max(sag * p_across / (p_ray * speed), -wide), wide);
         // Time goes faster where sound is slower.
-        const float length = length_begin + own_length * (share + uneven * rest) + slip / speed;
+        const float length = length_begin + own_length * (share + uneven * rest) + slip;
         const float q_ray = p_ray * speed, q_across = p_across * width / length, q_beside = p_beside * beside;
         const float q_ahead = q_ray * cosine - q_across * sine;
         px_of[i] = q_ahead * ahead_x - q_beside * ahead_y;
         py_of[i] = q_ahead * ahead_y + q_beside * ahead_x;
         pz_of[i] = q_ray * sine + q_across * cosine;
 
+        // The direction where the arc, not the chord, meets the plane.
+        const float bow_there = bow + more_bow * std::min(std::max(slip / own_length, -1.0F), 1.0F),
+                    turn_s = sine_of(bow_there), turn_c = cosine_of(bow_there);
         const float n_ahead = nx_of[i] * ahead_x + ny_of[i] * ahead_y, n_up = nz_of[i];
-        const float turned = n_ahead * (c - 1) + n_up * s;
+        const float turned = n_ahead * (turn_c - 1) + n_up * turn_s;
         nx_of[i] += turned * ahead_x, ny_of[i] += turned * ahead_y;
-        nz_of[i] = n_up * c - n_ahead * s;
+        nz_of[i] = n_up * turn_c - n_ahead * turn_s;
         depth[i] = length * unit;
     }
 }
 
 }  // namespace
 
-bool launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, float near,
+bool all_straight(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains) {
+    return !any_between(axes, x, y, chains.lowest_bent(), chains.highest_bent());
+}
+
+void launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, float near,
             BentRays& rays) {
     launch_all(axes, x, y, rays.ahead_x.data(), rays.ahead_y.data(), rays.rise.data(), rays.chord.data());
-    std::int32_t bends = 0;
     for (std::size_t lane = 0; lane < packet_rays; ++lane) {
         const RayChains::Row row = *chains.row(rays.chord[lane]);
         rays.chord[lane] = row.first, rays.from[lane] = near * row.inverse_length;
-        bends |= row.bends;
     }
-    return bends != 0;
 }
 
 void find_chords(const RayChains& chains, std::span<BentRays* const> rays, const float* eye, float reach,

@@ -28,8 +28,11 @@ struct Chords {
     float *x, *y, *z, *to_x, *to_y, *to_z, *begin, *end;
 };
 
-/// Rays through the places `x` and `y` of the image plane, `near` m off. Whether any of them bends.
-bool launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, float near,
+/// Whether the rays through the places `x` and `y` of the image plane leave steeper than all that bend.
+bool all_straight(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains);
+
+/// Rays through those places, from `near` m off.
+void launch(const ViewAxes& axes, const float* x, const float* y, const RayChains& chains, float near,
             BentRays& rays);
 
 inline constexpr std::size_t most_tiles = HitArrays::most / tile_samples;

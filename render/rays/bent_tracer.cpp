@@ -10,9 +10,11 @@ namespace echoloop::rays {
 BentTracer::BentTracer(const ViewPlace& place, std::size_t samples, const TracedParts& parts,
                        const RayChains& chains, float reach)
     : place_(place), samples_(samples), parts_(parts), chains_(chains), reach_(reach) {
-    for (Tile& tile : tiles_)
+    for (Tile& tile : tiles_) {
+        tile.rays = {};  // straight ones keep what was there
         for (std::size_t lane = 0; lane < packet_rays; ++lane)
             tile.query.ray.time[lane] = 0, tile.query.ray.mask[lane] = ~0U, tile.query.ray.flags[lane] = 0;
+    }
 }
 
 void BentTracer::trace(std::span<const TracedLine> lines) {
@@ -20,22 +22,19 @@ void BentTracer::trace(std::span<const TracedLine> lines) {
         x_[lane] = lines[std::min(lane / tile_samples, lines.size() - 1)].x;
     for (std::size_t sample = 0; sample < samples_; sample += HitArrays::most) {
         const std::size_t count = std::min(HitArrays::most, samples_ - sample);
-        for (std::size_t line = 0; line < lines.size(); ++line) {
-            hits_[line].surface.fill(0), hits_[line].depth.fill(0);
-            bent_[line].rise.fill(0), bent_[line].chord.fill(0);
-        }
         const auto tiles = std::span(tiles_).first((count + tile_samples - 1) / tile_samples);
-        for (std::size_t i = 0; i < tiles.size(); ++i)
-            start(tiles[i], sample + i * tile_samples, lines.size());
-        for (Tile& tile : tiles)
-            tile.straight = !launch(place_.axes, x_.data(), tile.y.data(), chains_, near_end, tile.rays);
+        for (std::size_t i = 0; i < tiles.size(); ++i) start(tiles[i], i, sample, lines.size());
         // Straight rays in front of all others and behind them are followed as such.
+        for (Tile& tile : tiles) tile.straight = all_straight(place_.axes, x_.data(), tile.y.data(), chains_);
         std::size_t first = 0, last = tiles.size();
         while (first < last && tiles[first].straight) ++first;
         while (first < last && tiles[last - 1].straight) --last;
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             tiles[i].straight = i < first || i >= last;
-            if (tiles[i].straight) tiles[i].rays.from.fill(near_end);
+            if (tiles[i].straight)
+                tiles[i].rays.from.fill(near_end);
+            else
+                launch(place_.axes, x_.data(), tiles[i].y.data(), chains_, near_end, tiles[i].rays);
         }
         for (bool any = true; any;) {
             aim(tiles);
@@ -54,12 +53,14 @@ void BentTracer::trace(std::span<const TracedLine> lines) {
     }
 }
 
-void BentTracer::start(Tile& tile, std::size_t sample, std::size_t lines) {
+void BentTracer::start(Tile& tile, std::size_t number, std::size_t sample, std::size_t lines) {
+    const std::size_t first = sample + number * tile_samples;
     for (std::size_t lane = 0; lane < packet_rays; ++lane)
-        tile.y[lane] = place_.y[sample + lane % tile_samples];
+        tile.y[lane] = place_.y[first + lane % tile_samples];
     for (std::size_t lane = 0; lane < packet_rays; ++lane)
-        tile.asked[lane] = lane / tile_samples < lines && sample + lane % tile_samples < samples_ ? -1 : 0;
+        tile.asked[lane] = lane / tile_samples < lines && first + lane % tile_samples < samples_ ? -1 : 0;
     tile.any = true;
+    for (HitArrays& hits : hits_) std::fill_n(&hits.surface[number * tile_samples], tile_samples, 0.0F);
 }
 
 void BentTracer::aim(std::span<Tile> tiles) {

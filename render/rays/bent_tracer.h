@@ -29,7 +29,8 @@ class BentTracer {
         bool any;
     };
 
-    void start(Tile& tile, std::size_t sample, std::size_t lines);
+    /// `number`: of those that begin at `sample`.
+    void start(Tile& tile, std::size_t number, std::size_t sample, std::size_t lines);
     void aim_straight(Tile& tile) const;
     /// Those still under way.
     void aim(std::span<Tile> tiles);

@@ -35,10 +35,12 @@ class RayChains {
     /// The chords of a row follow each other from `first` on, each from where the one before ends.
     struct Row {
         std::int32_t first = 0;
-        std::int32_t bends = 0;    ///< 0: it is straight
         float inverse_length = 0;  ///< 1/m of c t, of its first chord
     };
     const Row* row(std::int32_t number) const { return &rows_[static_cast<std::size_t>(number)]; }
+    /// Sines of elevation: all rays below the one and above the other are straight.
+    float lowest_bent() const { return lowest_bent_; }
+    float highest_bent() const { return highest_bent_; }
 
     static constexpr std::size_t cache_line = 64;
     /// What a chord and its arcs have is shifted by `rise` times the slopes for a ray that leaves `rise` rad
@@ -52,6 +54,8 @@ class RayChains {
         float inverse_length = 0;        ///< 1/m, of its own length
         float next = 0;                  ///< m, where another begins that follows it; infinite: none does
         std::int32_t arc = 0;            ///< its first
+        /// Share of it where the second arc begins, infinite if there is none; and per rad.
+        float second_arc = 0, second_arc_slope = 0;
     };
     const Chord* chords() const { return chords_.data(); }
 
@@ -64,8 +68,8 @@ class RayChains {
         /// ones, the sound speed over that at the sonar, its growth over the sum of both ends'.
         std::array<float, 4> spread;
         std::array<float, 4> spread_growth;
-        /// Share of the chord where it begins, which is 0 for a chord's first, and its own share; m over the
-        /// chord where it begins, and its growth.
+        /// Share of the chord where it begins, which is 0 for a chord's first, and 1 over its own share; m
+        /// over the chord where it begins, and its growth.
         std::array<float, 4> part;
         std::array<float, 4> part_slope;
     };
@@ -74,6 +78,7 @@ class RayChains {
 
   private:
     std::vector<Row> rows_;
+    float lowest_bent_ = 2, highest_bent_ = -2;
     std::vector<Chord> chords_;
     std::vector<Arc> arcs_;
 };
