@@ -19,22 +19,24 @@ ECHOLOOP_INLINE Seen seen_at(const SampleGrid& grid, float x, float y, float z) 
             (grid.first_y - y * inverse) * grid.samples_per_y};
 }
 
-/// Returns how many are not in front of the near end.
+/// From positions that are there already. Returns how many are not in front of the near end.
 ECHOLOOP_SIMD
-int find_straight(const SceneVertex* __restrict vertices, int count, const PartPlace place,
-                  const SampleGrid grid, float* __restrict x_of, float* __restrict y_of,
-                  float* __restrict z_of, float* __restrict line_of, float* __restrict sample_of) {
+int find_straight(int count, const PartPlace place, const SampleGrid grid, float* __restrict x_of,
+                  float* __restrict y_of, float* __restrict z_of, float* __restrict line_of,
+                  float* __restrict sample_of) {
     const auto& m = place.rows;
     const float ex = place.eye[0], ey = place.eye[1], ez = place.eye[2];
+    const float near = near_end;
     int behind = 0;
     for (int i = 0; i < count; ++i) {
-        const float dx = vertices[i].position[0] - ex, dy = vertices[i].position[1] - ey,
-                    dz = vertices[i].position[2] - ez;
+        const float dx = x_of[i] - ex, dy = y_of[i] - ey, dz = z_of[i] - ez;
         const float x = m[0] * dx + m[1] * dy + m[2] * dz, y = m[3] * dx + m[4] * dy + m[5] * dz,
                     z = m[6] * dx + m[7] * dy + m[8] * dz;
-        const Seen at = seen_at(grid, x, y, z);
-        x_of[i] = x, y_of[i] = y, z_of[i] = z, line_of[i] = at.line, sample_of[i] = at.sample;
-        behind += z <= near_end ? 1 : 0;
+        const float inverse = 1 / (z > near ? z : near);
+        x_of[i] = x, y_of[i] = y, z_of[i] = z;
+        line_of[i] = (x * inverse - grid.first_x) * grid.lines_per_x;
+        sample_of[i] = (grid.first_y - y * inverse) * grid.samples_per_y;
+        behind += z <= near ? 1 : 0;
     }
     return behind;
 }
@@ -125,7 +127,12 @@ void SeenCorners::find(std::span<const SceneVertex> vertices, const PartPlace& p
     const auto count = static_cast<int>(count_);
     int behind = 0;
     if (rays == nullptr) {
-        behind = find_straight(vertices.data(), count, place, grid, row(0), row(1), row(2), row(3), row(4));
+        float *const x = row(0), *const y = row(1), *const z = row(2);
+        for (std::size_t i = 0; i < count_; ++i) {
+            const auto& position = vertices[i].position;
+            x[i] = position[0], y[i] = position[1], z[i] = position[2];
+        }
+        behind = find_straight(count, place, grid, x, y, z, row(3), row(4));
     } else {
         const RayTable::Rows& places = rays->row_places();
         const TablePlaces table{rays->cells().data()->data(), static_cast<float>(1 / rays->column_step()),

@@ -11,8 +11,6 @@ namespace {
 /// Samples that are looked at together; arrays go on as far beyond the last one.
 constexpr int samples_at_once = 16;
 
-using Four = float __attribute__((vector_size(16)));
-
 Four four(const float* from) {
     Four four;
     std::memcpy(&four, from, sizeof four);
@@ -79,6 +77,60 @@ void cover_but_shadows(const SeenTriangle* __restrict seen, int count, const flo
                      first_number);
 }
 
+std::span<const SceneVertex> vertices_of(const Scene& scene, const SceneNode& node) {
+    return (node.coarse ? scene.coarse_vertices() : scene.vertices())
+        .subspan(node.first_vertex, node.vertices);
+}
+
+std::span<const std::uint16_t> indices_of(const Scene& scene, const SceneNode& node) {
+    return (node.coarse ? scene.coarse_indices() : scene.indices()).subspan(node.first_index, node.indices);
+}
+
+/// Has the memory send what will be wanted, since nodes lie scattered.
+template <typename Value>
+void fetch(std::span<const Value> values) {
+    constexpr std::size_t line = 64;
+    const auto* const begin = reinterpret_cast<const char*>(values.data());
+    for (std::size_t i = 0; i < values.size_bytes(); i += line) __builtin_prefetch(begin + i);
+}
+
+void fetch(const Scene& scene, const SceneNode& node) {
+    fetch(vertices_of(scene, node));
+    fetch(indices_of(scene, node));
+}
+
+/// Of one triangle: its numbers as ViewPainter::Shown begins, the normals and surfaces of its corners.
+struct Along {
+    float numbers[12], normals[9], surfaces[3], side, x;
+};
+
+/// What it shows at neighbouring samples of a line.
+ECHOLOOP_SIMD
+void look_along(const Along triangle, const float* __restrict y_of, int count, float* __restrict depth,
+                float* __restrict nx, float* __restrict ny, float* __restrict nz, float* __restrict px,
+                float* __restrict py, float* __restrict pz, float* __restrict surface,
+                float* __restrict lean) {
+    const float* const m = triangle.numbers;
+    const float x = triangle.x, a = m[0] * x + m[8], b = m[1] * x + m[9], c = m[2] * x + m[10],
+                d = m[3] * x + m[11], a_up = m[4], b_up = m[5], c_up = m[6], d_up = m[7];
+    const float *const n = triangle.normals, *const s = triangle.surfaces;
+    const float plane_x = triangle.side * m[3], plane_y = triangle.side * m[7],
+                plane_z = triangle.side * m[11];
+    for (int i = 0; i < count; ++i) {
+        const float y = y_of[i], e0 = a + a_up * y, e1 = b + b_up * y, e2 = c + c_up * y;
+        const float over = 1 / (e0 + e1 + e2), w0 = e0 * over, w1 = e1 * over, w2 = e2 * over;
+        nx[i] = w0 * n[0] + w1 * n[3] + w2 * n[6];
+        ny[i] = w0 * n[1] + w1 * n[4] + w2 * n[7];
+        nz[i] = w0 * n[2] + w1 * n[5] + w2 * n[8];
+        px[i] = plane_x, py[i] = plane_y, pz[i] = plane_z;
+        depth[i] = 1 / (d + d_up * y);
+        const float whole = w0 * s[0] + w1 * s[1] + w2 * s[2] + 0.25F;
+        const auto number = static_cast<float>(static_cast<std::int32_t>(whole));
+        surface[i] = number;
+        lean[i] = std::max(whole - number - 0.25F, 0.0F);
+    }
+}
+
 }  // namespace
 
 void ViewPainter::paint(const Painting& painting, const gl::SeenView& seen) {
@@ -89,12 +141,11 @@ void ViewPainter::paint(const Painting& painting, const gl::SeenView& seen) {
         auto& columns = columns_.emplace_back();
         for (std::size_t k = 0; k < 3; ++k)
             columns[k] = {place.rows[k], place.rows[3 + k], place.rows[6 + k], 0};
-        for (const std::uint32_t number : part.nodes) {
-            const SceneNode& node = scene.nodes()[number];
-            const std::size_t first = node.first_vertex + (node.coarse ? scene.vertices().size() : 0),
-                              first_index = node.first_index + (node.coarse ? scene.indices().size() : 0);
-            triangles_.take(scene.all_indices().subspan(first_index, node.indices));
-            paint_triangles(scene.all_vertices().subspan(first, node.vertices), painting,
+        for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+            const SceneNode& node = scene.nodes()[part.nodes[i]];
+            if (i + 1 < part.nodes.size()) fetch(scene, scene.nodes()[part.nodes[i + 1]]);
+            triangles_.take(indices_of(scene, node));
+            paint_triangles(vertices_of(scene, node), painting,
                             scene.materials()[node.material].double_sided);
         }
         for (const gl::SeenPatch& patch : part.patches) {
@@ -173,37 +224,70 @@ void ViewPainter::add_shown(std::span<const SceneVertex> vertices, bool bent) {
 /// What the samples show from `at` on: normals and all as the shares of the corners say, in the view's axes.
 void ViewPainter::look(std::size_t at, float x, const float* y, std::size_t count,
                        rays::HitArrays& hits) const {
-    const bool bent = normals_.size() > 1;
-    for (std::size_t i = 0; i < count; ++i) {
-        hits.surface[i] = 0;
-        const auto number = static_cast<std::size_t>(number_[at + i]);
-        if (number == 0) continue;
-        const Shown& shown = shown_[number];
-        const Four along_x = four(shown.along_x.data()), along_y = four(shown.along_y.data()),
-                   at_0 = four(shown.at_0.data());
-        const Four here = along_x * x + at_0 + along_y * y[i];
-        const Four share = here / (here[0] + here[1] + here[2]);
-        // The normal, and the surface.
-        Four seen = share[0] * four(shown.vertices[0]->normal.data()) +
-                    share[1] * four(shown.vertices[1]->normal.data()) +
-                    share[2] * four(shown.vertices[2]->normal.data());
-        const float surface = seen[3] + 0.25F;
-        if (bent) {
-            const Normals& n = normals_[number];
-            for (std::size_t k = 0; k < 3; ++k)
-                seen[k] = share[0] * n[0][k] + share[1] * n[1][k] + share[2] * n[2][k];
-        } else {
-            const auto& columns = columns_[static_cast<std::size_t>(shown.part)];
-            seen = seen[0] * four(columns[0].data()) + seen[1] * four(columns[1].data()) +
-                   seen[2] * four(columns[2].data());
-        }
-        const Four plane = shown.side * Four{along_x[3], along_y[3], at_0[3], 0};
-        hits.depth[i] = 1 / here[3];
-        hits.normal_x[i] = seen[0], hits.normal_y[i] = seen[1], hits.normal_z[i] = seen[2];
-        hits.plane_x[i] = plane[0], hits.plane_y[i] = plane[1], hits.plane_z[i] = plane[2];
-        hits.surface[i] = static_cast<float>(static_cast<int>(surface));
-        hits.lean[i] = std::max(surface - hits.surface[i] - 0.25F, 0.0F);
+    constexpr std::size_t long_run = 6;
+    for (std::size_t i = 0; i < count;) {
+        const std::int32_t number = number_[at + i];
+        std::size_t end = i + 1;
+        while (end < count && number_[at + end] == number) ++end;
+        if (number == 0)
+            std::fill(&hits.surface[i], &hits.surface[0] + end, 0.0F);
+        else if (end - i >= long_run)
+            look_at_many(static_cast<std::size_t>(number), x, y, i, end, hits);
+        else
+            for (std::size_t k = i; k < end; ++k) look_at(static_cast<std::size_t>(number), x, y[k], k, hits);
+        i = end;
     }
+}
+
+Four ViewPainter::turned(Four normal, std::int32_t part) const {
+    const auto& columns = columns_[static_cast<std::size_t>(part)];
+    return normal[0] * four(columns[0].data()) + normal[1] * four(columns[1].data()) +
+           normal[2] * four(columns[2].data());
+}
+
+void ViewPainter::look_at(std::size_t number, float x, float y, std::size_t to, rays::HitArrays& hits) const {
+    const Shown& shown = shown_[number];
+    const Four along_x = four(shown.along_x.data()), along_y = four(shown.along_y.data()),
+               at_0 = four(shown.at_0.data());
+    const Four here = along_x * x + at_0 + along_y * y;
+    const Four share = here / (here[0] + here[1] + here[2]);
+    // The normal, and the surface.
+    Four seen = share[0] * four(shown.vertices[0]->normal.data()) +
+                share[1] * four(shown.vertices[1]->normal.data()) +
+                share[2] * four(shown.vertices[2]->normal.data());
+    const float surface = seen[3] + 0.25F;
+    if (normals_.size() > 1) {
+        const Normals& n = normals_[number];
+        for (std::size_t k = 0; k < 3; ++k)
+            seen[k] = share[0] * n[0][k] + share[1] * n[1][k] + share[2] * n[2][k];
+    } else {
+        seen = turned(seen, shown.part);
+    }
+    const Four plane = shown.side * Four{along_x[3], along_y[3], at_0[3], 0};
+    hits.depth[to] = 1 / here[3];
+    hits.normal_x[to] = seen[0], hits.normal_y[to] = seen[1], hits.normal_z[to] = seen[2];
+    hits.plane_x[to] = plane[0], hits.plane_y[to] = plane[1], hits.plane_z[to] = plane[2];
+    hits.surface[to] = static_cast<float>(static_cast<int>(surface));
+    hits.lean[to] = std::max(surface - hits.surface[to] - 0.25F, 0.0F);
+}
+
+void ViewPainter::look_at_many(std::size_t number, float x, const float* y, std::size_t first,
+                               std::size_t last, rays::HitArrays& hits) const {
+    const Shown& shown = shown_[number];
+    Along along{};
+    along.side = shown.side, along.x = x;
+    std::memcpy(along.numbers, shown.along_x.data(), sizeof along.numbers);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Four corner = four(shown.vertices[k]->normal.data());
+        along.surfaces[k] = corner[3];
+        const Four normal = normals_.size() > 1 ? Four{normals_[number][k][0], normals_[number][k][1],
+                                                       normals_[number][k][2], 0}
+                                                : turned(corner, shown.part);
+        std::memcpy(&along.normals[3 * k], &normal, 3 * sizeof(float));
+    }
+    look_along(along, y + first, static_cast<int>(last - first), &hits.depth[first], &hits.normal_x[first],
+               &hits.normal_y[first], &hits.normal_z[first], &hits.plane_x[first], &hits.plane_y[first],
+               &hits.plane_z[first], &hits.surface[first], &hits.lean[first]);
 }
 
 void ViewPainter::write(const Painting& painting, const View& view) {

@@ -11,6 +11,8 @@
 
 namespace echoloop::raster {
 
+using Four = float __attribute__((vector_size(16)));
+
 /// What all views of a picture have in common.
 struct Painting {
     const Scene& scene;
@@ -43,6 +45,11 @@ class ViewPainter {
     void add_shown(std::span<const SceneVertex> vertices, bool bent);
     void write(const Painting& painting, const View& view);
     void look(std::size_t at, float x, const float* y, std::size_t count, rays::HitArrays& hits) const;
+    void look_at(std::size_t number, float x, float y, std::size_t to, rays::HitArrays& hits) const;
+    void look_at_many(std::size_t number, float x, const float* y, std::size_t first, std::size_t last,
+                      rays::HitArrays& hits) const;
+    /// Into the view's axes, from those of a part.
+    Four turned(Four normal, std::int32_t part) const;
 
     SampleGrid grid_{};
     std::size_t stride_ = 0;            ///< of a line in the arrays below
