@@ -17,6 +17,11 @@ Four four(const float* from) {
     return four;
 }
 
+Four normal_and_surface(const SceneVertex& vertex) {
+    static_assert(sizeof(SceneVertex) == 7 * sizeof(float));
+    return four(reinterpret_cast<const float*>(&vertex) + 3);
+}
+
 /// Of what may be seen of a node, puts each where it is nearer than what is there. `numbers` of each, as
 /// ViewPainter::Shown begins, lie `step` floats apart; `clear`: with `shadows` a fifth plane, which is not
 /// negative where they are not, and whose numbers lie `count` apart.
@@ -188,7 +193,7 @@ void ViewPainter::paint_triangles(std::span<const SceneVertex> vertices, const P
     const bool shadow = painting.rays != nullptr && painting.rays->has_shadow();
     if (shadow) triangles_.find_clear(corners_.clearance());
     const auto cover = shadow ? cover_but_shadows : cover_lit;
-    cover(seen.data(), static_cast<int>(seen.size()), shown_[first].along_x.data(),
+    cover(seen.data(), static_cast<int>(seen.size()), shown_[first].numbers.data(),
           sizeof(Shown) / sizeof(float), triangles_.planes(TrianglePlanes::clear), x_.data(), y_.data(),
           inverse_.data(), number_.data(), stride_, static_cast<std::int32_t>(first));
 }
@@ -203,9 +208,9 @@ void ViewPainter::add_shown(std::span<const SceneVertex> vertices, bool bent) {
     for (std::size_t i = 0; i < seen.size(); ++i) {
         Shown& shown = shown_[first + i];
         for (std::size_t k = 0; k < 4; ++k) {
-            shown.along_x[k] = planes[3 * k * stride + i];
-            shown.along_y[k] = planes[(3 * k + 1) * stride + i];
-            shown.at_0[k] = planes[(3 * k + 2) * stride + i];
+            shown.numbers[k] = planes[3 * k * stride + i];
+            shown.numbers[4 + k] = planes[(3 * k + 1) * stride + i];
+            shown.numbers[8 + k] = planes[(3 * k + 2) * stride + i];
         }
         for (std::size_t k = 0; k < 3; ++k) shown.vertices[k] = &vertices[triangles_.corner(i, k)];
         shown.part = part;
@@ -247,14 +252,14 @@ Four ViewPainter::turned(Four normal, std::int32_t part) const {
 
 void ViewPainter::look_at(std::size_t number, float x, float y, std::size_t to, rays::HitArrays& hits) const {
     const Shown& shown = shown_[number];
-    const Four along_x = four(shown.along_x.data()), along_y = four(shown.along_y.data()),
-               at_0 = four(shown.at_0.data());
+    const float* const numbers = shown.numbers.data();
+    const Four along_x = four(numbers), along_y = four(numbers + 4), at_0 = four(numbers + 8);
     const Four here = along_x * x + at_0 + along_y * y;
     const Four share = here / (here[0] + here[1] + here[2]);
     // The normal, and the surface.
-    Four seen = share[0] * four(shown.vertices[0]->normal.data()) +
-                share[1] * four(shown.vertices[1]->normal.data()) +
-                share[2] * four(shown.vertices[2]->normal.data());
+    Four seen = share[0] * normal_and_surface(*shown.vertices[0]) +
+                share[1] * normal_and_surface(*shown.vertices[1]) +
+                share[2] * normal_and_surface(*shown.vertices[2]);
     const float surface = seen[3] + 0.25F;
     if (normals_.size() > 1) {
         const Normals& n = normals_[number];
@@ -276,9 +281,9 @@ void ViewPainter::look_at_many(std::size_t number, float x, const float* y, std:
     const Shown& shown = shown_[number];
     Along along{};
     along.side = shown.side, along.x = x;
-    std::memcpy(along.numbers, shown.along_x.data(), sizeof along.numbers);
+    std::ranges::copy(shown.numbers, along.numbers);
     for (std::size_t k = 0; k < 3; ++k) {
-        const Four corner = four(shown.vertices[k]->normal.data());
+        const Four corner = normal_and_surface(*shown.vertices[k]);
         along.surfaces[k] = corner[3];
         const Four normal = normals_.size() > 1 ? Four{normals_[number][k][0], normals_[number][k][1],
                                                        normals_[number][k][2], 0}

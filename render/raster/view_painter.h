@@ -31,9 +31,9 @@ class ViewPainter {
   private:
     /// What may be the nearest somewhere.
     struct Shown {
-        /// Of the three shares and the inverse of TrianglePlanes: their slopes along x and y, and what they
-        /// are at 0.
-        std::array<float, 4> along_x, along_y, at_0;
+        /// Of the three shares and the inverse of TrianglePlanes: their slopes along x, those along y, and
+        /// what they are at 0.
+        std::array<float, 12> numbers;
         std::array<const SceneVertex*, 3> vertices;
         std::int32_t part;  ///< in places_
         float side;         ///< -1: we see its front; 1: its back
