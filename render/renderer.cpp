@@ -22,6 +22,7 @@
 #include "render/gl/drawing_crew.h"
 #include "render/gl/egl.h"
 #include "render/grid/summing.h"
+#include "render/raster/raster_sampler.h"
 #include "render/ray_tables.h"
 #include "render/rays/ray_sampler.h"
 #include "render/recently_used.h"
@@ -36,8 +37,9 @@ void validate(const RendererOptions& options) {
         throw std::invalid_argument("renderer: columns_per_beam must be within 1..64");
     if (!(options.pixel_density >= 0.1 && options.pixel_density <= 64))
         throw std::invalid_argument("renderer: pixel_density must be within 0.1..64");
-    if (options.sampler != "auto" && options.sampler != "raster" && options.sampler != "rays")
-        throw std::invalid_argument("renderer: sampler must be auto, raster or rays");
+    if (options.sampler != "auto" && options.sampler != "raster" && options.sampler != "native" &&
+        options.sampler != "rays")
+        throw std::invalid_argument("renderer: sampler must be auto, raster, native or rays");
     if (!(options.drawing_threads >= 1 && options.drawing_threads <= 64))
         throw std::invalid_argument("renderer: drawing_threads must be within 1..64");
 }
@@ -123,9 +125,9 @@ class Renderer::Impl {
     const Scene& scene() const { return *scene_; }
     const Water& water() const { return water_; }
     std::string description() const {
-        const std::string drawn = crew_ ? crew_->drawer().description() : "";
-        if (!sampler_) return drawn;
-        return rays::RaySampler::description() + (crew_ ? " for single beams, " + drawn : "");
+        if (sampler_) return rays::RaySampler::description();
+        if (native_) return raster::RasterSampler::description();
+        return crew_->drawer().description();
     }
 
   private:
@@ -153,20 +155,21 @@ class Renderer::Impl {
 
     bool may_bend() const { return effects().has(Effect::refraction) && !water_.profile.empty(); }
 
-    /// Makes what finds the surfaces.
+    /// Makes what finds the surfaces. In a large scene no OpenGL is made but a GPU's.
     void choose_sampler() {
-        const bool all = options_.sampler == "rays";
-        if (!all)
-            crew_.emplace([this] { return gl::make_context(options_.context); }, scene_,
-                          options_.drawing_threads);
-        const bool some = options_.sampler == "auto" && options_.context == "auto" &&
-                          scene_->triangles() >= least_triangles_for_rays &&
-                          crew_->drawer().context().kind() != gl::gpu_kind;
-        if (all || some) sampler_.emplace(scene_, options_.drawing_threads);
-    }
-
-    bool is_traced(const Shot& shot) const {
-        return sampler_ && (options_.sampler == "rays" || shot.beams() == 1);
+        const std::size_t threads = options_.drawing_threads;
+        const bool large = options_.sampler == "auto" && options_.context == "auto" &&
+                           scene_->triangles() >= least_triangles_for_native;
+        if (options_.sampler == "rays") {
+            sampler_.emplace(scene_, threads);
+        } else if (options_.sampler == "native" || (large && !gl::may_have_gpu())) {
+            native_.emplace(scene_, threads);
+        } else {
+            crew_.emplace([this] { return gl::make_context(options_.context); }, scene_, threads);
+            if (!large || crew_->drawer().context().kind() == gl::gpu_kind) return;
+            crew_.reset();
+            native_.emplace(scene_, threads);
+        }
     }
 
     Summing& summing_of(const Shot& shot) { return shot.elevations.empty() ? *fan_ : *grid_; }
@@ -442,17 +445,21 @@ class Renderer::Impl {
                                   .rays = rays_,
                                   .rays_nearby = rays_nearby_,
                                   .sag = speed_ / 8 * shot.bin_interval};
-        const bool traced = is_traced(shot);
-        traced ? sampler_->sample(*heard.plan, outlook, heard.pixels)
-               : crew_->draw(*heard.plan, outlook, heard.pixels);
+        const gl::DrawProfile& drawn = find_surfaces(*heard.plan, outlook, heard.pixels);
         heard.focus.clear();
         if (rays_ && rays_->focuses() && effects().has(Effect::spreading))
             find_focus(*heard.plan, offset_of(heard.array),
                        world_from_fan(shot, heard.array.world_from_sonar), *rays_, heard.pixels, heard.focus);
-        const gl::DrawProfile& drawn = traced ? sampler_->profile() : crew_->profile();
         profile_.cull += drawn.cull, profile_.draw += drawn.draw, profile_.read_back += drawn.read_back;
         profile_.triangles += drawn.triangles, profile_.chunks += drawn.chunks;
         profile_.pixels += drawn.pixels;
+    }
+
+    const gl::DrawProfile& find_surfaces(const Picture& picture, const gl::Outlook& outlook,
+                                         std::vector<Pixel>& pixels) {
+        if (native_) return native_->sample(picture, outlook, pixels), native_->profile();
+        if (sampler_) return sampler_->sample(picture, outlook, pixels), sampler_->profile();
+        return crew_->draw(picture, outlook, pixels), crew_->profile();
     }
 
     static void add_channels(ChannelImage& image, const Heard& heard, std::size_t line, std::size_t sample) {
@@ -473,7 +480,8 @@ class Renderer::Impl {
     std::thread::id thread_ = std::this_thread::get_id();
     std::shared_ptr<const Scene> scene_;
     PathTracer tracer_;
-    std::optional<gl::DrawingCrew> crew_;  ///< none where rays do it all
+    std::optional<gl::DrawingCrew> crew_;  ///< one of these three
+    std::optional<raster::RasterSampler> native_;
     std::optional<rays::RaySampler> sampler_;
     /// Index into Scene::materials() and Scene::objects() of every surface number, which is Pixel::surface
     /// - 1.

@@ -19,9 +19,9 @@ namespace echoloop {
 
 class PlanCache;
 
-/// From so many triangles on rays are quicker for single beams than a software rasteriser. A fixed number,
+/// From so many triangles on our own rasteriser draws a scene instead of a software OpenGL. A fixed number,
 /// not the time that both take, so that the same scene gives the same bytes.
-inline constexpr std::size_t least_triangles_for_rays = 100'000;
+inline constexpr std::size_t least_triangles_for_native = 100'000;
 
 struct RendererOptions {
     EchoRule rule = EchoRule::radiometric;
@@ -31,8 +31,9 @@ struct RendererOptions {
     /// mean over pings has no error from the pixel grid; around them by resting_offset().
     bool jitter = true;
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
-    /// What finds the surfaces: "raster" (GL), "rays" (Embree), or "auto": rays for single beams where nobody
-    /// names a context, there is no GPU and the scene has at least least_triangles_for_rays.
+    /// What finds the surfaces: "raster" (OpenGL), "native" (our own rasteriser), "rays" (Embree), or "auto":
+    /// native where nobody names a context, there is no GPU and the scene has at least
+    /// least_triangles_for_native; else raster.
     std::string sampler = "auto";
     std::size_t drawing_threads =
         1;  ///< that share a picture where the context allows it; the pixels are the same
@@ -81,8 +82,7 @@ class Renderer {
     const Scene& scene() const;
     const Water& water() const;
     double sound_speed() const;  ///< m/s, of the water
-    /// For example "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe", or "Embree 3.13.5 for single beams, "
-    /// and that.
+    /// For example "OSMesa, 4.5 (Core Profile) Mesa 22.3.6, llvmpipe", "own rasteriser" or "Embree 3.13.5".
     std::string context_description() const;
 
   private:

@@ -133,7 +133,7 @@ RendererOptions read_render(const Section& top, Problems& problems) {
     options.rule = rule == "radiometric" ? EchoRule::radiometric : EchoRule::cerqueira2016;
     options.context =
         section.word("context", options.context, {"auto", "osmesa", "egl-surfaceless", "egl-device"});
-    options.sampler = section.word("sampler", options.sampler, {"auto", "raster", "rays"});
+    options.sampler = section.word("sampler", options.sampler, {"auto", "raster", "native", "rays"});
     options.pixel_density =
         section.number("pixels", options.pixel_density, {0.1, 64, "times the usual number"});
     return options;

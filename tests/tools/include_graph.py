@@ -78,6 +78,7 @@ RULES = [
     render_room("acoustics", "scene"),
     render_room("paths", "acoustics|scene", r"embree[34]/.*"),
     render_room("rays", "gl|paths|scene"),
+    render_room("raster", "rays|gl|paths|scene", r"embree[34]/.*"),
     render_room("fan", "paths|acoustics|scene"),
     render_room("grid", "fan|paths|acoustics|scene"),
     Rule(r"render/(renderer|shot_check)\.(h|cpp)", r"render/.*", STANDARD),

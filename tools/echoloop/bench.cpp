@@ -223,7 +223,7 @@ Verb bench_verb() {
              {Kind::value, "--pixels", "FACTOR", "factor on the number of pixels, 0.1 to 64"},
              {Kind::value, "--picture", "OUT", "OUT.png, OUT.svg, OUT.pdf: draw the figures as bars, too"},
              {Kind::value, "--context", "NAME", "GL context: auto, osmesa, egl-surfaceless or egl-device"},
-             {Kind::value, "--sampler", "NAME", "what finds surfaces: auto, raster or rays"},
+             {Kind::value, "--sampler", "NAME", "what finds surfaces: auto, raster, native or rays"},
              json_argument()},
             "  echoloop bench\n"
             "  echoloop bench --cases fls,scanning-simple --pings 1000\n"

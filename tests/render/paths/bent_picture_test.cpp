@@ -31,7 +31,7 @@ class BentPicture : public testing::TestWithParam<const char*> {
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(By, BentPicture, testing::Values("raster", "rays"),
+INSTANTIATE_TEST_SUITE_P(By, BentPicture, testing::Values("raster", "native", "rays"),
                          [](const auto& one) { return std::string(one.param); });
 
 /// Upright and looking down: beams at the angles (deg) from the vertical, 1 deg wide.

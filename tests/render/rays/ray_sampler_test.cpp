@@ -169,42 +169,5 @@ TEST_P(BenchScene, IsHeardAsLoudByRaysThatBend) {
 INSTANTIATE_TEST_SUITE_P(Each, BenchScene, testing::Values("simple", "big100k", "stones", "terrain"),
                          [](const auto& one) { return std::string(one.param); });
 
-TEST(Sampler, IsRaysForSingleBeamsInLargeScenes) {
-    const auto small = scene_of({floor_at(-5, 60)}), large = scene_of({floor_at(-5, 60, 225)});
-    const auto rays_of = [](const std::shared_ptr<const Scene>& scene, const char* sampler,
-                            const char* context) {
-        RendererOptions options{.context = context, .sampler = sampler};
-        return Renderer(scene, water_of(1500), options).context_description().starts_with("Embree");
-    };
-    const bool gpu = gl::may_have_gpu();
-    EXPECT_FALSE(rays_of(small, "auto", "auto"));
-    EXPECT_TRUE(rays_of(small, "rays", "auto"));
-    EXPECT_FALSE(rays_of(large, "raster", "auto"));
-    EXPECT_FALSE(rays_of(large, "auto", "egl-surfaceless")) << "who names a context wants it";
-    EXPECT_TRUE(gpu || rays_of(large, "auto", "auto"));
-    EXPECT_THROW(rays_of(small, "embree", "auto"), std::invalid_argument);
-
-    const auto bytes = [&](const char* sampler, const Shot& shot) {
-        return Renderer(large, water_of(1500), {.sampler = sampler}).render(shot, Pose{}).values;
-    };
-    EXPECT_EQ(bytes("auto", forward_looking()), bytes("raster", forward_looking()));
-    EXPECT_TRUE(gpu || bytes("auto", scanning()) == bytes("rays", scanning()));
-    EXPECT_NE(bytes("rays", scanning()), bytes("raster", scanning()));
-}
-
-TEST(Sampler, BendsRaysForSingleBeamsInLargeScenes) {
-    const auto scene = scene_of({floor_at(-15, 60, 225)});
-    Water water;
-    water.profile = {{0, 1520}, {9, 1520}, {11, 1500}, {40, 1500}};
-    const auto values = [&](const char* sampler, const Shot& shot) {
-        RendererOptions options{.sampler = sampler};
-        options.surface->height = 8;
-        return Renderer(scene, water, options).render(shot, Pose{}).values;
-    };
-    EXPECT_EQ(values("auto", forward_looking()), values("raster", forward_looking()));
-    EXPECT_TRUE(gl::may_have_gpu() || values("auto", scanning()) == values("rays", scanning()));
-    EXPECT_NE(values("rays", scanning()), values("raster", scanning()));
-}
-
 }  // namespace
 }  // namespace echoloop

@@ -1,0 +1,154 @@
+#include "render/raster/node_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/simd.h"
+
+namespace echoloop::raster {
+namespace {
+
+/// Of a line or a sample: places on the image plane are rounded.
+constexpr float margin = 1 / 64.0F;
+
+/// Rows of `count` numbers each: first and last line, first and last sample, and 1 where the triangle may
+/// show, 2 where it does so from behind, else 0. `sides`: 1 or, double-sided, 3.
+ECHOLOOP_SIMD
+void find_all_boxes(const std::int32_t* __restrict corner_0, const std::int32_t* __restrict corner_1,
+                    const std::int32_t* __restrict corner_2, int count, int sides,
+                    const float* __restrict line, const float* __restrict sample, const SampleGrid grid,
+                    std::int32_t* __restrict first_line, std::int32_t* __restrict last_line,
+                    std::int32_t* __restrict first_sample, std::int32_t* __restrict last_sample,
+                    std::int32_t* __restrict shown) {
+    const auto lines = static_cast<float>(grid.lines), samples = static_cast<float>(grid.samples);
+    // Of what is within -1..most, the whole number below it: what is positive is cut off.
+    const auto below = [](float v, float most) {
+        return static_cast<std::int32_t>(std::min(std::max(v + 1, 0.0F), most)) - 1;
+    };
+    for (int i = 0; i < count; ++i) {
+        const std::int32_t a = corner_0[i], b = corner_1[i], c = corner_2[i];
+        const float la = line[a], lb = line[b], lc = line[c], sa = sample[a], sb = sample[b], sc = sample[c];
+        const float low_line = std::min(std::min(la, lb), lc) - margin,
+                    high_line = std::max(std::max(la, lb), lc) + margin,
+                    low_sample = std::min(std::min(sa, sb), sc) - margin,
+                    high_sample = std::max(std::max(sa, sb), sc) + margin;
+        const std::int32_t l0 = grid.lines - 1 - below(lines - 1 - low_line, lines),
+                           l1 = below(high_line, lines),
+                           s0 = grid.samples - 1 - below(samples - 1 - low_sample, samples),
+                           s1 = below(high_sample, samples);
+        const float area = (lb - la) * (sc - sa) - (lc - la) * (sb - sa);
+        const std::int32_t side = area < 0 ? 1 : 2;
+        first_line[i] = l0, last_line[i] = l1, first_sample[i] = s0, last_sample[i] = s1;
+        shown[i] = ((side & sides) != 0) & (l0 <= l1) & (s0 <= s1) ? side : 0;
+    }
+}
+
+/// As TrianglePlanes. What two neighbours see of the edge between them is the same number but for its sign,
+/// so that no sample falls between them.
+ECHOLOOP_SIMD
+void find_planes(const std::int32_t* __restrict corner_0, const std::int32_t* __restrict corner_1,
+                 const std::int32_t* __restrict corner_2, int count, const float* __restrict x,
+                 const float* __restrict y, const float* __restrict z, float* __restrict to) {
+    const int stride = count;
+    for (int i = 0; i < count; ++i) {
+        const std::int32_t a = corner_0[i], b = corner_1[i], c = corner_2[i];
+        const float ax = x[a], ay = y[a], az = z[a], bx = x[b], by = y[b], bz = z[b], cx = x[c], cy = y[c],
+                    cz = z[c];
+        const float abx = bx - ax, aby = by - ay, abz = bz - az, bcx = cx - bx, bcy = cy - by, bcz = cz - bz,
+                    cax = ax - cx, cay = ay - cy, caz = az - cz;
+        const float pbx = bx + cx, pby = by + cy, pbz = bz + cz, pcx = cx + ax, pcy = cy + ay, pcz = cz + az,
+                    pax = ax + bx, pay = ay + by, paz = az + bz;
+        to[i] = pby * bcz - pbz * bcy;
+        to[i + stride] = pbz * bcx - pbx * bcz;
+        to[i + 2 * stride] = pbx * bcy - pby * bcx;
+        to[i + 3 * stride] = pcy * caz - pcz * cay;
+        to[i + 4 * stride] = pcz * cax - pcx * caz;
+        to[i + 5 * stride] = pcx * cay - pcy * cax;
+        to[i + 6 * stride] = pay * abz - paz * aby;
+        to[i + 7 * stride] = paz * abx - pax * abz;
+        to[i + 8 * stride] = pax * aby - pay * abx;
+        const float nx = cay * abz - caz * aby, ny = caz * abx - cax * abz, nz = cax * aby - cay * abx;
+        const float over = 1 / (nx * ax + ny * ay + nz * az);
+        to[i + 9 * stride] = nx * over, to[i + 10 * stride] = ny * over, to[i + 11 * stride] = nz * over;
+    }
+}
+
+}  // namespace
+
+void NodeTriangles::find(const SeenCorners& corners, bool double_sided, const SampleGrid& grid) {
+    count_ = 0;
+    if (corners.behind() == corners.count()) return;
+    if (seen_.size() < triangles_ + 1) seen_.resize(triangles_ + 1);
+    corners.behind() == 0 ? find_boxes(corners, double_sided, grid)
+                          : find_boxes_across_near_end(corners, double_sided, grid);
+    if (seen_corners_.size() < 3 * count_) seen_corners_.resize(3 * count_);
+    const std::size_t numbers = TrianglePlanes::numbers_with_clear * count_;
+    if (planes_.size() < numbers) planes_.resize(numbers);
+    for (std::size_t i = 0; i < count_; ++i) {
+        const auto triangle = static_cast<std::size_t>(seen_[i].triangle);
+        const std::int32_t turned = seen_[i].turned;
+        seen_corners_[i] = corners_[0][triangle];
+        seen_corners_[i + count_] = corners_[turned == 0 ? 1 : 2][triangle];
+        seen_corners_[i + 2 * count_] = corners_[turned == 0 ? 2 : 1][triangle];
+    }
+    find_planes(seen_corners_.data(), seen_corners_.data() + count_, seen_corners_.data() + 2 * count_,
+                static_cast<int>(count_), corners.x(), corners.y(), corners.z(), planes_.data());
+}
+
+void NodeTriangles::find_clear(const float* clearance) {
+    float* const to = planes_.data();
+    for (std::size_t i = 0; i < count_; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            float sum = 0;
+            for (std::size_t c = 0; c < 3; ++c) sum += clearance[corner(i, c)] * to[i + (3 * c + k) * count_];
+            to[i + (TrianglePlanes::clear + k) * count_] = sum;
+        }
+}
+
+void NodeTriangles::find_boxes(const SeenCorners& corners, bool double_sided, const SampleGrid& grid) {
+    if (boxes_.size() < 5 * triangles_) boxes_.resize(5 * triangles_);
+    std::array<std::int32_t*, 5> rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = boxes_.data() + i * triangles_;
+    find_all_boxes(corners_[0].data(), corners_[1].data(), corners_[2].data(), static_cast<int>(triangles_),
+                   double_sided ? 3 : 1, corners.line(), corners.sample(), grid, rows[0], rows[1], rows[2],
+                   rows[3], rows[4]);
+    for (std::size_t i = 0; i < triangles_; ++i) {
+        seen_[count_] = {
+            static_cast<std::int32_t>(i), rows[4][i] >> 1, rows[0][i], rows[1][i], rows[2][i], rows[3][i]};
+        count_ += rows[4][i] != 0 ? 1 : 0;
+    }
+}
+
+/// What reaches behind the sonar has no box on the image plane.
+void NodeTriangles::find_boxes_across_near_end(const SeenCorners& corners, bool double_sided,
+                                               const SampleGrid& grid) {
+    const float *x = corners.x(), *y = corners.y(), *z = corners.z(), *line = corners.line(),
+                *sample = corners.sample();
+    const auto set = [](float low, float high, int count, std::int32_t& first, std::int32_t& last) {
+        const auto most = static_cast<float>(count);
+        first = static_cast<std::int32_t>(std::clamp(std::ceil(low - margin), 0.0F, most));
+        last = static_cast<std::int32_t>(std::clamp(std::floor(high + margin), -1.0F, most - 1));
+    };
+    for (std::size_t i = 0; i < triangles_; ++i) {
+        const std::int32_t a = corners_[0][i], b = corners_[1][i], c = corners_[2][i];
+        const auto [nearest, farthest] = std::minmax({z[a], z[b], z[c]});
+        if (farthest <= near_end) continue;
+        const float bx = x[b] - x[a], by = y[b] - y[a], bz = z[b] - z[a], cx = x[c] - x[a], cy = y[c] - y[a],
+                    cz = z[c] - z[a];
+        const float volume =
+            x[a] * (by * cz - bz * cy) + y[a] * (bz * cx - bx * cz) + z[a] * (bx * cy - by * cx);
+        if (!(volume > 0 || (volume < 0 && double_sided))) continue;
+        SeenTriangle seen{
+            static_cast<std::int32_t>(i), volume > 0 ? 0 : 1, 0, grid.lines - 1, 0, grid.samples - 1};
+        if (nearest > near_end) {
+            const auto [low_line, high_line] = std::minmax({line[a], line[b], line[c]});
+            const auto [low_sample, high_sample] = std::minmax({sample[a], sample[b], sample[c]});
+            set(low_line, high_line, grid.lines, seen.first_line, seen.last_line);
+            set(low_sample, high_sample, grid.samples, seen.first_sample, seen.last_sample);
+        }
+        if (seen.first_line <= seen.last_line && seen.first_sample <= seen.last_sample)
+            seen_[count_++] = seen;
+    }
+}
+
+}  // namespace echoloop::raster
