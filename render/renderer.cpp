@@ -125,8 +125,8 @@ class Renderer::Impl {
     const Scene& scene() const { return *scene_; }
     const Water& water() const { return water_; }
     std::string description() const {
-        if (sampler_) return rays::RaySampler::description();
         if (native_) return raster::RasterSampler::description();
+        if (sampler_) return rays::RaySampler::description();
         return crew_->drawer().description();
     }
 
@@ -445,7 +445,7 @@ class Renderer::Impl {
                                   .rays = rays_,
                                   .rays_nearby = rays_nearby_,
                                   .sag = speed_ / 8 * shot.bin_interval};
-        const gl::DrawProfile& drawn = find_surfaces(*heard.plan, outlook, heard.pixels);
+        const gl::DrawProfile& drawn = find_surfaces(*heard.plan, outlook, shot.beams() == 1, heard.pixels);
         heard.focus.clear();
         if (rays_ && rays_->focuses() && effects().has(Effect::spreading))
             find_focus(*heard.plan, offset_of(heard.array),
@@ -455,10 +455,15 @@ class Renderer::Impl {
         profile_.pixels += drawn.pixels;
     }
 
-    const gl::DrawProfile& find_surfaces(const Picture& picture, const gl::Outlook& outlook,
+    /// Bent rays of a single beam are dear to draw, and few are worth splitting up a large scene for: where
+    /// the choice is ours they are followed.
+    const gl::DrawProfile& find_surfaces(const Picture& picture, const gl::Outlook& outlook, bool single,
                                          std::vector<Pixel>& pixels) {
+        if (native_ && single && outlook.rays && options_.sampler == "auto" && !sampler_)
+            sampler_.emplace(scene_, options_.drawing_threads);
+        if (sampler_ && (!native_ || (single && outlook.rays)))
+            return sampler_->sample(picture, outlook, pixels), sampler_->profile();
         if (native_) return native_->sample(picture, outlook, pixels), native_->profile();
-        if (sampler_) return sampler_->sample(picture, outlook, pixels), sampler_->profile();
         return crew_->draw(picture, outlook, pixels), crew_->profile();
     }
 
@@ -480,7 +485,7 @@ class Renderer::Impl {
     std::thread::id thread_ = std::this_thread::get_id();
     std::shared_ptr<const Scene> scene_;
     PathTracer tracer_;
-    std::optional<gl::DrawingCrew> crew_;  ///< one of these three
+    std::optional<gl::DrawingCrew> crew_;  ///< one of these, but for bent rays of single beams
     std::optional<raster::RasterSampler> native_;
     std::optional<rays::RaySampler> sampler_;
     /// Index into Scene::materials() and Scene::objects() of every surface number, which is Pixel::surface

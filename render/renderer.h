@@ -33,7 +33,7 @@ struct RendererOptions {
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
     /// What finds the surfaces: "raster" (OpenGL), "native" (our own rasteriser), "rays" (Embree), or "auto":
     /// native where nobody names a context, there is no GPU and the scene has at least
-    /// least_triangles_for_native; else raster.
+    /// least_triangles_for_native, but rays there for single beams whose rays bend; else raster.
     std::string sampler = "auto";
     std::size_t drawing_threads =
         1;  ///< that share a picture where the context allows it; the pixels are the same
