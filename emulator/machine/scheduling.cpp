@@ -77,11 +77,6 @@ void give_way(int nice) {
     set_slice(static_cast<std::uint64_t>(nice) * 500'000);
 }
 
-void run_when_idle() {
-    const sched_param parameters{};
-    ::sched_setscheduler(0, SCHED_IDLE, &parameters);
-}
-
 void keep_rasterisers_on_their_threads() { ::setenv("LP_NUM_THREADS", "0", 0); }
 
 void keep_freed_memory() {

@@ -22,10 +22,6 @@ void wake_on_time();
 /// For a thread that computes: gives way to those that serve a wire, the more the greater `nice` (1 to 19).
 void give_way(int nice);
 
-/// For a thread whose work can always wait: it runs while a processor has nothing else to do (SCHED_IDLE), and
-/// a thread that wakes takes its place at once. Beside threads that never sleep it gets some thousandths.
-void run_when_idle();
-
 /// Mesa's software rasteriser shares every picture out to threads of its own and waits for them. For pictures
 /// as small as a sonar's, several contexts with a thread each are faster. Before the first context; a user's
 /// own LP_NUM_THREADS counts.
