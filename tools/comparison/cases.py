@@ -98,9 +98,13 @@ def level_about(ranges, levels, distance, reach):
 
 
 def second_bottom(folder):
-    ranges, pings = turn(folder, scenario(folder, SOUNDER), "--range", "50", "--pings", "1")
-    levels = next(iter(pings.values()))
-    ours = decibels(level_about(ranges, levels, 8.5, 0.5) / level_about(ranges, levels, 17, 0.6))
+    """The mean of ten speckles: single ones lie from 25 to 38 dB."""
+    found = []
+    for seed in range(1, 11):
+        ranges, pings = turn(folder, scenario(folder, f"seed: {seed}\n" + SOUNDER), "--range", "50", "--pings", "1")
+        levels = next(iter(pings.values()))
+        found.append(decibels(level_about(ranges, levels, 8.5, 0.5) / level_about(ranges, levels, 17, 0.6)))
+    ours = mean(found)
     return [("second bottom below the first, dB", AtLeast(12.8), {OURS: ours, **dict.fromkeys(formulas.ALL)})]
 
 
