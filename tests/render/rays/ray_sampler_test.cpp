@@ -5,14 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstring>
 #include <numeric>
 
-#include "render/fan/plan.h"
-#include "render/gl/egl.h"
 #include "render/renderer.h"
-#include "tests/render/meshes.h"
-#include "tests/render/shots.h"
+#include "tests/render/sampled_pictures.h"
 #include "tools/echoloop/bench/scenes.h"
 
 namespace echoloop {
@@ -20,69 +16,10 @@ namespace {
 
 using namespace test;
 
-using Pixels = std::vector<Pixel>;
-
-gl::Outlook outlook_of(const Shot& shot, const Pose& pose, std::span<const Pose> movers = {}) {
-    return {.world_from_fan = pose * Pose{{}, sonar_from_fan(shot.pan, shot.tilt)},
-            .movers = movers,
-            .end_range = 50,
-            .offset = {{0.2, -0.3}, {-0.1, 0.4}}};
-}
-
-Pixels drawn(const std::shared_ptr<const Scene>& scene, const Shot& shot, const gl::Outlook& outlook) {
-    gl::DrawingCrew crew([] { return gl::make_context("auto"); }, scene, 1);
-    Pixels pixels;
-    crew.draw(plan_fan(geometry_of(shot, Effects{}), {}), outlook, pixels);
-    return pixels;
-}
-
-Pixels traced(rays::RaySampler& sampler, const Shot& shot, const gl::Outlook& outlook) {
-    Pixels pixels;
-    sampler.sample(plan_fan(geometry_of(shot, Effects{}), {}), outlook, pixels);
-    return pixels;
-}
-
 Pixels traced(const std::shared_ptr<const Scene>& scene, const Shot& shot, const gl::Outlook& outlook,
               std::size_t threads = 1) {
     rays::RaySampler sampler(scene, threads);
-    return traced(sampler, shot, outlook);
-}
-
-bool same(const Pixels& a, const Pixels& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Pixel)) == 0;
-}
-
-bool alike(const Pixel& a, const Pixel& b) {
-    if (a.surface != b.surface) return false;
-    const float footprint = std::abs(std::abs(a.footprint) - std::abs(b.footprint));
-    return std::abs(a.range - b.range) < 2e-3F && std::abs(a.cosine - b.cosine) < 2e-3F &&
-           footprint < 2e-3F + 0.01F * std::abs(a.footprint);
-}
-
-/// The share of pixels in which both show the same; those beyond the range may be missing in either.
-double likeness(const Pixels& a, const Pixels& b) {
-    std::size_t compared = 0, same = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        const bool near = (a[i].surface != 0 && a[i].range < 50) || (b[i].surface != 0 && b[i].range < 50);
-        compared += near, same += near && alike(a[i], b[i]);
-    }
-    EXPECT_GT(compared, a.size() / 10);
-    return static_cast<double>(same) / static_cast<double>(compared);
-}
-
-const std::string box_name = "box";
-
-/// Both sides of a wall, a ball with smooth normals, and a box that moves.
-std::shared_ptr<const Scene> room() {
-    Mesh screen = wall_at(12, 2, -4, 1);
-    screen.material.double_sided = true;
-    const std::vector<Mesh> meshes{floor_at(-5, 60, 8),
-                                   wall_at(30, 30, -5, 6),
-                                   wall_at(-3, 40, -5, 6),
-                                   sphere({9, 4, -3}, 1, 12),
-                                   screen,
-                                   box("box", {}, {1, 2, 1})};
-    return Scene::from_meshes(meshes, {}, std::span(&box_name, 1));
+    return sampled(sampler, shot, outlook);
 }
 
 TEST(RaySampler, FindsThePixelsThatAreDrawn) {
@@ -91,7 +28,7 @@ TEST(RaySampler, FindsThePixelsThatAreDrawn) {
         const std::array movers{box};
         for (const Shot& shot : {forward_looking(), scanning()}) {
             const auto outlook = outlook_of(shot, {{0, 0, -1}, axis_angle({0, 0, 1}, 0.1)}, movers);
-            EXPECT_GT(likeness(drawn(scene, shot, outlook), traced(scene, shot, outlook)), 0.995);
+            EXPECT_GT(likeness(by_gl(scene, shot, outlook), traced(scene, shot, outlook)), 0.995);
         }
     }
 }
@@ -102,7 +39,7 @@ TEST(RaySampler, LooksThroughTheBackOfWhatHasOneSide) {
     const Shot shot = forward_looking();
     const auto outlook =
         outlook_of(shot, {{-6, 0, -1}, {}}, movers);  // behind a wall that faces the other way
-    EXPECT_GT(likeness(drawn(scene, shot, outlook), traced(scene, shot, outlook)), 0.995);
+    EXPECT_GT(likeness(by_gl(scene, shot, outlook), traced(scene, shot, outlook)), 0.995);
 }
 
 TEST(RaySampler, FindsTheSameWithAnyThreadsAndPast) {
@@ -112,8 +49,8 @@ TEST(RaySampler, FindsTheSameWithAnyThreadsAndPast) {
     const Pixels alone = traced(scene, shot, outlook);
     EXPECT_TRUE(same(traced(scene, shot, outlook, 3), alone));
     rays::RaySampler sampler(scene, 1);
-    for (const double x : {1.3, -20.0}) traced(sampler, shot, outlook_of(shot, {{x, 2, 0}, {}}));
-    EXPECT_TRUE(same(traced(sampler, shot, outlook), alone));
+    for (const double x : {1.3, -20.0}) sampled(sampler, shot, outlook_of(shot, {{x, 2, 0}, {}}));
+    EXPECT_TRUE(same(sampled(sampler, shot, outlook), alone));
 }
 
 /// uPa^2 by tenths of the range, mean over pings; what fluctuates is left out, and what has rays of its own.
