@@ -13,10 +13,12 @@ namespace echoloop {
 namespace {
 
 using test::db;
+using test::heard_between;
 using test::moving;
 using test::patterned;
+using test::plate;
 
-constexpr double c = 1500, range = 50;
+constexpr double c = 1500, range = test::range_of_plates;
 
 /// One way's power of a plain line that is `width_deg` wide at -3 dB both ways.
 double line(double width_deg, double off_deg) {
@@ -53,27 +55,6 @@ Shot lens() {
     shot.horizontal = {ApertureShape::line, 2};
     shot.vertical = {ApertureShape::line, 1};
     return shot;
-}
-
-/// A square that faces the sonar, `half` m to each side of its middle.
-Mesh plate(double bearing_deg, double elevation_deg, double half) {
-    const Quat turn =
-        axis_angle({0, 0, 1}, -deg_to_rad(bearing_deg)) * axis_angle({0, 1, 0}, -deg_to_rad(elevation_deg));
-    const auto at = [&](double port, double up) { return rotate(turn, {range, port, up}); };
-    return test::quad("plate", at(half, -half), at(-half, -half), at(-half, half), at(half, half));
-}
-
-/// Power of the beams from `first` to `last` deg, in the mean over pings.
-double heard_between(Renderer& renderer, Shot shot, const Situation& situation, double first, double last) {
-    double sum = 0;
-    for (shot.ping = 0; shot.ping < 32; ++shot.ping) {
-        const Echogram e = renderer.render(shot, situation);
-        for (std::size_t beam = 0; beam < e.beams(); ++beam) {
-            const double bearing = rad_to_deg(shot.bearings[beam % shot.bearings.size()]);
-            if (bearing > first && bearing < last) sum += test::beam_power(e, beam);
-        }
-    }
-    return sum;
 }
 
 /// By so many deg until an echo is back from `range`.

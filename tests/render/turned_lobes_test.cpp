@@ -14,21 +14,15 @@ namespace echoloop {
 namespace {
 
 using test::db;
+using test::heard_between;
 using test::moving;
 using test::patterned;
+using test::plate;
 
-constexpr double c = 1500, range = 50;
+constexpr double c = 1500, range = test::range_of_plates;
 
 /// By 2 deg until an echo is back from `range`.
 const Situation yawing = moving({}, {0, 0, 30}), pitching = moving({}, {0, 30, 0});
-
-/// A square that faces the sonar, `half` m to each side of its middle.
-Mesh plate(double bearing_deg, double elevation_deg, double half) {
-    const Quat turn =
-        axis_angle({0, 0, 1}, -deg_to_rad(bearing_deg)) * axis_angle({0, 1, 0}, -deg_to_rad(elevation_deg));
-    const auto at = [&](double port, double up) { return rotate(turn, {range, port, up}); };
-    return test::quad("plate", at(half, -half), at(-half, -half), at(-half, half), at(half, half));
-}
 
 Shot fan(double aperture_deg) {
     Shot shot = test::fan(aperture_deg, 20, static_cast<std::size_t>(aperture_deg), 500, 1.1 * range);
@@ -66,19 +60,6 @@ TEST(TurnedLobes, WhatIsAboveAFanIsHeardElsewhereWhenTheEchoComes) {
         const double side = rad_to_deg(std::asin(std::sin(deg_to_rad(2)) * std::sin(deg_to_rad(-elevation))));
         EXPECT_NEAR(middle_of(renderer, fan(24), moving({}, {30, 0, 0})) - still, side, 0.05);
     }
-}
-
-/// Power of the beams from `first` to `last` deg, in the mean over pings.
-double heard_between(Renderer& renderer, Shot shot, const Situation& situation, double first, double last) {
-    double sum = 0;
-    for (shot.ping = 0; shot.ping < 32; ++shot.ping) {
-        const Echogram e = renderer.render(shot, situation);
-        for (std::size_t beam = 0; beam < e.beams(); ++beam) {
-            const double bearing = rad_to_deg(shot.bearings[beam % shot.bearings.size()]);
-            if (bearing > first && bearing < last) sum += test::beam_power(e, beam);
-        }
-    }
-    return sum;
 }
 
 // Far side lobes of a plain line fall as 1 / sin^2.
