@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "render/fan/plan.h"
+#include "render/gl/drawing_crew.h"
 #include "render/gl/egl.h"
 #include "tests/render/meshes.h"
 #include "tests/render/shots.h"
