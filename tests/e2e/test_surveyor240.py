@@ -110,9 +110,9 @@ class FlatFloor(SurveyorCase):
         self.assertEqual(host.first_ping(end_mm=7000).points, [])
         ping = host.first_ping(end_mm=9000)
         self.assertGreaterEqual(len(ping.points), 5)
-        # A beam of 16 staves is 6.4 deg wide: half of that beyond the edge it still hears the last of the bottom in range.
-        # Farther on there is none, and no point is what staves that differ hear of the nadir there.
-        edge = math.degrees(math.acos(8 / 9)) + 3.2
+        # Close beyond the edge a direction may hear the last of the bottom in range through its own lobes: one unit of eight
+        # does, 2.7 deg beyond. Farther on there is none, and no point is what staves that differ hear of the nadir there.
+        edge = math.degrees(math.acos(8 / 9)) + 3
         outside = [p for p in ping.points if abs(math.degrees(math.atan2(p[0], -p[1]))) >= edge]
         self.assertEqual(outside, [])
         points = host.first_ping(start_mm=8500, end_mm=12000).points
