@@ -5,24 +5,14 @@
 #include "protocols/edgetech/layouts.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::edgetech {
 namespace {
 
 /// What comes out of a stream that is cut into pieces.
 std::vector<wire::Bytes> frames_of(wire::ByteView bytes, std::size_t piece) {
-    Framer framer;
-    std::vector<wire::Bytes> out;
-    const auto drain = [&] {
-        while (auto frame = framer.next()) out.push_back(*std::move(frame));
-    };
-    for (; !bytes.empty(); bytes = bytes.subspan(std::min(piece, bytes.size()))) {
-        framer.feed(bytes.first(std::min(piece, bytes.size())));
-        drain();
-    }
-    framer.finish();
-    drain();
-    return out;
+    return found_in_pieces(Framer(), bytes, piece);
 }
 
 template <class B>

@@ -4,6 +4,7 @@
 #include "protocols/inspect.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::imagenex {
 namespace {
@@ -13,12 +14,6 @@ static_assert(wire::fixed_size<ExternalControl>() == 256);
 
 wire::Bytes golden(const std::string& name) {
     return read_hex_file(std::string(ECHOLOOP_SOURCE_DIR) + "/tests/data/deltat/" + name + ".hex").bytes;
-}
-
-wire::Bytes joined(std::initializer_list<wire::Bytes> parts) {
-    wire::Bytes all;
-    for (const wire::Bytes& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
 }
 
 Profile83P legal_profile() {

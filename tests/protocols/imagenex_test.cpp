@@ -7,6 +7,7 @@
 #include "protocols/inspect.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::imagenex {
 namespace {
@@ -101,23 +102,7 @@ TEST(ImagenexSigned, HasFourteenBitsBelowTwoFlags) {
 /// Frames found in `bytes`, the stream cut at `at`.
 std::vector<wire::Bytes> frames_of(wire::ByteView bytes, std::size_t at = 0,
                                    Framer::Takes takes = Framer::Takes::everything) {
-    Framer framer(takes);
-    std::vector<wire::Bytes> out;
-    const auto drain = [&] {
-        while (auto frame = framer.next()) out.push_back(*std::move(frame));
-    };
-    framer.feed(bytes.first(at));
-    drain();
-    framer.feed(bytes.subspan(at));
-    framer.finish();
-    drain();
-    return out;
-}
-
-wire::Bytes joined(std::initializer_list<wire::Bytes> parts) {
-    wire::Bytes out;
-    for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
-    return out;
+    return found_in_two(Framer(takes), bytes, at);
 }
 
 TEST(ImagenexFramer, BothDirectionsComeOutOfNoiseWhereverTheStreamIsSplit) {

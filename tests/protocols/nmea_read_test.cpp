@@ -9,6 +9,7 @@
 #include "protocols/nmea/sentence.h"
 #include "protocols/nmea/sentences.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::nmea {
 namespace {
@@ -122,15 +123,8 @@ TEST(NmeaInspect, CoversEveryByteAndSaysWhatIsWrong) {
                                "$SDDPT,8.00,12.00*00\r\n$SDDBT,1,f,2,X,3,F\r\n$SDMTW,warm,C\n" +
                                "$SDDPT,1.5\r\n$SDDPT,1.5*5\r\n$PTNTH,1*4B\r\n";
     const auto messages = decode(bytes_of(stream));
-    std::size_t covered = 0;
-    std::vector<std::string> told;
-    for (const auto& m : messages) {
-        EXPECT_EQ(m.offset, covered);
-        covered += m.size;
-        told.push_back(m.name + "|" + m.reason);
-    }
-    EXPECT_EQ(covered, stream.size());
-    EXPECT_EQ(told,
+    expect_all_covered(messages, stream.size());
+    EXPECT_EQ(told(messages),
               (Lines{"|no complete frame", "DPT|", "DPT|Sentence.checksum at byte 18: the characters make 6C",
                      "DBT|DBT.M at byte 13: not the letter of this unit",
                      "MTW|MTW.temperature at byte 7: not a number",

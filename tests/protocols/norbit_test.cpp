@@ -8,6 +8,7 @@
 #include "protocols/wire/crc.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::norbit {
 namespace {
@@ -16,26 +17,9 @@ wire::Bytes golden(const std::string& name) {
     return read_hex_file(std::string(ECHOLOOP_SOURCE_DIR) + "/tests/data/norbit/" + name + ".hex").bytes;
 }
 
-wire::Bytes joined(std::initializer_list<wire::Bytes> parts) {
-    wire::Bytes all;
-    for (const wire::Bytes& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
-}
-
 /// Frames found in `bytes`, the stream cut at `at`.
 std::vector<Frame> frames_of(wire::ByteView bytes, std::size_t at = 0) {
-    Framer framer;
-    std::vector<Frame> out;
-    const auto drain = [&] {
-        while (auto frame = framer.next()) out.push_back(*std::move(frame));
-    };
-    framer.feed(bytes.first(at));
-    drain();
-    framer.feed(bytes.subspan(at));
-    drain();
-    framer.finish();
-    drain();
-    return out;
+    return found_in_two(Framer(), bytes, at);
 }
 
 template <class M>

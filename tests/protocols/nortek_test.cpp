@@ -6,6 +6,7 @@
 #include "protocols/nortek/inspect.h"
 #include "protocols/nortek/sentences.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::nortek {
 namespace {
@@ -129,26 +130,17 @@ TEST(NortekFramer, FindsEverythingWhateverThePieces) {
     wire::Bytes damaged = track;
     ++damaged[60];
     const std::string line = "$PNOR,OK*2B\r\n";
-    wire::Bytes stream{0xA5, 0xA5, 0x0A, 0x00};
-    for (const wire::Bytes& part : {track, wire::Bytes(line.begin(), line.end()), damaged, other, track})
-        stream.insert(stream.end(), part.begin(), part.end());
+    const wire::Bytes stream = joined(
+        {{0xA5, 0xA5, 0x0A, 0x00}, track, wire::Bytes(line.begin(), line.end()), damaged, other, track});
     for (std::size_t size = 1; size <= stream.size(); size += size < 20 ? 1 : 37) {
-        Framer framer;
         std::vector<wire::Bytes> frames;
         std::string first;
-        const auto take = [&] {
-            while (const auto piece = framer.next())
-                if (piece->kind == Piece::Kind::frame)
-                    frames.push_back(piece->bytes);
-                else if (first.empty())
-                    first.assign(piece->bytes.begin(), piece->bytes.end());
-        };
-        for (std::size_t at = 0; at < stream.size(); at += size) {
-            framer.feed(wire::ByteView(stream).subspan(at, std::min(size, stream.size() - at)));
-            take();
-        }
-        framer.finish();
-        take();
+        feed_in_pieces(Framer(), stream, size, [&](const Piece& piece) {
+            if (piece.kind == Piece::Kind::frame)
+                frames.push_back(piece.bytes);
+            else if (first.empty())
+                first.assign(piece.bytes.begin(), piece.bytes.end());
+        });
         EXPECT_EQ(frames, (std::vector<wire::Bytes>{track, other, track})) << size;
         EXPECT_EQ(first, "$PNOR,OK*2B") << size;
     }
@@ -158,12 +150,7 @@ TEST(NortekInspect, CoversEveryByte) {
     wire::Bytes stream = golden("altimeter");
     stream.insert(stream.begin(), {0x00, 0xA5, 0x0A, 0x01});
     stream.push_back('?');
-    std::size_t covered = 0;
-    for (const auto& message : decode(stream)) {
-        EXPECT_EQ(message.offset, covered);
-        covered += message.size;
-    }
-    EXPECT_EQ(covered, stream.size());
+    expect_all_covered(decode(stream), stream.size());
     EXPECT_FALSE(recognise(wire::Bytes{'O', 'K', '\r', '\n'})) << "a line is anybody's";
 }
 

@@ -9,6 +9,7 @@
 #include "protocols/oculus/layouts.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::oculus {
 namespace {
@@ -21,24 +22,7 @@ wire::Bytes golden(const std::string& name) {
 
 /// Frames found in `bytes`, the stream cut at `at`.
 std::vector<Frame> frames_of(wire::ByteView bytes, std::size_t at = 0, std::size_t longest = max_payload) {
-    Framer framer(longest);
-    std::vector<Frame> out;
-    const auto drain = [&] {
-        while (auto frame = framer.next()) out.push_back(*std::move(frame));
-    };
-    framer.feed(bytes.first(at));
-    drain();
-    framer.feed(bytes.subspan(at));
-    drain();
-    framer.finish();
-    drain();
-    return out;
-}
-
-wire::Bytes joined(std::initializer_list<wire::Bytes> parts) {
-    wire::Bytes all;
-    for (const wire::Bytes& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
+    return found_in_two(Framer(longest), bytes, at);
 }
 
 template <class M>

@@ -7,6 +7,7 @@
 #include "protocols/wire/read.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::ping {
 namespace {
@@ -86,17 +87,7 @@ TEST(PingCodec, ALyingDataLengthIsRefused) {
 /// Frames found in `bytes`, the stream cut at `at`.
 std::vector<Frame> frames_of(wire::ByteView bytes, std::size_t at = 0,
                              Framer::Waiting waiting = Framer::Waiting::patient) {
-    Framer framer(waiting);
-    std::vector<Frame> out;
-    const auto drain = [&] {
-        while (auto frame = framer.next()) out.push_back(*std::move(frame));
-    };
-    framer.feed(bytes.first(at));
-    drain();
-    framer.feed(bytes.subspan(at));
-    framer.finish();
-    drain();
-    return out;
+    return found_in_two(Framer(waiting), bytes, at);
 }
 
 TEST(PingFramer, FramesComeOutOfNoiseWhereverTheStreamIsSplit) {

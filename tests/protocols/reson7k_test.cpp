@@ -5,6 +5,7 @@
 #include "protocols/reson7k/layouts.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::reson7k {
 namespace {
@@ -16,24 +17,7 @@ wire::Bytes golden(const std::string& name) {
 /// Records found in `bytes`, the stream cut at `at`.
 std::vector<Record> records_of(wire::ByteView bytes, std::size_t at = 0,
                                Source source = Source::network_or_file) {
-    Framer framer(source == Source::network ? host_record : max_record, source);
-    std::vector<Record> out;
-    const auto drain = [&] {
-        while (auto record = framer.next()) out.push_back(*std::move(record));
-    };
-    framer.feed(bytes.first(at));
-    drain();
-    framer.feed(bytes.subspan(at));
-    drain();
-    framer.finish();
-    drain();
-    return out;
-}
-
-wire::Bytes joined(const std::vector<wire::Bytes>& parts) {
-    wire::Bytes all;
-    for (const wire::Bytes& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
+    return found_in_two(Framer(source == Source::network ? host_record : max_record, source), bytes, at);
 }
 
 template <class M>

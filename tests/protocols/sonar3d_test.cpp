@@ -9,6 +9,7 @@
 #include "protocols/wire/crc.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::sonar3d {
 namespace {
@@ -25,17 +26,7 @@ wire::Bytes with_checksum(wire::Bytes packet) {
 }
 
 std::vector<wire::Bytes> packets_of(wire::ByteView bytes, std::size_t at = 0) {
-    Framer framer;
-    std::vector<wire::Bytes> out;
-    const auto drain = [&] {
-        while (auto packet = framer.next()) out.push_back(*std::move(packet));
-    };
-    framer.feed(bytes.first(at));
-    drain();
-    framer.feed(bytes.subspan(at));
-    framer.finish();
-    drain();
-    return out;
+    return found_in_two(Framer(), bytes, at);
 }
 
 class Sonar3dGolden : public ::testing::TestWithParam<const char*> {};

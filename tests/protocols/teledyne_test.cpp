@@ -6,6 +6,7 @@
 #include "protocols/teledyne/inspect.h"
 #include "protocols/waterlinked/pd4.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::teledyne {
 namespace {
@@ -87,22 +88,14 @@ TEST(TeledyneFramer, FindsEverythingWhateverThePieces) {
          {wire::Bytes(line.begin(), line.end()), ensemble, damaged, block, pd4, ensemble})
         stream.insert(stream.end(), part.begin(), part.end());
     for (std::size_t size = 1; size <= stream.size(); size += size < 20 ? 1 : 37) {
-        Framer framer;
         std::vector<wire::Bytes> blocks;
         std::string lines;
-        const auto take = [&] {
-            while (const auto piece = framer.next())
-                if (piece->kind != Piece::Kind::line)
-                    blocks.push_back(piece->bytes);
-                else if (blocks.empty())
-                    lines += std::string(piece->bytes.begin(), piece->bytes.end()) + '|';
-        };
-        for (std::size_t at = 0; at < stream.size(); at += size) {
-            framer.feed(wire::ByteView(stream).subspan(at, std::min(size, stream.size() - at)));
-            take();
-        }
-        framer.finish();
-        take();
+        feed_in_pieces(Framer(), stream, size, [&](const Piece& piece) {
+            if (piece.kind != Piece::Kind::line)
+                blocks.push_back(piece.bytes);
+            else if (blocks.empty())
+                lines += std::string(piece.bytes.begin(), piece.bytes.end()) + '|';
+        });
         EXPECT_EQ(blocks, (std::vector<wire::Bytes>{ensemble, block, pd4, ensemble})) << size;
         EXPECT_EQ(lines, "EX11111|>|") << size;
     }
@@ -112,12 +105,7 @@ TEST(TeledyneInspect, CoversEveryByte) {
     wire::Bytes stream = golden("profile");
     stream.insert(stream.begin(), {0x00, 0x7F, 0x7F, 0x01});
     stream.push_back('?');
-    std::size_t covered = 0;
-    for (const auto& message : decode(stream)) {
-        EXPECT_EQ(message.offset, covered);
-        covered += message.size;
-    }
-    EXPECT_EQ(covered, stream.size());
+    expect_all_covered(decode(stream), stream.size());
     EXPECT_FALSE(recognise(wire::Bytes{'E', 'X', '\r', '\n'})) << "a line is anybody's";
 }
 

@@ -8,6 +8,7 @@
 #include "protocols/waterlinked/pd4.h"
 #include "protocols/waterlinked/sentence.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::waterlinked {
 namespace {
@@ -15,17 +16,8 @@ namespace {
 wire::Bytes bytes(const std::string& text) { return {text.begin(), text.end()}; }
 
 std::vector<std::string> pieces_of(const std::string& stream, std::size_t size) {
-    Framer framer;
     std::vector<std::string> out;
-    const auto take = [&] {
-        while (const auto piece = framer.next()) out.push_back(piece->text);
-    };
-    for (std::size_t at = 0; at < stream.size(); at += size) {
-        framer.feed(bytes(stream.substr(at, size)));
-        take();
-    }
-    framer.finish();
-    take();
+    feed_in_pieces(Framer(), bytes(stream), size, [&](const Piece& piece) { out.push_back(piece.text); });
     return out;
 }
 
@@ -110,17 +102,11 @@ TEST(WaterlinkedPd4, IsRefusedWithAWrongSumOrCut) {
 TEST(WaterlinkedInspect, CoversEveryByteAndSaysWhatIsWrong) {
     const std::string stream =
         "??wcv*ff\r\n[\"command\",\"get_config\"]{\"type\":\"other\",\"z\":1}\r\nwcv*fe\r\n";
-    std::size_t covered = 0;
-    std::vector<std::string> told;
-    for (const auto& message : decode(bytes(stream))) {
-        EXPECT_EQ(message.offset, covered);
-        covered += message.size;
-        told.push_back(message.name + "|" + message.reason);
-    }
-    EXPECT_EQ(covered, stream.size());
-    EXPECT_EQ(told, (std::vector<std::string>{
-                        "|no complete frame", "wcv|wcv.checksum at byte 4: the characters make fe",
-                        "object|object at byte 0: an array, not an object", "object|", "wcv|"}));
+    const auto messages = decode(bytes(stream));
+    expect_all_covered(messages, stream.size());
+    EXPECT_EQ(told(messages), (std::vector<std::string>{
+                                  "|no complete frame", "wcv|wcv.checksum at byte 4: the characters make fe",
+                                  "object|object at byte 0: an array, not an object", "object|", "wcv|"}));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "protocols/wayfinder/layouts.h"
 #include "tests/protocols/arbitrary.h"
 #include "tests/protocols/data.h"
+#include "tests/protocols/streams.h"
 
 namespace echoloop::wayfinder {
 namespace {
@@ -25,18 +26,7 @@ constexpr Kind kind_of = std::is_same_v<M, Data>    ? Kind::data
 
 /// What comes out of a stream that is cut into pieces.
 std::vector<wire::Bytes> packets_of(wire::ByteView bytes, std::size_t piece) {
-    Framer framer;
-    std::vector<wire::Bytes> out;
-    const auto take = [&] {
-        while (auto packet = framer.next()) out.push_back(*std::move(packet));
-    };
-    for (; !bytes.empty(); bytes = bytes.subspan(std::min(piece, bytes.size()))) {
-        framer.feed(bytes.first(std::min(piece, bytes.size())));
-        take();
-    }
-    framer.finish();
-    take();
-    return out;
+    return found_in_pieces(Framer(), bytes, piece);
 }
 
 template <class M>
@@ -118,12 +108,7 @@ TEST(WayfinderInspect, CoversEveryByte) {
     wire::Bytes stream = golden("system");
     stream.insert(stream.begin(), {0x00, 0xAA, 0x10, 0x02});
     stream.push_back(0xAA);
-    std::size_t covered = 0;
-    for (const auto& message : decode(stream)) {
-        EXPECT_EQ(message.offset, covered);
-        covered += message.size;
-    }
-    EXPECT_EQ(covered, stream.size());
+    expect_all_covered(decode(stream), stream.size());
     EXPECT_EQ(checksums(golden("data")), (std::vector<ChecksumPlace>{{golden("data").size() - 2, 2, false}}));
 }
 
