@@ -9,7 +9,7 @@ namespace echoloop::validation {
 namespace {
 
 std::shared_ptr<const Scene> scene(int cells, int rings) {
-    return scene_of({floor_at(-5, 60, cells), wall_at(25, 10, -5, 2), ball({12, 2, -3.5}, 1, rings, -20)});
+    return scene_of({floor_at(-5, 60, cells), wall_at(25, 10, -5, 2), sphere({12, 2, -3.5}, 1, rings, -20)});
 }
 
 std::vector<double> heard(const std::shared_ptr<const Scene>& scene, double pixel_density) {

@@ -115,9 +115,9 @@ void check_plates(Findings& find) {
 void check_round_bodies(Findings& find) {
     find.source("V / 2R ((1 + R/a1)(1 + R/a2))^-1/2, R 10 m; meshes");
     find.within("smooth sphere, a 0.1 m", "dB", -26.11, 1,
-                body_strength(polished(ball({10.1, 0, 0}, 0.1, 32, -120), 1), 10, 2, 2));
+                body_strength(polished(sphere({10.1, 0, 0}, 0.1, 32, -120), 1), 10, 2, 2));
     find.within("smooth sphere, a 0.5 m", "dB", -12.46, 1,
-                body_strength(polished(ball({10.5, 0, 0}, 0.5, 32, -120), 1), 10, 8, 8));
+                body_strength(polished(sphere({10.5, 0, 0}, 0.5, 32, -120), 1), 10, 8, 8));
     find.within("smooth cylinder, a 0.15 m, 2 m long, broadside", "dB", -4.52, 1,
                 body_strength(polished(cylinder(10.15, 0.15, 2, 64), 1), 10, 4, 20));
 }

@@ -2,48 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 namespace echoloop::validation {
 namespace {
 
-void add_quad(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
-    for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + corner);
-}
-
-Mesh mesh_of(const char* object, double mu_db) {
-    Mesh mesh;
-    mesh.object = object;
-    mesh.material.name = object;
-    mesh.material.mu_db = mu_db;
-    return mesh;
-}
-
 /// A scene must have a triangle: one that no ping reaches.
 Mesh speck() {
-    Mesh mesh = mesh_of("speck", -100);
-    add_quad(mesh, {-5000, 0, 0}, {-5000, 0.01, 0}, {-5000, 0.01, 0.01}, {-5000, 0, 0.01});
-    return mesh;
+    return shapes::quad("speck", {-5000, 0, 0}, {-5000, 0.01, 0}, {-5000, 0.01, 0.01}, {-5000, 0, 0.01},
+                        -100);
 }
 
 }  // namespace
 
-Mesh floor_at(double z, double half_side, int cells, double mu_db) {
-    Mesh mesh = mesh_of("floor", mu_db);
-    const double step = 2 * half_side / cells;
-    for (int i = 0; i < cells; ++i)
-        for (int j = 0; j < cells; ++j) {
-            const double x = -half_side + i * step, y = -half_side + j * step;
-            add_quad(mesh, {x, y, z}, {x + step, y, z}, {x + step, y + step, z}, {x, y + step, z});
-        }
-    return mesh;
-}
-
 Mesh rough_floor_at(double z, double half_x, double half_y, double cell, double height) {
-    Mesh mesh = mesh_of("floor", -27);
+    Mesh mesh;
+    mesh.object = mesh.material.name = "floor";
+    mesh.material.mu_db = -27;
     std::mt19937_64 random(7);
     const auto columns = static_cast<std::uint32_t>(2 * half_x / cell) + 1,
                rows = static_cast<std::uint32_t>(2 * half_y / cell) + 1;
@@ -55,33 +30,6 @@ Mesh rough_floor_at(double z, double half_x, double half_y, double cell, double 
             if (row + 1 == rows || column + 1 == columns) continue;
             const std::uint32_t first = row * columns + column, above = first + columns;
             for (const std::uint32_t corner : {first, first + 1, above + 1, first, above + 1, above})
-                mesh.indices.push_back(corner);
-        }
-    return mesh;
-}
-
-Mesh wall_at(double x, double half_width, double bottom, double top, double mu_db) {
-    Mesh mesh = mesh_of("wall", mu_db);
-    add_quad(mesh, {x, half_width, bottom}, {x, -half_width, bottom}, {x, -half_width, top},
-             {x, half_width, top});
-    return mesh;
-}
-
-Mesh ball(Vec3 centre, double radius, int rings, double mu_db) {
-    Mesh mesh = mesh_of("ball", mu_db);
-    const int around = 2 * rings;
-    for (int j = 0; j <= rings; ++j)
-        for (int i = 0; i <= around; ++i) {
-            const double polar = std::numbers::pi * j / rings, azimuth = 2 * std::numbers::pi * i / around;
-            const Vec3 n{std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
-                         std::cos(polar)};
-            mesh.positions.push_back(centre + radius * n);
-            mesh.normals.push_back(n);
-        }
-    for (int j = 0; j < rings; ++j)
-        for (int i = 0; i < around; ++i) {
-            const auto a = static_cast<std::uint32_t>(j * (around + 1) + i), below = a + around + 1;
-            for (const std::uint32_t corner : {a, below, below + 1, a, below + 1, a + 1})
                 mesh.indices.push_back(corner);
         }
     return mesh;

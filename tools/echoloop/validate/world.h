@@ -8,17 +8,16 @@
 #include <vector>
 
 #include "render/renderer.h"
+#include "render/scene/shapes.h"
 
 namespace echoloop::validation {
 
-/// A horizontal square that faces up, around (0, 0, z).
-Mesh floor_at(double z, double half_side, int cells = 1, double mu_db = -27);
-/// The same with corners that lie higher or lower, each by a normal number of its own times `height` (m).
+using shapes::floor_at;
+using shapes::sphere;
+using shapes::wall_at;
+
+/// A floor with corners that lie higher or lower, each by a normal number of its own times `height` (m).
 Mesh rough_floor_at(double z, double half_x, double half_y, double cell, double height);
-/// A vertical rectangle at x that faces the sonar at the origin, |y| <= half_width.
-Mesh wall_at(double x, double half_width, double bottom, double top, double mu_db = -27);
-/// A ball of rings x (2 rings) cells.
-Mesh ball(Vec3 centre, double radius, int rings, double mu_db);
 std::shared_ptr<const Scene> scene_of(std::vector<Mesh> meshes, std::vector<PointTarget> targets = {});
 
 Water water_of(double sound_speed);
