@@ -80,7 +80,7 @@ Lines micron_lines(double range, std::size_t lines, std::uint8_t gain, const Eff
 }
 
 TEST(NearField, OfAMicronOver10m) {
-    const Lines lines = micron_lines(10, 200, 105);
+    const Lines lines = micron_lines(10, 200, 84);
     EXPECT_LT(miss(lines, {0,  0,  8,  60, 81, 89, 89, 88, 80, 74, 72, 67,
                            61, 55, 49, 41, 35, 29, 24, 20, 16, 14, 12, 10},
                    mean_of),
@@ -104,17 +104,17 @@ TEST(NearField, OfAMicronOver10m) {
 }
 
 TEST(NearField, OfAMicronOver20m) {
-    const Lines lines = micron_lines(20, 100, 124);
+    const Lines lines = micron_lines(20, 100, 103);
     EXPECT_LT(miss(lines, {26, 0, 60, 92, 96, 88, 81, 71, 58, 44, 32, 24}, mean_of), 8);
     EXPECT_LT(miss(lines, {7, 0, 11, 10, 19, 27, 29, 29, 28, 25, 21, 19}, std_of), 8);
 }
 
 TEST(NearField, DashesOfAMicron) {
     double dashes = 0;
-    for (const auto& line : micron_lines(10, 1000, 105))
+    for (const auto& line : micron_lines(10, 1000, 84))
         for (std::size_t bin = 61; bin < line.size(); ++bin) dashes += line[bin] > 70 && line[bin - 1] <= 70;
     EXPECT_NEAR(dashes / 1000, 305 / (18 * 200.0), 0.25 * 305 / (18 * 200.0));
-    for (const auto& line : micron_lines(10, 100, 105, Effects().set(Effect::interference, false)))
+    for (const auto& line : micron_lines(10, 100, 84, Effects().set(Effect::interference, false)))
         for (std::size_t bin = 61; bin < line.size(); ++bin) EXPECT_LE(line[bin], 70);
 }
 
