@@ -1,8 +1,9 @@
 // What heads send of their own pulse and of interference in still water without an echo, against the figures
 // of real recordings (V33): near field within 8 counts rms of the recorded means, lifted lines within 25 %,
 // no two lines identical. The recordings: a Micron over 10 m (200 bins, 1.8 deg) and over 20 m (3.6 deg), a
-// Ping360 over 2 m, an Imagenex 852 over 50 m, an Oculus M1200d at 2.1 MHz over 2 m. Their gains are not
-// known: 105 of 210 and low are taken, and 7.2 dB more for the Micron over 20 m.
+// Ping360 over 2 m, an Imagenex 852 over 50 m, an Oculus M1200d at 2.1 MHz over 2 m. The Micron's driver
+// sends a gain of 84 of 210; over 20 m 7.2 dB more are taken, as its near field has. The others' gains are
+// not known: low is taken.
 #include <gtest/gtest.h>
 
 #include <cmath>

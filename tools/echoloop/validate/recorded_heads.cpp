@@ -1,5 +1,5 @@
-// R4, R5: a Micron and a Ping360 under the settings of recorded turns. Their places are not known: what is
-// heard of the pulse, of electronics and of silence is compared in still water, texture above a flat floor.
+// R4, R5: a Micron and a Ping360 under the settings of recorded turns. Their places are not known: a Micron
+// is compared in the open with its carrier astern, a Ping360 in still water, texture above a flat floor.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -78,15 +78,13 @@ Bytes micron_command(std::uint8_t step, std::uint16_t interval, std::uint8_t gai
 /// What carries the head: black, 0.3 m from it and two metres high, it hides all that lies further than
 /// `from` rad off the bow. What it sends back itself is in the profile's near field.
 Mesh carrier_beyond(double from) {
-    constexpr double radius = 0.3, half_height = 1, black = -200;
     constexpr int strips = 24;
     Mesh mesh;
-    mesh.object = mesh.material.name = "carrier";
-    mesh.material.mu_db = black;
+    mesh.object = mesh.material.name = "carrier", mesh.material.mu_db = -200;
     for (int i = 0; i <= strips; ++i) {
         const double at = from + i * 2 * (std::numbers::pi - from) / strips;
-        for (const double z : {-half_height, half_height})
-            mesh.positions.push_back({radius * std::cos(at), radius * std::sin(at), z});
+        for (const double z : {-1.0, 1.0})
+            mesh.positions.push_back({0.3 * std::cos(at), 0.3 * std::sin(at), z});
     }
     for (std::uint32_t i = 0; i < strips; ++i)
         for (const std::uint32_t corner : {0U, 1U, 3U, 0U, 3U, 2U}) mesh.indices.push_back(2 * i + corner);
