@@ -58,7 +58,7 @@ def sees_only_walls(bearing):
     return 110 <= degrees <= 200 or 240 <= degrees <= 290
 
 
-def first_echo(line, level=25):
+def first_echo(line, level=45):
     """Index of the first bin of at least `level`."""
     return next((i for i, v in enumerate(line.levels) if v >= level), None)
 

@@ -49,8 +49,8 @@ TEST(MicronLine, ReplyEchoesTheCommandAndCarriesTheLevels) {
     EXPECT_EQ(line[39], 31);
     EXPECT_EQ(u16(line, 40), 3200);
     EXPECT_EQ(u16(line, 42), 200);
-    // R = 120.5 * 104 * 640 ns * 1500 / 2 = 6.015 m; 130 + 14 log R + 80 * 84/210 - 142.5 = 30.41 dB of 80
-    EXPECT_EQ(line[44 + 120], 255 * 60 / 160) << "in half decibels";
+    // R = 120.5 * 104 * 640 ns * 1500 / 2 = 6.015 m; 130 + 30 log R + 80 * 84/210 - 146.2 = 39.18 dB of 80
+    EXPECT_EQ(line[44 + 120], 255 * 78 / 160) << "in half decibels";
     EXPECT_EQ(line[44 + 119], 0);
     EXPECT_EQ(line.back(), 0x0A);
 }
@@ -63,7 +63,7 @@ TEST(MicronLine, LevelsComeInHalfDecibelsBehindTwoSilentBins) {
         bench.say(send_data);
         Echogram ramp = echo_of(bench.ping->shot, 0, 0);
         for (std::size_t bin = 0; bin < ramp.values.size(); ++bin)
-            ramp.values[bin] = std::pow(10.0F, 0.6F * 0.1F * static_cast<float>(bin) + 14.5F);
+            ramp.values[bin] = std::pow(10.0F, 0.4F * 0.1F * static_cast<float>(bin) + 14.5F);
         bench.hear(ramp);
         const Bytes line = lines(bench.sent()).at(0);
         std::set<int> allowed, seen;

@@ -41,7 +41,7 @@ TEST(Profiles, FiguresReachThePing) {
     EXPECT_EQ(shot.horizontal, (AxisPattern{ApertureShape::line, 2}));
     EXPECT_EQ(shot.vertical, (AxisPattern{ApertureShape::line, 2}));
     EXPECT_EQ(shot.receiver.directivity_index, 22);
-    EXPECT_EQ(shot.receiver.self_noise, 66.5);
+    EXPECT_EQ(shot.receiver.self_noise, 53.7);
     EXPECT_EQ(shot.receiver.saturation_level, 190);
     EXPECT_EQ(shot.receiver.converter_bits, 24);
     EXPECT_EQ(shot.receiver.bandwidth, 0) << "that of the filter matched to the pulse";

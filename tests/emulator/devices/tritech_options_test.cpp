@@ -236,7 +236,7 @@ TEST(SeanetOptions, BytesOfTheReply) {
     const auto reply = [](const Options& changes, const std::string& command = continuous) {
         Bench bench = scanning(command, changes);
         bench.echo_bin = 120;
-        bench.echo_power = 2.8e12F;  // 24.8 dB of 80 with the gain of 40 %
+        bench.echo_power = 3.65e11F;  // 24.8 dB of 80 with the gain of 40 %
         bench.say(send_data);
         bench.hear();
         return lines(bench.sent()).at(0);
