@@ -49,6 +49,7 @@ class Tcp:
 
     def __init__(self, port):
         self.port, self.own, self.socket = port, 30000 + port % 30000, None
+        self.heard = b""
         self.connect()
 
     def connect(self):
@@ -69,18 +70,22 @@ class Tcp:
             self.socket.sendall(data)
             self.socket.setblocking(False)
 
-    def take(self):
-        heard = []
+    def read(self):
         while self.socket is not None:
             try:
-                heard.append(self.socket.recv(1 << 20))
+                piece = self.socket.recv(1 << 20)
             except BlockingIOError:
                 break
             except ConnectionResetError:
-                heard.append(b"")
-            if not heard[-1]:
+                piece = b""
+            self.heard += piece
+            if not piece:
                 self.close()
-        return [b"".join(heard)] if any(heard) else []
+
+    def take(self):
+        self.read()
+        heard, self.heard = self.heard, b""
+        return [heard] if heard else []
 
     def close(self):
         if self.socket is not None:
@@ -147,6 +152,15 @@ class Ends:
                 self.unheard = {d: self.unheard.get(d, 0) + max(0, n) for d, n in missing.items()}
                 return self.joined(heard)
             select.select([], [], [], 0.001)
+
+    def read_until(self, answered, seconds=60.0):
+        """Reads streams until the socket has something: the program waits with a message longer than the kernel's buffers for
+        somebody who reads, and with its answer for the message."""
+        end = time.monotonic() + seconds
+        while not select.select([answered], [], [], 0.005)[0] and time.monotonic() < end:
+            for line in self.lines.values():
+                if isinstance(line, Tcp):
+                    line.read()
 
     def joined(self, heard):
         """Of a stream, the pieces as one."""

@@ -105,7 +105,9 @@ def drive(run, folder, log):
     try:
         with Stepper(STEPS_PORT) as simulator:
             for n in range(steps):
-                answer = simulator.step(round(n * run.interval, 6), **run.pose(n))
+                simulator.send(now=round(n * run.interval, 6), **run.pose(n))
+                ends.read_until(simulator.socket)
+                answer = simulator.answer()
                 for name, pieces in ends.take(answer["sent"]).items():
                     for piece in pieces:
                         log.add(n, "heard", name, piece)
@@ -115,6 +117,8 @@ def drive(run, folder, log):
                         port, data = device.words[n]
                         ends.lines[f"{device.name}/{port}"].write(data)
                         log.add(n, "said", f"{device.name}/{port}", data)
+    except TimeoutError:
+        raise  # a step that never ends is no record
     except (Refused, EOFError, OSError) as error:
         log.note(error=str(error))
     finally:

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace echoloop {
 namespace {
 
@@ -45,6 +47,10 @@ TEST(StripShare, AnEdgeThatIsHeardLateHasNoPart) {
     EXPECT_EQ(strip_share(zone, 2, 3), std::complex<double>(0));
     EXPECT_NEAR(std::abs(strip_share(zone, 0, 3)), 0.5, 1e-9);
     EXPECT_NE(strip_share(zone, -0.3, 3), std::complex<double>(1));
+    // By Pythagoras, half of the detour by a point 1.00125 m off is the resolution.
+    EXPECT_NEAR(std::hypot(10, 1.00125) - 10, 0.05, 1e-6);
+    EXPECT_GT(std::abs(strip_share(zone, 0.97, 3)), 1e-5);
+    EXPECT_EQ(strip_share(zone, 1.01, 3), std::complex<double>(0));
 }
 
 }  // namespace
