@@ -39,9 +39,15 @@ class Bench(ProgramTest):
         self.assertEqual(shapes["sidescan-big100k"], (2, 2000))
         self.assertEqual(shapes["fls-simple"], (256, 500))
         bending = [x for part in parts for x in part["limits"] if "over that of straight rays" in x["what"]]
-        self.assertEqual((len(bending), [len(part["limits"]) for part in parts]), (7, [8, 7]))  # of 2 million triangles, 2 s and 400 MB as well
+        self.assertEqual((len(bending), [len(part["limits"]) for part in parts]), (7, [9, 7]))  # of 2 million triangles, 2 s and 400 MB as well
         for limit in bending:
             self.assertTrue(0.3 < limit["ours"] < 10 and limit["most"] == 1.2, limit)
+        growth = [x for x in parts[0]["limits"] if "triangles" in x["what"] and x["unit"] == "times"]
+        self.assertEqual([x["what"] for x in growth], ["fls: time with twenty times the triangles",
+                                                       "fls: CPU, two million triangles in two meshes",
+                                                       "fls: CPU, two million triangles in one mesh"])
+        for limit in growth:
+            self.assertTrue(0.3 < limit["ours"] < 10 and limit["most"] == 2, limit)
         drawn = {c["case"]: c["triangles"] for c in cases if c["rule"] == "radiometric"}
         # A file with everything in one mesh costs little more than the same in two.
         self.assertLess(drawn["fls-one2m"], 1.3 * drawn["fls-big2m"])

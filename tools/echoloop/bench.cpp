@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <stdexcept>
 
 #include "emulator/contract/error.h"
@@ -67,14 +68,24 @@ void draw_if_asked(const Arguments& arguments, const std::function<draw::Bars()>
 
 bench::Report measured(const bench::Settings& settings, const std::vector<bench::Case>& cases) {
     bench::Report report{settings, {}};
-    const auto bent = std::ranges::count_if(cases, [](const bench::Case& c) { return !c.profile.empty(); });
-    Progress progress("measuring", 2 * cases.size() - static_cast<std::size_t>(bent));
-    for (const EchoRule rule : {EchoRule::radiometric, EchoRule::cerqueira2016})
-        for (const bench::Case& c : cases) {
-            if (rule == EchoRule::cerqueira2016 && !c.profile.empty()) continue;  // it knows no bent rays
-            report.rows.push_back({c, rule, bench::measure(c, rule, settings)});
-            progress.done(report.rows.size());
+    std::vector<bench::Case> straight = cases;
+    std::erase_if(straight, [](const bench::Case& c) { return !c.profile.empty(); });
+    Progress progress("measuring", cases.size() + straight.size());
+    std::size_t done = 0;
+    const auto measure = [&](const std::vector<bench::Case>& of, EchoRule rule) {
+        std::vector<bench::Row> rows(of.size());
+        for (const auto& group : bench::groups_of(of)) {
+            std::vector<bench::Case> together;
+            for (const std::size_t i : group) together.push_back(of[i]);
+            auto measured = bench::measure_in_turns(together, rule, settings);
+            for (std::size_t n = 0; n < group.size(); ++n)
+                rows[group[n]] = {of[group[n]], rule, measured[n].figures, std::move(measured[n].turns)};
+            progress.done(done += group.size());
         }
+        std::ranges::move(rows, std::back_inserter(report.rows));
+    };
+    measure(cases, EchoRule::radiometric);
+    measure(straight, EchoRule::cerqueira2016);  // it knows no bent rays
     return report;
 }
 

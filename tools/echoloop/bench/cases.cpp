@@ -100,6 +100,11 @@ bool fits(const Case& c, std::string_view word) {
     return word == c.name() || word == c.sonar || word == c.scene;
 }
 
+bool tells_growth(const Case& c) {
+    static constexpr std::string_view scenes[] = {"simple", "big100k", "big2m", "one2m"};
+    return c.profile.empty() && std::ranges::find(scenes, c.scene) != std::end(scenes);
+}
+
 }  // namespace
 
 std::vector<Case> all_cases() {
@@ -152,6 +157,18 @@ std::vector<Case> chosen(const std::vector<Case>& cases, const std::string& word
     for (std::size_t i = 0; i < cases.size(); ++i)
         if (wanted[i]) result.push_back(cases[i]);
     return result;
+}
+
+std::vector<std::vector<std::size_t>> groups_of(std::span<const Case> cases) {
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto same = std::ranges::find_if(groups, [&](const auto& group) {
+            const Case& first = cases[group.front()];
+            return tells_growth(first) && tells_growth(cases[i]) && first.sonar == cases[i].sonar;
+        });
+        same == groups.end() ? groups.push_back({i}) : same->push_back(i);
+    }
+    return groups;
 }
 
 Shot shot_of(const Case& the_case, std::uint64_t number) {

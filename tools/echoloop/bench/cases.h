@@ -41,6 +41,10 @@ inline constexpr double depth_of_profiles = 8;
 /// what is known for a word that fits none.
 std::vector<Case> chosen(const std::vector<Case>& cases, const std::string& words);
 
+/// Groups of places in `cases`, in their order: cases by which growth with the triangles is told, of one
+/// sonar, are one group, all others one each.
+std::vector<std::vector<std::size_t>> groups_of(std::span<const Case> cases);
+
 /// Ping `number` of a case: a head that turns has turned on.
 Shot shot_of(const Case& the_case, std::uint64_t number);
 /// Where the sonar is then: a vehicle that hovers and never stands still, so that nothing of a ping before

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
+#include <memory>
+#include <optional>
 
 #include "emulator/machine/scheduling.h"
 #include "emulator/water/render_threads.h"
@@ -17,6 +19,9 @@ namespace echoloop::bench {
 namespace {
 
 constexpr std::uint64_t warm_up = 5;  ///< pings that only fill caches
+/// Of a case that takes turns: pings that count, and before them those that fill the processor's caches
+/// again.
+constexpr std::size_t turn_length = 10, refill = 2;
 
 double wall_time() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -78,52 +83,102 @@ struct Series {
     }
 };
 
-Figures run(const Case& the_case, EchoRule rule, const Settings& settings) {
-    Figures figures;
-    const double start = wall_time(), start_cpu = cpu_time();
-    const auto scene = make_scene(the_case, settings);
-    return_freed_memory();  // as `echoloop run` does
-    RendererOptions options;
-    options.rule = rule;
-    options.pixel_density = settings.pixel_density;
-    options.context = settings.context;
-    options.sampler = settings.sampler;
-    options.drawing_threads = RenderThreads::drawing_threads(1);
-    keep_rasterisers_on_their_threads();
-    options.surface->wind = 1.5;  // what a scenario's water is when it says nothing
-    Water water;
-    water.scattering = {{0, -95}};
-    std::optional<Renderer> straight;  // takes turns, since the speed of a machine varies
-    if (!the_case.profile.empty()) {
-        options.surface->height = depth_of_profiles;
-        straight.emplace(scene, water, options);
-        water.profile = the_case.profile;
+/// What a case needs to ping.
+class Measurement {
+  public:
+    /// Renders the first ping and those that only fill caches.
+    Measurement(const Case& the_case, EchoRule rule, const Settings& settings) : case_(the_case) {
+        const double start = wall_time(), start_cpu = cpu_time();
+        const auto scene = make_scene(the_case, settings);
+        return_freed_memory();  // as `echoloop run` does
+        RendererOptions options;
+        options.rule = rule;
+        options.pixel_density = settings.pixel_density;
+        options.context = settings.context;
+        options.sampler = settings.sampler;
+        options.drawing_threads = RenderThreads::drawing_threads(1);
+        keep_rasterisers_on_their_threads();
+        options.surface->wind = 1.5;  // what a scenario's water is when it says nothing
+        Water water;
+        water.scattering = {{0, -95}};
+        if (!the_case.profile.empty()) {
+            options.surface->height = depth_of_profiles;
+            straight_.emplace(scene, water, options);
+            water.profile = the_case.profile;
+        }
+        renderer_.emplace(scene, water, options);
+        renderer_->render(shot_of(the_case, 0), pose_of(0));
+        figures_.start_up = wall_time() - start;
+        figures_.start_up_cpu = cpu_time() - start_cpu;
+        figures_.scene_triangles = static_cast<double>(scene->triangles());
+        copy_text(figures_.context, renderer_->context_description());
+        for (std::uint64_t i = 0; i < warm_up; ++i) render(false);
     }
-    Renderer renderer(scene, water, options);
-    renderer.render(shot_of(the_case, 0), pose_of(0));
-    figures.start_up = wall_time() - start;
-    figures.start_up_cpu = cpu_time() - start_cpu;
-    Series series;
-    std::vector<double> straight_cpu;
-    for (std::uint64_t ping = 1; ping <= warm_up + settings.pings; ++ping) {
-        const Shot shot = shot_of(the_case, ping);
-        if (straight) {
+
+    /// So many pings, after `uncounted` more.
+    void render(std::size_t uncounted, std::size_t counted) {
+        for (std::size_t i = 0; i < uncounted + counted; ++i) render(i >= uncounted);
+        figures_.turn = {median_of_last(counted, series_.wall), median_of_last(counted, series_.cpu)};
+    }
+
+    Figures figures() const {
+        Figures figures = figures_;
+        series_.write_to(figures);
+        figures.straight_cpu = spread_of(straight_cpu_).median;
+        figures.resident = resident_mb();
+        figures.peak = peak_mb();
+        return figures;
+    }
+
+  private:
+    Case case_;
+    std::optional<Renderer> renderer_, straight_;  // take turns, since the speed of a machine varies
+    std::uint64_t ping_ = 0;
+    Series series_;
+    std::vector<double> straight_cpu_;
+    Figures figures_;
+
+    void render(bool counts) {
+        const Shot shot = shot_of(case_, ++ping_);
+        if (straight_) {
             const double cpu = cpu_time();
-            straight->render(shot, pose_of(ping));
-            if (ping > warm_up) straight_cpu.push_back(1e3 * (cpu_time() - cpu));
+            straight_->render(shot, pose_of(ping_));
+            if (counts) straight_cpu_.push_back(1e3 * (cpu_time() - cpu));
         }
         const double wall = wall_time(), cpu = cpu_time();
-        const Echogram echogram = renderer.render(shot, pose_of(ping));
-        if (ping > warm_up) series.add(wall_time() - wall, cpu_time() - cpu, renderer.profile());
+        const Echogram echogram = renderer_->render(shot, pose_of(ping_));
+        if (counts) series_.add(wall_time() - wall, cpu_time() - cpu, renderer_->profile());
     }
-    series.write_to(figures);
-    figures.straight_cpu = spread_of(straight_cpu).median;
-    figures.resident = resident_mb();
-    figures.peak = peak_mb();
-    figures.scene_triangles = static_cast<double>(scene->triangles());
-    copy_text(figures.context, renderer.context_description());
-    return figures;
-}
+
+    static double median_of_last(std::size_t count, const std::vector<double>& values) {
+        return spread_of({values.end() - static_cast<std::ptrdiff_t>(count), values.end()}).median;
+    }
+};
+
+/// Makes the case when it is called first, and renders a turn of its pings at every further call.
+class Turns {
+  public:
+    Turns(const Case& the_case, EchoRule rule, const Settings& settings, std::size_t length)
+        : case_(the_case), rule_(rule), settings_(settings), length_(length), left_(settings.pings) {}
+
+    Figures operator()() {
+        if (measurement_ == nullptr) {
+            measurement_ = std::make_shared<Measurement>(case_, rule_, settings_);
+            return measurement_->figures();
+        }
+        const std::size_t counted = std::min(length_, left_);
+        left_ -= counted;
+        measurement_->render(refill, counted);
+        return measurement_->figures();
+    }
+
+  private:
+    Case case_;
+    EchoRule rule_;
+    Settings settings_;
+    std::size_t length_, left_;
+    std::shared_ptr<Measurement> measurement_;
+};
 
 }  // namespace
 
@@ -136,8 +191,22 @@ Spread spread_of(std::vector<double> values) {
     return {values.front(), at(0.5), at(0.99)};
 }
 
-Figures measure(const Case& the_case, EchoRule rule, const Settings& settings) {
-    return in_child_process<Figures>([&] { return run(the_case, rule, settings); });
+std::vector<Measured> measure_in_turns(std::span<const Case> cases, EchoRule rule, const Settings& settings) {
+    const std::size_t length = cases.size() == 1 ? settings.pings : turn_length;
+    std::vector<ChildProcess<Figures>> processes;
+    std::vector<Measured> all(cases.size());
+    const auto ask = [&](std::size_t i) {
+        if (all[i].figures.failure[0] == '\0') all[i].figures = processes[i].ask();
+    };
+    for (const Case& c : cases) processes.emplace_back(Turns(c, rule, settings, length));
+    for (std::size_t i = 0; i < cases.size(); ++i) ask(i);
+    for (std::size_t turn = 0; turn * length < settings.pings; ++turn)
+        for (std::size_t n = 0; n < cases.size(); ++n) {
+            const std::size_t i = turn % 2 == 0 ? n : cases.size() - 1 - n;  // whatever rises, falls
+            ask(i);
+            all[i].turns.push_back(all[i].figures.turn);
+        }
+    return all;
 }
 
 }  // namespace echoloop::bench

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <vector>
 
 #include "tools/echoloop/bench/cases.h"
 
@@ -20,10 +22,16 @@ struct Spread {
 };
 Spread spread_of(std::vector<double> values);
 
+/// Medians of some pings in a row, in ms.
+struct Turn {
+    double wall = 0, cpu = 0;
+};
+
 struct Figures {
     char failure[512] = {};  ///< why there are none; empty: all is well
     char context[160] = {};
     Spread wall, cpu;         ///< ms per ping
+    Turn turn;                ///< of the last turn alone
     double straight_cpu = 0;  ///< ms, median of the same pings without the profile; 0: there is none
     double cull = 0, draw = 0, read_back = 0, bins = 0, paths = 0, acoustics = 0;  ///< ms, medians
     double start_up = 0;               ///< s: scene, renderer and first ping
@@ -33,7 +41,16 @@ struct Figures {
     double scene_triangles = 0;
 };
 
-/// A fresh process per case, so that neither the memory nor the caches of another count.
-Figures measure(const Case& the_case, EchoRule rule, const Settings& settings);
+/// What came of one case. Cases that were measured in turns have as many turns, the same of each at about
+/// the same time.
+struct Measured {
+    Figures figures;
+    std::vector<Turn> turns;
+};
+
+/// A fresh process per case, so that neither the memory nor the caches of another count. All of them are
+/// there at once, and one renders at a time: several cases take turns of ten pings, since the speed of a
+/// machine varies, each after two that do not count, which fill the processor's caches again.
+std::vector<Measured> measure_in_turns(std::span<const Case> cases, EchoRule rule, const Settings& settings);
 
 }  // namespace echoloop::bench

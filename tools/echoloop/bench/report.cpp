@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdarg>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "tools/echoloop/common.h"
@@ -42,15 +43,25 @@ void add_start_up(const Report& report, std::vector<Limit>& limits) {
     limits.push_back({"peak memory with two million triangles, the most", peak, most_peak, "MB"});
 }
 
+/// The time of a ping of `more` over that of `less`, turn by turn; none where they took none.
+std::optional<double> growth(const Row* less, const Row* more, double Turn::*time) {
+    if (less == nullptr || more == nullptr) return {};
+    if (less->turns.empty() || less->turns.size() != more->turns.size()) return {};
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < less->turns.size(); ++i)
+        ratios.push_back(more->turns[i].*time / less->turns[i].*time);
+    return spread_of(std::move(ratios)).median;
+}
+
 void add_growth(const Report& report, const std::string& sonar, std::vector<Limit>& limits) {
     const auto row = [&](const char* scene) { return find(report, sonar + scene, EchoRule::radiometric); };
-    const Row *simple = row("-simple"), *some = row("-big100k"), *many = row("-big2m"), *one = row("-one2m");
-    if (some != nullptr && many != nullptr)
-        limits.push_back({sonar + ": time with twenty times the triangles",
-                          many->figures.wall.median / some->figures.wall.median, most_growth, "times"});
-    if (simple != nullptr && one != nullptr)
-        limits.push_back({sonar + ": CPU, two million triangles in one mesh",
-                          one->figures.cpu.median / simple->figures.cpu.median, most_growth, "times"});
+    const auto add = [&](const char* what, const std::optional<double>& times) {
+        if (times) limits.push_back({sonar + what, *times, most_growth, "times"});
+    };
+    const Row *simple = row("-simple"), *many = row("-big2m");
+    add(": time with twenty times the triangles", growth(row("-big100k"), many, &Turn::wall));
+    add(": CPU, two million triangles in two meshes", growth(simple, many, &Turn::cpu));
+    add(": CPU, two million triangles in one mesh", growth(simple, row("-one2m"), &Turn::cpu));
 }
 
 std::string line_of(const char* label, const Spread& s, const std::string& rest = {}) {

@@ -12,6 +12,7 @@ struct Row {
     Case the_case;
     EchoRule rule;
     Figures figures;
+    std::vector<Turn> turns{};
 };
 
 /// A figure to reach that is not the time of one case.
@@ -31,6 +32,7 @@ struct Report {
 std::string reached(const Row& row);
 
 /// Start-up, memory, how the time grows with the triangles, and what bent rays add; only what the rows tell.
+/// Growth is the median of what turns of two cases at about the same time have for each other.
 std::vector<Limit> limits_of(const Report& report);
 
 std::string rule_name(EchoRule rule);
