@@ -7,16 +7,13 @@
 #include <thread>
 
 #include "render/acoustics/rows.h"
-#include "render/fan/arrays.h"
 #include "render/fan/closing_speeds.h"
 #include "render/fan/focus.h"
 #include "render/fan/object_finder.h"
 #include "render/fan/patches.h"
-#include "render/fan/plan_cache.h"
-#include "render/fan/resting_offset.h"
-#include "render/fan/reverberation.h"
 #include "render/fan/truth.h"
 #include "render/grid/summing.h"
+#include "render/renderer_array.h"
 #include "render/renderer_channels.h"
 #include "render/renderer_checks.h"
 #include "render/renderer_strengths.h"
@@ -35,39 +32,6 @@ double timed(const Work& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// One array of the ping at hand, from whose picture its beams are summed.
-struct Heard {
-    ArrayShot array;
-    PlanCache::Plan plan;
-    std::vector<Pixel> pixels;
-    std::vector<float> focus;  ///< as BinningInput::focus
-    PathEchoes paths;
-    std::optional<PingMotion> motion;
-    std::optional<Reverberation> water;  ///< none: it is silent
-    bool patchy = false;                 ///< materials are uneven
-
-    const Shot& shot() const { return array.shot; }
-    Pose world_from_fan() const {
-        return array.world_from_sonar * Pose{{}, sonar_from_fan(shot().pan, shot().tilt)};
-    }
-    /// rad/s, about the fan's axes.
-    Vec3 turning(const Situation& situation) const {
-        return rotate(conjugate(world_from_fan().orientation) * situation.world_from_sonar.orientation,
-                      situation.turning);
-    }
-};
-
-template <typename Value>
-void append(std::vector<Value> part, std::vector<Value>& whole) {
-    if (whole.empty()) {
-        whole = std::move(part);
-        return;
-    }
-    // g++ 14 takes insert() here for a copy into nothing (-Wstringop-overflow).
-    whole.resize(whole.size() + part.size());
-    std::ranges::copy(part, whole.end() - static_cast<std::ptrdiff_t>(part.size()));
-}
-
 }  // namespace
 
 class Renderer::Impl {
@@ -79,13 +43,13 @@ class Renderer::Impl {
           tracer_(scene_, options_.surface, options_.effects),
           surfaces_((prepare_paths(), scene_), options_, workers_),
           strengths_(*scene_),
+          object_of_surface_(objects_of_surfaces(*scene_)),
+          mover_of_surface_(movers_of_surfaces(*scene_)),
           plans_(options_.plans ? options_.plans : std::make_shared<PlanCache>()),
           patches_(*scene_),
           fan_(make_fan_summing(*workers_)),
           grid_(make_grid_summing(*workers_)),
-          chain_(options_.effects, options_.speckle, workers_) {
-        for (const SceneSurface& surface : scene_->surfaces()) object_of_surface_.push_back(surface.object);
-    }
+          chain_(options_.effects, options_.speckle, workers_) {}
 
     Echogram render(const Shot& shot, const Situation& situation) {
         start(shot, situation);
@@ -93,7 +57,7 @@ class Renderer::Impl {
         if (together(shot)) burst.emplace(*workers_);
         Echogram out{shot, situation.world_from_sonar, options_.rule, water_.speed(), {}, 0, {}, {}};
         points_.clear(), fresh_.clear();
-        for (Heard& heard : arrays_) hear(heard, situation, out);
+        for (HeardArray& heard : arrays_) hear(heard, situation, out);
         const FreshPower fresh{fresh_, RangeSteps::of(shot.bins).bins};
         if (radiometric())
             profile_.acoustics = timed([&] { apply_to_rows(chain_, std::move(points_), out, fresh); });
@@ -107,7 +71,7 @@ class Renderer::Impl {
         start(shot, situation);
         if (arrays_.size() > 1)
             throw std::invalid_argument("shot: bearings must be those of one array for channels");
-        Heard& heard = arrays_.front();
+        HeardArray& heard = arrays_.front();
         plan(heard, situation);
         draw(heard, situation);
         return channels_of(*heard.plan, heard.pixels);
@@ -156,12 +120,12 @@ class Renderer::Impl {
 
     /// Appends the array's beams to `out`, without their acoustics, and its targets to points_. Indirect
     /// echoes are traced while surfaces are found, and what is true is found while bins are summed.
-    void hear(Heard& heard, const Situation& situation, Echogram& out) {
+    void hear(HeardArray& heard, const Situation& situation, Echogram& out) {
         const Shot& shot = heard.shot();
         plan(heard, situation);
         find_motion(heard, situation);
         find_strengths(shot);
-        find_water(heard, situation);
+        water_.scatter(shot, heard.array.world_from_sonar, situation.detail, strengths_, heard.water);
         place_patches(heard);
         beside(
             shot, [&] { profile_.paths += timed([&] { trace_paths(heard); }); },
@@ -198,7 +162,7 @@ class Renderer::Impl {
     }
 
     /// Fills in the plan of the picture.
-    void plan(Heard& heard, const Situation& situation) {
+    void plan(HeardArray& heard, const Situation& situation) {
         const Shot& shot = heard.shot();
         FanGeometry geometry = geometry_of(shot, effects());
         geometry.margin = margin_of(shot, effects(), heard.turning(situation).z);
@@ -209,18 +173,12 @@ class Renderer::Impl {
     }
 
     /// Fills in the picture.
-    void draw(Heard& heard, const Situation& situation) {
+    void draw(HeardArray& heard, const Situation& situation) {
         const Shot& shot = heard.shot();
-        const bool background = situation.detail < 1;
         const auto& rays = water_.rays();
-        const gl::Outlook outlook{.world_from_fan = heard.world_from_fan(),
-                                  .movers = movers_,
-                                  .end_range = water_.end_range(shot),
-                                  .begin_range = background ? water_.begin_range(shot) : 0,
-                                  .offset = offset_of(heard.array),
-                                  .rays = rays,
-                                  .rays_nearby = water_.rays_nearby(),
-                                  .sag = water_.speed() / 8 * shot.bin_interval};
+        gl::Outlook outlook = water_.outlook(shot, situation.detail < 1);
+        outlook.world_from_fan = heard.world_from_fan(), outlook.movers = movers_;
+        outlook.offset = heard.offset(options_.jitter);
         const gl::DrawProfile& drawn = surfaces_.find(*heard.plan, outlook, shot.beams() == 1, heard.pixels);
         heard.focus.clear();
         if (rays && rays->focuses() && effects().has(Effect::spreading))
@@ -230,7 +188,7 @@ class Renderer::Impl {
         profile_.pixels += drawn.pixels;
     }
 
-    void trace_paths(Heard& heard) {
+    void trace_paths(HeardArray& heard) {
         const Shot& shot = heard.shot();
         heard.paths.diffuse.clear(), heard.paths.targets.clear();
         if (!radiometric() || !tracer_.needed()) return;
@@ -241,25 +199,14 @@ class Renderer::Impl {
     }
 
     /// Fills in the motion of what is drawn.
-    void find_motion(Heard& heard, const Situation& situation) {
+    void find_motion(HeardArray& heard, const Situation& situation) {
         heard.motion.reset();
         if (!radiometric()) return;
         const Motion own{situation.velocity, heard.turning(situation)};
         heard.motion = motion_of(heard.shot(), *heard.plan,
                                  {heard.world_from_fan().orientation, situation.world_from_sonar.position,
-                                  own, movers_, situation.mover_motions, mover_of_surface()},
+                                  own, movers_, situation.mover_motions, mover_of_surface_},
                                  options_.effects, water_.speed());
-    }
-
-    /// As PingMoves has it.
-    const std::vector<std::uint32_t>& mover_of_surface() {
-        if (mover_of_surface_.empty() && !scene().movers().empty()) {
-            std::vector<std::uint32_t> of_object(scene().objects().size());
-            for (const SceneChunk& chunk : scene().chunks()) of_object[chunk.object] = chunk.mover;
-            for (const std::uint32_t object : object_of_surface_)
-                mover_of_surface_.push_back(of_object[object]);
-        }
-        return mover_of_surface_;
     }
 
     void find_strengths(const Shot& shot) {
@@ -267,30 +214,7 @@ class Renderer::Impl {
         strengths_.find(effects().has(Effect::multipath) ? wavenumber : 0);
     }
 
-    /// Fills heard.water, and gives the water's surface a strength. What comes late of the ping before is far
-    /// weaker than what this one's water sends back, and left out.
-    void find_water(Heard& heard, const Situation& situation) {
-        heard.water.reset();
-        const Shot& shot = heard.shot();
-        const double z = heard.array.world_from_sonar.position.z;
-        const auto surface =
-            options_.surface && z < options_.surface->height ? options_.surface : std::nullopt;
-        const double wind = options_.surface ? options_.surface->wind : 0;
-        if (!effects().has(Effect::reverberation) || situation.detail < 1) return;
-        if (water().scattering.empty() && !(surface && wind > 0)) return;
-        const std::size_t number = strengths_.add_water_surface(shot.frequency, wind);
-        const double c = water_.speed();
-        WaterAround around{.up = rotate(conjugate(heard.world_from_fan().orientation), {0, 0, 1}),
-                           .depth = surface ? surface->height - z : water().depth,
-                           .surface_number = static_cast<float>(number),
-                           .scattering = water().scattering,
-                           .near = near_ranges(shot, c / shot.frequency),
-                           .rays = water_.rays().get()};
-        if (surface) around.surface = surface->height - z;
-        heard.water.emplace(around, c / 2 * shot.first_bin_time, c / 2 * shot.bin_interval, shot.bins);
-    }
-
-    void place_patches(Heard& heard) {
+    void place_patches(HeardArray& heard) {
         heard.patchy = patches_.any() && effects().has(Effect::texture);
         if (heard.patchy) patches_.place(heard.world_from_fan(), movers_, water_.rays());
     }
@@ -300,7 +224,7 @@ class Renderer::Impl {
         const double bin_length = out.sound_speed / 2 * out.shot.bin_interval;
         const double bins_at_once = std::max(1.0, range_resolution(out.shot, out.sound_speed) / bin_length);
         const double least = 0.1 * out.noise_power / bins_at_once;
-        for (Heard& heard : arrays_) {
+        for (HeardArray& heard : arrays_) {
             const Shot& shot = heard.shot();
             place_patches(heard);
             std::vector<std::uint16_t> objects(shot.beams() * shot.bins);
@@ -309,13 +233,13 @@ class Renderer::Impl {
         }
     }
 
-    BinningInput binning_input(const Heard& heard) const {
+    BinningInput binning_input(const HeardArray& heard) const {
         const Shot& shot = heard.shot();
         const double c = water_.speed();
         return {*heard.plan,
                 heard.pixels,
                 strengths_.of_surfaces(),
-                offset_of(heard.array),
+                heard.offset(options_.jitter),
                 options_.rule,
                 c / 2 * shot.first_bin_time,
                 c / 2 * shot.bin_interval,
@@ -331,13 +255,6 @@ class Renderer::Impl {
                 heard.motion ? &*heard.motion : nullptr};
     }
 
-    SampleOffsets offset_of(const ArrayShot& array) const {
-        if (!options_.jitter) return {};
-        const Shot& shot = array.shot;
-        return {jitter_of(shot.ping),
-                resting_offset(shot.random_key, array.world_from_sonar.position, shot.pan)};
-    }
-
     RendererOptions options_;
     std::thread::id thread_ = std::this_thread::get_id();
     PingWater water_;
@@ -346,17 +263,16 @@ class Renderer::Impl {
     std::shared_ptr<Workers> workers_ = std::make_shared<Workers>();
     SurfaceFinder surfaces_;
     SurfaceStrengths strengths_;
-    std::vector<std::uint32_t> object_of_surface_;  ///< index into Scene::objects(), by Pixel::surface - 1
+    std::vector<std::uint32_t> object_of_surface_, mover_of_surface_;
     std::shared_ptr<PlanCache> plans_;
     Patches patches_;
     std::unique_ptr<Summing> fan_, grid_;
     ObjectFinder finder_;
     AcousticChain chain_;
-    std::vector<Heard> arrays_;      ///< of the ping at hand
-    std::vector<PointEcho> points_;  ///< the same, of all its beams
-    std::vector<float> fresh_;       ///< the same, see FreshPower
-    std::vector<Pose> movers_;       ///< the same
-    std::vector<std::uint32_t> mover_of_surface_;
+    std::vector<HeardArray> arrays_;  ///< of the ping at hand
+    std::vector<PointEcho> points_;   ///< the same, of all its beams
+    std::vector<float> fresh_;        ///< the same, see FreshPower
+    std::vector<Pose> movers_;        ///< the same
     RenderProfile profile_;
 };
 

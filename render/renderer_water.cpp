@@ -27,8 +27,35 @@ double PingWater::end_range(const Shot& shot) const {
     return speed_ / 2 * (shot.first_bin_time + static_cast<double>(shot.bins) * shot.bin_interval);
 }
 
-double PingWater::begin_range(const Shot& shot) const {
-    return speed_ / 2 * (shot.first_bin_time - shot.pulse_length);
+gl::Outlook PingWater::outlook(const Shot& shot, bool background) const {
+    // Of nothing nearer a pulse still sounds in the window.
+    const double begin_range = speed_ / 2 * (shot.first_bin_time - shot.pulse_length);
+    return {.world_from_fan = {},
+            .end_range = end_range(shot),
+            .begin_range = background ? begin_range : 0,
+            .rays = rays_,
+            .rays_nearby = rays_nearby_,
+            .sag = speed_ / 8 * shot.bin_interval};
+}
+
+void PingWater::scatter(const Shot& shot, const Pose& world_from_sonar, double detail,
+                        SurfaceStrengths& strengths, std::optional<Reverberation>& out) const {
+    out.reset();
+    const double z = world_from_sonar.position.z;
+    const auto surface = surface_ && z < surface_->height ? surface_ : std::nullopt;
+    const double wind = surface_ ? surface_->wind : 0;
+    if (!effects_.has(Effect::reverberation) || detail < 1) return;
+    if (water_.scattering.empty() && !(surface && wind > 0)) return;
+    const std::size_t number = strengths.add_water_surface(shot.frequency, wind);
+    const Quat world_from_fan = world_from_sonar.orientation * sonar_from_fan(shot.pan, shot.tilt);
+    WaterAround around{.up = rotate(conjugate(world_from_fan), {0, 0, 1}),
+                       .depth = surface ? surface->height - z : water_.depth,
+                       .surface_number = static_cast<float>(number),
+                       .scattering = water_.scattering,
+                       .near = near_ranges(shot, speed_ / shot.frequency),
+                       .rays = rays_.get()};
+    if (surface) around.surface = surface->height - z;
+    out.emplace(around, speed_ / 2 * shot.first_bin_time, speed_ / 2 * shot.bin_interval, shot.bins);
 }
 
 }  // namespace echoloop

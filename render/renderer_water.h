@@ -6,9 +6,12 @@
 
 #include "render/echogram.h"
 #include "render/effects.h"
+#include "render/fan/reverberation.h"
+#include "render/gl/seen.h"
 #include "render/paths/paths.h"
 #include "render/ray_table.h"
 #include "render/ray_tables.h"
+#include "render/renderer_strengths.h"
 #include "render/water.h"
 
 namespace echoloop {
@@ -26,15 +29,18 @@ class PingWater {
     /// m/s: ranges are times at this speed.
     double speed() const { return speed_; }
     const std::shared_ptr<const RayTable>& rays() const { return rays_; }  ///< null: they are straight
-    /// As gl::Outlook::rays_nearby.
-    const std::shared_ptr<const RayTable>& rays_nearby() const { return rays_nearby_; }
 
     /// Np/m.
     double absorption(const Shot& shot) const;
     /// m, of the window.
     double end_range(const Shot& shot) const;
-    /// m; of nothing nearer a pulse still sounds in the window.
-    double begin_range(const Shot& shot) const;
+    /// As far as it depends on the water. `background`: of a faint one.
+    gl::Outlook outlook(const Shot& shot, bool background) const;
+
+    /// Fills `out`, unless the water is silent, and gives its surface a strength. What comes late of the ping
+    /// before, whose detail is below 1, is far weaker than what this one's water sends back, and left out.
+    void scatter(const Shot& shot, const Pose& world_from_sonar, double detail, SurfaceStrengths& strengths,
+                 std::optional<Reverberation>& out) const;
 
   private:
     Water water_;

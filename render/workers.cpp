@@ -19,6 +19,18 @@ void look_away() {
     }
 }
 
+/// Whoever has the mutex has it for less than a microsecond, which is no time to sleep for.
+std::unique_lock<std::mutex> take(std::mutex& mutex) {
+    constexpr int looks = 8;
+    std::unique_lock lock(mutex, std::defer_lock);
+    for (int i = 0; i < looks; ++i) {
+        if (lock.try_lock()) return lock;
+        look_away();
+    }
+    lock.lock();
+    return lock;
+}
+
 }  // namespace
 
 std::size_t Workers::useful() { return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 4); }
@@ -31,12 +43,12 @@ template <typename Ready>
 bool Workers::Patience::wait(const Ready& ready) {
     for (int i = 0; i < looks_; ++i) {
         if (ready()) {
-            looks_ = std::min(2 * looks_, most);
+            looks_ = most;
             return true;
         }
         look_away();
     }
-    looks_ = std::max(looks_ / 2, 1);
+    looks_ = std::max(looks_ / 2, least);
     return false;
 }
 
@@ -55,7 +67,7 @@ void Workers::run(std::size_t count, const std::function<void(std::size_t)>& wor
     }
     start_threads();
     {
-        const std::lock_guard lock(mutex_);
+        const auto lock = take(mutex_);
         work_ = &work;
         count_ = count, most_ = most;
         next_ = 0;
@@ -64,12 +76,12 @@ void Workers::run(std::size_t count, const std::function<void(std::size_t)>& wor
     }
     begin_.notify_all();
     take_pieces();
-    std::unique_lock lock(mutex_);
+    auto lock = take(mutex_);
     open_ = false;
     if (inside_ > 0 && burst_) {
         lock.unlock();
         patience_.wait([this] { return inside_ == 0; });
-        lock.lock();
+        lock = take(mutex_);
     }
     end_.wait(lock, [this] { return inside_ == 0; });
     if (const std::exception_ptr fault = std::exchange(fault_, nullptr)) std::rethrow_exception(fault);
@@ -79,13 +91,13 @@ void Workers::take_pieces() {
     try {
         for (std::size_t i = next_++; i < count_; i = next_++) (*work_)(i);
     } catch (...) {
-        const std::lock_guard lock(mutex_);
+        const auto lock = take(mutex_);
         if (!fault_) fault_ = std::current_exception();
     }
 }
 
 void Workers::visit(const std::function<void(std::size_t)>& work) {
-    std::unique_lock lock(mutex_);
+    auto lock = take(mutex_);
     visit_ = &work;
     to_visit_.assign(threads_.size() + 1, true);
     to_visit_[0] = false;
@@ -100,7 +112,7 @@ void Workers::serve(const std::stop_token& stop, std::size_t number) {
     Patience patience;
     while (true) {
         if (burst_) patience.wait([&] { return round_ != seen || !burst_; });
-        std::unique_lock lock(mutex_);
+        auto lock = take(mutex_);
         if (!begin_.wait(lock, stop, [&] { return round_ != seen; })) return;
         seen = round_;
         if (visit_ != nullptr && to_visit_[number]) {
@@ -113,7 +125,7 @@ void Workers::serve(const std::stop_token& stop, std::size_t number) {
         ++inside_;
         lock.unlock();
         take_pieces();
-        lock.lock();
+        lock = take(mutex_);
         if (--inside_ == 0) end_.notify_one();
     }
 }
@@ -133,7 +145,7 @@ void Workers::do_aside(std::unique_lock<std::mutex>& lock, Aside& aside) {
     } catch (...) {
         fault = std::current_exception();
     }
-    lock.lock();
+    lock = take(mutex_);
     aside.fault_ = fault;
     aside.state_ = Aside::State::done;
     end_.notify_one();
@@ -142,7 +154,7 @@ void Workers::do_aside(std::unique_lock<std::mutex>& lock, Aside& aside) {
 Workers::Aside::Aside(Workers& workers, std::function<void()> work)
     : workers_(workers), work_(std::move(work)) {
     {
-        const std::lock_guard lock(workers_.mutex_);
+        const auto lock = take(workers_.mutex_);
         workers_.aside_ = this;
         ++workers_.round_;
     }
@@ -151,19 +163,19 @@ Workers::Aside::Aside(Workers& workers, std::function<void()> work)
 
 Workers::Aside::~Aside() {
     if (waited_for_) return;
-    std::unique_lock lock(workers_.mutex_);
+    auto lock = take(workers_.mutex_);
     workers_.end_.wait(lock, [this] { return state_ != State::begun; });
     workers_.aside_ = nullptr;
 }
 
 void Workers::Aside::wait() {
     waited_for_ = true;
-    std::unique_lock lock(workers_.mutex_);
+    auto lock = take(workers_.mutex_);
     if (state_ == State::waiting) workers_.do_aside(lock, *this);
     if (state_ != State::done && workers_.burst_) {
         lock.unlock();
         workers_.patience_.wait([this] { return state_ == State::done; });
-        lock.lock();
+        lock = take(workers_.mutex_);
     }
     workers_.end_.wait(lock, [this] { return state_ == State::done; });
     workers_.aside_ = nullptr;

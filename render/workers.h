@@ -65,8 +65,8 @@ class Workers {
         Workers& workers_;
     };
 
-    /// Calls work(number()) on every thread that was started, but not on the caller's, and returns when all
-    /// are done. For what belongs to a thread; `work` does not throw.
+    /// Calls work(number()) on every thread that was started, one at a time, but not on the caller's, and
+    /// returns when all are done. For what belongs to a thread; `work` does not throw.
     void visit(const std::function<void(std::size_t)>& work);
 
     /// Of the thread that asks, for any: 0 for the caller's, else 1..threads - 1.
@@ -84,7 +84,7 @@ class Workers {
         bool wait(const Ready& ready);
 
       private:
-        static constexpr int most = 64;
+        static constexpr int least = 16, most = 128;  ///< 5 and 40 microseconds or so
         int looks_ = most;
     };
 
