@@ -1,6 +1,7 @@
 #include "render/acoustics/chain.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "render/acoustics/beam_chain.h"
@@ -40,7 +41,10 @@ FreshPower fresh_of(const FreshPower& all, std::size_t beam, std::size_t beams) 
 
 class AcousticChain::Impl {
   public:
-    Impl(Effects effects, SpeckleOptions speckle) : effects_(effects), speckle_(speckle) {}
+    Impl(Effects effects, SpeckleOptions speckle, std::shared_ptr<Workers> workers)
+        : effects_(effects),
+          speckle_(speckle),
+          workers_(workers ? std::move(workers) : std::make_shared<Workers>()) {}
 
     double apply(const Shot& shot, const Pose& pose, double sound_speed, std::span<const PointEcho> points,
                  std::span<float> values, FreshPower fresh, const RowShares* rows) {
@@ -60,9 +64,8 @@ class AcousticChain::Impl {
         if (chains_.size() < parts) chains_.resize(parts);
         for (std::size_t part = 0; part < parts; ++part) chains_[part].start(plan, ping);
         const auto each = [&](const auto& work) {
-            workers_.run(parts, [&](std::size_t part) {
-                for (std::size_t beam = beams * part / parts; beam < beams * (part + 1) / parts; ++beam)
-                    work(chains_[part], beam, values.subspan(beam * shot.bins, shot.bins));
+            share_out(beams, parts, [&](std::size_t part, std::size_t beam) {
+                work(chains_[part], beam, values.subspan(beam * shot.bins, shot.bins));
             });
         };
         if (plan.leans()) {
@@ -80,6 +83,24 @@ class AcousticChain::Impl {
 
   private:
     static constexpr std::size_t worth_a_thread = 16'384, most_plans = 64;
+
+    /// Calls work(part, beam) for every beam. Two parts begin at both ends of a stretch and meet where they
+    /// meet, since neighbours share random numbers, and threads are not equally quick.
+    template <typename Work>
+    void share_out(std::size_t beams, std::size_t parts, const Work& work) {
+        constexpr std::size_t at_once = 8;
+        std::vector<std::atomic<std::size_t>> taken((parts + 1) / 2);
+        workers_->run(parts, [&](std::size_t part) {
+            const std::size_t stretch = part / 2, first = beams * (2 * stretch) / parts,
+                              last = beams * std::min(2 * stretch + 2, parts) / parts,
+                              pieces = (last - first + at_once - 1) / at_once;
+            for (std::size_t own = 0; taken[stretch]++ < pieces; ++own) {
+                const std::size_t piece = part % 2 == 0 ? own : pieces - 1 - own;
+                const std::size_t begin = first + piece * at_once, end = std::min(begin + at_once, last);
+                for (std::size_t beam = begin; beam < end; ++beam) work(part, beam);
+            }
+        });
+    }
 
     /// With the view and the weights of each row of cells.
     static std::vector<CellRow> rows_of(const RowShares* rows, const ChainPlan& plan, Shot shot,
@@ -120,11 +141,11 @@ class AcousticChain::Impl {
     std::vector<PointEcho> points_;
     std::vector<float> means_;
     std::vector<BeamChain> chains_;  ///< one per part
-    Workers workers_;
+    std::shared_ptr<Workers> workers_;
 };
 
-AcousticChain::AcousticChain(Effects effects, SpeckleOptions speckle)
-    : impl_(std::make_unique<Impl>(effects, speckle)) {}
+AcousticChain::AcousticChain(Effects effects, SpeckleOptions speckle, std::shared_ptr<Workers> workers)
+    : impl_(std::make_unique<Impl>(effects, speckle, std::move(workers))) {}
 AcousticChain::~AcousticChain() = default;
 AcousticChain::AcousticChain(AcousticChain&&) noexcept = default;
 

@@ -14,6 +14,8 @@
 
 namespace echoloop {
 
+class Workers;
+
 /// An echo of one scatterer that does not fluctuate, such as a target of declared strength: it interferes
 /// with the diffuse echo, but has no speckle of its own.
 struct PointEcho {
@@ -51,7 +53,9 @@ struct RowShares {
 
 class AcousticChain {
   public:
-    explicit AcousticChain(Effects effects, SpeckleOptions speckle = {});
+    /// `workers`: null: those of its own.
+    explicit AcousticChain(Effects effects, SpeckleOptions speckle = {},
+                           std::shared_ptr<Workers> workers = nullptr);
     ~AcousticChain();
     AcousticChain(AcousticChain&&) noexcept;
 

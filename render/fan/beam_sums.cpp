@@ -254,7 +254,7 @@ void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t co
 }
 
 void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
-                   std::vector<float>& values) {
+                   std::vector<float>& values, const std::function<void(std::size_t, std::size_t)>& then) {
     const FanPlan& plan = in.plan;
     const std::size_t bins = lines.stride();
     values.resize(plan.beams.size() * bins);
@@ -277,6 +277,7 @@ void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<fl
             sum_beams(plan, first, count, bins, lines, factors, &values[first * bins]);
         else
             sum_turned(plan, first, count, bins, lines, factors, &values[first * bins]);
+        if (then) then(first, count);
     });
 }
 

@@ -2,6 +2,7 @@
 // everything else by sector. Knows no pixels.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "render/fan/line_sums.h"
@@ -20,9 +21,10 @@ class BeamSums {
     /// `gain` unless that is empty. A line that was sampled off its middle is weighed there, so that the mean
     /// over pings has the pattern itself. Beams of a fan that turns about its upright axis weigh lines by
     /// where they come from when they arrive, in stretches of range in which that is off by a tenth of a
-    /// beam, or 0.025 deg; and so do the far sectors, by a tenth of their spacing.
+    /// beam, or 0.025 deg; and so do the far sectors, by a tenth of their spacing. `then`: called with the
+    /// first beam and the number of those that are done, on the thread that did them.
     void sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
-             std::vector<float>& values);
+             std::vector<float>& values, const std::function<void(std::size_t, std::size_t)>& then = nullptr);
 
   private:
     static void sum_sectors(const FanPlan& plan, LineSums& lines, Workers& workers);

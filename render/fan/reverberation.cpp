@@ -185,36 +185,39 @@ void UnderWay::scatter_row(std::size_t number, const float* strength, float* ste
     std::fill_n(row, row_, 0.0F);
 }
 
-void finish_reverberation(const Reverberation& water, const std::vector<float>& gain,
-                          const std::vector<float>& rows, std::vector<float>& values,
-                          std::vector<float>& fresh) {
-    const RangeSteps& steps = water.steps();
-    const std::size_t bins = water.nearness().size(), stride = bins + 2 * steps.count,
-                      beams = rows.size() / stride;
+FinishedRows::FinishedRows(const Reverberation& water, const std::vector<float>& gain, std::size_t rows,
+                           std::vector<float>& values, std::vector<float>& fresh)
+    : water_(water), gain_(gain), values_(values), fresh_(fresh) {
+    const std::size_t bins = water.nearness().size();
+    values.resize(rows * bins), fresh.resize(rows * water.steps().count);
+    volume_gain_.resize(bins);
+    for (std::size_t i = 0; i < bins; ++i) volume_gain_[i] = gain[i] * water.nearness()[i];
+}
+
+void FinishedRows::finish(const std::vector<float>& rows, std::size_t first, std::size_t count) {
+    const RangeSteps& steps = water_.steps();
+    const std::size_t bins = volume_gain_.size(), stride = bins + 2 * steps.count;
     const auto per_step = 1 / static_cast<float>(steps.bins);
-    fresh.resize(beams * steps.count), values.resize(beams * bins);
-    static thread_local std::vector<float> volume, volume_gain;
-    volume_gain.resize(bins);
-    for (std::size_t i = 0; i < bins; ++i) volume_gain[i] = gain[i] * water.nearness()[i];
-    for (std::size_t beam = 0; beam < beams; ++beam) {
-        const float* from = &rows[beam * stride];
-        float* to = &values[beam * bins];
+    thread_local std::vector<float> volume;
+    for (std::size_t row = first; row < first + count; ++row) {
+        const float* from = &rows[row * stride];
+        float* to = &values_[row * bins];
         const float *floating = from + bins, *surface = floating + steps.count;
-        float* own = &fresh[beam * steps.count];
+        float* own = &fresh_[row * steps.count];
         volume.resize(steps.count + 2);
         std::copy_n(floating, steps.count, volume.begin() + 1);
         volume.front() = volume[1], volume.back() = volume[steps.count];
         for (std::size_t k = 0; k < steps.count; ++k) {
             const std::size_t middle = std::min(k * steps.bins + steps.bins / 2, bins - 1);
-            own[k] = floating[k] * volume_gain[middle] + surface[k] * per_step * gain[middle];
+            own[k] = floating[k] * volume_gain_[middle] + surface[k] * per_step * gain_[middle];
         }
         // Linear from the middle of a step to that of the next.
         for (std::size_t k = 0; k < steps.count; ++k) {
             const float half = 0.5F * per_step, *v = &volume[k];
-            const float first = 0.5F * (v[0] + v[1]), last = 0.5F * (v[1] + v[2]);
+            const float lower = 0.5F * (v[0] + v[1]), upper = 0.5F * (v[1] + v[2]);
             const std::size_t begin = k * steps.bins;
-            add_floating({first, v[1], last}, half, per_step, std::min(steps.bins, bins - begin),
-                         from + begin, &volume_gain[begin], to + begin);
+            add_floating({lower, v[1], upper}, half, per_step, std::min(steps.bins, bins - begin),
+                         from + begin, &volume_gain_[begin], to + begin);
         }
     }
 }

@@ -147,12 +147,22 @@ class UnderWay {
     std::vector<Met> turns_;  ///< turns x (steps + 2)
 };
 
-/// Takes apart what was summed in rows of bins and, behind them, steps of volume and of surface echo:
-/// `values` become the bins with the volume's echo, and `fresh` what is new at every ping, as the mean power
-/// of a bin in each step. `gain`: of the bins; the steps have none yet.
-void finish_reverberation(const Reverberation& water, const std::vector<float>& gain,
-                          const std::vector<float>& rows, std::vector<float>& values,
-                          std::vector<float>& fresh);
+/// Takes apart what was summed in rows of bins and, behind them, steps of volume and of surface echo: the
+/// bins with the volume's echo, and what is new at every ping, as the mean power of a bin in each step.
+class FinishedRows {
+  public:
+    /// `gain`: of the bins; the steps have none yet. Resizes `values` and `fresh` for so many rows.
+    FinishedRows(const Reverberation& water, const std::vector<float>& gain, std::size_t rows,
+                 std::vector<float>& values, std::vector<float>& fresh);
+    /// Rows first..first + count - 1 of `rows`; others may be finished at the same time.
+    void finish(const std::vector<float>& rows, std::size_t first, std::size_t count);
+
+  private:
+    const Reverberation& water_;
+    const std::vector<float>& gain_;
+    std::vector<float> volume_gain_;
+    std::vector<float>&values_, &fresh_;
+};
 
 /// The gain of such a row.
 std::vector<float> with_steps(std::vector<float> gain, const RangeSteps& steps);

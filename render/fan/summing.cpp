@@ -82,14 +82,17 @@ class FanSumming final : public Summing {
         const BinGain gain(in);
         fresh.clear();
         if (in.rule == EchoRule::radiometric) {
-            add_levels(in, gain, Amount::echo);
-            add_surround(in, gain);
+            add_levels(in, gain, Amount::echo, true);
             if (in.moment == 0) add_paths(in, gain);
             if (in.water == nullptr) return beams_.sum(in, sums_, gain.values(), workers_, values);
             const RangeSteps& steps = in.water->steps();
-            beams_.sum(in, sums_, with_steps(gain.values(), steps), workers_, rows_);
-            if (in.motion != nullptr && in.motion->turning != Vec3{}) turn_volume(in, steps);
-            finish_reverberation(*in.water, gain.values(), rows_, values, fresh);
+            FinishedRows finished(*in.water, gain.values(), in.plan.beams.size(), values, fresh);
+            beams_.sum(in, sums_, with_steps(gain.values(), steps), workers_, rows_,
+                       [&](std::size_t first, std::size_t count) {
+                           if (in.motion != nullptr && in.motion->turning != Vec3{})
+                               turn_volume(in, steps, first, count);
+                           finished.finish(rows_, first, count);
+                       });
             return;
         }
         add_levels(in, gain, Amount::paper_share);
@@ -134,19 +137,29 @@ class FanSumming final : public Summing {
     }
 
   private:
-    void add_levels(const BinningInput& in, const BinGain& gain, Amount amount) {
+    /// The surround's pixels go to sectors, each of which is added up by one thread; it takes longest and
+    /// goes first.
+    void add_levels(const BinningInput& in, const BinGain& gain, Amount amount, bool with_surround = false) {
         sums_.resize(in.plan.lines, in.plan.far_lobes.sectors, in.bins,
                      in.water != nullptr ? in.water->steps().count : 0);
         const auto pieces = cut(std::span(in.plan.views).first(in.plan.level_views));
-        workers_.run(pieces.size(), [&](std::size_t i) {
+        const auto add = [&](const Piece& piece) {
             thread_local LineReader reader;
             reader.restart();
-            for (std::size_t line = pieces[i].first; line < pieces[i].last; ++line) {
-                const std::size_t number = pieces[i].view->first_line + line;
-                add_level_line(in, gain, amount, *pieces[i].view, line, reader, sums_.line(number),
+            for (std::size_t line = piece.first; line < piece.last; ++line) {
+                const std::size_t number = piece.view->first_line + line;
+                add_level_line(in, gain, amount, *piece.view, line, reader, sums_.line(number),
                                sums_.steps() > 0 ? sums_.line_steps(number) : nullptr);
             }
+        };
+        const std::size_t before = with_surround && pieces.size() > 1 ? 1 : 0;  // a beam's is too little
+        workers_.run(pieces.size() + before, [&](std::size_t i) {
+            if (i < before)
+                add_surround(in, gain);
+            else
+                add(pieces[i - before]);
         });
+        if (with_surround && before == 0) add_surround(in, gain);
     }
 
     void add_surround(const BinningInput& in, const BinGain& gain) {
@@ -194,13 +207,15 @@ class FanSumming final : public Summing {
             sector_at(plan, SectorKind::beside, cone_angle(double{path.bearing} - plan.centre, 0)).sector);
     }
 
-    /// What floats in the water is everywhere, so its echo is that of both patterns together.
-    void turn_volume(const BinningInput& in, const RangeSteps& steps) {
+    /// What floats in the water is everywhere, so its echo is that of both patterns together. Of beams
+    /// first..first + count - 1.
+    void turn_volume(const BinningInput& in, const RangeSteps& steps, std::size_t first, std::size_t count) {
         const std::size_t stride = in.bins + 2 * steps.count;
         for (std::size_t step = 0; step < steps.count; ++step) {
             const double bin = (static_cast<double>(step) + 0.5) * static_cast<double>(steps.bins);
             const auto kept = static_cast<float>(in.motion->kept(in.first_range + bin * in.bin_length));
-            for (std::size_t at = in.bins + step; at < rows_.size(); at += stride) rows_[at] *= kept;
+            for (std::size_t beam = first; beam < first + count; ++beam)
+                rows_[beam * stride + in.bins + step] *= kept;
         }
     }
 

@@ -18,8 +18,12 @@ constexpr std::size_t worth_sharing = 20'000;
 
 }  // namespace
 
-RasterSampler::RasterSampler(std::shared_ptr<const Scene> scene, std::size_t threads)
-    : scene_(std::move(scene)), split_(scene_), workers_(threads) {}
+RasterSampler::RasterSampler(std::shared_ptr<const Scene> scene, std::size_t threads,
+                             std::shared_ptr<Workers> workers)
+    : scene_(std::move(scene)),
+      split_(scene_),
+      threads_(threads),
+      workers_(workers ? std::move(workers) : std::make_shared<Workers>(threads)) {}
 
 std::string RasterSampler::description() { return "own rasteriser"; }
 
@@ -62,10 +66,7 @@ void RasterSampler::sample(const Picture& picture, const gl::Outlook& outlook, s
         painter->paint(painting, *order_[i]);
         give_back(std::move(painter));
     };
-    if (cost < worth_sharing)
-        for (std::size_t i = 0; i < order_.size(); ++i) paint(i);
-    else
-        workers_.run(order_.size(), paint);
+    workers_->run(order_.size(), paint, cost < worth_sharing ? 1 : threads_);
     profile_.cull = seconds(culled - begin), profile_.draw = seconds(Clock::now() - culled);
 }
 

@@ -15,8 +15,9 @@ namespace echoloop::raster {
 
 class RasterSampler {
   public:
-    /// `threads`: the caller's included.
-    RasterSampler(std::shared_ptr<const Scene> scene, std::size_t threads);
+    /// `threads`: the caller's included, of `workers`, or where that is null of its own.
+    RasterSampler(std::shared_ptr<const Scene> scene, std::size_t threads,
+                  std::shared_ptr<Workers> workers = nullptr);
 
     /// As gl::DrawingCrew::draw().
     void sample(const Picture& picture, const gl::Outlook& outlook, std::vector<Pixel>& pixels);
@@ -30,7 +31,8 @@ class RasterSampler {
 
     std::shared_ptr<const Scene> scene_;
     gl::SplitScene split_;
-    Workers workers_;
+    std::size_t threads_;
+    std::shared_ptr<Workers> workers_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<ViewPainter>> idle_;  ///< under mutex_
     std::vector<gl::SeenView> seen_;

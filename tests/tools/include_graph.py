@@ -81,7 +81,7 @@ RULES = [
     render_room("raster", "rays|gl|paths|scene", r"embree[34]/.*"),
     render_room("fan", "paths|acoustics|scene"),
     render_room("grid", "fan|paths|acoustics|scene"),
-    Rule(r"render/(renderer|shot_check)\.(h|cpp)", r"render/.*", STANDARD),
+    Rule(r"render/(renderer[a-z_]*|shot_check)\.(h|cpp)", r"render/.*", STANDARD),
     Rule(r"emulator/devices/(sonar-3d-15|waterlinked-dvl)/(?:api|json_commands|pages)\.cpp",
          rf"{PURE}|protocols/.*|emulator/contract/.*|emulator/devices/(\1|family)/.*", rf"{STANDARD}|nlohmann/json\.hpp"),
     Rule(r"emulator/devices/models\.cpp", rf"{PURE}|protocols/.*|emulator/(contract|devices)/.*", STANDARD),
