@@ -56,7 +56,7 @@ ECHOLOOP_INLINE int find_bent(int count, const PartPlace& place, const SampleGri
                     dz = m[6] * wx + m[7] * wy + m[8] * wz;
         const float height = dx * ux + dy * uy + dz * uz;
         const float lx = dx - height * ux, ly = dy - height * uy, lz = dz - height * uz;
-        const float level = std::sqrt(lx * lx + ly * ly + lz * lz);
+        const float level = std::max(std::sqrt(lx * lx + ly * ly + lz * lz), 1e-3F), over = 1 / level;
         const float u = std::sqrt(square + std::abs(height) * table.per_b) - middle;
         const float column = std::min(level * table.columns_per_metre, last_column);
         const float row = std::min(std::max((height > 0 ? -u : u) - table.first_row, 0.0F), last_row);
@@ -72,7 +72,7 @@ ECHOLOOP_INLINE int find_bent(int count, const PartPlace& place, const SampleGri
         const float turn = cell(0), longer = 1 + cell(1);
         const float q = turn * turn, s = turn - turn * q * (1 / 6.0F - q * (1 / 120.0F)),
                     v = q * (0.5F - q * (1 / 24.0F - q * (1 / 720.0F)));  // 1 - cosine
-        const float along = -(level * v + height * s) / std::max(level, 1e-6F);
+        const float along = -(v + height * s * over);
         const float outwards = longer * (1 + along),
                     upwards = longer * (level * s - height * v - along * height);
         const float x = outwards * dx + upwards * ux, y = outwards * dy + upwards * uy,
@@ -81,7 +81,7 @@ ECHOLOOP_INLINE int find_bent(int count, const PartPlace& place, const SampleGri
         x_of[i] = x, y_of[i] = y, z_of[i] = z;
         line_of[i] = (x * inverse - grid.first_x) * grid.lines_per_x;
         sample_of[i] = (grid.first_y - y * inverse) * grid.samples_per_y;
-        bow_of[i] = cell(2);
+        bow_of[i] = cell(2) / (outwards * level);
         if (shadows) clearance_of[i] = cell(3);
         behind += z <= near ? 1 : 0;
     }

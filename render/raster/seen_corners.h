@@ -43,7 +43,8 @@ class SeenCorners {
     const float* z() const { return row(2); }
     const float* line() const { return row(3); }    ///< of those in front of the near end
     const float* sample() const { return row(4); }  ///< the same
-    /// Where rays bend: BentRay::bow and, where they have shadows, BentRay::clearance.
+    /// Where rays bend: BentRay::bow over the level distance from us, 1/m, which hardly varies where bows do,
+    /// and where they have shadows BentRay::clearance.
     const float* bow() const { return row(5); }
     const float* clearance() const { return row(6); }
 

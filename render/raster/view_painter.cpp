@@ -136,7 +136,7 @@ void look_along(const Along triangle, const float* __restrict y_of, int count, f
     }
 }
 
-/// The same for BentRay::bow, which is given at its corners.
+/// The same for SeenCorners::bow(), which is given at its corners.
 ECHOLOOP_SIMD
 void bow_along(const Along triangle, float b0, float b1, float b2, const float* __restrict y_of, int count,
                float* __restrict bow) {
@@ -149,26 +149,28 @@ void bow_along(const Along triangle, float b0, float b1, float b2, const float* 
     }
 }
 
-/// Turns the normals of neighbouring samples by `bow` (rad) from where a ray heads when it arrives to where
-/// it headed when it left, which is where we see it. `up`: the world's, in the view's axes.
+/// Turns the normals of neighbouring samples from where rays head when they arrive to where they headed when
+/// they left, which is where we see them. `bow`: as SeenCorners::bow(); `up`: the world's, in the view's
+/// axes.
 ECHOLOOP_SIMD
 void turn_normals(float x, const float* __restrict y_of, const std::array<float, 3> up, int count,
-                  const float* __restrict bow_of, float* __restrict nx_of, float* __restrict ny_of,
-                  float* __restrict nz_of) {
+                  const float* __restrict bow_of, const float* __restrict depth_of, float* __restrict nx_of,
+                  float* __restrict ny_of, float* __restrict nz_of) {
     const float ux = up[0], uy = up[1], uz = up[2];
     for (int i = 0; i < count; ++i) {
-        const float y = y_of[i], height = x * ux + y * uy + uz;
-        const float lx = x - height * ux, ly = y - height * uy, lz = 1 - height * uz;
-        const float over = 1 / std::max(std::sqrt(lx * lx + ly * ly + lz * lz), 1e-6F);
-        const float ax = lx * over, ay = ly * over, az = lz * over;
-        const float bow = bow_of[i], q = bow * bow, s = bow - bow * q * (1 / 6.0F - q * (1 / 120.0F)),
-                    v = q * (0.5F - q * (1 / 24.0F - q * (1 / 720.0F)));  // 1 - cosine
+        const float y = y_of[i], height = x * ux + y * uy + uz, bow = bow_of[i] * depth_of[i];
+        // The bow, as a vector along the level.
+        const float bx = bow * (x - height * ux), by = bow * (y - height * uy), bz = bow * (1 - height * uz);
+        const float q = bx * bx + by * by + bz * bz;
+        const float sine = 1 - q * (1 / 6.0F - q * (1 / 120.0F)),  // over the bow
+            versine = 0.5F - q * (1 / 24.0F - q * (1 / 720.0F));   // over its square
         const float nx = nx_of[i], ny = ny_of[i], nz = nz_of[i];
-        const float ahead = nx * ax + ny * ay + nz * az, upwards = nx * ux + ny * uy + nz * uz;
-        const float more_ahead = upwards * s - ahead * v, more_up = -(upwards * v + ahead * s);
-        nx_of[i] = nx + more_ahead * ax + more_up * ux;
-        ny_of[i] = ny + more_ahead * ay + more_up * uy;
-        nz_of[i] = nz + more_ahead * az + more_up * uz;
+        const float along = nx * bx + ny * by + nz * bz, upwards = nx * ux + ny * uy + nz * uz;
+        const float more_along = upwards * sine - along * versine,
+                    more_up = -(upwards * q * versine + along * sine);
+        nx_of[i] = nx + more_along * bx + more_up * ux;
+        ny_of[i] = ny + more_along * by + more_up * uy;
+        nz_of[i] = nz + more_along * bz + more_up * uz;
     }
 }
 
@@ -342,7 +344,8 @@ void ViewPainter::write(const Painting& painting, const View& view) {
             look(line * stride_ + sample, x_[line], &y_[sample], count, hits, bow.data());
             if (!bows_.empty())
                 turn_normals(x_[line], &y_[sample], places_.front().up_seen, static_cast<int>(count),
-                             bow.data(), hits.normal_x.data(), hits.normal_y.data(), hits.normal_z.data());
+                             bow.data(), hits.depth.data(), hits.normal_x.data(), hits.normal_y.data(),
+                             hits.normal_z.data());
             rays::find_pixels(own_axes, sizes, x_[line], &y_[sample], hits, count,
                               painting.image + (view.first_line + line) * painting.samples + sample);
         }

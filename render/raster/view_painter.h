@@ -58,7 +58,7 @@ class ViewPainter {
     std::vector<float> inverse_;        ///< 1 over the distance along the axis; 0: nothing is there
     std::vector<std::int32_t> number_;  ///< in shown_, of what is nearest
     std::vector<Shown> shown_;
-    std::vector<Four> bows_;  ///< BentRay::bow at the corners of shown_; empty where rays are straight
+    std::vector<Four> bows_;  ///< SeenCorners::bow() at the corners of shown_; empty where rays are straight
     std::vector<PartPlace> places_;
     std::vector<std::array<std::array<float, 4>, 3>>
         columns_;  ///< the same: turn normals into the view's axes
