@@ -155,18 +155,19 @@ class Renderer::Impl {
 
     bool may_bend() const { return effects().has(Effect::refraction) && !water_.profile.empty(); }
 
-    /// Makes what finds the surfaces. In a large scene no OpenGL is made but a GPU's.
+    /// Makes what finds the surfaces. For a large scene, and where rays may bend, no OpenGL is made but a
+    /// GPU's.
     void choose_sampler() {
         const std::size_t threads = options_.drawing_threads;
-        const bool large = options_.sampler == "auto" && options_.context == "auto" &&
-                           scene_->triangles() >= least_triangles_for_native;
+        const bool ours = options_.sampler == "auto" && options_.context == "auto" &&
+                          (scene_->triangles() >= least_triangles_for_native || may_bend());
         if (options_.sampler == "rays") {
             sampler_.emplace(scene_, threads);
-        } else if (options_.sampler == "native" || (large && !gl::may_have_gpu())) {
+        } else if (options_.sampler == "native" || (ours && !gl::may_have_gpu())) {
             native_.emplace(scene_, threads);
         } else {
             crew_.emplace([this] { return gl::make_context(options_.context); }, scene_, threads);
-            if (!large || crew_->drawer().context().kind() == gl::gpu_kind) return;
+            if (!ours || crew_->drawer().context().kind() == gl::gpu_kind) return;
             crew_.reset();
             native_.emplace(scene_, threads);
         }
@@ -445,7 +446,7 @@ class Renderer::Impl {
                                   .rays = rays_,
                                   .rays_nearby = rays_nearby_,
                                   .sag = speed_ / 8 * shot.bin_interval};
-        const gl::DrawProfile& drawn = find_surfaces(*heard.plan, outlook, shot.beams() == 1, heard.pixels);
+        const gl::DrawProfile& drawn = find_surfaces(*heard.plan, outlook, heard.pixels);
         heard.focus.clear();
         if (rays_ && rays_->focuses() && effects().has(Effect::spreading))
             find_focus(*heard.plan, offset_of(heard.array),
@@ -455,14 +456,9 @@ class Renderer::Impl {
         profile_.pixels += drawn.pixels;
     }
 
-    /// Bent rays of a single beam are dear to draw, and few are worth splitting up a large scene for: where
-    /// the choice is ours they are followed.
-    const gl::DrawProfile& find_surfaces(const Picture& picture, const gl::Outlook& outlook, bool single,
+    const gl::DrawProfile& find_surfaces(const Picture& picture, const gl::Outlook& outlook,
                                          std::vector<Pixel>& pixels) {
-        if (native_ && single && outlook.rays && options_.sampler == "auto" && !sampler_)
-            sampler_.emplace(scene_, options_.drawing_threads);
-        if (sampler_ && (!native_ || (single && outlook.rays)))
-            return sampler_->sample(picture, outlook, pixels), sampler_->profile();
+        if (sampler_) return sampler_->sample(picture, outlook, pixels), sampler_->profile();
         if (native_) return native_->sample(picture, outlook, pixels), native_->profile();
         return crew_->draw(picture, outlook, pixels), crew_->profile();
     }
@@ -485,7 +481,7 @@ class Renderer::Impl {
     std::thread::id thread_ = std::this_thread::get_id();
     std::shared_ptr<const Scene> scene_;
     PathTracer tracer_;
-    std::optional<gl::DrawingCrew> crew_;  ///< one of these, but for bent rays of single beams
+    std::optional<gl::DrawingCrew> crew_;  ///< one of these
     std::optional<raster::RasterSampler> native_;
     std::optional<rays::RaySampler> sampler_;
     /// Index into Scene::materials() and Scene::objects() of every surface number, which is Pixel::surface

@@ -233,6 +233,7 @@ void SplitScene::split_view(SplitMesh& mesh, const Outlook& outlook, double sag,
         SeenNodes& own = view.parts[part];
         Splitter splitter(*scene_, mesh, *outlook.rays_nearby, mesh.places_[part].eye, mesh.places_[part].up,
                           reach, sag, shortest);
+        const SeenBoxes boxes(*view.view, own.frame_from_fan, limits, own.up);
         const auto rest = std::ranges::stable_partition(
             own.nodes, [&](std::uint32_t node) { return !is_long(node, shortest); });
         for (const std::uint32_t node : rest) {
@@ -247,7 +248,7 @@ void SplitScene::split_view(SplitMesh& mesh, const Outlook& outlook, double sag,
             view.triangles -= scene_->nodes()[node].indices / 3;
             for (std::uint32_t i = stretch->second.first; i < stretch->second.last; ++i) {
                 const SplitMesh::Patch& patch = mesh.patches_[i];
-                if (!reaches_into(patch.bounds, *view.view, own.frame_from_fan, limits, own.up)) continue;
+                if (!boxes.has(patch.bounds)) continue;
                 own.patches.push_back(patch.drawn);
                 view.triangles += patch.drawn.indices / 3;
             }
