@@ -9,6 +9,17 @@
 namespace echoloop {
 namespace {
 
+double cosine_of(double sine) { return std::sqrt(std::max(0.0, 1 - sine * sine)); }
+
+/// rad, of the line to where a ray is, over the elevation of the sine `from`; it leaves with the sine `up`,
+/// for along d + rise upwards as RayTable::Place says.
+double lift_from(const RayTable& rays, double from, double up, double length) {
+    const RayTable::Place at = rays.place(static_cast<float>(up), static_cast<float>(length));
+    const double along = static_cast<double>(at.along), cosine = cosine_of(from);
+    const double x = along * cosine_of(up), y = along * up + static_cast<double>(at.rise);
+    return std::atan2(y * cosine - x * from, x * cosine + y * from);
+}
+
 /// From as far above the surface as the profile reaches below it; constant beyond both ends.
 std::vector<SoundSpeedPoint> unfolded(std::span<const SoundSpeedPoint> profile) {
     std::vector<SoundSpeedPoint> below{{0, sound_speed_at(profile, 0)}};
@@ -23,12 +34,7 @@ std::vector<SoundSpeedPoint> unfolded(std::span<const SoundSpeedPoint> profile) 
 
 }  // namespace
 
-double line_to(const RayTable& rays, double elevation, double length) {
-    const auto up = static_cast<float>(std::sin(elevation));
-    const RayTable::Place at = rays.place(up, static_cast<float>(length));
-    return std::atan2(static_cast<double>(at.height(up)),
-                      static_cast<double>(at.along) * std::cos(elevation));
-}
+double lift_to(const RayTable& rays, double up, double length) { return lift_from(rays, up, up, length); }
 
 std::shared_ptr<const RayTable> ImageTables::of(std::span<const SoundSpeedPoint> profile, double depth,
                                                 double range) {
@@ -60,9 +66,10 @@ BentRay ImageRays::to(double distance, double above) const {
     return ray;
 }
 
-double ImageRays::line(double elevation, double length) const {
+double ImageRays::lift(double up, double length) const {
     const double ratio = table().speed() / own_.speed();
-    return line_to(table(), refracted(elevation, ratio), ratio * length);
+    const double cosine = std::min(ratio * cosine_of(up), 1.0);
+    return lift_from(table(), up, std::copysign(cosine_of(cosine), up), ratio * length);
 }
 
 }  // namespace echoloop

@@ -12,8 +12,9 @@
 
 namespace echoloop {
 
-/// rad, elevation of the straight line to where a ray is after `length` m of c t that leaves at `elevation`.
-double line_to(const RayTable& rays, double elevation, double length);
+/// rad, by which the straight line to where a ray is after `length` m of c t lies higher than it leaves, with
+/// the sine `up` of elevation.
+double lift_to(const RayTable& rays, double up, double length);
 
 /// The tables that one renderer has needed of late.
 class ImageTables {
@@ -35,8 +36,8 @@ class ImageRays {
     /// arrival and launch as RayTable::at(). What the sonar is off from the table's depth, Snell's law mends
     /// but for the second order.
     BentRay to(double distance, double above) const;
-    /// rad, as line_to(), to the image of where a ray is.
-    double line(double elevation, double length) const;
+    /// rad, as lift_to(), of the line to the image of where a ray is.
+    double lift(double up, double length) const;
 
   private:
     const RayTable& table() const;

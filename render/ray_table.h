@@ -51,6 +51,7 @@ class RayTable {
             return r * focus_columns + c;
         }
         float operator[](std::int32_t place) const { return all_[place]; }
+        const float* all() const { return all_; }  ///< by place()
 
       private:
         const float* all_;

@@ -19,8 +19,8 @@ namespace echoloop {
 
 class PlanCache;
 
-/// From so many triangles on our own rasteriser draws a scene instead of a software OpenGL. A fixed number,
-/// not the time that both take, so that the same scene gives the same bytes.
+/// From so many triangles on, or where rays may bend, our own rasteriser draws a scene instead of a software
+/// OpenGL. A fixed number, not the time that both take, so that the same scene gives the same bytes.
 inline constexpr std::size_t least_triangles_for_native = 100'000;
 
 struct RendererOptions {
@@ -33,7 +33,7 @@ struct RendererOptions {
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
     /// What finds the surfaces: "raster" (OpenGL), "native" (our own rasteriser), "rays" (Embree), or "auto":
     /// native where nobody names a context, there is no GPU and the scene has at least
-    /// least_triangles_for_native, but rays there for single beams whose rays bend; else raster.
+    /// least_triangles_for_native or the water has a profile that may bend rays; else raster.
     std::string sampler = "auto";
     std::size_t drawing_threads =
         1;  ///< that share a picture where the context allows it; the pixels are the same

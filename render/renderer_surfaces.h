@@ -16,22 +16,20 @@ namespace echoloop {
 
 class SurfaceFinder {
   public:
-    /// In a large scene no OpenGL is made but a GPU's. Throws as Renderer's constructor.
-    SurfaceFinder(std::shared_ptr<const Scene> scene, const RendererOptions& options,
+    /// In a large scene, and where rays may bend, no OpenGL is made but a GPU's. Throws as Renderer's
+    /// constructor.
+    SurfaceFinder(const std::shared_ptr<const Scene>& scene, const RendererOptions& options, bool may_bend,
                   std::shared_ptr<Workers> workers);
 
-    /// Fills `pixels`. `single`: of one beam. Returns what it drew, until the next call.
-    const gl::DrawProfile& find(const Picture& picture, const gl::Outlook& outlook, bool single,
+    /// Fills `pixels`. Returns what it drew, until the next call.
+    const gl::DrawProfile& find(const Picture& picture, const gl::Outlook& outlook,
                                 std::vector<Pixel>& pixels);
 
     /// As Renderer::context_description().
     std::string description() const;
 
   private:
-    std::shared_ptr<const Scene> scene_;
-    bool choose_;  ///< the choice is ours
-    std::size_t threads_;
-    std::optional<gl::DrawingCrew> crew_;  ///< one of these, but for bent rays of single beams
+    std::optional<gl::DrawingCrew> crew_;  ///< one of these
     std::optional<raster::RasterSampler> native_;
     std::optional<rays::RaySampler> rays_;
 };

@@ -1,7 +1,6 @@
 #include "render/fan/focus.h"
 
 #include <cmath>
-#include <cstdint>
 
 #include "render/simd.h"
 
@@ -14,12 +13,13 @@ struct FocusLine {
 };
 
 ECHOLOOP_SIMD
-void find_focus_places(const FocusLine line, const RayTable::FocusTable table, const Pixel* __restrict pixels,
-                       int count, std::int32_t* __restrict places) {
+void find_focus(const FocusLine line, const RayTable::FocusTable table, const float* __restrict all,
+                const Pixel* __restrict pixels, int count, float* __restrict focus) {
     for (int i = 0; i < count; ++i) {
         const float y = line.top - static_cast<float>(i) * line.step;
         const float up = (line.base + y * line.up) / std::sqrt(line.square + y * y);
-        places[i] = table.place(up, pixels[i].range);
+        const float found = all[table.place(up, pixels[i].range)];
+        focus[i] = pixels[i].surface == 0 ? 1.0F : found;
     }
 }
 
@@ -29,7 +29,6 @@ void find_focus(const Picture& picture, const SampleOffsets& offset, const Pose&
                 const RayTable& rays, std::span<const Pixel> pixels, std::vector<float>& focus) {
     focus.resize(picture.image_lines * picture.samples);
     const RayTable::FocusTable table = rays.focus_table();
-    std::vector<std::int32_t> places(picture.samples);
     for (const View& view : picture.views) {
         const Quat q = world_from_fan.orientation * view.fan_from_view();
         const auto up_of = [&](Vec3 axis) { return static_cast<float>(rotate(q, axis).z); };
@@ -40,10 +39,8 @@ void find_focus(const Picture& picture, const SampleOffsets& offset, const Pose&
         for (std::size_t line = 0; line < view.lines; ++line) {
             const auto x = static_cast<float>(view.x(static_cast<double>(line) + 0.5 + moved.line));
             const std::size_t first = (view.first_line + line) * picture.samples;
-            find_focus_places({ahead + x * starboard, up, 1 + x * x, top, step}, table, &pixels[first],
-                              static_cast<int>(view.samples), places.data());
-            for (std::size_t i = 0; i < view.samples; ++i)
-                focus[first + i] = pixels[first + i].surface == 0 ? 1.0F : table[places[i]];
+            find_focus({ahead + x * starboard, up, 1 + x * x, top, step}, table, table.all(), &pixels[first],
+                       static_cast<int>(view.samples), &focus[first]);
         }
     }
 }

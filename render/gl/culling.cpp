@@ -40,21 +40,21 @@ bool behind(const Bounds& box, Vec3 eye, Vec3 normal, double shift) {
     return dot(farthest - eye, normal) + shift < 0;
 }
 
-/// Whether a box that is no farther than that may be seen between those planes.
-bool within(const Bounds& box, const std::array<Vec3, 4>& planes, Vec3 eye, Vec3 up, const RayTable* rays) {
-    double range = 0, lift[2] = {0, 0};
-    if (rays != nullptr) {
-        range = farthest_in(box, eye);
-        lift[0] = rays->lift(range, false), lift[1] = rays->lift(range, true);
-    }
+/// Whether a box may be seen between those planes. What rays lift is asked only where it can count.
+bool within(const Bounds& box, const SidePlanes& planes, Vec3 eye, Vec3 up, const RayTable* rays) {
+    double range = -1;
     return std::none_of(planes.begin(), planes.end(), [&](Vec3 normal) {
+        if (!behind(box, eye, normal, 0)) return false;
+        if (rays == nullptr) return true;
         const double upwards = dot(normal, up);
-        return behind(box, eye, normal, range * (upwards > 0 ? upwards * lift[0] : -upwards * lift[1]));
+        if (std::abs(upwards) < 1e-9) return true;
+        if (range < 0) range = farthest_in(box, eye);
+        return behind(box, eye, normal, range * std::abs(upwards) * rays->lift(range, upwards < 0));
     });
 }
 
-/// Inward normals of the four sides of the view's pyramid, in the world.
-std::array<Vec3, 4> side_planes(const View& view, const Pose& world_from_fan, double margin) {
+/// Inward normals of the four sides of the view's pyramid.
+SidePlanes side_planes(const View& view, const Pose& world_from_fan, double margin) {
     const Quat q = world_from_fan.orientation * view.fan_from_view();
     const Vec3 forward = rotate(q, {1, 0, 0}), starboard = rotate(q, {0, -1, 0}), up = rotate(q, {0, 0, 1});
     return {starboard - (view.left - margin) * forward, (view.right + margin) * forward - starboard,
@@ -107,11 +107,15 @@ std::vector<std::uint32_t> find_around(const Scene& scene, NodeRange range, Vec3
     return found;
 }
 
-bool reaches_into(const Bounds& box, const View& view, const Pose& frame_from_fan, const ViewLimits& limits,
-                  Vec3 up) {
-    const auto planes = side_planes(view, frame_from_fan, limits.margin);
-    const Vec3 eye = frame_from_fan.position;
-    return distance_to(box, eye) <= limits.end_range && within(box, planes, eye, up, limits.rays);
+SeenBoxes::SeenBoxes(const View& view, const Pose& frame_from_fan, const ViewLimits& limits, Vec3 up)
+    : planes_(side_planes(view, frame_from_fan, limits.margin)),
+      eye_(frame_from_fan.position),
+      up_(up),
+      end_range_(limits.end_range),
+      rays_(limits.rays) {}
+
+bool SeenBoxes::has(const Bounds& box) const {
+    return distance_to(box, eye_) <= end_range_ && within(box, planes_, eye_, up_, rays_);
 }
 
 }  // namespace echoloop::gl

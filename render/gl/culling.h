@@ -2,6 +2,7 @@
 // GL.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -38,8 +39,19 @@ bool find_visible(const Scene& scene, NodeRange range, const View& view, const P
 std::vector<std::uint32_t> find_around(const Scene& scene, NodeRange range, Vec3 eye, double radius,
                                        const ViewLimits& limits);
 
-/// Whether a box may reach into the view.
-bool reaches_into(const Bounds& box, const View& view, const Pose& frame_from_fan, const ViewLimits& limits,
-                  Vec3 up);
+using SidePlanes = std::array<Vec3, 4>;
+
+/// Which boxes may reach into a view. The limits' rays are kept by reference.
+class SeenBoxes {
+  public:
+    SeenBoxes(const View& view, const Pose& frame_from_fan, const ViewLimits& limits, Vec3 up);
+    bool has(const Bounds& box) const;
+
+  private:
+    SidePlanes planes_;
+    Vec3 eye_, up_;
+    double end_range_;
+    const RayTable* rays_;
+};
 
 }  // namespace echoloop::gl

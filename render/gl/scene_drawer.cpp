@@ -172,11 +172,12 @@ void SceneDrawer::draw_patches(const View& view, const SeenNodes& part) {
         list.clear();
         for (const SeenPatch& patch : part.patches)
             if (patch.double_sided == double_sided) {
-                list.counts.push_back(static_cast<GLsizei>(patch.count));
-                list.offsets.push_back(reinterpret_cast<const void*>(patch.first * sizeof(std::uint32_t)));
-                list.bases.push_back(0);
+                list.counts.push_back(static_cast<GLsizei>(patch.indices));
+                list.offsets.push_back(
+                    reinterpret_cast<const void*>(patch.first_index * sizeof(std::uint16_t)));
+                list.bases.push_back(static_cast<GLint>(patch.first_vertex));
             }
-        submit(list, double_sided, GL_UNSIGNED_INT);
+        submit(list, double_sided);
     }
     array_->bind();
 }
@@ -196,10 +197,10 @@ void SceneDrawer::list(const SceneNode& node) {
     to.bases.push_back(static_cast<GLint>(vertex + node.first_vertex));
 }
 
-void SceneDrawer::submit(const DrawList& list, bool double_sided, GLenum index) const {
+void SceneDrawer::submit(const DrawList& list, bool double_sided) const {
     if (list.counts.empty()) return;
     double_sided ? gl_.Disable(GL_CULL_FACE) : gl_.Enable(GL_CULL_FACE);
-    gl_.MultiDrawElementsBaseVertex(GL_TRIANGLES, list.counts.data(), index, list.offsets.data(),
+    gl_.MultiDrawElementsBaseVertex(GL_TRIANGLES, list.counts.data(), GL_UNSIGNED_SHORT, list.offsets.data(),
                                     static_cast<GLsizei>(list.counts.size()), list.bases.data());
 }
 

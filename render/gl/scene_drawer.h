@@ -68,7 +68,7 @@ class SceneDrawer {
     void begin_bent(const Bending& bending);
     Uniforms uniforms_of(const Program& program) const;
     void list(const SceneNode& node);
-    void submit(const DrawList& list, bool double_sided, GLenum index = GL_UNSIGNED_SHORT) const;
+    void submit(const DrawList& list, bool double_sided) const;
 
     std::unique_ptr<Context> context_;
     std::shared_ptr<const Scene> scene_;

@@ -13,9 +13,10 @@
 
 namespace echoloop::gl {
 
-/// A stretch of the split scene's indices.
+/// Of the split scene's vertices and indices.
 struct SeenPatch {
-    std::uint32_t first = 0, count = 0;
+    std::uint32_t first_vertex = 0, vertices = 0;
+    std::uint32_t first_index = 0, indices = 0;
     bool double_sided = false;
 };
 

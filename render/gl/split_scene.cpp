@@ -55,13 +55,11 @@ class SplitScene::Splitter {
         const auto vertices = node.coarse ? scene_.coarse_vertices() : scene_.vertices();
         const auto indices = (node.coarse ? scene_.coarse_indices() : scene_.indices())
                                  .subspan(node.first_index, node.indices);
-        const auto base = static_cast<std::uint32_t>(to_.vertices_.size());
+        vertices_.clear(), bent_.clear(), middles_.clear(), patch_.clear();
         for (const SceneVertex& vertex : vertices.subspan(node.first_vertex, node.vertices)) push(vertex);
-        middles_.clear();
         double_sided_ = scene_.materials()[node.material].double_sided;
-        begin_patch();
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-            split(base + indices[i], base + indices[i + 1], base + indices[i + 2], 0);
+            split(indices[i], indices[i + 1], indices[i + 2], 0);
         end_patch();
     }
 
@@ -69,10 +67,9 @@ class SplitScene::Splitter {
     static constexpr std::uint32_t whole = ~0U;
 
     std::uint32_t push(const SceneVertex& vertex) {
-        to_.vertices_.push_back(vertex);
-        bent_.resize(to_.vertices_.size());
-        bent_.back() = bend(place_of(vertex) - eye_);
-        return static_cast<std::uint32_t>(to_.vertices_.size() - 1);
+        vertices_.push_back(vertex);
+        bent_.push_back(bend(place_of(vertex) - eye_));
+        return static_cast<std::uint32_t>(vertices_.size() - 1);
     }
 
     Vec3 bend(Vec3 straight) const {
@@ -90,15 +87,15 @@ class SplitScene::Splitter {
         const std::uint64_t key = std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
         if (const auto known = middles_.find(key); known != middles_.end()) return known->second;
         // In one order, whichever triangle asks.
-        if (to_.vertices_[b].position < to_.vertices_[a].position) std::swap(a, b);
+        if (vertices_[b].position < vertices_[a].position) std::swap(a, b);
         std::uint32_t made = whole;
-        const Vec3 from = place_of(to_.vertices_[a]) - eye_, along = place_of(to_.vertices_[b]) - eye_ - from;
+        const Vec3 from = place_of(vertices_[a]) - eye_, along = place_of(vertices_[b]) - eye_ - from;
         const double length = norm(along);
         if (length > shortest_) {
             const double share = std::clamp(-dot(from, along) / (length * length), 0.0, 1.0);
             if (norm(from + share * along) < reach_) {
                 if (length > reach_ / 2 || stray(a, b, from, along) > sag_)
-                    made = push(middle_of(to_.vertices_[a], to_.vertices_[b]));
+                    made = push(middle_of(vertices_[a], vertices_[b]));
             }
         }
         middles_.emplace(key, made);
@@ -144,22 +141,30 @@ class SplitScene::Splitter {
     }
 
     void emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        for (const std::uint32_t corner : {a, b, c}) {
-            to_.indices_.push_back(corner);
-            grow(to_.patches_.back().bounds, to_.vertices_[corner].position);
-        }
-        if (to_.indices_.size() - to_.patches_.back().first >= 3 * patch_triangles)
-            end_patch(), begin_patch();
+        patch_.insert(patch_.end(), {a, b, c});
+        if (patch_.size() >= 3 * patch_triangles) end_patch();
     }
 
-    void begin_patch() {
-        to_.patches_.push_back(
-            {static_cast<std::uint32_t>(to_.indices_.size()), 0, double_sided_, empty_bounds()});
-    }
+    /// Each patch has vertices of its own, those in a node's order, so that no more are bent than it needs.
     void end_patch() {
-        SplitMesh::Patch& patch = to_.patches_.back();
-        patch.count = static_cast<std::uint32_t>(to_.indices_.size()) - patch.first;
-        if (patch.count == 0) to_.patches_.pop_back();
+        if (patch_.empty()) return;
+        SplitMesh::Patch patch{{static_cast<std::uint32_t>(to_.vertices_.size()), 0,
+                                static_cast<std::uint32_t>(to_.indices_.size()),
+                                static_cast<std::uint32_t>(patch_.size()), double_sided_},
+                               empty_bounds()};
+        own_ = patch_;
+        std::ranges::sort(own_);
+        own_.erase(std::ranges::unique(own_).begin(), own_.end());
+        for (const std::uint32_t vertex : own_) {
+            to_.vertices_.push_back(vertices_[vertex]);
+            grow(patch.bounds, vertices_[vertex].position);
+        }
+        for (const std::uint32_t corner : patch_)
+            to_.indices_.push_back(
+                static_cast<std::uint16_t>(std::ranges::lower_bound(own_, corner) - own_.begin()));
+        patch.drawn.vertices = static_cast<std::uint32_t>(own_.size());
+        to_.patches_.push_back(patch);
+        patch_.clear();
     }
 
     const Scene& scene_;
@@ -168,7 +173,9 @@ class SplitScene::Splitter {
     Vec3 eye_, up_;
     double reach_, sag_, shortest_;
     bool double_sided_ = false;
-    std::vector<Vec3> bent_;
+    std::vector<SceneVertex> vertices_;       ///< of the node at hand, and the middles of its edges
+    std::vector<Vec3> bent_;                  ///< the same
+    std::vector<std::uint32_t> patch_, own_;  ///< corners of the patch at hand; each once
     std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
@@ -226,6 +233,7 @@ void SplitScene::split_view(SplitMesh& mesh, const Outlook& outlook, double sag,
         SeenNodes& own = view.parts[part];
         Splitter splitter(*scene_, mesh, *outlook.rays_nearby, mesh.places_[part].eye, mesh.places_[part].up,
                           reach, sag, shortest);
+        const SeenBoxes boxes(*view.view, own.frame_from_fan, limits, own.up);
         const auto rest = std::ranges::stable_partition(
             own.nodes, [&](std::uint32_t node) { return !is_long(node, shortest); });
         for (const std::uint32_t node : rest) {
@@ -240,9 +248,9 @@ void SplitScene::split_view(SplitMesh& mesh, const Outlook& outlook, double sag,
             view.triangles -= scene_->nodes()[node].indices / 3;
             for (std::uint32_t i = stretch->second.first; i < stretch->second.last; ++i) {
                 const SplitMesh::Patch& patch = mesh.patches_[i];
-                if (!reaches_into(patch.bounds, *view.view, own.frame_from_fan, limits, own.up)) continue;
-                own.patches.push_back({patch.first, patch.count, patch.double_sided});
-                view.triangles += patch.count / 3;
+                if (!boxes.has(patch.bounds)) continue;
+                own.patches.push_back(patch.drawn);
+                view.triangles += patch.drawn.indices / 3;
             }
         }
         own.nodes.erase(rest.begin(), rest.end());

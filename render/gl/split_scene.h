@@ -17,14 +17,14 @@ namespace echoloop::gl {
 class SplitMesh {
   public:
     std::span<const SceneVertex> vertices() const { return vertices_; }
-    std::span<const std::uint32_t> indices() const { return indices_; }
+    /// Of a patch, counted from its first vertex.
+    std::span<const std::uint16_t> indices() const { return indices_; }
     std::uint64_t version() const { return version_; }  ///< another after every change
 
   private:
     friend class SplitScene;
     struct Patch {
-        std::uint32_t first, count;
-        bool double_sided;
+        SeenPatch drawn;
         Bounds bounds;
     };
     /// From where the nodes of a part are split.
@@ -37,7 +37,7 @@ class SplitMesh {
     };
 
     std::vector<SceneVertex> vertices_;
-    std::vector<std::uint32_t> indices_;
+    std::vector<std::uint16_t> indices_;
     std::vector<Patch> patches_;
     std::unordered_map<std::uint32_t, Stretch> known_;  ///< by node
     std::vector<Place> places_;                         ///< of the parts that `known_` is for

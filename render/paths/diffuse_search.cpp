@@ -31,10 +31,10 @@ struct Seen {
 /// The direction so much higher, rad.
 Vec3 lifted(Vec3 direction, double angle) {
     if (angle == 0) return direction;
-    const double across = std::max(std::hypot(direction.x, direction.y), 1e-12);
-    const double elevation = std::atan2(direction.z, across) + angle;
-    return std::cos(elevation) / across * Vec3{direction.x, direction.y, 0} +
-           std::sin(elevation) * Vec3{0, 0, 1};
+    const double across = std::max(std::sqrt(direction.x * direction.x + direction.y * direction.y), 1e-12);
+    const double sine = std::sin(angle), cosine = std::cos(angle);
+    return (cosine - direction.z * sine / across) * Vec3{direction.x, direction.y, 0} +
+           (direction.z * cosine + across * sine) * Vec3{0, 0, 1};
 }
 
 /// At the lower and the upper edge of a cell: between them lies what the cell's echo covers.

@@ -54,13 +54,18 @@ std::optional<MirrorWay> settle(const PathPing& ping, Vec3 point, MirrorPlane pl
     return std::nullopt;
 }
 
+double level(Vec3 line) { return std::sqrt(line.x * line.x + line.y * line.y); }
+
 /// Where a ray leaves that ends at `line` from the sonar.
 std::optional<Sight> along(const BentRay& ray, Vec3 line) {
     if (ray.clearance < 0) return std::nullopt;
-    const double across = std::hypot(line.x, line.y), elevation = std::atan2(line.z, across) + ray.turn;
+    const double across = level(line), length = norm(line), sine = std::sin(ray.turn),
+                 cosine = std::cos(ray.turn);
     const Vec3 ahead = across > 0 ? 1 / across * Vec3{line.x, line.y, 0} : Vec3{1, 0, 0};
-    return Sight{std::cos(elevation) * ahead + std::sin(elevation) * Vec3{0, 0, 1},
-                 norm(line) * (1 + ray.stretch)};
+    return Sight{
+        1 / length *
+            ((across * cosine - line.z * sine) * ahead + (line.z * cosine + across * sine) * Vec3{0, 0, 1}),
+        length * (1 + ray.stretch)};
 }
 
 }  // namespace
@@ -69,26 +74,25 @@ std::optional<Sight> PathPing::sight(Vec3 point) const {
     const Vec3 line = point - sonar;
     const double length = norm(line);
     if (rays == nullptr) return Sight{1 / length * line, length};
-    return along(rays->at(std::hypot(line.x, line.y), -line.z), line);
+    return along(rays->at(level(line), -line.z), line);
 }
 
 std::optional<Sight> PathPing::sight_by(Vec3 point, Vec3 on, Vec3 normal, Vec3 at) const {
-    constexpr double a_degree = 0.0175, level = 0.999999;
+    constexpr double a_degree = 0.0175, almost_level = 0.999999;
     const Vec3 image = mirrored(point, on, normal), line = image - sonar;
     const double length = norm(line);
     if (rays == nullptr) return Sight{1 / length * line, length};
     if (std::abs(normal.z) < a_degree) return sight(image);
-    if (images != nullptr && normal.z < -level)
+    if (images != nullptr && normal.z < -almost_level)
         if (const auto surface = space.surface_above(sonar);
             surface && std::abs(on.z - surface->height) < 1e-6)
-            return along(images->to(std::hypot(line.x, line.y), line.z), line);
+            return along(images->to(level(line), line.z), line);
     return Sight{1 / length * line, leg(sonar, at) + leg(at, point)};
 }
 
 double PathPing::lift(Vec3 direction, double length, bool by_surface) const {
     if (rays == nullptr || (by_surface && images == nullptr)) return 0;
-    const double elevation = std::asin(std::clamp(direction.z, -1.0, 1.0));
-    return (by_surface ? images->line(elevation, length) : line_to(*rays, elevation, length)) - elevation;
+    return by_surface ? images->lift(direction.z, length) : lift_to(*rays, direction.z, length);
 }
 
 /// A bent ray is taken for the cubic that leaves and arrives as it does, in pieces that stray from it by a

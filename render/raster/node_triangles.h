@@ -29,15 +29,13 @@ struct SeenTriangle {
 
 class NodeTriangles {
   public:
-    /// Three indices a triangle, that count from `base`.
-    template <typename Index>
-    void take(std::span<const Index> indices, Index base = 0) {
+    /// Three indices a triangle.
+    void take(std::span<const std::uint16_t> indices) {
         triangles_ = indices.size() / 3;
         for (auto& corner : corners_)
             if (corner.size() < triangles_) corner.resize(triangles_);
         for (std::size_t i = 0; i < triangles_; ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                corners_[k][i] = static_cast<std::int32_t>(indices[3 * i + k] - base);
+            for (std::size_t k = 0; k < 3; ++k) corners_[k][i] = indices[3 * i + k];
     }
 
     /// Of those taken that turn their front to us or are double-sided, finds what may cover a sample.

@@ -13,11 +13,11 @@ namespace echoloop::raster {
 
 inline constexpr float near_end = 0.01F;  ///< m along the axis of a view, as gl/fan_shader
 
-/// How a view looks at a part of the scene: its axes starboard, up and forward, and the world's upward
-/// direction, in the frame of that part.
+/// How a view looks at a part of the scene: its axes starboard, up and forward, in the frame of that part;
+/// and the world's upward direction, in those axes.
 struct PartPlace {
     std::array<float, 9> rows;
-    std::array<float, 3> eye, up;
+    std::array<float, 3> eye, up_seen;
 
     PartPlace(const View& view, const Pose& frame_from_fan, Vec3 up);
 };
@@ -43,12 +43,13 @@ class SeenCorners {
     const float* z() const { return row(2); }
     const float* line() const { return row(3); }    ///< of those in front of the near end
     const float* sample() const { return row(4); }  ///< the same
-    /// Where rays bend: the normals turned with them, in the view's axes, and BentRay::clearance.
-    const float* normal(std::size_t axis) const { return row(5 + axis); }
-    const float* clearance() const { return row(8); }
+    /// Where rays bend: BentRay::bow over the level distance from us, 1/m, which hardly varies where bows do,
+    /// and where they have shadows BentRay::clearance.
+    const float* bow() const { return row(5); }
+    const float* clearance() const { return row(6); }
 
   private:
-    static constexpr std::size_t rows = 9;
+    static constexpr std::size_t rows = 7;
     const float* row(std::size_t i) const { return numbers_.data() + i * count_; }
     float* row(std::size_t i) { return numbers_.data() + i * count_; }
 

@@ -136,6 +136,44 @@ void look_along(const Along triangle, const float* __restrict y_of, int count, f
     }
 }
 
+/// The same for SeenCorners::bow(), which is given at its corners.
+ECHOLOOP_SIMD
+void bow_along(const Along triangle, float b0, float b1, float b2, const float* __restrict y_of, int count,
+               float* __restrict bow) {
+    const float* const m = triangle.numbers;
+    const float x = triangle.x, a = m[0] * x + m[8], b = m[1] * x + m[9], c = m[2] * x + m[10], a_up = m[4],
+                b_up = m[5], c_up = m[6];
+    for (int i = 0; i < count; ++i) {
+        const float y = y_of[i], e0 = a + a_up * y, e1 = b + b_up * y, e2 = c + c_up * y;
+        bow[i] = (b0 * e0 + b1 * e1 + b2 * e2) / (e0 + e1 + e2);
+    }
+}
+
+/// Turns the normals of neighbouring samples from where rays head when they arrive to where they headed when
+/// they left, which is where we see them. `bow`: as SeenCorners::bow(); `up`: the world's, in the view's
+/// axes.
+ECHOLOOP_SIMD
+void turn_normals(float x, const float* __restrict y_of, const std::array<float, 3> up, int count,
+                  const float* __restrict bow_of, const float* __restrict depth_of, float* __restrict nx_of,
+                  float* __restrict ny_of, float* __restrict nz_of) {
+    const float ux = up[0], uy = up[1], uz = up[2];
+    for (int i = 0; i < count; ++i) {
+        const float y = y_of[i], height = x * ux + y * uy + uz, bow = bow_of[i] * depth_of[i];
+        // The bow, as a vector along the level.
+        const float bx = bow * (x - height * ux), by = bow * (y - height * uy), bz = bow * (1 - height * uz);
+        const float q = bx * bx + by * by + bz * bz;
+        const float sine = 1 - q * (1 / 6.0F - q * (1 / 120.0F)),  // over the bow
+            versine = 0.5F - q * (1 / 24.0F - q * (1 / 720.0F));   // over its square
+        const float nx = nx_of[i], ny = ny_of[i], nz = nz_of[i];
+        const float along = nx * bx + ny * by + nz * bz, upwards = nx * ux + ny * uy + nz * uz;
+        const float more_along = upwards * sine - along * versine,
+                    more_up = -(upwards * q * versine + along * sine);
+        nx_of[i] = nx + more_along * bx + more_up * ux;
+        ny_of[i] = ny + more_along * by + more_up * uy;
+        nz_of[i] = nz + more_along * bz + more_up * uz;
+    }
+}
+
 }  // namespace
 
 void ViewPainter::paint(const Painting& painting, const gl::SeenView& seen) {
@@ -155,11 +193,9 @@ void ViewPainter::paint(const Painting& painting, const gl::SeenView& seen) {
         }
         for (const gl::SeenPatch& patch : part.patches) {
             const gl::SplitMesh& mesh = painting.split->mesh(seen.view->surround);
-            const auto indices = mesh.indices().subspan(patch.first, patch.count);
-            if (indices.empty()) continue;
-            const auto [low, high] = std::ranges::minmax(indices);
-            triangles_.take(indices, low);
-            paint_triangles(mesh.vertices().subspan(low, high - low + 1), painting, patch.double_sided);
+            triangles_.take(mesh.indices().subspan(patch.first_index, patch.indices));
+            paint_triangles(mesh.vertices().subspan(patch.first_vertex, patch.vertices), painting,
+                            patch.double_sided);
         }
     }
     write(painting, *seen.view);
@@ -177,7 +213,7 @@ void ViewPainter::start(const View& view, SampleOffsets offset) {
     for (std::size_t sample = 0; sample < stride_; ++sample)
         y_[sample] = f(view.y(static_cast<double>(sample) + 0.5 + moved.sample));
     inverse_.assign(view.lines * stride_, 0), number_.assign(view.lines * stride_, 0);
-    shown_.assign(1, {}), normals_.assign(1, {});
+    shown_.assign(1, {}), bows_.clear();
     places_.clear(), columns_.clear();
 }
 
@@ -218,17 +254,16 @@ void ViewPainter::add_shown(std::span<const SceneVertex> vertices, bool bent) {
         shown.side = seen[i].turned != 0 ? 1.0F : -1.0F;
     }
     if (!bent) return;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        Normals& normals = normals_.emplace_back();
-        for (std::size_t k = 0; k < 3; ++k)
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                normals[k][axis] = corners_.normal(axis)[triangles_.corner(i, k)];
-    }
+    bows_.resize(shown_.size());
+    const float* const bow = corners_.bow();
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        bows_[first + i] =
+            Four{bow[triangles_.corner(i, 0)], bow[triangles_.corner(i, 1)], bow[triangles_.corner(i, 2)], 0};
 }
 
 /// What the samples show from `at` on: normals and all as the shares of the corners say, in the view's axes.
-void ViewPainter::look(std::size_t at, float x, const float* y, std::size_t count,
-                       rays::HitArrays& hits) const {
+void ViewPainter::look(std::size_t at, float x, const float* y, std::size_t count, rays::HitArrays& hits,
+                       float* bow) const {
     constexpr std::size_t long_run = 6;
     for (std::size_t i = 0; i < count;) {
         const std::int32_t number = number_[at + i];
@@ -237,9 +272,10 @@ void ViewPainter::look(std::size_t at, float x, const float* y, std::size_t coun
         if (number == 0)
             std::fill(&hits.surface[i], &hits.surface[0] + end, 0.0F);
         else if (end - i >= long_run)
-            look_at_many(static_cast<std::size_t>(number), x, y, i, end, hits);
+            look_at_many(static_cast<std::size_t>(number), x, y, i, end, hits, bow);
         else
-            for (std::size_t k = i; k < end; ++k) look_at(static_cast<std::size_t>(number), x, y[k], k, hits);
+            for (std::size_t k = i; k < end; ++k)
+                look_at(static_cast<std::size_t>(number), x, y[k], k, hits, bow);
         i = end;
     }
 }
@@ -250,7 +286,8 @@ Four ViewPainter::turned(Four normal, std::int32_t part) const {
            normal[2] * four(columns[2].data());
 }
 
-void ViewPainter::look_at(std::size_t number, float x, float y, std::size_t to, rays::HitArrays& hits) const {
+void ViewPainter::look_at(std::size_t number, float x, float y, std::size_t to, rays::HitArrays& hits,
+                          float* bow) const {
     const Shown& shown = shown_[number];
     const float* const numbers = shown.numbers.data();
     const Four along_x = four(numbers), along_y = four(numbers + 4), at_0 = four(numbers + 8);
@@ -261,13 +298,11 @@ void ViewPainter::look_at(std::size_t number, float x, float y, std::size_t to, 
                 share[1] * normal_and_surface(*shown.vertices[1]) +
                 share[2] * normal_and_surface(*shown.vertices[2]);
     const float surface = seen[3] + 0.25F;
-    if (normals_.size() > 1) {
-        const Normals& n = normals_[number];
-        for (std::size_t k = 0; k < 3; ++k)
-            seen[k] = share[0] * n[0][k] + share[1] * n[1][k] + share[2] * n[2][k];
-    } else {
-        seen = turned(seen, shown.part);
+    if (!bows_.empty()) {
+        const Four bows = share * bows_[number];
+        bow[to] = bows[0] + bows[1] + bows[2];
     }
+    seen = turned(seen, shown.part);
     const Four plane = shown.side * Four{along_x[3], along_y[3], at_0[3], 0};
     hits.depth[to] = 1 / here[3];
     hits.normal_x[to] = seen[0], hits.normal_y[to] = seen[1], hits.normal_z[to] = seen[2];
@@ -277,7 +312,7 @@ void ViewPainter::look_at(std::size_t number, float x, float y, std::size_t to, 
 }
 
 void ViewPainter::look_at_many(std::size_t number, float x, const float* y, std::size_t first,
-                               std::size_t last, rays::HitArrays& hits) const {
+                               std::size_t last, rays::HitArrays& hits, float* bow) const {
     const Shown& shown = shown_[number];
     Along along{};
     along.side = shown.side, along.x = x;
@@ -285,14 +320,15 @@ void ViewPainter::look_at_many(std::size_t number, float x, const float* y, std:
     for (std::size_t k = 0; k < 3; ++k) {
         const Four corner = normal_and_surface(*shown.vertices[k]);
         along.surfaces[k] = corner[3];
-        const Four normal = normals_.size() > 1 ? Four{normals_[number][k][0], normals_[number][k][1],
-                                                       normals_[number][k][2], 0}
-                                                : turned(corner, shown.part);
+        const Four normal = turned(corner, shown.part);
         std::memcpy(&along.normals[3 * k], &normal, 3 * sizeof(float));
     }
     look_along(along, y + first, static_cast<int>(last - first), &hits.depth[first], &hits.normal_x[first],
                &hits.normal_y[first], &hits.normal_z[first], &hits.plane_x[first], &hits.plane_y[first],
                &hits.plane_z[first], &hits.surface[first], &hits.lean[first]);
+    if (bows_.empty()) return;
+    const Four& bows = bows_[number];
+    bow_along(along, bows[0], bows[1], bows[2], y + first, static_cast<int>(last - first), bow + first);
 }
 
 void ViewPainter::write(const Painting& painting, const View& view) {
@@ -301,10 +337,15 @@ void ViewPainter::write(const Painting& painting, const View& view) {
                                  static_cast<float>(view.sample_height()),
                                  static_cast<float>(view.usual_width), static_cast<float>(view.usual_height)};
     rays::HitArrays hits{};
+    rays::HitArrays::Numbers bow{};
     for (std::size_t line = 0; line < view.lines; ++line)
         for (std::size_t sample = 0; sample < view.samples; sample += rays::HitArrays::most) {
             const std::size_t count = std::min(rays::HitArrays::most, view.samples - sample);
-            look(line * stride_ + sample, x_[line], &y_[sample], count, hits);
+            look(line * stride_ + sample, x_[line], &y_[sample], count, hits, bow.data());
+            if (!bows_.empty())
+                turn_normals(x_[line], &y_[sample], places_.front().up_seen, static_cast<int>(count),
+                             bow.data(), hits.depth.data(), hits.normal_x.data(), hits.normal_y.data(),
+                             hits.normal_z.data());
             rays::find_pixels(own_axes, sizes, x_[line], &y_[sample], hits, count,
                               painting.image + (view.first_line + line) * painting.samples + sample);
         }

@@ -38,16 +38,17 @@ class ViewPainter {
         std::int32_t part;  ///< in places_
         float side;         ///< -1: we see its front; 1: its back
     };
-    using Normals = std::array<std::array<float, 3>, 3>;  ///< of the corners, in the view's axes
 
     void start(const View& view, SampleOffsets offset);
     void paint_triangles(std::span<const SceneVertex> vertices, const Painting& painting, bool double_sided);
     void add_shown(std::span<const SceneVertex> vertices, bool bent);
     void write(const Painting& painting, const View& view);
-    void look(std::size_t at, float x, const float* y, std::size_t count, rays::HitArrays& hits) const;
-    void look_at(std::size_t number, float x, float y, std::size_t to, rays::HitArrays& hits) const;
+    void look(std::size_t at, float x, const float* y, std::size_t count, rays::HitArrays& hits,
+              float* bow) const;
+    void look_at(std::size_t number, float x, float y, std::size_t to, rays::HitArrays& hits,
+                 float* bow) const;
     void look_at_many(std::size_t number, float x, const float* y, std::size_t first, std::size_t last,
-                      rays::HitArrays& hits) const;
+                      rays::HitArrays& hits, float* bow) const;
     /// Into the view's axes, from those of a part.
     Four turned(Four normal, std::int32_t part) const;
 
@@ -57,7 +58,7 @@ class ViewPainter {
     std::vector<float> inverse_;        ///< 1 over the distance along the axis; 0: nothing is there
     std::vector<std::int32_t> number_;  ///< in shown_, of what is nearest
     std::vector<Shown> shown_;
-    std::vector<Normals> normals_;  ///< of shown_, where rays bend
+    std::vector<Four> bows_;  ///< SeenCorners::bow() at the corners of shown_; empty where rays are straight
     std::vector<PartPlace> places_;
     std::vector<std::array<std::array<float, 4>, 3>>
         columns_;  ///< the same: turn normals into the view's axes

@@ -146,8 +146,7 @@ TEST(Sampler, IsOurOwnRasteriserInLargeScenes) {
                 options.surface->height = 8;
                 return Renderer(large, water, options).render(shot, Pose{}).values;
             };
-            const bool follows = !profile.empty() && shot.beams() == 1;  // since bent rays are dear to draw
-            EXPECT_TRUE(gpu || bytes("auto") == bytes(follows ? "rays" : "native"));
+            EXPECT_TRUE(gpu || bytes("auto") == bytes("native"));
             EXPECT_NE(bytes("native"), bytes("rays"));
         }
 }
