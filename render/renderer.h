@@ -19,9 +19,10 @@ namespace echoloop {
 
 class PlanCache;
 
-/// From so many triangles on our own rasteriser draws a scene instead of a software OpenGL. A fixed number,
-/// not the time that both take, so that the same scene gives the same bytes.
-inline constexpr std::size_t least_triangles_for_native = 100'000;
+/// From so many triangles on our own rasteriser draws a scene instead of a software OpenGL: there it is
+/// quicker by far (render/README.md). A fixed number, not the time that both take, so that the same scene
+/// gives the same bytes.
+inline constexpr std::size_t least_triangles_for_native = 20'000;
 
 struct RendererOptions {
     EchoRule rule = EchoRule::radiometric;
