@@ -20,8 +20,9 @@ namespace echoloop {
 class PlanCache;
 
 /// From so many triangles on, or where rays may bend, our own rasteriser draws a scene instead of a software
-/// OpenGL. A fixed number, not the time that both take, so that the same scene gives the same bytes.
-inline constexpr std::size_t least_triangles_for_native = 100'000;
+/// OpenGL: there it is quicker by far (render/README.md). A fixed number, not the time that both take, so that
+/// the same scene gives the same bytes.
+inline constexpr std::size_t least_triangles_for_native = 20'000;
 
 struct RendererOptions {
     EchoRule rule = EchoRule::radiometric;

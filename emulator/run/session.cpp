@@ -146,7 +146,8 @@ void Session::transmit(Ping ping, Time time) {
     for (std::size_t i = 0; i < std::min(water_.reach.size(), situation.movers.size()); ++i)
         farthest = std::max(farthest, norm(situation.movers[i].position - pose.position) + water_.reach[i]);
     const bool spared = !overload_.late_echoes();
-    const auto late = spared ? std::nullopt : late_shot(ping.shot, water_.water, water_.effects, farthest);
+    auto late = spared ? std::nullopt : late_shot(ping.shot, water_.water, water_.effects, farthest);
+    if (late && !late_echoes_.asks(sequence_, *late, situation)) late.reset();
     situation.density = overload_.density();
     summary_.spared_pings += spared;
     summary_.coarse_pings += situation.density < 1;

@@ -8,6 +8,7 @@
 
 #include "render/echogram.h"
 #include "render/effects.h"
+#include "render/situation.h"
 #include "render/water.h"
 
 namespace echoloop {
@@ -25,9 +26,18 @@ std::optional<Shot> late_shot(const Shot& shot, const Water& water, const Effect
 inline constexpr double late_detail = 0.25;
 
 /// Keeps the late echoes of one device until its next ping comes.
+///
+/// Where all of them are 20 dB below the noise of the ping that hears them (0.04 dB of it), they are left
+/// out, and so are those of the next 31 pings, which need not be rendered: as long as the shot is the same,
+/// and the sonar and all that moves are where they were within half a metre and a degree. The figures are our
+/// own choice. Pings without noise hear all late echoes.
 class SecondTimeAround {
   public:
-    /// `late`: the echogram of late_shot() of the ping number `sequence`, counted by the caller.
+    /// Whether the late echoes of ping `sequence`, counted by the caller, are to be rendered: by `late`, its
+    /// late_shot(), in `situation`.
+    bool asks(std::uint64_t sequence, const Shot& late, const Situation& situation);
+
+    /// `late`: the echogram of late_shot() of the ping number `sequence`.
     void keep(std::uint64_t sequence, Echogram late);
 
     /// Adds what was kept of ping `sequence` - 1 to the levels of ping `sequence`: at its time less the
@@ -35,7 +45,17 @@ class SecondTimeAround {
     void add_to(std::uint64_t sequence, Echogram& echogram);
 
   private:
+    /// How late echoes were asked for.
+    struct View {
+        Shot late;
+        Situation situation;
+    };
+    static bool nearly_same(const View& one, const Shot& late, const Situation& situation);
+
     std::map<std::uint64_t, Echogram> late_;  ///< by the number of the ping whose late echoes they are
+    std::map<std::uint64_t, View> asked_;     ///< the same
+    std::optional<View> silent_;              ///< a view without a late echo above the noise
+    int spared_ = 0;                          ///< pings since then that were not rendered
 };
 
 }  // namespace echoloop

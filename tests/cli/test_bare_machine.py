@@ -1,5 +1,6 @@
 """Machines that lack something: Mesa or a part of it, pseudo-terminals, a /tmp that can be written. What is missing is
 hidden from the program alone, in a folder of libraries before the system's or in a mount namespace of its own."""
+import glob
 import json
 import os
 import subprocess
@@ -8,6 +9,7 @@ import unittest
 from program import DEMO, PROGRAM, TANK, ProgramTest
 
 OSMESA, MESA_EGL, ANY_EGL = ("libOSMesa.so.8", "libOSMesa.so"), ("libEGL_mesa.so.0",), ("libEGL.so.1",)
+MAY_HAVE_GPU = any(glob.glob(node) for node in ("/dev/dri/renderD*", "/dev/nvidia0", "/dev/dxg"))
 
 
 class WithoutMesa(ProgramTest):
@@ -21,7 +23,7 @@ class WithoutMesa(ProgramTest):
 
     def test_egl_alone_draws_the_same_picture(self):
         usual, alone = self.folder / "usual.npy", self.folder / "alone.npy"
-        picture = ("render", DEMO, "--device", "sonar", "--out")
+        picture = ("render", TANK, "--device", "micron", "--out")
         self.good(*picture, usual)
         self.good(*picture, alone, **self.without(OSMESA))
         self.assertEqual(usual.read_bytes(), alone.read_bytes())
@@ -30,6 +32,15 @@ class WithoutMesa(ProgramTest):
         text = self.good("run", TANK, "--duration", "0.2", "--set", f"devices.micron.endpoints=['pty:{self.folder}/micron']",
                          **self.without(OSMESA))
         self.assertIn("EGL surfaceless", text)
+
+    def test_a_scene_that_is_not_small_needs_no_mesa(self):
+        """The manifold's 56,520 triangles are drawn by our own rasteriser, unless a GPU might."""
+        own = ("--set", "render.sampler=native")
+        picture = ("render", DEMO, "--device", "sonar", "--out")
+        with_mesa, bare = self.folder / "with.npy", self.folder / "bare.npy"
+        self.good(*picture, with_mesa, *own)
+        self.good(*picture, bare, *(own if MAY_HAVE_GPU else ()), **self.without(OSMESA, MESA_EGL, ANY_EGL))
+        self.assertEqual(with_mesa.read_bytes(), bare.read_bytes())
 
     def test_the_doctor_is_content_with_either(self):
         usual = {f["name"]: f for f in self.json("doctor")["findings"]}["OpenGL"]["text"]
@@ -42,7 +53,7 @@ class WithoutMesa(ProgramTest):
     def test_without_any_one_sentence_names_the_packages(self):
         bare = self.without(OSMESA, MESA_EGL, ANY_EGL)
         micron = ("--set", f"devices.micron.endpoints=['pty:{self.folder}/micron']")
-        for arguments in (("render", DEMO, "--device", "sonar", "--out", self.folder / "x.png"),
+        for arguments in (("render", TANK, "--device", "micron", "--out", self.folder / "x.png"),
                           ("run", TANK, "--duration", "0.2", *micron), ("doctor",)):
             text = self.bad(69, *arguments, **bare)
             self.assertEqual(text.count("\n"), 1, text)

@@ -1,4 +1,5 @@
 """echoloop bench: what it measures, and that its documents hold together. No time is judged here."""
+import re
 import unittest
 
 from program import ROOT, ProgramTest
@@ -103,9 +104,13 @@ class Bench(ProgramTest):
         for f in told:
             self.assertTrue(0 < f["pings"], f)
             self.assertTrue(0 < f["cpu_s"], f)
+            self.assertAlmostEqual(f["cpu_s_a_ping"] * f["pings"], f["cpu_s"], msg=f)
             self.assertTrue(f["coarse_pings"] <= f["spared_pings"] <= f["pings"] + 2 * f["fans"], f)
             self.assertTrue(0 <= f["p99_lateness_s"] <= f["worst_lateness_s"] + 0.01, f)
-        self.assertRegex(self.good("bench", "--fans", "1", "--seconds", "0.5"), r"(?m)^ +1 +0 +[\d.]+ +[\d.]+")
+        text = self.good("bench", "--fans", "1", "--seconds", "0.5")
+        self.assertRegex(text, r"pings/s processors  processor time ")
+        pings, processors, ms = map(float, re.search(r"(?m)^ +1 +0 +([\d.]+) +([\d.]+) +([\d.]+) ", text).groups())
+        self.assertAlmostEqual(1e-3 * ms * pings, processors, delta=0.02 + 0.02 * processors)
 
     def test_single_beams_beside_fans(self):
         (told,) = self.json("bench", "--fans", "2", "--heads", "3", "--seconds", "1")["fans"]

@@ -67,5 +67,18 @@ TEST(MultibeamStretches, FindALoudBinAtEitherEndOfTheGate) {
     }
 }
 
+TEST(MultibeamStretches, TakeTheFirstOfEqualOnesWhereNothingSpreads) {
+    Stretches stretches;
+    const Shot shot = wide_fan(30);
+    Echogram even = empty_sea(shot, {});
+    even.rule = EchoRule::cerqueira2016;
+    std::ranges::fill(even.values, 1.0F);
+    stretches.start(even, 128, 0, shot.bins, std::vector<float>(shot.bins));
+    EXPECT_EQ(stretches.peak(0), stretches.half(0));  // before it footprints are cut off by the window
+    even.values[128 * shot.bins + 700] = even.values[128 * shot.bins + 400] = 2;
+    stretches.start(even, 128, 0, shot.bins, std::vector<float>(shot.bins));
+    EXPECT_EQ(stretches.peak(0), 400 - stretches.half(400));
+}
+
 }  // namespace
 }  // namespace echoloop::test

@@ -113,6 +113,84 @@ TEST(SecondTimeAround, ManyBeamsAndBinsAreThinned) {
     }
 }
 
+// Of a ping whose noise is 1000 uPa^2 in the mean, 20 dB below are 10 uPa^2.
+class FaintLateEchoes : public ::testing::Test {
+  protected:
+    /// Ping 2 hears, 10 m away, an echo of 7 uPa^2 of ping 1.
+    Echogram second_ping(double noise_power) {
+        EXPECT_TRUE(kept.asks(1, late, there));
+        kept.keep(1, echo_at(late, 60.05));
+        EXPECT_TRUE(kept.asks(2, late, there));  // nobody has heard yet how faint it is
+        Echogram next = echogram_of(shot_of());
+        next.noise_power = noise_power;
+        kept.add_to(2, next);
+        return next;
+    }
+
+    const Shot late = *late_shot(shot_of(), water(), {}, far_away);
+    Situation there = Situation({1, 2, -3}, axis_angle({0, 0, 1}, 0.3));
+    SecondTimeAround kept;
+};
+
+TEST_F(FaintLateEchoes, AreLeftOut) {
+    const Echogram next = second_ping(1000);
+    EXPECT_EQ(std::accumulate(next.values.begin(), next.values.end(), 0.0F), 0);
+}
+
+TEST_F(FaintLateEchoes, AreLookedForAgainAtTheThirtySecondPing) {
+    second_ping(1000);
+    std::uint64_t ping = 3;
+    for (; ping < 34; ++ping) EXPECT_FALSE(kept.asks(ping, late, there)) << ping;
+    EXPECT_TRUE(kept.asks(ping, late, there));
+    kept.keep(ping, echo_at(late, 60.05));
+    Echogram next = echogram_of(shot_of());
+    kept.add_to(ping + 1, next);  // without noise it is heard
+    EXPECT_EQ(next.values[100], 7);
+    EXPECT_TRUE(kept.asks(ping + 1, late, there));
+}
+
+TEST_F(FaintLateEchoes, AreHeardWhereTheNoiseIsLow) {
+    EXPECT_EQ(second_ping(600).values[100], 7);
+    EXPECT_TRUE(kept.asks(3, late, there));
+}
+
+TEST_F(FaintLateEchoes, AreLookedForWhereTheViewIsAnother) {
+    there.movers = {Pose{{50, 0, 0}, {}}};
+    second_ping(1000);
+    const auto asks = [&](const Shot& shot, const Situation& situation) {
+        return SecondTimeAround(kept).asks(3, shot, situation);
+    };
+    const auto with = [this](const auto& change) {
+        Situation changed = there;
+        change(changed);
+        return changed;
+    };
+    EXPECT_FALSE(asks(late, there));
+    EXPECT_FALSE(asks(late, with([](Situation& s) { s.world_from_sonar.position.x += 0.4; })));
+    EXPECT_TRUE(asks(late, with([](Situation& s) { s.world_from_sonar.position.x += 0.6; })));
+    EXPECT_TRUE(asks(late, with([](Situation& s) { s.movers[0].position.z -= 0.6; })));
+    const auto turned = [](double degrees) {
+        return [degrees](Situation& s) {
+            s.world_from_sonar.orientation =
+                s.world_from_sonar.orientation * axis_angle({0, 1, 0}, deg_to_rad(degrees));
+        };
+    };
+    EXPECT_FALSE(asks(late, with(turned(0.9))));
+    EXPECT_TRUE(asks(late, with(turned(1.1))));
+    Shot other = late;
+    other.ping = 3;
+    EXPECT_FALSE(asks(other, there));
+    other.pan = deg_to_rad(1.8);  // a step of a scanning head
+    EXPECT_TRUE(asks(other, there));
+    EXPECT_FALSE(asks(other, with([](Situation& s) {
+                          s.world_from_sonar.orientation = s.world_from_sonar.orientation *
+                                                           axis_angle({0, 0, 1}, deg_to_rad(1.8));  // back
+                      })));
+    other = late;
+    other.source_level += 1;
+    EXPECT_TRUE(asks(other, there));
+}
+
 TEST(SecondTimeAround, IsNotAskedForWhereItCannotMatter) {
     const Shot shot = shot_of();
     EXPECT_FALSE(late_shot(shot, water(), Effects{}.set(Effect::second_time_around, false), far_away));

@@ -45,7 +45,7 @@ double processor_time() {
 FansFigures run_fans(std::size_t fans, std::size_t heads, double seconds,
                      const std::filesystem::path& example) {
     Runtime runtime(parse_scenario(scenario_of(fans, heads), example, {}, models()));
-    const double before = processor_time();
+    const double before = processor_time();  // plans are made and trees are built: its threads have warmed up
     runtime.run(seconds);
     FansFigures figures;
     figures.fans = fans, figures.heads = heads, figures.seconds = seconds;

@@ -53,15 +53,19 @@ greatest_difference(const double* from, const double* to, std::size_t count) {
 
 }  // namespace
 
-std::size_t Stretches::peak(double least) const {
+std::size_t Stretches::peak(double least) {
     constexpr std::size_t block = 128;  // bins whose greatest mean tells whether they are looked at
     std::size_t best = 0;
     double most = -1;
     const auto take = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            if (const double power = mean(i); power > least && with_gain(power, i) > most)
-                best = i, most = with_gain(power, i);
+        for (std::size_t i = begin; i < end; ++i) {
+            const double power = mean(i);
+            if (!(power > least)) continue;
+            const double gained = with_gain(power, i);
+            if (gained > most || (gained == most && i < best)) best = i, most = gained;
+        }
     };
+    blocks_.clear();
     for (std::size_t begin = 0; begin < size();) {
         const std::size_t h = half(begin), end = next_length(begin);
         // The window's begin cuts the footprint off before these, and its end behind them.
@@ -73,12 +77,16 @@ std::size_t Stretches::peak(double least) const {
             const double *from = &sum_[at - h], *to = &sum_[at + h + 1];
             const double greatest = greatest_difference(from, to, count);
             const double power = greatest / static_cast<double>(2 * h + 1);
-            if (!(power > least && with_gain(power, at + count - 1) > most)) continue;
-            take(at, at + count);
+            if (power > least) blocks_.push_back({at, count, with_gain(power, at + count - 1)});
         }
         take(last, end);
         begin = end;
     }
+    // The one that promises most comes first: then hardly any other does.
+    const auto promise = std::ranges::max_element(blocks_, {}, &Block::most);
+    if (promise != blocks_.end()) take(promise->begin, promise->begin + promise->count);
+    for (const Block& one : blocks_)
+        if (one.most >= most) take(one.begin, one.begin + one.count);
     return best;
 }
 

@@ -56,7 +56,7 @@ class Stretches {
     /// Bin around which the mean times the square of its time is greatest, the first of them, of those with a
     /// mean above `least` (uPa^2); 0 without one. So a head's time-varied gain compares them, which gives
     /// back what spreading takes: what floats right before the array is louder than a bottom far away.
-    std::size_t peak(double least) const;
+    std::size_t peak(double least);
     /// The run around a peak within 10 dB of it and clear of the noise.
     std::pair<std::size_t, std::size_t> run_around(std::size_t peak, double noise_power) const {
         const double floor = std::max(mean(peak) / 10.0, 2 * noise_power);
@@ -96,7 +96,14 @@ class Stretches {
         for (; i < count; ++i) sum_[i + 1] = before += counted(i);
     }
 
+    /// Bins with footprints of one length.
+    struct Block {
+        std::size_t begin, count;
+        double most;  ///< no mean of them is greater, with the gain of the last
+    };
+
     std::vector<float> counted_;  ///< work memory of add_up()
+    std::vector<Block> blocks_;   ///< of peak()
     std::vector<double> sum_;
     double slope_ = 0, steep_ = 0, first_half_ = 0;
     double before_ = 0;  ///< bins from the transmission to the first
