@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "render/simd.h"
 
@@ -30,46 +31,79 @@ int find_straight(int count, const PartPlace place, const SampleGrid grid, float
     return behind;
 }
 
+/// m, so that what is right above or below us lies somewhere.
+constexpr float least_level = 1e-3F;
+
 /// Where a point is among a RayTable's cells.
 struct TablePlaces {
     float columns_per_metre, middle, per_b, first_row;
 };
 
-/// As gl/fan_shader's bent_vertex_shader, from positions that are there already. All in the view's axes, so a
-/// point moves along itself and upwards.
-template <bool shadows>
-ECHOLOOP_INLINE int find_bent(int count, const PartPlace& place, const SampleGrid& grid,
-                              const TablePlaces& table, const float* __restrict cells, float* __restrict x_of,
-                              float* __restrict y_of, float* __restrict z_of, float* __restrict line_of,
-                              float* __restrict sample_of, float* __restrict bow_of,
-                              float* __restrict clearance_of) {
+/// How points lie to us in the view's axes, from their positions; and among a table's cells: the first of the
+/// four around each, and the shares of the next column and of the next row.
+ECHOLOOP_SIMD
+void find_places(int count, const PartPlace place, const TablePlaces table, float* __restrict x_of,
+                 float* __restrict y_of, float* __restrict z_of, std::int32_t* __restrict cell_of,
+                 float* __restrict column_share, float* __restrict row_share) {
     constexpr auto columns = static_cast<int>(RayTable::columns), rows = static_cast<int>(RayTable::rows);
     constexpr auto last_column = static_cast<float>(columns - 1), last_row = static_cast<float>(rows - 1);
     const auto& m = place.rows;
     const float ex = place.eye[0], ey = place.eye[1], ez = place.eye[2];
     const float ux = place.up_seen[0], uy = place.up_seen[1], uz = place.up_seen[2];
-    const float near = near_end, middle = table.middle, square = table.middle * table.middle;
-    int behind = 0;
+    const float middle = table.middle, square = table.middle * table.middle;
     for (int i = 0; i < count; ++i) {
         const float wx = x_of[i] - ex, wy = y_of[i] - ey, wz = z_of[i] - ez;
-        const float dx = m[0] * wx + m[1] * wy + m[2] * wz, dy = m[3] * wx + m[4] * wy + m[5] * wz,
-                    dz = m[6] * wx + m[7] * wy + m[8] * wz;
-        const float height = dx * ux + dy * uy + dz * uz;
-        const float lx = dx - height * ux, ly = dy - height * uy, lz = dz - height * uz;
-        const float level = std::max(std::sqrt(lx * lx + ly * ly + lz * lz), 1e-3F), over = 1 / level;
+        const float x = m[0] * wx + m[1] * wy + m[2] * wz, y = m[3] * wx + m[4] * wy + m[5] * wz,
+                    z = m[6] * wx + m[7] * wy + m[8] * wz;
+        const float height = x * ux + y * uy + z * uz;
+        const float lx = x - height * ux, ly = y - height * uy, lz = z - height * uz;
+        const float level = std::max(std::sqrt(lx * lx + ly * ly + lz * lz), least_level);
         const float u = std::sqrt(square + std::abs(height) * table.per_b) - middle;
         const float column = std::min(level * table.columns_per_metre, last_column);
         const float row = std::min(std::max((height > 0 ? -u : u) - table.first_row, 0.0F), last_row);
         const int c = std::min(static_cast<int>(column), columns - 2),
                   r = std::min(static_cast<int>(row), rows - 2);
-        const float fc = column - static_cast<float>(c), fr = row - static_cast<float>(r);
-        const int at = 4 * (r * columns + c), under = at + 4 * columns;
-        const auto cell = [=](int k) {
-            const float high = cells[at + k] + fc * (cells[at + k + 4] - cells[at + k]),
-                        low = cells[under + k] + fc * (cells[under + k + 4] - cells[under + k]);
-            return high + fr * (low - high);
-        };
-        const float turn = cell(0), longer = 1 + cell(1);
+        x_of[i] = x, y_of[i] = y, z_of[i] = z;
+        cell_of[i] = r * columns + c;
+        column_share[i] = column - static_cast<float>(c), row_share[i] = row - static_cast<float>(r);
+    }
+}
+
+/// What a table says of each: all four numbers of a cell at once, since a processor gathers them one by one.
+void look_up(int count, const float* __restrict cells, const std::int32_t* __restrict cell_of,
+             const float* __restrict column_share, const float* __restrict row_share,
+             float* __restrict rays) {
+    using Four = float __attribute__((vector_size(16)));
+    constexpr std::size_t next_row = 4 * RayTable::columns;
+    const auto four = [](const float* from) {
+        Four all;
+        std::memcpy(&all, from, sizeof all);
+        return all;
+    };
+    for (int i = 0; i < count; ++i) {
+        const float* const at = cells + 4 * static_cast<std::size_t>(cell_of[i]);
+        const Four a = four(at), b = four(at + 4), c = four(at + next_row), d = four(at + next_row + 4);
+        const Four high = a + column_share[i] * (b - a), low = c + column_share[i] * (d - c);
+        const Four ray = high + row_share[i] * (low - high);
+        std::memcpy(rays + 4 * static_cast<std::size_t>(i), &ray, sizeof ray);
+    }
+}
+
+/// As gl/fan_shader's bent_vertex_shader: a point moves along itself and upwards. Returns how many are not in
+/// front of the near end.
+ECHOLOOP_SIMD
+int bend(int count, const float* __restrict rays, const std::array<float, 3> up, const SampleGrid grid,
+         float* __restrict x_of, float* __restrict y_of, float* __restrict z_of, float* __restrict line_of,
+         float* __restrict sample_of, float* __restrict bow_of, float* __restrict clearance_of) {
+    const float ux = up[0], uy = up[1], uz = up[2], near = near_end;
+    int behind = 0;
+    for (int i = 0; i < count; ++i) {
+        const float dx = x_of[i], dy = y_of[i], dz = z_of[i];
+        const float turn = rays[4 * i], longer = 1 + rays[4 * i + 1], bow = rays[4 * i + 2],
+                    clearance = rays[4 * i + 3];
+        const float height = dx * ux + dy * uy + dz * uz;
+        const float lx = dx - height * ux, ly = dy - height * uy, lz = dz - height * uz;
+        const float level = std::max(std::sqrt(lx * lx + ly * ly + lz * lz), least_level), over = 1 / level;
         const float q = turn * turn, s = turn - turn * q * (1 / 6.0F - q * (1 / 120.0F)),
                     v = q * (0.5F - q * (1 / 24.0F - q * (1 / 720.0F)));  // 1 - cosine
         const float along = -(v + height * s * over);
@@ -81,29 +115,11 @@ ECHOLOOP_INLINE int find_bent(int count, const PartPlace& place, const SampleGri
         x_of[i] = x, y_of[i] = y, z_of[i] = z;
         line_of[i] = (x * inverse - grid.first_x) * grid.lines_per_x;
         sample_of[i] = (grid.first_y - y * inverse) * grid.samples_per_y;
-        bow_of[i] = cell(2) / (outwards * level);
-        if (shadows) clearance_of[i] = cell(3);
+        bow_of[i] = bow / (outwards * level);
+        clearance_of[i] = clearance;
         behind += z <= near ? 1 : 0;
     }
     return behind;
-}
-
-ECHOLOOP_SIMD
-int find_bent_lit(int count, const PartPlace place, const SampleGrid grid, const TablePlaces table,
-                  const float* __restrict cells, float* __restrict x_of, float* __restrict y_of,
-                  float* __restrict z_of, float* __restrict line_of, float* __restrict sample_of,
-                  float* __restrict bow_of) {
-    return find_bent<false>(count, place, grid, table, cells, x_of, y_of, z_of, line_of, sample_of, bow_of,
-                            nullptr);
-}
-
-ECHOLOOP_SIMD
-int find_bent_but_shadows(int count, const PartPlace place, const SampleGrid grid, const TablePlaces table,
-                          const float* __restrict cells, float* __restrict x_of, float* __restrict y_of,
-                          float* __restrict z_of, float* __restrict line_of, float* __restrict sample_of,
-                          float* __restrict bow_of, float* __restrict clearance_of) {
-    return find_bent<true>(count, place, grid, table, cells, x_of, y_of, z_of, line_of, sample_of, bow_of,
-                           clearance_of);
 }
 
 }  // namespace
@@ -136,15 +152,15 @@ void SeenCorners::find(std::span<const SceneVertex> vertices, const PartPlace& p
     if (rays == nullptr) {
         behind = find_straight(count, place, grid, x, y, z, row(3), row(4));
     } else {
+        if (cells_.size() < count_) cells_.resize(count_), rays_.resize(4 * count_);
         const RayTable::Rows& places = rays->row_places();
-        const float* const cells = rays->cells().data()->data();
         const TablePlaces table{static_cast<float>(1 / rays->column_step()),
                                 static_cast<float>(places.a / (2 * places.b)),
                                 static_cast<float>(1 / places.b), static_cast<float>(places.first)};
-        behind = rays->has_shadow()
-                     ? find_bent_but_shadows(count, place, grid, table, cells, x, y, z, row(3), row(4),
-                                             row(5), row(6))
-                     : find_bent_lit(count, place, grid, table, cells, x, y, z, row(3), row(4), row(5));
+        float *const column_share = row(3), *const row_share = row(4);
+        find_places(count, place, table, x, y, z, cells_.data(), column_share, row_share);
+        look_up(count, rays->cells().data()->data(), cells_.data(), column_share, row_share, rays_.data());
+        behind = bend(count, rays_.data(), place.up_seen, grid, x, y, z, row(3), row(4), row(5), row(6));
     }
     behind_ = static_cast<std::size_t>(behind);
 }

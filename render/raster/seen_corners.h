@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,8 @@ class SeenCorners {
 
     std::size_t count_ = 0, behind_ = 0;
     std::vector<float> numbers_;
+    std::vector<std::int32_t> cells_;  ///< of a ray table, of each
+    std::vector<float> rays_;          ///< what it says of each
 };
 
 }  // namespace echoloop::raster

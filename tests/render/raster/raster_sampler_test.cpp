@@ -120,14 +120,17 @@ TEST_P(NativeBenchScene, IsHeardAsLoudAsDrawnByOpenGl) {
 INSTANTIATE_TEST_SUITE_P(Each, NativeBenchScene, testing::Values("simple", "big100k", "stones", "terrain"),
                          [](const auto& one) { return std::string(one.param); });
 
-TEST(Sampler, IsOurOwnRasteriserInLargeScenes) {
+TEST(Sampler, IsOurOwnRasteriserInLargeScenesAndWhereRaysBend) {
     const auto small = scene_of({floor_at(-5, 60, 99)}), large = scene_of({floor_at(-5, 60, 101)});
     ASSERT_LT(small->triangles(), 20'000U);
     ASSERT_GT(large->triangles(), 20'000U);
-    const auto what = [](const std::shared_ptr<const Scene>& scene, const char* sampler,
-                         const char* context) {
+    const auto what = [](const std::shared_ptr<const Scene>& scene, const char* sampler, const char* context,
+                         const Profile& profile = {}, bool refraction = true) {
         RendererOptions options{.context = context, .sampler = sampler};
-        return Renderer(scene, water_of(1500), options).context_description();
+        options.effects.set(Effect::refraction, refraction);
+        Water water = water_of(1500);
+        if (!profile.empty()) water.sound_speed.reset(), water.profile = profile;
+        return Renderer(scene, water, options).context_description();
     };
     const bool gpu = gl::may_have_gpu();
     const std::string own = "own rasteriser";
@@ -136,6 +139,10 @@ TEST(Sampler, IsOurOwnRasteriserInLargeScenes) {
     EXPECT_NE(what(large, "raster", "auto"), own);
     EXPECT_NE(what(large, "auto", "egl-surfaceless"), own) << "who names a context wants it";
     EXPECT_TRUE(gpu || what(large, "auto", "auto") == own);
+    const Profile layers{{0, 1520}, {40, 1500}};
+    EXPECT_TRUE(gpu || what(small, "auto", "auto", layers) == own);
+    EXPECT_NE(what(small, "auto", "auto", layers, false), own) << "nothing bends";
+    EXPECT_NE(what(small, "auto", "egl-surfaceless", layers), own);
     EXPECT_TRUE(what(small, "rays", "auto").starts_with("Embree"));
     EXPECT_THROW(what(small, "embree", "auto"), std::invalid_argument);
 
