@@ -17,11 +17,12 @@ double coherent_loss(double wavenumber, double roughness, double sine_of_grazing
 
 namespace {
 
-/// m, by how much the curved surfaces of a large scene may be off where indirect echoes meet them: a
-/// ten-thousandth of the scene's size, and less than a bin is long.
+/// m, by how much the curved surfaces of a large scene may be off where indirect echoes meet them, in the
+/// root mean square by a third of that. Fewer triangles stay in the processor's caches, and what a ray costs
+/// is waiting for memory; with 5 cm the nearest bottom's indirect echoes are 0.3 dB off.
 double tolerance_in(const Scene& scene) {
     constexpr std::size_t large = 500'000;  // triangles
-    constexpr double of_size = 1e-4, most = 0.02;
+    constexpr double of_size = 2e-4, most = 0.035;
     if (scene.triangles() <= large) return 0;
     const Bounds& b = scene.bounds();
     const double size =
