@@ -25,21 +25,24 @@ void BeamSums::sum_sectors(const FanPlan& plan, LineSums& lines, Workers& worker
         rows.clear();
         const std::size_t first = piece * sums_at_once, last = first + sums_at_once, bins = lines.stride();
         std::size_t begin = bins, end = 0;
+        FilledBins filled{0};
         for (std::size_t line = 0; line < plan.lines; ++line) {
             const SectorShare share = plan.line_sector[line];
             const std::size_t own = share.sector, next = own + 1;
             if (next < first || own >= last) continue;
+            WeightedRow row{lines.line_values(line), lines.filled_line(line), {}};
+            if (row.filled.bits == 0) continue;
             const LineBins& bins_of_line = lines.line(line);
-            WeightedRow row{lines.line_values(line), bins_of_line.begin(), bins_of_line.end(), {}};
             if (own >= first) row.weights[own - first] = 1 - share.next;
             if (next < last) row.weights[next - first] = share.next;
-            begin = std::min(begin, row.begin), end = std::max(end, row.end);
-            push(row, lines, bins, rows);
+            begin = std::min(begin, bins_of_line.begin()), end = std::max(end, bins_of_line.end());
+            filled = filled | bins_of_line.filled();
+            rows.push_back(row);
         }
         if (rows.empty()) return;
         sum_rows(rows, nullptr, bins, sums_at_once, lines.sector_values(first));
         for (std::size_t sector = first; begin < end && sector < last; ++sector)
-            lines.sector(sector).cover(begin, end);
+            lines.sector(sector).cover(begin, end, filled);
     });
 }
 
@@ -74,35 +77,29 @@ void BeamSums::sum_turned_sectors(const BinningInput& in, LineSums& lines) const
         }
 }
 
-/// A row's bins, where there are any, with the steps behind them.
-void BeamSums::push(WeightedRow row, const LineSums& lines, std::size_t bins,
-                    std::vector<WeightedRow>& rows) {
-    if (lines.steps() > 0) {
-        if (row.begin >= row.end) row.begin = bins - 2 * lines.steps();
-        row.end = bins;
-    }
-    if (row.begin < row.end) rows.push_back(row);
-}
-
-void BeamSums::sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines, Workers& workers) {
+void BeamSums::sum_nodes(const FarLobes& far, LineSums& lines, Workers& workers) {
+    const std::size_t bins = lines.stride();
+    node_stride_ = bins;
     nodes_.resize(far.nodes * bins);
+    filled_nodes_ = {0};
+    for (std::size_t s = 0; s < far.sectors; ++s) filled_nodes_ = filled_nodes_ | lines.filled_sector(s);
     workers.run((far.nodes + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
         thread_local std::vector<WeightedRow> rows;
         rows.clear();
         const std::size_t first = piece * sums_at_once, count = std::min(sums_at_once, far.nodes - first);
         for (std::size_t s = 0; s < far.sectors; ++s) {
-            const LineBins& sector = lines.sector(s);
-            WeightedRow row{lines.sector_values(s), sector.begin(), sector.end(), {}};
+            WeightedRow row{lines.sector_values(s), lines.filled_sector(s), {}};
+            if (row.filled.bits == 0) continue;
             for (std::size_t k = 0; k < count; ++k)
                 row.weights[k] = far.weight[(first + k) * far.sectors + s];
-            push(row, lines, bins, rows);
+            rows.push_back(row);
         }
         sum_rows(rows, nullptr, bins, count, &nodes_[first * bins]);
     });
 }
 
 /// The far lobes of beam `beam`, sum `k` of those at hand, between the two nodes beside it.
-void BeamSums::add_far(const FanPlan& plan, std::size_t beam, std::size_t k, std::size_t bins,
+void BeamSums::add_far(const FanPlan& plan, std::size_t beam, std::size_t k,
                        std::vector<WeightedRow>& rows) const {
     const FarLobes& far = plan.far_lobes;
     const std::size_t node = beam / far.beams_per_node, next = std::min(node + 1, far.nodes - 1);
@@ -111,9 +108,10 @@ void BeamSums::add_far(const FanPlan& plan, std::size_t beam, std::size_t k, std
     const float share =
         step > 0 ? static_cast<float>(beam - node * far.beams_per_node) / static_cast<float>(step) : 0.0F;
     for (const auto& [at, weight] : {std::pair(node, 1 - share), {next, share}}) {
-        const float* values = &nodes_[at * bins];
+        const float* values = &nodes_[at * node_stride_];
         const auto known = std::ranges::find(rows, values, &WeightedRow::values);
-        WeightedRow& row = known != rows.end() ? *known : rows.emplace_back(WeightedRow{values, 0, bins, {}});
+        WeightedRow& row =
+            known != rows.end() ? *known : rows.emplace_back(WeightedRow{values, filled_nodes_, {}});
         row.weights[k] += weight;
     }
 }
@@ -144,15 +142,14 @@ void BeamSums::sum_beams(const FanPlan& plan, std::size_t first, std::size_t cou
         end = std::max(end, beam.first_line + beam.lines);
     }
     for (std::size_t line = begin; line < end; ++line) {
-        const LineBins& bins_of_line = lines.line(line);
-        WeightedRow row{lines.line_values(line), bins_of_line.begin(), bins_of_line.end(), {}};
+        const FilledBins filled = lines.filled_line(line);
+        if (filled.bits == 0) continue;
+        WeightedRow& row = rows.emplace_back(WeightedRow{lines.line_values(line), filled, {}});
         for (std::size_t k = 0; k < count; ++k)
             if (line >= own[k].first_line && line < own[k].first_line + own[k].lines)
                 row.weights[k] = weight_of(plan, own[k], line - own[k].first_line);
-        push(row, lines, bins, rows);
     }
-    for (std::size_t k = 0; k < count && plan.far_lobes.sectors > 0; ++k)
-        add_far(plan, first + k, k, bins, rows);
+    for (std::size_t k = 0; k < count && plan.far_lobes.sectors > 0; ++k) add_far(plan, first + k, k, rows);
     sum_rows(rows, gain, bins, count, out);
 }
 
@@ -215,8 +212,7 @@ void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t co
     thread_local std::array<std::vector<float>, sums_at_once> weights;
     thread_local std::vector<WeightedRow> far;
     far.clear();
-    for (std::size_t k = 0; k < count && plan.far_lobes.sectors > 0; ++k)
-        add_far(plan, first + k, k, bins, far);
+    for (std::size_t k = 0; k < count && plan.far_lobes.sectors > 0; ++k) add_far(plan, first + k, k, far);
     std::array<BeamLines, sums_at_once> own{};
     std::copy_n(plan.beams.begin() + static_cast<std::ptrdiff_t>(first), count, own.begin());
     for (const auto& [begin, end, turned] : stretches_) {
@@ -229,9 +225,11 @@ void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t co
             from = std::min(from, own[k].first_line), to = std::max(to, own[k].first_line + own[k].lines);
         }
         const std::size_t length = end - begin;
+        const int shift = FilledBins::shift_of(length);
         const auto add = [&](const float* values, std::size_t low, std::size_t high) -> WeightedRow& {
-            return rows.emplace_back(
-                WeightedRow{values + begin, std::max(low, begin) - begin, std::min(high, end) - begin, {}});
+            const auto filled =
+                FilledBins::within(std::max(low, begin) - begin, std::min(high, end) - begin, shift);
+            return rows.emplace_back(WeightedRow{values + begin, filled, {}});
         };
         for (std::size_t line = from; line < to; ++line) {
             const LineBins& bins_of_line = lines.line(line);
@@ -245,7 +243,7 @@ void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t co
                 row.weights[k] = weights[k][line - own[k].first_line];
             }
         }
-        for (const WeightedRow& row : far) rows.push_back({row.values + begin, 0, length, row.weights});
+        for (const WeightedRow& row : far) rows.push_back({row.values + begin, {}, row.weights});
         sums.resize(count * length);
         sum_rows(rows, gain != nullptr ? gain + begin : nullptr, length, count, sums.data());
         for (std::size_t k = 0; k < count; ++k)
@@ -256,7 +254,7 @@ void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t co
 void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
                    std::vector<float>& values, const std::function<void(std::size_t, std::size_t)>& then) {
     const FanPlan& plan = in.plan;
-    const std::size_t bins = lines.stride();
+    const std::size_t bins = lines.length();
     values.resize(plan.beams.size() * bins);
     find_bearings(plan, in.offset.level);
     stretches_.clear();
@@ -268,7 +266,7 @@ void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<fl
     } else {
         sum_sectors(plan, lines, workers);
     }
-    if (plan.far_lobes.sectors > 0) sum_nodes(plan.far_lobes, bins, lines, workers);
+    if (plan.far_lobes.sectors > 0) sum_nodes(plan.far_lobes, lines, workers);
     const std::size_t beams = plan.beams.size();
     workers.run((beams + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
         const std::size_t first = piece * sums_at_once, count = std::min(sums_at_once, beams - first);

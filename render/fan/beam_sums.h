@@ -17,7 +17,7 @@ bool turns_lines(const BinningInput& in);
 
 class BeamSums {
   public:
-    /// Fills `values` (beams x LineSums::stride(), with the steps behind the bins); multiplies each bin with
+    /// Fills `values` (beams x LineSums::length(), with the steps behind the bins); multiplies each bin with
     /// `gain` unless that is empty. A line that was sampled off its middle is weighed there, so that the mean
     /// over pings has the pattern itself. Beams of a fan that turns about its upright axis weigh lines by
     /// where they come from when they arrive, in stretches of range in which that is off by a tenth of a
@@ -30,9 +30,8 @@ class BeamSums {
     static void sum_sectors(const FanPlan& plan, LineSums& lines, Workers& workers);
     /// The same of a fan that turns.
     void sum_turned_sectors(const BinningInput& in, LineSums& lines) const;
-    void sum_nodes(const FarLobes& far, std::size_t bins, LineSums& lines, Workers& workers);
-    void add_far(const FanPlan& plan, std::size_t beam, std::size_t k, std::size_t bins,
-                 std::vector<WeightedRow>& rows) const;
+    void sum_nodes(const FarLobes& far, LineSums& lines, Workers& workers);
+    void add_far(const FanPlan& plan, std::size_t beam, std::size_t k, std::vector<WeightedRow>& rows) const;
     /// Bins begin..end - 1, and where in bearing, rad, what comes from ahead arrives.
     struct Stretch {
         std::size_t begin, end;
@@ -50,16 +49,15 @@ class BeamSums {
     BeamLines turned_lines(const FanPlan& plan, const BeamLines& own, const BeamLines& last,
                            float turned) const;
 
-    static void push(WeightedRow row, const LineSums& lines, std::size_t bins,
-                     std::vector<WeightedRow>& rows);
-
     void find_bearings(const FanPlan& plan, PixelOffset offset);
     float weight_of(const FanPlan& plan, const BeamLines& own, std::size_t i) const;
 
     std::vector<float> bearings_;     ///< rad, where each level line was sampled
     TurnedLobe lobe_;                 ///< where anything turns
     std::vector<Stretch> stretches_;  ///< empty: nothing turns
-    std::vector<float> nodes_;        ///< nodes x bins
+    std::vector<float> nodes_;        ///< nodes x node_stride_
+    std::size_t node_stride_ = 0;
+    FilledBins filled_nodes_;
 };
 
 }  // namespace echoloop

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "render/fan/filled_bins.h"
 #include "render/simd.h"
 
 namespace echoloop {
@@ -12,12 +13,15 @@ namespace echoloop {
 class LineBins {
   public:
     LineBins() = default;
-    LineBins(float* values, std::size_t bins)
+    /// `length`: of the whole row, which may go on behind the bins.
+    LineBins(float* values, std::size_t bins, std::size_t length)
         : values_(values),
           bins_(bins),
+          shift_(FilledBins::shift_of(length)),
           last_(static_cast<float>(bins)),
           last_bin_(static_cast<int>(bins) - 1),
           begin_(bins) {}
+    LineBins(float* values, std::size_t bins) : LineBins(values, bins, bins) {}
 
     /// Spreads `amount` over low..high, counted in bins from the leading edge of bin 0, with a density that
     /// changes by the share `slope` per bin and has its mean in the middle.
@@ -31,8 +35,7 @@ class LineBins {
         const float from = std::max(low, 0.0F), to = std::min(high, last_);
         // int: before AVX-512 no instruction turns a float into a std::size_t, or back.
         const int first = static_cast<int>(from), last = std::min(static_cast<int>(to), last_bin_);
-        begin_ = std::min(begin_, static_cast<std::size_t>(first));
-        end_ = std::max(end_, static_cast<std::size_t>(last) + 1);
+        cover(static_cast<std::size_t>(first), static_cast<std::size_t>(last) + 1);
         const float width = high - low;
         if (first == last) {
             values_[first] += width > 0 ? amount * ((to - from) / width) : amount;
@@ -59,11 +62,21 @@ class LineBins {
         for (std::size_t i = begin_; i < end_; ++i) values_[i] = 0;
         begin_ = bins_;
         end_ = 0;
+        filled_ = {0};
     }
     /// For who adds to the values itself: bins begin..end - 1 may hold something.
     void cover(std::size_t begin, std::size_t end) {
+        cover(begin, end, FilledBins::within(begin, end, shift_));
+    }
+    /// The same where it is known which of them do.
+    void cover(std::size_t begin, std::size_t end, FilledBins filled) {
         begin_ = std::min(begin_, begin);
         end_ = std::max(end_, end);
+        filled_ = filled_ | filled;
+    }
+    /// Looks which of them do.
+    void look_at(std::size_t begin, std::size_t end) {
+        cover(begin, end, FilledBins::find(values_, begin, end, shift_));
     }
     float* data() { return values_; }
     std::size_t size() const { return bins_; }
@@ -71,13 +84,17 @@ class LineBins {
     const float* values() const { return values_; }
     std::size_t begin() const { return begin_; }
     std::size_t end() const { return end_; }
+    /// Of the whole row, what is behind the bins left out.
+    FilledBins filled() const { return filled_; }
 
   private:
     float* values_ = nullptr;
     std::size_t bins_ = 0;
+    int shift_ = 0;  ///< of FilledBins
     float last_ = 0;
     int last_bin_ = -1;
     std::size_t begin_ = 0, end_ = 0;
+    FilledBins filled_{0};
 };
 
 }  // namespace echoloop

@@ -164,7 +164,7 @@ void deposit_line(LineEchoes& echoes, std::size_t samples, LineBins& bins) {
     const BinStretch covered = echoes.spreader.spread(
         {echoes.low.data(), echoes.high.data(), echoes.amount.data(), echoes.slope.data()}, samples,
         bins.size(), bins.data());
-    if (!covered.empty()) bins.cover(covered.begin, covered.end);
+    if (!covered.empty()) bins.look_at(covered.begin, covered.end);
 }
 
 float nearest_range(const Pixel* pixels, std::size_t samples) {

@@ -7,11 +7,7 @@
 
 #include "render/fan/bin_gain.h"
 #include "render/fan/line_bins.h"
-#include "render/fan/line_echoes.h"
-#include "render/fan/pixel_rows.h"
-#include "render/fan/reverberation.h"
-#include "render/fan/sector_echoes.h"
-#include "render/fan/spreads.h"
+#include "render/fan/line_reader.h"
 
 namespace echoloop {
 
@@ -21,54 +17,40 @@ class LineSums {
     void resize(std::size_t lines, std::size_t sectors, std::size_t bins, std::size_t steps = 0);
     LineBins& line(std::size_t i) { return lines_[i]; }
     LineBins& sector(std::size_t i) { return sectors_[i]; }
-    const float* line_values(std::size_t i) const { return &values_[i * stride()]; }
-    float* sector_values(std::size_t i) { return &values_[(lines_.size() + i) * stride()]; }
-    const float* sector_values(std::size_t i) const { return &values_[(lines_.size() + i) * stride()]; }
+    /// Of the whole rows, their steps among them.
+    FilledBins filled_line(std::size_t i) const { return lines_[i].filled() | filled_steps(); }
+    FilledBins filled_sector(std::size_t i) const { return sectors_[i].filled() | filled_steps(); }
+    const float* line_values(std::size_t i) const { return row(i); }
+    float* sector_values(std::size_t i) { return row(lines_.size() + i); }
+    const float* sector_values(std::size_t i) const { return row(lines_.size() + i); }
+
+    /// After surround lines have been added.
+    void look_at_sectors();
 
     std::size_t steps() const { return steps_; }
-    std::size_t stride() const { return bins_ + 2 * steps_; }
+    /// Of a row: its bins and both kinds of steps.
+    std::size_t length() const { return bins_ + 2 * steps_; }
+    /// From row to row, whole lines of the processor's cache, with zeros at the end: a vector that lies
+    /// across two of them is slow to read.
+    std::size_t stride() const {
+        return (length() + floats_per_line - 1) / floats_per_line * floats_per_line;
+    }
     /// Both kinds of steps of a line or sector, the volume's first.
-    float* line_steps(std::size_t i) { return &values_[i * stride() + bins_]; }
+    float* line_steps(std::size_t i) { return row(i) + bins_; }
     float* sector_steps(std::size_t i) { return line_steps(lines_.size() + i); }
 
   private:
+    static constexpr std::size_t floats_per_line = 16;
+    FilledBins filled_steps() const {
+        return FilledBins::within(bins_, length(), FilledBins::shift_of(length()));
+    }
+    float* row(std::size_t i) { return first_ + i * stride(); }
+    const float* row(std::size_t i) const { return first_ + i * stride(); }
+
     std::size_t bins_ = 0, steps_ = 0;
     std::vector<float> values_;
+    float* first_ = nullptr;  ///< of values_, where a line of the cache begins
     std::vector<LineBins> lines_, sectors_;
-};
-
-/// Reads the pixels of one thread's lines; keeps three rows, so that who needs a line's neighbours unpacks
-/// them once.
-class LineReader {
-  public:
-    /// Line `line` of `view`, as far as the water's surface; valid until the next call.
-    void read_alone(const BinningInput& in, const View& view, std::size_t line);
-    /// The same and its neighbours.
-    void read(const BinningInput& in, const View& view, std::size_t line);
-    /// Forgets what it has read; before other pixels.
-    void restart() { next_ = no_line; }
-    const PixelRow& row() const { return rows_[1]; }
-    /// Whether the line that read_alone() has read may show the water's surface.
-    bool meets_water() const { return meets_water_; }
-    /// The lines on both sides, at a view's edge the line itself.
-    const PixelRow& before() const { return first_ ? rows_[1] : rows_[0]; }
-    const PixelRow& after() const { return last_ ? rows_[1] : rows_[2]; }
-
-    Extents extents;             ///< what the reader of the line makes of it
-    std::vector<float> weights;  ///< of the line's samples, where they are not those of the plan
-    std::vector<float> closing;  ///< m/s, of the line's samples, where something moves
-    LineEchoes echoes;           ///< of the line's samples
-    SectorEchoes of_sectors;     ///< of a surround line's samples
-    SectorEchoes of_surface;     ///< of those that show the water's surface, in steps
-    UnderWay under_way;          ///< what of the line no surface has met
-
-  private:
-    static bool load(PixelRow& row, const BinningInput& in, const View& view, std::size_t line);
-
-    static constexpr std::size_t no_line = static_cast<std::size_t>(-1);
-    PixelRow rows_[3];
-    std::size_t next_ = no_line;  ///< image line that rows_[2] holds
-    bool first_ = true, last_ = true, meets_water_ = false;
 };
 
 /// What a pixel adds for each rule, before the gain of its bin.
@@ -84,8 +66,8 @@ constexpr bool is_echo(Amount amount) { return amount == Amount::echo || amount 
 /// Adds the pixels of a level line to its bins, and the water's echo to its `steps` unless that is null.
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
                     std::size_t line, LineReader& reader, LineBins& bins, float* steps = nullptr);
-/// Adds the pixels of a surround line to their sectors; `only_wanted`: of the surfaces in
-/// BinningInput::wanted. `under_way`: of every sector; empty where the water is silent.
+/// Adds the pixels of a surround line to their sectors, at which nobody looks; `only_wanted`: of the surfaces
+/// in BinningInput::wanted. `under_way`: of every sector; empty where the water is silent.
 void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wanted, const View& view,
                        std::size_t line, LineReader& reader, LineSums& sums,
                        std::span<UnderWay> under_way = {});

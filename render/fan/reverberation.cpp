@@ -55,7 +55,23 @@ void find_steps(const StepScale scale, const float* __restrict range, const floa
     }
 }
 
+ECHOLOOP_SIMD
+void find_ends(const StepScale scale, const float* __restrict range, const float* __restrict surface,
+               float last, std::size_t count, std::int32_t* __restrict step, float* __restrict within) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float met = std::min(std::max(range[i] * scale.per_metre - scale.start + 1, 1.0F), last);
+        const float at = surface[i] != 0 ? met : last;
+        step[i] = static_cast<std::int32_t>(at), within[i] = at - static_cast<float>(step[i]);
+    }
+}
+
 }  // namespace
+
+void WayEnds::find(const Reverberation& water, const float* range, const float* surface, std::size_t count) {
+    step.resize(count), within.resize(count);
+    find_ends(water.scale(), range, surface, static_cast<float>(water.steps().count + 1), count, step.data(),
+              within.data());
+}
 
 std::array<double, 2> near_ranges(const Shot& shot, double wavelength) {
     return {near_range(shot.horizontal, shot.beam_width, wavelength),

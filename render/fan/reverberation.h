@@ -96,6 +96,15 @@ class Reverberation {
     std::vector<float> strengths_, nearness_;
 };
 
+/// Where directions meet something.
+struct WayEnds {
+    std::vector<std::int32_t> step;  ///< in which it is, counted from 1
+    std::vector<float> within;       ///< share of that step that lies before it
+
+    /// Of a row of directions, which meet `range`, in m, or where `surface` is 0 nothing.
+    void find(const Reverberation& water, const float* range, const float* surface, std::size_t count);
+};
+
 /// Weight of directions that is still under way, by range.
 class UnderWay {
   public:
@@ -112,6 +121,12 @@ class UnderWay {
         const float share = cell - static_cast<float>(lower);
         add_to(lower, end, weight * (1 - share));
         add_to(lower + 1, end, weight * share);
+    }
+    /// The same of direction i of `ends`; where depth does not matter.
+    void add(const WayEnds& ends, std::size_t i, float weight) {
+        float* row = &met_[static_cast<std::size_t>(ends.step[i])];
+        const float within = weight * ends.within[i];
+        row[0] += within, row[-1] += weight - within;
     }
     /// The same for a row of directions of weights > 0 that meet `range`, in m, or where `surface` is 0
     /// nothing.

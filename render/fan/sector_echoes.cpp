@@ -1,13 +1,39 @@
 #include "render/fan/sector_echoes.h"
 
 #include "render/fan/line_sums.h"
+#include "render/simd.h"
 
 namespace echoloop {
+namespace {
 
-std::span<const BinStretch> SectorEchoes::spread(std::size_t bins, std::size_t stride, float* rows) {
+ECHOLOOP_SIMD
+void share_out(const EchoArrays echoes, std::int32_t first, const std::int32_t* __restrict sector,
+               const float* __restrict next, std::size_t count, float* __restrict low, float* __restrict high,
+               float* __restrict amount, std::int32_t* __restrict sectors) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float later = echoes.amount[i] * next[i];
+        low[i] = echoes.low[i], high[i] = echoes.high[i];
+        low[i + count] = echoes.low[i], high[i + count] = echoes.high[i];
+        amount[i] = echoes.amount[i] - later, amount[i + count] = later;
+        sectors[i] = first + sector[i], sectors[i + count] = first + sector[i] + 1;
+    }
+}
+
+}  // namespace
+
+void SectorEchoes::add(const EchoArrays& echoes, std::size_t first, const std::int32_t* sector,
+                       const float* next, std::size_t count) {
+    const std::size_t before = sectors_.size(), all = before + 2 * count;
+    for (auto* numbers : {&low_, &high_, &amount_}) numbers->resize(all);
+    sectors_.resize(all);
+    share_out(echoes, static_cast<std::int32_t>(first), sector, next, count, &low_[before], &high_[before],
+              &amount_[before], &sectors_[before]);
+}
+
+void SectorEchoes::spread(std::size_t bins, std::size_t stride, float* rows) {
     slope_.resize(sectors_.size(), 0.0F);
-    return spreader_.spread_over_rows({low_.data(), high_.data(), amount_.data(), slope_.data()},
-                                      sectors_.data(), sectors_.size(), bins, stride, rows);
+    spreader_.spread_over_rows({low_.data(), high_.data(), amount_.data(), slope_.data()}, sectors_.data(),
+                               sectors_.size(), bins, stride, rows);
 }
 
 void SectorEchoes::clear() {
@@ -17,10 +43,7 @@ void SectorEchoes::clear() {
 
 void SectorEchoes::deposit(LineSums& sums) {
     if (sectors_.empty()) return;
-    const auto stretches = spread(sums.sector(0).size(), sums.stride(), sums.sector_values(0));
-    for (std::size_t i = 0; i < stretches.size(); ++i)
-        if (!stretches[i].empty())
-            sums.sector(static_cast<std::size_t>(sectors_[i])).cover(stretches[i].begin, stretches[i].end);
+    spread(sums.sector(0).size(), sums.stride(), sums.sector_values(0));
     clear();
 }
 

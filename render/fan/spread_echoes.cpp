@@ -117,17 +117,10 @@ BinStretch EchoSpreader::spread(const EchoArrays& echoes, std::size_t count, std
 
 /// Blocks lie at whole multiples of their size, so that what an echo has just written is read as it was
 /// written.
-std::span<const BinStretch> EchoSpreader::spread_over_rows(const EchoArrays& echoes, const std::int32_t* row,
-                                                           std::size_t count, std::size_t bins,
-                                                           std::size_t stride, float* rows) {
+void EchoSpreader::spread_over_rows(const EchoArrays& echoes, const std::int32_t* row, std::size_t count,
+                                    std::size_t bins, std::size_t stride, float* rows) {
     find(echoes, row, count, bins, stride, at_once);
     add(count, rows);
-    stretches_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto first = static_cast<std::size_t>(first_[i]), blocks = static_cast<std::size_t>(blocks_[i]);
-        stretches_[i] = {first, std::min(first + blocks * bins_at_once, bins)};
-    }
-    return stretches_;
 }
 
 }  // namespace echoloop

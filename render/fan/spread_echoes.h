@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace echoloop {
@@ -32,10 +31,8 @@ class EchoSpreader {
     BinStretch spread(const EchoArrays& echoes, std::size_t count, std::size_t bins, float* values);
 
     /// Adds each echo to a row of its own choice: `row` says which one, `stride` floats after the one before.
-    /// Returns where each lies, until it is called again.
-    std::span<const BinStretch> spread_over_rows(const EchoArrays& echoes, const std::int32_t* row,
-                                                 std::size_t count, std::size_t bins, std::size_t stride,
-                                                 float* rows);
+    void spread_over_rows(const EchoArrays& echoes, const std::int32_t* row, std::size_t count,
+                          std::size_t bins, std::size_t stride, float* rows);
 
   private:
     void find(const EchoArrays& echoes, const std::int32_t* row, std::size_t count, std::size_t bins,
@@ -45,7 +42,6 @@ class EchoSpreader {
     std::vector<float> low_, high_, base_, change_;
     std::vector<std::int32_t> first_, blocks_, at_, turn_;
     std::vector<float> turns_;
-    std::vector<BinStretch> stretches_;
 };
 
 /// Bins: of what is narrower nothing but its amount counts.

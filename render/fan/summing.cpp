@@ -123,6 +123,7 @@ class FanSumming final : public Summing {
             const View& view = view_with(in.plan, line);
             add_surround_line(in, gain, true, view, line - view.first_line, reader, sums_);
         }
+        sums_.look_at_sectors();
         beams_.sum(in, sums_, gain.values(), workers_, wanted_);
         everywhere_ = {0, wanted_.size()};
         return {wanted_, {&everywhere_, 1}};
@@ -173,6 +174,7 @@ class FanSumming final : public Summing {
         for (const View& view : in.plan.surround_views())
             for (std::size_t line = 0; line < view.lines; ++line)
                 add_surround_line(in, gain, false, view, line, reader, sums_, under_way);
+        sums_.look_at_sectors();
         for (std::size_t s = 0; s < under_way.size(); ++s)
             under_way[s].scatter(*in.water, sums_.sector_steps(s));
         if (!under_way.empty()) turn_water_around(in, sums_);

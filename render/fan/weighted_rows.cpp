@@ -1,18 +1,39 @@
 #include "render/fan/weighted_rows.h"
 
+#include <array>
+#include <bit>
 #include <cstring>
+#include <vector>
 
 #include "render/simd.h"
 
 namespace echoloop {
 namespace {
 
+constexpr std::size_t rows_at_once = 64;
+/// Of each stretch, which of 64 rows have it.
+using RowsOfStretches = std::array<std::uint64_t, rows_at_once>;
+
 struct Sums {
     std::span<const WeightedRow> rows;
     const float* gain;
     std::size_t bins, count;
     float* out;
+    std::span<const RowsOfStretches> filled;
 };
+
+/// Bit k of word i becomes bit i of word k (Warren, Hacker's Delight, 2002, section 7-3).
+ECHOLOOP_SIMD
+void transpose(RowsOfStretches& rows) {
+    std::uint64_t mask = 0x00000000FFFFFFFFULL;
+    for (std::size_t half = 32; half != 0; half /= 2, mask ^= mask << half)
+        for (std::size_t first = 0; first < rows.size(); first += 2 * half)
+            for (std::size_t k = first; k < first + half; ++k) {
+                const std::uint64_t swapped = (rows[k] >> half ^ rows[k + half]) & mask;
+                rows[k] ^= swapped << half;
+                rows[k + half] ^= swapped;
+            }
+}
 
 using Vector4 [[maybe_unused]] = float __attribute__((vector_size(16)));
 using Vector8 [[maybe_unused]] = float __attribute__((vector_size(32)));
@@ -26,18 +47,25 @@ template <class Vector, std::size_t across>
 ECHOLOOP_INLINE std::size_t sum_tiles_of(const Sums& in) {
     constexpr std::size_t lanes = sizeof(Vector) / sizeof(float), tile = across * lanes;
     if (in.bins < tile) return 0;
+    const int shift = FilledBins::shift_of(in.bins);
     for (std::size_t next = 0; next < in.bins; next += tile) {
         const std::size_t at = next + tile <= in.bins ? next : in.bins - tile;
         Vector sum[sums_at_once][across] = {};
-        for (const WeightedRow& row : in.rows) {
-            if (row.end <= at || row.begin >= at + tile) continue;
+        const WeightedRow* rows = in.rows.data();
+        for (const RowsOfStretches& filled : in.filled) {
+            std::uint64_t left = 0;
+            for (std::size_t k = at >> shift; k <= (at + tile - 1) >> shift; ++k) left |= filled[k];
+            for (; left != 0; left &= left - 1) {
+                const WeightedRow& row = rows[std::countr_zero(left)];
 #pragma GCC unroll 4
-            for (std::size_t i = 0; i < across; ++i) {
-                Vector values;
-                std::memcpy(&values, row.values + at + i * lanes, sizeof values);
+                for (std::size_t i = 0; i < across; ++i) {
+                    Vector values;
+                    std::memcpy(&values, row.values + at + i * lanes, sizeof values);
 #pragma GCC unroll 4
-                for (std::size_t k = 0; k < sums_at_once; ++k) sum[k][i] += row.weights[k] * values;
+                    for (std::size_t k = 0; k < sums_at_once; ++k) sum[k][i] += row.weights[k] * values;
+                }
             }
+            rows += rows_at_once;
         }
 #pragma GCC unroll 4
         for (std::size_t i = 0; i < across; ++i) {
@@ -55,7 +83,7 @@ ECHOLOOP_INLINE std::size_t sum_tiles_of(const Sums& in) {
 
 #ifdef ECHOLOOP_SIMD_VERSIONS
 __attribute__((target("arch=x86-64-v4"))) std::size_t sum_tiles(const Sums& in) {
-    return sum_tiles_of<Vector16, 1>(in);
+    return sum_tiles_of<Vector16, 2>(in);
 }
 
 __attribute__((target("arch=x86-64-v3"))) std::size_t sum_tiles(const Sums& in) {
@@ -73,7 +101,12 @@ sum_tiles(const Sums& in) {
 
 void sum_rows(std::span<const WeightedRow> rows, const float* gain, std::size_t bins, std::size_t sums,
               float* out) {
-    const std::size_t summed = sum_tiles({rows, gain, bins, sums, out});
+    static thread_local std::vector<RowsOfStretches> filled;
+    filled.assign((rows.size() + rows_at_once - 1) / rows_at_once, {});
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        filled[i / rows_at_once][i % rows_at_once] = rows[i].filled.bits;
+    for (RowsOfStretches& block : filled) transpose(block);
+    const std::size_t summed = sum_tiles({rows, gain, bins, sums, out, filled});
     for (std::size_t k = 0; k < sums; ++k)
         for (std::size_t i = summed; i < bins; ++i) {
             float sum = 0;

@@ -6,16 +6,16 @@
 #include <cstddef>
 #include <span>
 
-#include "render/fan/line_bins.h"
+#include "render/fan/filled_bins.h"
 
 namespace echoloop {
 
 inline constexpr std::size_t sums_at_once = 4;
 
-/// A row of bins, 0 but for begin..end - 1, and its weight in each sum.
+/// A row of bins, 0 but where it is filled, and its weight in each sum.
 struct WeightedRow {
     const float* values;
-    std::size_t begin, end;
+    FilledBins filled;
     std::array<float, sums_at_once> weights;
 };
 

@@ -92,16 +92,9 @@ TEST(SpreadEchoes, EachInItsRow) {
     }
     std::vector<float> values(rows * stride + bins_at_once);
     EchoSpreader spreader;
-    const auto stretches =
-        spreader.spread_over_rows(echoes.arrays(), row.data(), echoes.size(), bins, stride, values.data());
+    spreader.spread_over_rows(echoes.arrays(), row.data(), echoes.size(), bins, stride, values.data());
     for (std::size_t i = 0; i < sums.size(); ++i) EXPECT_NEAR(values[i], sums[i], 5e-5 * sums[i] + 1e-6) << i;
     for (std::size_t i = 0; i < bins_at_once; ++i) EXPECT_EQ(values[rows * stride + i], 0);
-    for (std::size_t i = 0; i < echoes.size(); ++i) {
-        const auto one = expected(echoes, i);
-        for (std::size_t bin = 0; bin < bins; ++bin)
-            EXPECT_TRUE(one[bin] == 0 || (bin >= stretches[i].begin && bin < stretches[i].end)) << i;
-        EXPECT_LE(stretches[i].end, bins);
-    }
 }
 
 TEST(SpreadEchoes, NothingIsNothing) {
