@@ -1,22 +1,25 @@
 #include "render/fan/filled_bins.h"
 
 #include <algorithm>
-
-#include "render/simd.h"
+#include <cstring>
 
 namespace echoloop {
 namespace {
 
-/// Of whole stretches.
-ECHOLOOP_SIMD
-std::uint64_t find_bits(const float* __restrict values, std::size_t stretches, std::size_t each) {
-    constexpr std::size_t at_once = 16;
+/// Of whole stretches. By vectors that every processor has, since their bits have to come together in the
+/// end.
+std::uint64_t find_bits(const float* values, std::size_t stretches, std::size_t each) {
+    using Words = std::uint64_t __attribute__((vector_size(16)));
+    constexpr std::size_t floats = sizeof(Words) / sizeof(float), at_once = 4 * floats;
     std::uint64_t bits = 0;
     for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
-        std::uint32_t any = 0;
-        for (std::size_t part = 0; part < each; part += at_once, values += at_once)
-            for (std::size_t k = 0; k < at_once; ++k) any |= std::bit_cast<std::uint32_t>(values[k]);
-        bits |= std::uint64_t{any != 0 ? 1U : 0U} << stretch;
+        Words any{};
+        for (std::size_t part = 0; part < each; part += at_once, values += at_once) {
+            Words words[4];
+            std::memcpy(words, values, sizeof words);
+            any |= (words[0] | words[1]) | (words[2] | words[3]);
+        }
+        bits |= std::uint64_t{(any[0] | any[1]) != 0 ? 1U : 0U} << stretch;
     }
     return bits;
 }

@@ -91,13 +91,14 @@ std::uint32_t nearest_bits(const Pixel* pixels, std::size_t count) {
 }
 
 /// Number of samples from the first on that show one surface.
+ECHOLOOP_SIMD
 std::size_t alike(const float* surface, std::size_t count) {
-    constexpr std::size_t at_once = 16;
+    constexpr std::size_t at_once = 32;
     const float first = surface[0];
     std::size_t i = 1;
     for (; i + at_once <= count; i += at_once) {
-        int others = 0;
-        for (std::size_t k = 0; k < at_once; ++k) others |= static_cast<int>(surface[i + k] != first);
+        std::int32_t others = 0;
+        for (std::size_t k = 0; k < at_once; ++k) others |= surface[i + k] != first ? 1 : 0;
         if (others != 0) break;
     }
     while (i < count && surface[i] == first) ++i;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "render/simd.h"
 
@@ -41,17 +42,18 @@ double near_range(const AxisPattern& pattern, double width, double wavelength) {
     return length * wavelength / width / 2;
 }
 
-/// The step in which each direction ends, and how much of its weight is under way in that step and up to it.
+/// The step in which each direction ends, and how much of its weight is under way in that step and up to it:
+/// one after the other.
 ECHOLOOP_SIMD
 void find_steps(const StepScale scale, const float* __restrict range, const float* __restrict surface,
                 const float* __restrict weight, float last, std::size_t count, std::int32_t* __restrict end,
-                float* __restrict within, float* __restrict before) {
+                float* __restrict within_and_before) {
     for (std::size_t i = 0; i < count; ++i) {
         const float met = std::min(std::max(range[i] * scale.per_metre - scale.start + 1, 1.0F), last);
         const float at = surface[i] != 0 ? met : last;
         const auto whole = static_cast<std::int32_t>(at);
         const float heard = weight[i] > 0 ? weight[i] : 0.0F, part = heard * (at - static_cast<float>(whole));
-        end[i] = whole, within[i] = part, before[i] = heard - part;
+        end[i] = whole, within_and_before[2 * i] = part, within_and_before[2 * i + 1] = heard - part;
     }
 }
 
@@ -163,23 +165,33 @@ void UnderWay::reset_alike(const Reverberation& water) {
 }
 
 /// Neighbours mostly end in one step, and a sum waits for the one before: so they take turns in a few rows.
+/// Both parts of a weight are one vector, which every processor has.
 void UnderWay::add(const Reverberation& water, const float* range, const float* surface, const float* weight,
                    std::size_t count) {
-    ends_.resize(count), within_.resize(count), before_.resize(count);
+    using Both = float __attribute__((vector_size(2 * sizeof(float))));
+    ends_.resize(count), parts_.resize(2 * count);
     find_steps(water.scale(), range, surface, weight, static_cast<float>(row_ - 1), count, ends_.data(),
-               within_.data(), before_.data());
-    turns_.assign(turns * row_, {});
-    for (std::size_t i = 0; i < count; ++i) {
-        Met& met = turns_[i % turns * row_ + static_cast<std::size_t>(ends_[i])];
-        met.within += within_[i], met.before += before_[i];
-    }
+               parts_.data());
+    turns_.assign(2 * turns * row_, 0.0F);
+    const auto add = [&](std::size_t i, float* row) {
+        float* to = row + 2 * static_cast<std::size_t>(ends_[i]);
+        Both sum, part;
+        std::memcpy(&sum, to, sizeof sum);
+        std::memcpy(&part, &parts_[2 * i], sizeof part);
+        sum += part;
+        std::memcpy(to, &sum, sizeof sum);
+    };
+    std::array<float*, turns> rows;
+    for (std::size_t turn = 0; turn < turns; ++turn) rows[turn] = &turns_[2 * turn * row_];
+    std::size_t i = 0;
+    for (; i + turns <= count; i += turns)
+        for (std::size_t turn = 0; turn < turns; ++turn) add(i + turn, rows[turn]);
+    for (std::size_t turn = 0; i < count; ++i, ++turn) add(i, rows[turn]);
     for (std::size_t step = 1; step < row_; ++step) {
-        Met sum;
-        for (std::size_t turn = 0; turn < turns; ++turn) {
-            const Met& met = turns_[turn * row_ + step];
-            sum.within += met.within, sum.before += met.before;
-        }
-        met_[step] += sum.within, met_[step - 1] += sum.before;
+        Both sum{};
+        for (std::size_t turn = 0; turn < turns; ++turn)
+            sum += Both{rows[turn][2 * step], rows[turn][2 * step + 1]};
+        met_[step] += sum[0], met_[step - 1] += sum[1];
     }
 }
 

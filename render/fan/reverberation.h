@@ -151,15 +151,11 @@ class UnderWay {
     void scatter_row(std::size_t number, const float* strength, float* steps);
 
     std::size_t cells_ = 1, row_ = 0;
-    std::vector<float> met_;              ///< cells x (steps + 2), by where directions end
-    std::vector<std::int32_t> ends_;      ///< of the row at hand
-    std::vector<float> within_, before_;  ///< the same
-    /// Of the directions that end in a step, what counts there and in the one before.
-    struct Met {
-        float within = 0, before = 0;
-    };
+    std::vector<float> met_;          ///< cells x (steps + 2), by where directions end
+    std::vector<std::int32_t> ends_;  ///< of the row at hand
+    std::vector<float> parts_;        ///< the same: of its weight, what counts there and in the step before
     static constexpr std::size_t turns = 4;
-    std::vector<Met> turns_;  ///< turns x (steps + 2)
+    std::vector<float> turns_;  ///< turns x (steps + 2) x both parts
 };
 
 /// Takes apart what was summed in rows of bins and, behind them, steps of volume and of surface echo: the

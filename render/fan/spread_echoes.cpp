@@ -1,6 +1,8 @@
 #include "render/fan/spread_echoes.h"
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 
 #include "render/simd.h"
 
@@ -63,11 +65,13 @@ void add_blocks(const Blocks in, const std::int32_t* at, std::size_t count, floa
 ECHOLOOP_SIMD
 void find_limits(const std::int32_t* __restrict first, const std::int32_t* __restrict blocks, int count,
                  std::int32_t* begin, std::int32_t* end) {
+    constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
     std::int32_t low = *begin, high = *end;
     for (int i = 0; i < count; ++i) {
-        const std::int32_t from = blocks[i] > 0 ? first[i] : low,
-                           to = blocks[i] > 0 ? first[i] + blocks[i] * at_once : high;
-        low = from < low ? from : low, high = to > high ? to : high;
+        const std::int32_t covered = blocks[i] * at_once;
+        // As bits: a condition keeps the loop from becoming vectors. Where nothing is covered `first` is 0.
+        low = std::min(low, first[i] | ((covered - 1) >> 31 & none));
+        high = std::max(high, first[i] + covered);
     }
     *begin = low, *end = high;
 }
@@ -102,16 +106,21 @@ void EchoSpreader::add(std::size_t count, float* rows) {
 
 BinStretch EchoSpreader::spread(const EchoArrays& echoes, std::size_t count, std::size_t bins,
                                 float* values) {
-    const std::size_t stride = bins + bins_at_once;
-    if (turns_.size() != turns * stride) turns_.assign(turns * stride, 0.0F);
+    constexpr std::size_t line = 16;  // floats of the cache's, so that a vector lies in one
+    const std::size_t stride = (bins + bins_at_once + line - 1) / line * line;
+    if (turns_.size() != turns * stride + line) turns_.assign(turns * stride + line, 0.0F);
+    void* first_turn = turns_.data();
+    std::size_t room = turns_.size() * sizeof(float);
+    auto* rows = static_cast<float*>(
+        std::align(line * sizeof(float), turns * stride * sizeof(float), first_turn, room));
     while (turn_.size() < count) turn_.push_back(static_cast<std::int32_t>(turn_.size() % turns));
     find(echoes, turn_.data(), count, bins, stride, 1);
     std::int32_t begin = static_cast<std::int32_t>(bins), end = 0;
     find_limits(first_.data(), blocks_.data(), static_cast<int>(count), &begin, &end);
     const BinStretch covered{static_cast<std::size_t>(begin), std::min(static_cast<std::size_t>(end), bins)};
     if (covered.empty()) return covered;
-    add(count, turns_.data());
-    add_turns(turns_.data(), stride, covered.begin, covered.end, values);
+    add(count, rows);
+    add_turns(rows, stride, covered.begin / line * line, covered.end, values);
     return covered;
 }
 
