@@ -20,8 +20,8 @@ namespace echoloop {
 class PlanCache;
 
 /// From so many triangles on, or where rays may bend, our own rasteriser draws a scene instead of a software
-/// OpenGL: there it is quicker by far (render/README.md). A fixed number, not the time that both take, so that
-/// the same scene gives the same bytes.
+/// OpenGL: there it is quicker by far (render/README.md). A fixed number, not the time that both take, so
+/// that the same scene gives the same bytes.
 inline constexpr std::size_t least_triangles_for_native = 20'000;
 
 struct RendererOptions {
@@ -46,7 +46,8 @@ struct RendererOptions {
     std::optional<WaterSurface> surface = WaterSurface{0, 0.01};
 };
 
-/// Where the time of the last render() went, and what it drew.
+/// Where the time of the last render() went, and what it drew. Where threads share a ping, paths are traced
+/// while surfaces are found, so that the parts add up to more than the whole.
 struct RenderProfile {
     double cull = 0, draw = 0, read_back = 0, bins = 0, paths = 0, acoustics = 0;  ///< s of wall time
     std::size_t triangles = 0, chunks = 0, pixels = 0;                             ///< drawn

@@ -14,9 +14,10 @@ SPLIT = {"cull", "draw", "read_back", "bins", "paths", "acoustics"}
 
 class Bench(ProgramTest):
     def test_a_ping_takes_as_long_as_its_parts(self):
-        for case in self.json("bench", "--cases", "fls-simple,scanning-simple", "--pings", "1")["cases"]:
+        for case in self.json("bench", "--cases", "fls-simple,scanning-simple", "--pings", "15")["cases"]:
             split, wall = sum(case["split_ms"].values()), case["wall_ms"]["median"]
-            self.assertTrue(0.5 * wall < split < wall + 0.01, case)
+            one_after_the_other = split - case["split_ms"]["paths"]  # which are traced while surfaces are found
+            self.assertTrue(0.5 * wall < split and one_after_the_other < 1.1 * wall, case)
 
     def test_every_case_is_rendered_with_both_rules(self):
         """But one million triangles, and two for a head: they differ from the others in their scenes alone, and each takes

@@ -125,7 +125,6 @@ class Live(unittest.TestCase):
             stream(tcp[1], golden("aris/ping"))
             stream(tcp[7], golden("cerulean/s500_ping_params"), b"BR", 200)
             stream(tcp[8], golden("waterlinked/command"), b'"type":"velocity"', 200)
-            line("dvl", b"wcv*fe\r\n", b"wru,3", 20)
             host = ResonHost(("127.0.0.1", tcp[6]))
             lines.callback(host.close)
             host.subscribe(7000, 7004, 7027)
@@ -135,6 +134,8 @@ class Live(unittest.TestCase):
                     one.recv(65536)
                 except TimeoutError as error:
                     raise TimeoutError(f"nothing from {name}") from error
+            # Last: it talks on, and a line that nobody reads is full after some seconds and loses bytes.
+            line("dvl", b"wcv*fe\r\n", b"wru,3", 20)
             status, output = emulator.stop()
         assert status == 0, output
 

@@ -31,7 +31,8 @@ double declared(double target_strength) {
 }
 
 double lambert_ball(double mu_db, int rings) {
-    return strength_of(scene_of({sphere({sphere_range, 0, 0}, 0.5, rings, mu_db)}), only({Effect::spreading}));
+    return strength_of(scene_of({sphere({sphere_range, 0, 0}, 0.5, rings, mu_db)}),
+                       only({Effect::spreading}));
 }
 
 }  // namespace
