@@ -9,6 +9,9 @@
 namespace echoloop::raster {
 namespace {
 
+/// Counts of the loops below are multiples of this, so that nothing is left to be done one by one.
+constexpr int together = 16;
+
 /// From positions that are there already. Returns how many are not in front of the near end.
 ECHOLOOP_SIMD
 int find_straight(int count, const PartPlace place, const SampleGrid grid, float* __restrict x_of,
@@ -18,7 +21,7 @@ int find_straight(int count, const PartPlace place, const SampleGrid grid, float
     const float ex = place.eye[0], ey = place.eye[1], ez = place.eye[2];
     const float near = near_end;
     int behind = 0;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count / together * together; ++i) {
         const float dx = x_of[i] - ex, dy = y_of[i] - ey, dz = z_of[i] - ez;
         const float x = m[0] * dx + m[1] * dy + m[2] * dz, y = m[3] * dx + m[4] * dy + m[5] * dz,
                     z = m[6] * dx + m[7] * dy + m[8] * dz;
@@ -39,19 +42,21 @@ struct TablePlaces {
     float columns_per_metre, middle, per_b, first_row;
 };
 
-/// How points lie to us in the view's axes, from their positions; and among a table's cells: the first of the
-/// four around each, and the shares of the next column and of the next row.
+/// How points lie to us in the view's axes, from their positions, how high above and how far on the level;
+/// and among a table's cells: the first of the four around each, and the shares of the next column and of the
+/// next row.
 ECHOLOOP_SIMD
 void find_places(int count, const PartPlace place, const TablePlaces table, float* __restrict x_of,
-                 float* __restrict y_of, float* __restrict z_of, std::int32_t* __restrict cell_of,
-                 float* __restrict column_share, float* __restrict row_share) {
+                 float* __restrict y_of, float* __restrict z_of, float* __restrict height_of,
+                 float* __restrict level_of, std::int32_t* __restrict cell_of, float* __restrict column_share,
+                 float* __restrict row_share) {
     constexpr auto columns = static_cast<int>(RayTable::columns), rows = static_cast<int>(RayTable::rows);
     constexpr auto last_column = static_cast<float>(columns - 1), last_row = static_cast<float>(rows - 1);
     const auto& m = place.rows;
     const float ex = place.eye[0], ey = place.eye[1], ez = place.eye[2];
     const float ux = place.up_seen[0], uy = place.up_seen[1], uz = place.up_seen[2];
     const float middle = table.middle, square = table.middle * table.middle;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count / together * together; ++i) {
         const float wx = x_of[i] - ex, wy = y_of[i] - ey, wz = z_of[i] - ez;
         const float x = m[0] * wx + m[1] * wy + m[2] * wz, y = m[3] * wx + m[4] * wy + m[5] * wz,
                     z = m[6] * wx + m[7] * wy + m[8] * wz;
@@ -64,6 +69,7 @@ void find_places(int count, const PartPlace place, const TablePlaces table, floa
         const int c = std::min(static_cast<int>(column), columns - 2),
                   r = std::min(static_cast<int>(row), rows - 2);
         x_of[i] = x, y_of[i] = y, z_of[i] = z;
+        height_of[i] = height, level_of[i] = level;
         cell_of[i] = r * columns + c;
         column_share[i] = column - static_cast<float>(c), row_share[i] = row - static_cast<float>(r);
     }
@@ -94,16 +100,15 @@ void look_up(int count, const float* __restrict cells, const std::int32_t* __res
 ECHOLOOP_SIMD
 int bend(int count, const float* __restrict rays, const std::array<float, 3> up, const SampleGrid grid,
          float* __restrict x_of, float* __restrict y_of, float* __restrict z_of, float* __restrict line_of,
-         float* __restrict sample_of, float* __restrict bow_of, float* __restrict clearance_of) {
+         float* __restrict sample_of, float* __restrict height_and_bow,
+         float* __restrict level_and_clearance) {
     const float ux = up[0], uy = up[1], uz = up[2], near = near_end;
     int behind = 0;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count / together * together; ++i) {
         const float dx = x_of[i], dy = y_of[i], dz = z_of[i];
         const float turn = rays[4 * i], longer = 1 + rays[4 * i + 1], bow = rays[4 * i + 2],
                     clearance = rays[4 * i + 3];
-        const float height = dx * ux + dy * uy + dz * uz;
-        const float lx = dx - height * ux, ly = dy - height * uy, lz = dz - height * uz;
-        const float level = std::max(std::sqrt(lx * lx + ly * ly + lz * lz), least_level), over = 1 / level;
+        const float height = height_and_bow[i], level = level_and_clearance[i], over = 1 / level;
         const float q = turn * turn, s = turn - turn * q * (1 / 6.0F - q * (1 / 120.0F)),
                     v = q * (0.5F - q * (1 / 24.0F - q * (1 / 720.0F)));  // 1 - cosine
         const float along = -(v + height * s * over);
@@ -115,8 +120,8 @@ int bend(int count, const float* __restrict rays, const std::array<float, 3> up,
         x_of[i] = x, y_of[i] = y, z_of[i] = z;
         line_of[i] = (x * inverse - grid.first_x) * grid.lines_per_x;
         sample_of[i] = (grid.first_y - y * inverse) * grid.samples_per_y;
-        bow_of[i] = bow / (outwards * level);
-        clearance_of[i] = clearance;
+        height_and_bow[i] = bow / (outwards * level);
+        level_and_clearance[i] = clearance;
         behind += z <= near ? 1 : 0;
     }
     return behind;
@@ -140,28 +145,34 @@ PartPlace::PartPlace(const View& view, const Pose& frame_from_fan, Vec3 up) {
 
 void SeenCorners::find(std::span<const SceneVertex> vertices, const PartPlace& place, const SampleGrid& grid,
                        const RayTable* rays) {
-    count_ = vertices.size();
-    if (numbers_.size() < rows * count_) numbers_.resize(rows * count_);
-    const auto count = static_cast<int>(count_);
+    static_assert(vector == together);
+    count_ = vertices.size(), stride_ = (count_ + vector - 1) / vector * vector, behind_ = 0;
+    if (count_ == 0) return;
+    if (numbers_.size() < rows * stride_) numbers_.resize(rows * stride_);
+    const auto count = static_cast<int>(stride_);
     float *const x = row(0), *const y = row(1), *const z = row(2);
-    for (std::size_t i = 0; i < count_; ++i) {
-        const auto& position = vertices[i].position;
+    for (std::size_t i = 0; i < stride_; ++i) {
+        const auto& position = vertices[std::min(i, count_ - 1)].position;
         x[i] = position[0], y[i] = position[1], z[i] = position[2];
     }
     int behind = 0;
     if (rays == nullptr) {
         behind = find_straight(count, place, grid, x, y, z, row(3), row(4));
     } else {
-        if (cells_.size() < count_) cells_.resize(count_), rays_.resize(4 * count_);
+        if (cells_.size() < stride_) cells_.resize(stride_), rays_.resize(4 * stride_);
         const RayTable::Rows& places = rays->row_places();
         const TablePlaces table{static_cast<float>(1 / rays->column_step()),
                                 static_cast<float>(places.a / (2 * places.b)),
                                 static_cast<float>(1 / places.b), static_cast<float>(places.first)};
         float *const column_share = row(3), *const row_share = row(4);
-        find_places(count, place, table, x, y, z, cells_.data(), column_share, row_share);
-        look_up(count, rays->cells().data()->data(), cells_.data(), column_share, row_share, rays_.data());
+        find_places(count, place, table, x, y, z, row(5), row(6), cells_.data(), column_share, row_share);
+        look_up(static_cast<int>(count_), rays->cells().data()->data(), cells_.data(), column_share,
+                row_share, rays_.data());
+        for (std::size_t i = count_; i < stride_; ++i)
+            std::copy_n(&rays_[4 * (count_ - 1)], 4, &rays_[4 * i]);
         behind = bend(count, rays_.data(), place.up_seen, grid, x, y, z, row(3), row(4), row(5), row(6));
     }
+    if (z[count_ - 1] <= near_end) behind -= static_cast<int>(stride_ - count_);
     behind_ = static_cast<std::size_t>(behind);
 }
 

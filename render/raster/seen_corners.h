@@ -51,10 +51,12 @@ class SeenCorners {
 
   private:
     static constexpr std::size_t rows = 7;
-    const float* row(std::size_t i) const { return numbers_.data() + i * count_; }
-    float* row(std::size_t i) { return numbers_.data() + i * count_; }
+    /// Rows are whole vectors: what is behind the corners repeats the last one.
+    static constexpr std::size_t vector = 16;
+    const float* row(std::size_t i) const { return numbers_.data() + i * stride_; }
+    float* row(std::size_t i) { return numbers_.data() + i * stride_; }
 
-    std::size_t count_ = 0, behind_ = 0;
+    std::size_t count_ = 0, stride_ = 0, behind_ = 0;
     std::vector<float> numbers_;
     std::vector<std::int32_t> cells_;  ///< of a ray table, of each
     std::vector<float> rays_;          ///< what it says of each
