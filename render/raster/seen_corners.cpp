@@ -76,6 +76,7 @@ void find_places(int count, const PartPlace place, const TablePlaces table, floa
 }
 
 /// What a table says of each: all four numbers of a cell at once, since a processor gathers them one by one.
+ECHOLOOP_SIMD
 void look_up(int count, const float* __restrict cells, const std::int32_t* __restrict cell_of,
              const float* __restrict column_share, const float* __restrict row_share,
              float* __restrict rays) {
@@ -151,10 +152,12 @@ void SeenCorners::find(std::span<const SceneVertex> vertices, const PartPlace& p
     if (numbers_.size() < rows * stride_) numbers_.resize(rows * stride_);
     const auto count = static_cast<int>(stride_);
     float *const x = row(0), *const y = row(1), *const z = row(2);
-    for (std::size_t i = 0; i < stride_; ++i) {
-        const auto& position = vertices[std::min(i, count_ - 1)].position;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const auto& position = vertices[i].position;
         x[i] = position[0], y[i] = position[1], z[i] = position[2];
     }
+    for (float* const coordinate : {x, y, z})
+        std::fill(coordinate + count_, coordinate + stride_, coordinate[count_ - 1]);
     int behind = 0;
     if (rays == nullptr) {
         behind = find_straight(count, place, grid, x, y, z, row(3), row(4));
