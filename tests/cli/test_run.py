@@ -32,7 +32,8 @@ class Run(ProgramTest):
         self.assertFalse(link.is_symlink())
 
     def test_a_unit_that_sends_no_pings_is_summed_up_by_its_messages(self):
-        unit = ("--set", "devices.ins.endpoints=['udp://127.0.0.1:9']")
+        ports = ["udp://127.0.0.1:9", *(f"pty:{self.folder}/{name}" for name in ("tss1", "em3000"))]
+        unit = ("--set", f"devices.ins.endpoints={ports}")
         text = self.good("run", str(ROOT / "config" / "ins.yaml"), "--duration", "1", *unit)
         self.assertRegex(text, r"(?m)^ins +[1-9][0-9]* messages; it is no sonar and sends no pings$")
         self.assertNotIn("late", text)

@@ -69,6 +69,10 @@ class Emulator:
 
     def __exit__(self, *_):
         if self.process.poll() is None:
-            self.process.kill()
-            self.process.communicate()
+            self.process.terminate()  # so that it takes its links away
+            try:
+                self.process.communicate(timeout=5)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+                self.process.communicate()
         shutil.rmtree(self.folder, ignore_errors=True)
