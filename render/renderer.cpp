@@ -101,7 +101,7 @@ class Renderer::Impl {
 
     /// Whether a ping is worth waking other threads for, and there are processors for them.
     bool together(const Shot& shot) const {
-        constexpr std::size_t worth_it = 16'384;
+        constexpr std::size_t worth_it = 16'384;  // values: own choice, between heads and fans
         return options_.drawing_threads > 1 && shot.beams() * shot.bins >= worth_it;
     }
 

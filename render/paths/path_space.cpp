@@ -19,7 +19,8 @@ namespace {
 
 /// m, by how much the curved surfaces of a large scene may be off where indirect echoes meet them, in the
 /// root mean square by a third of that. Fewer triangles stay in the processor's caches, and what a ray costs
-/// is waiting for memory; with 5 cm the nearest bottom's indirect echoes are 0.3 dB off.
+/// there is waiting for memory, by our reading of the times; with 5 cm the nearest bottom's indirect echoes
+/// are 0.3 dB off.
 double tolerance_in(const Scene& scene) {
     constexpr std::size_t large = 500'000;  // triangles
     constexpr double of_size = 2e-4, most = 0.035;
