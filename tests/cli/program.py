@@ -51,21 +51,22 @@ class ProgramTest(unittest.TestCase):
         path.write_text(text.replace("TANK", str(ROOT / "config" / "scenes" / "tank.glb")))
         return path
 
-    def on_a_terminal(self, *arguments, **environment):
-        """What a run that must succeed writes to stderr, which is a terminal."""
+    def on_a_terminal(self, *arguments, streams=("stderr",), status=0, **environment):
+        """What a run writes to its `streams`, which are one terminal. It must end with `status`."""
         master, slave = os.openpty()
-        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                   stderr=slave, env={**os.environ, **environment})
+        outputs = {"stdout": subprocess.PIPE, **dict.fromkeys(streams, slave)}
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL, **outputs,
+                                   env={**os.environ, **environment})
         os.close(slave)
         shown = b""
         try:
-            while piece := os.read(master, 65536):
+            while piece := os.read(master, 65536):  # a terminal hands over what is written piece by piece
                 shown += piece
         except OSError:  # the other end is closed
             pass
         os.close(master)
         process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 0, shown)
+        self.assertEqual(process.returncode, status, shown)
         return shown.decode()
 
     def shared(self, *parts):

@@ -106,7 +106,10 @@ class Run(ProgramTest):
             os.write(line, frame + struct.pack("<H", sum(frame)))
             for now in (0, 0.4):  # s; the kernel keeps some 13 kB, which are eleven pings of 25
                 os.write(simulator, b'{"now": %.1f}\n' % now)
-                self.assertIn(b'"ack"', os.read(simulator, 4096))
+                answer = b""
+                while b"\n" not in answer:
+                    answer += os.read(simulator, 4096)
+                self.assertIn(b'"ack"', answer)
             process.send_signal(signal.SIGINT)
             output, errors = process.communicate(timeout=60)
             os.close(line)

@@ -1,5 +1,4 @@
 """Help, usage errors, exit statuses and colours."""
-import os
 import subprocess
 import unittest
 
@@ -39,16 +38,8 @@ class Usage(ProgramTest):
         self.assertIn(b"cannot write to standard output", done.stderr)
 
     def test_errors_are_red_on_a_terminal_only_and_never_with_NO_COLOR(self):
-        def on_terminal(**environment):
-            master, slave = os.openpty()
-            subprocess.run([PROGRAM, "nonsense"], stderr=slave, env={**os.environ, **environment}, check=False)
-            os.close(slave)
-            text = os.read(master, 4096)
-            os.close(master)
-            return text
-
-        self.assertIn(b"\x1b[1;31merror", on_terminal(NO_COLOR=""))
-        self.assertNotIn(b"\x1b", on_terminal(NO_COLOR="1"))
+        self.assertIn("\x1b[1;31merror", self.on_a_terminal("nonsense", status=64, NO_COLOR=""))
+        self.assertNotIn("\x1b", self.on_a_terminal("nonsense", status=64, NO_COLOR="1"))
         self.assertNotIn(b"\x1b", run("nonsense").stderr)
 
 

@@ -112,17 +112,9 @@ class Validate(ProgramTest):
         self.assertIn("cannot create", self.bad(73, "validate", "--report", "/proc/x.md"))
 
     def test_colours_are_for_terminals(self):
-        def on_terminal(**environment):
-            master, slave = os.openpty()
-            subprocess.run([PROGRAM, "validate", "--only", "V14"], stdout=slave, stderr=slave,
-                           env={**os.environ, **environment}, check=True)
-            os.close(slave)
-            text = os.read(master, 65536)
-            os.close(master)
-            return text
-
-        self.assertIn(b"\x1b[32mpass", on_terminal(NO_COLOR=""))
-        self.assertNotIn(b"\x1b[32m", on_terminal(NO_COLOR="1"))
+        check = ("validate", "--only", "V14")
+        self.assertIn("\x1b[32mpass", self.on_a_terminal(*check, streams=("stdout", "stderr"), NO_COLOR=""))
+        self.assertNotIn("\x1b[32m", self.on_a_terminal(*check, streams=("stdout", "stderr"), NO_COLOR="1"))
 
 
 if __name__ == "__main__":

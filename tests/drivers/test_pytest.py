@@ -30,7 +30,7 @@ def test_a_driver_that_expects_another_version(echoloop):
     line = os.open(sonar.line, os.O_RDWR | os.O_NOCTTY)
     tty.setraw(line)
     os.write(line, b"BR\\x02\\x00\\x06\\x00\\x00\\x00\\x05\\x00\\xa1\\x00")  # asks for the version of the protocol
-    assert os.read(line, 14)[8] == 77
+    assert os.fdopen(line, "rb").read(14)[8] == 77
 """
 
 EVERYTHING = """
