@@ -152,19 +152,24 @@ const float* BeamChain::speckle_of(std::size_t beam, double place, std::span<con
     return fields_[speckle].heard.data();
 }
 
-/// What floats in the water is elsewhere at every ping: the numbers of that share of the echo are new.
+/// What floats in the water is elsewhere at every ping: the numbers of that share of the echo are new. Mostly
+/// it is heard right before the array only.
 void BeamChain::renew_speckle(std::size_t beam, const FreshPower& fresh, std::span<const float> values) {
     constexpr float least = 0.05F;  // of all power; what is less is not seen to stay
-    const std::size_t bins = plan_->bins;
     fresh_.resize(fresh.steps.size() * fresh.bins_per_step);
     for (std::size_t k = 0; k < fresh.steps.size(); ++k)
         std::fill_n(&fresh_[k * fresh.bins_per_step], fresh.bins_per_step,
                     static_cast<float>(plan_->power_gain) * fresh.steps[k]);
-    if (!kernels::is_part(fresh_.data(), values.data(), least, static_cast<float>(plan_->noise_power), bins))
-        return;
-    hear(fresh_speckle, plan_->grid.place_of(ping_.bearings[beam]), {0, bins});
-    kernels::renew(fresh_.data(), values.data(), fields_[fresh_speckle].heard.data(), bins,
-                   fields_[speckle].heard.data());
+    const double place = plan_->grid.place_of(ping_.bearings[beam]);
+    for (std::size_t first = 0; first < plan_->bins; first += part_size) {
+        const std::size_t count = std::min(part_size, plan_->bins - first);
+        if (!kernels::is_part(&fresh_[first], &values[first], least, static_cast<float>(plan_->noise_power),
+                              count))
+            continue;
+        hear(fresh_speckle, place, {first, count});
+        kernels::renew(&fresh_[first], &values[first], &fields_[fresh_speckle].heard[first], count,
+                       &fields_[speckle].heard[first]);
+    }
 }
 
 /// Noise knows no world: its cells turn with the sonar.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "render/acoustics/vector_math.h"
 
@@ -179,33 +181,26 @@ ECHOLOOP_SIMD void limit(float most, std::size_t count, float* values) {
     for (std::size_t i = 0; i < count; ++i) values[i] = std::min(std::max(values[i], -most), most);
 }
 
-/// Part of shift(): a pair in memory keeps the loop from becoming vectors. A least and a greatest for each
-/// lane, as without -ffast-math no compiler takes apart one of all.
-ECHOLOOP_SIMD void shift_and_bound(float by, std::size_t count, float* places, float* least, float* most) {
-    constexpr std::size_t lanes = 16;
-    float low[lanes], high[lanes];
-    for (std::size_t k = 0; k < lanes; ++k) low[k] = high[k] = places[0] + by;
-    const std::size_t whole = count / lanes * lanes;
-    for (std::size_t i = 0; i < whole; i += lanes)
-        for (std::size_t k = 0; k < lanes; ++k) {
-            const float place = places[i + k] + by;
-            places[i + k] = place;
-            low[k] = place < low[k] ? place : low[k];
-            high[k] = place > high[k] ? place : high[k];
-        }
-    for (std::size_t i = whole; i < count; ++i) {
-        places[i] += by;
-        low[0] = std::min(low[0], places[i]);
-        high[0] = std::max(high[0], places[i]);
+/// Part of shift(): a pair in memory keeps the loop from becoming vectors, and so do the least and the
+/// greatest of floats. Of whole numbers they do not.
+ECHOLOOP_SIMD void shift_and_bound(float by, std::size_t count, float* __restrict places, std::int32_t* least,
+                                   std::int32_t* most) {
+    std::int32_t low = std::numeric_limits<std::int32_t>::max(), high = std::numeric_limits<std::int32_t>::min();
+    for (std::size_t i = 0; i < count; ++i) {
+        const float place = places[i] + by;
+        places[i] = place;
+        const auto whole = static_cast<std::int32_t>(place);
+        const std::int32_t below = whole - static_cast<std::int32_t>(place < static_cast<float>(whole));
+        low = below < low ? below : low;
+        high = below > high ? below : high;
     }
-    *least = *std::min_element(low, low + lanes);
-    *most = *std::max_element(high, high + lanes);
+    *least = low, *most = high;
 }
 
 std::pair<int, int> shift(float by, std::size_t count, float* places) {
-    float least = 0, most = 0;
+    std::int32_t least = 0, most = 0;
     shift_and_bound(by, count, places, &least, &most);
-    return {static_cast<int>(std::floor(least)), static_cast<int>(std::floor(most))};
+    return {least, most};
 }
 
 ECHOLOOP_SIMD void receive(float limit, std::size_t count, float* power) {
