@@ -77,8 +77,8 @@ PictureScale scale_of(EchoRule rule) {
     return rule == EchoRule::radiometric ? PictureScale{-60, 0.005} : PictureScale{0, 1.0 / 65535};
 }
 
-Picture polar_picture(const Scan& scan, std::size_t bins) {
-    Picture picture{scan.bearings.size(), bins, {}, {}};
+CountPicture polar_picture(const Scan& scan, std::size_t bins) {
+    CountPicture picture{scan.bearings.size(), bins, {}, {}};
     picture.counts.resize(scan.counts.size());
     picture.labels.resize(scan.labels.size());
     for (std::size_t x = 0; x < picture.width; ++x)
@@ -124,8 +124,8 @@ CartesianMap cartesian_map(std::span<const double> bearings, double width, const
     return map;
 }
 
-Picture cartesian_picture(const CartesianMap& map, const Scan& scan) {
-    Picture picture{map.width, map.height, {}, {}};
+CountPicture cartesian_picture(const CartesianMap& map, const Scan& scan) {
+    CountPicture picture{map.width, map.height, {}, {}};
     for (const CartesianMap::Spot& spot : map.spots) {
         std::size_t loudest = spot.first;
         for (std::size_t i = spot.first; i < spot.first + spot.count; ++i)

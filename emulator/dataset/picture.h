@@ -24,7 +24,7 @@ struct RangeAxis {
     std::size_t bins = 0;
 };
 
-struct Picture {
+struct CountPicture {
     std::size_t width = 0, height = 0;
     std::vector<std::uint16_t> counts, labels;  ///< row by row from the top
 };
@@ -36,7 +36,7 @@ struct Scan {
 };
 
 /// Range downwards from the nearest bin, a column for each beam.
-Picture polar_picture(const Scan& scan, std::size_t bins);
+CountPicture polar_picture(const Scan& scan, std::size_t bins);
 
 /// From above, the sonar's axis up and starboard to the right: which bins each pixel shows.
 struct CartesianMap {
@@ -53,12 +53,12 @@ struct CartesianMap {
 CartesianMap cartesian_map(std::span<const double> bearings, double width, const RangeAxis& axis,
                            bool all_round);
 /// Of the bins in a pixel, the loudest.
-Picture cartesian_picture(const CartesianMap& map, const Scan& scan);
+CountPicture cartesian_picture(const CartesianMap& map, const Scan& scan);
 
 /// Rows of beams as they look ahead, the highest at the top: the loudest bin of each, and its range in steps
 /// of 1 mm, or of 1 cm where 65 m are not enough.
 struct FrontPictures {
-    Picture levels;
+    CountPicture levels;
     std::vector<std::uint16_t> ranges;
     double metres_per_count = 0.001;
 };

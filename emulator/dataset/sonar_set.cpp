@@ -193,7 +193,7 @@ Json SonarSet::draw_scan(const PingTruth& ping) {
                              {"origin", {from_above.origin_x, from_above.origin_y}}};
     }
     if (kind_ == Kind::fan) {
-        const Picture polar = polar_picture(gathered_->scan, arrays_->axis.bins);
+        const CountPicture polar = polar_picture(gathered_->scan, arrays_->axis.bins);
         put_picture("polar", polar, {});
         if (!apart) put_picture("cartesian", cartesian_picture(map(), gathered_->scan), {});
     }
@@ -229,7 +229,7 @@ void SonarSet::finish_picture() {
     gathered_.reset();
 }
 
-void SonarSet::put_picture(const char* kind, const Picture& picture, Json more) {
+void SonarSet::put_picture(const char* kind, const CountPicture& picture, Json more) {
     const std::string file = file_of(kind);
     files_.place.put(file, grey_png(picture.counts, picture.width, picture.height));
     more["sonar"] = name_, more["kind"] = kind;

@@ -78,7 +78,7 @@ class SonarSet {
     nlohmann::ordered_json places(const PingTruth& ping, std::size_t column);
     const CartesianMap& map();
     void finish_picture();
-    void put_picture(const char* kind, const Picture& picture, nlohmann::ordered_json more);
+    void put_picture(const char* kind, const CountPicture& picture, nlohmann::ordered_json more);
     void finish_ping();
     std::string file_of(const char* kind) const;
 

@@ -17,7 +17,7 @@
 #include "render/acoustics/range_correlation.h"
 #include "render/acoustics/ring_down.h"
 #include "render/acoustics/row_fields.h"
-#include "render/acoustics/view.h"
+#include "render/acoustics/scatterer_view.h"
 
 namespace echoloop {
 
@@ -62,14 +62,14 @@ struct ChainPlan {
 /// A row of cells, and how the sonar sees it.
 struct CellRow {
     RowShare share;
-    View view;
+    ScattererView view;
     float echo, noise;  ///< weights, whose squares each add up to 1 over the rows that a row of beams hears
 };
 
 /// What changes from ping to ping.
 struct ChainPing {
     std::uint64_t key = 0, ping = 0;
-    View view;
+    ScattererView view;
     double pan = 0;
     std::span<const double> bearings;
     double source_level = 0;      ///< dB re 1 uPa at 1 m
@@ -109,10 +109,10 @@ class BeamChain {
     };
     const float* field_of(Kind kind, std::uint32_t cell);
     void fill(Kind kind, std::uint32_t cell, std::vector<float>& out);
-    void fill_from(const View& view, std::uint64_t key, Kind kind, std::uint32_t cell,
+    void fill_from(const ScattererView& view, std::uint64_t key, Kind kind, std::uint32_t cell,
                    std::vector<float>& out);
-    void fill_layers(const View& view, std::uint64_t key, Kind kind, std::uint32_t cell, std::size_t before,
-                     std::size_t count);
+    void fill_layers(const ScattererView& view, std::uint64_t key, Kind kind, std::uint32_t cell,
+                     std::size_t before, std::size_t count);
     void mix_rows(Kind kind, std::uint32_t cell, std::vector<float>& out);
     void hear(Kind kind, double place, Part part);
     void hear_leaning(double place, Part part);

@@ -55,7 +55,7 @@ void BeamChain::mix_rows(Kind kind, std::uint32_t cell, std::vector<float>& out)
     kernels::weighted_sum(fields, weights, used, plan_->bins, out.data());
 }
 
-void BeamChain::fill_from(const View& view, std::uint64_t key, Kind kind, std::uint32_t cell,
+void BeamChain::fill_from(const ScattererView& view, std::uint64_t key, Kind kind, std::uint32_t cell,
                           std::vector<float>& out) {
     const LineFilter& filter = (kind == noise ? plan_->noise : plan_->echo).bins;
     const bool filters = !filter.is_identity();
@@ -76,7 +76,7 @@ void BeamChain::fill_from(const View& view, std::uint64_t key, Kind kind, std::u
 }
 
 /// White numbers at ranges fixed to the world, between two layers of them; into padded_.
-void BeamChain::fill_layers(const View& sonar, std::uint64_t key, Kind kind, std::uint32_t cell,
+void BeamChain::fill_layers(const ScattererView& sonar, std::uint64_t key, Kind kind, std::uint32_t cell,
                             std::size_t before, std::size_t count) {
     const CellView view = sonar.of(cell, cell * plan_->grid.cell_width());
     const double place = (plan_->first_range + view.shift) / plan_->bin_length;

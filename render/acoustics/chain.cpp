@@ -51,7 +51,7 @@ class AcousticChain::Impl {
         const ChainPlan& plan = plan_for(shot, sound_speed);
         const ChainPing ping{shot.random_key,
                              shot.ping,
-                             View(shot, pose, sound_speed / shot.frequency),
+                             ScattererView(shot, pose, sound_speed / shot.frequency),
                              shot.pan,
                              shot.bearings,
                              shot.source_level,
@@ -114,8 +114,8 @@ class AcousticChain::Impl {
                          of_noise = plan.noise.upright.weight(share.distance);
             echo += of_echo * of_echo;
             noise += of_noise * of_noise;
-            out.push_back({share, View(shot, pose, sound_speed / shot.frequency), static_cast<float>(of_echo),
-                           static_cast<float>(of_noise)});
+            out.push_back({share, ScattererView(shot, pose, sound_speed / shot.frequency),
+                           static_cast<float>(of_echo), static_cast<float>(of_noise)});
         }
         for (CellRow& row : out) {
             row.echo /= static_cast<float>(std::sqrt(echo));

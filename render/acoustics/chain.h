@@ -68,7 +68,8 @@ class AcousticChain {
     /// length c tau / 2 (CW) or c / (2 B) (chirp), whatever the bin size; off: left as it is. A CW echo
     /// begins at its range, a compressed chirp lies around it (see PulseShape). Speckle's random numbers are
     /// a function of shot.random_key and of the pose: the same view gives the same speckle, one moved a
-    /// little nearly the same (see View). Noise, and speckle of `fresh`, are keyed by shot.ping as well.
+    /// little nearly the same (see ScattererView). Noise, and speckle of `fresh`, are keyed by shot.ping as
+    /// well.
     double apply(const Shot& shot, const Pose& world_from_sonar, double sound_speed,
                  std::span<const PointEcho> points, std::span<float> values, FreshPower fresh = {},
                  const RowShares* rows = nullptr);

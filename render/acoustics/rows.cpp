@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "render/acoustics/random.h"
-#include "render/acoustics/view.h"
+#include "render/acoustics/scatterer_view.h"
 
 namespace echoloop {
 namespace {

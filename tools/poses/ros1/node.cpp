@@ -120,7 +120,7 @@ class Ros1Node::Listener {
     std::vector<ros::Subscriber> subscribers_;
     ros::Publisher answers_;
     bool answered_ = false;
-    Transforms transforms_;
+    Ros1Transforms transforms_;
     std::set<std::string> said_;
 };
 

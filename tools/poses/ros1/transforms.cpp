@@ -20,13 +20,13 @@ geometry_msgs::TransformStamped message(const BodyPose& edge) {
 
 }  // namespace
 
-bool Transforms::add(const std::vector<BodyPose>& edges, bool fixed) {
+bool Ros1Transforms::add(const std::vector<BodyPose>& edges, bool fixed) {
     bool taken = true;
     for (const auto& edge : edges) taken &= frames_.setTransform(message(edge), "ros", fixed);
     return taken;
 }
 
-std::optional<BodyPose> Transforms::newest(const Source& source, std::string& why) {
+std::optional<BodyPose> Ros1Transforms::newest(const Source& source, std::string& why) {
     try {
         const auto found = frames_.lookupTransform(world_, source.entry, ros::Time(0));
         const auto stamp = stamp_of(found.header.stamp.sec, found.header.stamp.nsec);

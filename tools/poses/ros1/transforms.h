@@ -11,9 +11,9 @@
 
 namespace echoloop::poses {
 
-class Transforms {
+class Ros1Transforms {
   public:
-    explicit Transforms(std::string world) : world_(std::move(world)) {}
+    explicit Ros1Transforms(std::string world) : world_(std::move(world)) {}
 
     /// False if tf2 takes one of them for nonsense. `fixed`: they hold for all times.
     bool add(const std::vector<BodyPose>& edges, bool fixed);

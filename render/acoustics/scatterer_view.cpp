@@ -1,4 +1,4 @@
-#include "render/acoustics/view.h"
+#include "render/acoustics/scatterer_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ BeamKernel noise_kernel(const Shot& shot, double looks) {
     return kernel_of(1.2, -1, looks);
 }
 
-View::View(const Shot& shot, const Pose& world_from_sonar, double wavelength)
+ScattererView::ScattererView(const Shot& shot, const Pose& world_from_sonar, double wavelength)
     : tilt_(shot.tilt),
       position_(world_from_sonar.position),
       up_(rotate(world_from_sonar.orientation, {0, 0, 1})),
@@ -103,7 +103,7 @@ View::View(const Shot& shot, const Pose& world_from_sonar, double wavelength)
     turn_ = mounting_ == Mounting::hanging ? twist : -twist;
 }
 
-CellView View::of(std::uint32_t cell, double direction) const {
+CellView ScattererView::of(std::uint32_t cell, double direction) const {
     const std::uint64_t hash = mix(0, cell);
     const auto sign = [&](int bit) { return (hash >> bit) % 2 == 0 ? 1.0 : -1.0; };
     const double pace = pace_[cell % 2], c = std::cos(direction), s = std::sin(direction);

@@ -48,11 +48,11 @@ struct CellView {
     double shift = 0;                   ///< m that the sonar has moved towards the cell
 };
 
-class View {
+class ScattererView {
   public:
-    View() = default;
+    ScattererView() = default;
     /// `wavelength` in m.
-    View(const Shot& shot, const Pose& world_from_sonar, double wavelength);
+    ScattererView(const Shot& shot, const Pose& world_from_sonar, double wavelength);
 
     /// rad, from the cells' reference to the sonar's own bearing 0, clockwise.
     double turn() const { return turn_; }
