@@ -60,19 +60,22 @@ void BeamChain::fill_from(const ScattererView& view, std::uint64_t key, Kind kin
     const LineFilter& filter = (kind == noise ? plan_->noise : plan_->echo).bins;
     const bool filters = !filter.is_identity();
     const std::size_t before = filters ? filter.before() : 0, count = before + plan_->bins;
-    padded_.resize(filters ? filter.room(plan_->bins) : count);
+    const std::size_t room = filters ? filter.room(plan_->bins) : count;
     out.resize(plan_->bins);
+    std::span<float> white;
     if (kind == noise || kind == fresh_speckle) {
-        white_.resize(normals_room(count));
+        white_.resize(normals_room(room));
         const std::size_t at = normals({key, ping_.ping, cell, kind}, 0, count, white_.data());
-        std::copy_n(white_.data() + at, count, padded_.data());
+        white = std::span(white_).subspan(at, room);
     } else {
+        padded_.resize(room);
         fill_layers(view, key, kind, cell, before, count);
+        white = std::span(padded_).first(room);
     }
     if (filters)
-        filter.apply(padded_, plan_->bins, out.data(), scratch_);
+        filter.apply(white, plan_->bins, out.data(), scratch_);
     else
-        std::copy_n(padded_.data(), count, out.data());
+        std::ranges::copy(white, out.begin());
 }
 
 /// White numbers at ranges fixed to the world, between two layers of them; into padded_.

@@ -83,7 +83,7 @@ void convolve(const float* in, std::size_t count, const float* taps, std::size_t
 /// data[j] = weight * (sum of the `length` bins that end at j), in place, by sums from block borders (van
 /// Herk, Pattern Recognition Letters 13 (1992) 517): no term is ever subtracted, so a loud echo leaves no
 /// rounding error behind.
-void box_sum(std::vector<float>& data, std::size_t length, float weight, std::vector<float>& scratch) {
+void box_sum(std::span<float> data, std::size_t length, float weight, std::vector<float>& scratch) {
     const std::size_t count = data.size();
     scratch.resize(std::max(scratch.size(), 2 * count));
     float *head = scratch.data(),
@@ -129,7 +129,7 @@ std::size_t LineFilter::after() const {
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(-first_, 0));
 }
 
-void LineFilter::apply(std::vector<float>& padded, std::size_t count, float* out,
+void LineFilter::apply(std::span<float> padded, std::size_t count, float* out,
                        std::vector<float>& scratch) const {
     if (box_ > 0) {
         scratch.resize(std::max(scratch.size(), 3 * padded.size()));

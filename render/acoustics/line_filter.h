@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace echoloop {
@@ -25,7 +26,7 @@ class LineFilter {
 
     /// `padded` holds before() bins, then `count` bins that belong to the output, then after() bins, and has
     /// room for room(count) floats; it is overwritten. `out` has room for `count`.
-    void apply(std::vector<float>& padded, std::size_t count, float* out, std::vector<float>& scratch) const;
+    void apply(std::span<float> padded, std::size_t count, float* out, std::vector<float>& scratch) const;
     std::size_t room(std::size_t count) const { return before() + count + after() + tile; }
 
     static constexpr std::size_t tile = 32;  ///< outputs at a time

@@ -34,7 +34,7 @@ constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
 std::array<std::uint32_t, 4> threefry(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 4> key);
 
 /// Floats that a buffer for normals() needs for so many numbers.
-constexpr std::size_t normals_tile = 32;
+constexpr std::size_t normals_tile = 64;
 constexpr std::size_t normals_room(std::size_t count) { return count + 2 * normals_tile; }
 
 /// Normal numbers of mean 0 and variance 1 (Box & Muller, 1958), two from each word: 23 bits of radius, 4096

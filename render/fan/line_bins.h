@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 #include "render/fan/filled_bins.h"
 #include "render/simd.h"
@@ -59,7 +61,14 @@ class LineBins {
     }
 
     void clear() {
-        for (std::size_t i = begin_; i < end_; ++i) values_[i] = 0;
+        // Only where something is: that is half of a usual line, or less.
+        for (std::uint64_t left = filled_.bits; left != 0;) {
+            const int from = std::countr_zero(left), stretches = std::countr_one(left >> from);
+            const std::size_t first = std::max(static_cast<std::size_t>(from) << shift_, begin_),
+                              last = std::min(static_cast<std::size_t>(from + stretches) << shift_, end_);
+            if (first < last) std::fill(values_ + first, values_ + last, 0.0F);
+            left = from + stretches < 64 ? left >> (from + stretches) << (from + stretches) : 0;
+        }
         begin_ = bins_;
         end_ = 0;
         filled_ = {0};

@@ -93,14 +93,25 @@ void LineSums::look_at_sectors() {
     for (LineBins& sector : sectors_) sector.look_at(0, bins_);
 }
 
+void LineSums::clear_row(LineBins& bins, float* steps) {
+    bins.clear();
+    std::fill_n(steps, 2 * steps_, 0.0F);
+}
+
+void LineSums::clear_line(std::size_t i) { clear_row(lines_[i], line_steps(i)); }
+
+void LineSums::clear_sectors() {
+    for (std::size_t i = 0; i < sectors_.size(); ++i) clear_row(sectors_[i], sector_steps(i));
+}
+
 void LineSums::resize(std::size_t lines, std::size_t sectors, std::size_t bins, std::size_t steps) {
-    if (bins == bins_ && steps == steps_ && lines == lines_.size() && sectors == sectors_.size()) {
-        for (auto* rows : {&lines_, &sectors_})
-            for (LineBins& row : *rows) row.clear();
-        for (std::size_t i = 0; steps > 0 && i < lines + sectors; ++i)
-            std::fill_n(line_steps(i), 2 * steps, 0.0F);
-        return;
-    }
+    fit(lines, sectors, bins, steps);
+    for (std::size_t i = 0; i < lines; ++i) clear_line(i);
+    clear_sectors();
+}
+
+void LineSums::fit(std::size_t lines, std::size_t sectors, std::size_t bins, std::size_t steps) {
+    if (bins == bins_ && steps == steps_ && lines == lines_.size() && sectors == sectors_.size()) return;
     bins_ = bins, steps_ = steps;
     static_assert(bins_at_once <= floats_per_line);
     std::size_t floats = (lines + sectors) * stride() + floats_per_line;

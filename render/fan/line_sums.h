@@ -15,6 +15,11 @@ class LineSums {
   public:
     /// `steps`: of the water's volume and of its surface, behind the bins of each row.
     void resize(std::size_t lines, std::size_t sectors, std::size_t bins, std::size_t steps = 0);
+    /// The same, but rows may hold what they did, for who clears each right before it is filled, on the
+    /// thread that does so.
+    void fit(std::size_t lines, std::size_t sectors, std::size_t bins, std::size_t steps);
+    void clear_line(std::size_t i);
+    void clear_sectors();
     LineBins& line(std::size_t i) { return lines_[i]; }
     LineBins& sector(std::size_t i) { return sectors_[i]; }
     /// Of the whole rows, their steps among them.
@@ -41,6 +46,7 @@ class LineSums {
 
   private:
     static constexpr std::size_t floats_per_line = 16;
+    void clear_row(LineBins& bins, float* steps);
     FilledBins filled_steps() const {
         return FilledBins::within(bins_, length(), FilledBins::shift_of(length()));
     }

@@ -141,18 +141,20 @@ class FanSumming final : public Summing {
     /// The surround's pixels go to sectors, each of which is added up by one thread; it takes longest and
     /// goes first.
     void add_levels(const BinningInput& in, const BinGain& gain, Amount amount, bool with_surround = false) {
-        sums_.resize(in.plan.lines, in.plan.far_lobes.sectors, in.bins,
-                     in.water != nullptr ? in.water->steps().count : 0);
+        sums_.fit(in.plan.lines, in.plan.far_lobes.sectors, in.bins,
+                  in.water != nullptr ? in.water->steps().count : 0);
         const auto pieces = cut(std::span(in.plan.views).first(in.plan.level_views));
         const auto add = [&](const Piece& piece) {
             thread_local LineReader reader;
             reader.restart();
             for (std::size_t line = piece.first; line < piece.last; ++line) {
                 const std::size_t number = piece.view->first_line + line;
+                sums_.clear_line(number);
                 add_level_line(in, gain, amount, *piece.view, line, reader, sums_.line(number),
                                sums_.steps() > 0 ? sums_.line_steps(number) : nullptr);
             }
         };
+        if (!with_surround) sums_.clear_sectors();
         const std::size_t before = with_surround && pieces.size() > 1 ? 1 : 0;  // a beam's is too little
         workers_.run(pieces.size() + before, [&](std::size_t i) {
             if (i < before)
@@ -165,6 +167,7 @@ class FanSumming final : public Summing {
 
     void add_surround(const BinningInput& in, const BinGain& gain) {
         LineReader reader;
+        sums_.clear_sectors();
         if (in.water != nullptr) {
             under_way_.resize(in.plan.far_lobes.sectors);
             for (UnderWay& sector : under_way_) sector.reset(*in.water);
