@@ -251,11 +251,9 @@ void BeamSums::sum_turned(const FanPlan& plan, std::size_t first, std::size_t co
     }
 }
 
-void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
-                   std::vector<float>& values, const std::function<void(std::size_t, std::size_t)>& then) {
+/// What the beams need of all lines, and of everything far off their axes.
+void BeamSums::sum_far(const BinningInput& in, LineSums& lines, Workers& workers) {
     const FanPlan& plan = in.plan;
-    const std::size_t bins = lines.length();
-    values.resize(plan.beams.size() * bins);
     find_bearings(plan, in.offset.level);
     stretches_.clear();
     if (turns_lines(in)) {
@@ -267,15 +265,38 @@ void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<fl
         sum_sectors(plan, lines, workers);
     }
     if (plan.far_lobes.sectors > 0) sum_nodes(plan.far_lobes, lines, workers);
-    const std::size_t beams = plan.beams.size();
+}
+
+void BeamSums::sum_some(const BinningInput& in, std::size_t first, std::size_t count, LineSums& lines,
+                        const std::vector<float>& gain, float* out) const {
+    const float* factors = gain.empty() ? nullptr : gain.data();
+    if (stretches_.empty())
+        sum_beams(in.plan, first, count, lines.length(), lines, factors, out);
+    else
+        sum_turned(in.plan, first, count, lines.length(), lines, factors, out);
+}
+
+void BeamSums::sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
+                   std::vector<float>& values) {
+    const std::size_t beams = in.plan.beams.size(), bins = lines.length();
+    values.resize(beams * bins);
+    sum_far(in, lines, workers);
     workers.run((beams + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
+        const std::size_t first = piece * sums_at_once;
+        sum_some(in, first, std::min(sums_at_once, beams - first), lines, gain, &values[first * bins]);
+    });
+}
+
+void BeamSums::sum_into(const BinningInput& in, LineSums& lines, const std::vector<float>& gain,
+                        Workers& workers, const Take& take) {
+    const std::size_t beams = in.plan.beams.size();
+    sum_far(in, lines, workers);
+    workers.run((beams + sums_at_once - 1) / sums_at_once, [&](std::size_t piece) {
+        thread_local std::vector<float> rows;
         const std::size_t first = piece * sums_at_once, count = std::min(sums_at_once, beams - first);
-        const float* factors = gain.empty() ? nullptr : gain.data();
-        if (stretches_.empty())
-            sum_beams(plan, first, count, bins, lines, factors, &values[first * bins]);
-        else
-            sum_turned(plan, first, count, bins, lines, factors, &values[first * bins]);
-        if (then) then(first, count);
+        if (rows.size() < sums_at_once * lines.length()) rows.resize(sums_at_once * lines.length());
+        sum_some(in, first, count, lines, gain, rows.data());
+        take(first, count, rows.data());
     });
 }
 

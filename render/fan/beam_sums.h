@@ -21,12 +21,19 @@ class BeamSums {
     /// `gain` unless that is empty. A line that was sampled off its middle is weighed there, so that the mean
     /// over pings has the pattern itself. Beams of a fan that turns about its upright axis weigh lines by
     /// where they come from when they arrive, in stretches of range in which that is off by a tenth of a
-    /// beam, or 0.025 deg; and so do the far sectors, by a tenth of their spacing. `then`: called with the
-    /// first beam and the number of those that are done, on the thread that did them.
+    /// beam, or 0.025 deg; and so do the far sectors, by a tenth of their spacing.
     void sum(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
-             std::vector<float>& values, const std::function<void(std::size_t, std::size_t)>& then = nullptr);
+             std::vector<float>& values);
+    /// The same, but the sums of `count` beams from `first` on are handed over as `rows`, on the thread that
+    /// made them and while they are in its processor's cache.
+    using Take = std::function<void(std::size_t first, std::size_t count, float* rows)>;
+    void sum_into(const BinningInput& in, LineSums& lines, const std::vector<float>& gain, Workers& workers,
+                  const Take& take);
 
   private:
+    void sum_far(const BinningInput& in, LineSums& lines, Workers& workers);
+    void sum_some(const BinningInput& in, std::size_t first, std::size_t count, LineSums& lines,
+                  const std::vector<float>& gain, float* out) const;
     static void sum_sectors(const FanPlan& plan, LineSums& lines, Workers& workers);
     /// The same of a fan that turns.
     void sum_turned_sectors(const BinningInput& in, LineSums& lines) const;

@@ -222,13 +222,13 @@ FinishedRows::FinishedRows(const Reverberation& water, const std::vector<float>&
     for (std::size_t i = 0; i < bins; ++i) volume_gain_[i] = gain[i] * water.nearness()[i];
 }
 
-void FinishedRows::finish(const std::vector<float>& rows, std::size_t first, std::size_t count) {
+void FinishedRows::finish(const float* rows, std::size_t first, std::size_t count) {
     const RangeSteps& steps = water_.steps();
     const std::size_t bins = volume_gain_.size(), stride = bins + 2 * steps.count;
     const auto per_step = 1 / static_cast<float>(steps.bins);
     thread_local std::vector<float> volume;
     for (std::size_t row = first; row < first + count; ++row) {
-        const float* from = &rows[row * stride];
+        const float* from = rows + (row - first) * stride;
         float* to = &values_[row * bins];
         const float *floating = from + bins, *surface = floating + steps.count;
         float* own = &fresh_[row * steps.count];

@@ -165,8 +165,8 @@ class FinishedRows {
     /// `gain`: of the bins; the steps have none yet. Resizes `values` and `fresh` for so many rows.
     FinishedRows(const Reverberation& water, const std::vector<float>& gain, std::size_t rows,
                  std::vector<float>& values, std::vector<float>& fresh);
-    /// Rows first..first + count - 1 of `rows`; others may be finished at the same time.
-    void finish(const std::vector<float>& rows, std::size_t first, std::size_t count);
+    /// Rows first..first + count - 1, which begin at `rows`; others may be finished at the same time.
+    void finish(const float* rows, std::size_t first, std::size_t count);
 
   private:
     const Reverberation& water_;

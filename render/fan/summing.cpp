@@ -87,12 +87,12 @@ class FanSumming final : public Summing {
             if (in.water == nullptr) return beams_.sum(in, sums_, gain.values(), workers_, values);
             const RangeSteps& steps = in.water->steps();
             FinishedRows finished(*in.water, gain.values(), in.plan.beams.size(), values, fresh);
-            beams_.sum(in, sums_, with_steps(gain.values(), steps), workers_, rows_,
-                       [&](std::size_t first, std::size_t count) {
-                           if (in.motion != nullptr && in.motion->turning != Vec3{})
-                               turn_volume(in, steps, first, count);
-                           finished.finish(rows_, first, count);
-                       });
+            beams_.sum_into(in, sums_, with_steps(gain.values(), steps), workers_,
+                            [&](std::size_t first, std::size_t count, float* rows) {
+                                if (in.motion != nullptr && in.motion->turning != Vec3{})
+                                    turn_volume(in, steps, count, rows);
+                                finished.finish(rows, first, count);
+                            });
             return;
         }
         add_levels(in, gain, Amount::paper_share);
@@ -212,15 +212,14 @@ class FanSumming final : public Summing {
             sector_at(plan, SectorKind::beside, cone_angle(double{path.bearing} - plan.centre, 0)).sector);
     }
 
-    /// What floats in the water is everywhere, so its echo is that of both patterns together. Of beams
-    /// first..first + count - 1.
-    void turn_volume(const BinningInput& in, const RangeSteps& steps, std::size_t first, std::size_t count) {
+    /// What floats in the water is everywhere, so its echo is that of both patterns together. Of so many
+    /// beams.
+    static void turn_volume(const BinningInput& in, const RangeSteps& steps, std::size_t count, float* rows) {
         const std::size_t stride = in.bins + 2 * steps.count;
         for (std::size_t step = 0; step < steps.count; ++step) {
             const double bin = (static_cast<double>(step) + 0.5) * static_cast<double>(steps.bins);
             const auto kept = static_cast<float>(in.motion->kept(in.first_range + bin * in.bin_length));
-            for (std::size_t beam = first; beam < first + count; ++beam)
-                rows_[beam * stride + in.bins + step] *= kept;
+            for (std::size_t beam = 0; beam < count; ++beam) rows[beam * stride + in.bins + step] *= kept;
         }
     }
 
@@ -229,7 +228,7 @@ class FanSumming final : public Summing {
     BeamSums beams_;
     mutable TargetBeams target_beams_;
     std::vector<UnderWay> under_way_;  ///< of each sector
-    std::vector<float> shares_, wanted_, rows_;
+    std::vector<float> shares_, wanted_;
     WantedPower::Stretch everywhere_{};
 };
 

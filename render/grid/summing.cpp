@@ -55,7 +55,7 @@ class GridSumming final : public Summing {
         if (in.water == nullptr) return sum_rows_of(in, gain, plan, gain.values(), values);
         sum_rows_of(in, gain, plan, with_steps(gain.values(), in.water->steps()), rows_);
         const std::size_t beams = rows_.size() / (in.bins + 2 * in.water->steps().count);
-        FinishedRows(*in.water, gain.values(), beams, values, fresh).finish(rows_, 0, beams);
+        FinishedRows(*in.water, gain.values(), beams, values, fresh).finish(rows_.data(), 0, beams);
     }
 
     WantedPower sum_wanted(const BinningInput& in, std::span<const std::size_t> lines) override {

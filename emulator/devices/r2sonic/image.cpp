@@ -25,16 +25,15 @@ Compression plan(std::size_t height, std::size_t have) {
 /// value.
 void compress(const Compression& c, bool paper, const float* power, const float* gain, float* out) {
     const std::size_t n = c.echogram_bins;
-    for (std::size_t b = 0; b < c.bins; ++b) {
-        const float* part = power + b * n;
-        float sum = 0, top = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            sum += part[i];
-            top = std::max(top, part[i]);
+    const auto each = [&](const auto& together) {
+        for (std::size_t b = 0; b < c.bins; ++b) {
+            float all = 0;
+            for (std::size_t i = 0; i < n; ++i) all = together(all, power[b * n + i]);
+            out[b] = all;
         }
-        out[b] = paper ? top : sum;
-    }
-    if (paper) return;
+    };
+    if (paper) return each([](float top, float value) { return std::max(top, value); });
+    each([](float sum, float value) { return sum + value; });
     for (std::size_t b = 0; b < c.bins; ++b) out[b] = std::sqrt(out[b] * gain[b]);
 }
 

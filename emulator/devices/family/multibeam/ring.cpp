@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/simd.h"
+
 namespace echoloop::multibeam {
 namespace {
 
@@ -43,6 +45,16 @@ std::vector<std::size_t> sure_beside(std::span<const char> sure, std::size_t own
     return found;
 }
 
+/// The sum of all beams, and the greatest of them.
+ECHOLOOP_SIMD
+void add_levels(const float* __restrict levels, std::size_t bins, float* __restrict sum,
+                float* __restrict most) {
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+        sum[bin] += levels[bin];
+        most[bin] = std::max(most[bin], levels[bin]);
+    }
+}
+
 }  // namespace
 
 SideLobes::SideLobes(const Echogram& echogram)
@@ -50,13 +62,8 @@ SideLobes::SideLobes(const Echogram& echogram)
     if (shot_.bearings.size() < 2) return;
     const double amplitude = shot_.errors.amplitude / 8.686, phase = shot_.errors.phase;
     const double floor = design + (amplitude * amplitude + phase * phase) / (shaded * shot_.receiver.staves);
-    for (std::size_t beam = 0; beam < echogram.beams(); ++beam) {
-        const float* levels = echogram.beam(beam).data();
-        for (std::size_t bin = 0; bin < likely_.size(); ++bin) {
-            likely_[bin] += levels[bin];
-            possible_[bin] = std::max(possible_[bin], levels[bin]);
-        }
-    }
+    for (std::size_t beam = 0; beam < echogram.beams(); ++beam)
+        add_levels(echogram.beam(beam).data(), shot_.bins, likely_.data(), possible_.data());
     const auto all = static_cast<float>(floor * share_of_one(shot_)), one = static_cast<float>(floor);
     for (std::size_t bin = 0; bin < likely_.size(); ++bin) {
         const float mean = all * likely_[bin], loudest = one * possible_[bin];
