@@ -185,7 +185,8 @@ ECHOLOOP_SIMD void limit(float most, std::size_t count, float* values) {
 /// greatest of floats. Of whole numbers they do not.
 ECHOLOOP_SIMD void shift_and_bound(float by, std::size_t count, float* __restrict places, std::int32_t* least,
                                    std::int32_t* most) {
-    std::int32_t low = std::numeric_limits<std::int32_t>::max(), high = std::numeric_limits<std::int32_t>::min();
+    std::int32_t low = std::numeric_limits<std::int32_t>::max(),
+                 high = std::numeric_limits<std::int32_t>::min();
     for (std::size_t i = 0; i < count; ++i) {
         const float place = places[i] + by;
         places[i] = place;

@@ -95,7 +95,7 @@ Pair box_muller(std::uint32_t radius, std::uint32_t angle) {
     return {either * c, either * s};
 }
 
-constexpr std::size_t pool_size = 8192;               ///< 32 KB, which stay in the processor's caches
+constexpr std::size_t pool_size = 8192;                 ///< 32 KB, which stay in the processor's caches
 constexpr std::size_t row_size = 16, rows_of_tile = 4;  ///< numbers that lie together in the pool
 
 /// Normal numbers once for all, each half of a tile's weight, and the first ones again behind the last. Radii
