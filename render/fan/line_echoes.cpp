@@ -90,28 +90,6 @@ std::uint32_t nearest_bits(const Pixel* pixels, std::size_t count) {
     return nearest + 1;
 }
 
-/// Number of samples from the first on that show one surface.
-ECHOLOOP_SIMD
-std::size_t alike(const float* surface, std::size_t count) {
-    constexpr std::size_t at_once = 32;
-    const float first = surface[0];
-    std::size_t i = 1;
-    for (; i + at_once <= count; i += at_once) {
-        std::int32_t others = 0;
-        for (std::size_t k = 0; k < at_once; ++k) others |= surface[i + k] != first ? 1 : 0;
-        if (others != 0) break;
-    }
-    while (i < count && surface[i] == first) ++i;
-    return i;
-}
-
-ECHOLOOP_SIMD
-int count_below(const float* values, float limit, std::size_t count) {
-    int below = 0;
-    for (std::size_t i = 0; i < count; ++i) below += values[i] < limit ? 1 : 0;
-    return below;
-}
-
 }  // namespace
 
 void LineEchoes::resize(std::size_t samples) {
@@ -121,7 +99,7 @@ void LineEchoes::resize(std::size_t samples) {
 void find_amounts(PixelArrays row, const float* weight, std::span<const StrengthTable* const> strength,
                   std::span<const std::uint8_t> wanted, std::size_t samples, LineEchoes& out) {
     for (std::size_t i = 0; i < samples;) {
-        const std::size_t count = alike(row.surface + i, samples - i);
+        const std::size_t count = count_alike(row.surface + i, samples - i);
         const auto surface = static_cast<std::size_t>(row.surface[i]);
         const bool counts =
             surface > 0 && (wanted.empty() || (surface <= wanted.size() && wanted[surface - 1] != 0));
@@ -145,10 +123,6 @@ void weigh_by_lobe(const LobeTable& lobe, const LineDirections& line, const floa
                    std::size_t samples, float* out) {
     look_up_lobe(lobe.values.data(), static_cast<std::int32_t>(lobe.values.size()) - 2,
                  static_cast<float>(lobe.step), line, weight, static_cast<std::int32_t>(samples), out);
-}
-
-bool any_below(const float* values, float limit, std::size_t samples) {
-    return count_below(values, limit, samples) > 0;
 }
 
 void multiply(const float* factor, std::size_t samples, float* amount) {

@@ -164,7 +164,8 @@ class FanSumming final : public Summing {
     }
 
     void add_surround(const BinningInput& in, const BinGain& gain) {
-        LineReader reader;
+        thread_local LineReader reader;
+        reader.restart();
         if (in.water != nullptr) {
             under_way_.resize(in.plan.far_lobes.sectors);
             for (UnderWay& sector : under_way_) sector.reset(*in.water);
