@@ -34,7 +34,7 @@ void fill_gains(double middle, double length, bool spreading, double power, cons
 ECHOLOOP_SIMD
 int count_nearer(const float* range, float limit, int count) {
     int nearer = 0;
-    for (int i = 0; i < count; ++i) nearer += range[i] < limit ? 1 : 0;
+    for (int i = 0; i < count; ++i) nearer += (range[i] > 0) & (range[i] < limit) ? 1 : 0;
     return nearer;
 }
 

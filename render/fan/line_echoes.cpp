@@ -32,7 +32,7 @@ void look_up_lobe(const float* __restrict values, std::int32_t last, float cell_
                   float* __restrict out) {
     for (std::int32_t i = 0; i < count; ++i) {
         const float y = line.top - static_cast<float>(i) * line.step;
-        const float place = std::abs(line.aside / std::sqrt(line.ahead + y * y)) / cell_width;
+        const float place = std::abs(line.aside) / (cell_width * std::sqrt(line.ahead + y * y));
         const std::int32_t whole = static_cast<std::int32_t>(place), cell = whole < last ? whole : last;
         const float share = std::min(place - static_cast<float>(cell), 1.0F);
         out[i] = weight[i] * (values[cell] + share * (values[cell + 1] - values[cell]));

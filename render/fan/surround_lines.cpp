@@ -82,8 +82,11 @@ void add_echoes(const BinningInput& in, const View& view, const Hearers& by, boo
                 LineReader& reader) {
     const SurroundHearing& hearing = reader.hearing;
     const LineEchoes& echoes = reader.echoes;
-    reader.of_sectors.add({echoes.low.data(), echoes.high.data(), echoes.amount.data(), echoes.slope.data()},
-                          by.first, hearing.sector.data(), hearing.next.data(), view.samples);
+    const EchoArrays arrays{echoes.low.data(), echoes.high.data(), echoes.amount.data(), echoes.slope.data()};
+    if (in.plan.beams.size() == 1)
+        reader.of_sectors.add(arrays, view.samples);
+    else
+        reader.of_sectors.add(arrays, by.first, hearing.sector.data(), hearing.next.data(), view.samples);
     if (!with_surface || !reader.meets_water()) return;
     const float surface = in.water->surface_number(),
                 per_bin = 1 / static_cast<float>(in.water->steps().bins);
