@@ -1,8 +1,8 @@
 // What all echoes of one range bin have in common: source level, spreading and absorption. Knows no pixels.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "render/fan/binning.h"
@@ -11,24 +11,17 @@ namespace echoloop {
 
 class BinGain {
   public:
-    explicit BinGain(const BinningInput& in)
-        : absorption_(-4 * in.absorption),
-          spreading_(in.spreading),
-          first_(in.first_range),
-          length_(in.bin_length) {
-        for (std::size_t bin = 0; bin < in.bins; ++bin)
-            values_.push_back(
-                static_cast<float>(in.source_power * mean(first_ + static_cast<double>(bin) * length_)));
-    }
+    explicit BinGain(const BinningInput& in);
 
     const std::vector<float>& values() const { return values_; }
 
     /// gain at the range itself over that of its bin: what a bin's mean leaves out close to the sonar. 1
     /// farther away.
-    float correction(float range) const {
-        const double bin = std::floor((range - first_) / length_), low = first_ + bin * length_;
-        return static_cast<float>(at(range) / mean(low));
-    }
+    float correction(float range) const;
+    /// Multiplies by it the amounts of what is near and spread over less than a bin, within 5e-7. `range`: m;
+    /// `low`, `high`: bins.
+    void correct(const float* range, const float* low, const float* high, std::size_t count,
+                 float* amount) const;
     /// m; beyond, correction() is within 0.2 % of 1.
     double near_limit() const { return 16 * length_; }
 
@@ -36,7 +29,6 @@ class BinGain {
     double at(double range) const {
         return (spreading_ ? 1 / (range * range) : range * range) * std::exp(absorption_ * range);
     }
-    double mean(double low) const { return at(std::max(low, 0.0) + length_ / 2); }
 
     double absorption_;
     bool spreading_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "render/simd.h"
@@ -10,32 +11,60 @@
 namespace echoloop {
 namespace {
 
-/// StrengthTable::at() of every cosine, times weights where they are above 0. Nothing is looked up under a
-/// condition, and cosines above 1 are cut off last: else the loop does not become vectors.
+/// Where in a table samples lie: cells, and how far into them. So many at once, as their values are fetched
+/// before any of them is used.
+struct Places {
+    static constexpr int most = 128;
+    std::int32_t cell[most];
+    float share[most], pair[2 * most];
+
+    ECHOLOOP_INLINE float at(int i) const { return pair[2 * i] + share[i] * (pair[2 * i + 1] - pair[2 * i]); }
+};
+
+/// A cell's ends lie side by side and are copied as one. In vectors g++ takes them apart.
+#ifdef ECHOLOOP_SIMD_VERSIONS
+__attribute__((optimize("no-tree-vectorize")))
+#endif
+void fetch(const float* values, int count, Places& places) {
+    for (int i = 0; i < count; ++i)
+        std::memcpy(&places.pair[2 * i], values + places.cell[i], 2 * sizeof(float));
+}
+
+/// StrengthTable::at() of every cosine, times weights where they are above 0. Cosines above 1 are cut off
+/// last: else the loop does not become vectors.
 ECHOLOOP_SIMD
 void look_up(const float* __restrict values, const float* __restrict cosine, const float* __restrict weight,
-             std::size_t count, float* __restrict amount) {
+             int count, float* __restrict amount) {
     constexpr auto last = static_cast<std::int32_t>(StrengthTable::cells - 1);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float place = cosine[i] * static_cast<float>(StrengthTable::cells);
-        const std::int32_t whole = static_cast<std::int32_t>(place), cell = whole < last ? whole : last;
-        const float share = std::min(place - static_cast<float>(cell), 1.0F);
-        const float strength = values[cell] + share * (values[cell + 1] - values[cell]);
-        amount[i] = std::max(weight[i], 0.0F) * strength;
+    Places places;
+    for (int begin = 0; begin < count; begin += Places::most) {
+        const int these = std::min(Places::most, count - begin);
+        for (int i = 0; i < these; ++i) {
+            const float place = cosine[begin + i] * static_cast<float>(StrengthTable::cells);
+            const std::int32_t whole = static_cast<std::int32_t>(place), cell = whole < last ? whole : last;
+            places.cell[i] = cell, places.share[i] = std::min(place - static_cast<float>(cell), 1.0F);
+        }
+        fetch(values, these, places);
+        for (int i = 0; i < these; ++i) amount[begin + i] = std::max(weight[begin + i], 0.0F) * places.at(i);
     }
 }
 
 /// LobeTable::at() of each direction's sine off the axis, times weights.
 ECHOLOOP_SIMD
 void look_up_lobe(const float* __restrict values, std::int32_t last, float cell_width,
-                  const LineDirections line, const float* __restrict weight, std::int32_t count,
+                  const LineDirections line, const float* __restrict weight, int count,
                   float* __restrict out) {
-    for (std::int32_t i = 0; i < count; ++i) {
-        const float y = line.top - static_cast<float>(i) * line.step;
-        const float place = std::abs(line.aside / std::sqrt(line.ahead + y * y)) / cell_width;
-        const std::int32_t whole = static_cast<std::int32_t>(place), cell = whole < last ? whole : last;
-        const float share = std::min(place - static_cast<float>(cell), 1.0F);
-        out[i] = weight[i] * (values[cell] + share * (values[cell + 1] - values[cell]));
+    Places places;
+    for (int begin = 0; begin < count; begin += Places::most) {
+        const int these = std::min(Places::most, count - begin);
+        for (int i = 0; i < these; ++i) {
+            const float y = line.top - static_cast<float>(begin + i) * line.step;
+            const float place = std::abs(line.aside) / (cell_width * std::sqrt(line.ahead + y * y));
+            const std::int32_t whole = static_cast<std::int32_t>(place), cell = whole < last ? whole : last;
+            places.cell[i] = cell, places.share[i] = std::min(place - static_cast<float>(cell), 1.0F);
+        }
+        fetch(values, these, places);
+        for (int i = 0; i < these; ++i) out[begin + i] = weight[begin + i] * places.at(i);
     }
 }
 
@@ -90,28 +119,6 @@ std::uint32_t nearest_bits(const Pixel* pixels, std::size_t count) {
     return nearest + 1;
 }
 
-/// Number of samples from the first on that show one surface.
-ECHOLOOP_SIMD
-std::size_t alike(const float* surface, std::size_t count) {
-    constexpr std::size_t at_once = 32;
-    const float first = surface[0];
-    std::size_t i = 1;
-    for (; i + at_once <= count; i += at_once) {
-        std::int32_t others = 0;
-        for (std::size_t k = 0; k < at_once; ++k) others |= surface[i + k] != first ? 1 : 0;
-        if (others != 0) break;
-    }
-    while (i < count && surface[i] == first) ++i;
-    return i;
-}
-
-ECHOLOOP_SIMD
-int count_below(const float* values, float limit, std::size_t count) {
-    int below = 0;
-    for (std::size_t i = 0; i < count; ++i) below += values[i] < limit ? 1 : 0;
-    return below;
-}
-
 }  // namespace
 
 void LineEchoes::resize(std::size_t samples) {
@@ -121,13 +128,13 @@ void LineEchoes::resize(std::size_t samples) {
 void find_amounts(PixelArrays row, const float* weight, std::span<const StrengthTable* const> strength,
                   std::span<const std::uint8_t> wanted, std::size_t samples, LineEchoes& out) {
     for (std::size_t i = 0; i < samples;) {
-        const std::size_t count = alike(row.surface + i, samples - i);
+        const std::size_t count = count_alike(row.surface + i, samples - i);
         const auto surface = static_cast<std::size_t>(row.surface[i]);
         const bool counts =
             surface > 0 && (wanted.empty() || (surface <= wanted.size() && wanted[surface - 1] != 0));
         if (counts)
-            look_up(strength[surface - 1]->values().data(), row.cosine + i, weight + i, count,
-                    &out.amount[i]);
+            look_up(strength[surface - 1]->values().data(), row.cosine + i, weight + i,
+                    static_cast<int>(count), &out.amount[i]);
         else
             std::fill_n(&out.amount[i], count, 0.0F);
         i += count;
@@ -137,18 +144,14 @@ void find_amounts(PixelArrays row, const float* weight, std::span<const Strength
 void find_amounts_alike(PixelArrays row, const float* weight, const StrengthTable* table, std::size_t samples,
                         LineEchoes& out) {
     if (table == nullptr) return keep_weights(row.surface, weight, samples, out.amount.data());
-    look_up(table->values().data(), row.cosine, weight, samples, out.amount.data());
+    look_up(table->values().data(), row.cosine, weight, static_cast<int>(samples), out.amount.data());
     drop_where_nothing_is(row.surface, samples, out.amount.data());
 }
 
 void weigh_by_lobe(const LobeTable& lobe, const LineDirections& line, const float* weight,
                    std::size_t samples, float* out) {
     look_up_lobe(lobe.values.data(), static_cast<std::int32_t>(lobe.values.size()) - 2,
-                 static_cast<float>(lobe.step), line, weight, static_cast<std::int32_t>(samples), out);
-}
-
-bool any_below(const float* values, float limit, std::size_t samples) {
-    return count_below(values, limit, samples) > 0;
+                 static_cast<float>(lobe.step), line, weight, static_cast<int>(samples), out);
 }
 
 void multiply(const float* factor, std::size_t samples, float* amount) {

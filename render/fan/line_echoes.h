@@ -41,8 +41,6 @@ struct LineDirections {
 /// symmetry.
 void weigh_by_lobe(const LobeTable& lobe, const LineDirections& line, const float* weight,
                    std::size_t samples, float* out);
-/// Whether any of the values is.
-bool any_below(const float* values, float limit, std::size_t samples);
 /// amount *= factor.
 void multiply(const float* factor, std::size_t samples, float* amount);
 /// Fills low, high and slope. Along a plane seen at grazing incidence the solid angle of a slice of range

@@ -15,16 +15,22 @@ namespace {
 /// Where the echo of the water's surface is added up in steps, too.
 struct SurfaceSteps {
     float number = -1;  ///< as Pixel::surface; -1: nowhere
+    float* steps = nullptr;
     LineBins bins{};
-    float per_bin = 1;
+    float per_bin = 1, last = 0;
 
-    void deposit(float near, float far, float value) { bins.deposit(near * per_bin, far * per_bin, value); }
+    /// Most echoes lie within a step.
+    void deposit(float near, float far, float value) {
+        const float low = near * per_bin, high = far * per_bin;
+        const bool inside = low >= 0 && high < last && static_cast<int>(low) == static_cast<int>(high);
+        inside ? void(steps[static_cast<int>(low)] += value) : bins.deposit(low, high, value);
+    }
 };
 
 SurfaceSteps surface_steps(const BinningInput& in, float* steps) {
     const RangeSteps& of = in.water->steps();
-    return {in.water->surface_number(), LineBins(steps + of.count, of.count),
-            1 / static_cast<float>(of.bins)};
+    return {in.water->surface_number(), steps + of.count, LineBins(steps + of.count, of.count),
+            1 / static_cast<float>(of.bins), static_cast<float>(of.count)};
 }
 
 /// The paper's rule as a strength, which a table holds over the cosine.
@@ -148,21 +154,24 @@ void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, 
         weight = reader.weights.data();
     if (in.motion != nullptr) weight = reader.apply_motion(in, view, line, weight);
     LineEchoes& echoes = reader.echoes;
-    const RangeScale scale(in, gain);
     const PixelRow& row = reader.row();
     const std::size_t samples = view.samples;
     echoes.resize(samples);
     find_amounts(in, amount, row, weight, samples, echoes);
-    find_places(row.arrays(), reader.extents, scale.scale(), samples, echoes);
-    if (is_echo(amount)) correct_near(scale, row.range(), samples, echoes);
+    find_places(row.arrays(), reader.extents, scale_of(in), samples, echoes);
+    if (is_echo(amount))
+        gain.correct(row.range(), echoes.low.data(), echoes.high.data(), samples, echoes.amount.data());
     if (const float* focus = focus_of(in, view, line); focus != nullptr && is_echo(amount))
         multiply(focus, samples, echoes.amount.data());
     deposit_line(echoes, samples, bins);
     if (steps == nullptr || !reader.meets_water()) return;
     SurfaceSteps water = surface_steps(in, steps);
-    for (std::size_t i = 0; i < samples; ++i)
-        if (row.surface()[i] == water.number && echoes.amount[i] > 0)
-            water.deposit(echoes.low[i], echoes.high[i], echoes.amount[i]);
+    for (std::size_t i = 0, next = 0; i < samples; i = next) {
+        next = i + count_alike(row.surface() + i, samples - i);
+        if (row.surface()[i] != water.number) continue;
+        for (std::size_t k = i; k < next; ++k)
+            if (echoes.amount[k] > 0) water.deposit(echoes.low[k], echoes.high[k], echoes.amount[k]);
+    }
 }
 
 }  // namespace echoloop

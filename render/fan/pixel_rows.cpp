@@ -28,14 +28,6 @@ void take_apart(const Pixel* __restrict pixels, std::size_t count, float* __rest
     }
 }
 
-/// Number of zeros.
-ECHOLOOP_SIMD
-std::int32_t count_zeros(const float* values, std::size_t count) {
-    std::int32_t zeros = 0;
-    for (std::size_t i = 0; i < count; ++i) zeros += values[i] == 0 ? 1 : 0;
-    return zeros;
-}
-
 ECHOLOOP_SIMD
 void invert(const float* __restrict range, const float* __restrict surface, std::size_t count,
             float* __restrict inverse) {
@@ -119,11 +111,16 @@ void PixelRow::load(const Pixel* pixels, std::size_t count, float end, const Pla
         show_bent_plane(*plane, plane->surfacing->inverse.data(), plane->surfacing->sine.data(),
                         plane->surfacing->slope.data(), count, &range_[1], &cosine_[1], &footprint_[1],
                         &surface_[1]);
-    const bool gaps = count_zeros(&surface_[1], count) > 0;
-    for (std::size_t i = 1; gaps && i <= count; ++i) {
+    for (std::size_t i = 1, next = 1; i <= count; i = next) {
+        next = i + count_alike(&surface_[i], count + 1 - i);
         if (surface_[i] != 0) continue;
-        if (i + 2 <= count && pixels[i].surface != 0) go_on_beyond(end, i, i + 1, i + 2);
+        // Of a gap only the ends have a neighbour that shows something.
+        const std::size_t last = next - 1;
+        if (i == last && last + 2 <= count && pixels[last].surface != 0)
+            go_on_beyond(end, last, last + 1, last + 2);
         if (i > 2 && pixels[i - 2].surface != 0) go_on_beyond(end, i, i - 1, i - 2);
+        if (i != last && last + 2 <= count && pixels[last].surface != 0)
+            go_on_beyond(end, last, last + 1, last + 2);
     }
     const auto go_on = [](const std::vector<float>& range, std::size_t from, std::size_t by) {
         const float inverse = 2 / range[from] - 1 / range[by];  // 1 / R is linear on a plane
@@ -136,6 +133,20 @@ void PixelRow::load(const Pixel* pixels, std::size_t count, float end, const Pla
         row->front() = (*row)[1], row->back() = (*row)[count];
     inverse_.resize(count + 2);
     invert(range_.data(), surface_.data(), count + 2, inverse_.data());
+}
+
+ECHOLOOP_SIMD
+std::size_t count_alike(const float* surface, std::size_t count) {
+    constexpr std::size_t at_once = 32;
+    const float first = surface[0];
+    std::size_t i = 1;
+    for (; i + at_once <= count; i += at_once) {
+        std::int32_t others = 0;
+        for (std::size_t k = 0; k < at_once; ++k) others |= surface[i + k] != first ? 1 : 0;
+        if (others != 0) break;
+    }
+    while (i < count && surface[i] == first) ++i;
+    return i;
 }
 
 void find_extents(const PixelRow& row, const View& view, Extents& extents) {

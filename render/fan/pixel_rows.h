@@ -51,6 +51,9 @@ class PixelRow {
     std::vector<float> range_, cosine_, footprint_, surface_, inverse_;
 };
 
+/// Number of samples from the first on that show one surface.
+std::size_t count_alike(const float* surface, std::size_t count);
+
 /// Change of range across a pixel, from the size of its footprint and its neighbours' ranges. The plane of a
 /// facet may reach much farther than the facet, as on the crest of a ripple, so it goes at most half as far
 /// again as the step to the nearer neighbour. A side without a surface tells nothing.

@@ -42,6 +42,17 @@ double near_range(const AxisPattern& pattern, double width, double wavelength) {
     return length * wavelength / width / 2;
 }
 
+/// `range`: m, of the middle of the first bin.
+ECHOLOOP_SIMD
+void find_nearness(const std::array<double, 2> near, double range, double length, int count,
+                   float* __restrict nearness) {
+    for (int i = 0; i < count; ++i) {
+        const double middle = range + static_cast<double>(i) * length, square = middle * middle;
+        nearness[i] = static_cast<float>(
+            square / std::sqrt((square + near[0] * near[0]) * (square + near[1] * near[1])));
+    }
+}
+
 /// The step in which each direction ends, and how much of its weight is under way in that step and up to it:
 /// one after the other.
 ECHOLOOP_SIMD
@@ -94,28 +105,28 @@ Reverberation::Reverberation(const WaterAround& around, double first_range, doub
     const auto points = around.scattering;
     const bool varies = std::ranges::any_of(
         points, [&](const ScatteringPoint& point) { return point.strength != points.front().strength; });
-    if (varies) cells_ = cells_of_depths;
-    for (std::size_t cell = 0; cell < cells_; ++cell)
+    if (varies)
+        cells_ = cells_of_depths;
+    else
+        strengths_.assign(
+            steps_.count,
+            static_cast<float>(points.empty() ? 0 : bin_length * db_to_power(points.front().strength)));
+    for (std::size_t cell = 0; varies && cell < cells_; ++cell)
         for (std::size_t k = 0; k < steps_.count; ++k) {
             const double range = first_range + (static_cast<double>(k) + 0.5) * step;
-            const double sine =
-                cells_ > 1 ? 2 * static_cast<double>(cell) / static_cast<double>(cells_ - 1) - 1 : 0;
+            const double sine = 2 * static_cast<double>(cell) / static_cast<double>(cells_ - 1) - 1;
             double height = sine * range, focus = 1;
-            if (around.rays != nullptr && varies) {
+            if (around.rays != nullptr) {
                 const auto up = static_cast<float>(sine), length = static_cast<float>(range);
                 height = range * static_cast<double>(around.rays->place(up, length).height(up));
                 focus = static_cast<double>(around.rays->focus(up, length));
             }
-            strengths_.push_back(static_cast<float>(
-                points.empty() ? 0 : focus * bin_length * scattering_at(points, around.depth - height)));
+            strengths_.push_back(
+                static_cast<float>(focus * bin_length * scattering_at(points, around.depth - height)));
         }
     nearness_.resize(bins);
-    for (std::size_t bin = 0; bin < bins; ++bin) {
-        const double range =
-            std::max(first_range + static_cast<double>(bin) * bin_length, 0.0) + bin_length / 2;
-        nearness_[bin] = static_cast<float>(range / std::hypot(range, around.near[0]) * range /
-                                            std::hypot(range, around.near[1]));
-    }
+    find_nearness(around.near, first_range + bin_length / 2, bin_length, static_cast<int>(bins),
+                  nearness_.data());
 }
 
 std::size_t Reverberation::cell_near(double sine) const {

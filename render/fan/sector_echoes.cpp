@@ -30,6 +30,13 @@ void SectorEchoes::add(const EchoArrays& echoes, std::size_t first, const std::i
               &amount_[before], &sectors_[before]);
 }
 
+void SectorEchoes::add(const EchoArrays& echoes, std::size_t count) {
+    low_.insert(low_.end(), echoes.low, echoes.low + count);
+    high_.insert(high_.end(), echoes.high, echoes.high + count);
+    amount_.insert(amount_.end(), echoes.amount, echoes.amount + count);
+    sectors_.resize(amount_.size(), 0);
+}
+
 void SectorEchoes::spread(std::size_t bins, std::size_t stride, float* rows) {
     slope_.resize(sectors_.size(), 0.0F);
     spreader_.spread_over_rows({low_.data(), high_.data(), amount_.data(), slope_.data()}, sectors_.data(),

@@ -16,6 +16,8 @@ class SectorEchoes {
     /// Each to sector `first` + `sector`, and by the share `next` to the one behind it.
     void add(const EchoArrays& echoes, std::size_t first, const std::int32_t* sector, const float* next,
              std::size_t count);
+    /// All to the first sector.
+    void add(const EchoArrays& echoes, std::size_t count);
     void add(std::size_t sector, float near, float far, float amount) {
         sectors_.push_back(static_cast<std::int32_t>(sector));
         low_.push_back(near), high_.push_back(far), amount_.push_back(amount);

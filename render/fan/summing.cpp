@@ -166,7 +166,8 @@ class FanSumming final : public Summing {
     }
 
     void add_surround(const BinningInput& in, const BinGain& gain) {
-        LineReader reader;
+        thread_local LineReader reader;
+        reader.restart();
         sums_.clear_sectors();
         if (in.water != nullptr) {
             under_way_.resize(in.plan.far_lobes.sectors);

@@ -22,6 +22,15 @@ void hear(const float* __restrict pixel, float line, float sample, std::size_t c
     }
 }
 
+/// Both kinds together, which do not depend on the place.
+ECHOLOOP_SIMD
+void hear_as_one(const float* __restrict pixel, float line, float sample, std::size_t count,
+                 float* __restrict heard) {
+    for (std::size_t i = 0; i < count; ++i, pixel += floats)
+        heard[i] = (pixel[0] + pixel[1] * line + pixel[2] * sample) +
+                   (pixel[3] + pixel[4] * line + pixel[5] * sample);
+}
+
 ECHOLOOP_SIMD
 void find_sectors(const float* __restrict place, std::size_t count, std::int32_t* __restrict sector,
                   float* __restrict next) {
@@ -44,18 +53,21 @@ bool any_above_nothing(const float* values, std::size_t count) {
 
 void SurroundHearing::find(std::span<const SurroundPixel> pixels, PixelOffset offset, bool single) {
     const std::size_t count = pixels.size();
-    for (auto* numbers : {&beside, &off_plane, &place, &next}) numbers->resize(count);
-    sector.resize(count);
-    hear(&pixels.front().beside.mean, static_cast<float>(offset.line), static_cast<float>(offset.sample),
-         count, beside.data(), off_plane.data(), place.data());
+    const float* first = &pixels.front().beside.mean;
+    const auto line = static_cast<float>(offset.line), sample = static_cast<float>(offset.sample);
     if (single) {
-        for (std::size_t i = 0; i < count; ++i) beside[i] += off_plane[i], off_plane[i] = 0;
-        std::fill(sector.begin(), sector.end(), 0), std::fill(next.begin(), next.end(), 0.0F);
+        beside.resize(count);
+        hear_as_one(first, line, sample, count, beside.data());
+        for (auto* nothing : {&off_plane, &place, &next}) nothing->assign(count, 0.0F);
+        sector.assign(count, 0);
     } else {
+        for (auto* numbers : {&beside, &off_plane, &place, &next}) numbers->resize(count);
+        sector.resize(count);
+        hear(first, line, sample, count, beside.data(), off_plane.data(), place.data());
         find_sectors(place.data(), count, sector.data(), next.data());
     }
     any_beside = any_above_nothing(beside.data(), count);
-    any_off_plane = any_above_nothing(off_plane.data(), count);
+    any_off_plane = !single && any_above_nothing(off_plane.data(), count);
 }
 
 }  // namespace echoloop

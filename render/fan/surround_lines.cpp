@@ -72,7 +72,7 @@ void find_strengths(const BinningInput& in, const BinGain& gain, bool only_wante
     const std::size_t samples = view.samples;
     find_amounts(row.arrays(), weight, in.strength, only_wanted ? in.wanted : std::span<const std::uint8_t>(),
                  samples, echoes);
-    correct_near(RangeScale(in, gain), row.range(), samples, echoes);
+    gain.correct(row.range(), echoes.low.data(), echoes.high.data(), samples, echoes.amount.data());
     if (const float* focus = focus_of(in, view, line)) multiply(focus, samples, echoes.amount.data());
     if (in.motion != nullptr) multiply(reader.weights.data(), samples, echoes.amount.data());
 }
@@ -82,8 +82,11 @@ void add_echoes(const BinningInput& in, const View& view, const Hearers& by, boo
                 LineReader& reader) {
     const SurroundHearing& hearing = reader.hearing;
     const LineEchoes& echoes = reader.echoes;
-    reader.of_sectors.add({echoes.low.data(), echoes.high.data(), echoes.amount.data(), echoes.slope.data()},
-                          by.first, hearing.sector.data(), hearing.next.data(), view.samples);
+    const EchoArrays arrays{echoes.low.data(), echoes.high.data(), echoes.amount.data(), echoes.slope.data()};
+    if (in.plan.beams.size() == 1)
+        reader.of_sectors.add(arrays, view.samples);
+    else
+        reader.of_sectors.add(arrays, by.first, hearing.sector.data(), hearing.next.data(), view.samples);
     if (!with_surface || !reader.meets_water()) return;
     const float surface = in.water->surface_number(),
                 per_bin = 1 / static_cast<float>(in.water->steps().bins);
@@ -152,7 +155,7 @@ void add_surround_line(const BinningInput& in, const BinGain& gain, bool only_wa
     }
     LineEchoes& echoes = reader.echoes;
     echoes.resize(view.samples);
-    find_places(reader.row().arrays(), reader.extents, RangeScale(in, gain).scale(), view.samples, echoes);
+    find_places(reader.row().arrays(), reader.extents, scale_of(in), view.samples, echoes);
     const TurnedSurround turning(in, view, line);
     if (turning.turns()) {
         static thread_local std::vector<float> ones;

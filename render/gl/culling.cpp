@@ -9,7 +9,8 @@ namespace {
 
 double at(const std::array<float, 3>& v, std::size_t axis) { return static_cast<double>(v[axis]); }
 
-double distance_to(const Bounds& box, Vec3 p) {
+/// m^2; roots are for the few boxes that are seen.
+double square_distance_to(const Bounds& box, Vec3 p) {
     const double coordinates[3] = {p.x, p.y, p.z};
     double squares = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -17,7 +18,7 @@ double distance_to(const Bounds& box, Vec3 p) {
             std::max({at(box.min, axis) - coordinates[axis], coordinates[axis] - at(box.max, axis), 0.0});
         squares += outside * outside;
     }
-    return std::sqrt(squares);
+    return squares;
 }
 
 double farthest_in(const Bounds& box, Vec3 p) {
@@ -61,11 +62,17 @@ SidePlanes side_planes(const View& view, const Pose& world_from_fan, double marg
             up - (view.bottom - margin) * forward, (view.top + margin) * forward - up};
 }
 
-double tolerance_at(const ViewLimits& limits, double distance) {
+/// `square`: m^2, of the distance.
+double tolerance_at(const ViewLimits& limits, double square) {
     constexpr double least = 0.1;
-    if (distance >= limits.full_tolerance_range) return limits.tolerance;
-    const double share = distance / limits.full_tolerance_range;
-    return limits.tolerance * std::max(share * share, least);
+    const double full = limits.full_tolerance_range * limits.full_tolerance_range;
+    return square >= full ? limits.tolerance : limits.tolerance * std::max(square / full, least);
+}
+
+/// Whether a stand-in that is off by `error`, in m, will do.
+bool will_do(float error, double tolerance, double square) {
+    const auto off = static_cast<double>(error);
+    return off * off <= tolerance * tolerance * square;  // also chunks
 }
 
 }  // namespace
@@ -74,16 +81,19 @@ bool find_visible(const Scene& scene, NodeRange range, const View& view, const P
                   const ViewLimits& limits, std::vector<std::uint32_t>& nodes, Vec3 up) {
     const auto planes = side_planes(view, frame_from_fan, limits.margin);
     const Vec3 eye = frame_from_fan.position;
-    std::vector<std::pair<float, std::uint32_t>> found;
+    static thread_local std::vector<std::pair<float, std::uint32_t>> found;
+    found.clear();
+    const double end2 = limits.end_range * limits.end_range;
     bool wanted = false;
     for (std::uint32_t i = range.first; i < range.last;) {
         const SceneNode& node = scene.nodes()[i];
-        const double distance = distance_to(node.bounds, eye);
-        const bool seen = distance <= limits.end_range && within(node.bounds, planes, eye, up, limits.rays);
-        const bool hides = seen && farthest_in(node.bounds, eye) < limits.begin_range;
-        const double tolerance = hides ? limits.hiding_tolerance : tolerance_at(limits, distance);
-        const bool good = static_cast<double>(node.error) <= tolerance * distance;  // also chunks
-        if (seen && good) found.emplace_back(static_cast<float>(distance), i);
+        const double square = square_distance_to(node.bounds, eye);
+        const bool seen = square <= end2 && within(node.bounds, planes, eye, up, limits.rays);
+        const bool hides =
+            seen && limits.begin_range > 0 && farthest_in(node.bounds, eye) < limits.begin_range;
+        const double tolerance = hides ? limits.hiding_tolerance : tolerance_at(limits, square);
+        const bool good = will_do(node.error, tolerance, square);
+        if (seen && good) found.emplace_back(static_cast<float>(std::sqrt(square)), i);
         wanted |= seen && good && !hides;
         i = seen && !good ? i + 1 : node.next;
     }
@@ -98,9 +108,10 @@ std::vector<std::uint32_t> find_around(const Scene& scene, NodeRange range, Vec3
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = range.first; i < range.last;) {
         const SceneNode& node = scene.nodes()[i];
-        const double distance = std::max(0.0, distance_to(node.bounds, eye) - radius);
+        const double distance = std::max(0.0, std::sqrt(square_distance_to(node.bounds, eye)) - radius),
+                     square = distance * distance;
         const bool near = distance <= limits.end_range;
-        const bool good = static_cast<double>(node.error) <= tolerance_at(limits, distance) * distance;
+        const bool good = will_do(node.error, tolerance_at(limits, square), square);
         if (near && good) found.push_back(i);
         i = near && !good ? i + 1 : node.next;
     }
@@ -115,7 +126,7 @@ SeenBoxes::SeenBoxes(const View& view, const Pose& frame_from_fan, const ViewLim
       rays_(limits.rays) {}
 
 bool SeenBoxes::has(const Bounds& box) const {
-    return distance_to(box, eye_) <= end_range_ && within(box, planes_, eye_, up_, rays_);
+    return square_distance_to(box, eye_) <= end_range_ * end_range_ && within(box, planes_, eye_, up_, rays_);
 }
 
 }  // namespace echoloop::gl

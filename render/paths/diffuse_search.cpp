@@ -97,6 +97,7 @@ class DiffuseSearch {
     /// then.
     void look() {
         std::vector<std::size_t> asked;
+        asked.reserve(cells_.cells().size()), seen_.reserve(cells_.cells().size());
         for (const LobeCell& cell : cells_.cells()) {
             asked.push_back(seen_.size());
             seen_.push_back(
@@ -139,12 +140,13 @@ class DiffuseSearch {
 
     /// Fills in what the rays of these cells meet.
     void look_along(std::span<const std::size_t> cells) {
-        rays_.clear();
+        rays_.clear(), rays_.reserve(cells.size());
         for (const std::size_t i : cells)
             rays_.push_back({ping_.sonar, seen_[i].direction, 2 * ping_.end_range});
         met_.resize(rays_.size());
         ping_.space.meet(rays_, met_);
         std::vector<std::size_t> onward;
+        onward.reserve(cells.size());
         rays_.clear();
         for (std::size_t k = 0; k < cells.size(); ++k) {
             Seen& seen = seen_[cells[k]];
