@@ -234,9 +234,13 @@ void SplitScene::split_view(SplitMesh& mesh, const Outlook& outlook, double sag,
         Splitter splitter(*scene_, mesh, *outlook.rays_nearby, mesh.places_[part].eye, mesh.places_[part].up,
                           reach, sag, shortest);
         const SeenBoxes boxes(*view.view, own.frame_from_fan, limits, own.up);
-        const auto rest = std::ranges::stable_partition(
-            own.nodes, [&](std::uint32_t node) { return !is_long(node, shortest); });
-        for (const std::uint32_t node : rest) {
+        long_.clear();
+        std::erase_if(own.nodes, [&](std::uint32_t node) {
+            const bool is = is_long(node, shortest);
+            if (is) long_.push_back(node);
+            return is;
+        });
+        for (const std::uint32_t node : long_) {
             auto stretch = mesh.known_.find(node);
             if (stretch == mesh.known_.end()) {
                 const auto first = static_cast<std::uint32_t>(mesh.patches_.size());
@@ -253,7 +257,6 @@ void SplitScene::split_view(SplitMesh& mesh, const Outlook& outlook, double sag,
                 view.triangles += patch.drawn.indices / 3;
             }
         }
-        own.nodes.erase(rest.begin(), rest.end());
     }
 }
 

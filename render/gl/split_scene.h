@@ -68,7 +68,8 @@ class SplitScene {
     void split_view(SplitMesh& mesh, const Outlook& outlook, double sag, SeenView& view);
 
     std::shared_ptr<const Scene> scene_;
-    std::vector<float> longest_;  ///< m, of the edges of every node
+    std::vector<float> longest_;       ///< m, of the edges of every node
+    std::vector<std::uint32_t> long_;  ///< nodes of the part at hand
     std::array<SplitMesh, 2> meshes_;
 };
 

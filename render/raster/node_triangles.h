@@ -2,6 +2,7 @@
 // processor. Knows no pixels.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -32,10 +33,13 @@ class NodeTriangles {
     /// Three indices a triangle.
     void take(std::span<const std::uint16_t> indices) {
         triangles_ = indices.size() / 3;
+        if (triangles_ == 0) return;
         for (auto& corner : corners_)
-            if (corner.size() < triangles_) corner.resize(triangles_);
+            if (corner.size() < padded(triangles_)) corner.resize(padded(triangles_));
         for (std::size_t i = 0; i < triangles_; ++i)
             for (std::size_t k = 0; k < 3; ++k) corners_[k][i] = indices[3 * i + k];
+        for (auto& corner : corners_)
+            std::fill(corner.data() + triangles_, corner.data() + padded(triangles_), corner[0]);
     }
 
     /// Of those taken that turn their front to us or are double-sided, finds what may cover a sample.
@@ -47,7 +51,7 @@ class NodeTriangles {
     std::span<const SeenTriangle> seen() const { return std::span(seen_).first(count_); }
     /// One of TrianglePlanes' numbers of every triangle seen; the next number lies stride() behind it.
     const float* planes(std::size_t number) const { return planes_.data() + number * stride(); }
-    std::size_t stride() const { return count_; }
+    std::size_t stride() const { return padded(count_); }
     /// The number of corner 0, 1 or 2 of a triangle seen.
     std::size_t corner(std::size_t seen, std::size_t k) const {
         return static_cast<std::size_t>(seen_corners_[seen + k * stride()]);

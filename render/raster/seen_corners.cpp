@@ -9,9 +9,6 @@
 namespace echoloop::raster {
 namespace {
 
-/// Counts of the loops below are multiples of this, so that nothing is left to be done one by one.
-constexpr int together = 16;
-
 /// From positions that are there already. Returns how many are not in front of the near end.
 ECHOLOOP_SIMD
 int find_straight(int count, const PartPlace place, const SampleGrid grid, float* __restrict x_of,
@@ -21,7 +18,7 @@ int find_straight(int count, const PartPlace place, const SampleGrid grid, float
     const float ex = place.eye[0], ey = place.eye[1], ez = place.eye[2];
     const float near = near_end;
     int behind = 0;
-    for (int i = 0; i < count / together * together; ++i) {
+    for (int i = 0; i < count / whole_vector * whole_vector; ++i) {
         const float dx = x_of[i] - ex, dy = y_of[i] - ey, dz = z_of[i] - ez;
         const float x = m[0] * dx + m[1] * dy + m[2] * dz, y = m[3] * dx + m[4] * dy + m[5] * dz,
                     z = m[6] * dx + m[7] * dy + m[8] * dz;
@@ -56,7 +53,7 @@ void find_places(int count, const PartPlace place, const TablePlaces table, floa
     const float ex = place.eye[0], ey = place.eye[1], ez = place.eye[2];
     const float ux = place.up_seen[0], uy = place.up_seen[1], uz = place.up_seen[2];
     const float middle = table.middle, square = table.middle * table.middle;
-    for (int i = 0; i < count / together * together; ++i) {
+    for (int i = 0; i < count / whole_vector * whole_vector; ++i) {
         const float wx = x_of[i] - ex, wy = y_of[i] - ey, wz = z_of[i] - ez;
         const float x = m[0] * wx + m[1] * wy + m[2] * wz, y = m[3] * wx + m[4] * wy + m[5] * wz,
                     z = m[6] * wx + m[7] * wy + m[8] * wz;
@@ -105,7 +102,7 @@ int bend(int count, const float* __restrict rays, const std::array<float, 3> up,
          float* __restrict level_and_clearance) {
     const float ux = up[0], uy = up[1], uz = up[2], near = near_end;
     int behind = 0;
-    for (int i = 0; i < count / together * together; ++i) {
+    for (int i = 0; i < count / whole_vector * whole_vector; ++i) {
         const float dx = x_of[i], dy = y_of[i], dz = z_of[i];
         const float turn = rays[4 * i], longer = 1 + rays[4 * i + 1], bow = rays[4 * i + 2],
                     clearance = rays[4 * i + 3];
@@ -146,8 +143,7 @@ PartPlace::PartPlace(const View& view, const Pose& frame_from_fan, Vec3 up) {
 
 void SeenCorners::find(std::span<const SceneVertex> vertices, const PartPlace& place, const SampleGrid& grid,
                        const RayTable* rays) {
-    static_assert(vector == together);
-    count_ = vertices.size(), stride_ = (count_ + vector - 1) / vector * vector, behind_ = 0;
+    count_ = vertices.size(), stride_ = padded(count_), behind_ = 0;
     if (count_ == 0) return;
     if (numbers_.size() < rows * stride_) numbers_.resize(rows * stride_);
     const auto count = static_cast<int>(stride_);

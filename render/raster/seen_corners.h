@@ -30,6 +30,12 @@ struct SampleGrid {
     int lines, samples;
 };
 
+/// Loops go over whole vectors of so many, so that nothing is left to be done one by one.
+constexpr int whole_vector = 16;
+constexpr std::size_t padded(std::size_t count) {
+    return (count + whole_vector - 1) / whole_vector * whole_vector;
+}
+
 class SeenCorners {
   public:
     /// As straight rays show them, or where bent ones do: as gl/fan_shader says.
@@ -50,9 +56,7 @@ class SeenCorners {
     const float* clearance() const { return row(6); }
 
   private:
-    static constexpr std::size_t rows = 7;
-    /// Rows are whole vectors: what is behind the corners repeats the last one.
-    static constexpr std::size_t vector = 16;
+    static constexpr std::size_t rows = 7;  ///< what is behind the corners repeats the last one
     const float* row(std::size_t i) const { return numbers_.data() + i * stride_; }
     float* row(std::size_t i) { return numbers_.data() + i * stride_; }
 
