@@ -34,14 +34,13 @@ constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
 std::array<std::uint32_t, 4> threefry(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 4> key);
 
 /// Floats that a buffer for normals() needs for so many numbers.
-constexpr std::size_t normals_tile = 64;
+constexpr std::size_t normals_tile = 32;
 constexpr std::size_t normals_room(std::size_t count) { return count + 2 * normals_tile; }
 
-/// Normal numbers of mean 0 and variance 1: sums of four out of a pool of such numbers (after Wallace, ACM
-/// Trans. Math. Software 22 (1996) 119), with a sign each. A hash for 64 of them says which, so that they
-/// take a third of the time of a hash and a logarithm for each: speckle and noise ask for up to five million
-/// a ping. They do not correlate; their squares do by 0.004 at most. Writes the `count` ones from number
-/// `first` on, and some around them; returns where in `out` number `first` lies.
+/// Normal numbers of mean 0 and variance 1 (Box & Muller, 1958), two from each word: 23 bits of radius, 4096
+/// angles. The words come from a hash of their number, which takes half the time of Threefry: speckle and
+/// noise ask for a million numbers a ping. Writes the `count` ones from number `first` on, and some around
+/// them; returns where in `out` number `first` lies.
 std::size_t normals(const RandomStream& stream, std::int64_t first, std::size_t count, float* out);
 
 /// Cosines of uniform angles.
