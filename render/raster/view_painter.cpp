@@ -34,12 +34,14 @@ ECHOLOOP_INLINE void cover_each(const SeenTriangle* __restrict seen, int count,
                                 std::int32_t* __restrict number, std::size_t line_stride,
                                 std::int32_t first_number) {
     constexpr float most = 1 / near_end;
+    const std::size_t row = padded(static_cast<std::size_t>(count));
+    const float *const clear_up = clear + row, *const clear_at_0 = clear_up + row;
     for (int i = 0; i < count; ++i) {
         const SeenTriangle triangle = seen[i];
         const float* p = numbers + static_cast<std::size_t>(i) * step;
         const Four along_x = four(p), at_0 = four(p + 8);
         const float a_up = p[4], b_up = p[5], c_up = p[6], d_up = p[7];
-        const float e_up = shadows ? clear[i + count] : 0;
+        const float e_up = shadows ? clear_up[i] : 0;
         const std::int32_t own = first_number + i;
         const int samples =
             (triangle.last_sample - triangle.first_sample + samples_at_once) & -samples_at_once;
@@ -48,7 +50,7 @@ ECHOLOOP_INLINE void cover_each(const SeenTriangle* __restrict seen, int count,
             const float x = x_of[line];
             const Four across = along_x * x + at_0;
             const float a = across[0], b = across[1], c = across[2], d = across[3],
-                        e = shadows ? clear[i] * x + clear[i + 2 * count] : 0;
+                        e = shadows ? clear[i] * x + clear_at_0[i] : 0;
             const std::size_t at = static_cast<std::size_t>(line) * line_stride +
                                    static_cast<std::size_t>(triangle.first_sample);
             float* __restrict const depth = inverse + at;
