@@ -11,15 +11,32 @@ namespace {
 /// Of a line or a sample: places on the image plane are rounded.
 constexpr float margin = 1 / 64.0F;
 
-/// Rows of `count` numbers each: first and last line, first and last sample, and 1 where the triangle may
-/// show, 2 where it does so from behind, else 0. `sides`: 1 or, double-sided, 3.
+/// Triples of indices, one row for each corner.
 ECHOLOOP_SIMD
-void find_all_boxes(const std::int32_t* __restrict corner_0, const std::int32_t* __restrict corner_1,
-                    const std::int32_t* __restrict corner_2, int count, int sides,
-                    const float* __restrict line, const float* __restrict sample, const SampleGrid grid,
-                    std::int32_t* __restrict first_line, std::int32_t* __restrict last_line,
-                    std::int32_t* __restrict first_sample, std::int32_t* __restrict last_sample,
-                    std::int32_t* __restrict shown) {
+void part_corners(const std::uint16_t* __restrict indices, int triangles, std::int32_t* __restrict corner_0,
+                  std::int32_t* __restrict corner_1, std::int32_t* __restrict corner_2) {
+    for (int i = 0; i < triangles; ++i) {
+        corner_0[i] = indices[3 * i];
+        corner_1[i] = indices[3 * i + 1];
+        corner_2[i] = indices[3 * i + 2];
+    }
+}
+
+/// A triangle as find_boxes() tells of it.
+constexpr std::int32_t unseen = 0, front = 1, back = 2, across_near_end = 4;
+
+/// Rows of `count` numbers each: first and last line, first and last sample, and what the triangle shows if
+/// anything. `sides`: front or, double-sided, front + back. `across`: some corners are not in front of the
+/// near end, and what reaches over it has no box on the image plane.
+template <bool across>
+ECHOLOOP_INLINE void find_boxes(const std::int32_t* __restrict corner_0,
+                                const std::int32_t* __restrict corner_1,
+                                const std::int32_t* __restrict corner_2, int count, int sides,
+                                const float* __restrict line, const float* __restrict sample,
+                                const float* __restrict z, const SampleGrid grid,
+                                std::int32_t* __restrict first_line, std::int32_t* __restrict last_line,
+                                std::int32_t* __restrict first_sample, std::int32_t* __restrict last_sample,
+                                std::int32_t* __restrict shown) {
     const auto lines = static_cast<float>(grid.lines), samples = static_cast<float>(grid.samples);
     // Of what is within -1..most, the whole number below it: what is positive is cut off.
     const auto below = [](float v, float most) {
@@ -37,10 +54,39 @@ void find_all_boxes(const std::int32_t* __restrict corner_0, const std::int32_t*
                            s0 = grid.samples - 1 - below(samples - 1 - low_sample, samples),
                            s1 = below(high_sample, samples);
         const float area = (lb - la) * (sc - sa) - (lc - la) * (sb - sa);
-        const std::int32_t side = area < 0 ? 1 : 2;
+        const std::int32_t side = area < 0 ? front : back;
+        std::int32_t shows = ((side & sides) != 0) & (l0 <= l1) & (s0 <= s1) ? side : unseen;
+        if (across) {
+            const float za = z[a], zb = z[b], zc = z[c], nearest = std::min(std::min(za, zb), zc),
+                        farthest = std::max(std::max(za, zb), zc);
+            shows = nearest > near_end ? shows : farthest > near_end ? across_near_end : unseen;
+        }
         first_line[i] = l0, last_line[i] = l1, first_sample[i] = s0, last_sample[i] = s1;
-        shown[i] = ((side & sides) != 0) & (l0 <= l1) & (s0 <= s1) ? side : 0;
+        shown[i] = shows;
     }
+}
+
+ECHOLOOP_SIMD
+void find_boxes_in_front(const std::int32_t* __restrict corner_0, const std::int32_t* __restrict corner_1,
+                         const std::int32_t* __restrict corner_2, int count, int sides,
+                         const float* __restrict line, const float* __restrict sample,
+                         const float* __restrict z, const SampleGrid grid,
+                         std::int32_t* __restrict first_line, std::int32_t* __restrict last_line,
+                         std::int32_t* __restrict first_sample, std::int32_t* __restrict last_sample,
+                         std::int32_t* __restrict shown) {
+    find_boxes<false>(corner_0, corner_1, corner_2, count, sides, line, sample, z, grid, first_line,
+                      last_line, first_sample, last_sample, shown);
+}
+
+ECHOLOOP_SIMD
+void find_boxes_around(const std::int32_t* __restrict corner_0, const std::int32_t* __restrict corner_1,
+                       const std::int32_t* __restrict corner_2, int count, int sides,
+                       const float* __restrict line, const float* __restrict sample,
+                       const float* __restrict z, const SampleGrid grid, std::int32_t* __restrict first_line,
+                       std::int32_t* __restrict last_line, std::int32_t* __restrict first_sample,
+                       std::int32_t* __restrict last_sample, std::int32_t* __restrict shown) {
+    find_boxes<true>(corner_0, corner_1, corner_2, count, sides, line, sample, z, grid, first_line, last_line,
+                     first_sample, last_sample, shown);
 }
 
 /// As TrianglePlanes. What two neighbours see of the edge between them is the same number but for its sign,
@@ -77,12 +123,22 @@ void find_planes(const std::int32_t* __restrict corner_0, const std::int32_t* __
 
 }  // namespace
 
+void NodeTriangles::take(std::span<const std::uint16_t> indices) {
+    triangles_ = indices.size() / 3;
+    if (triangles_ == 0) return;
+    for (auto& corner : corners_)
+        if (corner.size() < padded(triangles_)) corner.resize(padded(triangles_));
+    part_corners(indices.data(), static_cast<int>(triangles_), corners_[0].data(), corners_[1].data(),
+                 corners_[2].data());
+    for (auto& corner : corners_)
+        std::fill(corner.data() + triangles_, corner.data() + padded(triangles_), corner[0]);
+}
+
 void NodeTriangles::find(const SeenCorners& corners, bool double_sided, const SampleGrid& grid) {
     count_ = 0;
     if (corners.behind() == corners.count()) return;
     if (seen_.size() < triangles_ + 1) seen_.resize(triangles_ + 1);
-    corners.behind() == 0 ? find_boxes(corners, double_sided, grid)
-                          : find_boxes_across_near_end(corners, double_sided, grid);
+    find_seen(corners, double_sided, grid);
     if (count_ == 0) return;
     const std::size_t apart = stride();
     if (seen_corners_.size() < 3 * apart) seen_corners_.resize(3 * apart);
@@ -112,51 +168,42 @@ void NodeTriangles::find_clear(const float* clearance) {
         }
 }
 
-void NodeTriangles::find_boxes(const SeenCorners& corners, bool double_sided, const SampleGrid& grid) {
+void NodeTriangles::find_seen(const SeenCorners& corners, bool double_sided, const SampleGrid& grid) {
     const std::size_t apart = padded(triangles_);
-    if (boxes_.size() < 5 * apart) boxes_.resize(5 * apart);
-    std::array<std::int32_t*, 5> rows;
+    if (boxes_.size() < 6 * apart) boxes_.resize(6 * apart);
+    std::array<std::int32_t*, 6> rows;
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = boxes_.data() + i * apart;
-    find_all_boxes(corners_[0].data(), corners_[1].data(), corners_[2].data(), static_cast<int>(apart),
-                   double_sided ? 3 : 1, corners.line(), corners.sample(), grid, rows[0], rows[1], rows[2],
-                   rows[3], rows[4]);
+    const std::int32_t* const shown = rows[4];
+    (corners.behind() == 0 ? find_boxes_in_front : find_boxes_around)(
+        corners_[0].data(), corners_[1].data(), corners_[2].data(), static_cast<int>(apart),
+        double_sided ? front + back : front, corners.line(), corners.sample(), corners.z(), grid, rows[0],
+        rows[1], rows[2], rows[3], rows[4]);
+    std::int32_t* const numbers = rows[5];
+    std::size_t found = 0;
     for (std::size_t i = 0; i < triangles_; ++i) {
-        seen_[count_] = {
-            static_cast<std::int32_t>(i), rows[4][i] >> 1, rows[0][i], rows[1][i], rows[2][i], rows[3][i]};
-        count_ += rows[4][i] != 0 ? 1 : 0;
+        numbers[found] = static_cast<std::int32_t>(i);
+        found += shown[i] != unseen ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < found; ++k) {
+        const std::int32_t i = numbers[k];
+        if (shown[i] == across_near_end)
+            add_across_near_end(i, corners, double_sided, grid);
+        else
+            seen_[count_++] = {i, shown[i] == back ? 1 : 0, rows[0][i], rows[1][i], rows[2][i], rows[3][i]};
     }
 }
 
-/// What reaches behind the sonar has no box on the image plane.
-void NodeTriangles::find_boxes_across_near_end(const SeenCorners& corners, bool double_sided,
-                                               const SampleGrid& grid) {
-    const float *x = corners.x(), *y = corners.y(), *z = corners.z(), *line = corners.line(),
-                *sample = corners.sample();
-    const auto set = [](float low, float high, int count, std::int32_t& first, std::int32_t& last) {
-        const auto most = static_cast<float>(count);
-        first = static_cast<std::int32_t>(std::clamp(std::ceil(low - margin), 0.0F, most));
-        last = static_cast<std::int32_t>(std::clamp(std::floor(high + margin), -1.0F, most - 1));
-    };
-    for (std::size_t i = 0; i < triangles_; ++i) {
-        const std::int32_t a = corners_[0][i], b = corners_[1][i], c = corners_[2][i];
-        const auto [nearest, farthest] = std::minmax({z[a], z[b], z[c]});
-        if (farthest <= near_end) continue;
-        const float bx = x[b] - x[a], by = y[b] - y[a], bz = z[b] - z[a], cx = x[c] - x[a], cy = y[c] - y[a],
-                    cz = z[c] - z[a];
-        const float volume =
-            x[a] * (by * cz - bz * cy) + y[a] * (bz * cx - bx * cz) + z[a] * (bx * cy - by * cx);
-        if (!(volume > 0 || (volume < 0 && double_sided))) continue;
-        SeenTriangle seen{
-            static_cast<std::int32_t>(i), volume > 0 ? 0 : 1, 0, grid.lines - 1, 0, grid.samples - 1};
-        if (nearest > near_end) {
-            const auto [low_line, high_line] = std::minmax({line[a], line[b], line[c]});
-            const auto [low_sample, high_sample] = std::minmax({sample[a], sample[b], sample[c]});
-            set(low_line, high_line, grid.lines, seen.first_line, seen.last_line);
-            set(low_sample, high_sample, grid.samples, seen.first_sample, seen.last_sample);
-        }
-        if (seen.first_line <= seen.last_line && seen.first_sample <= seen.last_sample)
-            seen_[count_++] = seen;
-    }
+/// A triangle that reaches behind the sonar: it may cover every sample.
+void NodeTriangles::add_across_near_end(std::int32_t triangle, const SeenCorners& corners, bool double_sided,
+                                        const SampleGrid& grid) {
+    const float *x = corners.x(), *y = corners.y(), *z = corners.z();
+    const auto i = static_cast<std::size_t>(triangle);
+    const std::int32_t a = corners_[0][i], b = corners_[1][i], c = corners_[2][i];
+    const float bx = x[b] - x[a], by = y[b] - y[a], bz = z[b] - z[a], cx = x[c] - x[a], cy = y[c] - y[a],
+                cz = z[c] - z[a];
+    const float volume = x[a] * (by * cz - bz * cy) + y[a] * (bz * cx - bx * cz) + z[a] * (bx * cy - by * cx);
+    if (volume > 0 || (volume < 0 && double_sided))
+        seen_[count_++] = {triangle, volume > 0 ? 0 : 1, 0, grid.lines - 1, 0, grid.samples - 1};
 }
 
 }  // namespace echoloop::raster

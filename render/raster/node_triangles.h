@@ -2,7 +2,6 @@
 // processor. Knows no pixels.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -31,16 +30,7 @@ struct SeenTriangle {
 class NodeTriangles {
   public:
     /// Three indices a triangle.
-    void take(std::span<const std::uint16_t> indices) {
-        triangles_ = indices.size() / 3;
-        if (triangles_ == 0) return;
-        for (auto& corner : corners_)
-            if (corner.size() < padded(triangles_)) corner.resize(padded(triangles_));
-        for (std::size_t i = 0; i < triangles_; ++i)
-            for (std::size_t k = 0; k < 3; ++k) corners_[k][i] = indices[3 * i + k];
-        for (auto& corner : corners_)
-            std::fill(corner.data() + triangles_, corner.data() + padded(triangles_), corner[0]);
-    }
+    void take(std::span<const std::uint16_t> indices);
 
     /// Of those taken that turn their front to us or are double-sided, finds what may cover a sample.
     void find(const SeenCorners& corners, bool double_sided, const SampleGrid& grid);
@@ -58,8 +48,9 @@ class NodeTriangles {
     }
 
   private:
-    void find_boxes(const SeenCorners& corners, bool double_sided, const SampleGrid& grid);
-    void find_boxes_across_near_end(const SeenCorners& corners, bool double_sided, const SampleGrid& grid);
+    void find_seen(const SeenCorners& corners, bool double_sided, const SampleGrid& grid);
+    void add_across_near_end(std::int32_t triangle, const SeenCorners& corners, bool double_sided,
+                             const SampleGrid& grid);
 
     std::size_t triangles_ = 0, count_ = 0;
     std::array<std::vector<std::int32_t>, 3> corners_;

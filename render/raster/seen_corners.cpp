@@ -9,6 +9,32 @@
 namespace echoloop::raster {
 namespace {
 
+using Four = float __attribute__((vector_size(16)));
+
+/// Rows of what vertices have of each coordinate, four at a time.
+void part_positions(std::span<const SceneVertex> vertices, float* x, float* y, float* z) {
+    const auto position = [&](std::size_t i) {
+        Four all;  // the normal's first number, too
+        std::memcpy(&all, &vertices[i], sizeof all);
+        return all;
+    };
+    std::size_t i = 0;
+    for (; i + 4 <= vertices.size(); i += 4) {
+        const Four a = position(i), b = position(i + 1), c = position(i + 2), d = position(i + 3);
+        const Four xy_ab = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+                   xy_cd = __builtin_shufflevector(c, d, 0, 4, 1, 5),
+                   z_ab = __builtin_shufflevector(a, b, 2, 6, 2, 6),
+                   z_cd = __builtin_shufflevector(c, d, 2, 6, 2, 6);
+        const Four xs = __builtin_shufflevector(xy_ab, xy_cd, 0, 1, 4, 5),
+                   ys = __builtin_shufflevector(xy_ab, xy_cd, 2, 3, 6, 7),
+                   zs = __builtin_shufflevector(z_ab, z_cd, 0, 1, 4, 5);
+        std::memcpy(x + i, &xs, sizeof xs), std::memcpy(y + i, &ys, sizeof ys);
+        std::memcpy(z + i, &zs, sizeof zs);
+    }
+    for (; i < vertices.size(); ++i)
+        x[i] = vertices[i].position[0], y[i] = vertices[i].position[1], z[i] = vertices[i].position[2];
+}
+
 /// From positions that are there already. Returns how many are not in front of the near end.
 ECHOLOOP_SIMD
 int find_straight(int count, const PartPlace place, const SampleGrid grid, float* __restrict x_of,
@@ -77,7 +103,6 @@ ECHOLOOP_SIMD
 void look_up(int count, const float* __restrict cells, const std::int32_t* __restrict cell_of,
              const float* __restrict column_share, const float* __restrict row_share,
              float* __restrict rays) {
-    using Four = float __attribute__((vector_size(16)));
     constexpr std::size_t next_row = 4 * RayTable::columns;
     const auto four = [](const float* from) {
         Four all;
@@ -148,10 +173,7 @@ void SeenCorners::find(std::span<const SceneVertex> vertices, const PartPlace& p
     if (numbers_.size() < rows * stride_) numbers_.resize(rows * stride_);
     const auto count = static_cast<int>(stride_);
     float *const x = row(0), *const y = row(1), *const z = row(2);
-    for (std::size_t i = 0; i < count_; ++i) {
-        const auto& position = vertices[i].position;
-        x[i] = position[0], y[i] = position[1], z[i] = position[2];
-    }
+    part_positions(vertices, x, y, z);
     for (float* const coordinate : {x, y, z})
         std::fill(coordinate + count_, coordinate + stride_, coordinate[count_ - 1]);
     int behind = 0;
