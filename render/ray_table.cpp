@@ -61,6 +61,7 @@ RayTable::RayTable(std::span<const SoundSpeedPoint> profile, double depth, doubl
                                                  (whole[i + 1].depth - whole[i].depth)));
     shoot(whole, surface);
     close_gaps();
+    find_moves();
     find_errors(surface);
     find_focus(whole);
     if (surface && depth > 0) find_surface(whole);
@@ -163,6 +164,29 @@ void RayTable::close_gaps() {
         }
 }
 
+/// Right above and below the sonar as between the first two columns.
+void RayTable::find_moves() {
+    moves_.resize(cells_.size());
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = columns; column-- > 0;) {
+            const std::size_t at = row * columns + column;
+            const double height = -places_.below(static_cast<double>(row)),
+                         level = static_cast<double>(column) * column_step_;
+            const double turn = static_cast<double>(cells_[at][0]),
+                         longer = 1 + static_cast<double>(cells_[at][1]);
+            const double sine = std::sin(turn), cosine = std::cos(turn);
+            const double turned =
+                column > 0 ? sine / level : static_cast<double>(cells_[at + 1][0]) / column_step_;
+            const double outwards = longer * (cosine - height * turned);
+            moves_[at] = {static_cast<float>(outwards - 1),
+                          static_cast<float>(longer * (level * sine + height * cosine) - height),
+                          column > 0
+                              ? static_cast<float>(static_cast<double>(cells_[at][2]) / (outwards * level))
+                              : moves_[at + 1].bow,
+                          cells_[at][3]};
+        }
+}
+
 void RayTable::find_errors(bool surface) {
     for (std::size_t row = 0; row < rows; ++row)
         for (std::size_t column = 0; column < columns; ++column) {
@@ -197,25 +221,42 @@ void RayTable::find_lift(std::size_t step, double distance, double below, double
         lifts_[down ? 1 : 0][step] = std::max(lifts_[down ? 1 : 0][step], down ? -lift : lift);
 }
 
-BentRay RayTable::at(double distance, double below) const {
+RayTable::Corners RayTable::corners(double distance, double below) const {
     const double x = std::clamp(distance / column_step_, 0.0, static_cast<double>(columns - 1)),
                  y = std::clamp(places_.row(below), 0.0, static_cast<double>(rows - 1));
     const auto column = std::min(static_cast<std::size_t>(x), columns - 2),
                row = std::min(static_cast<std::size_t>(y), rows - 2);
-    const auto fx = static_cast<float>(x - static_cast<double>(column)),
-               fy = static_cast<float>(y - static_cast<double>(row));
-    const auto* upper = &cells_[row * columns + column];
+    return {row * columns + column, static_cast<float>(x - static_cast<double>(column)),
+            static_cast<float>(y - static_cast<double>(row))};
+}
+
+BentRay RayTable::at(double distance, double below) const {
+    const Corners among = corners(distance, below);
+    const auto* upper = &cells_[among.upper];
     const auto* lower = upper + columns;
     std::array<float, 4> all;
     for (std::size_t i = 0; i < 3; ++i) {
-        const float above = upper[0][i] + fx * (upper[1][i] - upper[0][i]),
-                    under = lower[0][i] + fx * (lower[1][i] - lower[0][i]);
-        all[i] = above + fy * (under - above);
+        const float above = upper[0][i] + among.across * (upper[1][i] - upper[0][i]),
+                    under = lower[0][i] + among.across * (lower[1][i] - lower[0][i]);
+        all[i] = above + among.down * (under - above);
     }
     // May be infinite.
-    all[3] = std::lerp(std::lerp(upper[0][3], upper[1][3], fx), std::lerp(lower[0][3], lower[1][3], fx), fy);
+    all[3] = std::lerp(std::lerp(upper[0][3], upper[1][3], among.across),
+                       std::lerp(lower[0][3], lower[1][3], among.across), among.down);
     return {static_cast<double>(all[0]), static_cast<double>(all[1]), static_cast<double>(all[2]),
             static_cast<double>(all[3])};
+}
+
+RayTable::Move RayTable::move(double distance, double below) const {
+    const Corners among = corners(distance, below);
+    const Move* const upper = &moves_[among.upper];
+    const Move* const lower = upper + columns;
+    const auto between = [&](float Move::*m) {
+        const float above = upper[0].*m + among.across * (upper[1].*m - upper[0].*m),
+                    under = lower[0].*m + among.across * (lower[1].*m - lower[0].*m);
+        return above + among.down * (under - above);
+    };
+    return {between(&Move::outwards), between(&Move::rise), between(&Move::bow), between(&Move::clearance)};
 }
 
 /// As cells are, so beyond the ends as between the last rows.

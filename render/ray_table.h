@@ -126,9 +126,20 @@ class RayTable {
     bool has_shadow() const { return has_shadow_; }
     double steepest() const { return steepest_; }  ///< 1/s, the greatest gradient of sound speed
 
+    /// Where we see a point, and how its ray arrives there: one that is `level` m from the sonar along the
+    /// level and `height` m above it is seen at (1 + outwards) level and height + rise.
+    struct Move {
+        float outwards = 0;
+        float rise = 0;       ///< m
+        float bow = 0;        ///< rad/m: BentRay::bow over the level distance where it is seen
+        float clearance = 0;  ///< m, as of a BentRay
+    };
+    /// As at(), of the point there.
+    Move move(double distance, double below) const;
+
     static constexpr std::size_t columns = 128, rows = 128;
-    /// Rows x columns of turn, stretch, bow and clearance: columns by distance from 0, rows by depth.
-    std::span<const std::array<float, 4>> cells() const { return cells_; }
+    /// Rows x columns: columns by distance from 0, rows by depth.
+    std::span<const Move> moves() const { return moves_; }
     double column_step() const { return column_step_; }  ///< m
     /// Rows lie closer near the sonar's depth: row r is a u + b u |u| m below it, with u = r + first.
     struct Rows {
@@ -147,6 +158,7 @@ class RayTable {
   private:
     void shoot(std::span<const SoundSpeedPoint> profile, bool surface);
     void close_gaps();
+    void find_moves();
     void find_errors(bool surface);
     void find_lift(std::size_t step, double distance, double below, double turn);
     void find_focus(std::span<const SoundSpeedPoint> profile);
@@ -159,8 +171,15 @@ class RayTable {
     double speed_;
     double column_step_ = 1;
     Rows places_;
-    std::vector<std::array<float, 4>> cells_;
-    std::array<double, rows> plumb_{};  ///< m of c t, down from the first row
+    struct Corners {
+        std::size_t upper;  ///< the first of the four points around, of which the others follow
+        float across, down;
+    };
+    Corners corners(double distance, double below) const;
+
+    std::vector<std::array<float, 4>> cells_;  ///< turn, stretch, bow and clearance
+    std::vector<Move> moves_;                  ///< in the same places
+    std::array<double, rows> plumb_{};         ///< m of c t, down from the first row
     std::vector<float> focus_;
     std::vector<Place> ends_;  ///< in the same places
     Surfacing surfacing_;

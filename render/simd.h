@@ -14,3 +14,14 @@
 #else
 #define ECHOLOOP_SIMD
 #endif
+
+namespace echoloop {
+
+/// Loops go over whole vectors of so many, so that nothing is left to be done one by one.
+constexpr int whole_vector = 16;
+template <typename Count>
+constexpr Count padded(Count count) {
+    return (count + whole_vector - 1) / whole_vector * whole_vector;
+}
+
+}  // namespace echoloop

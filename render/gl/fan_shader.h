@@ -40,7 +40,7 @@ uniform vec4 window;
 uniform vec3 up;               // in the view
 uniform vec4 columns;          // RayTable: places in the texture per m, and of the first; of its rows likewise
 uniform vec3 rows;             // rows: sqrt(x + |height| y) - z from the sonar's depth
-uniform sampler2D rays;        // RayTable::cells()
+uniform sampler2D rays;        // RayTable::moves()
 out vec3 seen;
 out vec4 seen_normal;
 const float near = 0.01;
@@ -49,20 +49,20 @@ void main() {
     float height = dot(line, up);
     vec3 level = line - height * up;
     float x = length(level);
-    vec3 ahead = level / max(x, 1e-6);
     float u = sqrt(rows.x + abs(height) * rows.y) - rows.z;
-    vec4 ray = textureLod(rays, vec2(x, height > 0.0 ? -u : u) * columns.xz + columns.yw, 0.0);
-    vec2 q = ray.xz * ray.xz;
-    vec2 s = ray.xz - ray.xz * q * (1.0 / 6.0 - q * (1.0 / 120.0));
-    vec2 v = q * (0.5 - q * (1.0 / 24.0 - q * (1.0 / 720.0)));  // 1 - cosine
-    seen = (1.0 + ray.y) * (line - (x * v.x + height * s.x) * ahead + (x * s.x - height * v.x) * up);
+    vec4 move = textureLod(rays, vec2(x, height > 0.0 ? -u : u) * columns.xz + columns.yw, 0.0);
+    seen = line + move.x * level + move.y * up;
+    // The bow, as a vector along the level; its sine over it; and 1 less its cosine over its square.
+    vec3 bow = move.z * (1.0 + move.x) * level;
+    float q = dot(bow, bow), sine = 1.0 - q * (1.0 / 6.0 - q * (1.0 / 120.0)),
+          versine = 0.5 - q * (1.0 / 24.0 - q * (1.0 / 720.0));
     vec3 n = view_from_world * normal;
-    float n_ahead = dot(n, ahead), n_up = dot(n, up);
-    n += (n_up * s.y - n_ahead * v.y) * ahead - (n_up * v.y + n_ahead * s.y) * up;
+    float n_along = dot(n, bow), n_up = dot(n, up);
+    n += (n_up * sine - n_along * versine) * bow - (n_up * q * versine + n_along * sine) * up;
     seen_normal = vec4(n, surface + 0.25);
     vec2 image = (seen.xy - window.xy * seen.z) * window.zw;
     gl_Position = vec4(-image.y, image.x, near, seen.z);
-    gl_ClipDistance[0] = ray.w;
+    gl_ClipDistance[0] = move.w;
 }
 )";
 

@@ -136,7 +136,7 @@ void SceneDrawer::begin_bent(const Bending& bending) {
     const RayTable& rays = *bending.rays;
     if (bent_->rays != bending.rays)
         bent_->table.fill(static_cast<int>(RayTable::columns), static_cast<int>(RayTable::rows),
-                          rays.cells().data());
+                          rays.moves().data());
     bent_->rays = bending.rays;
     bent_->table.bind();
     const RayTable::Rows& rows = rays.row_places();

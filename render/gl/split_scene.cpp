@@ -76,10 +76,8 @@ class SplitScene::Splitter {
         const double height = dot(straight, up_);
         const Vec3 level = straight - height * up_;
         const double x = norm(level);
-        const BentRay ray = rays_.at(x, -height);
-        const double s = std::sin(ray.turn), c = std::cos(ray.turn);
-        return (1 + ray.stretch) *
-               ((x > 0 ? (x * c - height * s) / x : 0) * level + (x * s + height * c) * up_);
+        const RayTable::Move move = rays_.move(x, -height);
+        return straight + static_cast<double>(move.outwards) * level + static_cast<double>(move.rise) * up_;
     }
 
     /// The vertex in the middle of an edge that is to be halved, else `whole`.

@@ -57,21 +57,17 @@ int find_straight(int count, const PartPlace place, const SampleGrid grid, float
     return behind;
 }
 
-/// m, so that what is right above or below us lies somewhere.
-constexpr float least_level = 1e-3F;
-
 /// Where a point is among a RayTable's cells.
 struct TablePlaces {
     float columns_per_metre, middle, per_b, first_row;
 };
 
-/// How points lie to us in the view's axes, from their positions, how high above and how far on the level;
-/// and among a table's cells: the first of the four around each, and the shares of the next column and of the
-/// next row.
+/// How points lie to us in the view's axes, from their positions, and how high above; and among a table's
+/// cells: the first of the four around each, and the shares of the next column and of the next row.
 ECHOLOOP_SIMD
 void find_places(int count, const PartPlace place, const TablePlaces table, float* __restrict x_of,
                  float* __restrict y_of, float* __restrict z_of, float* __restrict height_of,
-                 float* __restrict level_of, std::int32_t* __restrict cell_of, float* __restrict column_share,
+                 std::int32_t* __restrict cell_of, float* __restrict column_share,
                  float* __restrict row_share) {
     constexpr auto columns = static_cast<int>(RayTable::columns), rows = static_cast<int>(RayTable::rows);
     constexpr auto last_column = static_cast<float>(columns - 1), last_row = static_cast<float>(rows - 1);
@@ -85,14 +81,14 @@ void find_places(int count, const PartPlace place, const TablePlaces table, floa
                     z = m[6] * wx + m[7] * wy + m[8] * wz;
         const float height = x * ux + y * uy + z * uz;
         const float lx = x - height * ux, ly = y - height * uy, lz = z - height * uz;
-        const float level = std::max(std::sqrt(lx * lx + ly * ly + lz * lz), least_level);
+        const float level = std::sqrt(lx * lx + ly * ly + lz * lz);
         const float u = std::sqrt(square + std::abs(height) * table.per_b) - middle;
         const float column = std::min(level * table.columns_per_metre, last_column);
         const float row = std::min(std::max((height > 0 ? -u : u) - table.first_row, 0.0F), last_row);
         const int c = std::min(static_cast<int>(column), columns - 2),
                   r = std::min(static_cast<int>(row), rows - 2);
         x_of[i] = x, y_of[i] = y, z_of[i] = z;
-        height_of[i] = height, level_of[i] = level;
+        height_of[i] = height;
         cell_of[i] = r * columns + c;
         column_share[i] = column - static_cast<float>(c), row_share[i] = row - static_cast<float>(r);
     }
@@ -102,7 +98,7 @@ void find_places(int count, const PartPlace place, const TablePlaces table, floa
 ECHOLOOP_SIMD
 void look_up(int count, const float* __restrict cells, const std::int32_t* __restrict cell_of,
              const float* __restrict column_share, const float* __restrict row_share,
-             float* __restrict rays) {
+             float* __restrict moves) {
     constexpr std::size_t next_row = 4 * RayTable::columns;
     const auto four = [](const float* from) {
         Four all;
@@ -113,38 +109,30 @@ void look_up(int count, const float* __restrict cells, const std::int32_t* __res
         const float* const at = cells + 4 * static_cast<std::size_t>(cell_of[i]);
         const Four a = four(at), b = four(at + 4), c = four(at + next_row), d = four(at + next_row + 4);
         const Four high = a + column_share[i] * (b - a), low = c + column_share[i] * (d - c);
-        const Four ray = high + row_share[i] * (low - high);
-        std::memcpy(rays + 4 * static_cast<std::size_t>(i), &ray, sizeof ray);
+        const Four move = high + row_share[i] * (low - high);
+        std::memcpy(moves + 4 * static_cast<std::size_t>(i), &move, sizeof move);
     }
 }
 
-/// As gl/fan_shader's bent_vertex_shader: a point moves along itself and upwards. Returns how many are not in
+/// As RayTable::Move says. Returns how many are not in
 /// front of the near end.
 ECHOLOOP_SIMD
-int bend(int count, const float* __restrict rays, const std::array<float, 3> up, const SampleGrid grid,
+int bend(int count, const float* __restrict moves, const std::array<float, 3> up, const SampleGrid grid,
          float* __restrict x_of, float* __restrict y_of, float* __restrict z_of, float* __restrict line_of,
-         float* __restrict sample_of, float* __restrict height_and_bow,
-         float* __restrict level_and_clearance) {
+         float* __restrict sample_of, float* __restrict height_and_bow, float* __restrict clearance_of) {
     const float ux = up[0], uy = up[1], uz = up[2], near = near_end;
     int behind = 0;
     for (int i = 0; i < count / whole_vector * whole_vector; ++i) {
-        const float dx = x_of[i], dy = y_of[i], dz = z_of[i];
-        const float turn = rays[4 * i], longer = 1 + rays[4 * i + 1], bow = rays[4 * i + 2],
-                    clearance = rays[4 * i + 3];
-        const float height = height_and_bow[i], level = level_and_clearance[i], over = 1 / level;
-        const float q = turn * turn, s = turn - turn * q * (1 / 6.0F - q * (1 / 120.0F)),
-                    v = q * (0.5F - q * (1 / 24.0F - q * (1 / 720.0F)));  // 1 - cosine
-        const float along = -(v + height * s * over);
-        const float outwards = longer * (1 + along),
-                    upwards = longer * (level * s - height * v - along * height);
-        const float x = outwards * dx + upwards * ux, y = outwards * dy + upwards * uy,
-                    z = outwards * dz + upwards * uz;
+        const float outwards = moves[4 * i], rise = moves[4 * i + 1], bow = moves[4 * i + 2],
+                    clearance = moves[4 * i + 3];
+        const float longer = 1 + outwards, upwards = rise - outwards * height_and_bow[i];
+        const float x = longer * x_of[i] + upwards * ux, y = longer * y_of[i] + upwards * uy,
+                    z = longer * z_of[i] + upwards * uz;
         const float inverse = 1 / (z > near ? z : near);
         x_of[i] = x, y_of[i] = y, z_of[i] = z;
         line_of[i] = (x * inverse - grid.first_x) * grid.lines_per_x;
         sample_of[i] = (grid.first_y - y * inverse) * grid.samples_per_y;
-        height_and_bow[i] = bow / (outwards * level);
-        level_and_clearance[i] = clearance;
+        height_and_bow[i] = bow, clearance_of[i] = clearance;
         behind += z <= near ? 1 : 0;
     }
     return behind;
@@ -180,18 +168,18 @@ void SeenCorners::find(std::span<const SceneVertex> vertices, const PartPlace& p
     if (rays == nullptr) {
         behind = find_straight(count, place, grid, x, y, z, row(3), row(4));
     } else {
-        if (cells_.size() < stride_) cells_.resize(stride_), rays_.resize(4 * stride_);
+        if (cells_.size() < stride_) cells_.resize(stride_), moves_.resize(4 * stride_);
         const RayTable::Rows& places = rays->row_places();
         const TablePlaces table{static_cast<float>(1 / rays->column_step()),
                                 static_cast<float>(places.a / (2 * places.b)),
                                 static_cast<float>(1 / places.b), static_cast<float>(places.first)};
         float *const column_share = row(3), *const row_share = row(4);
-        find_places(count, place, table, x, y, z, row(5), row(6), cells_.data(), column_share, row_share);
-        look_up(static_cast<int>(count_), rays->cells().data()->data(), cells_.data(), column_share,
-                row_share, rays_.data());
+        find_places(count, place, table, x, y, z, row(5), cells_.data(), column_share, row_share);
+        look_up(static_cast<int>(count_), &rays->moves().data()->outwards, cells_.data(), column_share,
+                row_share, moves_.data());
         for (std::size_t i = count_; i < stride_; ++i)
-            std::copy_n(&rays_[4 * (count_ - 1)], 4, &rays_[4 * i]);
-        behind = bend(count, rays_.data(), place.up_seen, grid, x, y, z, row(3), row(4), row(5), row(6));
+            std::copy_n(&moves_[4 * (count_ - 1)], 4, &moves_[4 * i]);
+        behind = bend(count, moves_.data(), place.up_seen, grid, x, y, z, row(3), row(4), row(5), row(6));
     }
     if (z[count_ - 1] <= near_end) behind -= static_cast<int>(stride_ - count_);
     behind_ = static_cast<std::size_t>(behind);

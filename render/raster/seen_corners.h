@@ -8,6 +8,7 @@
 
 #include "render/ray_table.h"
 #include "render/scene/scene.h"
+#include "render/simd.h"
 #include "render/view.h"
 
 namespace echoloop::raster {
@@ -30,12 +31,6 @@ struct SampleGrid {
     int lines, samples;
 };
 
-/// Loops go over whole vectors of so many, so that nothing is left to be done one by one.
-constexpr int whole_vector = 16;
-constexpr std::size_t padded(std::size_t count) {
-    return (count + whole_vector - 1) / whole_vector * whole_vector;
-}
-
 class SeenCorners {
   public:
     /// As straight rays show them, or where bent ones do: as gl/fan_shader says.
@@ -50,8 +45,7 @@ class SeenCorners {
     const float* z() const { return row(2); }
     const float* line() const { return row(3); }    ///< of those in front of the near end
     const float* sample() const { return row(4); }  ///< the same
-    /// Where rays bend: BentRay::bow over the level distance from us, 1/m, which hardly varies where bows do,
-    /// and where they have shadows BentRay::clearance.
+    /// Where rays bend: as of RayTable::Move.
     const float* bow() const { return row(5); }
     const float* clearance() const { return row(6); }
 
@@ -63,7 +57,7 @@ class SeenCorners {
     std::size_t count_ = 0, stride_ = 0, behind_ = 0;
     std::vector<float> numbers_;
     std::vector<std::int32_t> cells_;  ///< of a ray table, of each
-    std::vector<float> rays_;          ///< what it says of each
+    std::vector<float> moves_;         ///< what it says of each
 };
 
 }  // namespace echoloop::raster

@@ -51,7 +51,7 @@ void turn_normals(float x, const float* __restrict y_of, const std::array<float,
                   const float* __restrict bow_of, const float* __restrict depth_of, float* __restrict nx_of,
                   float* __restrict ny_of, float* __restrict nz_of) {
     const float ux = up[0], uy = up[1], uz = up[2];
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count / whole_vector * whole_vector; ++i) {
         const float y = y_of[i], height = x * ux + y * uy + uz, bow = bow_of[i] * depth_of[i];
         // The bow, as a vector along the level.
         const float bx = bow * (x - height * ux), by = bow * (y - height * uy), bz = bow * (1 - height * uz);

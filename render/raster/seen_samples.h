@@ -20,7 +20,7 @@ void bow_along(const Along& triangle, float b0, float b1, float b2, const float*
 
 /// Turns the normals of neighbouring samples from where rays head when they arrive to where they headed when
 /// they left, which is where we see them. `bow`: as SeenCorners::bow(); `up`: the world's, in the view's
-/// axes.
+/// axes; `count`: of whole vectors.
 void turn_normals(float x, const float* y_of, std::array<float, 3> up, int count, const float* bow_of,
                   const float* depth_of, float* nx_of, float* ny_of, float* nz_of);
 

@@ -276,7 +276,7 @@ void ViewPainter::write(const Painting& painting, const View& view) {
             const std::size_t count = std::min(rays::HitArrays::most, view.samples - sample);
             look(line * stride_ + sample, x_[line], &y_[sample], count, hits, bow.data());
             if (!bows_.empty())
-                turn_normals(x_[line], &y_[sample], places_.front().up_seen, static_cast<int>(count),
+                turn_normals(x_[line], &y_[sample], places_.front().up_seen, static_cast<int>(padded(count)),
                              bow.data(), hits.depth.data(), hits.normal_x.data(), hits.normal_y.data(),
                              hits.normal_z.data());
             rays::find_pixels(own_axes, sizes, x_[line], &y_[sample], hits, count,

@@ -24,7 +24,7 @@ struct PixelArrays {
 };
 
 /// As the shader: the mean echo of a rough surface, and the footprint from the triangle's plane n p = d, on
-/// which 1 / depth = (x n starboard + y n up + n forward) / d.
+/// which 1 / depth = (x n starboard + y n up + n forward) / d. `count`: of whole vectors.
 ECHOLOOP_SIMD
 void find(const ViewAxes axes, const PixelSizes sizes, const float x, const float* __restrict y_of,
           const float* __restrict depth_of, const float* __restrict nx_of, const float* __restrict ny_of,
@@ -36,7 +36,7 @@ void find(const ViewAxes axes, const PixelSizes sizes, const float x, const floa
                 fy = sy * x + axes.forward[1], fz = sz * x + axes.forward[2];
     const float usual_width = sizes.usual_width * sizes.width,
                 usual_height = sizes.usual_height * sizes.height;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count / whole_vector * whole_vector; ++i) {
         const float y = y_of[i], depth = depth_of[i], square = x * x + y * y + 1;
         const float length = std::sqrt(square);
         const float nx = nx_of[i], ny = ny_of[i], nz = nz_of[i];
@@ -65,10 +65,13 @@ void find(const ViewAxes axes, const PixelSizes sizes, const float x, const floa
 
 void find_pixels(const ViewAxes& axes, const PixelSizes& sizes, float x, const float* y,
                  const HitArrays& hits, std::size_t count, Pixel* pixels) {
+    static_assert(HitArrays::most % whole_vector == 0);
     PixelArrays found;
-    find(axes, sizes, x, y, hits.depth.data(), hits.normal_x.data(), hits.normal_y.data(),
+    HitArrays::Numbers y_of{};
+    std::copy_n(y, count, y_of.begin());
+    find(axes, sizes, x, y_of.data(), hits.depth.data(), hits.normal_x.data(), hits.normal_y.data(),
          hits.normal_z.data(), hits.plane_x.data(), hits.plane_y.data(), hits.plane_z.data(),
-         hits.lean.data(), static_cast<int>(count), found.range.data(), found.cosine.data(),
+         hits.lean.data(), static_cast<int>(padded(count)), found.range.data(), found.cosine.data(),
          found.footprint.data());
     for (std::size_t i = 0; i < count; ++i)
         pixels[i] = hits.surface[i] > 0

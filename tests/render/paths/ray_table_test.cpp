@@ -196,7 +196,7 @@ TEST(RayTable, IsNearToRaysEverywhere) {
         for (const double depth : {0.5, 11.0, 30.0})
             for (const double range : {30.0, 300.0}) {
                 const RayTable table(profile, depth, range, true);
-                int compared = 0, turned = 0;
+                int compared = 0, turned = 0, moved = 0;
                 for (double e = -89.5; e < 89; e += 1.3)
                     for (double share = 0.05; share < 1; share += 0.1) {
                         const double time = share * range / table.speed();
@@ -212,9 +212,17 @@ TEST(RayTable, IsNearToRaysEverywhere) {
                         ASSERT_NEAR(got.time / time, 1, 1e-3) << depth << " " << range << " " << e << " x "
                                                               << end.distance << " z " << end.depth;
                         turned += std::abs(rad_to_deg(got.launch) - e) > 0.1 ? 1 : 0;
+                        const RayTable::Move move = table.move(end.distance, end.depth - depth);
+                        const double level = (1 + static_cast<double>(move.outwards)) * end.distance,
+                                     height = depth - end.depth + static_cast<double>(move.rise);
+                        ASSERT_NEAR(std::hypot(level, height) / (share * range), 1, 1e-3)
+                            << depth << " " << range << " " << e << " x " << end.distance;
+                        ASSERT_NEAR(static_cast<double>(move.bow) * level, there.bow, 1e-3);
+                        moved += std::abs(rad_to_deg(std::atan2(height, level)) - e) > 0.1 ? 1 : 0;
                     }
                 EXPECT_GT(compared, 300) << depth << " " << range;
                 EXPECT_LE(turned, compared / 100) << "but for rays that only just touch a layer";
+                EXPECT_LE(moved, compared / 100) << "the same";
             }
 }
 
