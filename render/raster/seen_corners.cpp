@@ -99,17 +99,16 @@ ECHOLOOP_SIMD
 void look_up(int count, const float* __restrict cells, const std::int32_t* __restrict cell_of,
              const float* __restrict column_share, const float* __restrict row_share,
              float* __restrict moves) {
+    using Eight = float __attribute__((vector_size(32)));
     constexpr std::size_t next_row = 4 * RayTable::columns;
-    const auto four = [](const float* from) {
-        Four all;
-        std::memcpy(&all, from, sizeof all);
-        return all;
-    };
     for (int i = 0; i < count; ++i) {
         const float* const at = cells + 4 * static_cast<std::size_t>(cell_of[i]);
-        const Four a = four(at), b = four(at + 4), c = four(at + next_row), d = four(at + next_row + 4);
-        const Four high = a + column_share[i] * (b - a), low = c + column_share[i] * (d - c);
-        const Four move = high + row_share[i] * (low - high);
+        Eight both, below;  // the cell and the next one of the row
+        std::memcpy(&both, at, sizeof both), std::memcpy(&below, at + next_row, sizeof below);
+        both += row_share[i] * (below - both);
+        const Four left = __builtin_shufflevector(both, both, 0, 1, 2, 3),
+                   right = __builtin_shufflevector(both, both, 4, 5, 6, 7);
+        const Four move = left + column_share[i] * (right - left);
         std::memcpy(moves + 4 * static_cast<std::size_t>(i), &move, sizeof move);
     }
 }
