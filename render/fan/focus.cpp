@@ -26,12 +26,12 @@ void find_focus_places(const FocusLine line, const RayTable::FocusTable table, c
     }
 }
 
-/// One by one, which is quicker than what g++ makes of it in vectors.
+/// One by one, which is quicker than what g++ makes of it in vectors. Where nothing is seen any will do.
 #ifdef ECHOLOOP_SIMD_VERSIONS
 __attribute__((optimize("no-tree-vectorize")))
 #endif
-void fetch_focus(const float* all, const Pixel* pixels, const std::int32_t* place, int count, float* focus) {
-    for (int i = 0; i < count; ++i) focus[i] = pixels[i].surface == 0 ? 1.0F : all[place[i]];
+void fetch_focus(const float* all, const std::int32_t* place, int count, float* focus) {
+    for (int i = 0; i < count; ++i) focus[i] = all[place[i]];
 }
 
 void find_focus(const FocusLine& line, const RayTable::FocusTable& table, const Pixel* pixels, int count,
@@ -43,7 +43,7 @@ void find_focus(const FocusLine& line, const RayTable::FocusTable& table, const 
         const int these = std::min(at_once, count - i);
         from.top = line.top - static_cast<float>(i) * line.step;
         find_focus_places(from, table, pixels + i, these, place.data());
-        fetch_focus(table.all(), pixels + i, place.data(), these, focus + i);
+        fetch_focus(table.all(), place.data(), these, focus + i);
     }
 }
 

@@ -1,7 +1,6 @@
 #include "render/raster/seen_samples.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "render/simd.h"
@@ -43,28 +42,6 @@ void bow_along(const Along& triangle, float b0, float b1, float b2, const float*
     for (int i = 0; i < count; ++i) {
         const float y = y_of[i], e0 = a + a_up * y, e1 = b + b_up * y, e2 = c + c_up * y;
         bow[i] = (b0 * e0 + b1 * e1 + b2 * e2) / (e0 + e1 + e2);
-    }
-}
-
-ECHOLOOP_SIMD
-void turn_normals(float x, const float* __restrict y_of, const std::array<float, 3> up, int count,
-                  const float* __restrict bow_of, const float* __restrict depth_of, float* __restrict nx_of,
-                  float* __restrict ny_of, float* __restrict nz_of) {
-    const float ux = up[0], uy = up[1], uz = up[2];
-    for (int i = 0; i < count / whole_vector * whole_vector; ++i) {
-        const float y = y_of[i], height = x * ux + y * uy + uz, bow = bow_of[i] * depth_of[i];
-        // The bow, as a vector along the level.
-        const float bx = bow * (x - height * ux), by = bow * (y - height * uy), bz = bow * (1 - height * uz);
-        const float q = bx * bx + by * by + bz * bz;
-        const float sine = 1 - q * (1 / 6.0F - q * (1 / 120.0F)),  // over the bow
-            versine = 0.5F - q * (1 / 24.0F - q * (1 / 720.0F));   // over its square
-        const float nx = nx_of[i], ny = ny_of[i], nz = nz_of[i];
-        const float along = nx * bx + ny * by + nz * bz, upwards = nx * ux + ny * uy + nz * uz;
-        const float more_along = upwards * sine - along * versine,
-                    more_up = -(upwards * q * versine + along * sine);
-        nx_of[i] = nx + more_along * bx + more_up * ux;
-        ny_of[i] = ny + more_along * by + more_up * uy;
-        nz_of[i] = nz + more_along * bz + more_up * uz;
     }
 }
 

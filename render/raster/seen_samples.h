@@ -18,10 +18,4 @@ void look_along(const Along& triangle, const float* y_of, int count, float* dept
 /// The same for SeenCorners::bow(), which is given at its corners.
 void bow_along(const Along& triangle, float b0, float b1, float b2, const float* y_of, int count, float* bow);
 
-/// Turns the normals of neighbouring samples from where rays head when they arrive to where they headed when
-/// they left, which is where we see them. `bow`: as SeenCorners::bow(); `up`: the world's, in the view's
-/// axes; `count`: of whole vectors.
-void turn_normals(float x, const float* y_of, std::array<float, 3> up, int count, const float* bow_of,
-                  const float* depth_of, float* nx_of, float* ny_of, float* nz_of);
-
 }  // namespace echoloop::raster

@@ -270,17 +270,14 @@ void ViewPainter::write(const Painting& painting, const View& view) {
                                  static_cast<float>(view.sample_height()),
                                  static_cast<float>(view.usual_width), static_cast<float>(view.usual_height)};
     rays::HitArrays hits{};
-    rays::HitArrays::Numbers bow{};
+    rays::Bows bows{places_.empty() ? std::array<float, 3>{} : places_.front().up_seen, {}};
     for (std::size_t line = 0; line < view.lines; ++line)
         for (std::size_t sample = 0; sample < view.samples; sample += rays::HitArrays::most) {
             const std::size_t count = std::min(rays::HitArrays::most, view.samples - sample);
-            look(line * stride_ + sample, x_[line], &y_[sample], count, hits, bow.data());
-            if (!bows_.empty())
-                turn_normals(x_[line], &y_[sample], places_.front().up_seen, static_cast<int>(padded(count)),
-                             bow.data(), hits.depth.data(), hits.normal_x.data(), hits.normal_y.data(),
-                             hits.normal_z.data());
+            look(line * stride_ + sample, x_[line], &y_[sample], count, hits, bows.of.data());
             rays::find_pixels(own_axes, sizes, x_[line], &y_[sample], hits, count,
-                              painting.image + (view.first_line + line) * painting.samples + sample);
+                              painting.image + (view.first_line + line) * painting.samples + sample,
+                              bows_.empty() ? nullptr : &bows);
         }
 }
 

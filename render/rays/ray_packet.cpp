@@ -19,18 +19,24 @@ void find_directions(const ViewAxes& axes, const float* x, const float* y, float
 
 namespace {
 
-struct PixelArrays {
+struct FoundArrays {
     HitArrays::Numbers range, cosine, footprint;
 };
 
 /// As the shader: the mean echo of a rough surface, and the footprint from the triangle's plane n p = d, on
-/// which 1 / depth = (x n starboard + y n up + n forward) / d. `count`: of whole vectors.
-ECHOLOOP_SIMD
-void find(const ViewAxes axes, const PixelSizes sizes, const float x, const float* __restrict y_of,
-          const float* __restrict depth_of, const float* __restrict nx_of, const float* __restrict ny_of,
-          const float* __restrict nz_of, const float* __restrict px_of, const float* __restrict py_of,
-          const float* __restrict pz_of, const float* __restrict lean_of, int count, float* __restrict range,
-          float* __restrict cosine, float* __restrict footprint) {
+/// which 1 / depth = (x n starboard + y n up + n forward) / d. `count`: of whole vectors. `bends`: a normal n
+/// turned up by the angle b |l|, where the direction is d = l + h w with w upwards, has with d the product
+/// (1 - versine - h b s) n d + b s d^2 n w, where s = sine / (b |l|).
+template <bool bends>
+ECHOLOOP_INLINE void find(const ViewAxes& axes, const PixelSizes sizes, const float x,
+                          const float* __restrict y_of, const float* __restrict depth_of,
+                          const float* __restrict nx_of, const float* __restrict ny_of,
+                          const float* __restrict nz_of, const float* __restrict px_of,
+                          const float* __restrict py_of, const float* __restrict pz_of,
+                          const float* __restrict lean_of, const float* __restrict bow_of,
+                          const std::array<float, 3> water_up, int count, float* __restrict range,
+                          float* __restrict cosine, float* __restrict footprint) {
+    const float wx = water_up[0], wy = water_up[1], wz = water_up[2];
     const float sx = axes.starboard[0], sy = axes.starboard[1], sz = axes.starboard[2], ux = axes.up[0],
                 uy = axes.up[1], uz = axes.up[2], fx = sx * x + axes.forward[0],
                 fy = sy * x + axes.forward[1], fz = sz * x + axes.forward[2];
@@ -43,7 +49,14 @@ void find(const ViewAxes axes, const PixelSizes sizes, const float x, const floa
         const float px = px_of[i], py = py_of[i], pz = pz_of[i];
         const float dx = ux * y + fx, dy = uy * y + fy, dz = uz * y + fz;
         const float plane_towards = px * dx + py * dy + pz * dz;
-        const float along = nx * dx + ny * dy + nz * dz;
+        float along = nx * dx + ny * dy + nz * dz;
+        if (bends) {
+            const float h = dx * wx + dy * wy + dz * wz, b = bow_of[i] * depth,
+                        q = b * b * (square - h * h);  // of the angle
+            const float s = b * (1 - q * (1 / 6.0F - q * (1 / 120.0F))),
+                        versine = q * (0.5F - q * (1 / 24.0F - q * (1 / 720.0F)));
+            along = (1 - versine - h * s) * along + s * square * (nx * wx + ny * wy + nz * wz);
+        }
         const float towards = along / std::sqrt(square * (nx * nx + ny * ny + nz * nz));
         const float flat = std::min(std::max(plane_towards < 0 ? -towards : towards, 0.0F), 1.0F);
         const float lean = lean_of[i];
@@ -61,18 +74,37 @@ void find(const ViewAxes axes, const PixelSizes sizes, const float x, const floa
     }
 }
 
+ECHOLOOP_SIMD
+void find_straight(const ViewAxes& axes, const PixelSizes sizes, float x, const float* y,
+                   const HitArrays& hits, int count, FoundArrays& found) {
+    find<false>(axes, sizes, x, y, hits.depth.data(), hits.normal_x.data(), hits.normal_y.data(),
+                hits.normal_z.data(), hits.plane_x.data(), hits.plane_y.data(), hits.plane_z.data(),
+                hits.lean.data(), nullptr, {}, count, found.range.data(), found.cosine.data(),
+                found.footprint.data());
+}
+
+ECHOLOOP_SIMD
+void find_bent(const ViewAxes& axes, const PixelSizes sizes, float x, const float* y, const HitArrays& hits,
+               const Bows& bows, int count, FoundArrays& found) {
+    find<true>(axes, sizes, x, y, hits.depth.data(), hits.normal_x.data(), hits.normal_y.data(),
+               hits.normal_z.data(), hits.plane_x.data(), hits.plane_y.data(), hits.plane_z.data(),
+               hits.lean.data(), bows.of.data(), bows.up, count, found.range.data(), found.cosine.data(),
+               found.footprint.data());
+}
+
 }  // namespace
 
 void find_pixels(const ViewAxes& axes, const PixelSizes& sizes, float x, const float* y,
-                 const HitArrays& hits, std::size_t count, Pixel* pixels) {
+                 const HitArrays& hits, std::size_t count, Pixel* pixels, const Bows* bows) {
     static_assert(HitArrays::most % whole_vector == 0);
-    PixelArrays found;
+    FoundArrays found;
     HitArrays::Numbers y_of{};
     std::copy_n(y, count, y_of.begin());
-    find(axes, sizes, x, y_of.data(), hits.depth.data(), hits.normal_x.data(), hits.normal_y.data(),
-         hits.normal_z.data(), hits.plane_x.data(), hits.plane_y.data(), hits.plane_z.data(),
-         hits.lean.data(), static_cast<int>(padded(count)), found.range.data(), found.cosine.data(),
-         found.footprint.data());
+    const auto whole = static_cast<int>(padded(count));
+    if (bows != nullptr)
+        find_bent(axes, sizes, x, y_of.data(), hits, *bows, whole, found);
+    else
+        find_straight(axes, sizes, x, y_of.data(), hits, whole, found);
     for (std::size_t i = 0; i < count; ++i)
         pixels[i] = hits.surface[i] > 0
                         ? Pixel{found.range[i], found.cosine[i], found.footprint[i], hits.surface[i]}

@@ -40,8 +40,17 @@ struct HitArrays {
 void find_directions(const ViewAxes& axes, const float* x, const float* y, float* to_x, float* to_y,
                      float* to_z);
 
-/// The pixels of one line, whose `count` samples are at those `y`.
+/// Of rays that bend and of hits where we see them: the water's upward direction in the view's axes, and of
+/// each hit the bow of its ray over the level distance, in rad/m, so that a ray arrives with its direction
+/// here turned down by the bow.
+struct Bows {
+    std::array<float, 3> up;
+    HitArrays::Numbers of;
+};
+
+/// The pixels of one line, whose `count` samples are at those `y`. `bows`: null where the direction from us
+/// is that of arrival.
 void find_pixels(const ViewAxes& axes, const PixelSizes& sizes, float x, const float* y,
-                 const HitArrays& hits, std::size_t count, Pixel* pixels);
+                 const HitArrays& hits, std::size_t count, Pixel* pixels, const Bows* bows = nullptr);
 
 }  // namespace echoloop::rays
