@@ -32,30 +32,8 @@ double farthest_in(const Bounds& box, Vec3 p) {
     return std::sqrt(squares);
 }
 
-/// True when the box lies wholly more than `shift` m times the normal's length on the negative side of the
-/// plane through `eye`.
-bool behind(const Bounds& box, Vec3 eye, Vec3 normal, double shift) {
-    const Vec3 farthest{normal.x > 0 ? at(box.max, 0) : at(box.min, 0),
-                        normal.y > 0 ? at(box.max, 1) : at(box.min, 1),
-                        normal.z > 0 ? at(box.max, 2) : at(box.min, 2)};
-    return dot(farthest - eye, normal) + shift < 0;
-}
-
-/// Whether a box may be seen between those planes. What rays lift is asked only where it can count.
-bool within(const Bounds& box, const SidePlanes& planes, Vec3 eye, Vec3 up, const RayTable* rays) {
-    double range = -1;
-    return std::none_of(planes.begin(), planes.end(), [&](Vec3 normal) {
-        if (!behind(box, eye, normal, 0)) return false;
-        if (rays == nullptr) return true;
-        const double upwards = dot(normal, up);
-        if (std::abs(upwards) < 1e-9) return true;
-        if (range < 0) range = farthest_in(box, eye);
-        return behind(box, eye, normal, range * std::abs(upwards) * rays->lift(range, upwards < 0));
-    });
-}
-
 /// Inward normals of the four sides of the view's pyramid.
-SidePlanes side_planes(const View& view, const Pose& world_from_fan, double margin) {
+std::array<Vec3, 4> side_planes(const View& view, const Pose& world_from_fan, double margin) {
     const Quat q = world_from_fan.orientation * view.fan_from_view();
     const Vec3 forward = rotate(q, {1, 0, 0}), starboard = rotate(q, {0, -1, 0}), up = rotate(q, {0, 0, 1});
     return {starboard - (view.left - margin) * forward, (view.right + margin) * forward - starboard,
@@ -79,7 +57,7 @@ bool will_do(float error, double tolerance, double square) {
 
 bool find_visible(const Scene& scene, NodeRange range, const View& view, const Pose& frame_from_fan,
                   const ViewLimits& limits, std::vector<std::uint32_t>& nodes, Vec3 up) {
-    const auto planes = side_planes(view, frame_from_fan, limits.margin);
+    const SeenBoxes boxes(view, frame_from_fan, limits, up);
     const Vec3 eye = frame_from_fan.position;
     static thread_local std::vector<std::pair<float, std::uint32_t>> found;
     found.clear();
@@ -88,7 +66,7 @@ bool find_visible(const Scene& scene, NodeRange range, const View& view, const P
     for (std::uint32_t i = range.first; i < range.last;) {
         const SceneNode& node = scene.nodes()[i];
         const double square = square_distance_to(node.bounds, eye);
-        const bool seen = square <= end2 && within(node.bounds, planes, eye, up, limits.rays);
+        const bool seen = square <= end2 && boxes.between_sides(node.bounds);
         const bool hides =
             seen && limits.begin_range > 0 && farthest_in(node.bounds, eye) < limits.begin_range;
         const double tolerance = hides ? limits.hiding_tolerance : tolerance_at(limits, square);
@@ -119,14 +97,54 @@ std::vector<std::uint32_t> find_around(const Scene& scene, NodeRange range, Vec3
 }
 
 SeenBoxes::SeenBoxes(const View& view, const Pose& frame_from_fan, const ViewLimits& limits, Vec3 up)
-    : planes_(side_planes(view, frame_from_fan, limits.margin)),
+    : upwards_{},
+      most_lift_{},
       eye_(frame_from_fan.position),
-      up_(up),
       end_range_(limits.end_range),
-      rays_(limits.rays) {}
+      rays_(limits.rays) {
+    const auto planes = side_planes(view, frame_from_fan, limits.margin);
+    for (int side = 0; side < 4; ++side) {
+        const Vec3 normal = planes[static_cast<std::size_t>(side)];
+        x_[side] = static_cast<float>(normal.x), y_[side] = static_cast<float>(normal.y);
+        z_[side] = static_cast<float>(normal.z);
+        const double upwards = dot(normal, up);
+        if (rays_ == nullptr || std::abs(upwards) < 1e-9) continue;
+        upwards_[side] = static_cast<float>(upwards);
+        most_lift_[side] =
+            static_cast<float>(std::abs(upwards) * end_range_ * rays_->lift(end_range_, upwards < 0));
+    }
+}
+
+bool SeenBoxes::between_sides(const Bounds& box) const {
+    const auto off = [](float coordinate, double eye) {
+        return static_cast<float>(static_cast<double>(coordinate) - eye);
+    };
+    const float low_x = off(box.min[0], eye_.x), low_y = off(box.min[1], eye_.y),
+                low_z = off(box.min[2], eye_.z), high_x = off(box.max[0], eye_.x),
+                high_y = off(box.max[1], eye_.y), high_z = off(box.max[2], eye_.z);
+    const auto greater = [](Four a, Four b) { return a > b ? a : b; };
+    const Four inside =
+        greater(x_ * low_x, x_ * high_x) + greater(y_ * low_y, y_ * high_y) +
+        greater(z_ * low_z, z_ * high_z);  // times the normals' lengths, of the corner farthest in
+    const auto any_below_0 = [](Four v) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])) < 0; };
+    if (!any_below_0(inside)) return true;
+    if (rays_ == nullptr) return false;
+    if (any_below_0(inside + most_lift_)) return false;
+    // What rays lift is asked only where it can count.
+    const double range = farthest_in(box, eye_);
+    for (int side = 0; side < 4; ++side) {
+        if (inside[side] >= 0) continue;
+        const auto upwards = static_cast<double>(upwards_[side]);
+        if (upwards == 0 ||
+            static_cast<double>(inside[side]) + range * std::abs(upwards) * rays_->lift(range, upwards < 0) <
+                0)
+            return false;
+    }
+    return true;
+}
 
 bool SeenBoxes::has(const Bounds& box) const {
-    return square_distance_to(box, eye_) <= end_range_ * end_range_ && within(box, planes_, eye_, up_, rays_);
+    return square_distance_to(box, eye_) <= end_range_ * end_range_ && between_sides(box);
 }
 
 }  // namespace echoloop::gl

@@ -39,17 +39,22 @@ bool find_visible(const Scene& scene, NodeRange range, const View& view, const P
 std::vector<std::uint32_t> find_around(const Scene& scene, NodeRange range, Vec3 eye, double radius,
                                        const ViewLimits& limits);
 
-using SidePlanes = std::array<Vec3, 4>;
-
 /// Which boxes may reach into a view. The limits' rays are kept by reference.
 class SeenBoxes {
   public:
     SeenBoxes(const View& view, const Pose& frame_from_fan, const ViewLimits& limits, Vec3 up);
     bool has(const Bounds& box) const;
+    /// Of a box that is near enough: whether it may be seen between the sides of the view.
+    bool between_sides(const Bounds& box) const;
 
   private:
-    SidePlanes planes_;
-    Vec3 eye_, up_;
+    using Four = float __attribute__((vector_size(16)));  // of each side
+
+    Four x_, y_, z_;  ///< its inward normal
+    Four upwards_;    ///< the part of that
+    Four most_lift_;  ///< m, by which rays lift what is within the end range over it, times the normal's
+                      ///< length
+    Vec3 eye_;
     double end_range_;
     const RayTable* rays_;
 };
