@@ -17,6 +17,9 @@
 
 namespace echoloop {
 
+/// Four numbers that are read and reckoned with at once.
+using Four = float __attribute__((vector_size(16)));
+
 /// Loops go over whole vectors of so many, so that nothing is left to be done one by one.
 constexpr int whole_vector = 16;
 template <typename Count>

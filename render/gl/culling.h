@@ -8,6 +8,7 @@
 
 #include "render/ray_table.h"
 #include "render/scene/scene.h"
+#include "render/simd.h"
 #include "render/view.h"
 
 namespace echoloop::gl {
@@ -48,10 +49,9 @@ class SeenBoxes {
     bool between_sides(const Bounds& box) const;
 
   private:
-    using Four = float __attribute__((vector_size(16)));  // of each side
-
+    // Of each side:
     Four x_, y_, z_;  ///< its inward normal
-    Four upwards_;    ///< the part of that
+    Four upwards_;    ///< the upward part of that
     Four most_lift_;  ///< m, by which rays lift what is within the end range over it, times the normal's
                       ///< length
     Vec3 eye_;

@@ -13,8 +13,8 @@ constexpr float margin = 1 / 64.0F;
 
 /// Triples of indices, one row for each corner.
 ECHOLOOP_SIMD
-void part_corners(const std::uint16_t* __restrict indices, int triangles, std::int32_t* __restrict corner_0,
-                  std::int32_t* __restrict corner_1, std::int32_t* __restrict corner_2) {
+void unpack_corners(const std::uint16_t* __restrict indices, int triangles, std::int32_t* __restrict corner_0,
+                    std::int32_t* __restrict corner_1, std::int32_t* __restrict corner_2) {
     for (int i = 0; i < triangles; ++i) {
         corner_0[i] = indices[3 * i];
         corner_1[i] = indices[3 * i + 1];
@@ -128,8 +128,8 @@ void NodeTriangles::take(std::span<const std::uint16_t> indices) {
     if (triangles_ == 0) return;
     for (auto& corner : corners_)
         if (corner.size() < padded(triangles_)) corner.resize(padded(triangles_));
-    part_corners(indices.data(), static_cast<int>(triangles_), corners_[0].data(), corners_[1].data(),
-                 corners_[2].data());
+    unpack_corners(indices.data(), static_cast<int>(triangles_), corners_[0].data(), corners_[1].data(),
+                   corners_[2].data());
     for (auto& corner : corners_)
         std::fill(corner.data() + triangles_, corner.data() + padded(triangles_), corner[0]);
 }

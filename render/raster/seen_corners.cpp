@@ -9,10 +9,8 @@
 namespace echoloop::raster {
 namespace {
 
-using Four = float __attribute__((vector_size(16)));
-
-/// Rows of what vertices have of each coordinate, four at a time.
-void part_positions(std::span<const SceneVertex> vertices, float* x, float* y, float* z) {
+/// Rows of what vertices have of each coordinate.
+void unpack_positions(std::span<const SceneVertex> vertices, float* x, float* y, float* z) {
     const auto position = [&](std::size_t i) {
         Four all;  // the normal's first number, too
         std::memcpy(&all, &vertices[i], sizeof all);
@@ -160,7 +158,7 @@ void SeenCorners::find(std::span<const SceneVertex> vertices, const PartPlace& p
     if (numbers_.size() < rows * stride_) numbers_.resize(rows * stride_);
     const auto count = static_cast<int>(stride_);
     float *const x = row(0), *const y = row(1), *const z = row(2);
-    part_positions(vertices, x, y, z);
+    unpack_positions(vertices, x, y, z);
     for (float* const coordinate : {x, y, z})
         std::fill(coordinate + count_, coordinate + stride_, coordinate[count_ - 1]);
     int behind = 0;

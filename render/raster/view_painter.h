@@ -11,8 +11,6 @@
 
 namespace echoloop::raster {
 
-using Four = float __attribute__((vector_size(16)));
-
 /// What all views of a picture have in common.
 struct Painting {
     const Scene& scene;

@@ -10,9 +10,6 @@ namespace {
 
 constexpr unsigned nothing_met = ~0U;  ///< as Embree says
 
-/// Four numbers that are read and reckoned with at once.
-using Four = float __attribute__((vector_size(16)));
-
 ECHOLOOP_INLINE Four load(const float* from) {
     Four out;
     __builtin_memcpy(&out, from, sizeof out);

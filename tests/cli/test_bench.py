@@ -15,9 +15,10 @@ SPLIT = {"cull", "draw", "read_back", "bins", "paths", "acoustics"}
 class Bench(ProgramTest):
     def test_a_ping_takes_as_long_as_its_parts(self):
         for case in self.json("bench", "--cases", "fls-simple,scanning-simple", "--pings", "15")["cases"]:
-            split, wall = sum(case["split_ms"].values()), case["wall_ms"]["median"]
+            split, wall = sum(case["split_ms"].values()), case["wall_ms"]
             one_after_the_other = split - case["split_ms"]["paths"]  # which are traced while surfaces are found
-            self.assertTrue(0.5 * wall < split and one_after_the_other < 1.1 * wall, case)
+            # On a full machine pings wait between their parts: the median may be twice the quickest.
+            self.assertTrue(0.5 * wall["minimum"] < split and one_after_the_other < 1.1 * wall["median"], case)
 
     def test_every_case_is_rendered_with_both_rules(self):
         """But one million triangles, and two for a head: they differ from the others in their scenes alone, and each takes
