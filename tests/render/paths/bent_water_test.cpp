@@ -51,46 +51,6 @@ TEST(BentWater, LiftIsEnoughForWhateverRaysShow) {
     }
 }
 
-// The same for boxes and whole views: what a bent ray shows of a small box is between the view's sides.
-TEST(BentWater, ABoxThatRaysShowIsSeen) {
-    std::mt19937 random(2);
-    std::uniform_real_distribution<double> angle(-3.14, 3.14), high(-0.6, 0.6), share(0, 1);
-    Shot shot = test::fan(40, 15, 16, 100, 60);
-    const View view = plan_fan(geometry_of(shot, {}), {}).views.front();
-    for (const Profile& profile : {thermocline, downward, upward}) {
-        const RayTable rays(profile, 8, 60, true);
-        int shown = 0, crossed = 0;
-        for (int i = 0; i < 20'000; ++i) {
-            const Pose fan{{100, -50, -8},
-                           axis_angle({0, 0, 1}, angle(random)) * axis_angle({0, 1, 0}, high(random))};
-            const gl::SeenBoxes bent(view, fan, {.end_range = 60, .rays = &rays}, {0, 0, 1}),
-                straight(view, fan, {.end_range = 60}, {0, 0, 1});
-            for (int k = 0; k < 20; ++k) {
-                const double level = 55 * share(random), bearing = angle(random), height = 40 * high(random);
-                if (height > 8) continue;
-                const RayTable::Move move = rays.move(level, -height);
-                const double along = (1 + static_cast<double>(move.outwards)) * level;
-                const Vec3 seen = rotate(conjugate(fan.orientation * view.fan_from_view()),
-                                         {along * std::cos(bearing), along * std::sin(bearing),
-                                          height + static_cast<double>(move.rise)});
-                const double x = -seen.y / seen.x, y = seen.z / seen.x;
-                if (seen.x <= 0 || x < view.left || x > view.right || y < view.bottom || y > view.top ||
-                    norm(seen) > 59)
-                    continue;
-                Bounds box = empty_bounds();
-                for (const double side : {-0.05, 0.05})
-                    grow(box, {static_cast<float>(100 + level * std::cos(bearing) + side),
-                               static_cast<float>(-50 + level * std::sin(bearing) + side),
-                               static_cast<float>(-8 + height + side)});
-                ++shown, crossed += straight.has(box) ? 0 : 1;
-                ASSERT_TRUE(bent.has(box)) << level << " m off, " << height << " m above";
-            }
-        }
-        EXPECT_GT(shown, 1000);
-        EXPECT_GT(crossed, 20) << "there must be what straight rays would cull";
-    }
-}
-
 // Upright planes cut the same however rays bend, so a narrow tall view draws no more than with straight ones.
 TEST(BentWater, ATallNarrowViewDrawsWhatItDrawsWithStraightRays) {
     const auto scene = scene_of({test::seabed(400)});
