@@ -41,7 +41,7 @@ class Renderer::Impl {
           water_((check_settings(water), std::move(water)), options_.surface, effects()),
           scene_(std::move(scene)),
           tracer_(scene_, options_.surface, options_.effects),
-          surfaces_((prepare_paths(), scene_), options_, may_bend(), workers_),
+          surfaces_((prepare_paths(), scene_), options_, workers_),
           strengths_(*scene_),
           object_of_surface_(objects_of_surfaces(*scene_)),
           mover_of_surface_(movers_of_surfaces(*scene_)),
@@ -91,8 +91,6 @@ class Renderer::Impl {
     bool radiometric() const { return options_.rule == EchoRule::radiometric; }
     /// The paper's rule has no acoustics.
     Effects effects() const { return radiometric() ? options_.effects : Effects::none(); }
-
-    bool may_bend() const { return effects().has(Effect::refraction) && !water_.water().profile.empty(); }
 
     /// While contexts are made, as both take long.
     void prepare_paths() {

@@ -19,11 +19,6 @@ namespace echoloop {
 
 class PlanCache;
 
-/// From so many triangles on, or where rays may bend, our own rasteriser draws a scene instead of a software
-/// OpenGL: there it is quicker by far (render/README.md). A fixed number, not the time that both take, so
-/// that the same scene gives the same bytes.
-inline constexpr std::size_t least_triangles_for_native = 20'000;
-
 struct RendererOptions {
     EchoRule rule = EchoRule::radiometric;
     double columns_per_beam = 1.5;  ///< rendered bearings across one beam, 1..64
@@ -33,8 +28,8 @@ struct RendererOptions {
     bool jitter = true;
     std::string context = "auto";  ///< GL context: "auto", "osmesa", "egl-surfaceless" or "egl-device"
     /// What finds the surfaces: "raster" (OpenGL), "native" (our own rasteriser), "rays" (Embree), or "auto":
-    /// native where nobody names a context, there is no GPU and the scene has at least
-    /// least_triangles_for_native or the water has a profile that may bend rays; else raster.
+    /// raster where somebody names a context or there is a GPU, else native, which is quicker than a software
+    /// OpenGL in every scene of the bench (render/README.md).
     std::string sampler = "auto";
     std::size_t drawing_threads =
         1;  ///< that share a picture where the context allows it; the pixels are the same

@@ -16,9 +16,9 @@ namespace echoloop {
 
 class SurfaceFinder {
   public:
-    /// In a large scene, and where rays may bend, no OpenGL is made but a GPU's. Throws as Renderer's
+    /// Where nobody names a context or a sampler, no OpenGL is made but a GPU's. Throws as Renderer's
     /// constructor.
-    SurfaceFinder(const std::shared_ptr<const Scene>& scene, const RendererOptions& options, bool may_bend,
+    SurfaceFinder(const std::shared_ptr<const Scene>& scene, const RendererOptions& options,
                   std::shared_ptr<Workers> workers);
 
     /// Fills `pixels`. Returns what it drew, until the next call.

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/memory_check.h"
+
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
@@ -15,7 +17,6 @@
 namespace echoloop {
 
 #if RTC_VERSION_MAJOR >= 4
-inline constexpr const char* embree_package = "libembree4-4";
 inline void first_hit(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &query); }
 inline void any_hit(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray); }
 /// Of neighbouring rays; `asked`: -1 for each that counts, else 0.
@@ -26,7 +27,6 @@ inline void first_hits(const int* asked, RTCScene scene, RTCRayHit16& query) {
     rtcIntersect16(asked, scene, &query, &arguments);
 }
 #else
-inline constexpr const char* embree_package = "libembree3-3";
 inline void first_hit(RTCScene scene, RTCRayHit& query) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -60,20 +60,27 @@ using Device = Handle<RTCDevice, rtcReleaseDevice>;
 using Geometry = Handle<RTCGeometry, rtcReleaseGeometry>;
 using Tree = Handle<RTCScene, rtcReleaseScene>;
 
+[[noreturn]] inline void fail(RTCError error, const char* what) {
+    if (error == RTC_ERROR_OUT_OF_MEMORY)
+        throw OutOfMemory(
+            "not enough memory for the trees of rays; end other programs, or raise the limit of this "
+            "process' "
+            "address space, e.g. with ulimit -v unlimited");
+    throw std::runtime_error(std::string("rays: Embree ") + what + ", error " + std::to_string(error));
+}
+
 /// One thread: trees made by several can differ, and with them which of two equal hits is taken. Throws
-/// std::runtime_error.
+/// OutOfMemory or std::runtime_error.
 inline Device new_device() {
     Device device(rtcNewDevice("threads=1"));
-    if (!device)
-        throw std::runtime_error(std::string("rays: Embree cannot start; install ") + embree_package);
+    if (!device) fail(rtcGetDeviceError(nullptr), "cannot start on this processor");
     return device;
 }
 
-/// Throws std::runtime_error.
+/// Throws as new_device().
 inline void check_tree_of(const Device& device) {
     if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
-        throw std::runtime_error("rays: Embree cannot build its tree, error " + std::to_string(error) +
-                                 "; is there enough memory?");
+        fail(error, "cannot build its tree");
 }
 
 }  // namespace embree

@@ -177,13 +177,20 @@ class Run(ProgramTest):
         self.assertFalse(target.exists())
 
     def test_too_little_memory_is_called_so(self):
-        for mebibytes in (100, 200, 250, 300, 350, 400, 450, 500, 600, 700):
-            done = subprocess.run(
-                [PROGRAM, "run", TANK, "--duration", "0", *self.micron(f"pty:{self.folder}/micron")],
-                capture_output=True, text=True, timeout=60,
-                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20,) * 2))
-            self.assertEqual(done.returncode, 71, (mebibytes, done.stderr))
-            self.assertRegex(done.stderr, r"^echoloop: error: not enough memory.*ulimit -v.*\n$")
+        """OpenGL needs more than 700 MiB of addresses, our own rasteriser more than 300, and more where there are many
+        processors."""
+        steps = (100, 150, 200, 250, 300, 350, 360, 370, 380, 390, 400, 450, 500, 600, 700)
+        for sampler, always in (("raster", 700), ("native", 300)):
+            for mebibytes in steps:
+                done = subprocess.run(
+                    [PROGRAM, "run", TANK, "--duration", "0", *self.micron(f"pty:{self.folder}/micron"),
+                     "--set", f"render.sampler={sampler}"],
+                    capture_output=True, text=True, timeout=60,
+                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20,) * 2))
+                if mebibytes > always and done.returncode == 0:
+                    continue
+                self.assertEqual(done.returncode, 71, (sampler, mebibytes, done.stderr))
+                self.assertRegex(done.stderr, r"^echoloop: error: not enough memory.*ulimit -v.*\n$")
 
     def test_what_is_no_serial_port_ends_with_69(self):
         for path in ("/dev/null", TANK):

@@ -164,7 +164,7 @@ class Commands(NorbitCase):
         a = self.bathymetry.first(lambda p: abs(p.ping_rate - 4) < 0.01)
         b, c = self.bathymetry.next(), self.bathymetry.next()
         self.assertEqual([b.ping - a.ping, c.ping - b.ping], [1, 1])
-        self.assertGreater(c.time - a.time, 0.499)
+        self.assertGreater(c.time - a.time, 0.45, "the first of them may have been late on a busy machine")
         self.assertLess(c.time - a.time, 1)
         self.line.set("set_power 0")
         self.bathymetry.socket.settimeout(1)

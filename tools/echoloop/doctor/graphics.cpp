@@ -41,7 +41,7 @@ Findings look_at_graphics() {
     else if (const std::string any = fault_of("auto"); any.empty())
         found.push_back({State::weak, "OpenGL", "no Mesa draws in memory (" + mesa + ")", "the GPU draws"});
     else
-        found.push_back({State::bad, "OpenGL", any, "without it nothing is rendered"});
+        found.push_back({State::weak, "OpenGL", any, "our own rasteriser draws without it"});
     found.push_back(gpu());
     return found;
 }
