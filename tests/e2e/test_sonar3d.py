@@ -131,7 +131,7 @@ class Host(unittest.TestCase):
             self.assertEqual(sock.recvfrom(65507)[1][0], "127.0.0.1")
             first, second = self.shot(sock), self.shot(sock)
             self.assertEqual(second.sequence - first.sequence, 1)
-            self.assertGreater(second.time - first.time, 0.165, "6 Hz, or less on a busy machine")
+            self.assertGreater(second.time - first.time, 0.15, "6 Hz, or less on a busy machine; the first may have been late")
 
     def test_a_raw_request_in_pieces_is_answered_once_it_is_whole(self):
         self.start()
