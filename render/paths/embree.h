@@ -63,9 +63,8 @@ using Tree = Handle<RTCScene, rtcReleaseScene>;
 [[noreturn]] inline void fail(RTCError error, const char* what) {
     if (error == RTC_ERROR_OUT_OF_MEMORY)
         throw OutOfMemory(
-            "not enough memory for the trees of rays; end other programs, or raise the limit of this "
-            "process' "
-            "address space, e.g. with ulimit -v unlimited");
+            "not enough memory for the trees of rays; end other programs, or raise this process' limit "
+            "(ulimit -v)");
     throw std::runtime_error(std::string("rays: Embree ") + what + ", error " + std::to_string(error));
 }
 
