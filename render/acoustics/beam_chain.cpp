@@ -93,25 +93,38 @@ void BeamChain::start(const ChainPlan& plan, const ChainPing& ping) {
     }
 }
 
-void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::span<const float> means,
+/// Of the beams that this one's speckle depends on.
+void BeamChain::find_means(std::size_t beam, const Before& before) {
+    const auto [first, last] = plan_->lean.lean_on(beam);
+    if (next_mean_ == none) next_mean_ = first;
+    for (; next_mean_ <= last; ++next_mean_) {
+        std::vector<float>& means = means_.of(next_mean_);
+        means.resize(plan_->bins);
+        spread(before(next_mean_), means);
+    }
+}
+
+void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, const Before& before,
                     const FreshPower& fresh, std::span<float> values) {
     const ChainPlan& plan = *plan_;
-    if (plan.leans())
-        std::copy_n(means.begin() + static_cast<std::ptrdiff_t>(beam * plan.bins), plan.bins, values.begin());
-    else
+    if (plan.leans()) {
+        find_means(beam, before);
+        std::ranges::copy(means_.of(beam), values.begin());
+    } else {
         spread(values, values);
+    }
     const double place = plan.grid.place_of(ping_.view.turn() + ping_.pan + ping_.bearings[beam]);
     if (plan.speckle) {
-        const float* echo = speckle_of(beam, place, means);
-        if (!fresh.steps.empty()) renew_speckle(beam, fresh, values);
+        const float* echo = speckle_of(beam, place);
+        const bool as_noise = plan.fresh_is_noise();
+        if (!fresh.steps.empty() && !as_noise) renew_speckle(beam, fresh, values);
         if (plan.textured()) {
             hear(texture, place, {0, plan.bins});
             kernels::multiply_by_law(plan.texture.root.data(), fields_[texture].heard.data(), plan.bins,
                                      values.data());
         }
         const float* of_noise = plan.noise_power > 0 ? noise_of(beam) : echo;
-        kernels::scatter({echo, plan.echo.law.root.data()}, {of_noise, plan.noise.law.root.data()},
-                         static_cast<float>(plan.noise_power), plan.bins, values.data());
+        scatter_with_noise(echo, of_noise, as_noise ? fresh : FreshPower{}, values);
     } else if (plan.noise_power > 0) {
         steady_in_noise(beam, values);
     }
@@ -121,6 +134,20 @@ void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, std::sp
     plan.interference.add(line, plan.noise_power, values);
     plan.ring_down.add(line, ping_.source_level, values);
     kernels::receive(plan.power_limit, values.size(), values.data());
+}
+
+/// `fresh`: what has the noise's numbers; a step of it has one power.
+void BeamChain::scatter_with_noise(const float* echo, const float* of_noise, const FreshPower& fresh,
+                                   std::span<float> values) const {
+    const ChainPlan& plan = *plan_;
+    const auto noise_power = static_cast<float>(plan.noise_power), gain = static_cast<float>(plan.power_gain);
+    const std::size_t step = fresh.steps.empty() ? plan.bins : fresh.bins_per_step;
+    for (std::size_t first = 0, k = 0; first < plan.bins; first += step, ++k) {
+        const float of_step = fresh.steps.empty() ? 0 : gain * fresh.steps[k];
+        kernels::scatter({echo + first, plan.echo.law.root.data()},
+                         {of_noise + first, plan.noise.law.root.data()}, {noise_power, of_step},
+                         std::min(step, plan.bins - first), &values[first]);
+    }
 }
 
 void BeamChain::spread(std::span<const float> values, std::span<float> means) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -29,6 +30,7 @@ struct Scatter {
     BeamKernel kernel;      ///< over directions
     BeamKernel upright;     ///< over rows of cells
     BinLaw law;
+    bool operator==(const Scatter&) const = default;
 };
 
 /// What is the same for all pings of one geometry.
@@ -38,6 +40,9 @@ struct ChainPlan {
     /// Whether a beam's speckle depends on the mean powers of the beams beside it.
     bool leans() const { return speckle && lean.any(); }
     bool textured() const { return std::isfinite(texture_shape); }
+    /// Whether what is new at every ping correlates and scatters as the noise does: then its numbers are the
+    /// noise's.
+    bool fresh_is_noise() const { return noise_power > 0 && echo == noise && !textured(); }
 
     std::size_t bins;
     double first_range, bin_length;  ///< m
@@ -81,11 +86,13 @@ class BeamChain {
   public:
     /// Drops what it kept of the ping before, or of the row of beams before what the next does not need.
     void start(const ChainPlan& plan, const ChainPing& ping);
-    /// Mean power of one beam's bins after the pulse.
-    void spread(std::span<const float> values, std::span<float> means);
-    /// In place, one beam's bins. `points`: those of this beam. `means`: spread() of all beams, where the
-    /// plan's speckle leans; else not read.
-    void run(std::size_t beam, std::span<const PointEcho> points, std::span<const float> means,
+    /// Before a stretch of beams, which are run one after the other.
+    void start_stretch() { next_mean_ = none; }
+    /// A beam's bins before the pulse.
+    using Before = std::function<std::span<const float>(std::size_t beam)>;
+    /// In place, one beam's bins. `points`: those of this beam. `before`: of that one or the next, and of one
+    /// beside them, where the plan's speckle leans; each is asked for once in a stretch.
+    void run(std::size_t beam, std::span<const PointEcho> points, const Before& before,
              const FreshPower& fresh, std::span<float> values);
 
   private:
@@ -116,7 +123,11 @@ class BeamChain {
     void mix_rows(Kind kind, std::uint32_t cell, std::vector<float>& out);
     void hear(Kind kind, double place, Part part);
     void hear_leaning(double place, Part part);
-    const float* speckle_of(std::size_t beam, double place, std::span<const float> means);
+    const float* speckle_of(std::size_t beam, double place);
+    void spread(std::span<const float> values, std::span<float> means);
+    void find_means(std::size_t beam, const Before& before);
+    void scatter_with_noise(const float* echo, const float* of_noise, const FreshPower& fresh,
+                            std::span<float> values) const;
     void renew_speckle(std::size_t beam, const FreshPower& fresh, std::span<const float> values);
     const float* noise_of(std::size_t beam);
     void steady_in_noise(std::size_t beam, std::span<float> values);
@@ -125,8 +136,12 @@ class BeamChain {
     double share_of(double from) const;
     void interfere_with_points(double place, std::span<float> values) const;
 
+    static constexpr std::size_t none = ~std::size_t{0};
+
     const ChainPlan* plan_ = nullptr;
     ChainPing ping_;
+    Lean::Means means_;             ///< after the pulse
+    std::size_t next_mean_ = none;  ///< beam of the next of them
     std::array<Fields, kinds> fields_;
     std::array<RowFields, kinds> of_rows_;
     std::uint64_t uses_ = 0;

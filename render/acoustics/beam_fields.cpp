@@ -140,14 +140,14 @@ void BeamChain::hear_leaning(double place, Part part) {
     kernels::even_out(energy_.data(), part.count, out);
 }
 
-const float* BeamChain::speckle_of(std::size_t beam, double place, std::span<const float> means) {
+const float* BeamChain::speckle_of(std::size_t beam, double place) {
     const std::size_t size = plan_->leans() ? part_size : plan_->bins;
     const auto least = static_cast<float>(plan_->noise_power / 10);  // an echo below is not heard
     places_.resize(size);
     for (std::size_t first = 0; first < plan_->bins; first += size) {
         const Part part{first, std::min(size, plan_->bins - first)};
         if (plan_->leans() &&
-            plan_->lean.find(beam, means, least, first, std::span(places_.data(), part.count)))
+            plan_->lean.find(beam, means_, least, first, std::span(places_.data(), part.count)))
             hear_leaning(place, part);
         else
             hear(speckle, place, part);

@@ -17,6 +17,7 @@ struct BinLaw {
     /// |z| < 5.2.
     std::array<float, terms> root{};
     double mean = 1;  ///< of the intensity: above 1 where bins keep the strongest look
+    bool operator==(const BinLaw&) const = default;
 };
 
 /// mean: of `looks` >= 1 exponential variables; peak: the greatest of them; sample: one.

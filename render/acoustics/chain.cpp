@@ -1,6 +1,7 @@
 #include "render/acoustics/chain.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -63,42 +64,66 @@ class AcousticChain::Impl {
         const std::size_t parts = values.size() < worth_a_thread ? 1 : std::min(Workers::useful(), beams);
         if (chains_.size() < parts) chains_.resize(parts);
         for (std::size_t part = 0; part < parts; ++part) chains_[part].start(plan, ping);
-        const auto each = [&](const auto& work) {
-            share_out(beams, parts, [&](std::size_t part, std::size_t beam) {
-                work(chains_[part], beam, values.subspan(beam * shot.bins, shot.bins));
-            });
-        };
-        if (plan.leans()) {
-            means_.resize(values.size());
-            const std::span means(means_);
-            each([&](BeamChain& chain, std::size_t beam, std::span<const float> bins) {
-                chain.spread(bins, means.subspan(beam * shot.bins, shot.bins));
-            });
-        }
-        each([&](BeamChain& chain, std::size_t beam, std::span<float> bins) {
-            chain.run(beam, points_of(points_, beam), means_, fresh_of(fresh, beam, beams), bins);
+        const auto bins_of = [&](std::size_t beam) { return values.subspan(beam * shot.bins, shot.bins); };
+        const std::vector<Stretch> stretches = stretches_of(beams, parts);
+        if (plan.leans()) keep_borders(plan, stretches, bins_of);
+        share_out(stretches.size(), parts, [&](std::size_t part, std::size_t number) {
+            BeamChain& chain = chains_[part];
+            const Stretch& own = stretches[number];
+            const BeamChain::Before before = [&](std::size_t beam) -> std::span<const float> {
+                if (own.first <= beam && beam < own.last) return bins_of(beam);
+                return borders_[number][beam < own.first ? 0 : 1];
+            };
+            chain.start_stretch();
+            for (std::size_t beam = own.first; beam < own.last; ++beam)
+                chain.run(beam, points_of(points_, beam), before, fresh_of(fresh, beam, beams),
+                          bins_of(beam));
         });
         return plan.noise_power * plan.noise.law.mean;
     }
 
   private:
-    static constexpr std::size_t worth_a_thread = 16'384, most_plans = 64;
+    static constexpr std::size_t worth_a_thread = 16'384, most_plans = 64, at_once = 16;
 
-    /// Calls work(part, beam) for every beam. Two parts begin at both ends of a stretch and meet where they
-    /// meet, since neighbours share random numbers, and threads are not equally quick.
+    /// Beams that one thread takes at once.
+    struct Stretch {
+        std::size_t first, last;
+    };
+    static std::vector<Stretch> stretches_of(std::size_t beams, std::size_t parts) {
+        const std::size_t count = parts == 1 ? 1 : (beams + at_once - 1) / at_once;
+        std::vector<Stretch> stretches;
+        for (std::size_t i = 0; i < count; ++i)
+            stretches.push_back({beams * i / count, beams * (i + 1) / count});
+        return stretches;
+    }
+
+    /// Copies what the stretches' outer beams need of those beside them, which their threads overwrite.
+    template <typename BinsOf>
+    void keep_borders(const ChainPlan& plan, std::span<const Stretch> stretches, const BinsOf& bins_of) {
+        borders_.resize(std::max(borders_.size(), stretches.size()));
+        const auto keep = [&](std::size_t beam, std::vector<float>& border) {
+            const std::span<const float> bins = bins_of(beam);
+            border.assign(bins.begin(), bins.end());
+        };
+        for (std::size_t i = 0; i < stretches.size(); ++i) {
+            const auto [first, last] = stretches[i];
+            if (const std::size_t below = plan.lean.lean_on(first).first; below < first)
+                keep(below, borders_[i][0]);
+            if (const std::size_t above = plan.lean.lean_on(last - 1).second; above >= last)
+                keep(above, borders_[i][1]);
+        }
+    }
+
+    /// Calls work(part, number) for every stretch. Two parts begin at both ends of some stretches and meet
+    /// where they meet, since neighbours share random numbers, and threads are not equally quick.
     template <typename Work>
-    void share_out(std::size_t beams, std::size_t parts, const Work& work) {
-        constexpr std::size_t at_once = 8;
+    void share_out(std::size_t stretches, std::size_t parts, const Work& work) {
         std::vector<std::atomic<std::size_t>> taken((parts + 1) / 2);
         workers_->run(parts, [&](std::size_t part) {
-            const std::size_t stretch = part / 2, first = beams * (2 * stretch) / parts,
-                              last = beams * std::min(2 * stretch + 2, parts) / parts,
-                              pieces = (last - first + at_once - 1) / at_once;
-            for (std::size_t own = 0; taken[stretch]++ < pieces; ++own) {
-                const std::size_t piece = part % 2 == 0 ? own : pieces - 1 - own;
-                const std::size_t begin = first + piece * at_once, end = std::min(begin + at_once, last);
-                for (std::size_t beam = begin; beam < end; ++beam) work(part, beam);
-            }
+            const std::size_t pair = part / 2, first = stretches * (2 * pair) / parts,
+                              last = stretches * std::min(2 * pair + 2, parts) / parts;
+            for (std::size_t own = 0; taken[pair]++ < last - first; ++own)
+                work(part, part % 2 == 0 ? first + own : last - 1 - own);
         });
     }
 
@@ -139,8 +164,8 @@ class AcousticChain::Impl {
     SpeckleOptions speckle_;
     RecentlyUsed<CachedPlan> plans_{most_plans};
     std::vector<PointEcho> points_;
-    std::vector<float> means_;
-    std::vector<BeamChain> chains_;  ///< one per part
+    std::vector<std::array<std::vector<float>, 2>> borders_;  ///< below and above each stretch
+    std::vector<BeamChain> chains_;                           ///< one per part
     std::shared_ptr<Workers> workers_;
 };
 

@@ -41,8 +41,9 @@ struct Together {
     float whole, share, z;
 };
 
-ECHOLOOP_INLINE Together together(float echo_power, float noise_power, float echo, float noise) {
-    const float whole = echo_power + noise_power, share = echo_power / (whole + smallest);
+ECHOLOOP_INLINE Together together(float power, NoisePowers noise_powers, float echo, float noise) {
+    const float whole = power + noise_powers.beside,
+                share = std::max(power - noise_powers.within, 0.0F) / (whole + smallest);
     const float rest = std::sqrt(std::max(1 - share * share, 0.0F));
     const float z = share * echo + rest * noise;
     return {whole, share, std::min(std::max(z, -law_end), law_end)};
@@ -50,12 +51,12 @@ ECHOLOOP_INLINE Together together(float echo_power, float noise_power, float ech
 
 /// Echo and noise have one law.
 ECHOLOOP_SIMD void scatter_alike(const float* law, const float* __restrict echo,
-                                 const float* __restrict noise, float noise_power, std::size_t count,
+                                 const float* __restrict noise, NoisePowers noise_powers, std::size_t count,
                                  float* __restrict power) {
     float terms_of[law_terms];
     for (int k = 0; k < law_terms; ++k) terms_of[k] = law[k];
     for (std::size_t i = 0; i < count; ++i) {
-        const Together both = together(power[i], noise_power, echo[i], noise[i]);
+        const Together both = together(power[i], noise_powers, echo[i], noise[i]);
         float root = terms_of[law_terms - 1];
 #pragma GCC unroll 8
         for (int k = law_terms - 2; k >= 0; --k) root = root * both.z + terms_of[k];
@@ -63,12 +64,12 @@ ECHOLOOP_SIMD void scatter_alike(const float* law, const float* __restrict echo,
     }
 }
 
-ECHOLOOP_SIMD void scatter_between(Normals echo, Normals noise, float noise_power, std::size_t count,
+ECHOLOOP_SIMD void scatter_between(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t count,
                                    float* power) {
     float base[law_terms], more[law_terms];
     for (int k = 0; k < law_terms; ++k) base[k] = noise.root[k], more[k] = echo.root[k] - noise.root[k];
     for (std::size_t i = 0; i < count; ++i) {
-        const Together both = together(power[i], noise_power, echo.z[i], noise.z[i]);
+        const Together both = together(power[i], noise_powers, echo.z[i], noise.z[i]);
         float root = base[law_terms - 1] + both.share * more[law_terms - 1];
 #pragma GCC unroll 8
         for (int k = law_terms - 2; k >= 0; --k) root = root * both.z + (base[k] + both.share * more[k]);
@@ -78,11 +79,11 @@ ECHOLOOP_SIMD void scatter_between(Normals echo, Normals noise, float noise_powe
 
 }  // namespace
 
-void scatter(Normals echo, Normals noise, float noise_power, std::size_t count, float* power) {
+void scatter(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t count, float* power) {
     if (std::equal(echo.root, echo.root + law_terms, noise.root))
-        scatter_alike(echo.root, echo.z, noise.z, noise_power, count, power);
+        scatter_alike(echo.root, echo.z, noise.z, noise_powers, count, power);
     else
-        scatter_between(echo, noise, noise_power, count, power);
+        scatter_between(echo, noise, noise_powers, count, power);
 }
 
 ECHOLOOP_SIMD void multiply_by_law(const float* law, const float* z, std::size_t count, float* power) {

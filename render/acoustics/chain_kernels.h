@@ -21,10 +21,16 @@ struct CellWeights {
     float middle;
 };
 
+/// Mean powers, uPa^2, whose normal variables are the noise's: that beside the echo, and that of what is in
+/// the echo's.
+struct NoisePowers {
+    float beside, within;
+};
+
 /// Speckle and noise are one field: mean powers become intensities. With the share s of the echo in the whole
 /// mean power, z = s z_echo + sqrt(1 - s^2) z_noise, as intensities of two interfering fields have it; the
 /// law lies between both by the same share.
-void scatter(Normals echo, Normals noise, float noise_power, std::size_t count, float* power);
+void scatter(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t count, float* power);
 /// power *= the intensity by the law.
 void multiply_by_law(const float* root, const float* z, std::size_t count, float* power);
 /// power = |a + b|^2 of two fields of power and other in intensity, whose phases differ by the angle of that

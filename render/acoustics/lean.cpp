@@ -19,8 +19,7 @@ bool too_far_apart(const Shot& shot) {
 
 }  // namespace
 
-Lean::Lean(const Shot& shot, double cell)
-    : bins_(shot.bins), most_(static_cast<float>(most_widths * shot.beam_width / cell)) {
+Lean::Lean(const Shot& shot, double cell) : most_(static_cast<float>(most_widths * shot.beam_width / cell)) {
     if (too_far_apart(shot)) return;
     const auto& bearings = shot.bearings;
     const double k = 4 * std::log(2.0) / (shot.beam_width * shot.beam_width);
@@ -35,9 +34,14 @@ Lean::Lean(const Shot& shot, double cell)
     beams_[last] = {{{last - 1, last, -3 * end}, {last - 1, last - 2, -end}}};
 }
 
-bool Lean::find(std::size_t beam, std::span<const float> means, float least, std::size_t first,
+std::pair<std::size_t, std::size_t> Lean::lean_on(std::size_t beam) const {
+    const std::size_t first = std::clamp<std::size_t>(beam, 1, beams_.size() - 2) - 1;
+    return {first, first + 2};
+}
+
+bool Lean::find(std::size_t beam, const Means& means, float least, std::size_t first,
                 std::span<float> out) const {
-    const auto levels = [&](std::size_t n) { return means.data() + n * bins_ + first; };
+    const auto levels = [&](std::size_t n) { return means.of(n).data() + first; };
     const auto& terms = beams_[beam].terms;
     bool matters = false;
     for (const Term& term : terms)

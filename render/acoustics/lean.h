@@ -2,8 +2,10 @@
 // functions of mean powers; draws no numbers.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "render/echogram.h"
@@ -15,17 +17,28 @@ namespace echoloop {
 /// mean power tells: behind a main lobe exp(-k x^2) an echo lies d ln P / d bearing / (2 k) beside the axis.
 class Lean {
   public:
+    /// Mean powers of some beams, one a bin: those of beam n are row n % kept.
+    struct Means {
+        static constexpr std::size_t kept = 4;
+        std::array<std::vector<float>, kept> rows;
+
+        std::vector<float>& of(std::size_t beam) { return rows[beam % kept]; }
+        const std::vector<float>& of(std::size_t beam) const { return rows[beam % kept]; }
+    };
+
     /// `cell`: width of the cells of speckle, rad.
     Lean(const Shot& shot, double cell);
 
     /// False where beams are too few or too far apart to hear the same.
     bool any() const { return !beams_.empty(); }
     /// Writes to `out` how many cells beside its axis, clockwise positive, beam `beam` hears the bins [first,
-    /// first + out.size()); never more than `most_widths`. `means`: of all beams, beam-major; differences
-    /// below `least` uPa^2 say nothing. False, with nothing written, where all of them come from so near to
-    /// its axis that it makes no difference.
-    bool find(std::size_t beam, std::span<const float> means, float least, std::size_t first,
+    /// first + out.size()); never more than `most_widths`. `means`: of those that lean_on() names at least;
+    /// differences below `least` uPa^2 say nothing. False, with nothing written, where all of them come from
+    /// so near to its axis that it makes no difference.
+    bool find(std::size_t beam, const Means& means, float least, std::size_t first,
               std::span<float> out) const;
+    /// The first and the last of the beams whose mean powers tell of that one, itself among them: three.
+    std::pair<std::size_t, std::size_t> lean_on(std::size_t beam) const;
 
     static constexpr double most_widths = 1.5;  ///< there it hears next to nothing
 
@@ -38,7 +51,6 @@ class Lean {
     struct Beam {
         Term terms[2];  ///< the second is for the outermost beams
     };
-    std::size_t bins_;
     float most_;  ///< cells
     std::vector<Beam> beams_;
 };

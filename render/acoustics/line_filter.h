@@ -28,6 +28,7 @@ class LineFilter {
     /// room for room(count) floats; it is overwritten. `out` has room for `count`.
     void apply(std::span<float> padded, std::size_t count, float* out, std::vector<float>& scratch) const;
     std::size_t room(std::size_t count) const { return before() + count + after() + tile; }
+    bool operator==(const LineFilter&) const = default;
 
     static constexpr std::size_t tile = 32;  ///< outputs at a time
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <utility>
 
 #include "render/acoustics/vector_math.h"
 
@@ -80,8 +82,7 @@ Seeds seeds_of(const RandomStream& stream) {
     return {static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32)};
 }
 
-/// Of each number: a step of the golden ratio of all 32-bit words (Weyl's sequence; without it sums of 512
-/// numbers have 1.5 % too little energy).
+/// Of each number: a step of the golden ratio of all 32-bit words (Weyl's sequence).
 constexpr std::uint32_t golden_step = 0x9E3779B9U;
 
 /// A hash of two multiplications, with a part of the key before each (form and constants: Wellons,
@@ -93,41 +94,53 @@ ECHOLOOP_INLINE std::uint32_t word_at(std::uint32_t place, std::uint32_t between
     return x ^ x >> 15;
 }
 
-struct Pair {
-    float real, imaginary;
+/// Normal numbers of variance 1/2 in random order: the quantiles, so that together they are distributed as
+/// exactly as so many can be. The first ones stand again behind the last.
+class NormalPool {
+  public:
+    static constexpr int size_log2 = 14;
+    static constexpr std::size_t size = std::size_t{1} << size_log2;
+
+    NormalPool() {
+        double energy = 0;
+        for (std::size_t i = 0; i < size / 2; ++i) {
+            const double share = (static_cast<double>(i) + 0.5) / size;
+            const double quantile = boost::math::erfc_inv(2 * share);
+            values_[i] = static_cast<float>(quantile), values_[size - 1 - i] = static_cast<float>(-quantile);
+            energy += 2 * quantile * quantile / size;
+        }
+        const auto scale = static_cast<float>(std::sqrt(0.5 / energy));
+        for (std::size_t i = size - 1; i > 0; --i) std::swap(values_[i], values_[mix(size, i) % (i + 1)]);
+        for (std::size_t i = 0; i < size; ++i) values_[i] *= scale;
+        std::copy_n(values_, normals_tile, values_ + size);
+    }
+    const float* values() const { return values_; }
+
+  private:
+    alignas(64) float values_[size + normals_tile];
 };
 
-/// Of a word the 23 upper bits give the radius, and the 12 lower ones the angle: 11 within half a circle, and
-/// a sign. Polynomials by least squares with weights that even out the error (own fit): of ln within 2e-5, of
-/// sine and cosine within 7e-5.
-ECHOLOOP_INLINE Pair box_muller(std::uint32_t word) {
-    constexpr float half_circle = 3.14159265F;
-    const auto bits =
-        std::bit_cast<std::int32_t>(static_cast<float>(static_cast<std::int32_t>(word >> 8 | 1)));
-    const std::int32_t exponent = (bits - 0x3F3504F3) >> 23;  // of sqrt(1/2): see vector_math::log()
-    const float t = std::bit_cast<float>(bits - exponent * (1 << 23)) - 1.0F;
-    const float q = ((0.17968725F * t - 0.27225918F) * t + 0.33587286F) * t - 0.49933242F;
-    const float log = (q * t + 1.0F) * t + 0.69314718F * static_cast<float>(exponent - 24);
-    const float r = std::sqrt(-2.0F * log);
-    const float a =
-        (static_cast<float>(static_cast<std::int32_t>(word & 0x7FFU)) - 1023.5F) * (half_circle / 2048);
-    const float z = a * a;
-    const float s = ((0.00751433F * z - 0.16567298F) * z + 0.99969673F) * a;
-    const float c = ((-0.0012712F * z + 0.04148772F) * z - 0.49991242F) * z + 0.99999329F;
-    const float either = std::bit_cast<float>(std::bit_cast<std::uint32_t>(r) ^ (word << 20 & 0x80000000U));
-    return {either * c, either * s};
-}
-
-/// Of whole tiles.
-ECHOLOOP_SIMD void fill_normals(Seeds seeds, std::uint32_t first_tile, std::size_t tiles, float* out) {
-    constexpr std::uint32_t half = normals_tile / 2;
-    for (std::size_t tile = 0; tile < tiles; ++tile, out += normals_tile) {
-        const std::uint32_t first = (first_tile + static_cast<std::uint32_t>(tile)) * half;
-        const std::uint32_t place = first * golden_step + seeds.before;
-        for (std::uint32_t i = 0; i < half; ++i) {
-            const Pair pair = box_muller(word_at(place + i * golden_step, seeds.between));
-            out[i] = pair.real;
-            out[i + half] = pair.imaginary;
+/// Of whole tiles. Each is the sum of two stretches of the pool from places of its own, and every number has
+/// a sign of its own: so no two numbers go together, whatever the pool's neighbours do.
+ECHOLOOP_SIMD void fill_normals(const float* pool, Seeds seeds, std::uint32_t first_tile, std::size_t tiles,
+                                float* out) {
+    constexpr std::size_t at_once = 16;
+    std::uint32_t places[at_once], signs[at_once];
+    for (std::size_t begin = 0; begin < tiles; begin += at_once) {
+        const std::uint32_t first =
+            (first_tile + static_cast<std::uint32_t>(begin)) * 2 * golden_step + seeds.before;
+        for (std::uint32_t i = 0; i < at_once; ++i) {
+            places[i] = word_at(first + 2 * i * golden_step, seeds.between);
+            signs[i] = word_at(first + (2 * i + 1) * golden_step, seeds.between);
+        }
+        const std::size_t these = std::min(at_once, tiles - begin);
+        for (std::size_t tile = 0; tile < these; ++tile, out += normals_tile) {
+            const float *one = pool + (places[tile] >> (32 - NormalPool::size_log2)),
+                        *other = pool + places[tile] % NormalPool::size;
+            const std::uint32_t sign = signs[tile];
+            for (std::uint32_t i = 0; i < normals_tile; ++i)
+                out[i] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(one[i] + other[i]) ^
+                                              (sign << i & 0x80000000U));
         }
     }
 }
@@ -154,10 +167,11 @@ std::array<std::uint32_t, 4> threefry(std::array<std::uint32_t, 4> counter,
 }
 
 std::size_t normals(const RandomStream& stream, std::int64_t first, std::size_t count, float* out) {
+    static const NormalPool pool;
     constexpr auto tile = static_cast<std::int64_t>(normals_tile);
     const std::int64_t within = (first % tile + tile) % tile;
     const auto from = static_cast<std::size_t>(within);
-    fill_normals(seeds_of(stream), static_cast<std::uint32_t>((first - within) / tile),
+    fill_normals(pool.values(), seeds_of(stream), static_cast<std::uint32_t>((first - within) / tile),
                  (from + count + normals_tile - 1) / normals_tile, out);
     return from;
 }

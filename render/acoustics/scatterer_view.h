@@ -33,6 +33,7 @@ struct BeamKernel {
     double weight(double distance) const;
     /// Cells on either side of the one where a place lies, the place at its beginning.
     int cells() const { return static_cast<int>(reach) + 1; }
+    bool operator==(const BeamKernel&) const = default;
 };
 
 /// Of the echo; `looks` in a bin. Wide transmit: beams share what one aperture's weights w let them share;

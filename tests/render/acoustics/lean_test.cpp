@@ -149,9 +149,12 @@ TEST(Lean, FindsTheDirectionUpToAWidthAndAHalf) {
         const auto one = from_one_direction(
             shot, [&](std::size_t) { return shot.bearings[30] + widths * shot.beam_width; });
         std::vector<float> cells(16);
-        ASSERT_TRUE(Lean(shot, cell).find(30, one, 0, 0, cells));
+        Lean::Means means;
+        for (std::size_t beam = 29; beam <= 31; ++beam)
+            means.of(beam).assign(&one[beam * shot.bins], &one[(beam + 1) * shot.bins]);
+        ASSERT_TRUE(Lean(shot, cell).find(30, means, 0, 0, cells));
         for (const float at : cells) EXPECT_NEAR(at, std::clamp(2 * widths, -3.0, 3.0), 0.01);
-        EXPECT_FALSE(Lean(shot, cell).find(30, one, 2, 0, cells)) << "all of it below what is heard";
+        EXPECT_FALSE(Lean(shot, cell).find(30, means, 2, 0, cells)) << "all of it below what is heard";
     }
 }
 

@@ -1,5 +1,7 @@
 #include "emulator/devices/family/multibeam/stretches.h"
 
+#include <bit>
+#include <cstdint>
 #include <cstring>
 
 #include "render/simd.h"
@@ -7,54 +9,167 @@
 namespace echoloop::multibeam {
 namespace {
 
-using Vector2 [[maybe_unused]] = double __attribute__((vector_size(16)));
-using Vector4 [[maybe_unused]] = double __attribute__((vector_size(32)));
-using Vector8 [[maybe_unused]] = double __attribute__((vector_size(64)));
+/// Vectors of so many bins, of which that of doubles is no wider than the processor's.
+struct TwoBins {
+    using Doubles = double __attribute__((vector_size(16)));
+    using Floats = float __attribute__((vector_size(8)));
+    using Bits = std::int32_t __attribute__((vector_size(8)));
+};
+struct FourBins {
+    using Doubles = double __attribute__((vector_size(32)));
+    using Floats = float __attribute__((vector_size(16)));
+    using Bits = std::int32_t __attribute__((vector_size(16)));
+};
+struct EightBins {
+    using Doubles = double __attribute__((vector_size(64)));
+    using Floats = float __attribute__((vector_size(32)));
+    using Bits = std::int32_t __attribute__((vector_size(32)));
+};
 
-/// The greatest to[i] - from[i] of so many, at least -1. `Vector` is no wider than the processor's.
-template <class Vector>
+/// The greatest to[i] - from[i] of so many, at least -1.
+template <class Vectors>
 ECHOLOOP_INLINE double greatest_difference_of(const double* from, const double* to, std::size_t count) {
-    constexpr std::size_t lanes = sizeof(Vector) / sizeof(double), at_once = 2;
-    Vector most[at_once] = {Vector{} - 1, Vector{} - 1};
+    using Doubles = typename Vectors::Doubles;
+    constexpr std::size_t at_once = 2, lanes = sizeof(Doubles) / sizeof(double);
+    Doubles most[at_once] = {Doubles{} - 1, Doubles{} - 1};
     std::size_t i = 0;
     for (; i + at_once * lanes <= count; i += at_once * lanes)
 #pragma GCC unroll 2
         for (std::size_t k = 0; k < at_once; ++k) {
-            Vector less, more;
+            Doubles less, more;
             std::memcpy(&less, from + i + k * lanes, sizeof less);
             std::memcpy(&more, to + i + k * lanes, sizeof more);
-            const Vector difference = more - less;
+            const Doubles difference = more - less;
             most[k] = most[k] < difference ? difference : most[k];
         }
     double greatest = -1;
-    for (const Vector& one : most)
+    for (const Doubles& one : most)
         for (std::size_t k = 0; k < lanes; ++k) greatest = std::max(greatest, one[k]);
     for (; i < count; ++i) greatest = std::max(greatest, to[i] - from[i]);
     return greatest;
 }
 
+/// Of a block: the sum of the bins that count, and the greatest of them.
+struct BlockSum {
+    double sum = 0;
+    float top = 0;
+};
+
+/// Copies them, zeros for the others. The bits of what is not negative rise with it.
+template <class Vectors>
+ECHOLOOP_INLINE BlockSum pick_of(const float* bins, const float* least, std::size_t count, float* counted) {
+    using Doubles = typename Vectors::Doubles;
+    using Floats = typename Vectors::Floats;
+    using Bits = typename Vectors::Bits;
+    constexpr std::size_t lanes = sizeof(Doubles) / sizeof(double);
+    Doubles sums{};
+    Bits tops{};
+    for (std::size_t i = 0; i < count; i += lanes) {
+        Floats values, bounds;
+        std::memcpy(&values, bins + i, sizeof values);
+        std::memcpy(&bounds, least + i, sizeof bounds);
+        values = values >= bounds ? values : Floats{};
+        std::memcpy(counted + i, &values, sizeof values);
+        sums += __builtin_convertvector(values, Doubles);
+        Bits bits;
+        std::memcpy(&bits, &values, sizeof bits);
+        tops = tops > bits ? tops : bits;
+    }
+    BlockSum out;
+    std::int32_t top = 0;
+    for (std::size_t k = 0; k < lanes; ++k) out.sum += sums[k], top = std::max(top, tops[k]);
+    out.top = std::bit_cast<float>(top);
+    return out;
+}
+
 #ifdef ECHOLOOP_SIMD_VERSIONS
 __attribute__((target("arch=x86-64-v4"))) double greatest_difference(const double* from, const double* to,
                                                                      std::size_t count) {
-    return greatest_difference_of<Vector8>(from, to, count);
+    return greatest_difference_of<EightBins>(from, to, count);
+}
+__attribute__((target("arch=x86-64-v4"))) BlockSum pick(const float* bins, const float* least,
+                                                        std::size_t count, float* counted) {
+    return pick_of<EightBins>(bins, least, count, counted);
 }
 
 __attribute__((target("arch=x86-64-v3"))) double greatest_difference(const double* from, const double* to,
                                                                      std::size_t count) {
-    return greatest_difference_of<Vector4>(from, to, count);
+    return greatest_difference_of<FourBins>(from, to, count);
+}
+__attribute__((target("arch=x86-64-v3"))) BlockSum pick(const float* bins, const float* least,
+                                                        std::size_t count, float* counted) {
+    return pick_of<FourBins>(bins, least, count, counted);
 }
 
 __attribute__((target("default")))
 #endif
 double
 greatest_difference(const double* from, const double* to, std::size_t count) {
-    return greatest_difference_of<Vector2>(from, to, count);
+    return greatest_difference_of<TwoBins>(from, to, count);
+}
+#ifdef ECHOLOOP_SIMD_VERSIONS
+__attribute__((target("default")))
+#endif
+BlockSum
+pick(const float* bins, const float* least, std::size_t count, float* counted) {
+    return pick_of<TwoBins>(bins, least, count, counted);
 }
 
 }  // namespace
 
+void Stretches::add_up(std::span<const float> beam, std::span<const float> least) {
+    size_ = beam.size();
+    const std::size_t whole = size_ / block, blocks = whole + 1;
+    counted_.resize(blocks * block);
+    sum_.resize(blocks * block);
+    top_.resize(blocks), before_.resize(blocks + 1);
+    single_.assign(blocks, 0);
+    double before = 0;
+    for (std::size_t b = 0; b < blocks; ++b) {
+        before_[b] = before;
+        const std::size_t first = b * block;
+        BlockSum all;
+        if (b < whole) {
+            all = pick(&beam[first], &least[first], block, &counted_[first]);
+        } else {
+            float bins[block] = {}, bounds[block] = {};
+            std::ranges::copy(beam.subspan(first), bins);
+            std::ranges::copy(least.subspan(first), bounds);
+            all = pick(bins, bounds, block, &counted_[first]);
+        }
+        before += all.sum;
+        top_[b] = all.top;
+    }
+    before_[blocks] = before;
+}
+
+/// Four bins are added to each other: one sum would wait for itself at every bin.
+void Stretches::add_bins_of(std::size_t number) {
+    double before = before_[number];
+    for (std::size_t i = number * block; i < (number + 1) * block; i += 4) {
+        const float* bin = &counted_[i];
+        const double one = bin[0], two = one + bin[1], three = bin[2], four = three + bin[3];
+        const double middle = before + two;
+        double* sum = &sum_[i];
+        sum[0] = before, sum[1] = before + one, sum[2] = middle, sum[3] = middle + three;
+        before += two + four;
+    }
+    single_[number] = 1;
+}
+
+double Stretches::bound(std::size_t from, std::size_t to, std::size_t length) const {
+    float top = 0;
+    double sum = 0;
+    for (std::size_t b = from / block; b * block < to; ++b) {
+        top = std::max(top, top_[b]);
+        sum += before_[b + 1] - before_[b];
+    }
+    return std::min(static_cast<double>(top), sum / static_cast<double>(length));
+}
+
 std::size_t Stretches::peak(double least) {
-    constexpr std::size_t block = 128;  // bins whose greatest mean tells whether they are looked at
+    constexpr std::size_t together = 128;  // bins that are looked at, or not
+    constexpr double rounding = 1 + 1e-9;
     std::size_t best = 0;
     double most = -1;
     const auto take = [&](std::size_t begin, std::size_t end) {
@@ -65,29 +180,36 @@ std::size_t Stretches::peak(double least) {
             if (gained > most || (gained == most && i < best)) best = i, most = gained;
         }
     };
-    blocks_.clear();
+    candidates_.clear();
     for (std::size_t begin = 0; begin < size();) {
-        const std::size_t h = half(begin), end = next_length(begin);
-        // The window's begin cuts the footprint off before these, and its end behind them.
-        const std::size_t last = std::clamp(size() - std::min(size(), h), begin, end);
-        const std::size_t first = std::clamp(h, begin, last);
-        take(begin, first);
-        for (std::size_t at = first; at < last; at += block) {
-            const std::size_t count = std::min(block, last - at);
-            const double *from = &sum_[at - h], *to = &sum_[at + h + 1];
-            const double greatest = greatest_difference(from, to, count);
-            const double power = greatest / static_cast<double>(2 * h + 1);
-            if (power > least) blocks_.push_back({at, count, with_gain(power, at + count - 1)});
+        const std::size_t h = half(begin), length = 2 * h + 1, next = next_length(begin);
+        for (std::size_t end = 0; begin < next; begin = end) {
+            end = std::min(begin + together, next);
+            const double power =
+                rounding * bound(begin - std::min(begin, h), std::min(end + h, size()), length);
+            if (power > least) candidates_.push_back({begin, end, h, with_gain(power, end - 1)});
         }
-        take(last, end);
-        begin = end;
     }
-    // The one that promises most comes first: then hardly any other does.
-    const auto promise = std::ranges::max_element(blocks_, {}, &Block::most);
-    if (promise != blocks_.end()) take(promise->begin, promise->begin + promise->count);
-    for (const Block& one : blocks_)
-        if (one.most >= most) take(one.begin, one.begin + one.count);
+    // What promises most comes first: then hardly any other does.
+    const auto promise = std::ranges::max_element(candidates_, {}, &Candidates::most);
+    if (promise != candidates_.end()) take(promise->begin, promise->end);
+    for (const Candidates& one : candidates_)
+        if (one.most >= most && may_have(one, least, most)) take(one.begin, one.end);
     return best;
+}
+
+bool Stretches::may_have(const Candidates& all, double least, double most) {
+    const auto& [begin, end, h, bound] = all;
+    if (begin < h || end + h > size()) return true;  // the window cuts footprints off
+    const std::size_t count = end - begin, length = 2 * h + 1;
+    const double power = greatest_sum(begin - h, length, count) / static_cast<double>(length);
+    return power > least && with_gain(power, end - 1) >= most;
+}
+
+double Stretches::greatest_sum(std::size_t first, std::size_t length, std::size_t count) {
+    for (std::size_t b = first / block; b <= (first + length + count - 1) / block; ++b)
+        if (!single_[b]) add_bins_of(b);
+    return greatest_difference(&sum_[first], &sum_[first + length], count);
 }
 
 std::size_t Stretches::next_length(std::size_t i) const {

@@ -18,7 +18,8 @@ inline double pulse_length(const Shot& shot) {
     return shot.bandwidth > 0 ? 1 / shot.bandwidth : shot.pulse_length;
 }
 
-/// Sums of a beam's bins, for means over stretches of it.
+/// Sums of a beam's bins, for means over stretches of it. Hardly any bin is asked for: a bottom is a small
+/// part of a beam. So sums are made for blocks of bins, and for single ones when they are asked for.
 class Stretches {
   public:
     /// The bins [first, last) of beam `index`; of those that lie below `least` (uPa^2, one a bin of the
@@ -26,39 +27,37 @@ class Stretches {
     void start(const Echogram& echogram, std::size_t index, std::size_t first, std::size_t last,
                std::span<const float> least) {
         const Shot& shot = echogram.shot;
-        const auto beam = echogram.beam(index).subspan(first, last - first);
-        sum_.resize(beam.size() + 1);
+        add_up(echogram.beam(index).subspan(first, last - first), least.subspan(first, last - first));
         spreads_ = echogram.rule == EchoRule::radiometric;
-        add_up(beam, least.subspan(first, last - first));
         // A flat bottom's echo lasts t * beam width * tan(angle); three pulses at least, so that speckle
         // averages.
         const double angle = std::abs(shot.bearings[index]);
         slope_ = shot.beam_width * std::tan(angle) / 2;
         steep_ = shot.beam_width * std::tan(std::min(angle + deg_to_rad(30), deg_to_rad(85)));
         const double pulses = 3 * std::max(pulse_length(shot), shot.bin_interval);
-        before_ = shot.first_bin_time / shot.bin_interval + static_cast<double>(first);
-        first_half_ = pulses / 2 / shot.bin_interval + before_ * slope_;
+        delay_ = shot.first_bin_time / shot.bin_interval + static_cast<double>(first);
+        first_half_ = pulses / 2 / shot.bin_interval + delay_ * slope_;
     }
-    std::size_t size() const { return sum_.size() - 1; }
+    std::size_t size() const { return size_; }
     /// Half the bins of a footprint around bin `i`.
     std::size_t half(std::size_t i) const {
         return static_cast<std::size_t>(first_half_ + slope_ * static_cast<double>(i)) + 1;
     }
     /// Bins that an infinitely short pulse's echo around bin `i` lasts at most, of a bottom that slopes by 30
     /// deg.
-    double longest_footprint(std::size_t i) const { return steep_ * (before_ + static_cast<double>(i)); }
+    double longest_footprint(std::size_t i) const { return steep_ * (delay_ + static_cast<double>(i)); }
     /// Mean over the footprint around bin `i`.
-    double mean(std::size_t i) const {
+    double mean(std::size_t i) {
         const std::size_t h = half(i);
         const std::size_t from = i - std::min(i, h), to = std::min(i + h + 1, size());
-        return (sum_[to] - sum_[from]) / static_cast<double>(2 * h + 1);
+        return (sum_to(to) - sum_to(from)) / static_cast<double>(2 * h + 1);
     }
     /// Bin around which the mean times the square of its time is greatest, the first of them, of those with a
     /// mean above `least` (uPa^2); 0 without one. So a head's time-varied gain compares them, which gives
     /// back what spreading takes: what floats right before the array is louder than a bottom far away.
     std::size_t peak(double least);
     /// The run around a peak within 10 dB of it and clear of the noise.
-    std::pair<std::size_t, std::size_t> run_around(std::size_t peak, double noise_power) const {
+    std::pair<std::size_t, std::size_t> run_around(std::size_t peak, double noise_power) {
         const double floor = std::max(mean(peak) / 10.0, 2 * noise_power);
         std::size_t from = peak, to = peak + 1;
         while (from > 0 && mean(from - 1) > floor) --from;
@@ -70,43 +69,43 @@ class Stretches {
     /// What the gain of bin `i` makes of a power; the paper's rule has no spreading.
     double with_gain(double power, std::size_t i) const {
         if (!spreads_) return power;
-        const double time = before_ + static_cast<double>(i) + 0.5;
+        const double time = delay_ + static_cast<double>(i) + 0.5;
         return power * time * time;
     }
     /// The first bin behind `i` whose footprint is longer than that one's; size() without one.
     std::size_t next_length(std::size_t i) const;
 
-    /// What counts is picked first, in a loop without branches. Four bins are added to each other: one sum
-    /// would wait for itself at every bin.
-    void add_up(std::span<const float> beam, std::span<const float> least) {
-        const std::size_t count = beam.size();
-        counted_.resize(count);
-        for (std::size_t i = 0; i < count; ++i) counted_[i] = beam[i] >= least[i] ? beam[i] : 0.0F;
-        double before = sum_[0] = 0;
-        std::size_t i = 0;
-        const auto counted = [&](std::size_t bin) -> double { return counted_[bin]; };
-        for (; i + 4 <= count; i += 4) {
-            const double one = counted(i), two = one + counted(i + 1), three = counted(i + 2),
-                         four = three + counted(i + 3);
-            const double middle = before + two;
-            double* sum = &sum_[i + 1];
-            sum[0] = before + one, sum[1] = middle, sum[2] = middle + three;
-            sum[3] = before += two + four;
-        }
-        for (; i < count; ++i) sum_[i + 1] = before += counted(i);
+    static constexpr std::size_t block = 64;  ///< bins that are added up together
+
+    void add_up(std::span<const float> beam, std::span<const float> least);
+    void add_bins_of(std::size_t number);
+    /// Of the bins before `i`.
+    double sum_to(std::size_t i) {
+        if (!single_[i / block]) add_bins_of(i / block);
+        return sum_[i];
     }
+    /// The greatest sum of `length` bins of those that begin at the `count` ones from `first` on.
+    double greatest_sum(std::size_t first, std::size_t length, std::size_t count);
+    /// No mean over `length` bins is greater, of those within the bins [from, to).
+    double bound(std::size_t from, std::size_t to, std::size_t length) const;
 
     /// Bins with footprints of one length.
-    struct Block {
-        std::size_t begin, count;
+    struct Candidates {
+        std::size_t begin, end, half;
         double most;  ///< no mean of them is greater, with the gain of the last
     };
+    /// Whether one of them may have a mean above `least` that is not below `most` with the gain.
+    bool may_have(const Candidates& all, double least, double most);
 
-    std::vector<float> counted_;  ///< work memory of add_up()
-    std::vector<Block> blocks_;   ///< of peak()
-    std::vector<double> sum_;
+    std::vector<Candidates> candidates_;  ///< work memory of peak()
+    std::vector<float> counted_;          ///< bins, 0 where they do not count; whole blocks of them
+    std::vector<float> top_;              ///< the greatest bin of each block
+    std::vector<double> before_;          ///< the sum of all blocks before each
+    std::vector<char> single_;            ///< of which blocks sum_ is made
+    std::vector<double> sum_;             ///< of the bins before each
+    std::size_t size_ = 0;
     double slope_ = 0, steep_ = 0, first_half_ = 0;
-    double before_ = 0;  ///< bins from the transmission to the first
+    double delay_ = 0;  ///< bins from the transmission to the first
     bool spreads_ = true;
 };
 
