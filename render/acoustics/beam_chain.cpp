@@ -119,7 +119,7 @@ void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, const B
         const bool as_noise = plan.fresh_is_noise();
         if (!fresh.steps.empty() && !as_noise) renew_speckle(beam, fresh, values);
         if (plan.textured()) {
-            hear(texture, place, {0, plan.bins});
+            hear(texture, cells_at(texture, place), {0, plan.bins});
             kernels::multiply_by_law(plan.texture.root.data(), fields_[texture].heard.data(), plan.bins,
                                      values.data());
         }

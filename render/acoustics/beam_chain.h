@@ -114,14 +114,23 @@ class BeamChain {
     struct Part {
         std::size_t first = 0, count = 0;
     };
+    /// Fields that a beam hears, and how much of each.
+    struct HeardCells {
+        static constexpr std::size_t most = 10;
+        std::array<const float*, most> fields{};
+        std::array<float, most> weights{};
+        std::size_t count = 0;
+    };
     const float* field_of(Kind kind, std::uint32_t cell);
+    const float* speckle_beside(std::uint32_t cell, int step);
+    HeardCells cells_at(Kind kind, double place);
     void fill(Kind kind, std::uint32_t cell, std::vector<float>& out);
     void fill_from(const ScattererView& view, std::uint64_t key, Kind kind, std::uint32_t cell,
                    std::vector<float>& out);
     void fill_layers(const ScattererView& view, std::uint64_t key, Kind kind, std::uint32_t cell,
                      std::size_t before, std::size_t count);
     void mix_rows(Kind kind, std::uint32_t cell, std::vector<float>& out);
-    void hear(Kind kind, double place, Part part);
+    void hear(Kind kind, const HeardCells& cells, Part part);
     void hear_leaning(double place, Part part);
     const float* speckle_of(std::size_t beam, double place);
     void spread(std::span<const float> values, std::span<float> means);
@@ -144,6 +153,7 @@ class BeamChain {
     std::size_t next_mean_ = none;  ///< beam of the next of them
     std::array<Fields, kinds> fields_;
     std::array<RowFields, kinds> of_rows_;
+    std::array<const float*, kept> beside_{};  ///< fields of speckle of the beam under way, by steps from it
     std::uint64_t uses_ = 0;
     std::vector<float> points_real_, points_imaginary_;  ///< amplitude of the point echoes, sqrt(uPa^2)
     std::vector<float> places_, energy_, cosines_, padded_, white_, next_white_, scratch_, fresh_;

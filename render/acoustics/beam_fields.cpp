@@ -2,6 +2,7 @@
 // range and over directions.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "render/acoustics/beam_chain.h"
 #include "render/acoustics/chain_kernels.h"
@@ -10,8 +11,6 @@ namespace echoloop {
 namespace {
 
 constexpr std::size_t part_size = 128;  ///< bins that lean together
-constexpr int most_cells = 10;          ///< of a kernel
-
 }  // namespace
 
 /// Neighbouring beams share cells: the last ones are kept.
@@ -40,19 +39,17 @@ void BeamChain::fill(Kind kind, std::uint32_t cell, std::vector<float>& out) {
 
 /// What a row of beams hears of the rows of cells around it.
 void BeamChain::mix_rows(Kind kind, std::uint32_t cell, std::vector<float>& out) {
-    const float* fields[most_cells];
-    float weights[most_cells];
-    std::size_t used = 0;
+    HeardCells rows;
     for (const CellRow& row : ping_.rows) {
         const float weight = kind == noise ? row.noise : row.echo;
         if (weight == 0) continue;
         std::vector<float>& field = of_rows_[kind].of(row.share.row, cell);
         if (field.empty()) fill_from(row.view, row.share.key, kind, cell, field);
-        fields[used] = field.data();
-        weights[used++] = weight;
+        rows.fields[rows.count] = field.data();
+        rows.weights[rows.count++] = weight;
     }
     out.resize(plan_->bins);
-    kernels::weighted_sum(fields, weights, used, plan_->bins, out.data());
+    kernels::weighted_sum(rows.fields.data(), rows.weights.data(), rows.count, plan_->bins, out.data());
 }
 
 void BeamChain::fill_from(const ScattererView& view, std::uint64_t key, Kind kind, std::uint32_t cell,
@@ -101,25 +98,40 @@ void BeamChain::fill_layers(const ScattererView& sonar, std::uint64_t key, Kind 
                    white_.data() + at, next_white_.data() + at, count, padded_.data());
 }
 
-/// Into fields_[kind].heard: what a beam hears at a place of the cells.
-void BeamChain::hear(Kind kind, double place, Part part) {
+/// Of the speckle of the beam under way, at whose place `cell` is. The field stays where it is for as long.
+const float* BeamChain::speckle_beside(std::uint32_t cell, int step) {
+    const float*& field = beside_[static_cast<std::size_t>(step + static_cast<int>(kept / 2))];
+    if (field == nullptr) field = field_of(speckle, plan_->grid.beside(cell, step));
+    return field;
+}
+
+/// What a beam hears at a place of the cells.
+BeamChain::HeardCells BeamChain::cells_at(Kind kind, double place) {
     const BeamKernel& kernel = (kind == noise ? plan_->noise : plan_->echo).kernel;
     const double whole = std::floor(place);
+    const auto cell = static_cast<std::uint32_t>(whole);
     const int cells = kernel.cells();
-    const float* fields[most_cells];
-    double weights[most_cells], energy = 0;
-    std::size_t used = 0;
+    HeardCells out;
+    double weights[HeardCells::most], energy = 0;
     for (int step = 1 - cells; step <= cells; ++step) {
         const double weight = kernel.weight(place - whole - step);
         if (weight == 0) continue;
-        fields[used] =
-            field_of(kind, plan_->grid.beside(static_cast<std::uint32_t>(whole), step)) + part.first;
-        weights[used++] = weight;
+        out.fields[out.count] =
+            kind == speckle ? speckle_beside(cell, step) : field_of(kind, plan_->grid.beside(cell, step));
+        weights[out.count++] = weight;
         energy += weight * weight;
     }
-    float scaled[most_cells];
-    for (std::size_t i = 0; i < used; ++i) scaled[i] = static_cast<float>(weights[i] / std::sqrt(energy));
-    kernels::weighted_sum(fields, scaled, used, part.count, &fields_[kind].heard[part.first]);
+    for (std::size_t i = 0; i < out.count; ++i)
+        out.weights[i] = static_cast<float>(weights[i] / std::sqrt(energy));
+    return out;
+}
+
+/// Into fields_[kind].heard.
+void BeamChain::hear(Kind kind, const HeardCells& cells, Part part) {
+    std::array<const float*, HeardCells::most> fields;
+    for (std::size_t i = 0; i < cells.count; ++i) fields[i] = cells.fields[i] + part.first;
+    kernels::weighted_sum(fields.data(), cells.weights.data(), cells.count, part.count,
+                          &fields_[kind].heard[part.first]);
 }
 
 /// The same for speckle, where each bin is heard beside the beam's axis: by as many cells as places_ says.
@@ -132,7 +144,7 @@ void BeamChain::hear_leaning(double place, Part part) {
     energy_.assign(part.count, 0.0F);
     const auto per_reach = static_cast<float>(1 / (kernel.reach * kernel.reach));
     for (int step = first + 1 - kernel.cells(); step <= last + kernel.cells(); ++step) {
-        const float* field = field_of(speckle, plan_->grid.beside(static_cast<std::uint32_t>(whole), step));
+        const float* field = speckle_beside(static_cast<std::uint32_t>(whole), step);
         kernels::hear_cell(
             {places_.data(), static_cast<float>(step), per_reach, static_cast<float>(kernel.middle)},
             field + part.first, part.count, out, energy_.data());
@@ -144,13 +156,15 @@ const float* BeamChain::speckle_of(std::size_t beam, double place) {
     const std::size_t size = plan_->leans() ? part_size : plan_->bins;
     const auto least = static_cast<float>(plan_->noise_power / 10);  // an echo below is not heard
     places_.resize(size);
+    beside_.fill(nullptr);
+    const HeardCells on_axis = cells_at(speckle, place);
     for (std::size_t first = 0; first < plan_->bins; first += size) {
         const Part part{first, std::min(size, plan_->bins - first)};
         if (plan_->leans() &&
             plan_->lean.find(beam, means_, least, first, std::span(places_.data(), part.count)))
             hear_leaning(place, part);
         else
-            hear(speckle, place, part);
+            hear(speckle, on_axis, part);
     }
     return fields_[speckle].heard.data();
 }
@@ -163,13 +177,14 @@ void BeamChain::renew_speckle(std::size_t beam, const FreshPower& fresh, std::sp
     for (std::size_t k = 0; k < fresh.steps.size(); ++k)
         std::fill_n(&fresh_[k * fresh.bins_per_step], fresh.bins_per_step,
                     static_cast<float>(plan_->power_gain) * fresh.steps[k]);
-    const double place = plan_->grid.place_of(ping_.bearings[beam]);
+    std::optional<HeardCells> cells;
     for (std::size_t first = 0; first < plan_->bins; first += part_size) {
         const std::size_t count = std::min(part_size, plan_->bins - first);
         if (!kernels::is_part(&fresh_[first], &values[first], least, static_cast<float>(plan_->noise_power),
                               count))
             continue;
-        hear(fresh_speckle, place, {first, count});
+        if (!cells) cells = cells_at(fresh_speckle, plan_->grid.place_of(ping_.bearings[beam]));
+        hear(fresh_speckle, *cells, {first, count});
         kernels::renew(&fresh_[first], &values[first], &fields_[fresh_speckle].heard[first], count,
                        &fields_[speckle].heard[first]);
     }
@@ -178,7 +193,7 @@ void BeamChain::renew_speckle(std::size_t beam, const FreshPower& fresh, std::sp
 /// Noise knows no world: its cells turn with the sonar.
 const float* BeamChain::noise_of(std::size_t beam) {
     if (!plan_->shares_noise) return field_of(noise, static_cast<std::uint32_t>(beam));
-    hear(noise, plan_->grid.place_of(ping_.bearings[beam]), {0, plan_->bins});
+    hear(noise, cells_at(noise, plan_->grid.place_of(ping_.bearings[beam])), {0, plan_->bins});
     return fields_[noise].heard.data();
 }
 
