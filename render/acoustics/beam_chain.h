@@ -156,7 +156,7 @@ class BeamChain {
     std::array<const float*, kept> beside_{};  ///< fields of speckle of the beam under way, by steps from it
     std::uint64_t uses_ = 0;
     std::vector<float> points_real_, points_imaginary_;  ///< amplitude of the point echoes, sqrt(uPa^2)
-    std::vector<float> places_, energy_, cosines_, padded_, white_, next_white_, scratch_, fresh_;
+    std::vector<float> places_, cosines_, padded_, white_, next_white_, scratch_, fresh_;
 };
 
 }  // namespace echoloop

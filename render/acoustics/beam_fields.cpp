@@ -140,16 +140,17 @@ void BeamChain::hear_leaning(double place, Part part) {
     const double whole = std::floor(place);
     float* out = &fields_[speckle].heard[part.first];
     const auto [first, last] = kernels::shift(static_cast<float>(place - whole), part.count, places_.data());
-    std::fill_n(out, part.count, 0.0F);
-    energy_.assign(part.count, 0.0F);
     const auto per_reach = static_cast<float>(1 / (kernel.reach * kernel.reach));
-    for (int step = first + 1 - kernel.cells(); step <= last + kernel.cells(); ++step) {
-        const float* field = speckle_beside(static_cast<std::uint32_t>(whole), step);
-        kernels::hear_cell(
-            {places_.data(), static_cast<float>(step), per_reach, static_cast<float>(kernel.middle)},
-            field + part.first, part.count, out, energy_.data());
-    }
-    kernels::even_out(energy_.data(), part.count, out);
+    std::array<const float*, kept> fields;
+    // Levels that are no numbers lie nowhere.
+    constexpr int most = kept / 2;
+    const int nearest = std::max(first + 1 - kernel.cells(), -most),
+              farthest = std::clamp(last + kernel.cells(), nearest, most - 1);
+    std::size_t count = 0;
+    for (int step = nearest; step <= farthest; ++step)
+        fields[count++] = speckle_beside(static_cast<std::uint32_t>(whole), step) + part.first;
+    kernels::hear_cells({fields.data(), count, nearest, per_reach, static_cast<float>(kernel.middle)},
+                        places_.data(), part.count, out);
 }
 
 const float* BeamChain::speckle_of(std::size_t beam, double place) {

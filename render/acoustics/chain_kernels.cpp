@@ -135,19 +135,43 @@ ECHOLOOP_SIMD void weighted_sum(const float* const* fields, const float* weights
         for (std::size_t i = 0; i < count; ++i) out[i] += weights[k] * fields[k][i];
 }
 
-ECHOLOOP_SIMD void hear_cell(CellWeights weights, const float* field, std::size_t count, float* out,
-                             float* energy) {
+namespace {
+
+constexpr std::size_t heard_together = 32;
+
+/// hear_cells() of some bins, no more than `heard_together`, whose sums stay in registers where that number
+/// is known.
+ECHOLOOP_INLINE void hear_some(const CellFields& cells, const float* places, std::size_t begin,
+                               std::size_t count, float* out) {
+    float sum[heard_together], energy[heard_together];
+    const auto weight_at = [&](std::size_t k, std::size_t i) {
+        const float distance = places[begin + i] - static_cast<float>(cells.first + static_cast<int>(k));
+        const float s = std::min(distance * distance * cells.per_reach, 1.0F), rest = 1 - s;
+        return rest * rest * (1 + cells.middle * s);
+    };
     for (std::size_t i = 0; i < count; ++i) {
-        const float distance = weights.place[i] - weights.cell;
-        const float s = std::min(distance * distance * weights.per_reach, 1.0F), rest = 1 - s;
-        const float weight = rest * rest * (1 + weights.middle * s);
-        out[i] += weight * field[i];
-        energy[i] += weight * weight;
+        const float weight = weight_at(0, i);
+        sum[i] = weight * cells.fields[0][begin + i];
+        energy[i] = weight * weight;
     }
+    for (std::size_t k = 1; k < cells.count; ++k) {
+        const float* field = cells.fields[k] + begin;
+        for (std::size_t i = 0; i < count; ++i) {
+            const float weight = weight_at(k, i);
+            sum[i] += weight * field[i];
+            energy[i] += weight * weight;
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) out[begin + i] = sum[i] / std::sqrt(energy[i]);
 }
 
-ECHOLOOP_SIMD void even_out(const float* energy, std::size_t count, float* out) {
-    for (std::size_t i = 0; i < count; ++i) out[i] /= std::sqrt(energy[i]);
+}  // namespace
+
+ECHOLOOP_SIMD void hear_cells(const CellFields& cells, const float* places, std::size_t count, float* out) {
+    const std::size_t whole = count / heard_together * heard_together;
+    for (std::size_t begin = 0; begin < whole; begin += heard_together)
+        hear_some(cells, places, begin, heard_together, out);
+    hear_some(cells, places, whole, count - whole, out);
 }
 
 ECHOLOOP_SIMD bool differ(const float* a, const float* b, float ratio, float least, std::size_t count) {

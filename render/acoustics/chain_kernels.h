@@ -13,11 +13,12 @@ struct Normals {
     const float* root;
 };
 
-/// Where bins are heard, in cells, and how much of one cell is: see BeamKernel.
-struct CellWeights {
-    const float* place;
-    float cell;
-    float per_reach;  ///< 1 / reach^2
+/// Fields of neighbouring cells, and how much a place hears of each: see BeamKernel.
+struct CellFields {
+    const float* const* fields;
+    std::size_t count;  ///< at least one
+    int first;          ///< the cell of the first of them
+    float per_reach;    ///< 1 / reach^2
     float middle;
 };
 
@@ -41,10 +42,8 @@ void blend(std::array<float, 4> weights, const float* a, const float* b, std::si
 /// out = the sum of weights[k] fields[k], of at least one.
 void weighted_sum(const float* const* fields, const float* weights, std::size_t fields_count,
                   std::size_t count, float* out);
-/// out += weight * field, energy += weight^2, with each bin's weight of that cell.
-void hear_cell(CellWeights weights, const float* field, std::size_t count, float* out, float* energy);
-/// out /= sqrt(energy).
-void even_out(const float* energy, std::size_t count, float* out);
+/// out = what each bin hears at its place, in cells, with weights whose squares add up to 1.
+void hear_cells(const CellFields& cells, const float* places, std::size_t count, float* out);
 /// Whether one of two powers is anywhere more than `ratio` times the other and `least`.
 bool differ(const float* a, const float* b, float ratio, float least, std::size_t count);
 /// Whether a part of the power is anywhere more than `least` times the power and the noise.
