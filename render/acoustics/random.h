@@ -37,10 +37,10 @@ std::array<std::uint32_t, 4> threefry(std::array<std::uint32_t, 4> counter, std:
 constexpr std::size_t normals_tile = 32;
 constexpr std::size_t normals_room(std::size_t count) { return count + 2 * normals_tile; }
 
-/// Normal numbers of mean 0 and variance 1, since speckle and noise ask for millions of them a ping: a tile of
-/// them is the sum of two stretches of 16,384 quantiles in random order, each number with a sign of its own
-/// (README). No two numbers correlate; none is beyond 5.7. Writes the `count` ones from number `first` on, and
-/// some around them; returns where in `out` number `first` lies.
+/// Normal numbers of mean 0 and variance 1, since speckle and noise ask for millions of them a ping: a tile
+/// of them is the sum of two stretches of 16,384 quantiles in random order, each number with a sign of its
+/// own (README). No two numbers correlate; none is beyond 5.7. Writes the `count` ones from number `first`
+/// on, and some around them; returns where in `out` number `first` lies.
 std::size_t normals(const RandomStream& stream, std::int64_t first, std::size_t count, float* out);
 
 /// Cosines of uniform angles.

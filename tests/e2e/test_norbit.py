@@ -48,8 +48,10 @@ class NorbitCase(unittest.TestCase):
         inner = [p for p in ping.points if abs(p.angle) <= math.radians(edge)]
         good = [p for p in inner if p.quality & 1]
         self.assertGreater(len(good), least * len(inner))
-        for p in good:
-            self.assertLess(abs(p.range * math.cos(p.angle) - depth) / depth, 0.005, f"{math.degrees(p.angle):.1f} deg")
+        errors = {p.angle: p.range * math.cos(p.angle) / depth - 1 for p in good}
+        for angle, error in errors.items():  # speckle moves a sounding at 60 deg by a quarter of a percent
+            self.assertLess(abs(error), 0.01, f"{math.degrees(angle):.1f} deg")
+        self.assertLess(abs(statistics.mean(errors.values())), 0.002)
         return good
 
 

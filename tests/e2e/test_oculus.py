@@ -143,9 +143,13 @@ class Tank(OculusCase):
         ping = self.picture(host, **SEA, range=9.0, gain=20.0, flags=wire.METRES | wire.SIMPLE | wire.BEAMS512)
         self.assertEqual((ping.bearings[0], ping.bearings[-1]), (-65, 65))
         for degrees in (-62, 62):
-            truth = 4 / math.sin(math.radians(abs(ping.bearings[ping.beam(degrees)])))
-            strongest = max(range(ping.ranges), key=ping.column(ping.beam(degrees)).__getitem__)
-            self.assertAlmostEqual(ping.metres(strongest), truth, delta=0.06)
+            # In a single beam speckle may leave the wall less than what side lobes bring of its nearest part.
+            errors = []
+            for beam in range(ping.beam(degrees) - 4, ping.beam(degrees) + 5):
+                truth = 4 / math.sin(math.radians(abs(ping.bearings[beam])))
+                strongest = max(range(ping.ranges), key=ping.column(beam).__getitem__)
+                errors.append(ping.metres(strongest) - truth)
+            self.assertAlmostEqual(statistics.median(errors), 0, delta=0.06, msg=errors)
         # The post at (1.2, -2.6), 0.15 m thick: 49.8 deg to starboard, that is at a positive bearing.
         bearing, distance = math.degrees(math.atan2(2.6, 2.2)), math.hypot(2.6, 2.2) - 0.15
         before_wall = [r for r in range(ping.ranges) if 2 < ping.metres(r) < 3.9]

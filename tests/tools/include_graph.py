@@ -75,7 +75,7 @@ RULES = [
     Rule(r"render/(?!renderer|shot_check)[a-z_]+\.(h|cpp)", RENDER_ROOT, f"{STANDARD}|{SYSTEM}"),
     render_room("scene", libraries=rf"{SYSTEM}|(glm|nlohmann)/.*|tiny_gltf\.h"),
     render_room("gl", "scene", rf"{SYSTEM}|(GL|EGL|glvnd)/.*"),
-    render_room("acoustics", "scene"),
+    render_room("acoustics", "scene", r"boost/math/.*"),
     render_room("paths", "acoustics|scene", r"embree[34]/.*"),
     render_room("rays", "gl|paths|scene"),
     render_room("raster", "rays|gl|paths|scene", r"embree[34]/.*"),
