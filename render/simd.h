@@ -19,6 +19,9 @@ namespace echoloop {
 
 /// Four numbers that are read and reckoned with at once.
 using Four = float __attribute__((vector_size(16)));
+/// As many as the vectors of wider processors hold, for what is compiled for these.
+using Eight [[maybe_unused]] = float __attribute__((vector_size(32)));
+using Sixteen [[maybe_unused]] = float __attribute__((vector_size(64)));
 
 /// Loops go over whole vectors of so many, so that nothing is left to be done one by one.
 constexpr int whole_vector = 16;

@@ -107,26 +107,32 @@ void BeamChain::find_means(std::size_t beam, const Before& before) {
 void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, const Before& before,
                     const FreshPower& fresh, std::span<float> values) {
     const ChainPlan& plan = *plan_;
+    std::span<const float> means;
     if (plan.leans()) {
         find_means(beam, before);
-        std::ranges::copy(means_.of(beam), values.begin());
+        means = means_.of(beam);
     } else {
-        spread(values, values);
+        own_means_.resize(values.size());
+        spread(values, own_means_);
+        means = own_means_;
     }
     const double place = plan.grid.place_of(ping_.view.turn() + ping_.pan + ping_.bearings[beam]);
     if (plan.speckle) {
         const float* echo = speckle_of(beam, place);
         const bool as_noise = plan.fresh_is_noise();
-        if (!fresh.steps.empty() && !as_noise) renew_speckle(beam, fresh, values);
+        if (!fresh.steps.empty() && !as_noise) renew_speckle(beam, fresh, means);
         if (plan.textured()) {
             hear(texture, cells_at(texture, place), {0, plan.bins});
+            textured_.assign(means.begin(), means.end());
             kernels::multiply_by_law(plan.texture.root.data(), fields_[texture].heard.data(), plan.bins,
-                                     values.data());
+                                     textured_.data());
+            means = textured_;
         }
         const float* of_noise = plan.noise_power > 0 ? noise_of(beam) : echo;
-        scatter_with_noise(echo, of_noise, as_noise ? fresh : FreshPower{}, values);
-    } else if (plan.noise_power > 0) {
-        steady_in_noise(beam, values);
+        scatter_with_noise(means, echo, of_noise, as_noise ? fresh : FreshPower{}, values);
+    } else {
+        std::ranges::copy(means, values.begin());
+        if (plan.noise_power > 0) steady_in_noise(beam, values);
     }
     if (add_points(points)) interfere_with_points(place, values);
     const LineKey line{ping_.key, ping_.ping, static_cast<std::uint32_t>(beam),
@@ -137,8 +143,8 @@ void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, const B
 }
 
 /// `fresh`: what has the noise's numbers; a step of it has one power.
-void BeamChain::scatter_with_noise(const float* echo, const float* of_noise, const FreshPower& fresh,
-                                   std::span<float> values) const {
+void BeamChain::scatter_with_noise(std::span<const float> means, const float* echo, const float* of_noise,
+                                   const FreshPower& fresh, std::span<float> values) const {
     const ChainPlan& plan = *plan_;
     const auto noise_power = static_cast<float>(plan.noise_power), gain = static_cast<float>(plan.power_gain);
     const std::size_t step = fresh.steps.empty() ? plan.bins : fresh.bins_per_step;
@@ -146,16 +152,14 @@ void BeamChain::scatter_with_noise(const float* echo, const float* of_noise, con
         const float of_step = fresh.steps.empty() ? 0 : gain * fresh.steps[k];
         kernels::scatter({echo + first, plan.echo.law.root.data()},
                          {of_noise + first, plan.noise.law.root.data()}, {noise_power, of_step},
-                         std::min(step, plan.bins - first), &values[first]);
+                         std::min(step, plan.bins - first), &means[first], &values[first]);
     }
 }
 
 void BeamChain::spread(std::span<const float> values, std::span<float> means) {
     const LineFilter& filter = plan_->power;
-    if (filter.is_identity()) {
-        if (means.data() != values.data()) std::copy(values.begin(), values.end(), means.begin());
-        return;
-    }
+    if (filter.is_identity()) return void(std::ranges::copy(values, means.begin()));
+    if (filter.is_short()) return filter.filter(values, means.data());
     padded_.assign(filter.room(values.size()), 0.0F);
     std::copy(values.begin(), values.end(), padded_.begin() + static_cast<std::ptrdiff_t>(filter.before()));
     filter.apply(padded_, values.size(), means.data(), scratch_);
@@ -173,11 +177,29 @@ void BeamChain::steady_in_noise(std::size_t beam, std::span<float> values) {
 }
 
 bool BeamChain::add_points(std::span<const PointEcho> points) {
-    if (points.empty()) return false;
-    points_real_.assign(plan_->bins, 0.0F);
-    points_imaginary_.assign(plan_->bins, 0.0F);
-    for (const PointEcho& point : points) place_point(point, point.range - plan_->first_range);
+    with_points_ = {plan_->bins, 0};
+    for (const PointEcho& point : points) {
+        const Part bins = bins_of(point);
+        if (bins.count == 0) continue;
+        const std::size_t end = with_points_.first + with_points_.count;
+        const std::size_t first = std::min(with_points_.first, bins.first);
+        with_points_ = {first, std::max(with_points_.count > 0 ? end : 0, bins.first + bins.count) - first};
+    }
+    if (with_points_.count == 0) return false;
+    points_real_.assign(with_points_.count, 0.0F);
+    points_imaginary_.assign(with_points_.count, 0.0F);
+    for (const PointEcho& point : points) place_point(point);
     return true;
+}
+
+/// Where its pulse lies in the window.
+BeamChain::Part BeamChain::bins_of(const PointEcho& point) const {
+    const double where = point.range - plan_->first_range, length = plan_->bin_length;
+    const double begin = plan_->pulse ? plan_->shape.begin() : 0, end = plan_->pulse ? plan_->shape.end() : 0;
+    const double first = std::max(std::floor((where + begin) / length), 0.0);
+    const double last = std::min(std::floor((where + end) / length), static_cast<double>(plan_->bins) - 1);
+    if (!(first <= last)) return {};
+    return {static_cast<std::size_t>(first), static_cast<std::size_t>(last - first) + 1};
 }
 
 /// Of a point's power, what is in a bin that begins at offset `from` m against its range: the mean over the
@@ -194,17 +216,15 @@ double BeamChain::share_of(double from) const {
     return filled > 0 ? std::min(energy / filled, 1.0) : mean;
 }
 
-/// `where`: m from the window's beginning.
-void BeamChain::place_point(const PointEcho& point, double where) {
-    const double length = plan_->bin_length, last_bin = static_cast<double>(plan_->bins) - 1;
-    const double begin = plan_->pulse ? plan_->shape.begin() : 0, end = plan_->pulse ? plan_->shape.end() : 0;
-    const double first = std::max(std::floor((where + begin) / length), 0.0);
-    const double last = std::min(std::floor((where + end) / length), last_bin);
+void BeamChain::place_point(const PointEcho& point) {
+    const double where = point.range - plan_->first_range;
     const double cosine = std::cos(point.phase), sine = std::sin(point.phase);
-    for (double bin = first; bin <= last; ++bin) {
-        const double amplitude = std::sqrt(point.power * share_of(bin * length - where));
-        points_real_[static_cast<std::size_t>(bin)] += static_cast<float>(amplitude * cosine);
-        points_imaginary_[static_cast<std::size_t>(bin)] += static_cast<float>(amplitude * sine);
+    const Part bins = bins_of(point);
+    for (std::size_t bin = bins.first; bin < bins.first + bins.count; ++bin) {
+        const double from = static_cast<double>(bin) * plan_->bin_length - where;
+        const double amplitude = std::sqrt(point.power * share_of(from));
+        points_real_[bin - with_points_.first] += static_cast<float>(amplitude * cosine);
+        points_imaginary_[bin - with_points_.first] += static_cast<float>(amplitude * sine);
     }
 }
 
@@ -213,8 +233,8 @@ void BeamChain::interfere_with_points(double place, std::span<float> values) con
     const RandomStream stream{ping_.key, ping_.view.key(), static_cast<std::uint32_t>(place), point_phase};
     const double per_look = 1 / plan_->echo.looks;
     const bool diffuse = plan_->speckle;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const float real = points_real_[i], imaginary = points_imaginary_[i];
+    for (std::size_t k = 0, i = with_points_.first; k < with_points_.count; ++k, ++i) {
+        const float real = points_real_[k], imaginary = points_imaginary_[k];
         if (real == 0 && imaginary == 0) continue;
         float cross = 0;
         if (diffuse) {

@@ -135,13 +135,14 @@ class BeamChain {
     const float* speckle_of(std::size_t beam, double place);
     void spread(std::span<const float> values, std::span<float> means);
     void find_means(std::size_t beam, const Before& before);
-    void scatter_with_noise(const float* echo, const float* of_noise, const FreshPower& fresh,
-                            std::span<float> values) const;
-    void renew_speckle(std::size_t beam, const FreshPower& fresh, std::span<const float> values);
+    void scatter_with_noise(std::span<const float> means, const float* echo, const float* of_noise,
+                            const FreshPower& fresh, std::span<float> values) const;
+    void renew_speckle(std::size_t beam, const FreshPower& fresh, std::span<const float> means);
     const float* noise_of(std::size_t beam);
     void steady_in_noise(std::size_t beam, std::span<float> values);
     bool add_points(std::span<const PointEcho> points);
-    void place_point(const PointEcho& point, double where);
+    Part bins_of(const PointEcho& point) const;
+    void place_point(const PointEcho& point);
     double share_of(double from) const;
     void interfere_with_points(double place, std::span<float> values) const;
 
@@ -151,12 +152,15 @@ class BeamChain {
     ChainPing ping_;
     Lean::Means means_;             ///< after the pulse
     std::size_t next_mean_ = none;  ///< beam of the next of them
+    std::vector<float> own_means_;  ///< of a beam that knows none beside it
+    std::vector<float> textured_;
     std::array<Fields, kinds> fields_;
     std::array<RowFields, kinds> of_rows_;
     std::array<const float*, kept> beside_{};  ///< fields of speckle of the beam under way, by steps from it
     std::uint64_t uses_ = 0;
+    Part with_points_;                                   ///< bins that a beam's point echoes reach
     std::vector<float> points_real_, points_imaginary_;  ///< amplitude of the point echoes, sqrt(uPa^2)
-    std::vector<float> places_, cosines_, padded_, white_, next_white_, scratch_, fresh_;
+    std::vector<float> places_, energies_, cosines_, padded_, white_, next_white_, scratch_, fresh_;
 };
 
 }  // namespace echoloop

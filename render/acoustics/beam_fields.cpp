@@ -6,6 +6,7 @@
 
 #include "render/acoustics/beam_chain.h"
 #include "render/acoustics/chain_kernels.h"
+#include "render/acoustics/lean_kernels.h"
 
 namespace echoloop {
 namespace {
@@ -142,21 +143,21 @@ void BeamChain::hear_leaning(double place, Part part) {
     const auto [first, last] = kernels::shift(static_cast<float>(place - whole), part.count, places_.data());
     const auto per_reach = static_cast<float>(1 / (kernel.reach * kernel.reach));
     std::array<const float*, kept> fields;
-    // Levels that are no numbers lie nowhere.
     constexpr int most = kept / 2;
     const int nearest = std::max(first + 1 - kernel.cells(), -most),
               farthest = std::clamp(last + kernel.cells(), nearest, most - 1);
     std::size_t count = 0;
     for (int step = nearest; step <= farthest; ++step)
         fields[count++] = speckle_beside(static_cast<std::uint32_t>(whole), step) + part.first;
-    kernels::hear_cells({fields.data(), count, nearest, per_reach, static_cast<float>(kernel.middle)},
-                        places_.data(), part.count, out);
+    kernels::hear_cells(
+        {fields.data(), count, nearest, kernel.cells(), per_reach, static_cast<float>(kernel.middle)},
+        places_.data(), part.count, energies_.data(), out);
 }
 
 const float* BeamChain::speckle_of(std::size_t beam, double place) {
     const std::size_t size = plan_->leans() ? part_size : plan_->bins;
     const auto least = static_cast<float>(plan_->noise_power / 10);  // an echo below is not heard
-    places_.resize(size);
+    places_.resize(size), energies_.resize(size);
     beside_.fill(nullptr);
     const HeardCells on_axis = cells_at(speckle, place);
     for (std::size_t first = 0; first < plan_->bins; first += size) {
@@ -172,7 +173,7 @@ const float* BeamChain::speckle_of(std::size_t beam, double place) {
 
 /// What floats in the water is elsewhere at every ping: the numbers of that share of the echo are new. Mostly
 /// it is heard right before the array only.
-void BeamChain::renew_speckle(std::size_t beam, const FreshPower& fresh, std::span<const float> values) {
+void BeamChain::renew_speckle(std::size_t beam, const FreshPower& fresh, std::span<const float> means) {
     constexpr float least = 0.05F;  // of all power; what is less is not seen to stay
     fresh_.resize(fresh.steps.size() * fresh.bins_per_step);
     for (std::size_t k = 0; k < fresh.steps.size(); ++k)
@@ -181,12 +182,12 @@ void BeamChain::renew_speckle(std::size_t beam, const FreshPower& fresh, std::sp
     std::optional<HeardCells> cells;
     for (std::size_t first = 0; first < plan_->bins; first += part_size) {
         const std::size_t count = std::min(part_size, plan_->bins - first);
-        if (!kernels::is_part(&fresh_[first], &values[first], least, static_cast<float>(plan_->noise_power),
+        if (!kernels::is_part(&fresh_[first], &means[first], least, static_cast<float>(plan_->noise_power),
                               count))
             continue;
         if (!cells) cells = cells_at(fresh_speckle, plan_->grid.place_of(ping_.bearings[beam]));
         hear(fresh_speckle, *cells, {first, count});
-        kernels::renew(&fresh_[first], &values[first], &fields_[fresh_speckle].heard[first], count,
+        kernels::renew(&fresh_[first], &means[first], &fields_[fresh_speckle].heard[first], count,
                        &fields_[speckle].heard[first]);
     }
 }

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
-#include "render/acoustics/vector_math.h"
+#include "render/simd.h"
 
 namespace echoloop::kernels {
 
@@ -41,9 +39,9 @@ struct Together {
     float whole, share, z;
 };
 
-ECHOLOOP_INLINE Together together(float power, NoisePowers noise_powers, float echo, float noise) {
-    const float whole = power + noise_powers.beside,
-                share = std::max(power - noise_powers.within, 0.0F) / (whole + smallest);
+ECHOLOOP_INLINE Together together(float mean, NoisePowers noise_powers, float echo, float noise) {
+    const float whole = mean + noise_powers.beside,
+                share = std::max(mean - noise_powers.within, 0.0F) / (whole + smallest);
     const float rest = std::sqrt(std::max(1 - share * share, 0.0F));
     const float z = share * echo + rest * noise;
     return {whole, share, std::min(std::max(z, -law_end), law_end)};
@@ -52,11 +50,11 @@ ECHOLOOP_INLINE Together together(float power, NoisePowers noise_powers, float e
 /// Echo and noise have one law.
 ECHOLOOP_SIMD void scatter_alike(const float* law, const float* __restrict echo,
                                  const float* __restrict noise, NoisePowers noise_powers, std::size_t count,
-                                 float* __restrict power) {
+                                 const float* __restrict mean, float* __restrict power) {
     float terms_of[law_terms];
     for (int k = 0; k < law_terms; ++k) terms_of[k] = law[k];
     for (std::size_t i = 0; i < count; ++i) {
-        const Together both = together(power[i], noise_powers, echo[i], noise[i]);
+        const Together both = together(mean[i], noise_powers, echo[i], noise[i]);
         float root = terms_of[law_terms - 1];
 #pragma GCC unroll 8
         for (int k = law_terms - 2; k >= 0; --k) root = root * both.z + terms_of[k];
@@ -65,11 +63,11 @@ ECHOLOOP_SIMD void scatter_alike(const float* law, const float* __restrict echo,
 }
 
 ECHOLOOP_SIMD void scatter_between(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t count,
-                                   float* power) {
+                                   const float* __restrict mean, float* __restrict power) {
     float base[law_terms], more[law_terms];
     for (int k = 0; k < law_terms; ++k) base[k] = noise.root[k], more[k] = echo.root[k] - noise.root[k];
     for (std::size_t i = 0; i < count; ++i) {
-        const Together both = together(power[i], noise_powers, echo.z[i], noise.z[i]);
+        const Together both = together(mean[i], noise_powers, echo.z[i], noise.z[i]);
         float root = base[law_terms - 1] + both.share * more[law_terms - 1];
 #pragma GCC unroll 8
         for (int k = law_terms - 2; k >= 0; --k) root = root * both.z + (base[k] + both.share * more[k]);
@@ -79,11 +77,12 @@ ECHOLOOP_SIMD void scatter_between(Normals echo, Normals noise, NoisePowers nois
 
 }  // namespace
 
-void scatter(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t count, float* power) {
+void scatter(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t count, const float* mean,
+             float* power) {
     if (std::equal(echo.root, echo.root + law_terms, noise.root))
-        scatter_alike(echo.root, echo.z, noise.z, noise_powers, count, power);
+        scatter_alike(echo.root, echo.z, noise.z, noise_powers, count, mean, power);
     else
-        scatter_between(echo, noise, noise_powers, count, power);
+        scatter_between(echo, noise, noise_powers, count, mean, power);
 }
 
 ECHOLOOP_SIMD void multiply_by_law(const float* law, const float* z, std::size_t count, float* power) {
@@ -135,52 +134,6 @@ ECHOLOOP_SIMD void weighted_sum(const float* const* fields, const float* weights
         for (std::size_t i = 0; i < count; ++i) out[i] += weights[k] * fields[k][i];
 }
 
-namespace {
-
-constexpr std::size_t heard_together = 32;
-
-/// hear_cells() of some bins, no more than `heard_together`, whose sums stay in registers where that number
-/// is known.
-ECHOLOOP_INLINE void hear_some(const CellFields& cells, const float* places, std::size_t begin,
-                               std::size_t count, float* out) {
-    float sum[heard_together], energy[heard_together];
-    const auto weight_at = [&](std::size_t k, std::size_t i) {
-        const float distance = places[begin + i] - static_cast<float>(cells.first + static_cast<int>(k));
-        const float s = std::min(distance * distance * cells.per_reach, 1.0F), rest = 1 - s;
-        return rest * rest * (1 + cells.middle * s);
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-        const float weight = weight_at(0, i);
-        sum[i] = weight * cells.fields[0][begin + i];
-        energy[i] = weight * weight;
-    }
-    for (std::size_t k = 1; k < cells.count; ++k) {
-        const float* field = cells.fields[k] + begin;
-        for (std::size_t i = 0; i < count; ++i) {
-            const float weight = weight_at(k, i);
-            sum[i] += weight * field[i];
-            energy[i] += weight * weight;
-        }
-    }
-    for (std::size_t i = 0; i < count; ++i) out[begin + i] = sum[i] / std::sqrt(energy[i]);
-}
-
-}  // namespace
-
-ECHOLOOP_SIMD void hear_cells(const CellFields& cells, const float* places, std::size_t count, float* out) {
-    const std::size_t whole = count / heard_together * heard_together;
-    for (std::size_t begin = 0; begin < whole; begin += heard_together)
-        hear_some(cells, places, begin, heard_together, out);
-    hear_some(cells, places, whole, count - whole, out);
-}
-
-ECHOLOOP_SIMD bool differ(const float* a, const float* b, float ratio, float least, std::size_t count) {
-    int more = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        more |= static_cast<int>(a[i] > ratio * b[i] + least) | static_cast<int>(b[i] > ratio * a[i] + least);
-    return more != 0;
-}
-
 ECHOLOOP_SIMD bool is_part(const float* part, const float* power, float least, float noise,
                            std::size_t count) {
     int more = 0;
@@ -194,39 +147,6 @@ ECHOLOOP_SIMD void renew(const float* fresh, const float* power, const float* z_
         const float share = std::max(1 - fresh[i] / (power[i] + smallest), 0.0F);
         z[i] = share * z[i] + std::sqrt(std::max(1 - share * share, 0.0F)) * z_fresh[i];
     }
-}
-
-ECHOLOOP_SIMD void add_log_ratio(float scale, const float* a, const float* b, std::size_t count, float* out) {
-    constexpr float nothing = 1e-12F;
-    for (std::size_t i = 0; i < count; ++i)
-        out[i] += scale * vector_math::log(std::max(a[i], nothing) / std::max(b[i], nothing));
-}
-
-ECHOLOOP_SIMD void limit(float most, std::size_t count, float* values) {
-    for (std::size_t i = 0; i < count; ++i) values[i] = std::min(std::max(values[i], -most), most);
-}
-
-/// Part of shift(): a pair in memory keeps the loop from becoming vectors, and so do the least and the
-/// greatest of floats. Of whole numbers they do not.
-ECHOLOOP_SIMD void shift_and_bound(float by, std::size_t count, float* __restrict places, std::int32_t* least,
-                                   std::int32_t* most) {
-    std::int32_t low = std::numeric_limits<std::int32_t>::max(),
-                 high = std::numeric_limits<std::int32_t>::min();
-    for (std::size_t i = 0; i < count; ++i) {
-        const float place = places[i] + by;
-        places[i] = place;
-        const auto whole = static_cast<std::int32_t>(place);
-        const std::int32_t below = whole - static_cast<std::int32_t>(place < static_cast<float>(whole));
-        low = below < low ? below : low;
-        high = below > high ? below : high;
-    }
-    *least = low, *most = high;
-}
-
-std::pair<int, int> shift(float by, std::size_t count, float* places) {
-    std::int32_t least = 0, most = 0;
-    shift_and_bound(by, count, places, &least, &most);
-    return {least, most};
 }
 
 ECHOLOOP_SIMD void receive(float limit, std::size_t count, float* power) {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <utility>
 
 namespace echoloop::kernels {
 
@@ -11,15 +10,6 @@ namespace echoloop::kernels {
 struct Normals {
     const float* z;
     const float* root;
-};
-
-/// Fields of neighbouring cells, and how much a place hears of each: see BeamKernel.
-struct CellFields {
-    const float* const* fields;
-    std::size_t count;  ///< at least one
-    int first;          ///< the cell of the first of them
-    float per_reach;    ///< 1 / reach^2
-    float middle;
 };
 
 /// Mean powers, uPa^2, whose normal variables are the noise's: that beside the echo, and that of what is in
@@ -30,8 +20,9 @@ struct NoisePowers {
 
 /// Speckle and noise are one field: mean powers become intensities. With the share s of the echo in the whole
 /// mean power, z = s z_echo + sqrt(1 - s^2) z_noise, as intensities of two interfering fields have it; the
-/// law lies between both by the same share.
-void scatter(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t count, float* power);
+/// law lies between both by the same share. `power` lies elsewhere than `mean`.
+void scatter(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t count, const float* mean,
+             float* power);
 /// power *= the intensity by the law.
 void multiply_by_law(const float* root, const float* z, std::size_t count, float* power);
 /// power = |a + b|^2 of two fields of power and other in intensity, whose phases differ by the angle of that
@@ -42,21 +33,11 @@ void blend(std::array<float, 4> weights, const float* a, const float* b, std::si
 /// out = the sum of weights[k] fields[k], of at least one.
 void weighted_sum(const float* const* fields, const float* weights, std::size_t fields_count,
                   std::size_t count, float* out);
-/// out = what each bin hears at its place, in cells, with weights whose squares add up to 1.
-void hear_cells(const CellFields& cells, const float* places, std::size_t count, float* out);
-/// Whether one of two powers is anywhere more than `ratio` times the other and `least`.
-bool differ(const float* a, const float* b, float ratio, float least, std::size_t count);
 /// Whether a part of the power is anywhere more than `least` times the power and the noise.
 bool is_part(const float* part, const float* power, float least, float noise, std::size_t count);
 /// Normal numbers z of echoes of which the part `fresh` of the power has numbers of its own: with the rest's
 /// share s, z = s z + sqrt(1 - s^2) z_fresh, as for two interfering fields.
 void renew(const float* fresh, const float* power, const float* z_fresh, std::size_t count, float* z);
-/// out += scale ln(a / b); powers below 1e-12 uPa^2 count as that.
-void add_log_ratio(float scale, const float* a, const float* b, std::size_t count, float* out);
-/// Brings what is beyond +-most back to it.
-void limit(float most, std::size_t count, float* values);
-/// Adds `by` to places, and says within which cells they lie: the least and the greatest whole number below.
-std::pair<int, int> shift(float by, std::size_t count, float* places);
 /// power = min(power, limit).
 void receive(float limit, std::size_t count, float* power);
 

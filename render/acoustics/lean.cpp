@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/acoustics/chain_kernels.h"
+#include "render/acoustics/lean_kernels.h"
 
 namespace echoloop {
 namespace {
@@ -24,14 +24,17 @@ Lean::Lean(const Shot& shot, double cell) : most_(static_cast<float>(most_widths
     const auto& bearings = shot.bearings;
     const double k = 4 * std::log(2.0) / (shot.beam_width * shot.beam_width);
     const auto scale = [&](double step) { return static_cast<float>(1 / (2 * k * step * cell)); };
+    const auto term = [](std::size_t over, std::size_t under, float by) {
+        return Term{over, under, by, std::exp(not_worth / std::abs(by))};
+    };
     const std::size_t last = bearings.size() - 1;
     beams_.resize(bearings.size());
     for (std::size_t n = 1; n < last; ++n)
-        beams_[n].terms[0] = {n + 1, n - 1, scale(bearings[n + 1] - bearings[n - 1])};
+        beams_[n].terms[0] = term(n + 1, n - 1, scale(bearings[n + 1] - bearings[n - 1]));
     // At the ends by the parabola through three: half of 4 ln P1 - ln P2 - 3 ln P0 a step.
     const float begin = scale(bearings[2] - bearings[0]), end = scale(bearings[last] - bearings[last - 2]);
-    beams_[0] = {{{1, 0, 3 * begin}, {1, 2, begin}}};
-    beams_[last] = {{{last - 1, last, -3 * end}, {last - 1, last - 2, -end}}};
+    beams_[0] = {{term(1, 0, 3 * begin), term(1, 2, begin)}};
+    beams_[last] = {{term(last - 1, last, -3 * end), term(last - 1, last - 2, -end)}};
 }
 
 std::pair<std::size_t, std::size_t> Lean::lean_on(std::size_t beam) const {
@@ -45,9 +48,8 @@ bool Lean::find(std::size_t beam, const Means& means, float least, std::size_t f
     const auto& terms = beams_[beam].terms;
     bool matters = false;
     for (const Term& term : terms)
-        matters = matters || (term.scale != 0 &&
-                              kernels::differ(levels(term.over), levels(term.under),
-                                              std::exp(not_worth / std::abs(term.scale)), least, out.size()));
+        matters = matters || (term.scale != 0 && kernels::differ(levels(term.over), levels(term.under),
+                                                                 term.worth, least, out.size()));
     if (!matters) return false;
     std::fill(out.begin(), out.end(), 0.0F);
     for (const Term& term : terms)

@@ -47,6 +47,7 @@ class Lean {
     struct Term {
         std::size_t over = 0, under = 0;
         float scale = 0;
+        float worth = 0;  ///< a ratio of powers that makes a difference
     };
     struct Beam {
         Term terms[2];  ///< the second is for the outermost beams

@@ -143,4 +143,24 @@ void LineFilter::apply(std::span<float> padded, std::size_t count, float* out,
     convolve(start, count, taps_.data(), taps_.size(), out);
 }
 
+void LineFilter::filter(std::span<const float> values, float* out) const {
+    const std::size_t count = values.size(), begin = std::min(before(), count),
+                      end = count - std::min(after(), count - begin);
+    const auto taps = static_cast<std::ptrdiff_t>(taps_.size()), all = static_cast<std::ptrdiff_t>(count);
+    const auto at_an_end = [&](std::size_t j) {
+        float sum = 0;
+        for (std::ptrdiff_t k = 0; k < taps; ++k) {
+            const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(j) - first_ - k;
+            if (0 <= i && i < all)
+                sum += taps_[static_cast<std::size_t>(k)] * values[static_cast<std::size_t>(i)];
+        }
+        return sum;
+    };
+    for (std::size_t j = 0; j < begin; ++j) out[j] = at_an_end(j);
+    if (begin < end)
+        convolve_if_few(values.data() + (static_cast<std::ptrdiff_t>(begin) - first_), end - begin,
+                        taps_.data(), taps_.size(), out + begin);
+    for (std::size_t j = end; j < count; ++j) out[j] = at_an_end(j);
+}
+
 }  // namespace echoloop

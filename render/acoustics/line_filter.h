@@ -27,12 +27,17 @@ class LineFilter {
     /// `padded` holds before() bins, then `count` bins that belong to the output, then after() bins, and has
     /// room for room(count) floats; it is overwritten. `out` has room for `count`.
     void apply(std::span<float> padded, std::size_t count, float* out, std::vector<float>& scratch) const;
+    /// Whether `values` can be filtered as they are, with zeros before and behind them, by filter().
+    bool is_short() const { return box_ == 0 && taps_.size() <= most_short; }
+    /// `out` lies elsewhere, and is as long. Of a filter that is_short().
+    void filter(std::span<const float> values, float* out) const;
     std::size_t room(std::size_t count) const { return before() + count + after() + tile; }
     bool operator==(const LineFilter&) const = default;
 
     static constexpr std::size_t tile = 32;  ///< outputs at a time
 
   private:
+    static constexpr std::size_t most_short = 8;
     std::ptrdiff_t first_;
     std::vector<float> taps_;
     std::size_t box_ = 0, smoothing_ = 1;

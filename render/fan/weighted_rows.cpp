@@ -36,10 +36,6 @@ void transpose(RowsOfStretches& rows) {
             }
 }
 
-using Vector4 [[maybe_unused]] = float __attribute__((vector_size(16)));
-using Vector8 [[maybe_unused]] = float __attribute__((vector_size(32)));
-using Vector16 [[maybe_unused]] = float __attribute__((vector_size(64)));
-
 /// Sums the bins in tiles of `across` vectors each; the last tile ends with the last bin, and does again what
 /// it shares with the one before. Gives the number of bins, or 0 where there is no tile. `Vector` is no wider
 /// than the processor's, and the sums of a tile fit into its registers: where either is not so, the compiler
@@ -87,18 +83,18 @@ ECHOLOOP_INLINE std::size_t sum_tiles_of(const Sums& in) {
 
 #ifdef ECHOLOOP_SIMD_VERSIONS
 __attribute__((target("arch=x86-64-v4"))) std::size_t sum_tiles(const Sums& in) {
-    return sum_tiles_of<Vector16, 2>(in);
+    return sum_tiles_of<Sixteen, 2>(in);
 }
 
 __attribute__((target("arch=x86-64-v3"))) std::size_t sum_tiles(const Sums& in) {
-    return sum_tiles_of<Vector8, 2>(in);
+    return sum_tiles_of<Eight, 2>(in);
 }
 
 __attribute__((target("default")))
 #endif
 std::size_t
 sum_tiles(const Sums& in) {
-    return sum_tiles_of<Vector4, 2>(in);
+    return sum_tiles_of<Four, 2>(in);
 }
 
 }  // namespace

@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 
+#include "render/acoustics/lean_kernels.h"
+#include "render/acoustics/random.h"
+#include "render/acoustics/scatterer_view.h"
 #include "tests/render/acoustics/chain_shots.h"
 #include "tests/render/acoustics/statistics.h"
 
@@ -16,6 +21,57 @@ using test::chain_shot;
 
 constexpr double pulse = 0.075;  // m
 const Effects speckled = test::only({Effect::pulse, Effect::speckle});
+
+/// BeamKernel's weights of cells 0, 1, ... as they are written down, their squares' sum made 1.
+double heard_at(const std::vector<std::vector<float>>& fields, std::size_t bin, double place, int first,
+                double reach, double middle) {
+    double sum = 0, energy = 0;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        const double weight = BeamKernel{reach, middle}.weight(place - (first + static_cast<int>(k)));
+        sum += weight * double{fields[k][bin]}, energy += weight * weight;
+    }
+    return sum / std::sqrt(energy);
+}
+
+TEST(LeanKernels, HearEachBinAtItsPlaceHoweverManyThereAre) {
+    constexpr int first = -5;
+    constexpr std::size_t cells = 11, most = 130;
+    constexpr double reach = 1.6, middle = -2;
+    std::vector<std::vector<float>> fields(cells, std::vector<float>(most));
+    std::array<const float*, cells> of{};
+    for (std::size_t k = 0; k < cells; ++k) {
+        for (std::size_t i = 0; i < most; ++i)
+            fields[k][i] = static_cast<float>(static_cast<double>(mix(k, i) >> 11U) * 0x1p-53 - 0.5);
+        of[k] = fields[k].data();
+    }
+    std::vector<float> places(most);  // all over the cells, and then all in one
+    for (std::size_t i = 0; i < most; ++i)
+        places[i] = i < 70 ? static_cast<float>(-3 + 0.006 * static_cast<double>(mix(9, i) % 1000)) : 1.25F;
+    const BeamKernel kernel{reach, middle};
+    for (const std::size_t count : {1U, 31U, 32U, 33U, 64U, 110U, 128U}) {
+        std::vector<float> energies(count), out(most, -9);
+        kernels::hear_cells({of.data(), cells, first, kernel.cells(), 1 / static_cast<float>(reach * reach),
+                             static_cast<float>(middle)},
+                            places.data(), count, energies.data(), out.data());
+        for (std::size_t i = 0; i < count; ++i)
+            EXPECT_NEAR(out[i], heard_at(fields, i, double{places[i]}, first, reach, middle), 2e-6)
+                << "bin " << i << " of " << count;
+        EXPECT_EQ(out[count], -9) << "beyond the last of " << count;
+    }
+}
+
+TEST(LeanKernels, TellRatiosOfPowers) {
+    std::vector<float> a, b, out;
+    for (const float ratio : {1e-8F, 0.3F, 0.7071F, 0.99F, 1.0F, 1.01F, 1.4143F, 5.0F, 3e9F})
+        a.push_back(7 * ratio), b.push_back(7), out.push_back(1);
+    kernels::add_log_ratio(2, a.data(), b.data(), a.size(), out.data());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        EXPECT_NEAR(out[i], 1 + 2 * std::log(double{a[i]} / double{b[i]}), 2.1e-4) << a[i] / b[i];
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    std::vector<float> far{-9, 9, 0.5F, nan};
+    kernels::limit(2, far.size(), far.data());
+    EXPECT_EQ(far, (std::vector<float>{-2, 2, 0.5F, -2}));
+}
 
 /// Beams a third of their width apart.
 Shot overlapping(std::size_t beams, std::size_t bins, double bin) {

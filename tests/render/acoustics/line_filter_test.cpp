@@ -9,7 +9,7 @@
 namespace echoloop {
 namespace {
 
-constexpr std::ptrdiff_t no_delay = 0, early = -2;
+constexpr std::ptrdiff_t no_delay = 0, early = -2, late = 3;
 
 TEST(LineFilter, AddsWhatItsTapsMakeOfTheInput) {
     for (const std::size_t count : {1U, 32U, 37U})
@@ -32,6 +32,26 @@ TEST(LineFilter, AddsWhatItsTapsMakeOfTheInput) {
                         << "output " << j << " of " << count << ", " << tap_count << " taps";
                 }
             }
+}
+
+TEST(LineFilter, FiltersAShortRowWhereItLies) {
+    for (const std::size_t count : {1U, 2U, 5U, 37U})
+        for (const std::size_t tap_count : {1U, 2U, 7U, 8U})
+            for (const std::ptrdiff_t first : {no_delay, early, late}) {
+                std::vector<float> taps;
+                for (std::size_t k = 0; k < tap_count; ++k) taps.push_back(static_cast<float>(k + 1));
+                const LineFilter filter(first, taps);
+                ASSERT_TRUE(filter.is_short());
+                std::vector<float> values(count), out(count), padded(filter.room(count)), expected(count),
+                    scratch;
+                for (std::size_t i = 0; i < count; ++i)
+                    padded[filter.before() + i] = values[i] = static_cast<float>(i * i % 17 + 1);
+                filter.filter(values, out.data());
+                filter.apply(padded, count, expected.data(), scratch);
+                EXPECT_EQ(out, expected) << count << " bins, " << tap_count << " taps from " << first;
+            }
+    EXPECT_FALSE(LineFilter(0, std::vector<float>(9, 1)).is_short());
+    EXPECT_FALSE(LineFilter::boxed(3, 1, 0, {1}).is_short());
 }
 
 TEST(LineFilter, HasATapAtLeast) { EXPECT_THROW(LineFilter(0, {}), std::invalid_argument); }
