@@ -49,8 +49,11 @@ class LineBins {
         };
         const auto second = static_cast<float>(first + 1);
         values_[first] += piece(from, second);
-        float value = density + change * (second + 0.5F - middle);  // most echoes cover two to five bins
-        for (int i = first + 1; i < last; ++i) values_[i] += value, value += change;
+        float value = density + change * (second + 0.5F - middle);
+        if (slope == 0)  // apart, so that it becomes vectors: indirect echoes are long
+            for (int i = first + 1; i < last; ++i) values_[i] += density;
+        else
+            for (int i = first + 1; i < last; ++i) values_[i] += value, value += change;
         values_[last] += piece(static_cast<float>(last), to);
     }
 
@@ -60,13 +63,17 @@ class LineBins {
         for (std::size_t i = begin; i < end; ++i) values_[i] += weight * row[i];
     }
 
-    void clear() {
+    void clear() { clear_but(0, 0); }
+    /// The same, but for bins begin..end - 1, which keep what they hold: for who sets all of them.
+    void clear_but(std::size_t begin, std::size_t end) {
         // Only where something is: that is half of a usual line, or less.
         for (std::uint64_t left = filled_.bits; left != 0;) {
             const int from = std::countr_zero(left), stretches = std::countr_one(left >> from);
             const std::size_t first = std::max(static_cast<std::size_t>(from) << shift_, begin_),
                               last = std::min(static_cast<std::size_t>(from + stretches) << shift_, end_);
-            if (first < last) std::fill(values_ + first, values_ + last, 0.0F);
+            const std::size_t before = std::min(last, begin), behind = std::max(first, end);
+            if (first < before) std::fill(values_ + first, values_ + before, 0.0F);
+            if (behind < last) std::fill(values_ + behind, values_ + last, 0.0F);
             left = from + stretches < 64 ? left >> (from + stretches) << (from + stretches) : 0;
         }
         begin_ = bins_;

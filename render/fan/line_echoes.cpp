@@ -168,6 +168,7 @@ void deposit_line(LineEchoes& echoes, std::size_t samples, LineBins& bins) {
     const BinStretch covered = echoes.spreader.spread(
         {echoes.low.data(), echoes.high.data(), echoes.amount.data(), echoes.slope.data()}, samples,
         bins.size(), bins.data());
+    bins.clear_but(covered.begin, covered.end);
     if (!covered.empty()) bins.look_at(covered.begin, covered.end);
 }
 

@@ -47,7 +47,7 @@ void multiply(const float* factor, std::size_t samples, float* amount);
 /// falls as R^-2, cos(i) as R^-1.
 void find_places(PixelArrays row, const Extents& extents, BinScale scale, std::size_t samples,
                  LineEchoes& out);
-/// Adds all of them to the bins.
+/// Sets the bins to the sum of all of them, whatever was there before.
 void deposit_line(LineEchoes& echoes, std::size_t samples, LineBins& bins);
 
 /// m, the nearest of `samples` pixels with a surface; infinity: there is none.

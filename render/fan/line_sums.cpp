@@ -99,20 +99,15 @@ void LineSums::look_at_sectors() {
     for (LineBins& sector : sectors_) sector.look_at(0, bins_);
 }
 
-void LineSums::clear_row(LineBins& bins, float* steps) {
-    bins.clear();
-    std::fill_n(steps, 2 * steps_, 0.0F);
-}
-
-void LineSums::clear_line(std::size_t i) { clear_row(lines_[i], line_steps(i)); }
+void LineSums::clear_steps(std::size_t i) { std::fill_n(line_steps(i), 2 * steps_, 0.0F); }
 
 void LineSums::clear_sectors() {
-    for (std::size_t i = 0; i < sectors_.size(); ++i) clear_row(sectors_[i], sector_steps(i));
+    for (std::size_t i = 0; i < sectors_.size(); ++i) sectors_[i].clear(), clear_steps(lines_.size() + i);
 }
 
 void LineSums::resize(std::size_t lines, std::size_t sectors, std::size_t bins, std::size_t steps) {
     fit(lines, sectors, bins, steps);
-    for (std::size_t i = 0; i < lines; ++i) clear_line(i);
+    for (std::size_t i = 0; i < lines; ++i) lines_[i].clear(), clear_steps(i);
     clear_sectors();
 }
 

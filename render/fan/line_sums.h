@@ -15,10 +15,10 @@ class LineSums {
   public:
     /// `steps`: of the water's volume and of its surface, behind the bins of each row.
     void resize(std::size_t lines, std::size_t sectors, std::size_t bins, std::size_t steps = 0);
-    /// The same, but rows may hold what they did, for who clears each right before it is filled, on the
-    /// thread that does so.
+    /// The same, but rows may hold what they did, for who sets each line, and clears its steps right before
+    /// that, on the thread that does so.
     void fit(std::size_t lines, std::size_t sectors, std::size_t bins, std::size_t steps);
-    void clear_line(std::size_t i);
+    void clear_steps(std::size_t i);
     void clear_sectors();
     LineBins& line(std::size_t i) { return lines_[i]; }
     LineBins& sector(std::size_t i) { return sectors_[i]; }
@@ -46,7 +46,6 @@ class LineSums {
 
   private:
     static constexpr std::size_t floats_per_line = 16;
-    void clear_row(LineBins& bins, float* steps);
     FilledBins filled_steps() const {
         return FilledBins::within(bins_, length(), FilledBins::shift_of(length()));
     }
@@ -69,7 +68,8 @@ enum class Amount {
 
 constexpr bool is_echo(Amount amount) { return amount == Amount::echo || amount == Amount::wanted_echo; }
 
-/// Adds the pixels of a level line to its bins, and the water's echo to its `steps` unless that is null.
+/// Sets the bins of a level line to what its pixels send back, and adds the water's echo to its `steps`
+/// unless that is null.
 void add_level_line(const BinningInput& in, const BinGain& gain, Amount amount, const View& view,
                     std::size_t line, LineReader& reader, LineBins& bins, float* steps = nullptr);
 /// Adds the pixels of a surround line to their sectors, at which nobody looks; `only_wanted`: of the surfaces

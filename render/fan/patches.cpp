@@ -218,7 +218,7 @@ void Patches::place(const Pose& world_from_fan, std::span<const Pose> movers,
 void Patches::find_stretches(const float* surface, std::size_t count, std::vector<Stretch>& out) const {
     out.clear();
     for (std::size_t first = 0, last = 0; first < count; first = last) {
-        while (last < count && surface[last] == surface[first]) ++last;
+        last = first + count_alike(surface + first, count - first);
         const auto number = static_cast<std::size_t>(surface[first]);
         if (number > 0 && number <= surfaces_.size() && surfaces_[number - 1].strength > 0)
             out.push_back({first, last, surfaces_[number - 1]});

@@ -76,16 +76,23 @@ void find_limits(const std::int32_t* __restrict first, const std::int32_t* __res
     *begin = low, *end = high;
 }
 
-/// And leaves the turns empty.
+/// Their sum; and leaves the turns empty.
 ECHOLOOP_SIMD
 void add_turns(float* __restrict rows, std::size_t stride, std::size_t begin, std::size_t end,
                float* __restrict values) {
     static_assert(turns == 4);
     float* __restrict a = rows, * __restrict b = a + stride, * __restrict c = b + stride, * __restrict d = c + stride;
     for (std::size_t i = begin; i < end; ++i) {
-        values[i] += (a[i] + b[i]) + (c[i] + d[i]);
+        values[i] = (a[i] + b[i]) + (c[i] + d[i]);
         a[i] = 0, b[i] = 0, c[i] = 0, d[i] = 0;
     }
+}
+
+/// From turn to turn, of rows of so many floats: whole pages and a quarter of one. A read waits for a write
+/// that is a whole number of pages away, as if it were of the same place.
+std::size_t stride_of(std::size_t floats) {
+    constexpr std::size_t page = 4096 / sizeof(float), quarter = page / turns;
+    return (floats + page - quarter - 1) / page * page + quarter;
 }
 
 }  // namespace
@@ -107,7 +114,7 @@ void EchoSpreader::add(std::size_t count, float* rows) {
 BinStretch EchoSpreader::spread(const EchoArrays& echoes, std::size_t count, std::size_t bins,
                                 float* values) {
     constexpr std::size_t line = 16;  // floats of the cache's, so that a vector lies in one
-    const std::size_t stride = (bins + bins_at_once + line - 1) / line * line;
+    const std::size_t stride = stride_of(bins + bins_at_once);
     if (turns_.size() != turns * stride + line) turns_.assign(turns * stride + line, 0.0F);
     void* first_turn = turns_.data();
     std::size_t room = turns_.size() * sizeof(float);
@@ -117,10 +124,11 @@ BinStretch EchoSpreader::spread(const EchoArrays& echoes, std::size_t count, std
     find(echoes, turn_.data(), count, bins, stride, 1);
     std::int32_t begin = static_cast<std::int32_t>(bins), end = 0;
     find_limits(first_.data(), blocks_.data(), static_cast<int>(count), &begin, &end);
-    const BinStretch covered{static_cast<std::size_t>(begin), std::min(static_cast<std::size_t>(end), bins)};
+    const BinStretch covered{static_cast<std::size_t>(begin) / line * line,
+                             std::min(static_cast<std::size_t>(end), bins)};
     if (covered.empty()) return covered;
     add(count, rows);
-    add_turns(rows, stride, covered.begin / line * line, covered.end, values);
+    add_turns(rows, stride, covered.begin, covered.end, values);
     return covered;
 }
 

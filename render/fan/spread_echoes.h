@@ -25,9 +25,9 @@ struct BinStretch {
 /// Echoes as blocks of bins. Holds the work memory of one thread.
 class EchoSpreader {
   public:
-    /// Adds the echoes of one line to the `bins` of `values`; returns where they lie. Neighbours mostly cover
-    /// the same bins, and what was just written is slow to read at another place: so they take turns in a few
-    /// rows, which are added at the end.
+    /// Adds up the echoes of one line. Returns which of the `bins` of `values` it has set; what the others
+    /// hold stays. Neighbours mostly cover the same bins, and what was just written is slow to read at
+    /// another place: so they take turns in a few rows, which are added at the end.
     BinStretch spread(const EchoArrays& echoes, std::size_t count, std::size_t bins, float* values);
 
     /// Adds each echo to a row of its own choice: `row` says which one, `stride` floats after the one before.

@@ -149,7 +149,7 @@ class FanSumming final : public Summing {
             reader.restart();
             for (std::size_t line = piece.first; line < piece.last; ++line) {
                 const std::size_t number = piece.view->first_line + line;
-                sums_.clear_line(number);
+                sums_.clear_steps(number);
                 add_level_line(in, gain, amount, *piece.view, line, reader, sums_.line(number),
                                sums_.steps() > 0 ? sums_.line_steps(number) : nullptr);
             }

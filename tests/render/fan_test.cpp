@@ -178,6 +178,17 @@ TEST(LineBins, DropsWhatIsOutside) {
     EXPECT_EQ(sum(deposited(nan, nan)), 0);
 }
 
+TEST(LineBins, ClearsWhatItHeldButForWhatIsSetAnew) {
+    constexpr std::size_t count = 256;  // a bit for each 16
+    std::vector<float> out(count);
+    LineBins row(out.data(), count);
+    row.deposit(10, 40, 1), row.deposit(100, 200, 1), row.deposit(250.5F, 250.5F, 1);
+    std::fill(out.begin() + 120, out.begin() + 130, 3.0F);
+    row.clear_but(120, 130);
+    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(out[i], 120 <= i && i < 130 ? 3 : 0) << i;
+    EXPECT_TRUE(row.empty());
+}
+
 // Equation 1 of the paper with the constants of the authors' code.
 TEST(Cerqueira, Sigmoid) {
     EXPECT_NEAR(cerqueira_sigmoid(2.0F / 3), 0.5, 1e-6);
