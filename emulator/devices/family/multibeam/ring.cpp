@@ -45,14 +45,31 @@ std::vector<std::size_t> sure_beside(std::span<const char> sure, std::size_t own
     return found;
 }
 
-/// The sum of all beams, and the greatest of them.
-ECHOLOOP_SIMD
-void add_levels(const float* __restrict levels, std::size_t bins, float* __restrict sum,
-                float* __restrict most) {
+/// Adds some beams, which lie behind each other, to the sum of all, one after the other, and finds the
+/// greatest of them.
+template <std::size_t beams>
+ECHOLOOP_INLINE void add_beams(const float* __restrict levels, std::size_t bins, float* __restrict sum,
+                               float* __restrict most) {
     for (std::size_t bin = 0; bin < bins; ++bin) {
-        sum[bin] += levels[bin];
-        most[bin] = std::max(most[bin], levels[bin]);
+        float all = sum[bin], greatest = most[bin];
+#pragma GCC unroll 4
+        for (std::size_t beam = 0; beam < beams; ++beam) {
+            const float level = levels[beam * bins + bin];
+            all += level, greatest = std::max(greatest, level);
+        }
+        sum[bin] = all, most[bin] = greatest;
     }
+}
+
+/// The sum of all beams, and the greatest of them. Several at once: the sums are in the nearest cache, but as
+/// long to read as the levels.
+ECHOLOOP_SIMD
+void add_levels(const float* levels, std::size_t beams, std::size_t bins, float* sum, float* most) {
+    constexpr std::size_t at_once = 4;
+    std::size_t beam = 0;
+    for (; beam + at_once <= beams; beam += at_once)
+        add_beams<at_once>(levels + beam * bins, bins, sum, most);
+    for (; beam < beams; ++beam) add_beams<1>(levels + beam * bins, bins, sum, most);
 }
 
 }  // namespace
@@ -62,8 +79,7 @@ SideLobes::SideLobes(const Echogram& echogram)
     if (shot_.bearings.size() < 2) return;
     const double amplitude = shot_.errors.amplitude / 8.686, phase = shot_.errors.phase;
     const double floor = design + (amplitude * amplitude + phase * phase) / (shaded * shot_.receiver.staves);
-    for (std::size_t beam = 0; beam < echogram.beams(); ++beam)
-        add_levels(echogram.beam(beam).data(), shot_.bins, likely_.data(), possible_.data());
+    add_levels(echogram.values.data(), echogram.beams(), shot_.bins, likely_.data(), possible_.data());
     const auto all = static_cast<float>(floor * share_of_one(shot_)), one = static_cast<float>(floor);
     for (std::size_t bin = 0; bin < likely_.size(); ++bin) {
         const float mean = all * likely_[bin], loudest = one * possible_[bin];

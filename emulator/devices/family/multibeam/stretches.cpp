@@ -170,16 +170,7 @@ double Stretches::bound(std::size_t from, std::size_t to, std::size_t length) co
 std::size_t Stretches::peak(double least) {
     constexpr std::size_t together = 128;  // bins that are looked at, or not
     constexpr double rounding = 1 + 1e-9;
-    std::size_t best = 0;
-    double most = -1;
-    const auto take = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const double power = mean(i);
-            if (!(power > least)) continue;
-            const double gained = with_gain(power, i);
-            if (gained > most || (gained == most && i < best)) best = i, most = gained;
-        }
-    };
+    Loudest best;
     candidates_.clear();
     for (std::size_t begin = 0; begin < size();) {
         const std::size_t h = half(begin), length = 2 * h + 1, next = next_length(begin);
@@ -192,24 +183,39 @@ std::size_t Stretches::peak(double least) {
     }
     // What promises most comes first: then hardly any other does.
     const auto promise = std::ranges::max_element(candidates_, {}, &Candidates::most);
-    if (promise != candidates_.end()) take(promise->begin, promise->end);
+    if (promise != candidates_.end()) look_at(*promise, least, best);
     for (const Candidates& one : candidates_)
-        if (one.most >= most && may_have(one, least, most)) take(one.begin, one.end);
-    return best;
+        if (one.most >= best.gained && may_have(one, least, best.gained)) look_at(one, least, best);
+    return best.bin;
+}
+
+void Stretches::look_at(const Candidates& all, double least, Loudest& best) {
+    const auto take = [&](std::size_t i, double power) {
+        if (!(power > least)) return;
+        const double gained = with_gain(power, i);
+        if (gained > best.gained || (gained == best.gained && i < best.bin)) best = {i, gained};
+    };
+    if (cuts(all)) {
+        for (std::size_t i = all.begin; i < all.end; ++i) take(i, mean(i));
+        return;
+    }
+    const double *from = sums_of(all), *to = from + all.length(), bins = static_cast<double>(all.length());
+    for (std::size_t i = all.begin; i < all.end; ++i, ++from, ++to) take(i, (*to - *from) / bins);
 }
 
 bool Stretches::may_have(const Candidates& all, double least, double most) {
-    const auto& [begin, end, h, bound] = all;
-    if (begin < h || end + h > size()) return true;  // the window cuts footprints off
-    const std::size_t count = end - begin, length = 2 * h + 1;
-    const double power = greatest_sum(begin - h, length, count) / static_cast<double>(length);
-    return power > least && with_gain(power, end - 1) >= most;
+    if (cuts(all)) return true;
+    const double* from = sums_of(all);
+    const double sum = greatest_difference(from, from + all.length(), all.end - all.begin);
+    const double power = sum / static_cast<double>(all.length());
+    return power > least && with_gain(power, all.end - 1) >= most;
 }
 
-double Stretches::greatest_sum(std::size_t first, std::size_t length, std::size_t count) {
-    for (std::size_t b = first / block; b <= (first + length + count - 1) / block; ++b)
+const double* Stretches::sums_of(const Candidates& all) {
+    const std::size_t first = all.begin - all.half;
+    for (std::size_t b = first / block; b <= (all.end + all.half) / block; ++b)
         if (!single_[b]) add_bins_of(b);
-    return greatest_difference(&sum_[first], &sum_[first + length], count);
+    return &sum_[first];
 }
 
 std::size_t Stretches::next_length(std::size_t i) const {

@@ -84,8 +84,6 @@ class Stretches {
         if (!single_[i / block]) add_bins_of(i / block);
         return sum_[i];
     }
-    /// The greatest sum of `length` bins of those that begin at the `count` ones from `first` on.
-    double greatest_sum(std::size_t first, std::size_t length, std::size_t count);
     /// No mean over `length` bins is greater, of those within the bins [from, to).
     double bound(std::size_t from, std::size_t to, std::size_t length) const;
 
@@ -93,7 +91,19 @@ class Stretches {
     struct Candidates {
         std::size_t begin, end, half;
         double most;  ///< no mean of them is greater, with the gain of the last
+        std::size_t length() const { return 2 * half + 1; }
     };
+    struct Loudest {
+        std::size_t bin = 0;
+        double gained = -1;
+    };
+    /// Whether the window cuts some of their footprints off.
+    bool cuts(const Candidates& all) const { return all.begin < all.half || all.end + all.half > size(); }
+    /// sum_ from where the first of their footprints begins until the last one's end; of footprints that are
+    /// whole.
+    const double* sums_of(const Candidates& all);
+    /// Finds the loudest of them with a mean above `least`, if it is louder than `best`.
+    void look_at(const Candidates& all, double least, Loudest& best);
     /// Whether one of them may have a mean above `least` that is not below `most` with the gain.
     bool may_have(const Candidates& all, double least, double most);
 
