@@ -37,7 +37,7 @@ class LineFilter {
     static constexpr std::size_t tile = 32;  ///< outputs at a time
 
   private:
-    static constexpr std::size_t most_short = 8;
+    static constexpr std::size_t most_short = 8;  ///< taps, as many as have a loop of their own
     std::ptrdiff_t first_;
     std::vector<float> taps_;
     std::size_t box_ = 0, smoothing_ = 1;
