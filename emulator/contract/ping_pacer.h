@@ -82,14 +82,23 @@ class PingPacer {
     std::optional<Time> began_;
 };
 
+/// Datagrams that leave at once, so that nobody is woken for each: those of so long, and of so many bytes.
+struct Batch {
+    Time time{};
+    std::size_t bytes = 0;
+};
+
 /// Spreads datagrams over time, since receivers lose bursts: the first at `from`, each `gap` behind the one
-/// before, or closer where the last would come after `until`. Returns when the next one may go. `together`:
-/// those of so long leave at once, so that nobody is woken for each.
-inline Time spread(std::span<Send> datagrams, Time from, Time gap, Time until, Time together = {}) {
+/// before, or closer where the last would come after `until`. Returns when the next one may go.
+inline Time spread(std::span<Send> datagrams, Time from, Time gap, Time until, Batch batch = {}) {
     const auto count = static_cast<Time::rep>(datagrams.size());
     if (count == 0) return from;
     gap = std::clamp((until - from) / count, Time{}, gap);
-    const Time::rep at_once = gap > Time{} ? std::max<Time::rep>(together / gap, 1) : count;
+    std::size_t largest = 1;
+    for (const Send& one : datagrams) largest = std::max(largest, one.bytes.size());
+    const auto fitting = static_cast<Time::rep>(batch.bytes / largest);
+    const Time::rep at_once =
+        gap > Time{} ? std::max<Time::rep>(std::min(batch.time / gap, fitting), 1) : count;
     for (Time::rep i = 0; i < count; ++i)
         datagrams[static_cast<std::size_t>(i)].not_before = from + i / at_once * at_once * gap;
     return from + count * gap;

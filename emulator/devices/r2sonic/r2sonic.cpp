@@ -240,9 +240,10 @@ void R2Sonic::send_products(const Echogram& echogram, const std::vector<multibea
     add(water_column_datagrams(ping_, settings_, echogram), Product::water_column);
     const auto datagrams = std::span(actions_.send).subspan(first);
     const Time end = now + from_seconds(0.8 * ping_period(ping_.controls, settings_));
-    // Those of a millisecond leave together, so that the processor is not woken for each.
-    products_until_ = spread(datagrams, std::max(now, products_until_), from_seconds(settings_.datagram_gap),
-                             end, std::chrono::milliseconds(1));
+    // A socket holds 200,000 bytes unless its reader asks for more.
+    constexpr Batch batch{std::chrono::milliseconds(4), 56'000};
+    products_until_ =
+        spread(datagrams, std::max(now, products_until_), from_seconds(settings_.datagram_gap), end, batch);
     datagrams_sent_ += static_cast<std::uint32_t>(datagrams.size());
 }
 
